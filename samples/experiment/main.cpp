@@ -9,8 +9,11 @@
 #include <thread>
 
 #include "samples/experiment/output/export.h"
+#include "samples/experiment/session/led.h"
 #include "samples/experiment/session/session.h"
 #include "samples/experiment/session/simulated.h"
+#include "samples/reach/base/interrupt.h"
+#include "samples/reach/xr/watchdog.h"
 #include "samples/whole_file.h"
 
 namespace hrt::experiment {
@@ -22,8 +25,11 @@ struct Options {
   unsigned participant = 1;
   unsigned session = 1;
   unsigned threads = 2;
-  std::uint64_t seed = 1;
   bool unblinds = false;
+  bool simulated = false;
+  bool speaks = false;
+  std::string plate = "runtime";
+  reach::Options reach;  // of a plate and OpenXR
 };
 
 void put(const std::filesystem::path& file, const std::string& content) {
@@ -31,12 +37,32 @@ void put(const std::filesystem::path& file, const std::string& content) {
     throw Refusal(file.string() + ": cannot be written: " + std::strerror(error));
 }
 
-void run_simulated(const Options& options) {
+// In this process a simulated participant, else, through OpenXR, the participant at the plate.
+void run_one(const Options& options) {
   const Design design = read_design(options.study);
-  SimulatedSubject subject(design, options.participant, options.seed);
-  const std::string end =
-      run_session(design, {options.data, options.participant, options.session}, subject, Disk());
-  std::cout << "sub-" << options.participant << ": " << end << ", SIMULATED: no person took part\n";
+  const SessionPlace place{options.data, options.participant, options.session};
+  std::string end;
+  if (options.simulated && options.reach.scene.empty()) {
+    SimulatedSubject subject(design, options.participant, options.reach.seed);
+    end = run_session(design, place, subject, Disk());
+  } else {
+    if (options.reach.scene.empty())
+      throw Refusal("--scene: is missing; a simulated participant has --simulated");
+    reach::note_interrupts();
+    reach::Options led = options.reach;
+    led.person = !options.simulated;
+    led.plate = reach::parse_plate(options.plate).value();
+    if (options.speaks) led.speak_with = "espeak-ng";
+    reach::watch_runtime(led.runtime_limit);
+    LedSubject subject(design, options.participant, led);
+    try {
+      end = run_session(design, place, subject, Disk());
+    } catch (const reach::Interrupted&) {
+      end = "left";
+    }
+  }
+  std::cout << "sub-" << options.participant << ": " << end
+            << (options.simulated ? ", SIMULATED: no person took part\n" : "\n");
 }
 
 // All participants, several at a time.
@@ -47,7 +73,7 @@ void simulate(const Options& options) {
   std::string failure;
   const auto work = [&] {
     for (unsigned participant = next++; participant <= design.participants; participant = next++) try {
-        SimulatedSubject subject(design, participant, options.seed);
+        SimulatedSubject subject(design, participant, options.reach.seed);
         const std::string end = run_session(design, {options.data, participant, 1}, subject, Disk());
         const std::scoped_lock lock(mutex);
         std::cout << "sub-" << participant << ": " << end << "\n" << std::flush;
@@ -86,14 +112,22 @@ void add_commands(CLI::App& app, Options& options) {
       [](const Options& o) { std::cout << design_text(read_design(o.study)); });
   add("schema", "Print the JSON schema of designs", false,
       [](const Options&) { std::cout << design_schema().dump(2) << "\n"; });
-  CLI::App* run =
-      add("run", "Run or resume the session of a participant, who is simulated", true, run_simulated);
+  CLI::App* run = add("run", "Run or resume the session of a participant", true, run_one);
   CLI::App* all = add("simulate", "Run sessions of simulated people, all of the design", true, simulate);
   CLI::App* tables = add("export", "Write trials.csv, people.csv and their dictionary", false, write_tables);
   run->add_option("--participant", options.participant, "From 1")->required();
   run->add_option("--session", options.session, "From 1 [1]")->check(CLI::Range(1, 99));
-  run->add_option("--simulated", options.seed, "Seed of a simulated participant")->required();
-  all->add_option("--seed", options.seed, "Of the simulated people [1]");
+  run->add_option("--simulated", options.reach.seed,
+                  "Seed of a simulated participant: without a scene in this process")
+      ->each([&options](const std::string&) { options.simulated = true; });
+  run->add_option("--scene", options.reach.scene, "glTF file with the plate and the start, for OpenXR");
+  run->add_option("--plate", options.plate, "As of hrt-reach [runtime]")->check([](const std::string& text) {
+    return reach::parse_plate(text) ? "" : "is no plate";
+  });
+  run->add_option("--registered", options.reach.registered, "Where hrt-reach --register found the plate");
+  run->add_option("--eye-height", options.reach.eye_height_m, "Metres, for a runtime that knows no floor");
+  run->add_flag("--speak", options.speaks, "Speak what a participant is asked, with espeak-ng");
+  all->add_option("--seed", options.reach.seed, "Of the simulated people [1]");
   all->add_option("--threads", options.threads, "[2]")->check(CLI::Range(1, 64));
   for (CLI::App* command : {run, all, tables})
     command->add_option("--data", options.data, "Folder of the study's data [data]");
@@ -103,13 +137,18 @@ void add_commands(CLI::App& app, Options& options) {
 }  // namespace
 }  // namespace hrt::experiment
 
-int main(int argc, char** argv) {
+namespace {
+
+int run_from(int argc, char** argv) {
   CLI::App app(
       "A study of haptic retargeting by touch, from its design to its data. It has led simulated people "
       "only.",
       "hrt-experiment");
   app.require_subcommand(1);
+  setenv("XR_LOADER_DEBUG", "none", 0);
   hrt::experiment::Options options;
+  options.reach.hands = {hrt::reach::Hand::right};
+  options.reach.plugin = hrt::reach::default_plugin();
   hrt::experiment::add_commands(app, options);
   try {
     app.parse(argc, argv);
@@ -123,4 +162,12 @@ int main(int argc, char** argv) {
     return 1;
   }
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int code = run_from(argc, argv);
+  hrt::reach::expect_exit(code);
+  return code;
 }

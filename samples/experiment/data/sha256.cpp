@@ -19,9 +19,9 @@ constexpr std::array<std::uint32_t, 64> round_constants{
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-using State = std::array<std::uint32_t, 8>;
+using Digest = std::array<std::uint32_t, 8>;
 
-void add_block(State& state, const unsigned char* bytes) {
+void add_block(Digest& state, const unsigned char* bytes) {
   std::array<std::uint32_t, 64> words{};
   for (std::size_t i = 0; i < 16; ++i)
     for (std::size_t k = 0; k < 4; ++k) words[i] = words[i] << 8U | bytes[4 * i + k];
@@ -30,7 +30,7 @@ void add_block(State& state, const unsigned char* bytes) {
     words[i] = words[i - 16] + words[i - 7] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ a >> 3U) +
                (std::rotr(b, 17) ^ std::rotr(b, 19) ^ b >> 10U);
   }
-  State s = state;
+  Digest s = state;
   for (std::size_t i = 0; i < 64; ++i) {
     const std::uint32_t one = s[7] + (std::rotr(s[4], 6) ^ std::rotr(s[4], 11) ^ std::rotr(s[4], 25)) +
                               ((s[4] & s[5]) ^ (~s[4] & s[6])) + round_constants[i] + words[i];
@@ -50,7 +50,8 @@ std::string sha256_of(std::string_view text) {
   while (padded.size() % block != block - 8) padded += '\0';
   for (int byte = 7; byte >= 0; --byte)
     padded += static_cast<char>(static_cast<std::uint64_t>(text.size()) * 8 >> (8 * byte) & 0xffU);
-  State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+  Digest state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+               0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
   for (std::size_t at = 0; at < padded.size(); at += block)
     add_block(state, reinterpret_cast<const unsigned char*>(padded.data()) + at);
   std::string hex;

@@ -79,6 +79,12 @@ std::pair<hrt_target, hrt_target> LibrarySession::add_targets(double real_deg, d
   return {real, added(session_, HRT_TARGET_VIRTUAL, virtual_deg, distance_m)};
 }
 
+hrt_session_config LibrarySession::config() const {
+  hrt_session_config config = hrt_session_config_init();
+  check(hrt_session_get(session_, &config, nullptr));
+  return config;
+}
+
 std::string LibrarySession::profile() const {
   std::uint64_t length = 0;
   check(hrt_profile_save(session_, 0, nullptr, &length));

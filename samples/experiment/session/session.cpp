@@ -28,8 +28,7 @@ struct Part {
   Condition condition;
 };
 
-json outcome_of(const Part& part, const ReachOutcome& outcome) {
-  const auto& start_m = hrt_session_config_init().start_position_m;
+json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&start_m)[3]) {
   const double right_m = outcome.end_m[0] - start_m[0], away_m = start_m[2] - outcome.end_m[2];
   const double real_rad = part.real_deg / deg_per_rad;
   const double miss_deg = std::remainder(std::atan2(-right_m, away_m) * deg_per_rad - part.real_deg, 360.0);
@@ -312,7 +311,7 @@ class SessionRun {
                         first_reach + state_.reaches + index});
     session.finish_recording(file);
     disk_.sync(file);
-    reach["parts"].push_back(outcome_of(part, outcome));
+    reach["parts"].push_back(outcome_of(part, outcome, session.config().start_position_m));
     reach["reason"] = judged(design_.validity, outcome);
     reach["counts"] = reach["reason"] == "";
     if (part.condition.controller == Controller::people && reach["counts"])

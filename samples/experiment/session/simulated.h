@@ -29,11 +29,10 @@ class SimulatedSubject : public Subject {
   unsigned answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
                   double gap_deg, unsigned number) override;
 
-  double tactile_weight() const { return config_.tactile_weight; }
-  double threshold_deg() const { return threshold_deg_; }
+  /// Time passes.
+  void pass(double seconds);
 
  private:
-  void pass(double seconds);
   Place place(unsigned number) const { return {seed_, participant_, 0, number, 0}; }
 
   const Design& design_;

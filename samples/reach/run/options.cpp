@@ -44,36 +44,6 @@ CLI::Validator between(double low, double high, const std::string& range) {
           range};
 }
 
-// "runtime", "servo", "servo:SPEED", or a device, whose name hrt_plate_open() checks; nothing if it is none
-// of them.
-std::optional<PlateChoice> parse_plate(const std::string& text) {
-  PlateChoice choice;
-  const std::size_t colon = text.find(':');
-  const std::string kind = text.substr(0, colon);
-  const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
-  if (kind == "runtime" && colon == std::string::npos) return choice;
-  if (kind == "servo") {
-    choice.kind = PlateChoice::Kind::servo;
-    if (colon == std::string::npos) return choice;
-    double& speed = choice.servo_speed_deg_per_s;
-    if (CLI::detail::lexical_cast(rest, speed) && speed >= 1.0 && speed <= 1e6) return choice;
-  }
-  if (kind != "servo" && !rest.empty()) {
-    choice.kind = PlateChoice::Kind::device;
-    choice.device = text;
-    return choice;
-  }
-  return std::nullopt;
-}
-
-// Beside the program, as in the build, or where the system keeps its libraries.
-std::filesystem::path default_plugin() {
-  std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  auto beside = program.parent_path().parent_path() / "lib" / "libhaptic_retargeting.so";
-  return std::filesystem::exists(beside, error) ? beside : std::filesystem::path(HRT_REACH_SONAME);
-}
-
 // What is not yet an option's value.
 struct Words {
   std::string hand = "right";
@@ -194,6 +164,33 @@ void take(const Words& words, Options& options) {
 }
 
 }  // namespace
+
+std::optional<PlateChoice> parse_plate(const std::string& text) {
+  PlateChoice choice;
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (kind == "runtime" && colon == std::string::npos) return choice;
+  if (kind == "servo") {
+    choice.kind = PlateChoice::Kind::servo;
+    if (colon == std::string::npos) return choice;
+    double& speed = choice.servo_speed_deg_per_s;
+    if (CLI::detail::lexical_cast(rest, speed) && speed >= 1.0 && speed <= 1e6) return choice;
+  }
+  if (kind != "servo" && !rest.empty()) {
+    choice.kind = PlateChoice::Kind::device;
+    choice.device = text;
+    return choice;
+  }
+  return std::nullopt;
+}
+
+std::filesystem::path default_plugin() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  auto beside = program.parent_path().parent_path() / "lib" / "libhaptic_retargeting.so";
+  return std::filesystem::exists(beside, error) ? beside : std::filesystem::path(HRT_REACH_SONAME);
+}
 
 std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options) {
   CLI::App app(description, "hrt-reach");

@@ -19,6 +19,13 @@ struct PlateChoice {
   std::string device;  ///< as in hrt_plate_open()
 };
 
+/// "runtime", "servo", "servo:SPEED", or a device, whose name hrt_plate_open() checks; nothing if it is none
+/// of them.
+std::optional<PlateChoice> parse_plate(const std::string& text);
+
+/// The plugin beside the program, as in the build, or where the system keeps its libraries.
+std::filesystem::path default_plugin();
+
 struct Options {
   std::filesystem::path scene;
   std::filesystem::path plugin;

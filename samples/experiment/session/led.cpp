@@ -1,0 +1,332 @@
+#include "samples/experiment/session/led.h"
+
+#include <haptic_retargeting/plate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+
+#include "samples/format.h"
+#include "samples/reach/base/exit_code.h"
+#include "samples/reach/base/interrupt.h"
+#include "samples/reach/run/make_plate.h"
+#include "samples/reach/run/registration_file.h"
+
+namespace hrt::experiment {
+namespace {
+
+constexpr const char* keys_text =
+    "Keys: x the reach does not count, s STOP THE PLATE, b a break, n a note, u unblind, q leave, to be "
+    "resumed.";
+constexpr XrDuration home_limit_ns = 3'000'000'000;
+constexpr double home_deg = 2.0, no_way_m = 1e-3;
+
+// The experimenter ends what is under way: a reach, which does not count, or else the program, to be resumed.
+class Ended : public reach::Interrupted {
+ public:
+  explicit Ended(const char* reason) : why(reason) {}
+  const char* what() const noexcept override { return why; }
+
+ private:
+  const char* why;
+};
+
+std::int64_t clock_ns(clockid_t clock) {
+  std::timespec time{};
+  clock_gettime(clock, &time);
+  return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec;
+}
+
+}  // namespace
+
+LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options)
+    : design_(design),
+      options_(options),
+      prompt_(options.speak_with, [] {}),
+      plugin_(options.plugin),
+      targets_(load_targets(plugin_, options.scene, hrt_session_config_init())),
+      runtime_({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, reach::local_floor_extension}),
+      session_(runtime_, spaces_, options.runtime_limit),
+      stage_{.plugin = plugin_,
+             .targets = targets_,
+             .session = session_,
+             .simulation = nullptr,
+             .plate = *[&]() -> reach::Plate* {
+               if (runtime_.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME))
+                 simulation_.emplace(runtime_, session_);
+               plate_ = make_plate(options_.plate, simulation_ ? &*simulation_ : nullptr, session_,
+                                   runtime_.name());
+               return plate_.get();
+             }(),
+             .hands = options.hands,
+             .time_limit_ns = static_cast<XrDuration>(options.time_limit_s * 1e9),
+             .on_frame = [this](const reach::TargetPair&, const reach::Moment& moment) { last_ = moment; },
+             .tell_user = [this](const std::string& what) { prompt_.ask(what); },
+             .hint = [this](const std::string& what) { prompt_.hint(what); },
+             .attend = [this](XrTime time) { attend(time); }},
+      last_will_([this] { stop_plate(); }) {
+  if (simulation_ && !options_.person) {
+    stage_.simulation = &*simulation_;
+    stand_in_.emplace(design, participant, options.seed);
+  } else if (!keyboard_.is_there()) {
+    throw Refusal("a person needs an experimenter at a terminal: the standard input is none");
+  } else {
+    prompt_.say(keys_text);
+  }
+  place_plate();
+}
+
+void LedSubject::stop_plate() {
+  try {
+    plate_->stop(0);
+  } catch (const std::exception&) {
+    // It has failed, and the program ends.
+  }
+  reach::restore_terminal();
+}
+
+void LedSubject::place_plate() {
+  if (stage_.simulation != nullptr) {
+    session_.place_plate(session_.floor_space(), targets_.plate_pose);
+  } else if (!options_.registered.empty()) {
+    check_plate(stage_, reach::read_registration(options_.registered));
+  } else {
+    const reach::ScenePlace place = place_of(targets_, session_, options_.eye_height_m, prompt_);
+    prompt_.say(place.words);
+    session_.place_plate(place.space, place.pose);
+  }
+  if (simulation_) simulation_->place_plate(session_.plate_space(), targets_.plate_radius_m);
+}
+
+Now LedSubject::now() {
+  if (stand_in_) return stand_in_->now();
+  return {clock_ns(CLOCK_REALTIME) / 1'000'000, clock_ns(CLOCK_BOOTTIME)};
+}
+
+void LedSubject::continue_after(const Now& last) {
+  if (stand_in_) stand_in_->continue_after(last);
+}
+
+std::string LedSubject::boot() const {
+  if (stand_in_) return stand_in_->boot();
+  std::string id;
+  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), id);
+  return id;
+}
+
+std::string LedSubject::description() const {
+  return (stand_in_ ? stand_in_->description() + ", by " : "a person, by ") + runtime_.name() +
+         (plate_->description().empty() ? "" : ", " + plate_->description());
+}
+
+void LedSubject::plan(hrt_session_config& config) const {
+  std::copy(targets_.start_m.begin(), targets_.start_m.end(), config.start_position_m);
+  config.plate_radius_m = targets_.plate_radius_m;
+  if (const std::optional<reach::PlateLimits> limits = plate_->limits()) {
+    const hrt_plate_report report{.latency_ns = limits->latency_ns,
+                                  .max_speed_deg_s = limits->speed_deg_s,
+                                  .lower_stop_deg = limits->min_deg,
+                                  .upper_stop_deg = limits->max_deg};
+    hrt_session_config_from_plate(&config, &report);
+  }
+}
+
+// In every frame, in every state: the key that stops the plate does so here, before anything else.
+void LedSubject::attend(XrTime time) {
+  while (const std::optional<char> key = keyboard_.key()) {
+    if (is_typing_) {
+      typed_ = key;
+      return;
+    }
+    switch (*key) {
+      case 's':
+        plate_->stop(time);
+        pressed_ = Key::stop_plate;
+        throw Ended("the plate was stopped");
+      case 'x':
+        throw Ended("refused by the experimenter");
+      case 'q':
+        pressed_ = Key::leave;
+        throw Ended("the experimenter leaves");
+      case 'b':
+        pressed_ = Key::rest;
+        break;
+      case 'n':
+        pressed_ = Key::note;
+        break;
+      case 'u':
+        pressed_ = Key::unblind;
+        break;
+      default:
+        typed_ = key;
+        return;
+    }
+  }
+}
+
+Key LedSubject::key() {
+  const Key key = std::exchange(pressed_, Key::none);
+  if (key == Key::stop_plate) {
+    prompt_.say("The plate is stopped. Space continues, q leaves.");
+    if (await_key(" ") == 'q') return Key::leave;
+  }
+  if (key == Key::rest) rest(0.0);
+  return key;
+}
+
+// Frames continue, so the plate is served. 'q' leaves from anywhere.
+char LedSubject::await_key(const std::string& allowed) {
+  typed_.reset();
+  for (;;) {
+    try {
+      frame();
+    } catch (const Ended&) {
+      if (pressed_ == Key::leave) return 'q';
+    }
+    if (typed_ && allowed.find(*typed_) != std::string::npos) return *std::exchange(typed_, std::nullopt);
+  }
+}
+
+std::string LedSubject::typed() {
+  constexpr char erase = 0x7f;
+  const auto end_typing = [this](bool*) { is_typing_ = false; };
+  is_typing_ = true;
+  const std::unique_ptr<bool, decltype(end_typing)> at_end(&is_typing_, end_typing);
+  std::string text;
+  for (;; frame()) {
+    const std::optional<char> key = std::exchange(typed_, std::nullopt);
+    if (!key) continue;
+    if (*key == '\n' || *key == '\r') return text;
+    if (*key == erase && !text.empty()) text.pop_back();
+    if (static_cast<unsigned char>(*key) >= ' ' && *key != erase) text += *key;
+  }
+}
+
+unsigned LedSubject::typed_number(unsigned low, unsigned high) {
+  for (;;) {
+    const std::optional<double> number = number_in(typed(), low, high);
+    if (number && *number == std::floor(*number)) return static_cast<unsigned>(*number);
+    prompt_.say(format("A whole number from %u to %u, and Enter.", low, high));
+  }
+}
+
+std::string LedSubject::note() {
+  prompt_.say("A note, and Enter:");
+  return typed();
+}
+
+bool LedSubject::consents() {
+  if (stand_in_) return stand_in_->consents();
+  prompt_.say("Has the participant read the information and given consent? y or n");
+  return await_key("yn") == 'y';
+}
+
+std::vector<unsigned> LedSubject::fill_in(const Questionnaire& paper) {
+  if (stand_in_) return stand_in_->fill_in(paper);
+  std::vector<unsigned> answers;
+  for (const std::string& item : paper.items) {
+    prompt_.ask(paper.name + ": " + item + format(" (%u to %u, and Enter)", paper.low, paper.high));
+    answers.push_back(typed_number(paper.low, paper.high));
+  }
+  return answers;
+}
+
+void LedSubject::rest(double minutes) {
+  if (stand_in_) return stand_in_->rest(minutes);
+  const std::int64_t until_ns = now().monotonic_ns + static_cast<std::int64_t>(6e10 * minutes);
+  prompt_.say(format("A break of %g minutes. Space continues after it.", minutes));
+  while (await_key(" ") == ' ' && now().monotonic_ns < until_ns) prompt_.say("Not yet.");
+}
+
+unsigned LedSubject::answer(const std::string& question, const std::vector<std::string>& answers,
+                            unsigned right, double gap_deg, unsigned number) {
+  if (stand_in_) return stand_in_->answer(question, answers, right, gap_deg, number);
+  std::string text = question, keys;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    keys += static_cast<char>('1' + i);
+    text += format(" %zu ", i + 1) + answers[i] + (i + 1 < answers.size() ? "," : ".");
+  }
+  prompt_.ask(text);
+  const char key = await_key(keys);
+  if (key == 'q') throw reach::Interrupted();
+  return static_cast<unsigned>(key - '1');
+}
+
+void LedSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::int64_t from_ns,
+                       const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) {
+  std::optional<hrt_setup_step> next = first;
+  hrt_setup_step step{.instruction = HRT_STEP_FINISH};
+  const XrTime began = frame();
+  for (XrTime time = began; next; time = frame()) {
+    if (next->instruction != step.instruction && next->instruction != HRT_STEP_FINISH) {
+      prompt_.ask(next->text);
+      const bool slides = next->instruction == HRT_STEP_SLIDE;
+      const reach::Point goal_m{next->place_m[0], 0.0, next->place_m[2]};
+      if (stage_.simulation != nullptr && (slides || next->instruction == HRT_STEP_REST_AT_START))
+        instruct(stage_, options_.hands.front(), 0.0,
+                 slides ? reach::distance_along_plate_m(goal_m, targets_.start_m) : no_way_m);
+    }
+    step = *next;
+    plate_->command(time, step.plate_orientation_deg);
+    const reach::Fingertip tip = locate(stage_, options_.hands.front(), time);
+    hrt_sample sample = sample_of(from_ns + (time - began) + 1, tip, plate_->orientation_deg(time));
+    next = use(sample);
+  }
+}
+
+void LedSubject::home() {
+  XrTime time = frame();
+  plate_->command(time, 0.0);
+  for (const XrTime limit = time + home_limit_ns; time < limit; time = frame()) {
+    const std::optional<double> at_deg = plate_->orientation_deg(time);
+    if (!at_deg || std::abs(std::remainder(*at_deg, 180.0)) < home_deg) return;
+  }
+  throw reach::Failure(reach::ExitCode::plate, "the plate did not come home");
+}
+
+ReachOutcome LedSubject::reach(const ReachOrder& order) {
+  ReachOutcome outcome{.summary = {.samples = 0}};
+  const auto at = [&](double direction_deg) {
+    constexpr double rad_per_deg = 0.017453292519943295;
+    return reach::Point{targets_.start_m[0] - order.distance_m * std::sin(direction_deg * rad_per_deg), 0.0,
+                        targets_.start_m[2] - order.distance_m * std::cos(direction_deg * rad_per_deg)};
+  };
+  const reach::TargetPair pair{
+      "the target", "the real target",     order.virtual_deg,  order.real_deg,       order.distance_m,
+      0.0,          at(order.virtual_deg), at(order.real_deg), order.virtual_target, order.real_target};
+  reach::TargetSet targets = targets_;
+  targets.session = order.session;
+  reach::Stage stage{stage_.plugin,    targets,      stage_.session,       stage_.simulation,
+                     stage_.plate,     stage_.hands, stage_.time_limit_ns, stage_.on_frame,
+                     stage_.tell_user, stage_.hint,  stage_.attend,        stage_.skin_m};
+  try {
+    home();
+    if (stage.simulation != nullptr) simulation_->seed(options_.seed, order.number);
+    std::optional<XrTime> moved;
+    stage.on_frame = [&](const reach::TargetPair&, const reach::Moment& moment) {
+      last_ = moment;
+      if (!moved &&
+          reach::distance_along_plate_m(moment.position_m, targets_.start_m) > reach::start_radius_m / 2)
+        moved = moment.time;
+    };
+    const reach::ReachResult result = run_reach(stage, pair);
+    outcome.has_ended = true;
+    std::copy(last_->position_m.begin(), last_->position_m.end(), outcome.end_m);
+    outcome.duration_s = moved ? 1e-9 * static_cast<double>(last_->time - *moved) : 0.0;
+    outcome.peak_felt_error_deg = result.peak_felt_error_deg;
+    outcome.is_truth = result.is_truth;
+    outcome.summary.samples = result.frames;
+    outcome.summary.dropped_samples = result.dropouts;
+    outcome.summary.tactile_weight = result.assumed_weight;
+  } catch (const Ended& ended) {
+    outcome.problem = ended.what();
+  } catch (const reach::Failure& failure) {
+    if (failure.code() != reach::ExitCode::no_hand) throw;
+    outcome.problem = failure.what();
+  }
+  if (stand_in_) stand_in_->pass(design_.trial_s);
+  return outcome;
+}
+
+}  // namespace hrt::experiment

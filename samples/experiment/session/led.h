@@ -1,0 +1,75 @@
+// A participant at a plate, through OpenXR, by the stage of hrt-reach. Either a person, whom the terminal and
+// a voice ask and whose experimenter has keys; or the simulated user of a runtime, whose answers and clock
+// are SimulatedSubject's.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "samples/experiment/session/simulated.h"
+#include "samples/reach/person/keyboard.h"
+#include "samples/reach/run/options.h"
+#include "samples/reach/run/reach.h"
+#include "samples/reach/scene/scene_place.h"
+#include "samples/reach/xr/watchdog.h"
+
+namespace hrt::experiment {
+
+class LedSubject : public Subject {
+ public:
+  /// `options`: scene, plugin, hands, plate, registered, speak_with, person, time_limit_s, runtime_limit and
+  /// seed are used. Throws as hrt-reach does: reach::Failure, reach::XrFailure.
+  LedSubject(const Design& design, unsigned participant, const reach::Options& options);
+  ~LedSubject() override { plugin_.hrt_session_destroy(targets_.session); }
+  LedSubject(const LedSubject&) = delete;
+  LedSubject& operator=(const LedSubject&) = delete;
+
+  Now now() override;
+  void continue_after(const Now& last) override;
+  std::string boot() const override;
+  std::string description() const override;
+  void plan(hrt_session_config& config) const override;
+  Key key() override;
+  void say(const std::string& text) override { prompt_.say(text); }
+  std::string note() override;
+  bool consents() override;
+  void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
+             const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) override;
+  std::vector<unsigned> fill_in(const Questionnaire& paper) override;
+  void rest(double minutes) override;
+  ReachOutcome reach(const ReachOrder& order) override;
+  unsigned answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
+                  double gap_deg, unsigned number) override;
+
+ private:
+  void place_plate();
+  void stop_plate();
+  void attend(XrTime time);
+  XrTime frame() { return next_frame(stage_); }
+  char await_key(const std::string& allowed);
+  std::string typed();
+  unsigned typed_number(unsigned low, unsigned high);
+  void home();
+
+  const Design& design_;
+  reach::Options options_;
+  std::optional<SimulatedSubject> stand_in_;
+  reach::Prompt prompt_;
+  reach::Keyboard keyboard_;
+  reach::Plugin plugin_;
+  reach::TargetSet targets_;
+  reach::SpaceMotion spaces_;
+  reach::XrRuntime runtime_;
+  reach::XrHeadlessSession session_;
+  std::optional<reach::Simulation> simulation_;
+  std::unique_ptr<reach::Plate> plate_;
+  reach::Stage stage_;
+  std::optional<reach::Moment> last_;  // of a reach
+  Key pressed_ = Key::none;            // and not yet asked for
+  std::optional<char> typed_;          // a key that is none of the experimenter's
+  bool is_typing_ = false;
+  reach::LastWill last_will_;  // a blocked or crashed runtime leaves no turning plate
+};
+
+}  // namespace hrt::experiment
