@@ -2,7 +2,7 @@
 class_name Experimenter
 extends Node3D
 
-const SHORTEST_STEP_M := 0.001
+const SHORTEST_STEP_M := 0.002
 const RED := Color(0.9, 0.2, 0.15)
 const BLUE := Color(0.2, 0.45, 0.95)
 const FADED := Color(1, 1, 1, 0.3)
@@ -14,8 +14,9 @@ const FADED := Color(1, 1, 1, 0.3)
 @onready var _tip: MeshInstance3D = $Tip
 @onready var _felt_tip: MeshInstance3D = $FeltTip
 # On the plate.
-var _true_place: Vector3
+var _start: Vector3
 var _felt_place: Vector3
+var _way_m := 0.0
 var _true_path: Line2D
 var _felt_path: Line2D
 
@@ -34,20 +35,21 @@ func show_finger(place: Vector3) -> void:
 func begin(start: Vector3) -> void:
 	for path: Line2D in _paths.get_children():
 		path.modulate = FADED
-	_true_place = to_local(start)
-	_felt_place = _true_place
+	_start = to_local(start)
+	_felt_place = _start
+	_way_m = 0.0
 	_true_path = _new_path(RED)
 	_felt_path = _new_path(BLUE)
 
 
-## Each step of the finger is drawn as long as it is, in the direction in which it is felt.
+## Each step away from the start is drawn as long as it is, in the direction in which it is felt.
 func follow(finger: Vector3, felt_deg: float) -> void:
-	var step := to_local(finger) - _true_place
-	if step.length() < SHORTEST_STEP_M:
+	var step_m := _start.distance_to(to_local(finger)) - _way_m
+	if step_m < SHORTEST_STEP_M:
 		return
-	_true_place += step
-	_felt_place += Vector3.FORWARD.rotated(Vector3.UP, deg_to_rad(felt_deg)) * step.length()
-	_true_path.add_point(_camera.unproject_position(to_global(_true_place)))
+	_way_m += step_m
+	_felt_place += Vector3.FORWARD.rotated(Vector3.UP, deg_to_rad(felt_deg)) * step_m
+	_true_path.add_point(_camera.unproject_position(finger))
 	_felt_path.add_point(_camera.unproject_position(to_global(_felt_place)))
 	_felt_tip.position = _felt_place
 
@@ -57,9 +59,8 @@ func report(text: String) -> void:
 
 
 func save_picture(path: String) -> Error:
-	await get_tree().process_frame  # in which the paths are laid out
-	await get_tree().process_frame
-	RenderingServer.force_draw()
+	for frame in 2:  # in the first one the paths are laid out
+		await RenderingServer.frame_post_draw
 	return get_viewport().get_texture().get_image().save_png(path)
 
 

@@ -21,7 +21,7 @@ const REOPENING_S := 3.0
 @export_flags("Fingertip:1", "Registration:2", "Latency:8", "Calibration:16", "All that is missing:64") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]
-## For which the finger rests before and after a reach.
+## For which the finger rests at the start before a reach.
 @export_range(0.2, 3.0, 0.1, "suffix:s") var rest_s := 0.6
 @export var seed_of_person := 1
 
@@ -33,6 +33,7 @@ var _gap := {}
 var _rest_place := Vector3.INF
 var _rested_s := 0.0
 var _failed_s := 0.0
+var _notice := ""
 var _is_finished := false
 var _folder := "user://"
 var _results := Results.new()
@@ -71,20 +72,20 @@ func _process(delta: float) -> void:
 	_experimenter.show_finger(finger.global_position)
 	if not _device_is_ready(delta):
 		return
-	_wearer.warn(finger.problem())
+	_wearer.warn(finger.problem() if finger.problem() else _notice)
 	match _state:
 		State.SETTING_UP:
 			_send()
 		State.GOING_TO_START:
-			if _rests_for(delta) >= rest_s and _is_near_start():
+			if _rests_at_start_for(delta) >= rest_s:
 				_begin_reach()
 		State.REACHING:
-			_reach(delta)
+			_reach()
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_WM_CLOSE_REQUEST:
-		_finish()
+		await _finish()
 		get_tree().quit()
 
 
@@ -129,6 +130,7 @@ func _on_setup_step(step: Dictionary) -> void:
 
 func _on_setup_finished(_result: Dictionary) -> void:
 	_to_set_up.pop_front()
+	_notice = ""
 	_experimenter.look_at_plate(_plate, _wearer)
 	if _to_set_up:
 		_begin_set_up(_to_set_up.pop_front())
@@ -141,7 +143,7 @@ func _on_setup_finished(_result: Dictionary) -> void:
 func _place_again() -> void:
 	if _state == State.OVER:
 		return
-	push_warning("The view was recentred: the plate is placed again.")
+	_notice = "The view was recentred: the plate is placed again."
 	_cancel()
 	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION)
 
@@ -157,7 +159,8 @@ func _cancel() -> void:
 
 func _go_to_start() -> void:
 	if _results.count == reaches:
-		return _finish()
+		_finish()
+		return
 	_state = State.GOING_TO_START
 	finger.show_to_wearer(true)
 	_rested_s = 0.0
@@ -184,7 +187,7 @@ func _begin_reach() -> void:
 	finger.asked_to_slide.emit(virtual_target)
 
 
-func _reach(delta: float) -> void:
+func _reach() -> void:
 	_send()
 	var command := _plate.get_command()
 	if not command:
@@ -193,23 +196,18 @@ func _reach(delta: float) -> void:
 		_experimenter.follow(finger.global_position, command.perceived_direction_deg)
 	_experimenter.report("%s: plate %.1f°, felt error %.1f°, %.0f mm to go" % [_target_name(), command.plate_orientation_deg,
 			command.felt_error_deg, command.distance_to_go_m * 1000])
-	var rests := _rests_for(delta) >= rest_s and not _is_near_start()
-	if rests and _plate.end() == OK:
+	if command.flags & HapticRetargeting.COMMAND_ARRIVED and _plate.end() == OK:
 		_results.add(_target_name(), _gap, _plate.get_summary())
 		_go_to_start()
 
 
-## For how long the finger has been still.
-func _rests_for(delta: float) -> float:
+func _rests_at_start_for(delta: float) -> float:
+	var start := _plate.to_global(_plate.start_position_m)
 	_rested_s += delta
-	if not finger.seen or finger.global_position.distance_to(_rest_place) > STILL_M:
+	if not finger.seen or finger.global_position.distance_to(_rest_place) > STILL_M or _rest_place.distance_to(start) > NEAR_M:
 		_rest_place = finger.global_position
 		_rested_s = 0.0
 	return _rested_s
-
-
-func _is_near_start() -> bool:
-	return _rest_place.distance_to(_plate.to_global(_plate.start_position_m)) < NEAR_M
 
 
 ## A device that fails is opened again and again; a reach that was under way is repeated.
@@ -238,13 +236,14 @@ func _finish() -> void:
 	_is_finished = true
 	_cancel()
 	_plate.close_device()
-	_wearer.say(_results.text() + (" (simulated)." if finger is SimulatedFinger else "."))
-	_experimenter.report(_results.text())
+	var text := _results.text() + (" (simulated)." if finger is SimulatedFinger else ".")
+	_wearer.say(text)
+	_experimenter.report(text)
+	ended.emit()
 	if DisplayServer.get_name() != "headless":
 		await _experimenter.save_picture(_folder.path_join("experimenter.png"))
 		if not _wearer.use_xr:
 			_wearer.get_texture().get_image().save_png(_folder.path_join("wearer.png"))
-	ended.emit()
 	if _folder != "user://":
 		get_tree().quit()
 

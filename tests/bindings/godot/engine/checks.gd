@@ -6,8 +6,9 @@ class Errors extends Logger:
 	var texts: PackedStringArray = []
 
 	func _log_error(_function: String, _file: String, _line: int, code: String, rationale: String, _notify: bool,
-			_type: int, _backtraces: Array[ScriptBacktrace]) -> void:
-		texts.append(rationale if rationale else code)
+			type: int, _backtraces: Array[ScriptBacktrace]) -> void:
+		if type != ERROR_TYPE_WARNING:
+			texts.append(rationale if rationale else code)
 
 var logger := Errors.new()
 var checks := 0
