@@ -1,6 +1,6 @@
 // Bundles the page into a folder that any static server can serve.
 //   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE person.wasm plate_firmware.hex FOLDER_OF_THE_PAGE
-import { cp, mkdir, readFile, writeFile } from "node:fs/promises";
+import { cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -8,25 +8,29 @@ import { build } from "esbuild";
 const [, , packageFolder, personModule, firmware, pageFolder] = process.argv;
 const here = dirname(fileURLToPath(import.meta.url));
 
-await mkdir(pageFolder, { recursive: true });
-await build({
-  entryPoints: [join(here, "src/main.ts")],
-  outfile: join(pageFolder, "page.js"),
+// For a server: page.js with the first picture, and parts that are loaded when asked for. From a file: address no part can be
+// loaded, so offline.js has all; start.js chooses.
+const shared = {
+  entryPoints: [{ in: join(here, "src/main.ts"), out: "page" }],
+  outdir: pageFolder,
   bundle: true,
   minify: true,
-  format: "iife",  // a module would not load from a file: address
   target: "es2022",
   platform: "browser",
   legalComments: "none",  // licences.txt has them
   alias: { "haptic-retargeting": resolve(packageFolder), "haptic-retargeting/three": resolve(packageFolder, "three.mjs"), "person.wasm": resolve(personModule),
            "plate_firmware.hex": resolve(firmware), "marks.csv": join(here, "../plate/model/marks.csv") },
   nodePaths: [join(here, "node_modules")],  // three.js, for the package
-  loader: { ".wasm": "binary", ".hex": "text", ".csv": "text" },
   define: { "import.meta.url": '"about:blank"' },
   tsconfigRaw: {},
   logLevel: "warning",
-});
-for (const file of ["index.html", "page.css"]) await cp(join(here, "src", file), join(pageFolder, file));
+};
+const loader = { ".hex": "text", ".csv": "text" };
+await rm(pageFolder, { recursive: true, force: true });
+await mkdir(pageFolder, { recursive: true });
+await build({ ...shared, format: "esm", splitting: true, chunkNames: "part_[hash]", assetNames: "[name]", loader: { ...loader, ".wasm": "file" } });
+await build({ ...shared, entryPoints: [{ in: join(here, "src/main.ts"), out: "offline" }], format: "iife", loader: { ...loader, ".wasm": "binary" } });
+for (const file of ["index.html", "page.css", "start.js"]) await cp(join(here, "src", file), join(pageFolder, file));
 
 const licences = [["This page and the plugin", join(packageFolder, "LICENSE")],
                   ["Libraries within the plugin", join(packageFolder, "THIRD_PARTY_NOTICES.md")],

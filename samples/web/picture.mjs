@@ -1,25 +1,54 @@
-// Draws the README's first picture: a simulated reach of the page, at its end.
-//   usage: node picture.mjs FOLDER_OF_THE_PAGE picture.jpg
-import { dirname, join, resolve } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
+// Draws the README's moving picture: a visitor goes to the glass, and is shown the hand.
+//   usage: node picture.mjs FOLDER_OF_THE_PAGE reveal.gif
+import { writeFile } from "node:fs/promises";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import gifenc from "gifenc";
 import { chromium } from "playwright-core";
+import { PNG } from "pngjs";
 
-const [, , folder = join(dirname(fileURLToPath(import.meta.url)), "../../build/wasm/page"), picture] = process.argv;
+const [, , folder, picture] = process.argv, frame_ms = 70;
 if (!picture) {
-  console.error("usage: node picture.mjs FOLDER_OF_THE_PAGE picture.jpg");
+  console.error("usage: node picture.mjs FOLDER_OF_THE_PAGE reveal.gif");
   process.exit(2);
+}
+
+/** In the page: time passes when drawFrame() is called. */
+function stopTime() {
+  let now_ms = 0, waiting = [];
+  performance.now = () => now_ms;
+  globalThis.requestAnimationFrame = (callback) => waiting.push(callback);
+  globalThis.drawFrame = (elapsed_ms) => {
+    now_ms += elapsed_ms;
+    for (const callback of waiting.splice(0)) callback(now_ms);
+  };
 }
 
 const browser = await chromium.launch({ executablePath: "/usr/bin/chromium",
   args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
 try {
-  // With reduced motion the page shows a reach at its end, at once.
-  const page = await browser.newPage({ viewport: { width: 1240, height: 1000 }, reducedMotion: "reduce", deviceScaleFactor: 1.25 });
+  const page = await browser.newPage({ viewport: { width: 600, height: 620 } }), gif = gifenc.GIFEncoder();
+  await page.addInitScript(stopTime);
   await page.goto(pathToFileURL(join(resolve(folder), "index.html")).href);
   await page.waitForSelector("html[data-ready=yes]");
-  await page.evaluate(() => document.getElementById("again")?.click());  // the second reach: the person is known by now
-  await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
-  await page.locator("#stage").screenshot({ path: picture, type: "jpeg", quality: 80 });
+  const shoot = async (delay) => {
+    await page.evaluate((elapsed) => globalThis.drawFrame(elapsed), frame_ms);
+    const { data, width, height } = PNG.sync.read(await page.locator("#stage").screenshot());
+    const palette = gifenc.quantize(data, 96);
+    gif.writeFrame(gifenc.applyPalette(data, palette), width, height, { palette, delay });
+  };
+  for (let i = 0; i < 15; ++i) await page.evaluate((elapsed) => globalThis.drawFrame(elapsed), frame_ms);
+  await shoot(1000);
+  const box = await page.locator("#view").boundingBox();
+  const [ring, glass] = await page.locator("#stage").evaluate((stage) => ["start", "glass"].map((name) => stage.dataset[name].split(" ").map(Number)));
+  for (let i = 0; i <= 20; ++i) {
+    const s = i / 20, gone = s * s * (3 - 2 * s);
+    await page.mouse.move(...ring.map((from, k) => [box.x, box.y][k] + from + gone * (glass[k] - from)));
+    await shoot(frame_ms);
+  }
+  for (let i = 0; i < 14; ++i) await shoot(i === 13 ? 3000 : frame_ms);
+  gif.finish();
+  await writeFile(picture, gif.bytes());
 } finally {
   await browser.close();
 }

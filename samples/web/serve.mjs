@@ -1,8 +1,9 @@
 // Serves the page on this machine.
 //   usage: node serve.mjs FOLDER_OF_THE_PAGE [PORT]    default port: 8737
-import { readFile } from "node:fs/promises";
+import { readdir, readFile } from "node:fs/promises";
 import { createServer } from "node:http";
-import { join } from "node:path";
+import { extname, join } from "node:path";
+import { gzipSync } from "node:zlib";
 
 const [, , folder, port = "8737"] = process.argv;
 if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
@@ -10,18 +11,25 @@ if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
   process.exit(2);
 }
 
-// All that the page consists of; other paths are not there.
-const types = { "index.html": "text/html; charset=utf-8", "page.js": "text/javascript; charset=utf-8",
-                "page.css": "text/css; charset=utf-8", "licences.txt": "text/plain; charset=utf-8" };
+// All that lies in the page's folder; other paths are not there. Compressed, as by any server of static files.
+const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
+                ".txt": "text/plain; charset=utf-8", ".wasm": "application/wasm" };
+const names = new Set((await readdir(folder)).filter((name) => types[extname(name)]));
+const squeezed = new Map();
+
+async function read(name) {
+  if (!squeezed.has(name)) squeezed.set(name, gzipSync(await readFile(join(folder, name)), { level: 9 }));
+  return squeezed.get(name);
+}
 
 const server = createServer(async (request, response) => {
   const { pathname } = new URL(request.url, "http://localhost");
   const name = pathname === "/" ? "index.html" : pathname.slice(1);
-  if (!Object.hasOwn(types, name)) return response.writeHead(404).end();
+  if (!names.has(name)) return response.writeHead(404).end();
+  const headers = { "content-type": types[extname(name)], "cache-control": "no-store", "x-content-type-options": "nosniff" };
   try {
-    const bytes = await readFile(join(folder, name));
-    response.writeHead(200, { "content-type": types[name], "cache-control": "no-store",
-                              "x-content-type-options": "nosniff" }).end(bytes);
+    if (/\bgzip\b/.test(request.headers["accept-encoding"] ?? "")) response.writeHead(200, { ...headers, "content-encoding": "gzip" }).end(await read(name));
+    else response.writeHead(200, headers).end(await readFile(join(folder, name)));
   } catch (error) {
     response.writeHead(500).end(`${name}: ${error.code}`);
   }

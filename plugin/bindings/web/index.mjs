@@ -31,7 +31,8 @@ async function instantiate(source, imports) {
   }
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
-  return WebAssembly.instantiate(await response.arrayBuffer(), imports);
+  const streamed = response.headers.get("content-type")?.startsWith("application/wasm");
+  return streamed ? WebAssembly.instantiateStreaming(response, imports) : WebAssembly.instantiate(await response.arrayBuffer(), imports);
 }
 
 class Library {

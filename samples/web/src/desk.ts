@@ -1,25 +1,44 @@
 // The picture with its labels, in the size of its place on the page. Without WebGL the rest of the page still works.
-import type { Place } from "./geometry";
-import { element } from "./page";
-import type { SceneTarget, VisitorScene } from "./scene";
+import { ahead, start, type Place } from "./geometry";
+import { element, say } from "./page";
+import type { VisitorScene } from "./scene";
 import { Stage, type LabelName } from "./stage/stage";
 import type { Colours } from "./theme";
 
-const labelNames: readonly LabelName[] = ["real", "ghost", "finger", "felt"];
+const labelNames: readonly LabelName[] = ["finger", "felt", "real", "ghost"];
+/** What labels say to the visitor who is the finger, and to one who watches. */
+const words: Readonly<Record<LabelName, readonly [own: string, watched: string]>> = {
+  finger: ["your hand", "finger"], felt: ["felt finger", "felt here"], real: ["real cylinder", "real cylinder"], ghost: ["glass", "ghost"] };
 const maxLabels = 30;  // more would cover each other
-const middle_px = { x: -0.5, y: -1.15 };  // of a label's own size: it stands above its thing
+const margin_px = 4, gap_px = 14, rings = 6;
+
+interface Box { x: number; y: number; width: number; height: number }
+interface Label {
+  readonly element: HTMLElement;
+  /** Where it points to, on the canvas. */
+  readonly at: (stage: Stage, out: { x: number; y: number }) => void;
+  /** Sides on which it may stand, the best one first: right and down are positive. */
+  readonly sides: readonly (readonly [number, number])[];
+}
 
 export class Desk {
   readonly frame = element("stage", HTMLDivElement);
   readonly canvas = element("view", HTMLCanvasElement);
   /** Null: this browser gives no WebGL. */
   readonly stage: Stage | null;
-  readonly #labels = labelNames.map((name) => ({ name, element: element(`label-${name}`, HTMLSpanElement), width: 0, height: 0 }));
-  readonly #sceneLabels: { element: HTMLElement; target: SceneTarget }[] = [];
+  readonly #named = Object.fromEntries(labelNames.map((name) => [name, element(`label-${name}`, HTMLSpanElement)])) as Record<LabelName, HTMLElement>;
+  readonly #own: readonly Label[] = labelNames.map((name) => {
+    const beside = name === "finger" || name === "felt", side = name === "real" || name === "finger" ? 1 : -1;
+    return { element: this.#named[name], at: (stage, out) => stage.toCanvas(name, out),
+             sides: beside ? [[side, 0], [side, 1], [side, -1], [0, 1]] : [[0, -1], [side, -1], [side, 0], [-side, 0]] };
+  });
+  #labels = [...this.#own];
+  readonly #over = [element("caption", HTMLParagraphElement), element("legend", HTMLParagraphElement)];
+  #glass: Place = { ...start };
   readonly #at = { x: 0, y: 0 };
   // What was drawn last, and whether anything else has changed since: a picture at rest costs nothing.
   #stale = true;
-  #fingerShown = true;
+  #revealed = 1;
   #plate_deg = NaN;
   readonly #finger: Place = { right_m: NaN, away_m: NaN };
   readonly #felt: Place = { right_m: NaN, away_m: NaN };
@@ -38,6 +57,7 @@ export class Desk {
     this.#stale = true;
   }
   setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
+    this.#glass = ahead(start, virtual_deg, distance_m);
     this.stage?.setTargets(real_deg, virtual_deg, distance_m);
     this.#stale = true;
   }
@@ -53,39 +73,45 @@ export class Desk {
   resize(): void {
     this.#stale = true;
     this.stage?.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio);
-    for (const label of this.#labels) {
-      label.width = label.element.offsetWidth;
-      label.height = label.element.offsetHeight;
-    }
   }
 
-  showFinger(shown: boolean): void {
-    if (shown === this.#fingerShown) return;
-    this.#fingerShown = shown;
+  /** How much of the true hand, its path and the cylinder is shown, from 0 to 1. */
+  reveal(share: number): void {
+    if (share === this.#revealed) return;
+    this.#revealed = share;
     this.#stale = true;
-    this.stage?.showFinger(shown);
-    for (const label of this.#labels) if (label.name === "finger") label.element.hidden = !shown;
+    this.stage?.reveal(share);
+    this.#named.finger.hidden = share === 0;
+    this.#named.real.hidden = share === 0 || this.#labels.length > this.#own.length;
+  }
+
+  /** Labels for the visitor who is the finger, or for one who watches. */
+  nameLabels(own: boolean): void {
+    for (const name of labelNames) say(this.#named[name], words[name][own ? 0 : 1]);
+    this.#stale = true;
   }
 
   /** Plate and targets of a visitor's scene instead of the page's own; null: the page's own. */
   setScene(scene: VisitorScene | null): void {
     this.stage?.setScene(scene);
     this.#stale = true;
-    for (const label of this.#labels) label.element.hidden = scene !== null && (label.name === "real" || label.name === "ghost");
-    this.#sceneLabels.splice(0).forEach(({ element: label }) => label.remove());
+    for (const name of ["real", "ghost"] as const) this.#named[name].hidden = scene !== null;
+    for (const { element: label } of this.#labels.slice(this.#own.length)) label.remove();
+    this.#labels = [...this.#own];
     for (const target of scene?.targets.slice(0, maxLabels) ?? []) {
       const label = document.createElement("span");
       label.className = `label ${target.real ? "real" : "felt"}`;
       label.textContent = target.name;
       element("labels", HTMLDivElement).append(label);
-      this.#sceneLabels.push({ element: label, target });
+      this.#labels.push({ element: label, at: (stage, out) => stage.targetToCanvas(target.drawn, out),
+                          sides: [[0, -1], [1, -1], [-1, -1], [1, 0], [-1, 0]] });
     }
   }
 
   showFelt(shown: boolean): void {
     this.stage?.showFelt(shown);
     this.#stale = true;
-    for (const label of this.#labels) if (label.name === "felt") label.element.hidden = !shown;
+    this.#named.felt.hidden = !shown;
   }
 
   /** The paths grow to where the finger is, and is felt. */
@@ -99,30 +125,33 @@ export class Desk {
     if (!stage || !this.#changes(plate_deg, finger, felt)) return;
     stage.place(plate_deg, finger, felt);
     stage.draw();
-    this.#drawSceneLabels(stage);
-    for (const { name, element: label, width, height } of this.#labels) {
-      stage.toCanvas(name, this.#at);
-      // Labels of a pair that lie close stand on their own sides.
-      const side = name === "real" || name === "finger" ? 1 : -1;
-      const beside = name === "finger" || name === "felt";
-      const x = this.#at.x + middle_px.x * width + side * (width / 2 + (beside ? 16 : 4));
-      const y = beside ? this.#at.y - height / 2 : this.#at.y + middle_px.y * height;
-      label.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    this.#drawLabels(stage);
+  }
+
+  /** Each beside its thing, within the picture, off the others and off the words that lie on the picture. */
+  #drawLabels(stage: Stage): void {
+    const within: Box = { x: margin_px, y: margin_px, width: this.canvas.clientWidth - 2 * margin_px, height: this.canvas.clientHeight - 2 * margin_px };
+    const taken: Box[] = this.#over.map((each) => ({ x: each.offsetLeft, y: each.offsetTop, width: each.offsetWidth, height: each.offsetHeight }));
+    for (const { element: label, at, sides } of this.#labels) {
+      if (label.hidden) continue;
+      at(stage, this.#at);
+      const box: Box = { x: 0, y: 0, width: label.offsetWidth, height: label.offsetHeight };
+      place(box, this.#at, sides, within, taken);
+      taken.push(box);
+      label.style.transform = `translate(${box.x.toFixed(1)}px, ${box.y.toFixed(1)}px)`;
     }
   }
 
-  /** Each above its target, and above those labels that it would cover. */
-  #drawSceneLabels(stage: Stage): void {
-    const taken: { x: number; y: number; width: number }[] = [];
-    for (const { element: label, target } of this.#sceneLabels) {
-      stage.targetToCanvas(target.drawn, this.#at);
-      const width = label.offsetWidth, height = label.offsetHeight, x = this.#at.x - width / 2;
-      let y = this.#at.y - height;
-      const covers = (other: (typeof taken)[number]) =>
-        x < other.x + other.width && other.x < x + width && Math.abs(y - other.y) < height;
-      for (let other = taken.find(covers); other; other = taken.find(covers)) y = other.y - height - 1;
-      taken.push({ x, y, width });
-      label.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+  /** For those who check: the truth in numbers, beside the picture, and where ring and glass stand in it. */
+  write(result: Readonly<Record<"toCylinder_mm" | "toGhost_mm" | "feltToGhost_mm", number>> | null): void {
+    const { dataset } = this.frame;
+    for (const [name, place] of [["start", start], ["glass", this.#glass]] as const) {
+      this.stage?.targetToCanvas(place, this.#at, 0);
+      dataset[name] = `${this.#at.x.toFixed(1)} ${this.#at.y.toFixed(1)}`;
+    }
+    for (const name of ["toCylinder_mm", "toGhost_mm", "feltToGhost_mm"] as const) {
+      if (result) dataset[name.replace("_mm", "Mm")] = String(result[name]);
+      else delete dataset[name.replace("_mm", "Mm")];
     }
   }
 
@@ -152,4 +181,22 @@ function createStage(canvas: HTMLCanvasElement): Stage | null {
   } catch {
     return null;
   }
+}
+
+/** Puts the box beside `at`: on the first side and in the nearest ring where it is free, else where it is within. */
+function place(box: Box, at: Readonly<{ x: number; y: number }>, sides: Label["sides"], within: Box, taken: readonly Box[]): void {
+  for (let ring = 1; ring <= rings; ++ring) {
+    for (const [right, down] of sides) {
+      box.x = at.x + right * (box.width / 2 + ring * gap_px) - box.width / 2;
+      box.y = at.y + down * (box.height / 2 + (ring * gap_px) / 2) - box.height / 2;
+      const inside = box.x >= within.x && box.y >= within.y && box.x + box.width <= within.x + within.width && box.y + box.height <= within.y + within.height;
+      if (inside && !taken.some((other) => meet(box, other))) return;
+    }
+  }
+  box.x = Math.min(Math.max(at.x - box.width / 2, within.x), within.x + within.width - box.width);
+  box.y = Math.min(Math.max(at.y - 2 * box.height, within.y), within.y + within.height - box.height);
+}
+
+function meet(one: Box, other: Box): boolean {
+  return one.x < other.x + other.width && other.x < one.x + one.width && one.y < other.y + other.height && other.y < one.y + one.height;
 }

@@ -9,17 +9,16 @@ export function save(name: string, type: string, text: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** Calls back with a file that is chosen in `input`, or dropped anywhere on the page. */
-export function onFile(input: HTMLInputElement, opened: (file: File) => void): void {
+/** Calls back with files that are chosen in `input`, or dropped anywhere on the page, together. */
+export function onFiles(input: HTMLInputElement, opened: (files: readonly File[]) => void): void {
+  const take = (files: FileList | null | undefined) => { if (files?.length) opened([...files]); };
   input.addEventListener("change", () => {
-    const file = input.files?.[0];
-    if (file) opened(file);
+    take(input.files);
     input.value = "";
   });
   document.addEventListener("dragover", (event) => event.preventDefault());
   document.addEventListener("drop", (event) => {
     event.preventDefault();
-    const file = event.dataTransfer?.files[0];
-    if (file) opened(file);
+    take(event.dataTransfer?.files);
   });
 }

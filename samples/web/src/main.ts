@@ -3,7 +3,9 @@ import { load } from "haptic-retargeting";
 import pluginModule from "haptic-retargeting/haptic_retargeting.wasm";
 import { Chart } from "./chart";
 import { motionBound_deg, pageCourse } from "./controller";
+import { distance_m, start } from "./geometry";
 import { Desk } from "./desk";
+import { showFigures } from "./figures";
 import { Hand } from "./hand";
 import { Now } from "./now";
 import { element, radios, say } from "./page";
@@ -11,9 +13,11 @@ import { Panel } from "./panel";
 import { createWorld } from "./person";
 import { Replaying } from "./modes/replaying";
 import { Results } from "./results";
-import { fromLink, onSlider, toLink } from "./settings";
+import { defaultSettings, fromLink, modes, onSlider, toLink, type Mode } from "./settings";
 import { Sliding } from "./modes/sliding";
 import { TakeAway } from "./takeaway";
+import { Ticks } from "./ticks";
+import { TraceTable } from "./trace";
 import { onSchemeChange, readColours } from "./theme";
 import { Connecting } from "./plate/connecting";
 import { Voice } from "./voice";
@@ -24,27 +28,34 @@ import { Viewing } from "./modes/viewing";
 import { Watch } from "./watch";
 import { Watching } from "./modes/watching";
 
-const modes = ["watch", "hand", "wear", "replay", "scene"] as const;
-type Mode = (typeof modes)[number];
-
 async function main(): Promise<void> {
-  const library = await load(pluginModule);
-  const [watchWorld, handWorld, wearWorld, sceneWorld] = await Promise.all([createWorld(), createWorld(), createWorld(), createWorld()]);
+  // The first picture needs no plugin, which is on its way meanwhile.
+  const desk = new Desk(), still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  desk.nameLabels(true);
+  desk.reveal(0);
+  desk.setColours(readColours());
+  desk.setTargets(0, pageCourse(defaultSettings()).virtual_deg, distance_m);
+  desk.setView("above");
+  desk.resize();
+  desk.draw(0, start, start);
+  showFigures();
+  const [library, watchWorld, handWorld, wearWorld, sceneWorld] = await Promise.all([load(pluginModule), createWorld(), createWorld(), createWorld(), createWorld()]);
   const linked = fromLink(location.hash.slice(1));
   showProblems(linked.problems);
+  // A link that says more than the address is a researcher's.
+  if (location.hash !== "") for (const part of document.querySelectorAll("details")) part.open = true;
 
   const watch = new Watch(library, watchWorld, linked.settings);
   const hand = new Hand(library, handWorld, linked.settings);
-  const desk = new Desk(), voice = new Voice(), plate = new Connecting(), now = new Now(), results = new Results(element("results", HTMLTableElement));
-  const chartCanvas = element("chart", HTMLCanvasElement), chart = new Chart(chartCanvas, readColours());
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const voice = new Voice(), plate = new Connecting(), now = new Now(), results = new Results(element("results", HTMLTableElement));
+  const table = new TraceTable(), chartCanvas = element("chart", HTMLCanvasElement), chart = new Chart(chartCanvas, readColours());
   const watching = new Watching(watch, watchWorld, desk, now, results, linked.settings, voice, still);
-  const sliding = new Sliding(hand, handWorld, desk, now, voice, linked.settings);
+  const sliding = new Sliding(hand, handWorld, desk, now, voice, new Ticks(still), linked.settings, still);
   const replaying = new Replaying(desk, now, still);
   const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
   const wear = new Wear(library, wearWorld, desk.stage?.plate ?? new HapticPlate(), linked.settings);
   const wearing = new Wearing(wear, wearWorld, desk, now, voice, linked.settings);
-  let mode: Mode = "watch";
+  let mode: Mode = "hand";
 
   const goals = { real_deg: 0, virtual_deg: 0, weight: NaN };
   const takeAway = new TakeAway(library, () => reaches().recording, () => (mode === "scene" ? viewing.watch : watch).profile, {
@@ -59,8 +70,10 @@ async function main(): Promise<void> {
     sliding.apply(settings);
     wearing.apply(settings);
     showSettings();
-    history.replaceState(null, "", `#${toLink(settings)}`);
+    address();
   });
+
+  function address(): void { history.replaceState(null, "", `#${toLink(panel.settings, mode)}`); }
 
   function showSettings(): void {
     const { settings } = panel, reach = mode === "replay" ? replaying.reach : null;
@@ -71,14 +84,14 @@ async function main(): Promise<void> {
   }
 
   function showMode(): void {
-    mode = modes.find((name) => radios("mode").some((radio) => radio.checked && radio.value === name)) ?? "watch";
+    mode = modes.find((name) => radios("mode").some((radio) => radio.checked && radio.value === name)) ?? "hand";
     sliding.active = mode === "hand";
     const { frame } = desk;
     frame.classList.toggle("hand", sliding.active);
     frame.tabIndex = sliding.active ? 0 : -1;
     if (sliding.active) frame.setAttribute("role", "application");
     else frame.removeAttribute("role");
-    if (sliding.active) frame.setAttribute("aria-label", "The plate: arrow keys slide the finger, Enter ends the slide");
+    if (sliding.active) frame.setAttribute("aria-label", "The plate: arrow keys slide the finger from the ring to the glass, ahead and somewhat to the left; Enter ends the slide");
     else frame.removeAttribute("aria-label");
     for (const name of modes) {
       for (const part of document.querySelectorAll<HTMLElement>(`.${name}-only`)) part.hidden = mode !== name;
@@ -90,7 +103,8 @@ async function main(): Promise<void> {
     say(element("now-title", HTMLHeadingElement), mode === "replay" ? "What the controller believed" : "What is felt now");
     desk.setView(sliding.active ? "above" : "oblique");
     desk.setScene(mode === "scene" ? viewing.scene : null);
-    desk.showFinger(true);
+    desk.nameLabels(sliding.active);
+    desk.reveal(1);
     desk.showFelt(mode !== "replay");
     if (mode === "scene") watching.play(viewing.watch, sceneWorld, viewing.scene?.scale ?? 1);
     else watching.play(watch, watchWorld, 1);
@@ -147,7 +161,9 @@ async function main(): Promise<void> {
       follow(elapsed_ms);
       ({ watch: watching, hand: sliding, wear: wearing, replay: replaying, scene: watching })[mode].frame(elapsed_ms);
     }
-    chart.draw({ watch, hand, wear, replay: replaying, scene: viewing.watch }[mode].trace, goals);
+    const { trace } = { watch, hand, wear, replay: replaying, scene: viewing.watch }[mode];
+    chart.draw(trace, goals);
+    table.show(trace);
     takeAway.allow(reaches().recording !== "");
     requestAnimationFrame(frame);
   }
@@ -156,18 +172,28 @@ async function main(): Promise<void> {
     radio.addEventListener("change", () => {
       if (wearing.worn) choose("wear");  // the headset's session goes first
       else showMode();
+      address();
     });
   }
   new ResizeObserver(resize).observe(desk.canvas);
   new ResizeObserver(resize).observe(chartCanvas);
   onSchemeChange(colour);
   window.addEventListener("hashchange", () => {
-    const { settings, problems } = fromLink(location.hash.slice(1));
+    const { settings, mode: wanted, problems } = fromLink(location.hash.slice(1));
     showProblems(problems);
+    choose(wanted);
     panel.replace(settings);
   });
+  for (const button of document.querySelectorAll<HTMLButtonElement>("button[data-open]")) {
+    const part = element(button.dataset.open ?? "", HTMLDetailsElement);
+    button.addEventListener("click", () => {
+      part.open = true;
+      part.scrollIntoView({ behavior: still ? "auto" : "smooth" });
+      part.querySelector("summary")?.focus({ preventScroll: true });
+    });
+  }
   colour();
-  showMode();
+  choose(linked.mode);
   document.documentElement.dataset.ready = "yes";
   requestAnimationFrame(frame);
 }

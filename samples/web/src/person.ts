@@ -30,10 +30,15 @@ export interface World {
   max_gap_deg(bound_deg: number): number;
 }
 
+let compiled: Promise<WebAssembly.Module> | null = null;
+
+async function compile(): Promise<WebAssembly.Module> {
+  return WebAssembly.compile(typeof personModule === "string" ? await (await fetch(personModule)).arrayBuffer() : personModule);
+}
+
 /** A world of its own: one person, one plate, one tracker. */
 export async function createWorld(): Promise<World> {
-  const { instance } = await WebAssembly.instantiate(personModule);
-  const { _initialize: initialize } = instance.exports;
-  if (typeof initialize === "function") initialize();
-  return instance.exports as unknown as World;
+  const { exports } = await WebAssembly.instantiate(await (compiled ??= compile()));
+  if (typeof exports._initialize === "function") exports._initialize();
+  return exports as unknown as World;
 }

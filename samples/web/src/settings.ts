@@ -2,6 +2,11 @@
 
 export type ControllerName = "off" | "paper" | "ours";
 
+/** What the visitor does. The last two need a file. */
+export const modes = ["hand", "watch", "wear", "replay", "scene"] as const;
+export type Mode = (typeof modes)[number];
+const linkedModes = modes.slice(0, 3);
+
 export interface Settings {
   /** Share of touch in the direction that is felt; the controller does not know it. */
   tactile_weight: number;
@@ -53,23 +58,29 @@ export function onSlider(name: SliderName, value: number): number {
 }
 
 /** The part of a link after #: what differs from the defaults. */
-export function toLink(settings: Settings): string {
+export function toLink(settings: Readonly<Settings>, mode: Mode): string {
   const defaults = defaultSettings(), parts = new URLSearchParams();
+  if (mode !== "hand" && linkedModes.includes(mode)) parts.set("mode", mode);
   for (const name of [...sliderNames, "controller", "person"] as const) {
     if (settings[name] !== defaults[name]) parts.set(name, String(settings[name]));
   }
   return parts.toString();
 }
 
-/** Settings of a link, and what in it was left out because it is unknown or not allowed. */
-export function fromLink(link: string): { settings: Settings; problems: string[] } {
+/** Settings and mode of a link, and what in it was left out because it is unknown or not allowed. */
+export function fromLink(link: string): { settings: Settings; mode: Mode; problems: string[] } {
   const settings = defaultSettings(), problems: string[] = [];
+  let mode: Mode = "hand";
   for (const [name, text] of new URLSearchParams(link.slice(0, 500))) {
     const value = /^\d{1,6}(\.\d{1,6})?$/.test(text) ? Number(text) : NaN;
     if (isSlider(name)) {
       const { min, max } = sliders[name];
       if (value >= min && value <= max) settings[name] = onSlider(name, value);
       else problems.push(`${name} is "${text.slice(0, 20)}"; allowed: ${min} to ${max}`);
+    } else if (name === "mode") {
+      const known = linkedModes.find((each) => each === text);
+      if (known) mode = known;
+      else problems.push(`mode is "${text.slice(0, 20)}"; allowed: ${linkedModes.join(", ")}`);
     } else if (name === "controller") {
       const known = controllerNames.find((controller) => controller === text);
       if (known) settings.controller = known;
@@ -81,7 +92,7 @@ export function fromLink(link: string): { settings: Settings; problems: string[]
       problems.push(`nothing is called "${name.slice(0, 20)}"`);
     }
   }
-  return { settings, problems };
+  return { settings, mode, problems };
 }
 
 /** Another person than `person`. */

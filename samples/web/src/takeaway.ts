@@ -1,11 +1,10 @@
 // Files of the plugin: the last reach and what was learnt, to take away; a recording, which is run again and compared bit
 // for bit, or a scene, to bring. What is refused is refused in the plugin's words.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
-import { onFile, save } from "./files";
+import { onFiles, save } from "./files";
 import { element, say } from "./page";
 import { readReach, type RecordedReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
-import { readMeshes } from "./stage/meshes";
 
 const max_bytes = 32 * 1024 * 1024;
 
@@ -25,7 +24,7 @@ export class TakeAway {
     this.#library = library;
     this.#saveRecording.addEventListener("click", () => save("reach.csv", "text/csv", recording()));
     element("save-profile", HTMLButtonElement).addEventListener("click", () => save("profile.json", "application/json", profile()));
-    onFile(element("open-file", HTMLInputElement), (file) => { void this.#open(file, brought); });
+    onFiles(element("open-file", HTMLInputElement), (files) => { void this.#open(files, brought); });
   }
 
   /** Whether there is a reach to save. */
@@ -33,24 +32,30 @@ export class TakeAway {
     if (this.#saveRecording.disabled === recorded) this.#saveRecording.disabled = !recorded;
   }
 
-  async #open(file: File, brought: Brought): Promise<void> {
+  /** A recording, or a scene with the buffers that came along. */
+  async #open(files: readonly File[], brought: Brought): Promise<void> {
+    const file = files.find(({ name }) => /\.(gltf|glb|csv)$/i.test(name)), name = file?.name ?? files[0]?.name ?? "";
     try {
-      if (file.size > max_bytes) throw new Error(`${Math.ceil(file.size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
-      if (/\.(gltf|glb)$/i.test(file.name)) brought.scene(await this.#scene(file.name, await file.arrayBuffer()));
-      else brought.reach(this.#replay(file.name, await file.text()));
+      if (!file) throw new Error("this page opens a recording (.csv), or a scene (.glb, or .gltf with its .bin dropped together)");
+      const size = files.reduce((sum, each) => sum + each.size, 0);
+      if (size > max_bytes) throw new Error(`${Math.ceil(size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
+      if (/\.csv$/i.test(name)) brought.reach(this.#replay(name, await file.text()));
+      else brought.scene(await this.#scene(file, files));
       this.#problem.hidden = true;
     } catch (error) {
       const message = error instanceof Error ? error.message : String(error);
       this.#problem.hidden = false;
-      say(this.#problem, message.startsWith(file.name) ? message : `${file.name}: ${message}`);
+      say(this.#problem, message.startsWith(name) ? message : `${name}: ${message}`);
     }
   }
 
   /** Targets by the plugin's loader; then the meshes, without which the scene is shown too. */
-  async #scene(name: string, bytes: ArrayBuffer): Promise<VisitorScene> {
-    const scene = readScene(this.#library, bytes, name), { position_m, rotation } = scene.plate;
+  async #scene(file: File, files: readonly File[]): Promise<VisitorScene> {
+    const bytes = await file.arrayBuffer(), scene = readScene(this.#library, bytes, file.name), { position_m, rotation } = scene.plate;
     try {
-      scene.meshes = await readMeshes(bytes, position_m, rotation);
+      const { readMeshes } = await import("./stage/meshes");  // with three.js' loader
+      const others = new Map(await Promise.all(files.map(async (each) => [each.name, await each.arrayBuffer()] as const)));
+      scene.meshes = await readMeshes(bytes, others, position_m, rotation);
     } catch (error) {
       scene.meshProblem = error instanceof Error ? error.message : String(error);
     }

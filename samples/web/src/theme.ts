@@ -1,5 +1,5 @@
-// Colours, from the style sheet, so that light, dark and high contrast have one source. The pair for real and felt is
-// of Okabe and Ito's palette, which colour-blind people can separate; lines differ in their dashes too.
+// Colours, from the style sheet, so that light, dark and high contrast have one source. The blue and orange
+// of true and felt can be separated by colour-blind people; lines differ in their dashes too.
 
 const names = {
   text: "--text", muted: "--muted", panel: "--panel", line: "--line", stage: "--stage", desk: "--desk", plate: "--plate",

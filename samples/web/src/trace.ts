@@ -1,5 +1,7 @@
 // What happened within one reach, every 10 ms, for the chart. Memory is taken once.
 
+import { element, sideways } from "./page";
+
 export const tracePeriod_ms = 10;
 const capacity = 4096;  // 41 s
 
@@ -25,5 +27,28 @@ export class Trace {
     this.weight[this.length] = weight;
     this.weight_sd[this.length] = weight_sd;
     ++this.length;
+  }
+}
+
+const rowPeriod_ms = 200;
+
+/** The trace as a table, for who does not see the chart. Costs nothing while it is folded. */
+export class TraceTable {
+  readonly #fold = element("trace-fold", HTMLDetailsElement);
+  readonly #table = element("trace", HTMLTableElement);
+  #shown: unknown[] = [];
+
+  show(trace: Trace): void {
+    const every = rowPeriod_ms / tracePeriod_ms, count = Math.ceil(trace.length / every), body = this.#table.tBodies[0];
+    if (!this.#fold.open || !body || (this.#shown[0] === trace && this.#shown[1] === count)) return;
+    this.#shown = [trace, count];
+    body.replaceChildren();
+    for (let i = 0; i < trace.length; i += every) {
+      const row = body.insertRow(), at = (name: TraceName) => trace[name][i] ?? NaN, weight = at("weight");
+      for (const text of [`${((i * tracePeriod_ms) / 1000).toFixed(1)} s`, sideways(at("plate_deg")), sideways(at("finger_deg"), 1),
+                          sideways(at("felt_deg"), 1), Number.isNaN(weight) ? "–" : `${weight.toFixed(2)} ± ${(1.96 * at("weight_sd")).toFixed(2)}`]) {
+        row.insertCell().textContent = text;
+      }
+    }
   }
 }

@@ -1,7 +1,7 @@
-/** A WebAssembly module's bytes, within the bundle. */
+/** A WebAssembly module's bytes within the bundle, or its address. */
 declare module "*.wasm" {
-  const bytes: Uint8Array<ArrayBuffer>;
-  export default bytes;
+  const module: Uint8Array<ArrayBuffer> | string;
+  export default module;
 }
 
 /** The plate's firmware in Intel's hexadecimal format, within the bundle. */

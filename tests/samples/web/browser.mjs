@@ -11,7 +11,7 @@ export const [, , sources, pageFolder, recorded, desk, screenshots] = process.ar
 export const require = createRequire(resolve(sources, "package.json"));
 const { chromium } = require("playwright-core");
 const axe = await readFile(require.resolve("axe-core/axe.min.js"), "utf8");
-export const desktop = { width: 1280, height: 900 }, phone = { width: 500, height: 900 };
+export const desktop = { width: 1280, height: 900 }, tablet = { width: 820, height: 1180 }, phone = { width: 390, height: 844 };
 
 let server, address, browser;
 before(async () => {
@@ -33,10 +33,10 @@ export function launch(...more) {
     "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...more] });
 }
 
-/** Opens the page, after `script` has run in it, and uses it once the element `ready` is there. With `motion` false each
+/** Opens the page on "Watch" with its folds open, after `script` has run in it, and uses it once the element `ready` is there. With `motion` false each
  *  change shows its reach at once; with `motion` true the page's time stands still until frames(). Fails at the end of `use`
  *  on any error of the page, and on any request except those for its own files. */
-export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "", from = browser,
+export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "#mode=watch", from = browser,
                             base = address, strict = true, script = null, ready = "html[data-ready=yes]" } = {}) {
   const context = await from.newContext({ viewport, colorScheme, reducedMotion: motion ? "no-preference" : "reduce" });
   const page = await context.newPage(), faults = [];
@@ -58,7 +58,7 @@ export async function visit(use, { motion = false, viewport = desktop, colorSche
   }
 }
 
-export const shoot = (page, name) => page.screenshot({ path: join(screenshots, `${name}.png`), fullPage: true });
+export const shoot = (page, name, fullPage = true) => page.screenshot({ path: join(screenshots, `${name}.png`), fullPage, timeout: 120_000 });
 export const text = (page, selector) => page.locator(selector).textContent();
 
 /** In the page: frames come when drawFrame() is called, and no time passes between them. */

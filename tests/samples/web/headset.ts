@@ -10,6 +10,13 @@ device.quaternion.set(-0.34, 0, 0, 0.94);  // it looks down by 40 degrees
 hand.poseId = "point";
 hand.updateHandPose();
 
+const spaces: EventTarget[] = [], { requestReferenceSpace } = XRSession.prototype;
+XRSession.prototype.requestReferenceSpace = async function (...kind) {
+  const space = await requestReferenceSpace.apply(this, kind);
+  spaces.push(space);
+  return space;
+};
+
 globalThis.headset = {
   device,
   /** The index fingertip is there, in the emulated room. */
@@ -19,5 +26,7 @@ globalThis.headset = {
   },
   /** The headset sees the hand, or does not. */
   see(seen) { hand.connected = seen; },
+  /** As by the headset's own button: the room's origin is elsewhere. */
+  recentre() { for (const space of spaces) space.dispatchEvent(new Event("reset")); },
   leave() { return device.activeSession.end(); },
 };

@@ -79,10 +79,18 @@ test("without a headset the page says so", () => visit(async (page) => {
   await shoot(page, "wear_unavailable");
 }));
 
-test("a hand that is worn makes a real reach, which the plugin repeats bit for bit", () => visit(async (page) => {
+/** In the page: frames lack these, as those of some browsers do. */
+const without = (...names) => `${headset};{ const { requestAnimationFrame: wait } = XRSession.prototype;
+  XRSession.prototype.requestAnimationFrame = function (use) { return wait.call(this, (time, frame) => {
+    for (const name of ${JSON.stringify(names)}) Object.defineProperty(frame, name, { value: undefined, configurable: true });
+    use(time, frame);
+  }); }; }`;
+
+for (const lacking of [[], ["predictedDisplayTime"], ["fillPoses"], ["fillJointRadii", "predictedDisplayTime"]]) test(
+  `a hand that is worn makes a real reach, which the plugin repeats bit for bit, without ${lacking}`, () => visit(async (page) => {
   await enter(page);
   assert.equal(await phase(page), "placing");
-  await shoot(page, "wear_placing");
+  await shoot(page, "wear_placing", false);
   await rest(page, start);
   assert.equal(await phase(page), "sliding", await caption(page));
   assert.match(await caption(page), /^Slide to the ghost/);
@@ -90,7 +98,7 @@ test("a hand that is worn makes a real reach, which the plugin repeats bit for b
   const { toCylinderMm, toGhostMm, feltToGhostMm } = await ended(page);
   assert.ok(toCylinderMm < 9 && toGhostMm > 9, `${toCylinderMm} mm from the cylinder, ${toGhostMm} from the ghost`);
   assert.ok(feltToGhostMm < 9, `felt ${feltToGhostMm} mm from the ghost`);
-  await shoot(page, "wear_arrived");
+  await shoot(page, "wear_arrived", false);
   await leave(page);
   assert.equal(await caption(page), "You have left the headset.");
   assert.equal(await page.locator("#leave").isVisible(), false);
@@ -105,7 +113,30 @@ test("a hand that is worn makes a real reach, which the plugin repeats bit for b
   const off = places.map(([right, away]) => Math.min(...moved.map((row) =>
     Math.hypot(sample(row, "sample_x_m") - right, 0.05 - sample(row, "sample_z_m") - away))));
   assert.ok(Math.max(...off) < 1e-6, `positions as recorded are ${Math.max(...off)} m off`);
+}, { ...worn, script: without(...lacking) }));
+
+test("a headset that is recentred places the plate anew", () => visit(async (page) => {
+  await enter(page);
+  await rest(page, start);
+  await slide(page, { until: 0.4 });
+  assert.equal(await phase(page), "sliding");
+  await page.evaluate(() => globalThis.headset.recentre());
+  await frames(page, 11, 2);
+  assert.equal(await phase(page), "placing");
+  assert.match(await caption(page), /^The headset has moved its room, so the plate is placed anew\. Hold your index/);
+  await rest(page, start.map((x) => x + 0.05));
+  assert.equal(await phase(page), "sliding", "the next one is there");
 }, worn));
+
+test("a headset that refuses hands says what to switch on", () => visit(async (page) => {
+  await page.locator("label:has(input[value=wear])").click();
+  await frames(page, 20, 2);
+  await page.locator("#enter-vr:enabled").click();
+  await page.waitForTimeout(200);
+  await frames(page, 20, 2);
+  assert.match(await caption(page), /^The headset cannot be entered: no hands\. Switch hand tracking on in the headset's settings/);
+}, { ...worn, script: `${headset};navigator.xr.requestSession = async () => { throw new DOMException("no hands", "NotSupportedError"); }` }));
+
 
 test("a hand that goes straight to the ghost arrives there", () => visit(async (page) => {
   await enter(page);
@@ -141,7 +172,7 @@ test("a session that the user ends in the middle of a reach leaves a page that w
   await rest(page, start);
   await slide(page, { until: 0.5 });
   assert.equal(await phase(page), "sliding");
-  await shoot(page, "wear_passthrough");
+  await shoot(page, "wear_passthrough", false);
   await leave(page);
   assert.equal(await caption(page), "You have left the headset.");
   await page.locator("label:has(input[value=watch])").click();
@@ -176,7 +207,7 @@ test("a plate is placed by touches of its marks, and a bad touch is found", () =
   assert.match(await caption(page), /touch mark 1 .*"start" \(1 of 6\)/);
   await touch(marks.slice(0, 2));
   assert.match(await caption(page), /\(3 of 6\)/);
-  await shoot(page, "wear_marks");
+  await shoot(page, "wear_marks", false);
   await touch(marks.slice(2).map(() => marks[3]));
   assert.match(await caption(page), /^(The touches do not fit|By the touches) .*\(1 of 6\)/);
   const bad = marks.map((mark, i) => (i === 4 ? [mark[0] + 0.03, mark[1], mark[2]] : mark));

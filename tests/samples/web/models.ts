@@ -12,6 +12,7 @@ export { Board } from "../../../samples/web/src/plate/board";
 export * from "../../../samples/web/src/plate/line";
 export { PlateLink } from "../../../samples/web/src/plate/link";
 export { openPort } from "../../../samples/web/src/plate/serial";
+export { wrapped } from "../../../samples/web/src/stage/headset";
 export { Rest } from "../../../samples/web/src/wear/rest";
 export { Placing } from "../../../samples/web/src/wear/placing";
 export { default as firmware } from "plate_firmware.hex";

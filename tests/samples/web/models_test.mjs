@@ -118,45 +118,45 @@ test("no frame makes the trace longer than its memory, and no number in it is in
   for (let i = 0; i < trace.length; ++i) assert.ok(Math.abs(trace.plate_deg[i]) <= 90 && trace.weight[i] > 0);
 });
 
-// A visitor who watches the felt finger and steers it to the ghost.
-function steer(changes, frame_ms = 16) {
-  const hand = new models.Hand(library, world, settings(changes));
-  const ghost = models.virtualPlace(models.pageCourse(settings(changes)));
-  for (let i = 0; i < 40; ++i) hand.advance(frame_ms);
-  let heading_deg = 0;
-  for (let i = 0; i < 400 && models.length_m(models.start, hand.felt) < models.distance_m; ++i) {
-    const line_deg = models.direction_deg(ghost.right_m - hand.felt.right_m, ghost.away_m - hand.felt.away_m);
-    if (!Number.isNaN(hand.felt_deg)) heading_deg += 0.15 * (line_deg - hand.felt_deg);
-    const to = models.ahead(hand.finger, heading_deg, 0.05 * frame_ms / 1000);
-    hand.moveTo(to.right_m, to.away_m);
-    hand.advance(frame_ms);
-  }
-  hand.end();
-  return hand;
-}
-
-test("a visitor who keeps the felt finger on the ghost arrives at the cylinder", () => {
-  for (const changes of [{}, { gap_deg: 6 }, { tactile_weight: 0.25 }]) {
-    const hand = steer(changes);
-    assert.equal(hand.phase, "arrived");
-    near(hand.result.feltToGhost_mm, 0, 3, "felt finger");
-    near(hand.result.toCylinder_mm, 0, 5, `true finger with ${JSON.stringify(changes)}`);
-  }
-  near(steer({ controller: "off" }).result.toGhost_mm, 0, 4, "with a still plate, the ghost");
-});
-
-test("a visitor who goes straight to the ghost arrives there: nothing bends their hand", () => {
-  const hand = new models.Hand(library, world, settings());
-  const deg = models.pageCourse(settings()).virtual_deg;
+/** A visitor goes straight to the ghost, as they feel it, in `time_ms`. */
+function go(changes, time_ms = 1200, beyond = 1.3) {
+  const hand = new models.Hand(library, world, settings(changes)), { virtual_deg } = models.pageCourse(settings(changes));
   for (let i = 0; i < 40; ++i) hand.advance(16);
-  for (let i = 1; i <= 125; ++i) {
-    const to = models.ahead(models.start, deg, (models.distance_m * i) / 125);
+  for (let i = 1; i <= beyond * time_ms / 16; ++i) {
+    const to = models.ahead(models.start, virtual_deg, models.distance_m * i * 16 / time_ms);
     hand.moveTo(to.right_m, to.away_m);
     hand.advance(16);
   }
-  hand.end();
-  near(hand.result.toGhost_mm, 0, 0.001, "true finger");
-  assert.ok(hand.result.feltToGhost_mm > 8, `felt finger ${hand.result.feltToGhost_mm} mm off`);
+  return hand;
+}
+
+test("a visitor who feels to go straight to the ghost arrives at the cylinder, however fast", () => {
+  for (const time_ms of [300, 600, 1200, 2500]) {
+    for (const changes of [{}, { gap_deg: 6 }, { person: 2 }]) {
+      const { phase, result, ridges } = go(changes, time_ms), { gap_deg } = settings(changes);
+      assert.equal(phase, "arrived", "nothing but the motion ends it");
+      assert.equal(result.feltToGhost_mm, 0, "an overshoot ends at the ghost");
+      near(result.toCylinder_mm, 0, 4, `true finger in ${time_ms} ms with ${JSON.stringify(changes)}`);
+      near(result.toGhost_mm, 200 * Math.sin(gap_deg * Math.PI / 360), 4, "from the ghost");
+      assert.ok(ridges >= 5 && ridges <= 15, `${ridges} ridges`);
+    }
+  }
+  near(go({ controller: "off" }).result.toGhost_mm, 0, 2, "with a still plate, the ghost");
+  const { phase, felt } = go({}, 1200, 0.99);
+  assert.equal(phase, "arrived", "within 5 mm it is the ghost");
+  near(models.length_m(felt, models.virtualPlace(models.pageCourse(settings()))), 0, 1e-12, "felt there");
+});
+
+// By hand: felt = true + w (plate - true), so that a felt 0 over a plate at 50 degrees is a true -w 50 / (1 - w).
+test("the hand goes where the sum of touch says", () => {
+  const hand = new models.Hand(library, world, settings({ controller: "off", tactile_weight: 0.2, gap_deg: 0 }));
+  hand.plateConnected_deg = 50;
+  for (let i = 0; i < 20; ++i) {
+    hand.moveTo(0, models.start.away_m + 0.003 * i);
+    hand.advance(16);
+  }
+  near(models.direction_deg(hand.finger.right_m, hand.finger.away_m - models.start.away_m), -12.5, 1e-6, "true direction");
+  near(models.length_m(models.start, hand.finger), models.length_m(models.start, hand.felt), 1e-12, "as far");
 });
 
 test("a hand does as it should at its limits", () => {
@@ -168,7 +168,8 @@ test("a hand does as it should at its limits", () => {
   assert.equal(hand.phase, "waiting");
   hand.moveTo(50, -50);
   hand.advance(16);
-  assert.ok(models.length_m(models.start, hand.finger) <= 0.1300001);
+  near(models.length_m(models.start, hand.felt), models.distance_m, 1e-9, "no further than the ghost");
+  assert.equal(hand.phase, "arrived");
   for (const value of Object.values(hand.felt)) assert.ok(Number.isFinite(value));
   hand.begin();
   const back = models.ahead(models.start, 180, 0.01);
@@ -273,16 +274,22 @@ test("the plate turns counter-clockwise seen from above, within its mount", () =
 
 test("a link carries the settings, and its faults are named", () => {
   const chosen = settings({ tactile_weight: 0.3, gap_deg: 7.5, controller: "paper", person: 12 });
-  assert.equal(models.toLink(settings()), "");
-  assert.equal(models.toLink(chosen), "tactile_weight=0.3&gap_deg=7.5&controller=paper&person=12");
-  assert.deepEqual(models.fromLink(models.toLink(chosen)), { settings: chosen, problems: [] });
-  for (const bad of ["gap_deg=21", "gap_deg=-1", "gap_deg=1e1", "gap_deg=NaN", "noise_mm=", "controller=mine", "person=0",
+  assert.equal(models.toLink(settings(), "hand"), "");
+  assert.equal(models.toLink(chosen, "watch"), "mode=watch&tactile_weight=0.3&gap_deg=7.5&controller=paper&person=12");
+  assert.deepEqual(models.fromLink(models.toLink(chosen, "wear")), { settings: chosen, mode: "wear", problems: [] });
+  for (const bad of ["gap_deg=21", "gap_deg=-1", "gap_deg=1e1", "gap_deg=NaN", "noise_mm=", "controller=mine", "mode=replay", "person=0",
                      "person=1.5", "toString=1", "__proto__=1", "tactile_weight=<b>"]) {
     const { settings: got, problems } = models.fromLink(bad);
     assert.deepEqual(got, settings(), bad);
     assert.equal(problems.length, 1, bad);
   }
   assert.match(models.fromLink("gap_deg=21").problems[0], /gap_deg is "21"; allowed: 0 to 20/);
+});
+
+test("words on the board wrap, however long", () => {
+  const fits = (line) => line.length <= 10;
+  assert.deepEqual(models.wrapped("rest your fingertip at abcdefghijklmno", fits), ["rest your", "fingertip", "at", "abcdefghij", "klmno"]);
+  assert.deepEqual(models.wrapped("", fits), [""]);
 });
 
 test("a frame's work is short", (t) => {

@@ -5,7 +5,7 @@ import { readFile } from "node:fs/promises";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { accessible, arrived, desk, desktop, drawn, drop, frames, launch, newest, pageFolder, phase, phone, recorded, shoot, text, visit } from "./browser.mjs";
+import { accessible, arrived, desk, desktop, drawn, drop, frames, launch, newest, pageFolder, phase, phone, recorded, shoot, tablet, text, visit } from "./browser.mjs";
 
 async function handEnd(page) {
   assert.equal(await phase(page), "arrived");
@@ -38,7 +38,7 @@ test("without a plate that turns, and with the paper's for another person, the r
   await drawn(page);
   assert.match(await text(page, "#caption"), /^The finger is 2\d\.\d mm from the real cylinder/);
   await shoot(page, "watch_still_plate");
-}, { link: "#tactile_weight=0.3" }));
+}, { link: "#mode=watch&tactile_weight=0.3" }));
 
 test("each slider moves by keyboard, and the next reach shows it", () => visit(async (page) => {
   const set = async (slider, key) => {
@@ -60,7 +60,7 @@ test("each slider moves by keyboard, and the next reach shows it", () => visit(a
     }
     await page.click("#reset");
   }
-  assert.equal(new URL(page.url()).hash, "");
+  assert.equal(new URL(page.url()).hash, "#mode=watch");
 }));
 
 test("a gap that cannot be held is said so", () => visit(async (page) => {
@@ -71,7 +71,19 @@ test("a gap that cannot be held is said so", () => visit(async (page) => {
   }
   assert.match(await page.locator("#results tbody tr").first().innerText(), /cannot be held/);
   await shoot(page, "watch_too_far");
-}, { link: "#tactile_weight=0.08&gap_deg=15" }));
+}, { link: "#mode=watch&tactile_weight=0.08&gap_deg=15" }));
+
+test("the chart is a table too, and each of the four figures follows its control", () => visit(async (page) => {
+  assert.ok(await page.locator("#trace tbody tr").count() >= 10);
+  assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+\d+° (left|right)\s+\d+\.\d° (left|right)/);
+  for (const i of [1, 2, 3, 4]) {
+    const before = await page.locator(`#figure-${i}`).innerHTML();
+    await page.locator(`#see-${i}`).focus();
+    await page.keyboard.press("ArrowRight");
+    assert.notEqual(await page.locator(`#figure-${i}`).innerHTML(), before);
+  }
+  assert.doesNotMatch(await page.locator(".figures").innerText(), /w_?T|°|degree/, "words for a reader of twelve");
+}));
 
 test("a reach plays, pauses and steps", () => visit(async (page) => {
   await page.selectOption("#speed", "1");
@@ -96,68 +108,111 @@ test("a reach plays, pauses and steps", () => visit(async (page) => {
   assert.equal(await page.locator("#results tbody tr").count(), 2);
 }, { motion: true }));
 
-// The visitor reads what is felt, and turns as the owner of a hand would.
-test("by keyboard, a visitor who follows what is felt arrives at the cylinder", () => visit(async (page) => {
-  await page.locator("input[value=watch]").focus();
-  await page.keyboard.press("ArrowRight");
-  await frames(page, 100, 5);
-  await page.locator("#stage").focus();
-  await page.keyboard.down("ArrowUp");
-  for (let i = 0; i < 100; ++i) {
-    await frames(page, 40);
-    const [caption, turn] = [await text(page, "#caption"), await text(page, "#now-turn")];
-    if (caption.startsWith("The felt finger")) break;
-    for (const [side, key] of [["left", "ArrowLeft"], ["right", "ArrowRight"]]) {
-      if (turn === side) await page.keyboard.down(key);
-      else await page.keyboard.up(key);
-    }
-    if (i === 25) await shoot(page, "hand_sliding");
-  }
-  await page.keyboard.press("Enter");
-  await frames(page, 33);
-  const { toCylinderMm, toGhostMm, feltToGhostMm } = await handEnd(page);
-  assert.ok(feltToGhostMm < 9, `felt ${feltToGhostMm} mm from the ghost`);
-  assert.ok(toCylinderMm < 9 && toGhostMm > 9, `${toCylinderMm} mm from the cylinder, ${toGhostMm} from the ghost`);
-  await shoot(page, "hand_arrived");
-}, { motion: true }));
+/** Where the ring or the glass is, in the window. */
+async function place(page, name) {
+  const box = await page.locator("#view").boundingBox(), at = await page.locator("#stage").getAttribute(`data-${name}`);
+  return at.split(" ").map((number, i) => Number(number) + [box.x, box.y][i]);
+}
+const hidden = (page) => page.locator("#label-finger").isHidden();
+const own = { motion: true, link: "" };
 
-test("by mouse, the finger goes where the mouse goes", () => visit(async (page) => {
-  await page.locator("label:has(input[value=hand])").click();
-  await frames(page, 100, 5);
-  const box = await page.locator("#view").boundingBox(), x = box.x + box.width / 2;
-  await page.mouse.move(x, box.y + 0.8 * box.height);
-  await page.mouse.down();
-  for (let i = 1; i <= 30; ++i) {
-    await page.mouse.move(x, box.y + (0.8 - 0.021 * i) * box.height);
+// Zero clicks: the mouse comes to the ring, which takes the finger along.
+test("who goes to the glass by mouse is shown the hand at the cylinder, within a second", () => visit(async (page) => {
+  await frames(page, 100, 12);
+  assert.equal(await text(page, "#caption"), "Slide from the ring to the glass.");
+  await shoot(page, "hand_waiting");
+  const ring = await place(page, "start"), glass = await place(page, "glass");
+  await page.mouse.move(...ring);
+  for (let i = 1; i <= 36; ++i) {
+    await page.mouse.move(ring[0] + (glass[0] - ring[0]) * i / 30, ring[1] + (glass[1] - ring[1]) * i / 30);
     await frames(page, 33);
+    if (i === 20) {
+      assert.deepEqual([await phase(page), await hidden(page)], ["sliding", true]);
+      await shoot(page, "hand_sliding");
+    }
   }
-  await page.mouse.up();
+  const { toCylinderMm, toGhostMm, feltToGhostMm } = await handEnd(page);
+  assert.equal(feltToGhostMm, 0, "an overshoot ends at the glass");
+  assert.ok(toCylinderMm < 3 && toGhostMm > 14, `${toCylinderMm} mm from the cylinder, ${toGhostMm} from the glass`);
+  await frames(page, 100, 4);
+  await shoot(page, "hand_reveal");
+  await frames(page, 100, 6);
+  assert.match(await text(page, "#caption"), /^You went to the glass\. Your hand is here, 1[5-9] mm away\.$/);
+  assert.equal(await text(page, "#spoken"), await text(page, "#caption"));
+  assert.equal(await hidden(page), false);
+  await shoot(page, "hand_arrived");
+  await page.mouse.move(...ring);
   await frames(page, 33);
-  const { toCylinderMm, toGhostMm } = await handEnd(page);
-  assert.ok(Math.abs(toCylinderMm - toGhostMm) < 1, `along the mid-line: ${toCylinderMm} and ${toGhostMm}`);
-  assert.match(await text(page, "#caption"), /^Your finger ended \d+ mm from the real cylinder/);
-  await page.mouse.down();
-  await page.mouse.up();
-  await frames(page, 33);
-  assert.equal(await phase(page), "waiting", "a touch without a slide");
-}, { motion: true }));
+  assert.equal(await phase(page), "waiting", "the ring begins the next one");
+}, own));
 
-test("only what is felt can be shown, until the end", () => visit(async (page) => {
-  await page.locator("label:has(input[value=hand])").click();
-  await page.check("#hide-finger");
-  await frames(page, 100);
-  assert.equal(await page.locator("#label-finger").isVisible(), true);
-  await page.locator("#stage").focus();
-  await page.keyboard.down("ArrowUp");
-  await frames(page, 50, 20);
-  await page.keyboard.up("ArrowUp");
-  assert.equal(await page.locator("#label-finger").isVisible(), false);
-  await shoot(page, "hand_felt_only");
-  await page.keyboard.press("Enter");
+test("by keyboard, with the plate off, the hand stays at the glass", () => visit(async (page) => {
+  await page.click("#plate-off");
+  for (let i = 0; i < 3; ++i) {  // no key is needed but the arrows and Enter
+    await page.keyboard.down("ArrowUp");
+    await frames(page, 40, 20);
+    await page.keyboard.down("ArrowLeft");
+    await frames(page, 40, 4);
+    await page.keyboard.up("ArrowLeft");
+    await frames(page, 40, 30);
+    await page.keyboard.up("ArrowUp");
+    await page.keyboard.press("Enter");
+    await frames(page, 100, 10);
+    const { toGhostMm } = await handEnd(page);
+    assert.ok(toGhostMm < 3, `${toGhostMm} mm from the glass`);
+  }
+  assert.match(await text(page, "#caption"), /^You went to the glass\. Your hand is here, [12] mm away: the plate was off\.$/);
+}, own));
+
+test("a touch: one that is lifted early is said so, a short one begins anew", () => visit(async (page) => {
+  await frames(page, 100, 5);
+  const drag = async (length) => {
+    const box = await page.locator("#view").boundingBox(), x = box.x + 0.3 * box.width, y = box.y + 0.8 * box.height;
+    await page.mouse.move(x, y);  // from anywhere: a thumb need not cover the ring
+    await page.mouse.down();
+    for (let i = 1; i <= 10; ++i) {
+      await page.mouse.move(x, y - length * i / 10 * box.height);
+      await frames(page, 33);
+    }
+    await page.mouse.up();
+    await frames(page, 100, 10);
+  };
+  await drag(0.02);
+  assert.equal(await phase(page), "waiting");
+  await drag(0.12);
+  assert.match(await text(page, "#caption"), /^You stopped before the glass\. Your hand is here, \d+ mm away\.$/);
+  await page.click("#restart");
   await frames(page, 33);
-  assert.equal(await phase(page), "arrived");
-  assert.equal(await page.locator("#label-finger").isVisible(), true);
-}, { motion: true }));
+  assert.equal(await phase(page), "waiting");
+}, { ...own, viewport: phone }));
+
+test("ridges are heard, and one button, which is remembered, turns them off", () => visit(async (page) => {
+  const heard = () => page.evaluate(() => globalThis.heard.splice(0));
+  const slide = async () => {
+    await page.locator("#stage").focus();
+    await page.keyboard.press("Escape");
+    await page.keyboard.down("ArrowUp");
+    await frames(page, 40, 50);
+    await page.keyboard.up("ArrowUp");
+    return heard();
+  };
+  const tones = await slide();
+  assert.ok(tones.length >= 6 && tones.length <= 20, `${tones.length} ridges`);
+  assert.deepEqual([tones[0], tones.at(-1)], [1800, 140]);
+  await page.click("#ticks");
+  assert.deepEqual(await slide(), []);
+  await page.reload();
+  await page.waitForSelector("html[data-ready=yes]");
+  assert.equal(await text(page, "#ticks"), "Sound: off");
+}, { ...own, script: `(${() => {
+  globalThis.heard = [];
+  const nothing = { setValueAtTime() {}, exponentialRampToValueAtTime() {} };
+  globalThis.AudioContext = class {
+    state = "running"; currentTime = 0;
+    createOscillator() { const tone = { frequency: { value: 0 }, connect: (to) => to, start() { heard.push(tone.frequency.value); }, stop() {} }; return tone; }
+    createGain() { return { gain: nothing, connect: (to) => to }; }
+  };
+}})()` }));
 
 test("a reach and what was learnt are saved, and the reach replays", () => visit(async (page) => {
   const saved = async (button) => {
@@ -266,7 +321,8 @@ test("a scene whose meshes cannot be drawn is shown without them, and nothing is
   for (const [content, words] of [[changed(({ accessors }) => { accessors[0].count = 1e9; }), /more than 4000000 values/],
                                   [changed(({ meshes }) => { meshes[0].primitives[0].attributes.POSITION = 999; }), /Its meshes are not drawn: ./],
                                   [changed(({ buffers }) => { buffers[0].uri = "data:application/octet-stream;base64,%%%"; }), /not drawn: .|^bad/],
-                                  [changed(({ buffers }) => { buffers[0].uri = "https://127.0.0.1:9/desk.bin"; }), /another file, which the page does not load|^bad/]]) {
+                                  [changed(({ buffers }) => { buffers[0].uri = "https://127.0.0.1:9/desk.bin"; }), /lie in another file: drop it together|^bad/],
+                                  [changed(({ nodes }) => { while (nodes.length < 2000) nodes.push({ mesh: 6 }); }), /draw \d{7} vertices/]]) {
     await drop(page, "bad.gltf", content);
     // Not waitForFunction(), which the page's policy forbids.
     await page.locator("#scene-about, #problem:not([hidden])").filter({ hasText: words }).first().waitFor({ timeout: 5000 });
@@ -274,22 +330,47 @@ test("a scene whose meshes cannot be drawn is shown without them, and nothing is
   }
 }));
 
+test("a scene comes with its buffer in another file, and a picture says what is taken", () => visit(async (page) => {
+  const scene = JSON.parse(await readFile(desk, "utf8")), buffer = Buffer.from(scene.buffers[0].uri.split(",")[1], "base64");
+  scene.buffers[0].uri = "the%20desk.bin";
+  const open = (...files) => page.setInputFiles("#open-file", files.map(([name, content]) => ({ name, mimeType: "", buffer: Buffer.from(content) })));
+  await open(["picture.png", "\x89PNG"]);
+  await page.locator("#problem", { hasText: "picture.png: this page opens a recording (.csv), or a scene" }).waitFor();
+  await open(["the desk.bin", buffer], ["desk.gltf", JSON.stringify(scene)]);
+  await page.locator("#scene-about", { hasText: "desk.gltf: a plate of" }).waitFor();
+  assert.equal(await text(page, "#scene-about"), "desk.gltf: a plate of 75 mm radius, 1 real and 3 virtual targets.", "with its meshes");
+}));
+
 test("a bad link is named, and its good part is used", () => visit(async (page) => {
   assert.equal(await text(page, "#problem"), "Left out of the link: gap_deg is \"99\"; allowed: 0 to 20.");
   assert.equal(await text(page, "output[for=noise_mm]"), "0.3 mm");
-}, { link: "#gap_deg=99&noise_mm=0.3" }));
+}, { link: "#mode=watch&gap_deg=99&noise_mm=0.3" }));
 
-test("the page reaches no network, by its own policy", () => visit(async (page) => {
+test("the page reaches no other machine, by its own policy", () => visit(async (page) => {
   const refused = await page.evaluate(async () => {
-    const tries = [fetch("https://127.0.0.1:9/"), fetch("page.css"), import("data:text/javascript,1")];
+    const tries = [fetch("https://127.0.0.1:9/"), fetch("https://localhost/"), import("data:text/javascript,1")];
     return (await Promise.allSettled(tries)).map(({ status }) => status);
   });
   assert.deepEqual(refused, ["rejected", "rejected", "rejected"]);
 }, { strict: false }));
 
+// What a browser gets before it draws, and what only those get who ask for it.
+test("the first picture takes 300 kB, and parts come when asked for", () => visit(async (page) => {
+  const got = () => page.evaluate(() => Object.fromEntries(performance.getEntriesByType("resource").map(
+    ({ name, encodedBodySize }) => [name.replace(/.*\//, ""), encodedBodySize])));
+  const first = await got(), page_kB = Object.entries(first).filter(([name]) => !name.endsWith(".wasm")).reduce((sum, [, size]) => sum + size, 0) / 1000;
+  assert.ok(page_kB < 300, `${page_kB} kB`);
+  assert.ok(first["haptic_retargeting.wasm"] < 450_000, `${first["haptic_retargeting.wasm"]} bytes of the plugin`);
+  const count = Object.keys(first).length;
+  await page.click("#plate-firmware");
+  await page.locator("#plate-state", { hasText: "Emulated board" }).waitFor();
+  assert.ok(Object.keys(await got()).length > count, "the emulator");
+  await page.click("#plate-stop");
+}));
+
 test("the page opens from a folder, without a server", () => visit(async (page) => {
   assert.equal(arrived(await newest(page)), true);
-}, { base: pathToFileURL(join(resolve(pageFolder), "index.html")).href.replace(/index\.html$/, ""), link: "index.html" }));
+}, { base: pathToFileURL(join(resolve(pageFolder), "index.html")).href.replace(/index\.html$/, ""), link: "index.html#mode=watch" }));
 
 test("without WebGL the numbers and the chart still work", async () => {
   const plain = await launch("--disable-3d-apis");
@@ -304,7 +385,7 @@ test("without WebGL the numbers and the chart still work", async () => {
   }
 });
 
-for (const [size, viewport] of Object.entries({ desktop, phone })) {
+for (const [size, viewport] of Object.entries({ desktop, tablet, phone })) {
   for (const colorScheme of ["light", "dark"]) {
     test(`accessible and within the window: ${size}, ${colorScheme}`, () => visit(async (page) => {
       await drop(page, "desk.gltf", await readFile(desk, "utf8"));

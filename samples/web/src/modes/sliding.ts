@@ -1,19 +1,21 @@
-// The mode "Be the finger": pointer and keys move the finger; what it would feel is drawn beside it.
+// The mode "Be the finger": pointer or keys are where the visitor feels the finger. The hand is hidden until the end, and then
+// shown where it really went.
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
-import { distance_m, length_m, start, virtualPlace, type Place } from "../geometry";
+import { length_m, start, virtualPlace, type Place } from "../geometry";
 import type { Hand } from "../hand";
 import type { Now } from "../now";
-import { element, say, sideways } from "../page";
+import { element, say } from "../page";
 import type { World } from "../person";
-import type { Voice } from "../voice";
 import type { Settings } from "../settings";
+import type { Ticks } from "../ticks";
+import type { Voice } from "../voice";
 
-const keySpeed_m_s = 0.05;
-const keyTurn_deg_s = 40;
+const keySpeed_m_s = 0.06;
 const longestFrame_ms = 100;
-/** At an object. */
-const near_m = 0.008;
+const reveal_ms = 900;
+/** A mouse that comes so near to the ring takes the finger along. */
+const grasp_m = 0.008;
 
 export class Sliding {
   /** Whether this mode is the one that is shown. */
@@ -23,90 +25,107 @@ export class Sliding {
   readonly #desk: Desk;
   readonly #now: Now;
   readonly #voice: Voice;
+  readonly #ticks: Ticks;
+  readonly #still: boolean;
   readonly #caption = element("caption", HTMLParagraphElement);
   readonly #spoken = element("spoken", HTMLParagraphElement);
-  readonly #hidden = element("hide-finger", HTMLInputElement);
   readonly #keys = new Set<string>();
   readonly #pointer: Place = { right_m: 0, away_m: 0 };
   readonly #grip: Place = { right_m: 0, away_m: 0 };
-  #dragging = -1;
-  #heading_deg = 0;
+  /** Of the pointer that moves the finger; -1: none. */
+  #held = -1;
+  #plateOff = false;
+  #shown_ms = 0;
   #owed_ms = 0;
   #settings: Readonly<Settings>;
 
-  constructor(hand: Hand, world: World, desk: Desk, now: Now, voice: Voice, settings: Readonly<Settings>) {
-    this.#voice = voice;
+  /** `still`: the hand is shown at once. */
+  constructor(hand: Hand, world: World, desk: Desk, now: Now, voice: Voice, ticks: Ticks, settings: Readonly<Settings>, still: boolean) {
     this.#hand = hand;
     this.#world = world;
     this.#desk = desk;
     this.#now = now;
+    this.#voice = voice;
+    this.#ticks = ticks;
     this.#settings = settings;
+    this.#still = still;
     const { frame } = desk;
     frame.addEventListener("pointerdown", (event) => this.#press(event));
-    frame.addEventListener("pointermove", (event) => this.#drag(event));
-    frame.addEventListener("pointerup", (event) => this.#release(event));
-    frame.addEventListener("pointercancel", (event) => this.#release(event));
+    frame.addEventListener("pointermove", (event) => this.#move(event));
+    for (const end of ["pointerup", "pointercancel", "pointerleave"] as const) frame.addEventListener(end, (event) => this.#release(event));
     frame.addEventListener("keydown", (event) => this.#key(event, true));
     frame.addEventListener("keyup", (event) => this.#key(event, false));
     frame.addEventListener("blur", () => this.#keys.clear());
-    element("restart", HTMLButtonElement).addEventListener("click", () => this.restart());
-    this.#hidden.addEventListener("change", () => this.restart());
+    element("restart", HTMLButtonElement).addEventListener("click", () => this.#again(false));
+    element("plate-off", HTMLButtonElement).addEventListener("click", () => this.#again(true));
   }
 
   apply(settings: Readonly<Settings>): void {
     this.#settings = settings;
-    this.#hand.apply(settings);
+    this.#hand.apply(this.#plateOff ? { ...settings, controller: "off" } : settings);
     this.restart();
   }
 
   restart(): void {
     this.#hand.begin();
     this.#desk.clearPaths();
-    this.#heading_deg = 0;
-    this.#dragging = -1;
+    this.#held = -1;
     this.#keys.clear();
     this.#desk.frame.classList.remove("dragging");
-    this.#desk.frame.classList.toggle("blind", this.#hidden.checked);
   }
 
   frame(elapsed_ms: number): void {
-    const elapsed = Math.min(elapsed_ms, longestFrame_ms);
+    const elapsed = Math.min(elapsed_ms, longestFrame_ms), hand = this.#hand, { phase, ridges } = hand;
     this.#moveByKeys(elapsed / 1000);
     this.#owed_ms += elapsed;
     const whole = Math.floor(this.#owed_ms);
     this.#owed_ms -= whole;
-    this.#hand.advance(whole);
+    hand.advance(whole);
+    if (phase === "sliding" && hand.ridges !== ridges) this.#ticks.ridge();
+    if (phase !== "arrived" && hand.phase === "arrived") this.#arrive();
+    else if (hand.phase === "arrived") this.#shown_ms += elapsed;
     this.#draw();
   }
 
+  #again(plateOff: boolean): void {
+    this.#plateOff = plateOff;
+    this.apply(this.#settings);
+    this.#desk.frame.focus({ preventScroll: true });
+  }
+
   #press(event: PointerEvent): void {
-    if (!this.active || this.#dragging >= 0 || event.button !== 0) return;
-    if (!this.#desk.placeOf(event, this.#grip)) return;
+    if (!this.active || event.button !== 0 || !this.#desk.placeOf(event, this.#pointer)) return;
+    this.#ticks.wake();
     if (this.#hand.phase === "arrived") this.restart();
-    this.#dragging = event.pointerId;
-    // The finger moves as the pointer does, from wherever the drag begins: a thumb does not cover it.
-    this.#grip.right_m -= this.#hand.wanted.right_m;
-    this.#grip.away_m -= this.#hand.wanted.away_m;
+    this.#grasp(event.pointerId);
     this.#desk.frame.setPointerCapture(event.pointerId);
+  }
+
+  /** The finger moves as the pointer does, from wherever that is. */
+  #grasp(pointer: number): void {
+    this.#held = pointer;
+    this.#grip.right_m = this.#pointer.right_m - this.#hand.wanted.right_m;
+    this.#grip.away_m = this.#pointer.away_m - this.#hand.wanted.away_m;
     this.#desk.frame.classList.add("dragging");
   }
 
-  #drag(event: PointerEvent): void {
-    if (event.pointerId !== this.#dragging || !this.#desk.placeOf(event, this.#pointer)) return;
+  #move(event: PointerEvent): void {
+    if (!this.active || !this.#desk.placeOf(event, this.#pointer)) return;
+    const idle = this.#held < 0 && event.pointerType === "mouse" && length_m(this.#pointer, start) < grasp_m;
+    if (idle && this.#hand.phase === "arrived" && this.#shown_ms > reveal_ms) this.restart();
+    if (idle && this.#hand.phase === "waiting") this.#grasp(event.pointerId);
+    if (event.pointerId !== this.#held) return;
     this.#hand.moveTo(this.#pointer.right_m - this.#grip.right_m, this.#pointer.away_m - this.#grip.away_m);
   }
 
   #release(event: PointerEvent): void {
-    if (event.pointerId !== this.#dragging) return;
-    this.#dragging = -1;
-    this.#desk.frame.classList.remove("dragging");
-    this.#end();
+    if (event.pointerId === this.#held) this.#end();
   }
 
   #key(event: KeyboardEvent, down: boolean): void {
     if (!this.active) return;
     if (event.key.startsWith("Arrow")) {
-      if (down && this.#hand.phase === "arrived") this.restart();
+      if (down && !event.repeat && this.#hand.phase === "arrived") this.restart();
       if (down) this.#keys.add(event.key);
       else this.#keys.delete(event.key);
     } else if (event.key === "Enter" && down && !event.repeat) {
@@ -116,70 +135,53 @@ export class Sliding {
     } else {
       return;
     }
+    this.#ticks.wake();
     event.preventDefault();
   }
 
   #moveByKeys(seconds: number): void {
     if (this.#keys.size === 0) return;
-    const held = (key: string) => (this.#keys.has(key) ? 1 : 0);
-    this.#heading_deg += keyTurn_deg_s * seconds * (held("ArrowLeft") - held("ArrowRight"));
-    const travel_m = keySpeed_m_s * seconds * (held("ArrowUp") - held("ArrowDown"));
-    const { wanted } = this.#hand, heading = (this.#heading_deg * Math.PI) / 180;
-    this.#hand.moveTo(wanted.right_m - travel_m * Math.sin(heading), wanted.away_m + travel_m * Math.cos(heading));
+    const held = (key: string) => (this.#keys.has(key) ? keySpeed_m_s * seconds : 0), { wanted } = this.#hand;
+    this.#hand.moveTo(wanted.right_m + held("ArrowRight") - held("ArrowLeft"), wanted.away_m + held("ArrowUp") - held("ArrowDown"));
   }
 
+  /** The finger is lifted. */
   #end(): void {
     this.#hand.end();
-    if (this.#hand.phase === "waiting") this.restart();
-    if (this.#hand.phase !== "arrived") return;
+    if (this.#hand.phase === "arrived") this.#arrive();
+    else this.restart();
+  }
+
+  #arrive(): void {
+    this.#held = -1;
+    this.#shown_ms = 0;
+    this.#desk.frame.classList.remove("dragging");
+    this.#ticks.contact();
     say(this.#spoken, this.#text());
     this.#voice.say(this.#text());
   }
 
   #draw(): void {
-    const hand = this.#hand, plate_deg = this.#world.plate_deg();
+    const hand = this.#hand, plate_deg = this.#world.plate_deg(), over = hand.phase === "arrived";
     if (hand.phase !== "waiting") this.#desk.extendPaths(hand.finger, hand.felt);
     this.#desk.frame.dataset.phase = hand.phase;
-    this.#desk.showFinger(!this.#hidden.checked || hand.phase !== "sliding");
+    this.#desk.reveal(!over ? 0 : this.#still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
     this.#desk.draw(plate_deg, hand.finger, hand.felt);
     this.#now.show(plate_deg, hand.finger_deg, hand.felt_deg, pageCourse(this.#settings).virtual_deg);
     say(this.#caption, this.#text());
-    this.#write();
-  }
-
-  /** For those who check: the truth in numbers, beside the picture. */
-  #write(): void {
-    const { dataset } = this.#desk.frame, { result } = this.#hand;
-    if (result) {
-      dataset.toCylinderMm = String(result.toCylinder_mm);
-      dataset.toGhostMm = String(result.toGhost_mm);
-      dataset.feltToGhostMm = String(result.feltToGhost_mm);
-    } else {
-      delete dataset.toCylinderMm;
-      delete dataset.toGhostMm;
-      delete dataset.feltToGhostMm;
-    }
+    this.#desk.write(hand.result);
   }
 
   #text(): string {
     const hand = this.#hand, { result } = hand;
-    if (result) {
-      const end = `Your finger ended ${result.toCylinder_mm.toFixed(0)} mm from the real cylinder and ` +
-        `${result.toGhost_mm.toFixed(0)} mm from the ghost. With skin on these ridges you would have felt it ` +
-        `${result.feltToGhost_mm.toFixed(0)} mm from the ghost.`;
-      const near_mm = 1000 * near_m, { gap_deg } = this.#settings;
-      if (result.feltToGhost_mm < near_mm && result.toCylinder_mm < near_mm && gap_deg > 0) return `That is the illusion. ${end}`;
-      if (result.toGhost_mm < near_mm) return `${end} You went to the ghost: nothing bends a hand that does not feel.`;
-      return end;
+    if (!result) {
+      if (hand.phase === "sliding") return "You feel your finger here.";
+      return this.#plateOff ? "The plate is off. Slide from the ring to the glass." : "Slide from the ring to the glass.";
     }
-    if (hand.phase === "waiting") {
-      return `Slide the finger from the ring to the ghost, ${sideways(pageCourse(this.#settings).virtual_deg)}. The cylinder is ` +
-        `${sideways(pageCourse(this.#settings).real_deg)}.`;
-    }
-    const ghost = virtualPlace(pageCourse(this.#settings));
-    if (length_m(hand.felt, ghost) < near_m) return "The felt finger is at the ghost: let go, or press Enter.";
-    if (length_m(start, hand.felt) > distance_m) return "The felt finger has passed beside the ghost: let go, or press Enter.";
-    if (Number.isNaN(hand.felt_deg)) return "The finger rests: nothing is felt.";
-    return `You move ${sideways(hand.finger_deg)}; on these ridges that would feel like ${sideways(hand.felt_deg)}.`;
+    const ghost = virtualPlace(pageCourse(this.#settings)), off_m = length_m(hand.felt, ghost);
+    const went = off_m < 1e-6 ? "You went to the glass." : off_m > 0.02 ? "You stopped before the glass."
+      : `You went beside the glass, by ${(1000 * off_m).toFixed(0)} mm.`;
+    const away_mm = 1000 * length_m(hand.felt, hand.finger);
+    return `${went} Your hand is here, ${away_mm.toFixed(0)} mm away${this.#plateOff ? ": the plate was off" : ""}.`;
   }
 }

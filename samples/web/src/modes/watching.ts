@@ -127,7 +127,7 @@ export class Watching {
     if (!result || this.#watch.phase !== "arrived" || world.over() === 0) return;
     this.#results.add(result);
     this.#voice.say(resultText(result));
-    if (!this.playing) say(this.#spoken, resultText(result));
+    say(this.#spoken, resultText(result));
   }
 
   #extend(): void {

@@ -2,6 +2,7 @@
 // Simulation: no board and no servo has run it.
 import { AVRADC, AVREEPROM, AVRIOPort, AVRTimer, AVRUSART, adcConfig, avrInstruction, CPU, EEPROMMemoryBackend, portBConfig,
          portDConfig, timer0Config, timer1Config, usart0Config } from "avr8js";
+import firmware from "plate_firmware.hex";
 import { crc16 } from "./line";
 
 const cpu_hz = 16e6;
@@ -30,8 +31,8 @@ export class Board {
   #roseAt = 0;
   #asleep = false;
 
-  /** `hex`: the firmware in Intel's format. Throws on one that is damaged. */
-  constructor(hex: string) {
+  /** `hex`: a firmware in Intel's format, else the plate's own. Throws on one that is damaged. */
+  constructor(hex: string = firmware) {
     const cpu = new CPU(readHex(hex), sram_bytes);
     this.#cpu = cpu;
     for (const timer of [timer0Config, timer1Config]) new AVRTimer(cpu, timer);

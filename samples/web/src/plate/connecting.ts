@@ -20,7 +20,7 @@ export class Connecting {
     this.#serial.disabled = !available;
     element("plate-unavailable", HTMLParagraphElement).hidden = available;
     this.#serial.addEventListener("click", () => { void this.#connect(); });
-    this.#firmware.addEventListener("click", () => this.#begin(new FirmwarePlate()));
+    this.#firmware.addEventListener("click", () => { void this.#emulate(); });
     this.#stop.addEventListener("click", () => { void this.#end("The plate was disconnected."); });
     window.addEventListener("pagehide", () => { void this.#device?.close(); });
   }
@@ -56,6 +56,17 @@ export class Connecting {
       say(this.#state, `No plate is connected: ${error instanceof Error ? error.message : String(error)}`);
     }
     if (!this.#device) this.#serial.disabled = false;
+  }
+
+  async #emulate(): Promise<void> {
+    this.#firmware.disabled = true;
+    try {
+      const { Board } = await import("./board");  // with the emulator
+      this.#begin(new FirmwarePlate(new Board()));
+    } catch (error) {
+      say(this.#state, `No plate is connected: ${error instanceof Error ? error.message : String(error)}`);
+      this.#firmware.disabled = false;
+    }
   }
 
   #begin(device: PlateDevice): void {

@@ -1,6 +1,5 @@
 // A plate that is connected: one on a serial line, or the plate's firmware on an emulated board.
-import firmware from "plate_firmware.hex";
-import { Board } from "./board";
+import type { Board } from "./board";
 import { PlateLink } from "./link";
 import { openPort, type SerialPort } from "./serial";
 
@@ -25,10 +24,11 @@ function stateOf(link: PlateLink): string {
 
 /** The emulated board runs in the page's frames. Its plate is the servo's. */
 export class FirmwarePlate implements PlateDevice {
-  readonly board = new Board(firmware);
+  readonly board: Board;
   readonly link = new PlateLink((text) => this.board.hear(text));
 
-  constructor() {
+  constructor(board: Board) {
+    this.board = board;
     const byte = new Uint8Array(1);
     this.board.onByte = (value) => {
       byte[0] = value;

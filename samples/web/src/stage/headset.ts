@@ -9,6 +9,7 @@ const width_px = 1024, height_px = 320, margin_px = 36;
 interface JointFrame {
   fillPoses?(spaces: readonly XRSpace[], base: XRSpace, poses: Float32Array): boolean;
   fillJointRadii?(spaces: readonly XRJointSpace[], radii: Float32Array): boolean;
+  getJointPose?(joint: XRJointSpace, base: XRSpace): XRJointPose | undefined;
 }
 
 /** The 25 joints of a hand, as balls. Memory is taken once for each hand. */
@@ -33,8 +34,8 @@ export class HandJoints extends InstancedMesh<SphereGeometry, MeshStandardMateri
       this.#hand = hand;
       this.#spaces = hand ? [...hand.values()] : [];
     }
-    this.visible = this.#spaces.length === joints && (frame.fillPoses?.(this.#spaces, space, this.#poses) ?? false) &&
-      (frame.fillJointRadii?.(this.#spaces, this.#radii) ?? false);
+    this.visible = this.#spaces.length === joints && (frame.fillPoses && frame.fillJointRadii
+      ? frame.fillPoses(this.#spaces, space, this.#poses) && frame.fillJointRadii(this.#spaces, this.#radii) : this.#each(frame, space));
     if (!this.visible) return;
     for (let i = 0; i < joints; ++i) {
       const radius_m = this.#radii[i] ?? 0;
@@ -44,6 +45,16 @@ export class HandJoints extends InstancedMesh<SphereGeometry, MeshStandardMateri
       this.setMatrixAt(i, this.#matrix);
     }
     this.instanceMatrix.needsUpdate = true;
+  }
+
+  /** Joint by joint, in browsers that do not give a hand at once. */
+  #each(frame: JointFrame, space: XRReferenceSpace): boolean {
+    return this.#spaces.every((joint, i) => {
+      const pose = frame.getJointPose?.(joint, space);
+      if (pose) this.#poses.set(pose.transform.matrix, 16 * i);
+      this.#radii[i] = pose?.radius ?? 0.008;
+      return pose !== undefined && pose !== null;
+    });
   }
 }
 
@@ -75,19 +86,36 @@ export class WordBoard extends Group {
     pen.fillStyle = paper;
     pen.fillRect(0, 0, width_px, height_px);
     pen.fillStyle = ink;
-    pen.font = "bold 40px system-ui, sans-serif";
-    pen.fillText(title, margin_px, 62);
-    pen.font = "40px system-ui, sans-serif";
-    let line = "", y = 122;
-    for (const word of text.split(" ")) {
-      if (pen.measureText(`${line} ${word}`).width > width_px - 2 * margin_px) {
-        pen.fillText(line, margin_px, y);
-        [line, y] = [word, y + 48];
-      } else {
-        line = line ? `${line} ${word}` : word;
-      }
-    }
-    pen.fillText(line, margin_px, y);
+    // As large as fits: an instruction is never cut.
+    let size_px = 42, lines: string[] = [];
+    do {
+      size_px -= 2;
+      pen.font = `${size_px}px system-ui, sans-serif`;
+      lines = wrapped(text, (line) => pen.measureText(line).width <= width_px - 2 * margin_px);
+    } while (size_px > 16 && (lines.length + 1.3) * 1.2 * size_px > height_px - margin_px);
+    lines.forEach((line, i) => pen.fillText(line, margin_px, margin_px + (i + 2.1) * 1.2 * size_px));
+    pen.font = `bold ${size_px}px system-ui, sans-serif`;
+    pen.fillText(title, margin_px, margin_px + 0.8 * size_px);
     this.#texture.needsUpdate = true;
   }
+}
+
+/** Lines that fit; a word that is too long for one is broken. */
+export function wrapped(text: string, fits: (line: string) => boolean): string[] {
+  const lines: string[] = [];
+  let line = "";
+  for (let word of text.split(" ")) {
+    if (line && !fits(`${line} ${word}`)) {
+      lines.push(line);
+      line = "";
+    }
+    for (let count = word.length; !fits(word) && count > 1;) {
+      while (count > 1 && !fits(word.slice(0, count))) --count;
+      lines.push(word.slice(0, count));
+      word = word.slice(count);
+      count = word.length;
+    }
+    line = line ? `${line} ${word}` : word;
+  }
+  return [...lines, line];
 }

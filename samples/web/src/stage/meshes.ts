@@ -1,6 +1,6 @@
 // The meshes of a visitor's scene, to look at. The plugin's loader has read plate and targets before; this draws what else
 // the file has. Nothing is fetched: only what lies within the file is used, without textures, animations and skins.
-import { Group, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, Quaternion, Vector3 } from "three";
+import { Group, Matrix4, Mesh, Object3D, Quaternion, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 const glbMagic = 0x46546c67, jsonChunk = 0x4e4f534a, binaryChunk = 0x004e4942;
@@ -10,7 +10,7 @@ const kept = ["asset", "scene", "scenes", "nodes", "meshes", "accessors", "buffe
 const keptOfMaterial = ["name", "doubleSided", "alphaMode", "alphaCutoff", "emissiveFactor"] as const;
 
 /** A page that holds more would stand still. */
-const maxNodes = 10_000, maxValues = 4_000_000;
+const maxNodes = 10_000, maxValues = 4_000_000, maxDrawn = 2_000_000;
 
 type Json = Record<string, unknown>;
 
@@ -21,14 +21,17 @@ export interface SceneMeshes {
   readonly targets: ReadonlySet<string>;
 }
 
-/** The file's meshes, with its plate at the origin; the plate's own mesh is left out. Rejects if they cannot be read. */
-export async function readMeshes(bytes: ArrayBuffer, platePosition_m: readonly number[], plateRotation: readonly number[]): Promise<SceneMeshes> {
+/** The file's meshes, with its plate at the origin; the plate's own mesh is left out. `others`: files that came with it, by
+ *  their names. Rejects if they cannot be read. */
+export async function readMeshes(bytes: ArrayBuffer, others: ReadonlyMap<string, ArrayBuffer>, platePosition_m: readonly number[], plateRotation: readonly number[]): Promise<SceneMeshes> {
   const { json, binary } = parts(bytes), file = pick(json, kept);
   file.materials = list(json.materials).map((material) => ({ ...pick(material, keptOfMaterial), pbrMetallicRoughness: plain(material.pbrMetallicRoughness) }));
   file.nodes = list(json.nodes).map((node) => pick(node, ["name", "children", "mesh", "matrix", "translation", "rotation", "scale", "extras"]));
   const values = list(json.accessors).reduce((sum, { count }) => sum + Number(count), 0);
   if (!(values <= maxValues) || list(file.nodes).length > maxNodes) throw new Error(`they have more than ${maxValues} values or ${maxNodes} nodes`);
-  const buffers = list(json.buffers).map(({ uri }) => (uri === undefined ? binary : embedded(uri)));
+  const drawn = drawnVertices(file);
+  if (!(drawn <= maxDrawn)) throw new Error(`they draw ${drawn} vertices, each mesh as often as it stands there; up to ${maxDrawn} are allowed`);
+  const buffers = list(json.buffers).map(({ uri }) => (uri === undefined ? binary : buffer(uri, others)));
   const views = list(json.bufferViews);
 
   const loader = new GLTFLoader();
@@ -56,20 +59,6 @@ export async function readMeshes(bytes: ArrayBuffer, platePosition_m: readonly n
   return { group, targets: names };
 }
 
-/** Targets in their colours: real ones solid, virtual ones as ghosts. */
-export function colourTargets(group: Group, real: string, felt: string): void {
-  group.traverse((node) => {
-    const { haptic } = node.userData as { haptic?: { role?: unknown } };
-    const role = haptic?.role;
-    if (role !== "real" && role !== "virtual") return;
-    node.traverse((part) => {
-      if (!(part instanceof Mesh)) return;
-      part.material = role === "real" ? new MeshStandardMaterial({ color: real, roughness: 0.4 })
-        : new MeshBasicMaterial({ color: felt, transparent: true, opacity: 0.5, depthWrite: false });
-    });
-  });
-}
-
 function hasMesh(node: Object3D): boolean {
   let found = false;
   node.traverse((part) => { found ||= part instanceof Mesh; });
@@ -91,9 +80,20 @@ function parts(bytes: ArrayBuffer): { json: Json; binary: ArrayBuffer } {
   return { json, binary };
 }
 
-function embedded(uri: unknown): ArrayBuffer {
+/** Of all nodes: a mesh counts once for each node that has it. */
+function drawnVertices(file: Json): number {
+  const counts = list(file.accessors).map(({ count }) => Number(count));
+  const count = (index: unknown): number => (index === undefined ? 0 : counts[Number(index)] ?? NaN);
+  const ofMesh = list(file.meshes).map(({ primitives }) => list(primitives).reduce(
+    (sum, { attributes, indices }) => sum + Math.max(count((attributes as Json | undefined)?.POSITION), count(indices)), 0));
+  return list(file.nodes).reduce((sum, { mesh }) => sum + (mesh === undefined ? 0 : ofMesh[Number(mesh)] ?? 0), 0);
+}
+
+function buffer(uri: unknown, others: ReadonlyMap<string, ArrayBuffer>): ArrayBuffer {
+  const other = typeof uri === "string" ? others.get(uri) ?? others.get(decodeURI(uri)) : undefined;
+  if (other) return other;
   const base64 = typeof uri === "string" ? /^data:[^,]*;base64,(.*)$/s.exec(uri)?.[1] : undefined;
-  if (base64 === undefined) throw new Error("its meshes lie in another file, which the page does not load");
+  if (base64 === undefined) throw new Error("its meshes lie in another file: drop it together with this one");
   const text = atob(base64), bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
   return bytes.buffer;

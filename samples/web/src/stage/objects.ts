@@ -34,7 +34,7 @@ export class Ghost extends Group {
 
 /** A finger whose tip touches its origin; it comes from the viewer's side. */
 export class Finger extends Group {
-  readonly #tip = new MeshStandardMaterial({ roughness: 0.7 });
+  readonly #tip = new MeshStandardMaterial({ roughness: 0.7, transparent: true });
   readonly #rest = new MeshStandardMaterial({ roughness: 0.7, transparent: true, opacity: 0.7 });
   constructor() {
     super();
@@ -45,6 +45,12 @@ export class Finger extends Group {
   setColour(colour: ColorRepresentation): void {
     this.#tip.color.set(colour);
     this.#rest.color.set(colour);
+  }
+  /** From 0, not there, to 1. */
+  fade(share: number): void {
+    this.visible = share > 0;
+    this.#tip.opacity = share;
+    this.#rest.opacity = 0.7 * share;
   }
   /** From `from_m` to `to_m` along a line that leans towards the viewer by `lean` from upright, in radians. */
   #addSegment(radius_m: number, from_m: number, to_m: number, lean: number, material: MeshStandardMaterial): void {
@@ -85,4 +91,18 @@ export class StartMark extends Mesh<RingGeometry, MeshBasicMaterial> {
     this.position.y = 0.003;
     this.renderOrder = 4;
   }
+}
+
+/** Targets in their colours: real ones solid, virtual ones as ghosts. */
+export function colourTargets(group: Group, real: string, felt: string): void {
+  group.traverse((node) => {
+    const { haptic } = node.userData as { haptic?: { role?: unknown } };
+    const role = haptic?.role;
+    if (role !== "real" && role !== "virtual") return;
+    node.traverse((part) => {
+      if (!(part instanceof Mesh)) return;
+      part.material = role === "real" ? new MeshStandardMaterial({ color: real, roughness: 0.4 })
+        : new MeshBasicMaterial({ color: felt, transparent: true, opacity: 0.5, depthWrite: false });
+    });
+  });
 }

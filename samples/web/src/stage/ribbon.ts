@@ -2,7 +2,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial, type ColorRepresentation } from "three";
 
 const capacity = 2000;
-const leastStep_m = 0.0005;
+const leastStep_m = 0.0005, longestStep_m = 0.001;
 
 export class Ribbon extends Mesh<BufferGeometry, MeshBasicMaterial> {
   readonly #halfWidth_m: number;
@@ -12,6 +12,7 @@ export class Ribbon extends Mesh<BufferGeometry, MeshBasicMaterial> {
   #right_m = NaN;
   #away_m = NaN;
   #travelled_m = 0;
+  #shown = 1;
 
   /** Dashes and gaps of `dash_m`; 0: a solid band. */
   constructor(width_m: number, dash_m: number, height_m: number) {
@@ -37,6 +38,12 @@ export class Ribbon extends Mesh<BufferGeometry, MeshBasicMaterial> {
     this.geometry.setDrawRange(0, 0);
   }
 
+  /** How much of it is drawn, from its start: 0 to 1. */
+  set shown(share: number) {
+    this.#shown = share;
+    this.#show();
+  }
+
   /** The path continues there. */
   extend(right_m: number, away_m: number): void {
     if (Number.isNaN(this.#right_m)) {
@@ -44,8 +51,18 @@ export class Ribbon extends Mesh<BufferGeometry, MeshBasicMaterial> {
       this.#away_m = away_m;
       return;
     }
+    // In pieces, so that a fast finger's dashes are as long as a slow one's.
+    const far_m = Math.hypot(right_m - this.#right_m, away_m - this.#away_m), pieces = Math.ceil(far_m / longestStep_m);
+    if (far_m < leastStep_m) return;
+    const from = { right_m: this.#right_m, away_m: this.#away_m };
+    for (let i = 1; i <= pieces; ++i) {
+      this.#extend(from.right_m + ((right_m - from.right_m) * i) / pieces, from.away_m + ((away_m - from.away_m) * i) / pieces);
+    }
+  }
+
+  #extend(right_m: number, away_m: number): void {
     const dx = right_m - this.#right_m, dz = -(away_m - this.#away_m), length = Math.hypot(dx, dz);
-    if (length < leastStep_m || this.#count === capacity) return;
+    if (this.#count === capacity) return;
     const drawn = this.#dash_m === 0 || Math.floor(this.#travelled_m / this.#dash_m) % 2 === 0;
     if (drawn) this.#addBand(dx / length, dz / length, right_m, -away_m);
     this.#travelled_m += length;
@@ -65,6 +82,8 @@ export class Ribbon extends Mesh<BufferGeometry, MeshBasicMaterial> {
     to.setXYZ(at + 5, x - sx, 0, z - sz);
     ++this.#count;
     to.needsUpdate = true;
-    this.geometry.setDrawRange(0, 6 * this.#count);
+    this.#show();
   }
+
+  #show(): void { this.geometry.setDrawRange(0, 6 * Math.round(this.#shown * this.#count)); }
 }

@@ -1,13 +1,12 @@
 // The desk in three dimensions. Draws what it is given; knows no plugin and no person.
 import { HapticPlate } from "haptic-retargeting/three";
-import { AmbientLight, BoxGeometry, Color, DirectionalLight, Group, Mesh, MeshStandardMaterial, PerspectiveCamera, Plane,
+import { AmbientLight, BoxGeometry, type BufferGeometry, Color, DirectionalLight, Group, type Material, Mesh, MeshStandardMaterial, PerspectiveCamera, Plane,
          Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { ahead, radius_m, ridgeSpacing_m, start, type Place } from "../geometry";
 import type { VisitorScene } from "../scene";
 import type { Colours } from "../theme";
 import { HandJoints, WordBoard } from "./headset";
-import { colourTargets } from "./meshes";
-import { FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";
+import { colourTargets, FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";
 import { Ribbon } from "./ribbon";
 
 const fieldOfView_deg = 40;  // from top to bottom, in a window at least this wide over its height:
@@ -104,6 +103,11 @@ export class Stage {
 
   /** A visitor's scene instead of the page's desk and targets, brought to the plate's size; null: the page's own. */
   setScene(scene: VisitorScene | null): void {
+    this.#visited.traverse((part) => {  // off the graphics card; what is shown again goes there again
+      if (!(part instanceof Mesh)) return;
+      (part.geometry as BufferGeometry).dispose();
+      for (const material of [part.material].flat() as Material[]) material.dispose();
+    });
     this.#visited.clear();
     for (const own of [this.#real, this.#ghost]) own.visible = !scene;
     this.#desk.visible = !scene?.meshes;
@@ -129,10 +133,11 @@ export class Stage {
     this.#camera.lookAt(eyes[view].to);
   }
 
-  /** A finger whose true place is hidden is not drawn. */
-  showFinger(shown: boolean): void {
-    this.#finger.visible = shown;
-    this.truePath.visible = shown;
+  /** How much is shown of what is true, from 0 to 1: the hand fades in, its path draws itself. */
+  reveal(share: number): void {
+    this.#finger.fade(share);
+    this.truePath.shown = share;
+    this.#real.visible = share > 0 && this.#ghost.visible;
   }
 
   showFelt(shown: boolean): void {
@@ -178,8 +183,9 @@ export class Stage {
   }
 
   /** Draws in a headset, until its session ends: `frame` is called before each picture, with the space in which `mount`
-   *  stands. Rejects if the browser cannot. */
-  async present(session: XRSession, passthrough: boolean, frame: (frame: XRFrame, space: XRReferenceSpace) => void): Promise<void> {
+   *  stands; `moved` when the headset has moved that space, as by its recentring. Rejects if the browser cannot. */
+  async present(session: XRSession, passthrough: boolean, frame: (time_ms: number, frame: XRFrame, space: XRReferenceSpace) => void,
+                moved: () => void): Promise<void> {
     const { xr } = this.#renderer, background = this.#scene.background;
     xr.enabled = true;
     xr.setReferenceSpaceType("local");  // seated or standing: no floor is needed
@@ -192,11 +198,12 @@ export class Stage {
       this.mount.quaternion.identity();
     });
     await xr.setSession(session);
+    xr.getReferenceSpace()?.addEventListener("reset", moved);
     this.#desk.visible = !passthrough;
     if (passthrough) this.#scene.background = null;
-    this.#renderer.setAnimationLoop((_time: number, xrFrame: XRFrame | undefined) => {
+    this.#renderer.setAnimationLoop((time_ms: number, xrFrame: XRFrame | undefined) => {
       const space = xr.getReferenceSpace();
-      if (xrFrame && space) frame(xrFrame, space);
+      if (xrFrame && space) frame(time_ms, xrFrame, space);
       this.#renderer.render(this.#scene, this.#eyes);
     });
   }
@@ -220,8 +227,8 @@ export class Stage {
   }
 
   /** The same for the label of a target of a visitor's scene. */
-  targetToCanvas(target: Readonly<Place>, out: { x: number; y: number }): void {
-    this.#toCanvas(target.right_m, headHeight_m, -target.away_m, out);
+  targetToCanvas(target: Readonly<Place>, out: { x: number; y: number }, height_m = headHeight_m): void {
+    this.#toCanvas(target.right_m, height_m, -target.away_m, out);
   }
 
   #toCanvas(x: number, y: number, z: number, out: { x: number; y: number }): void {

@@ -31,7 +31,6 @@ export interface WearResult {
 
 /** What wear needs of an XRFrame. */
 export interface WearFrame {
-  readonly predictedDisplayTime: number;
   getJointPose?(joint: XRJointSpace, space: XRSpace): XRJointPose | undefined;
   getViewerPose(space: XRReferenceSpace): XRViewerPose | undefined;
 }
@@ -66,6 +65,7 @@ export class Wear {
   #reach: HandReach;
   #placing: Placing;
   #byMarks = false;
+  #why = "";
   #time_ms = NaN;
   #owed_ms = 0;
   #seen_ms = 0;
@@ -89,14 +89,15 @@ export class Wear {
   get felt_deg(): number { return this.#felt.felt_deg; }
   get command() { return this.#controller.session.command; }
 
-  /** Another session of a headset: the plate is placed anew. */
-  begin(byMarks: boolean): void {
+  /** Another session of a headset, or another room: the plate is placed anew, as it is said after `why`. */
+  begin(byMarks: boolean, why = ""): void {
     this.#byMarks = byMarks;
     this.#placing = new Placing(byMarks ? this.#controller.session : null);
     this.#time_ms = NaN;
     this.#restart();
     this.phase = "placing";
-    this.text = this.#placing.text;
+    this.#why = why;
+    this.text = why + this.#placing.text;
   }
 
   /** Other settings, with a hand that is unknown to the controller. */
@@ -114,9 +115,9 @@ export class Wear {
   /** The session is over. A reach under way is cancelled. */
   end(): void { this.#restart(); }
 
-  /** One frame of the headset. `hand`: the one that slides; undefined: it is not tracked. */
-  frame(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
-    const now_ms = frame.predictedDisplayTime, elapsed_ms = Math.min(longestFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
+  /** One frame of the headset, at the time of its callback. `hand`: the one that slides; undefined: it is not tracked. */
+  frame(now_ms: number, frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
+    const elapsed_ms = Math.min(longestFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
     this.#time_ms = now_ms;
     this.#advance(elapsed_ms);
     if (this.phase === "sliding") return this.#slide(frame, hand, space, elapsed_ms);
@@ -159,7 +160,7 @@ export class Wear {
       if (Math.hypot(this.#forward.x, this.#forward.z) < 0.3) this.#forward.set(0, 1, 0).applyQuaternion(this.#view);
     }
     const placed = this.#placing.update(this.#time_ms, tip, this.#forward);
-    this.text = this.#placing.text;
+    this.text = this.#why + this.#placing.text;
     if (!placed) return;
     this.onPlaced(this.#placing.position, this.#placing.rotation);
     this.#restart();
@@ -194,7 +195,7 @@ export class Wear {
     this.#seen_ms = this.#time_ms;
     this.#stopped_ms = 0;
     this.phase = "sliding";
-    this.text = "Slide to the ghost, the blue goblet. Stop there.";
+    this.text = "Slide to the ghost, the orange goblet. Stop there.";
   }
 
   #slide(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {

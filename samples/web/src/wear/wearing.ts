@@ -88,12 +88,13 @@ export class Wearing {
       this.#leave.hidden = false;
       this.#handedness = "none";
       this.#before_ms = NaN;
-      this.#wear.begin(radios("placement").some((radio) => radio.checked && radio.value === "marks"));
+      this.#wear.begin(this.#byMarks);
       this.#desk.clearPaths();
       stage.showHeadset(true);
-      await stage.present(session, kind === "immersive-ar", (frame, space) => this.#frameWorn(frame, space));
+      await stage.present(session, kind === "immersive-ar", (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
+                          () => this.#moved());
     } catch (error) {
-      this.#message = `The headset cannot be entered: ${error instanceof Error ? error.message : String(error)}`;
+      this.#message = `The headset cannot be entered: ${error instanceof Error ? error.message : String(error)}${advice(error)}`;
       if (session && this.#session) await session.end().catch(() => this.#left());
       else this.#left();
     }
@@ -112,15 +113,25 @@ export class Wearing {
     this.onLeft();
   }
 
-  #frameWorn(frame: XRFrame, space: XRReferenceSpace): void {
-    const { stage } = this.#desk, wear = this.#wear, now_ms = frame.predictedDisplayTime;
+  /** The headset was recentred: nothing is where it was. */
+  #moved(): void {
+    this.#before_ms = NaN;
+    this.#wear.begin(this.#byMarks, "The headset has moved its room, so the plate is placed anew. ");
+    this.#desk.clearPaths();
+  }
+
+  get #byMarks(): boolean { return radios("placement").some((radio) => radio.checked && radio.value === "marks"); }
+
+  /** `now_ms`: of the frame's callback, since most browsers have no predictedDisplayTime. */
+  #frameWorn(now_ms: number, frame: XRFrame, space: XRReferenceSpace): void {
+    const { stage } = this.#desk, wear = this.#wear;
     if (!stage || !this.#session) return;
     if (Number.isNaN(this.#before_ms)) this.#standAhead(frame, space);
     const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms, phase = wear.phase;
     this.#before_ms = now_ms;
     this.onFrame(elapsed_ms);
     const hand = this.#hand(frame, space);
-    wear.frame(frame, hand, space);
+    wear.frame(now_ms, frame, hand, space);
     if (wear.phase !== phase && wear.phase === "sliding") this.#desk.clearPaths();
     if (wear.phase === "sliding" && !wear.lost) this.#desk.extendPaths(wear.finger, wear.felt);
     stage.place(this.#world.plate_deg(), wear.finger, wear.felt);
@@ -157,17 +168,21 @@ export class Wearing {
   }
 
   #show(): void {
-    const wear = this.#wear, { dataset } = this.#desk.frame;
+    const wear = this.#wear;
     this.#now.show(this.#world.plate_deg(), wear.finger_deg, wear.felt_deg, pageCourse(this.#settings).virtual_deg);
     const text = this.#session ? wear.text : this.#message;
     say(this.#caption, text);
-    dataset.lost = String(wear.lost);
+    this.#desk.frame.dataset.lost = String(wear.lost);
     if (this.#session && text !== this.#spoken) this.#voice.say(text);
     this.#spoken = text;
-    for (const name of ["toCylinderMm", "toGhostMm", "feltToGhostMm"]) delete dataset[name];
-    if (!wear.result) return;
-    dataset.toCylinderMm = String(wear.result.toCylinder_mm);
-    dataset.toGhostMm = String(wear.result.toGhost_mm);
-    dataset.feltToGhostMm = String(wear.result.feltToGhost_mm);
+    this.#desk.write(wear.result);
   }
+}
+
+/** What to do about a refusal, for people. */
+function advice(error: unknown): string {
+  const name = error instanceof Error ? error.name : "";
+  if (name === "NotSupportedError") return ". Switch hand tracking on in the headset's settings, put the controllers down, and enter again.";
+  if (name === "SecurityError" || name === "NotAllowedError") return ". Allow this page the headset and your hands, in the browser's question or its site settings.";
+  return "";
 }
