@@ -46,6 +46,16 @@ RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& l
   return next;
 }
 
+RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact, bool was_learnt) {
+  RetargeterConfig next = config;
+  next.touched = after_contact(config.touched, config.frame, contact);
+  if (!was_learnt) return next;
+  double& bias_deg = next.person.mean(T::bias);
+  bias_deg = std::clamp(bias_deg + turned_deg(config.touched, next.touched, contact.finger),
+                        person_traits[T::bias].min, person_traits[T::bias].max);
+  return next;
+}
+
 PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed,
                      const PersonBelief& unknown) {
   PersonBelief next = learnt;

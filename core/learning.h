@@ -18,6 +18,10 @@ inline constexpr double max_weight_sd = 0.49;
 /// unchanged.
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt);
 
+/// The configuration after a contact: of the frame, and, if the person `was_learnt` in reaches, of their
+/// bias, which reaches show together with the frame's turn.
+RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact, bool was_learnt);
+
 /// The belief for the next reach after one that began with `before`, ended with `learnt` and, if `missed`,
 /// did not reach its target: wider, since people change, yet never wider than `unknown`. After a miss with an
 /// illusion far below what was believed, the illusion is unknown again.

@@ -49,7 +49,8 @@ PersonReachConfig person_config(const RetargeterConfig& config) {
           .tracker_latency_ns = config.tracker_latency_ns,
           .step_period_ns = config.step_period_ns,
           .plate_waits = config.plate_waits,
-          .frame = config.frame};
+          .frame = config.frame,
+          .touched = config.touched};
 }
 
 }  // namespace
@@ -62,7 +63,8 @@ bool is_valid(const RetargeterConfig& config) {
          config.plate.latency_ns <= max_lead * config.step_period_ns && is_valid(config.person) &&
          config.reach.bound_deg > 0.0 && config.reach.bound_deg < 90.0 &&
          config.reach.max_felt_error_deg > 0.0 && config.tracker_latency_ns >= 0 &&
-         config.tracker_latency_ns <= 500'000'000 && is_frame_covariance(config.frame);
+         config.tracker_latency_ns <= 500'000'000 && is_frame_covariance(config.frame) &&
+         is_valid(config.touched);
 }
 
 Retargeter::Retargeter(RetargeterConfig config) : config_(std::move(config)) {}
@@ -116,6 +118,16 @@ PlateCommand Retargeter::command() const {
 
 ReachSummary Retargeter::summary() const {
   return std::visit([](const auto& leader) { return leader.summary(); }, *leader_);
+}
+
+std::optional<SeenFinger> Retargeter::finger() const {
+  const std::optional<PlatePoint> place =
+      std::visit([](const auto& leader) { return leader.place(); }, *leader_);
+  if (!place) return std::nullopt;
+  if (const auto* person = std::get_if<PersonReach>(&*leader_))
+    return SeenFinger{*place, person->place_variance_m2()};
+  const double noise_m = summary().estimate.tracker_noise_m;
+  return SeenFinger{*place, noise_m * noise_m};
 }
 
 std::optional<PersonBelief> Retargeter::learnt() const {

@@ -51,6 +51,8 @@ class Retargeter {
   const PersonFilter* person_filter() const {
     return leads_person() ? &std::get<PersonReach>(*leader_).filter() : nullptr;
   }
+  /// Where the finger is; none before it moves, and with directions alone. Requires begin().
+  std::optional<SeenFinger> finger() const;
   /// The belief about the person, for carried(); none if the reach ended early, did not fit the model, or had
   /// no positions under ControlMode::reach.
   std::optional<PersonBelief> learnt() const;

@@ -11,6 +11,7 @@
 #include "core/plate/frame_error.h"
 #include "core/plate/plate_limits.h"
 #include "core/plate/plate_model.h"
+#include "core/plate/touched_frame.h"
 
 namespace hrt {
 
@@ -36,6 +37,7 @@ struct RetargeterConfig {
   std::int64_t tracker_latency_ns = 0;
   bool plate_waits = false;  ///< do not turn the plate before the finger moves; of ControlMode::reach
   FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; of ControlMode::reach
+  TouchedFrame touched;                             ///< what contacts have shown; samples come corrected
 };
 
 /// True if every field is in its range.

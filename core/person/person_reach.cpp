@@ -59,7 +59,7 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
       reach_(reach),
       target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m)),
       aimed_direction_deg_(reach.real_direction_deg),
-      frame_sd_deg_(frame_bearing_sd_deg(config.frame, reach.start, target_)),
+      frame_sd_deg_(bearing_sd_deg(config.touched, config.frame, reach.start, target_)),
       estimator_(person_of(config, reach), reach.virtual_direction_deg, mm_per_m * reach.real_distance_m,
                  to_mm(reach.start), config.noise),
       plate_(handover ? handover->plate
@@ -94,7 +94,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
       now.real_direction_deg + wrap_deg(bearing_deg(reach_.start, real) - now.real_direction_deg, 360.0);
   reach_.real_distance_m = distance_m(reach_.start, real);
   target_ = real;
-  frame_sd_deg_ = frame_bearing_sd_deg(config_.frame, reach_.start, target_);
+  frame_sd_deg_ = bearing_sd_deg(config_.touched, config_.frame, reach_.start, target_);
   aimed_from_ = now.start;
   aimed_direction_deg_ = now.real_direction_deg;
   miss_share_ = cos_deg(now.real_direction_deg - reach_.real_direction_deg);
@@ -109,6 +109,12 @@ std::optional<PlatePoint> PersonReach::place() const {
   if (estimator_.motion() == FingerMotion::resting) return std::nullopt;
   const PlaceMm place = estimator_.place();
   return PlatePoint{place.right_mm / mm_per_m, place.away_mm / mm_per_m};
+}
+
+double PersonReach::place_variance_m2() const {
+  const PersonFilter& filter = estimator_.filter();
+  return 0.5 * (filter.place_variance_mm2(1.0, 0.0) + filter.place_variance_mm2(0.0, 1.0)) /
+         (mm_per_m * mm_per_m);
 }
 
 double PersonReach::speed_m_s() const {

@@ -11,6 +11,7 @@
 #include "core/plate/plate_limits.h"
 #include "core/plate/plate_model.h"
 #include "core/plate/plate_trace.h"
+#include "core/plate/touched_frame.h"
 #include "core/reach/finger_sample.h"
 #include "core/reach/reach.h"
 
@@ -25,6 +26,7 @@ struct PersonReachConfig {
   std::int64_t step_period_ns = 100'000'000;
   bool plate_waits = false;  ///< the plate stays where it stands until the finger moves
   FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; is_frame_covariance()
+  TouchedFrame touched;                             ///< what contacts have shown
 };
 
 /// No heap, no lock, no exception. One thread at a time.
@@ -44,6 +46,8 @@ class PersonReach {
   PlateCommand command() const { return command_; }
   /// Where the finger is; none before it moves.
   std::optional<PlatePoint> place() const;
+  /// Of a coordinate of it, the mean of both.
+  double place_variance_m2() const;
   /// Of the finger, as estimated; 0 before it moves, and at rest.
   double speed_m_s() const;
   /// A position has been seen.

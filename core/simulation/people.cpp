@@ -23,6 +23,23 @@ void illusion(PersonCondition& condition, double scale_deg) {
   condition.person.illusion.scale_deg = scale_deg;
 }
 
+void headset(PersonCondition& condition, Draws& draws) {
+  TrackerModel& tracker = condition.tracker;
+  tracker.rate_hz = 72.0;
+  tracker.latency_s = 0.045;
+  // Of the target's place, in any direction.
+  const double towards_deg = 360.0 * draws.uniform();
+  const double along = 1.0 + 0.011 / condition.distance_m * cos_deg(towards_deg);
+  const double across = 0.011 / condition.distance_m * sin_deg(towards_deg);
+  tracker.turned_deg = atan2_deg(across, along);
+  tracker.scale = std::sqrt(along * along + across * across);
+}
+
+void turned_and_touched(PersonCondition& condition, Draws& draws, double contact_sd_m) {
+  condition.tracker.turned_deg = either_side(2.0, draws);
+  condition.contact_sd_m = contact_sd_m;
+}
+
 constexpr PeopleFamily all_families[] = {
     {"linear", "linear illusion up to 90°, where its sign flips; continuous steering", true,
      [](PersonCondition&, Draws&) {}},
@@ -123,18 +140,19 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws& d) { c.tracker.scale = 1.0 + either_side(0.05, d); }, true},
     {"sheared-2", "mid-line of the tracker frame off by ±2°, its right is not", false,
      [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, true},
-    {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false,
+    {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false, headset, true},
+    {"turned-2-touch-1", "turned by ±2°, and a contact known to 1 mm after each reach", false,
+     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 0.001); }, true},
+    {"turned-2-touch-3", "turned by ±2°, and a contact known to 3 mm", false,
+     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 0.003); }, true},
+    {"headset-touch-1", "headset, and a contact known to 1 mm", false,
      [](PersonCondition& c, Draws& d) {
-       c.tracker.rate_hz = 72.0;
-       c.tracker.latency_s = 0.045;
-       // Of the target's place, in any direction.
-       const double towards_deg = 360.0 * d.uniform();
-       const double along = 1.0 + 0.011 / c.distance_m * cos_deg(towards_deg);
-       const double across = 0.011 / c.distance_m * sin_deg(towards_deg);
-       c.tracker.turned_deg = atan2_deg(across, along);
-       c.tracker.scale = std::sqrt(along * along + across * across);
+       headset(c, d);
+       c.contact_sd_m = 0.001;
      },
      true},
+    {"placed-touch-3", "a frame that holds, and a contact known to 3 mm: what contacts cost", false,
+     [](PersonCondition& c, Draws&) { c.contact_sd_m = 0.003; }, true},
     {"plate-off-5", "ridges ±5° from where the plate is believed to stand", false,
      [](PersonCondition& c, Draws& d) { c.plate_offset_deg = either_side(5.0, d); }, true},
 };

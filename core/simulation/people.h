@@ -27,6 +27,8 @@ struct PersonCondition {
   double virtual_direction_deg = 5.0;
   double distance_m = 0.1;
   std::optional<TargetMove> move;  ///< within each reach
+  /// After each reach the finger meets an object, and its place is known to this (SD); 0: none.
+  double contact_sd_m = 0.0;
 };
 
 /// A kind of people or apparatus.
@@ -54,7 +56,7 @@ PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::
 
 /// Streams of Draws for person `index`.
 namespace PersonStream {
-enum : std::uint32_t { drawn, steering, tracking };
+enum : std::uint32_t { drawn, steering, tracking, touching };
 }
 
 /// True if a plate within 75 degrees of the motion can hold the gap for this person: their largest felt shift

@@ -46,8 +46,9 @@ class Targets {
   bool moves_;
 };
 
-PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, std::uint64_t seed,
-                             std::uint32_t index, std::uint32_t reach_number, const PersonWatch& watch) {
+PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller,
+                             const TouchedFrame& frame, std::uint64_t seed, std::uint32_t index,
+                             std::uint32_t reach_number, const PersonWatch& watch) {
   Draws draws(seed, PersonStream::tracking, index, reach_number);
   const double rest_s = 0.4 + 0.4 * draws.uniform();
   Tracker tracker(condition.tracker, start, draws);
@@ -80,8 +81,9 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
         now_s > ended_s + reach_tail_s + condition.tracker.latency_s + condition.tracker.late_s)
       break;
     tracker.look(now_s, person.position());
-    while (const auto sample = tracker.arrived(now_ns)) {
+    while (auto sample = tracker.arrived(now_ns)) {
       if (!controller) continue;
+      sample->position = corrected(frame, sample->position);
       const PlateCommand command = controller->update(*sample);
       plate.command(command.plate_orientation_deg);
       if (watch)
@@ -93,9 +95,22 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
   const double error_deg = bearing_deg(start, person.position()) - targets.real_direction_deg();
   return {.bearing_error_deg = error_deg,
           .miss_m = distance_m(start, person.position()) * sin_deg(error_deg),
+          .finger = person.position(),
           .peak_felt_error_deg = peak_deg,
           .summary = controller ? controller->summary() : ReachSummary{},
           .learnt = std::nullopt};
+}
+
+// The object shows where the finger is, wherever it has ended.
+void touch(const PersonOutcome& outcome, const Retargeter& retargeter, double sd_m, Draws& draws,
+           RetargeterConfig& config) {
+  const std::optional<SeenFinger> seen = retargeter.finger();
+  if (!seen) return;
+  Contact contact{
+      .finger = seen->place, .place = outcome.finger, .variance_m2 = sd_m * sd_m + seen->variance_m2};
+  contact.place.right_m += sd_m * draws.normal();
+  contact.place.away_m += sd_m * draws.normal();
+  config = carried(config, contact, outcome.learnt.has_value());
 }
 
 }  // namespace
@@ -106,16 +121,19 @@ std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
                                            const PersonWatch& watch) {
   std::vector<PersonOutcome> outcomes;
   RetargeterConfig config = controller ? *controller : RetargeterConfig{};
+  Draws touching(seed, PersonStream::touching, index, 0);
   for (int i = 0; i < reaches; ++i) {
     Retargeter retargeter(config);
-    outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, seed, index,
-                                      static_cast<std::uint32_t>(i), watch));
+    outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, config.touched, seed,
+                                      index, static_cast<std::uint32_t>(i), watch));
     if (const auto learnt = retargeter.learnt()) {
       const ReachSummary& summary = outcomes.back().summary;
       config.person =
           carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
       outcomes.back().learnt = config.person;
     }
+    if (controller && condition.contact_sd_m > 0.0)
+      touch(outcomes.back(), retargeter, condition.contact_sd_m, touching, config);
   }
   return outcomes;
 }

@@ -87,5 +87,19 @@ TEST(Learning, AnIllusionThatHasFallenIsUnknownAgain) {
   EXPECT_EQ(carried(unknown, learnt, true, unknown).mean(PersonTrait::weight), 0.18);
 }
 
+// 2 mm of prior and of the contact: half of 4 mm at 100 mm, 1.146 degrees to the right, is the frame's, and
+// the person's bias has that much less of it. A bias that no reach has taught stays.
+TEST(Learning, AContactTakesTheFramesPartOfTheBias) {
+  RetargeterConfig config;
+  config.person.mean(PersonTrait::bias) = 2.0;
+  const Contact contact{{0.0, 0.1}, {0.004, 0.1}, 4e-6};
+  const RetargeterConfig learnt = carried(config, contact, true);
+  EXPECT_NEAR(learnt.person.mean(PersonTrait::bias), 2.0 - 1.1458, 1e-3);
+  EXPECT_NEAR(corrected(learnt.touched, contact.finger).right_m, 0.002, 1e-12);
+  EXPECT_EQ(learnt.person.covariance, config.person.covariance);
+  EXPECT_EQ(carried(config, contact, false).person.mean(PersonTrait::bias), 2.0);
+  EXPECT_TRUE(is_valid(learnt));
+}
+
 }  // namespace
 }  // namespace hrt

@@ -336,5 +336,28 @@ TEST(SimulationPeople, ThoseWhoWeakenAreLedAnew) {
   EXPECT_GE(near, 27);
 }
 
+// Of people who can hold the gap, those whose reach of that number ends within 1.5 degrees, percent.
+double hits(const char* family, std::size_t reach) {
+  const RetargeterConfig controller = people_controller();
+  int held = 0, near = 0;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    const PersonCondition condition = draw_person(*people_family(family), 1.5, 1, i);
+    if (!can_hold(condition)) continue;
+    ++held;
+    near +=
+        std::abs(simulate_person(condition, &controller, 5, 1, i)[reach - 1].bearing_error_deg) < near_deg;
+  }
+  return 100.0 * near / held;
+}
+
+// Without contacts few reaches of a turned frame end on the target, ever fewer as its turn is learnt as bias.
+TEST(SimulationPeople, ContactsFindATurnedFrame) {
+  EXPECT_LT(hits("turned-2", 5), 20.0);
+  EXPECT_GE(hits("turned-2-touch-1", 3), 95.0);
+  EXPECT_GE(hits("turned-2-touch-3", 5), 80.0);
+  EXPECT_GE(hits("headset-touch-1", 5), 95.0);
+  EXPECT_GE(hits("placed-touch-3", 5), 95.0);
+}
+
 }  // namespace
 }  // namespace hrt

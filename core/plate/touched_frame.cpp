@@ -1,0 +1,119 @@
+#include "core/plate/touched_frame.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr double prior_sd = 0.02;
+constexpr double change_sd = 0.002;
+constexpr double max_stretch = 0.5;
+constexpr double chi_squared_999_of_2 = 13.816;
+
+using Matrix24 = Eigen::Matrix<double, 2, 4>;
+
+Eigen::Vector2d from_home(const TouchedFrame& frame, const PlatePoint& place) {
+  return {place.right_m - frame.home.right_m, place.away_m - frame.home.away_m};
+}
+
+// D r as a function of D's entries.
+Matrix24 by_entries(const Eigen::Vector2d& r) {
+  Matrix24 by = Matrix24::Zero();
+  by.block<1, 2>(0, 0) = r.transpose();
+  by.block<1, 2>(1, 2) = r.transpose();
+  return by;
+}
+
+// Of D r before any contact.
+Eigen::Matrix2d prior_m2(const FrameCovariance& registered, const PlatePoint& place, double square_m2) {
+  Eigen::Matrix<double, 2, 3> by;
+  by << -place.away_m, 1.0, 0.0, place.right_m, 0.0, 1.0;
+  return by * registered * by.transpose() + prior_sd * prior_sd * square_m2 * Eigen::Matrix2d::Identity();
+}
+
+// Kronecker's product with the identity: D r has then prior_m2().
+Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place, double square_m2) {
+  const Eigen::Matrix2d entries = prior_m2(registered, place, square_m2) / square_m2;
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      covariance.block<2, 2>(2 * i, 2 * j) = entries(i, j) * Eigen::Matrix2d::Identity();
+  return covariance;
+}
+
+Eigen::Matrix2d matrix(const TouchedFrame& frame) {
+  return Eigen::Matrix2d::Identity() + frame.stretch;
+}
+
+PlatePoint to_place(const TouchedFrame& frame, const Eigen::Vector2d& r) {
+  return {frame.home.right_m + r.x(), frame.home.away_m + r.y()};
+}
+
+}  // namespace
+
+bool is_valid(const TouchedFrame& frame) {
+  if (!frame.stretch.allFinite() || !frame.covariance.allFinite()) return false;
+  if (frame.stretch.cwiseAbs().maxCoeff() > max_stretch) return false;
+  if (frame.covariance != frame.covariance.transpose()) return false;
+  return frame.covariance.isZero(0.0) || frame.covariance.llt().info() == Eigen::Success;
+}
+
+PlatePoint corrected(const TouchedFrame& frame, const PlatePoint& seen) {
+  return to_place(frame, matrix(frame) * from_home(frame, seen));
+}
+
+TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered,
+                           const Contact& contact) {
+  TouchedFrame after = before;
+  Eigen::Matrix4d& covariance = after.covariance;
+  if (before.known())
+    covariance.diagonal().array() += change_sd * change_sd;
+  else
+    covariance = prior(registered, contact.place, from_home(before, contact.place).squaredNorm());
+  const Matrix24 by = by_entries(matrix(before).inverse() * from_home(before, contact.finger));
+  const Eigen::Vector2d innovation{contact.place.right_m - contact.finger.right_m,
+                                   contact.place.away_m - contact.finger.away_m};
+  const Eigen::Matrix2d expected =
+      by * covariance * by.transpose() + contact.variance_m2 * Eigen::Matrix2d::Identity();
+  const Eigen::Matrix<double, 4, 2> gain = covariance * by.transpose() * expected.inverse();
+  const Eigen::Vector4d change = gain * innovation;
+  after.stretch.row(0) += change.head<2>().transpose();
+  after.stretch.row(1) += change.tail<2>().transpose();
+  after.stretch = after.stretch.cwiseMax(-max_stretch).cwiseMin(max_stretch).eval();
+  // As Joseph has it, which stays positive definite.
+  const Eigen::Matrix4d kept = Eigen::Matrix4d::Identity() - gain * by;
+  covariance = (kept * covariance * kept.transpose() + contact.variance_m2 * gain * gain.transpose()).eval();
+  covariance = (0.5 * (covariance + covariance.transpose())).eval();
+  return after;
+}
+
+double turned_deg(const TouchedFrame& before, const TouchedFrame& after, const PlatePoint& finger) {
+  const Eigen::Vector2d seen = matrix(before).inverse() * from_home(before, finger);
+  return wrap_deg(
+      bearing_deg(after.home, to_place(after, matrix(after) * seen)) - bearing_deg(before.home, finger),
+      360.0);
+}
+
+double bearing_sd_deg(const TouchedFrame& frame, const FrameCovariance& registered, const PlatePoint& start,
+                      const PlatePoint& target) {
+  const double length_m = distance_m(start, target);
+  if (!frame.known() || !(length_m > 0.0)) return frame_bearing_sd_deg(registered, start, target);
+  const double direction_deg = bearing_deg(start, target);
+  const Eigen::Vector2d across{-cos_deg(direction_deg), -sin_deg(direction_deg)};
+  const Eigen::Vector4d by = by_entries(from_home(frame, target)).transpose() * across;
+  return deg_per_rad * std::sqrt(std::max(0.0, by.dot(frame.covariance * by))) / length_m;
+}
+
+bool contradicts(const TouchedFrame& frame, const FrameCovariance& registered, const PlatePoint& target) {
+  const Eigen::Vector2d r = from_home(frame, target);
+  const Eigen::Vector2d moved = frame.stretch * r;
+  if (!frame.known() || !(r.squaredNorm() > 0.0)) return false;
+  return moved.dot(prior_m2(registered, target, r.squaredNorm()).inverse() * moved) > chi_squared_999_of_2;
+}
+
+}  // namespace hrt

@@ -1,0 +1,65 @@
+// What contacts say of the tracker's frame. A finger that meets a real object is at a known place, whatever
+// the tracker has it:
+//
+//   true - h = (1 + D) (seen - h),   place - seen = D (seen - h) + noise of place and finger
+//
+// about the home h of reaches. D is the frame's turn, scale and shear, and of a shift what it does to
+// targets. Its four entries are a Gaussian: prior 2 % an entry, and the registration's error at the target as
+// D has to compensate it. Each contact is a Kalman update of D; trackers drift, so D widens by 0.2 % between
+// contacts.
+//
+// Reaches show only the sum of a person's bias and the frame's turn, and learn it as the bias. With D the sum
+// stays what reaches have shown: the bias gives up by how much D turns the bearing.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/plate/frame_error.h"
+#include "core/plate/plate_frame.h"
+
+namespace hrt {
+
+struct TouchedFrame {
+  PlatePoint home;
+  Eigen::Matrix2d stretch = Eigen::Matrix2d::Zero();     ///< D: rows and columns right, away
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of D row by row; zero: there was no contact
+
+  bool known() const { return covariance(0, 0) > 0.0; }
+};
+
+/// True if its numbers are finite, entries of D within 0.5, and the covariance zero or positive definite.
+bool is_valid(const TouchedFrame& frame);
+
+/// Where a finger is that the tracker sees at `seen`.
+PlatePoint corrected(const TouchedFrame& frame, const PlatePoint& seen);
+
+/// A place of the finger as estimated, with the variance of a coordinate.
+struct SeenFinger {
+  PlatePoint place;
+  double variance_m2;
+};
+
+/// A finger on an object.
+struct Contact {
+  PlatePoint finger;   ///< as it is believed to be: corrected
+  PlatePoint place;    ///< as it is known to be
+  double variance_m2;  ///< of their difference in each coordinate, > 0
+};
+
+/// The frame after a contact; before the first one it is as `registered` has it at the contact's place, which
+/// is not `home`. No heap.
+TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered,
+                           const Contact& contact);
+
+/// By how much a finger's bearing from home turns with the frame, at the place where it was believed to be.
+double turned_deg(const TouchedFrame& before, const TouchedFrame& after, const PlatePoint& finger);
+
+/// Standard deviation of the bearing of a finger that is believed to be at `target`, seen from `start`: by
+/// contacts, and before the first one by the registration (frame_error.h).
+double bearing_sd_deg(const TouchedFrame& frame, const FrameCovariance& registered, const PlatePoint& start,
+                      const PlatePoint& target);
+
+/// Contacts move this place by more than the prior allows in 99.9 %: the registration does not hold.
+bool contradicts(const TouchedFrame& frame, const FrameCovariance& registered, const PlatePoint& target);
+
+}  // namespace hrt
