@@ -81,6 +81,7 @@ test("a port that is refused is said", () => visit(async (page) => {
 
 test("the plate's firmware runs in the page, and its servo pulse turns the plate of a reach", () => visit(async (page) => {
   await page.click("#plate-firmware");
+  await page.locator("#plate-stop").waitFor();  // the emulator has been loaded
   await frames(page, 50, 20);
   assert.match(await text(page, "#plate-state"), /^Emulated board: -90° to 90° at 200°\/s; measured .* (No pulse yet|Pulse \d+\.\d µs, servo at -?\d+\.\d°)\.$/);
   await page.selectOption("#speed", "1");
