@@ -141,17 +141,17 @@ constexpr PeopleFamily all_families[] = {
     {"sheared-2", "mid-line of the tracker frame off by ±2°, its right is not", false,
      [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, true},
     {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false, headset, true},
-    {"turned-2-touch-1", "turned by ±2°, and a contact known to 1 mm after each reach", false,
+    {"turned-touch1", "turned by ±2°, and a contact known to 1 mm after each reach", false,
      [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 0.001); }, true},
-    {"turned-2-touch-3", "turned by ±2°, and a contact known to 3 mm", false,
+    {"turned-touch3", "turned by ±2°, and a contact known to 3 mm", false,
      [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 0.003); }, true},
-    {"headset-touch-1", "headset, and a contact known to 1 mm", false,
+    {"headset-touch", "headset, and a contact known to 1 mm", false,
      [](PersonCondition& c, Draws& d) {
        headset(c, d);
        c.contact_sd_m = 0.001;
      },
      true},
-    {"placed-touch-3", "a frame that holds, and a contact known to 3 mm: what contacts cost", false,
+    {"placed-touch3", "a frame that holds, and a contact known to 3 mm: what contacts cost", false,
      [](PersonCondition& c, Draws&) { c.contact_sd_m = 0.003; }, true},
     {"plate-off-5", "ridges ±5° from where the plate is believed to stand", false,
      [](PersonCondition& c, Draws& d) { c.plate_offset_deg = either_side(5.0, d); }, true},

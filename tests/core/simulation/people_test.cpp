@@ -353,10 +353,10 @@ double hits(const char* family, std::size_t reach) {
 // Without contacts few reaches of a turned frame end on the target, ever fewer as its turn is learnt as bias.
 TEST(SimulationPeople, ContactsFindATurnedFrame) {
   EXPECT_LT(hits("turned-2", 5), 20.0);
-  EXPECT_GE(hits("turned-2-touch-1", 3), 95.0);
-  EXPECT_GE(hits("turned-2-touch-3", 5), 80.0);
-  EXPECT_GE(hits("headset-touch-1", 5), 95.0);
-  EXPECT_GE(hits("placed-touch-3", 5), 95.0);
+  EXPECT_GE(hits("turned-touch1", 3), 95.0);
+  EXPECT_GE(hits("turned-touch3", 5), 80.0);
+  EXPECT_GE(hits("headset-touch", 5), 95.0);
+  EXPECT_GE(hits("placed-touch3", 5), 95.0);
 }
 
 }  // namespace
