@@ -12,7 +12,7 @@ namespace {
 
 constexpr double prior_sd = 0.02;
 constexpr double change_sd = 0.002;
-constexpr double max_stretch = 0.5;
+constexpr double max_entry = 0.5;
 constexpr double chi_squared_999_of_2 = 13.816;
 
 using Matrix24 = Eigen::Matrix<double, 2, 4>;
@@ -58,7 +58,7 @@ PlatePoint to_place(const TouchedFrame& frame, const Eigen::Vector2d& r) {
 
 bool is_valid(const TouchedFrame& frame) {
   if (!frame.stretch.allFinite() || !frame.covariance.allFinite()) return false;
-  if (frame.stretch.cwiseAbs().maxCoeff() > max_stretch) return false;
+  if (frame.stretch.cwiseAbs().maxCoeff() > max_entry) return false;
   if (frame.covariance != frame.covariance.transpose()) return false;
   return frame.covariance.isZero(0.0) || frame.covariance.llt().info() == Eigen::Success;
 }
@@ -84,7 +84,7 @@ TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& re
   const Eigen::Vector4d change = gain * innovation;
   after.stretch.row(0) += change.head<2>().transpose();
   after.stretch.row(1) += change.tail<2>().transpose();
-  after.stretch = after.stretch.cwiseMax(-max_stretch).cwiseMin(max_stretch).eval();
+  after.stretch = after.stretch.cwiseMax(-max_entry).cwiseMin(max_entry).eval();
   // As Joseph has it, which stays positive definite.
   const Eigen::Matrix4d kept = Eigen::Matrix4d::Identity() - gain * by;
   covariance = (kept * covariance * kept.transpose() + contact.variance_m2 * gain * gain.transpose()).eval();
