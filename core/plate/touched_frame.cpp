@@ -40,8 +40,8 @@ Eigen::Matrix2d prior_m2(const FrameCovariance& registered, const PlatePoint& pl
 Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place, double square_m2) {
   const Eigen::Matrix2d entries = prior_m2(registered, place, square_m2) / square_m2;
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
+  for (Eigen::Index i = 0; i < 2; ++i)
+    for (Eigen::Index j = 0; j < 2; ++j)
       covariance.block<2, 2>(2 * i, 2 * j) = entries(i, j) * Eigen::Matrix2d::Identity();
   return covariance;
 }

@@ -157,9 +157,6 @@ int run_from(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     std::cerr << "hrt-experiment: " << error.what() << " (see --help)\n";
     return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "hrt-experiment: " << error.what() << "\n";
-    return 1;
   }
   return 0;
 }
@@ -167,7 +164,12 @@ int run_from(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int code = run_from(argc, argv);
+  int code = 1;
+  try {
+    code = run_from(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "hrt-experiment: " << error.what() << "\n";
+  }
   hrt::reach::expect_exit(code);
   return code;
 }

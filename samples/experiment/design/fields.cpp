@@ -76,7 +76,7 @@ unsigned Fields::whole(const char* name, Range range, std::optional<unsigned> ot
   return static_cast<unsigned>(number);
 }
 
-std::string Fields::text(const char* name, std::optional<std::string> otherwise, const char* what) {
+std::string Fields::text(const char* name, const std::optional<std::string>& otherwise, const char* what) {
   const json* value =
       find(name, !otherwise, {{"type", "string"}, {"minLength", 1}, {"maxLength", max_text}}, what);
   if (value == nullptr) return otherwise.value_or("");
@@ -90,7 +90,8 @@ std::string Fields::word(const char* name, const std::vector<std::string>& allow
   if (otherwise != nullptr) schema["default"] = otherwise;
   const json* value = find(name, otherwise == nullptr, std::move(schema), what);
   if (value == nullptr) return otherwise != nullptr ? otherwise : allowed.front();
-  if (!value->is_string() || std::find(allowed.begin(), allowed.end(), *value) == allowed.end())
+  if (!value->is_string() ||
+      std::find(allowed.begin(), allowed.end(), value->get<std::string>()) == allowed.end())
     refuse(name, value->dump() + " is none of " + joined(allowed));
   return value->get<std::string>();
 }

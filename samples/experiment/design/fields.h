@@ -33,7 +33,7 @@ class Fields {
   /// Without a default the field must be there.
   double number(const char* name, Range range, std::optional<double> otherwise, const char* what);
   unsigned whole(const char* name, Range range, std::optional<unsigned> otherwise, const char* what);
-  std::string text(const char* name, std::optional<std::string> otherwise, const char* what);
+  std::string text(const char* name, const std::optional<std::string>& otherwise, const char* what);
   std::string word(const char* name, const std::vector<std::string>& allowed, const char* otherwise,
                    const char* what);
   std::vector<std::string> texts(const char* name, Range count, bool required, const char* what);

@@ -9,13 +9,12 @@ namespace hrt::experiment {
 namespace {
 
 using namespace std::chrono_literals;
-namespace fs = std::filesystem;
 
 const std::string scene = HRT_SCENES "/desk.gltf";
 
 class Program : public Process {
  public:
-  Program(std::vector<std::string> arguments, const std::string& script = "", int in = -1)
+  explicit Program(std::vector<std::string> arguments, const std::string& script = "", int in = -1)
       : Process(
             words_of(std::move(arguments)),
             {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script},

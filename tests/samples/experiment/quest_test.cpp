@@ -28,17 +28,17 @@ class SlowQuest {
       for (const double slope : {1.0, 1.5, 2.0, 3.0, 4.5})
         for (const double lapse : {0.0, 0.01, 0.02, 0.03, 0.05}) {
           const double z = -4.0 + 8.0 * t / 60.0;
-          people.push_back({14.0 * std::pow(2.0, z), slope, lapse, std::exp(-z * z / 2.0)});
+          people_.push_back({14.0 * std::pow(2.0, z), slope, lapse, std::exp(-z * z / 2.0)});
         }
   }
 
   double expected_entropy(double gap) const {
     double total = 0.0, expected = 0.0;
-    for (const auto& p : people) total += p[3];
+    for (const auto& p : people_) total += p[3];
     for (const bool is_right : {true, false}) {
       double share = 0.0, entropy = 0.0;
-      for (const auto& p : people) share += p[3] / total * likelihood(p, gap, is_right);
-      for (const auto& p : people) {
+      for (const auto& p : people_) share += p[3] / total * likelihood(p, gap, is_right);
+      for (const auto& p : people_) {
         const double posterior = p[3] / total * likelihood(p, gap, is_right) / share;
         if (posterior > 0.0) entropy -= posterior * std::log(posterior);
       }
@@ -47,11 +47,11 @@ class SlowQuest {
     return expected;
   }
   void update(double gap, bool is_right) {
-    for (auto& p : people) p[3] *= likelihood(p, gap, is_right);
+    for (auto& p : people_) p[3] *= likelihood(p, gap, is_right);
   }
   double mean() const {
     double total = 0.0, sum = 0.0;
-    for (const auto& p : people) {
+    for (const auto& p : people_) {
       total += p[3];
       sum += p[3] * std::log(p[0]);
     }
@@ -64,7 +64,7 @@ class SlowQuest {
     return is_right ? right : 1.0 - right;
   }
 
-  std::vector<std::array<double, 4>> people;  // threshold, slope, lapse, belief
+  std::vector<std::array<double, 4>> people_;  // threshold, slope, lapse, belief
 };
 
 TEST(ExperimentQuest, ChoosesAndLearnsAsTheSlowOne) {

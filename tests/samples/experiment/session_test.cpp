@@ -187,7 +187,6 @@ TEST(ExperimentJournal, AFullDiskKeepsWhatIsThere) {
   const Design design = small_design(2);
   const TemporaryFolder folder, whole;
   run_simulated(design, whole.path);
-  const std::string journal = "journal.jsonl";
   const pid_t child = fork();
   if (child == 0) {
     std::signal(SIGXFSZ, SIG_IGN);
