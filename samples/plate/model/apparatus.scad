@@ -4,7 +4,7 @@
 //
 // README.md lists the parts. Any dimension of parameters.scad may be set in the same way: -D ridge_spacing_mm=8
 
-part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, bridge, object, object_cup, strip, xl330_mount, xl330_retainer, bearing, servo, horn, xl330, xl330_horn, tables]
+part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, bridge, object, object_cup, strip, box, xl330_mount, xl330_retainer, bearing, servo, horn, xl330, xl330_horn, tables]
 servo_is = "xl330";  // [xl330, hobby] in "all"
 
 include <parameters.scad>
@@ -19,21 +19,24 @@ include <bridge.scad>
 include <registration.scad>
 include <bought.scad>
 include <xl330.scad>
+include <box.scad>
+include <screws.scad>
 
-// Each part with the height that lies on the printer's bed, and whether it is turned over for that.
+// Each part with the height that lies on the printer's bed, and how it is turned for that, about Y and then about Z.
 parts = [
-  ["plate", plate_bottom_z, false],
-  ["hub", plate_bottom_z, true],
-  ["retainer", bearing_bottom_z, true],
-  ["deck", deck_bottom_z, false],
-  ["drum", drum_bottom_z, false],
-  ["servo_mount", mount_bottom_z, false],
-  ["bridge", head_top_z, true],
-  ["object", object_bottom_z, false],
-  ["object_cup", object_bottom_z, false],
-  ["strip", strip_top_z, true],
-  ["xl330_mount", mount_bottom_z, false],
-  ["xl330_retainer", bearing_bottom_z, true],
+  ["plate", plate_bottom_z, 0, 0],
+  ["hub", plate_bottom_z, 180, 0],
+  ["retainer", bearing_bottom_z, 180, 0],
+  ["deck", deck_bottom_z, 0, 45],
+  ["drum", drum_bottom_z, 0, 45],
+  ["servo_mount", mount_bottom_z, 0, 0],
+  ["bridge", head_top_z, 180, 0],
+  ["object", object_bottom_z, 0, 0],
+  ["object_cup", object_bottom_z, 0, 0],
+  ["strip", strip_top_z, 180, 0],
+  ["box", box_top_z, 180, 0],
+  ["xl330_mount", mount_bottom_z, 0, 0],
+  ["xl330_retainer", bearing_bottom_z, 180, 0],
 ];
 of_xl330 = ["xl330_mount", "xl330_retainer", "xl330", "xl330_horn"];
 of_hobby_servo = ["servo_mount", "retainer", "servo", "horn"];
@@ -49,6 +52,7 @@ module installed(name) {
   else if (name == "object") object();
   else if (name == "object_cup") object_cup();
   else if (name == "strip") strip();
+  else if (name == "box") box();
   else if (name == "bearing") bearing();
   else if (name == "servo") servo();
   else if (name == "horn") horn();
@@ -60,17 +64,18 @@ module installed(name) {
 }
 
 if (part == "all") {
-  left_out = concat(["object_cup", "strip"], servo_is == "xl330" ? of_hobby_servo : of_xl330);
+  left_out = concat(["object_cup", "strip", "box"], servo_is == "xl330" ? of_hobby_servo : of_xl330);
   for (name = concat([for (row = parts) row[0]], ["bearing", "servo", "horn", "xl330", "xl330_horn"]))
     if (search([name], left_out)[0] == []) installed(name);
 } else if (part == "tables") {
   marks_table();
-  for (row = parts) echo(str("bed,", row[0], ",", row[1], ",", row[2]));
+  for (row = parts) echo(str("bed", row));
+  for (row = table_of_screws()) echo(str("screw", row));
 } else {
   found = search([part], parts)[0];
   if (is_num(found)) {
     // Turned over about Y: the mid-line stays.
-    rotate([0, parts[found][2] ? 180 : 0, 0]) translate([0, 0, -parts[found][1]]) installed(part);
+    rotate([0, parts[found][2], parts[found][3]]) translate([0, 0, -parts[found][1]]) installed(part);
   } else {
     installed(part);
   }

@@ -2,7 +2,7 @@
 
 module ring() {
   difference() {
-    disc(2 * deck_radius_mm);
+    deck_outline();
     disc(2 * deck_inner_radius_mm);
     translate([0, zero_pin_radius_mm]) disc(zero_pin_mm + slide_fit_mm, hole_facets);
   }
@@ -22,7 +22,7 @@ module scale_of_orientation() {
     translate([0, 13.5]) polygon([[0, 2], [-3, -3], [3, -3]]);
     translate([4, 2]) lettering("0");
   }
-  around(inner_mm, [180]) tick(5);
+  around(inner_mm, [180]) tick(4);
   translate([13, -inner_mm - 6]) lettering("USER");
 }
 
@@ -50,7 +50,7 @@ module deck() {
 
 module deck_floor(opening_mm, pin_mm) {
   difference() {
-    disc(2 * deck_radius_mm);
+    deck_outline();
     disc(opening_mm);
     for (x_mm = [-post_x_mm, post_x_mm], y_mm = post_y_mm) translate([x_mm, y_mm]) disc(m3_pilot_mm, hole_facets);
     around(drum_screw_radius_mm, drum_directions_deg) disc(m3_pilot_mm, hole_facets);

@@ -4,12 +4,12 @@ module drum_outline(hole_mm) {
   difference() {
     union() {
       difference() {
-        disc(2 * deck_radius_mm);
-        disc(2 * (deck_radius_mm - wall_mm));
+        deck_outline();
+        deck_outline(wall_mm);
       }
       // Columns, joined to the wall.
       intersection() {
-        disc(2 * deck_radius_mm);
+        deck_outline();
         around(drum_screw_radius_mm, drum_directions_deg) union() {
           disc(drum_column_mm, 2 * hole_facets);
           translate([-drum_column_mm / 2, 0]) square([drum_column_mm, drum_column_mm]);

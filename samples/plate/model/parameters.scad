@@ -80,6 +80,7 @@ object_directions_deg = [-10, -5, 0, 5, 10];
 // Of a fingertip in the cup, and in the strip's channel.
 cup_radius_mm = 9;
 cup_width_mm = 14;
+cup_lip_mm = 1;
 strip_channel_mm = 18;
 // Of the object that the strip leads to.
 strip_direction_deg = 0;
@@ -87,6 +88,13 @@ strip_wall_mm = 3;
 strip_mm = 6;
 // In which the channel narrows to the object.
 strip_lead_mm = 6;
+
+/* [Box of the stop button: measure button, fuse holder and board] */
+box_mm = [130, 90, 55];
+stop_hole_mm = 22.4;
+fuse_hole_mm = 12.4;
+// Between the ties of a board: of an Arduino Uno, or of U2D2 and its hub.
+board_ties_mm = 58;
 
 /* [Hidden] */
 // Corners of a large circle, a multiple of 4, so that diameters along X and Y are exact; and of a hole.
@@ -105,7 +113,9 @@ m2_head_height_mm = 1.5;
 plate_radius_mm = plate_diameter_mm / 2;
 deck_inner_radius_mm = plate_radius_mm + rim_gap_mm;
 deck_radius_mm = deck_inner_radius_mm + 19;
-mark_radius_mm = deck_inner_radius_mm + 12;
+// Between its flats, so that deck and drum lie cornerwise on the bed of a small printer.
+deck_flats_mm = 178;
+mark_radius_mm = deck_inner_radius_mm + 10;
 
 hub_radius_mm = 33;
 hub_screw_circle_mm = 54;
@@ -135,11 +145,11 @@ post_washer_mm = 7.6;
 
 wall_mm = 3;
 drum_directions_deg = [0, 60, 120, 180, 240, 300];
-drum_screw_radius_mm = deck_radius_mm - 7;
+drum_screw_radius_mm = deck_radius_mm - 8.5;
 drum_column_mm = 11;
 drum_web_mm = 8;
 drum_pilot_mm = 9;
-lug_directions_deg = [45, 135, 225, 315];
+lug_directions_deg = [0, 90, 180, 270];
 lug_radius_mm = deck_radius_mm + 7;
 lug_mm = 16;
 lug_height_mm = 4;
@@ -189,6 +199,12 @@ module disc(diameter_mm, corners = facets) circle(d = diameter_mm, $fn = corners
 
 function at_direction(radius_mm, direction_deg) =
     [-radius_mm * sin(direction_deg), radius_mm * cos(direction_deg)];
+
+// The outline of deck and drum, `inside_mm` within it: a disc with four flats.
+module deck_outline(inside_mm = 0) intersection() {
+  disc(2 * (deck_radius_mm - inside_mm));
+  rotate(45) square(deck_flats_mm - 2 * inside_mm, center = true);
+}
 
 // The children at each direction, turned so that their +Y points outwards.
 module around(radius_mm, directions_deg) {

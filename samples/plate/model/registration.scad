@@ -2,7 +2,8 @@
 // dimple. The strip lies on the crests, hooked to a mark of the deck and to the object, and is taken off afterwards.
 
 cup_front_y_mm = -object_diameter_mm / 2;  // its deepest point is where the plain object is touched
-cup_depth_mm = cup_radius_mm - sqrt(cup_radius_mm * cup_radius_mm - cup_width_mm * cup_width_mm / 4);
+cup_half_mm = cup_width_mm / 2 - cup_lip_mm;
+cup_depth_mm = cup_radius_mm - sqrt(cup_radius_mm * cup_radius_mm - cup_half_mm * cup_half_mm);
 strip_bottom_z = crest_z + 0.3;
 strip_top_z = strip_bottom_z + strip_mm;
 

@@ -2,12 +2,15 @@
 
 Needs numpy. Millimetres: +X to the user's right, +Y along the mid-line, z = 0 on the plate's face.
 """
+import collections
+import json
 import math
 import pathlib
 
 import numpy as np
 
 BOUGHT = ["bearing", "servo", "horn", "xl330", "xl330_horn"]
+Screw = collections.namedtuple("Screw", "name through into length face at counted")
 
 
 class Solid:
@@ -46,22 +49,29 @@ def tables(folder):
     return [line.removeprefix('ECHO: "').removesuffix('"') for line in lines]
 
 
+def rows(folder, kind):
+    return [json.loads(line.removeprefix(kind)) for line in tables(folder) if line.startswith(kind + "[")]
+
+
 def printed(folder):
     """Printed parts by name, as they lie on the printer's bed."""
-    names = [line.split(",")[1] for line in tables(folder) if line.startswith("bed,")]
-    return {name: Solid(read_stl(pathlib.Path(folder) / f"{name}.stl")) for name in names}
+    return {row[0]: Solid(read_stl(pathlib.Path(folder) / f"{row[0]}.stl")) for row in rows(folder, "bed")}
 
 
 def installed(folder):
     """All parts by name, in place."""
     parts = {name: Solid(read_stl(pathlib.Path(folder) / "bought" / f"{name}.stl")) for name in BOUGHT}
     on_bed = printed(folder)
-    for line in tables(folder):
-        if line.startswith("bed,"):
-            _, name, height, turned = line.split(",")
-            turn = -1 if turned == "true" else 1
-            parts[name] = Solid(on_bed[name].triangles * [turn, 1, turn] + [0, 0, float(height)])
+    for name, height, over_deg, turned_deg in rows(folder, "bed"):
+        c, s, way = math.cos(math.radians(turned_deg)), math.sin(math.radians(turned_deg)), -1 if over_deg else 1
+        placed = on_bed[name].triangles @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+        parts[name] = Solid(placed * [way, 1, way] + [0, 0, height])
     return parts
+
+
+def screws(folder):
+    """Each through one part into another; from under the head at z = `face` upwards, or down if `length` is negative."""
+    return [Screw(*row) for row in rows(folder, "screw")]
 
 
 def at_direction(radius, direction_deg):
@@ -71,26 +81,3 @@ def at_direction(radius, direction_deg):
 
 def on_circle(radius, count, first_deg=0.0):
     return [at_direction(radius, first_deg + 360 * i / count) for i in range(count)]
-
-
-class Screws:
-    """Through one part into another; from under the head at z = `face` upwards, or down if `length` is negative."""
-
-    def __init__(self, through, into, length, face, at, counted=True):
-        self.through, self.into, self.length, self.face, self.at, self.counted = through, into, length, face, at, counted
-
-
-POSTS = [(x, y) for x in (-28, 28) for y in (14, -34)]
-SCREWS = {
-    "hub": Screws("hub", "plate", 8, -10.5, on_circle(27, 6)),
-    "horn": Screws("retainer", "horn", -6, -23.5, on_circle(7, 4, 45)),
-    "retainer": Screws("retainer", "hub", 16, -28, on_circle(16, 4)),
-    "servo": Screws("servo", "servo_mount", -8, -41.5, [(x, y - 10.15) for x in (-5, 5) for y in (24.75, -24.75)]),
-    "mount": Screws("servo_mount", "deck", 30, -47.5, POSTS),
-    "xl330_retainer": Screws("xl330_retainer", "hub", 16, -28, on_circle(16, 4), counted=False),
-    "xl330_mount": Screws("xl330_mount", "deck", 30, -47.5, POSTS, counted=False),
-    "object": Screws("bridge", "object", -16, 49, [(0, 50)]),
-    "object_cup": Screws("bridge", "object_cup", -16, 49, [(0, 50)], counted=False),
-    "bridge": Screws("deck", "bridge", 16, -11, [at_direction(86, -20), at_direction(86, 20)]),
-    "drum": Screws("drum", "deck", 16, -31, on_circle(88, 6)),
-}
