@@ -1,21 +1,10 @@
 #include "core/paper/perception.h"
 
-#include <cmath>
-
 namespace hrt {
 
 FilterGain next_gain(const Participant& participant, double variance_deg2) {
   const double prior_variance_deg2 = variance_deg2 + participant.motor_variance_deg2;
   const double gain = prior_variance_deg2 / (prior_variance_deg2 + participant.sensory_variance_deg2);
-  return {gain, (1.0 - gain) * prior_variance_deg2};
-}
-
-FilterGain steady_gain(const Participant& participant) {
-  // var- = var + q and var = r var- / (var- + r) give var-^2 - q var- - q r = 0; its positive root.
-  const double q = participant.motor_variance_deg2;
-  const double r = participant.sensory_variance_deg2;
-  const double prior_variance_deg2 = 0.5 * (q + std::sqrt(q * (q + 4.0 * r)));
-  const double gain = prior_variance_deg2 / (prior_variance_deg2 + r);
   return {gain, (1.0 - gain) * prior_variance_deg2};
 }
 

@@ -19,9 +19,6 @@ struct FilterGain {
 /// Gain and variance of the step that follows a perceived direction of variance `variance_deg2`.
 FilterGain next_gain(const Participant& participant, double variance_deg2);
 
-/// Where the recursion of next_gain() settles, in closed form.
-FilterGain steady_gain(const Participant& participant);
-
 /// Variance of the noise that a step of gain `gain` adds to the finger's direction: sigma_u^2 + var_k.
 double step_variance_deg2(const Participant& participant, double gain);
 

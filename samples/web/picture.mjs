@@ -4,8 +4,8 @@ import { writeFile } from "node:fs/promises";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import gifenc from "gifenc";
-import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
+import { launch, stopTime } from "./headless.mjs";
 
 const [, , folder, picture] = process.argv, frame_ms = 70;
 if (!picture) {
@@ -13,19 +13,7 @@ if (!picture) {
   process.exit(2);
 }
 
-/** In the page: time passes when drawFrame() is called. */
-function stopTime() {
-  let now_ms = 0, waiting = [];
-  performance.now = () => now_ms;
-  globalThis.requestAnimationFrame = (callback) => waiting.push(callback);
-  globalThis.drawFrame = (elapsed_ms) => {
-    now_ms += elapsed_ms;
-    for (const callback of waiting.splice(0)) callback(now_ms);
-  };
-}
-
-const browser = await chromium.launch({ executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
+const browser = await launch();
 try {
   const page = await browser.newPage({ viewport: { width: 600, height: 620 } }), gif = gifenc.GIFEncoder();
   await page.addInitScript(stopTime);

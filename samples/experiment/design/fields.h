@@ -47,7 +47,7 @@ class Fields {
   /// Refuses `name` in words, at its place.
   [[noreturn]] void refuse(const std::string& name, const std::string& why) const;
 
-  /// Refuses fields that nobody has asked for.
+  /// Refuses the fields of the object that no call has read.
   void finish() const;
   /// As JSON schema: after all fields were read.
   const nlohmann::json& schema() const { return schema_; }

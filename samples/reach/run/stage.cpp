@@ -1,27 +1,12 @@
 #include "samples/reach/run/stage.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "samples/format.h"
 
 namespace hrt::reach {
-namespace {
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// v + 2 q x (q x v + w v), of a unit quaternion (q, w).
-Point rotated(const std::array<double, 4>& r, const Point& v) {
-  const Point q{r[0], r[1], r[2]};
-  Point inner = cross(q, v);
-  for (std::size_t i = 0; i < 3; ++i) inner[i] += r[3] * v[i];
-  const Point outer = cross(q, inner);
-  return {v[0] + 2.0 * outer[0], v[1] + 2.0 * outer[1], v[2] + 2.0 * outer[2]};
-}
-
-}  // namespace
 
 std::string within_s(XrDuration limit_ns) {
   return format("within %g s", static_cast<double>(limit_ns) * 1e-9);
@@ -41,8 +26,8 @@ Fingertip locate(const Stage& stage, Hand hand, XrTime time) {
   Fingertip tip = stage.session.locate(hand, time);
   if (!tip.tracked || stage.skin_m == Point{}) return tip;
   if (!tip.rotation) return {};
-  const Point to_skin_m = rotated(*tip.rotation, stage.skin_m);
-  for (std::size_t i = 0; i < 3; ++i) tip.position_m[i] += to_skin_m[i];
+  Eigen::Map<Eigen::Vector3d>(tip.position_m.data()) +=
+      Eigen::Quaterniond(tip.rotation->data()) * Eigen::Vector3d(stage.skin_m.data());
   return tip;
 }
 

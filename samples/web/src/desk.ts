@@ -1,7 +1,7 @@
 // The picture with its labels, in the size of its place on the page. Without WebGL the rest of the page still works.
 import { ahead, start, type Place } from "./geometry";
 import { element, say } from "./page";
-import type { VisitorScene } from "./scene";
+import type { VisitorScene } from "./files/scene";
 import { Stage, type LabelName } from "./stage/stage";
 import type { Colours } from "./theme";
 

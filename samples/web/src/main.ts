@@ -15,7 +15,7 @@ import { Replaying } from "./modes/replaying";
 import { Results } from "./results";
 import { defaultSettings, fromLink, modes, onSlider, toLink, type Mode } from "./settings";
 import { Sliding } from "./modes/sliding";
-import { TakeAway } from "./takeaway";
+import { TakeAway } from "./files/takeaway";
 import { Ticks } from "./ticks";
 import { TraceTable } from "./trace";
 import { onSchemeChange, readColours } from "./theme";

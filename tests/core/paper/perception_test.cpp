@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace hrt {
 namespace {
@@ -19,16 +20,15 @@ TEST(Perception, FirstGainsOfConditionOne) {
   EXPECT_DOUBLE_EQ(second.variance_deg2, 7.0 / 82.0);
 }
 
-TEST(Perception, SteadyGainIsAFixedPointThatTheRecursionReaches) {
-  for (const double motor : {0.1, 0.5, 1.0, 2.0}) {
-    const Participant participant{.motor_variance_deg2 = motor};
-    const FilterGain steady = steady_gain(participant);
-    const FilterGain next = next_gain(participant, steady.variance_deg2);
-    EXPECT_NEAR(next.gain, steady.gain, 1e-15);
-    EXPECT_NEAR(next.variance_deg2, steady.variance_deg2, 1e-15);
+// var- = var + q and var = r var- / (var- + r) give var-^2 - q var- - q r = 0; its positive root.
+TEST(Perception, GainsSettleWhereTheRecursionStands) {
+  for (const double q : {0.1, 0.5, 1.0, 2.0}) {
+    const Participant participant{.motor_variance_deg2 = q};
+    const double r = participant.sensory_variance_deg2;
+    const double prior_deg2 = 0.5 * (q + std::sqrt(q * (q + 4.0 * r)));
     FilterGain step{0.0, 0.0};
     for (int i = 0; i < 100; ++i) step = next_gain(participant, step.variance_deg2);
-    EXPECT_NEAR(step.gain, steady.gain, 1e-15);
+    EXPECT_NEAR(step.gain, prior_deg2 / (prior_deg2 + r), 1e-15);
   }
 }
 

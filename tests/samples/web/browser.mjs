@@ -6,10 +6,11 @@ import { mkdir, readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { after, before } from "node:test";
+import { pathToFileURL } from "node:url";
 
 export const [, , sources, pageFolder, recorded, desk, screenshots] = process.argv;
 export const require = createRequire(resolve(sources, "package.json"));
-const { chromium } = require("playwright-core");
+export const { launch, stopTime } = await import(pathToFileURL(resolve(sources, "headless.mjs")));
 const axe = await readFile(require.resolve("axe-core/axe.min.js"), "utf8");
 export const desktop = { width: 1280, height: 900 }, tablet = { width: 820, height: 1180 }, phone = { width: 390, height: 844 };
 
@@ -27,11 +28,6 @@ after(async () => {
   await browser?.close();
   server?.kill();
 });
-
-export function launch(...more) {
-  return chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--disable-dev-shm-usage",
-    "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...more] });
-}
 
 /** Opens the page on "Watch" with its folds open, after `script` has run in it, and uses it once the element `ready` is there. With `motion` false each
  *  change shows its reach at once; with `motion` true the page's time stands still until frames(). Fails at the end of `use`
@@ -60,19 +56,6 @@ export async function visit(use, { motion = false, viewport = desktop, colorSche
 
 export const shoot = (page, name, fullPage = true) => page.screenshot({ path: join(screenshots, `${name}.png`), fullPage, timeout: 120_000 });
 export const text = (page, selector) => page.locator(selector).textContent();
-
-/** In the page: frames come when drawFrame() is called, and no time passes between them. */
-function stopTime() {
-  let now_ms = 0, waiting = [];
-  performance.now = () => now_ms;
-  globalThis.requestAnimationFrame = (callback) => waiting.push(callback);
-  globalThis.drawFrame = (elapsed_ms) => {
-    now_ms += elapsed_ms;
-    const due = waiting;
-    waiting = [];
-    for (const callback of due) callback(now_ms);
-  };
-}
 
 /** Lets the page draw frames `elapsed_ms` apart. */
 export async function frames(page, elapsed_ms, count = 1) {

@@ -4,7 +4,7 @@ import type { Desk } from "../desk";
 import type { Place } from "../geometry";
 import type { Now } from "../now";
 import { element, say, sideways } from "../page";
-import type { RecordedReach } from "../recording";
+import type { RecordedReach } from "../files/recording";
 import { Trace, tracePeriod_ms } from "../trace";
 
 const pause_ms = 2200;

@@ -4,7 +4,7 @@ import type { Library } from "haptic-retargeting";
 import { element, say, sideways } from "../page";
 import { pageCourse } from "../controller";
 import type { World } from "../person";
-import { weights, type VisitorScene } from "../scene";
+import { weights, type VisitorScene } from "../files/scene";
 import type { Settings } from "../settings";
 import { Watch } from "../watch";
 

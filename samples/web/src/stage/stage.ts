@@ -3,7 +3,7 @@ import { HapticPlate } from "haptic-retargeting/three";
 import { AmbientLight, BoxGeometry, type BufferGeometry, Color, DirectionalLight, Group, type Material, Mesh, MeshStandardMaterial, PerspectiveCamera, Plane,
          Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { ahead, radius_m, ridgeSpacing_m, start, type Place } from "../geometry";
-import type { VisitorScene } from "../scene";
+import type { VisitorScene } from "../files/scene";
 import type { Colours } from "../theme";
 import { HandJoints, WordBoard } from "./headset";
 import { colourTargets, FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";

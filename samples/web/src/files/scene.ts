@@ -1,8 +1,8 @@
 // A scene of the visitor's own: plate and targets of a glTF file, by the plugin's loader, and what can be held for whom.
 import * as hrt from "haptic-retargeting";
-import { motionBound_deg } from "./controller";
-import { direction_deg, length_m, radius_m, type Course, type Place } from "./geometry";
-import type { SceneMeshes } from "./stage/meshes";
+import { motionBound_deg } from "../controller";
+import { direction_deg, length_m, radius_m, type Course, type Place } from "../geometry";
+import type { SceneMeshes } from "../stage/meshes";
 
 /** Weights of touch for which it is computed what can be held. */
 export const weights = [0.1, 0.15, 0.2, 0.25, 0.3] as const;

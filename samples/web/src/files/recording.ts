@@ -1,7 +1,7 @@
 // A recording of the plugin, read for the picture: the tracked finger, the commanded plate, and what the controller
 // made of them. Library.replay() checks it; this reads columns by their names.
 import { HRT_SAMPLE_PLATE_POSITION } from "haptic-retargeting";
-import { start } from "./geometry";
+import { start } from "../geometry";
 
 export interface RecordedSample {
   readonly time_ms: number;

@@ -1,8 +1,8 @@
 // Files of the plugin: the last reach and what was learnt, to take away; a recording, which is run again and compared bit
 // for bit, or a scene, to bring. What is refused is refused in the plugin's words.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
-import { onFiles, save } from "./files";
-import { element, say } from "./page";
+import { element, say } from "../page";
+import { onFiles, save } from "./browser";
 import { readReach, type RecordedReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
 
@@ -53,7 +53,7 @@ export class TakeAway {
   async #scene(file: File, files: readonly File[]): Promise<VisitorScene> {
     const bytes = await file.arrayBuffer(), scene = readScene(this.#library, bytes, file.name), { position_m, rotation } = scene.plate;
     try {
-      const { readMeshes } = await import("./stage/meshes");  // with three.js' loader
+      const { readMeshes } = await import("../stage/meshes");  // with three.js' loader
       const others = new Map(await Promise.all(files.map(async (each) => [each.name, await each.arrayBuffer()] as const)));
       scene.meshes = await readMeshes(bytes, others, position_m, rotation);
     } catch (error) {

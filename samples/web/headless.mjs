@@ -1,0 +1,18 @@
+// Headless Chromium that draws without a graphics card, and a page whose time stands still: for picture.mjs and the tests.
+import { chromium } from "playwright-core";
+
+export function launch(...more) {
+  return chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--disable-dev-shm-usage",
+    "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...more] });
+}
+
+/** In the page: frames come when drawFrame() is called, and no time passes between them. */
+export function stopTime() {
+  let now_ms = 0, waiting = [];
+  performance.now = () => now_ms;
+  globalThis.requestAnimationFrame = (callback) => waiting.push(callback);
+  globalThis.drawFrame = (elapsed_ms) => {
+    now_ms += elapsed_ms;
+    for (const callback of waiting.splice(0)) callback(now_ms);
+  };
+}
