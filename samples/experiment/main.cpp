@@ -8,6 +8,7 @@
 #include <optional>
 #include <thread>
 
+#include "samples/experiment/design/preregistration.h"
 #include "samples/experiment/output/export.h"
 #include "samples/experiment/session/led.h"
 #include "samples/experiment/session/session.h"
@@ -110,6 +111,8 @@ void add_commands(CLI::App& app, Options& options) {
   };
   add("design", "Check a design, and show its trials, minutes, balance and orders", true,
       [](const Options& o) { std::cout << design_text(read_design(o.study)); });
+  add("preregister", "Print the text of a registered report, in Markdown, to be completed", true,
+      [](const Options& o) { std::cout << preregistration_text(read_design(o.study)); });
   add("schema", "Print the JSON schema of designs", false,
       [](const Options&) { std::cout << design_schema().dump(2) << "\n"; });
   CLI::App* run = add("run", "Run or resume the session of a participant", true, run_one);

@@ -72,7 +72,6 @@ Exit codes: 0 done, 1 failed, 2 an argument is wrong.)");
   add_calibrate(app);
   add_coverage(app);
   add_robustness(app);
-  add_power(app);
   add_scene(app);
   try {
     app.parse(argc, argv);

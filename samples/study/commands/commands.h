@@ -17,6 +17,5 @@ void add_calibrate(CLI::App& app);
 void add_coverage(CLI::App& app);
 void add_ridges(CLI::App& app);
 void add_robustness(CLI::App& app);
-void add_power(CLI::App& app);
 
 }  // namespace hrt::study

@@ -111,30 +111,4 @@ Quantile quantile_of(std::vector<double> values, double share) {
           .high = high <= values.size() ? values[high - 1] : nan};
 }
 
-double student_within(double t, std::uint64_t degrees_of_freedom) {
-  // Abramowitz and Stegun 26.7.3 and 26.7.4: finite sums.
-  const auto degrees = static_cast<double>(degrees_of_freedom);
-  const double angle = std::atan(t / std::sqrt(degrees));
-  const double sine = std::sin(angle);
-  const double cosine = std::cos(angle);
-  const bool odd = degrees_of_freedom % 2 == 1;
-  double term = odd ? cosine : 1.0;
-  double sum = 0.0;
-  for (std::uint64_t i = odd ? 3 : 2; i <= degrees_of_freedom; i += 2) {
-    sum += term;
-    term *= cosine * cosine * static_cast<double>(i - 1) / static_cast<double>(i);
-  }
-  return odd ? 2.0 / std::numbers::pi * (angle + sine * sum) : sine * sum;
-}
-
-double student_critical(std::uint64_t degrees_of_freedom) {
-  double low = 0.0;
-  double high = 20.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (student_within(middle, degrees_of_freedom) < 0.95 ? low : high) = middle;
-  }
-  return high;
-}
-
 }  // namespace hrt::study

@@ -67,10 +67,4 @@ QuantileRanks quantile_ranks(std::uint64_t count, double share);
 /// quantile() with the interval between two values of the sample; `share` in (0, 1).
 Quantile quantile_of(std::vector<double> values, double share);
 
-/// The probability that Student's t with `degrees_of_freedom` >= 1 lies within +-`t`; t >= 0.
-double student_within(double t, std::uint64_t degrees_of_freedom);
-
-/// The t of which that probability is 0.95.
-double student_critical(std::uint64_t degrees_of_freedom);
-
 }  // namespace hrt::study

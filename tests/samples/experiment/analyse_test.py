@@ -3,6 +3,7 @@ Then a study of two simulated people, from its design to the report.
 
     analyse_test.py samples/experiment PROGRAM
 """
+import hashlib
 import importlib.machinery
 import importlib.util
 import json
@@ -15,11 +16,14 @@ import warnings
 
 import numpy
 import pandas
+import scipy.stats
 
-loader = importlib.machinery.SourceFileLoader("analyse", sys.argv[1] + "/analyse")
-analyse = importlib.util.module_from_spec(importlib.util.spec_from_loader("analyse", loader))
 sys.dont_write_bytecode = True
-loader.exec_module(analyse)
+sys.path.insert(0, sys.argv[1])
+import analysis
+loader = importlib.machinery.SourceFileLoader("power", sys.argv[1] + "/power")
+power = importlib.util.module_from_spec(importlib.util.spec_from_loader("power", loader))
+loader.exec_module(power)
 warnings.simplefilter("ignore")
 STUDIES = int(os.environ.get("HRT_EXPERIMENT_STUDIES", "200"))
 EFFECT = -2.0
@@ -41,17 +45,17 @@ def study(seed, effect, people, trials=10):
 
 def test_by_hand():
     # Of 8 choices of signs only + + + and - - - are as far from 0.
-    assert analyse.sign_flip([1, 2, 3], 0) == 0.25
-    assert analyse.sign_flip([1, -1], 0) == 1.0
-    assert analyse.holm({"a": 0.01, "b": 0.04, "c": 0.03}) == {"a": 0.03, "c": 0.06, "b": 0.06}
-    mean, low, high = analyse.interval([1, 2, 3])  # t of 2 degrees of freedom: 4.303; deviation 1
+    assert analysis.sign_flip([1, 2, 3], 0) == 0.25
+    assert analysis.sign_flip([1, -1], 0) == 1.0
+    assert analysis.holm({"a": 0.01, "b": 0.04, "c": 0.03}) == {"a": 0.03, "c": 0.06, "b": 0.06}
+    mean, low, high = analysis.interval([1, 2, 3])  # t of 2 degrees of freedom: 4.303; deviation 1
     assert abs(mean - 2) < 1e-12 and abs(high - 2 - 4.303 / 3**0.5) < 1e-3 and abs(high + low - 4) < 1e-9
 
 
 def share(test, studies, effect, people):
     """Percent of studies in which the test finds something, and in which its interval has the effect."""
     analysis = {"measure": "abs_miss_deg", "reference": "none", "test": test}
-    rows = [analyse.compare(study(seed, effect, people), analysis, seed)[0] for seed in range(studies)]
+    rows = [analysis.compare(study(seed, effect, people), analysis, seed)[0] for seed in range(studies)]
     found = 100 * numpy.mean([row[4] < 0.05 for row in rows])
     return found, 100 * numpy.mean([row[2] <= effect <= row[3] for row in rows])
 
@@ -69,6 +73,31 @@ def test_level_and_coverage():
         assert power > 80, power
 
 
+def paired(people, sd):
+    """Trials of people whose differences are normal: equally spaced quantiles."""
+    differences = sd * scipy.stats.norm.ppf((numpy.arange(people) + 0.5) / people)
+    return pandas.DataFrame([(i, condition, value) for i, d in enumerate(differences) for condition, value in (("a", d), ("none", 0.0))],
+                            columns=["participant", "condition", "abs_miss_deg"])
+
+
+def test_power():
+    plan = {"measure": "abs_miss_deg", "reference": "none", "test": "sign_flip", "alpha": 0.05}
+    found = lambda effect, people: power.share_found(paired(2000, 2.0), plan, "a", effect, people, 2000, 1)
+    assert found(-9, 5) == 0  # of 32 choices of signs two are as far from 0: p is 0.0625 at the least
+    # Of normal differences the t test is as strong: its noncentral distribution, effect and deviation 1 and 2.
+    for effect, people in ((0, 12), (-1, 12), (-1, 32), (-2, 12)):
+        t, shift = scipy.stats.t.ppf(0.975, people - 1), effect / 2 * people**0.5
+        exact = 100 * (scipy.stats.nct.cdf(-t, people - 1, shift) + (scipy.stats.nct.sf(t, people - 1, shift) if shift else 0.025))
+        assert abs(found(effect, people) - exact) < 3, (effect, people, found(effect, people), exact)
+
+
+def power_of_a_design(design):
+    printed = subprocess.run([sys.argv[1] + "/power", design, "--program", sys.argv[2], "--pool", "6", "--people", "6,12", "--studies", "200",
+                              "--effect", "0,4"], check=True, capture_output=True, text=True).stdout
+    assert printed.startswith("SIMULATION: no person took part. 6 simulated people; sign flip of abs_miss_deg, 2 at 0.05 / 2"), printed
+    assert printed.count(" less none: mean ") == 2 and len(printed.splitlines()) == 1 + 2 * 5, printed
+
+
 def test_report():
     with tempfile.TemporaryDirectory() as folder:
         study = json.loads(pathlib.Path(sys.argv[1], "example.json").read_text())
@@ -77,6 +106,7 @@ def test_report():
         design.write_text(json.dumps(study))
         run = lambda *words: subprocess.run(words, check=True, capture_output=True, text=True).stdout
         assert not any(name in run(sys.argv[2], "design", design) for name in ("people\n", "paper", "none"))
+        power_of_a_design(design)
         run(sys.argv[2], "simulate", design, "--data", data)
         for unblinded in (False, True):
             run(sys.argv[2], "export", "--data", data, *(["--unblind"] if unblinded else []))
@@ -85,9 +115,10 @@ def test_report():
             assert "Simulation: no person took part." in report
             assert ("Conditions are blinded" in report) != unblinded
             assert ("<td>paper</td>" in report) == unblinded
-            assert (analyse.hashlib.sha256((data / "export/trials.csv").read_bytes()).hexdigest()) in report
+            assert (hashlib.sha256((data / "export/trials.csv").read_bytes()).hexdigest()) in report
 
 
 test_by_hand()
 test_level_and_coverage()
+test_power()
 test_report()

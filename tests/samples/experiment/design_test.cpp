@@ -3,6 +3,7 @@
 #include <set>
 
 #include "samples/experiment/data/sha256.h"
+#include "samples/experiment/design/preregistration.h"
 #include "tests/samples/experiment/study.h"
 
 namespace hrt::experiment {
@@ -18,6 +19,22 @@ TEST(ExperimentDesign, Sha256IsTheStandards) {
             "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
   EXPECT_EQ(sha256_of(std::string(1'000'000, 'a')),
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+// Given values, defaults, what is not given, objects and lists of them; and no field of the design is left
+// out.
+TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
+  const Design design = small_design(3);
+  const std::string text = preregistration_text(design);
+  for (const std::string line :
+       {"- `repeats` (Trials of each pair in a block): 3\n",
+        "- `rounds` (Blocks of each condition; of random_in_blocks: blocks): 1, by default\n",
+        "  - `max_s` (Longest duration): 8.0, by default\n",
+        "- `listed_orders` (Conditions of the participants, by name, in turn): none\n",
+        "  - number 2\n    - `controller` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  for (const auto& [name, field] : design_schema()["properties"].items())
+    EXPECT_NE(text.find("- `" + name + "` ("), std::string::npos) << name;
 }
 
 // Each ordered pair of conditions is neighbours equally often, and each condition is in each place equally

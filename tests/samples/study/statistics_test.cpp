@@ -125,19 +125,6 @@ TEST(StudyStatistics, QuantileIntervalsCover) {
   EXPECT_LE(upper_covered, 1970);
 }
 
-// One degree: 2 atan(t) / pi. Two: t / sqrt(2 + t^2). Table: Abramowitz and Stegun 26.10.
-TEST(StudyStatistics, StudentByHandAndTable) {
-  EXPECT_NEAR(student_within(1.0, 1), 0.5, 1e-15);
-  EXPECT_NEAR(student_within(3.0, 2), 3.0 / std::sqrt(11.0), 1e-15);
-  EXPECT_EQ(student_within(0.0, 7), 0.0);
-  EXPECT_NEAR(student_critical(1), 12.706, 5e-4);
-  EXPECT_NEAR(student_critical(2), 4.303, 5e-4);
-  EXPECT_NEAR(student_critical(3), 3.182, 5e-4);
-  EXPECT_NEAR(student_critical(9), 2.262, 5e-4);
-  EXPECT_NEAR(student_critical(30), 2.042, 5e-4);
-  EXPECT_NEAR(student_critical(1000), 1.9623, 5e-4);
-}
-
 // The paper's own means of its Table I.
 TEST(StudyPaper, CellsGiveThePrintedMeans) {
   for (const PaperCondition& condition : paper_table1) {

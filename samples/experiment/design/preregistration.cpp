@@ -1,0 +1,70 @@
+#include "samples/experiment/design/preregistration.h"
+
+#include "samples/experiment/design/schedule.h"
+#include "samples/format.h"
+
+namespace hrt::experiment {
+namespace {
+
+using nlohmann::json;
+
+// Text without quotes, a list as words.
+std::string in_words(const json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const json& item : value) text += (text.empty() ? "" : ", ") + in_words(item);
+  return text;
+}
+
+// A line each field, those of objects below it.
+std::string fields_text(const json& schema, const json& given, const std::string& indent) {
+  std::string text;
+  for (const auto& [name, field] : schema["properties"].items()) {
+    const bool is_given = given.contains(name);
+    text += indent + "- `" + name + "` (" + field["description"].get<std::string>() + ")";
+    if (field.contains("properties")) {
+      text += is_given ? "\n" : ": not given; then\n";
+      text += fields_text(field, is_given ? given[name] : json::object(), indent + "  ");
+    } else if (is_given && field.contains("items") && field["items"].contains("properties")) {
+      text += "\n";
+      for (std::size_t i = 0; i < given[name].size(); ++i)
+        text += indent + format("  - number %zu\n", i + 1) +
+                fields_text(field["items"], given[name][i], indent + "    ");
+    } else {
+      text += ": " +
+              (is_given                    ? in_words(given[name])
+               : field.contains("default") ? in_words(field["default"]) + ", by default"
+                                           : "none") +
+              "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string preregistration_text(const Design& design) {
+  return "# " + design.title + "\n\nSHA-256 of study.json: `" + design.sha256 +
+         "`. hrt-experiment refuses another design from the first participant on.\n"
+         "What stands in brackets is the authors'; delete this line.\n\n"
+         "## Hypotheses\n\n[By how much does each condition change `" +
+         design.measure +
+         "`, and why?]\n\n"
+         "## Participants\n\n" +
+         format("%u. ", design.participants) +
+         "[Why so many: what `samples/experiment/power study.json` prints, whose people are simulated. Who "
+         "may take part; who is replaced.]\n\n"
+         "## Design and procedure\n\n" +
+         fields_text(design_schema(), json::parse(design.text), "") + "\n```\n" + design_text(design) +
+         "```\n\n## Exclusions\n\nA reach counts as `validity` says, by the program and before its condition "
+         "is "
+         "known. [Whom the authors exclude.]\n\n"
+         "## Analysis\n\n`samples/experiment/analyse`, after `hrt-experiment export --unblind`: " +
+         design.test + " of `" + design.measure + "`, each condition against " +
+         design.conditions[design.reference].name + format(", Holm's correction, level %g.", design.alpha) +
+         " [What else is looked at, called exploratory.]\n\n"
+         "## Data\n\n[Where the data, recordings and this text will be.]\n";
+}
+
+}  // namespace hrt::experiment
