@@ -1,6 +1,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "samples/experiment/data/sha256.h"
 #include "samples/experiment/design/preregistration.h"
@@ -26,12 +27,12 @@ TEST(ExperimentDesign, Sha256IsTheStandards) {
 TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
   const Design design = small_design(3);
   const std::string text = preregistration_text(design);
-  for (const std::string line :
-       {"- `repeats` (Trials of each pair in a block): 3\n",
-        "- `rounds` (Blocks of each condition; of random_in_blocks: blocks): 1, by default\n",
-        "  - `max_s` (Longest duration): 8.0, by default\n",
-        "- `listed_orders` (Conditions of the participants, by name, in turn): none\n",
-        "  - number 2\n    - `controller` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
+  for (const std::string& line : std::vector<std::string>{
+           "- `repeats` (Trials of each pair in a block): 3\n",
+           "- `rounds` (Blocks of each condition; of random_in_blocks: blocks): 1, by default\n",
+           "  - `max_s` (Longest duration): 8.0, by default\n",
+           "- `listed_orders` (Conditions of the participants, by name, in turn): none\n",
+           "  - number 2\n    - `controller` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
   for (const auto& [name, field] : design_schema()["properties"].items())
     EXPECT_NE(text.find("- `" + name + "` ("), std::string::npos) << name;
