@@ -54,8 +54,8 @@ def test_by_hand():
 
 def share(test, studies, effect, people):
     """Percent of studies in which the test finds something, and in which its interval has the effect."""
-    analysis = {"measure": "abs_miss_deg", "reference": "none", "test": test}
-    rows = [analysis.compare(study(seed, effect, people), analysis, seed)[0] for seed in range(studies)]
+    plan = {"measure": "abs_miss_deg", "reference": "none", "test": test}
+    rows = [analysis.compare(study(seed, effect, people), plan, seed)[0] for seed in range(studies)]
     found = 100 * numpy.mean([row[4] < 0.05 for row in rows])
     return found, 100 * numpy.mean([row[2] <= effect <= row[3] for row in rows])
 

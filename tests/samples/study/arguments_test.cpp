@@ -93,12 +93,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadArgument{{"robustness", "--family", "linear,linear"}, "--family", "--help shows"},
         BadArgument{{"robustness", "--family", ""}, "--family", "--help shows"}));
 
-INSTANTIATE_TEST_SUITE_P(
-    Power, StudyBadArgument,
-    testing::Values(BadArgument{{"power", "--reaches", "1.5"}, "--reaches", "from 1 to 200"},
-                    BadArgument{{"power", "--people", "1"}, "--people", "from 2 to 1000"},
-                    BadArgument{{"power", "--effect", "0"}, "--effect", "(0, 90]"}));
-
 const std::string part = "i/n, whole numbers with 1 <= i <= n";
 const std::string many = "1:40:100";
 

@@ -37,8 +37,7 @@ TEST(StudyOutput, EveryByteIsTheSameForAnyNumberOfThreads) {
 TEST(StudyOutput, TextSaysThatItIsSimulationInLinesThatFit) {
   for (const auto& [arguments, columns] :
        {std::pair<Arguments, std::size_t>{{"table1", "--trials", "200"}, 110},
-        {{"robustness", "--people", "1"}, 120},
-        {{"power", "--pool", "3", "--trials", "200", "--reaches", "1", "--family", "linear,place"}, 120}}) {
+        {{"robustness", "--people", "1"}, 120}}) {
     const StudyRun run = run_study(arguments);
     EXPECT_TRUE(has(run.out, "there was no human trial"));
     for (const std::string& line : lines(run.out)) EXPECT_LE(length_of(line), columns) << line;
@@ -51,7 +50,6 @@ TEST(StudyOutput, CsvAndJsonHaveTheSameRows) {
        {Arguments{"table1", "--trials", "20"}, Arguments{"ridges"},
         Arguments{"scene", HRT_SCENES "/desk.gltf"},
         Arguments{"coverage", "--kind", "steps", "--people", "1"},
-        Arguments{"power", "--pool", "2", "--trials", "100", "--reaches", "1", "--family", "linear"},
         Arguments{"robustness", "--people", "1", "--family", "linear", "--durations", "1"}}) {
     const auto page = nlohmann::json::parse(run_study(arguments + Arguments{"--format", "json"}).out);
     const auto rows = lines(run_study(arguments + Arguments{"--format", "csv"}).out);
