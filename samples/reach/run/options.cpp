@@ -72,14 +72,14 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
   app.add_option(
          "--plate", words.plate,
          "What turns the plate: runtime (the one that a runtime simulates), servo[:SPEED] (one that this\n"
-         "program simulates, degrees a second, [400]), or serial:LINE or dynamixel:LINE, as hrt_plate_open() "
-         "of\n"
-         "haptic_retargeting/plate.h takes them [runtime]")
+         "program simulates, degrees a second, [400]), serial:LINE, dynamixel:LINE or\n"
+         "plate.json, as hrt_plate_open() of haptic_retargeting/plate.h takes them [runtime]")
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
             if (parse_plate(text)) return "";
             return "\"" + text +
-                   "\" is not runtime, servo, servo:SPEED (1 to 1000000), serial:LINE or dynamixel:LINE";
+                   "\" is not runtime, servo, servo:SPEED (1 to 1000000), serial:LINE, dynamixel:LINE or a "
+                   "file *.json";
           },
           "PLATE"));
   app.add_option("--time-limit", options.time_limit_s,
@@ -177,7 +177,7 @@ std::optional<PlateChoice> parse_plate(const std::string& text) {
     double& speed = choice.servo_speed_deg_per_s;
     if (CLI::detail::lexical_cast(rest, speed) && speed >= 1.0 && speed <= 1e6) return choice;
   }
-  if (kind != "servo" && !rest.empty()) {
+  if ((kind != "servo" && !rest.empty()) || text.ends_with(".json")) {
     choice.kind = PlateChoice::Kind::device;
     choice.device = text;
     return choice;
