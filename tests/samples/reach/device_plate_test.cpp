@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "samples/reach/run/options.h"
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/text.h"
 
@@ -28,6 +29,19 @@ TEST(OrientationWithin, TakesWhatIsFeltTheSame) {
   for (const auto& row : rows)
     EXPECT_EQ(orientation_within(row.min_deg, row.max_deg, row.wanted_deg, row.now_deg), row.taken_deg)
         << row.wanted_deg;
+}
+
+// A line, or the file of hrt-plate commission; what is neither is refused before the device is opened.
+TEST(PlateChoice, IsWhatThePlatesLibraryOpens) {
+  for (const char* device :
+       {"serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0", "plate.json", "C:\\lab\\plate.json"}) {
+    const auto choice = parse_plate(device);
+    ASSERT_TRUE(choice) << device;
+    EXPECT_EQ(choice->kind, PlateChoice::Kind::device);
+    EXPECT_EQ(choice->device, device);
+  }
+  for (const char* other : {"plate.txt", "serial:", "servo:fast", ""})
+    EXPECT_FALSE(parse_plate(other)) << other;
 }
 
 TEST(DevicePlate, LearnsLimitsAndOrientation) {
