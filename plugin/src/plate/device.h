@@ -63,6 +63,8 @@ class Device {
 
   /// Until it is closed it reports as often as the line allows, and turns as fast as its servo can.
   virtual void hurry() = 0;
+  /// Smallest difference of two reported orientations.
+  virtual double report_step_deg() const = 0;
   /// Time constant of the filter of first order through which the sensor sees the plate.
   virtual std::chrono::nanoseconds sensor_filter() const = 0;
 

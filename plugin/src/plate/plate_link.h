@@ -52,6 +52,7 @@ class PlateLink : public Device {
   void set_zero(double zero_deg) override;
   void keep_zero() override { save_settings(); }
   void hurry() override;
+  double report_step_deg() const override { return 0.01; }
   /// The firmware's, of its readings.
   std::chrono::nanoseconds sensor_filter() const override;
 

@@ -8,20 +8,25 @@ enum {
   /* The protocol's limit is 300 ms; up to 20 of them pass until the next pulse shows the stop. */
   HEARTBEAT_MS = 275,
   EMERGENCY_MS = 2, /* a shorter opening is noise */
-  SETTLE_SEEN_MS = 40,
-  /* To be homed a servo gets one pulse in eight: many drive their motor for one frame a pulse, so that they
+  /* At first a servo gets one pulse in eight: many drive their motor for one frame a pulse, so that they
    * turn at an eighth of their speed. 180 degrees at 200 degrees a second then take 7.2 s. */
   HOME_MS = 8000,
-  HOME_PERIOD_MS = 160,
+  SETTLE_PERIOD_MS = 160,
   FRAME_MS = 20,
   ASTRAY_MILLIDEG = 15000,
   ASTRAY_MS = 500,
   MOVED_MILLIDEG = 3000,
-  TRIM_TICKS = 40 /* largest jump of the pulse by a changed setting, in half microseconds */
+  MAX_SETTLE_MILLIDEG = 6000, /* away from the first pulse, which is for where the sensor sees the plate */
+  STANDS_MILLIDEG = 400,      /* since the pulse before: a slow servo turns by little */
+  TRIM_TICKS = 40             /* largest jump of the pulse by a changed setting, in half microseconds */
 };
 
 static int32_t clamp(int32_t value, int32_t min, int32_t max) {
   return value < min ? min : value > max ? max : value;
+}
+
+static int32_t apart(int32_t a, int32_t b) {
+  return a < b ? b - a : a - b;
 }
 
 static bool is_measured(const Plate* plate) {
@@ -62,9 +67,10 @@ static void start_pulses(Plate* plate, int32_t home_microdeg) {
   plate->homed = is_measured(plate);
   plate->position_microdeg = plate->homed ? measured_millideg(plate) * 1000 : home_microdeg;
   keep_within_limits(plate);
-  plate->settle_ms = plate->homed ? SETTLE_SEEN_MS : HOME_MS;
+  plate->settle_ms = plate->homed ? SETTLE_PERIOD_MS : HOME_MS;
   plate->astray_ms = 0;
-  plate->near_millideg = plate->near_pulse_millideg = plate->position_microdeg / 1000;
+  plate->near_millideg = plate->astray_at_millideg = plate_place_millideg(plate);
+  plate->near_pulse_millideg = plate->position_microdeg / 1000;
   plate->pulses = true;
 }
 
@@ -83,9 +89,26 @@ static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   }
 }
 
+/* The first pulses keep a servo with a sensor where it is. If the sensor's two readings are exchanged they
+ * send it to the other side, slowly, until that is seen. */
+static void settle(Plate* plate) {
+  --plate->settle_ms;
+  if (is_measured(plate) && !is_homing(plate)) {
+    const int32_t measured = measured_millideg(plate);
+    if (apart(measured, plate->near_pulse_millideg) >
+        apart(plate->near_millideg, plate->near_pulse_millideg) + MAX_SETTLE_MILLIDEG) {
+      latch(plate, PLATE_STOP_SENSOR);
+    } else if (plate->settle_ms == 0 && apart(measured, plate->astray_at_millideg) > STANDS_MILLIDEG) {
+      plate->astray_at_millideg = measured;
+      plate->settle_ms = SETTLE_PERIOD_MS;
+    }
+  }
+  if (plate->settle_ms == 0) plate->homed = plate->pulses;
+}
+
 static void move(Plate* plate) {
   if (plate->settle_ms > 0) {
-    if (--plate->settle_ms == 0) plate->homed = true;
+    settle(plate);
     return;
   }
   /* Microdegrees in a millisecond. */
@@ -104,14 +127,12 @@ static bool runs_against(const Plate* plate, int32_t measured) {
 static void watch_servo(Plate* plate) {
   if (!plate->pulses || plate->settle_ms > 0 || !is_measured(plate)) return;
   const int32_t measured = measured_millideg(plate);
-  const int32_t apart = measured - plate->position_microdeg / 1000,
-                moved = measured - plate->astray_at_millideg;
-  const bool astray = apart < -ASTRAY_MILLIDEG || apart > ASTRAY_MILLIDEG;
+  const bool astray = apart(measured, plate->position_microdeg / 1000) > ASTRAY_MILLIDEG;
   if (!astray) {
     plate->near_millideg = measured;
     plate->near_pulse_millideg = plate->position_microdeg / 1000;
   }
-  if (!astray || moved < -MOVED_MILLIDEG || moved > MOVED_MILLIDEG) {
+  if (!astray || apart(measured, plate->astray_at_millideg) > MOVED_MILLIDEG) {
     plate->astray_at_millideg = measured;
     plate->astray_ms = 0;
   } else if (++plate->astray_ms >= ASTRAY_MS) {
@@ -129,7 +150,7 @@ int32_t plate_place_millideg(const Plate* plate) {
 
 uint16_t plate_pulse_ticks(const Plate* plate) {
   if (!plate->pulses) return 0;
-  if (is_homing(plate) && plate->settle_ms % HOME_PERIOD_MS >= FRAME_MS) return 0;
+  if (plate->settle_ms > 0 && plate->settle_ms % SETTLE_PERIOD_MS < SETTLE_PERIOD_MS - FRAME_MS) return 0;
   const int32_t position = plate->position_microdeg;
   return settings_pulse_ticks(&plate->settings, (position + (position < 0 ? -500 : 500)) / 1000);
 }

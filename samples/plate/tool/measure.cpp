@@ -188,6 +188,8 @@ Measurements measure(Device& device, const std::function<void(const std::string&
   device.hurry();
   time_steps(device, found);
   settle_at(device, 0.0);
+  for (Measured* place : {&found.error_deg, &found.backlash_deg, &found.repeatability_deg})
+    place->deviation = std::max(place->deviation, device.report_step_deg() / std::sqrt(12.0));
   return found;
 }
 

@@ -16,7 +16,7 @@ struct SweepPoint {
   bool upwards;
 };
 
-/// A mean, and its standard error.
+/// A mean, and its standard error: of the spread, and where reports repeat exactly, of their step.
 struct Measured {
   double value = 0.0;
   double deviation = 0.0;

@@ -73,7 +73,7 @@ std::string file_of(const Measurements& found, const std::string& device, const 
   file["date"] = date;
   file["device"] = device;
   file["description"] = found.device;
-  file["measured"]["round_trip_ms"] = {milliseconds(found.round_trip), 0.0};
+  file["round_trip_ms"] = milliseconds(found.round_trip);
   for (const Row& row : rows)
     file["measured"][row.name] = {(found.*row.value).value, (found.*row.value).deviation};
   file["max_error_deg"] = std::abs(found.error_deg.value) + 3.0 * found.error_deg.deviation + 0.5;

@@ -148,7 +148,7 @@ void play(Scene& scene, std::size_t phase, const Kind& first, const Kind& second
   strike(1);
   scene.run(300ms);
   scene.set(80.0);
-  scene.run(100ms);
+  scene.run(260ms);
   strike(2);
   scene.run(1500ms);
   strike(3);

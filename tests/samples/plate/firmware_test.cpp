@@ -58,9 +58,9 @@ class FirmwareLogic : public testing::Test {
 // 200 degrees a second, from where the servo is.
 TEST_F(FirmwareLogic, TurnsAtItsSpeed) {
   set(80.0);
-  board_.run_for(40ms);  // the servo takes hold
+  board_.run_for(160ms);  // the servo takes hold
   EXPECT_NEAR(position_deg(), 0.0, 0.3);
-  board_.run_for(200ms);
+  run_with_beats(200ms);
   EXPECT_NEAR(position_deg(), 40.0, 0.5);
   run_with_beats(500ms);
   EXPECT_EQ(position_deg(), 80.0);
@@ -128,7 +128,42 @@ TEST_F(FirmwareLogic, ASlowServoIsNotStuckAndAJammedOneIs) {
   EXPECT_FALSE(board_.has_pulses());  // no current for a servo that cannot move
 }
 
-// The readings at the two limits are exchanged.
+// The readings at the two limits are exchanged, so that the first pulse is for the other side.
+TEST(Firmware, ASensorThatRunsAgainstItsServoNeverThrowsThePlate) {
+  Settings exchanged = commissioned();
+  std::swap(exchanged.value[SETTING_ADC_LEAST], exchanged.value[SETTING_ADC_MOST]);
+  for (const double place_deg : {10.0, 40.0, 70.0, -40.0, -70.0}) {
+    TwinBoard board({.settings = exchanged, .place_deg = place_deg});
+    board.say("HELLO 2");
+    board.run_for(20ms);
+    board.say(set_body(place_deg, 1));
+    double thrown_deg = 0.0;
+    for (std::uint16_t sequence = 2; sequence < 200; ++sequence) {
+      board.say(beat_body("BEAT", sequence));
+      board.run_for(5ms);
+      thrown_deg = std::max(thrown_deg, std::abs(board.servo.plate_deg() - place_deg));
+    }
+    const auto lines = board.take_lines();
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), "STOPPED sensor"), 1) << place_deg;
+    EXPECT_LT(thrown_deg, 15.0) << place_deg;
+    EXPECT_FALSE(board.has_pulses());
+  }
+}
+
+// Its sensor is 4 degrees off in the middle, as a potentiometer may be; the plate stands beyond its limits.
+TEST_F(FirmwareLogic, AServoBesideItsSensorOrBeyondItsLimitsIsNoFault) {
+  plate_.settings.value[SETTING_ZERO_US] += 4400;  // hundredths: 4 degrees
+  for (const double place_deg : {0.0, 50.0, -50.0}) {
+    board_.say("HELLO 2");
+    board_.servo.turn_by_hand(place_deg);
+    run_with_beats(100ms);
+    set(10.0);
+    run_with_beats(2000ms);
+    EXPECT_TRUE(board_.is_following()) << place_deg;
+    EXPECT_NEAR(board_.servo.plate_deg(), 14.0, 0.5);
+  }
+}
+
 TEST_F(FirmwareLogic, NamesASensorThatRunsAgainstItsServo) {
   std::swap(plate_.settings.value[SETTING_ADC_LEAST], plate_.settings.value[SETTING_ADC_MOST]);
   for (const double orientation_deg : {60.0, -60.0}) {
@@ -155,7 +190,7 @@ TEST_F(FirmwareLogic, AGreetingStopsTheMotion) {
 // A trim of 21 us at once would jump by two degrees.
 TEST_F(FirmwareLogic, ASettingMovesTheServoByASmallStepOnly) {
   set(0.0);
-  run_with_beats(100ms);
+  run_with_beats(200ms);
   const int before = plate_pulse_ticks(&plate_);
   EXPECT_EQ(answer_to("CONF zero 1521"), "ERROR range;");
   EXPECT_EQ(answer_to("CONF zero 1520"), "CONF zero 1520.00;");

@@ -141,6 +141,7 @@ class Servo : public Device {
 
   void keep_zero() override { stop(); }          // it is kept already
   void hurry() override { poll_period_ = 0ms; }  // its profile is a limit of its own
+  double report_step_deg() const override { return deg_per_step; }
   std::chrono::nanoseconds sensor_filter() const override { return 0ns; }
 
  private:

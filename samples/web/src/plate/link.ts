@@ -17,7 +17,7 @@ const stops: Readonly<Record<string, string>> = {
   fault: "reports a fault",
   emergency: "was stopped by its emergency stop",
   stuck: "reports that its servo is stuck",
-  sensor: "reports that its sensor runs against its servo",
+  sensor: "reports that its sensor runs against its servo: exchange adc_least and adc_most",
   unhomed: "has forgotten its place",
 };
 
