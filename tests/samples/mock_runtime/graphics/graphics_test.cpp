@@ -9,7 +9,7 @@
 #include <map>
 
 #include "samples/mock_runtime/graphics/picture.h"
-#include "tests/samples/mock_runtime/vulkan_application.h"
+#include "tests/samples/mock_runtime/graphics/vulkan_application.h"
 #include "tests/samples/process.h"
 
 namespace hrt::mock {
