@@ -34,7 +34,8 @@ TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
            "- `listed_orders` (Conditions of the participants, by name, in turn): none\n",
            "  - number 2\n    - `controller` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
-  for (const auto& [name, field] : design_schema()["properties"].items())
+  const auto schema = design_schema();  // outlives the loop
+  for (const auto& [name, field] : schema["properties"].items())
     EXPECT_NE(text.find("- `" + name + "` ("), std::string::npos) << name;
 }
 
