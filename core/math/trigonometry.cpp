@@ -54,29 +54,45 @@ double arctangent_deg(double x) {
   return deg_per_rad * arctangent(x);
 }
 
-double quarter_turn_sine(double quarter, double x) {
-  switch (static_cast<int>(quarter - 4.0 * std::floor(quarter / 4.0))) {
-    case 0:
-      return sine(x);
-    case 1:
-      return cosine(x);
-    case 2:
-      return -sine(x);
-    default:
-      return -cosine(x);
-  }
+// An angle as so many quarter turns, 0 to 3, and at most an eighth more.
+struct Reduced {
+  int quarters;
+  double x;
+};
+
+Reduced reduced(double angle_deg) {
+  const double quarter = std::floor(angle_deg / 90.0 + 0.5);
+  return {static_cast<int>(quarter - 4.0 * std::floor(quarter / 4.0)),
+          (angle_deg - quarter * 90.0) * rad_per_deg};
 }
 
 }  // namespace
 
 double sin_deg(double angle_deg) {
-  const double quarter = std::floor(angle_deg / 90.0 + 0.5);
-  return quarter_turn_sine(quarter, (angle_deg - quarter * 90.0) * rad_per_deg);
+  const auto [quarters, x] = reduced(angle_deg);
+  const double size = quarters % 2 == 0 ? sine(x) : cosine(x);
+  return quarters < 2 ? size : -size;
 }
 
 double cos_deg(double angle_deg) {
-  const double quarter = std::floor(angle_deg / 90.0 + 0.5);
-  return quarter_turn_sine(quarter + 1.0, (angle_deg - quarter * 90.0) * rad_per_deg);
+  const auto [quarters, x] = reduced(angle_deg);
+  const double size = quarters % 2 == 0 ? cosine(x) : sine(x);
+  return quarters == 0 || quarters == 3 ? size : -size;
+}
+
+SinCos sin_cos_deg(double angle_deg) {
+  const auto [quarters, x] = reduced(angle_deg);
+  const double s = sine(x), c = cosine(x);
+  switch (quarters) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
 }
 
 double atan2_deg(double y, double x) {

@@ -13,6 +13,14 @@ double sin_deg(double angle_deg);
 /// Cosine of an angle in degrees, |angle| <= 1e9; error below 2e-16.
 double cos_deg(double angle_deg);
 
+struct SinCos {
+  double sine;
+  double cosine;
+};
+
+/// Both at once, in the same bits.
+SinCos sin_cos_deg(double angle_deg);
+
 /// The angle of the point (x, y) in (-180, 180] degrees, with a relative error below 4e-16; 0 at the
 /// origin. Finite arguments whose ratio neither overflows nor underflows.
 double atan2_deg(double y, double x);

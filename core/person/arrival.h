@@ -6,6 +6,8 @@
 // of a minimum-jerk motion, 1: even) and r one over the duration.
 #pragma once
 
+#include <algorithm>
+
 namespace hrt {
 
 /// s and its derivatives by u.
@@ -17,7 +19,16 @@ struct Progress {
 };
 
 /// At `phase` u, clamped to [0, 1]; `evenness` in [0, 1].
-Progress progress(double evenness, double phase);
+inline Progress progress(double evenness, double phase) {
+  const double u = std::clamp(phase, 0.0, 1.0);
+  const double rest = u * (1.0 - u);
+  const double bell = 30.0 * rest * rest;
+  const double smooth = 1.0 - evenness;
+  return {.share = smooth * u * u * u * (10.0 + u * (-15.0 + 6.0 * u)) + evenness * u,
+          .rate = smooth * bell + evenness,
+          .acceleration = smooth * 60.0 * rest * (1.0 - 2.0 * u),
+          .by_evenness = 1.0 - bell};
+}
 
 /// u where `share` of the path, in [0, 1], lies behind; within 1e-5.
 double phase_at(double evenness, double share);

@@ -11,6 +11,7 @@ namespace {
 constexpr double scale_deg = 75.0;
 
 constexpr double ridge_spacing_mm = 10.0;
+constexpr double max_newton_error_deg = 1e-6;  // of the step before the last: the last one is exact
 // A fading touch is gone after this; half of it is felt when ridges come twice as often.
 constexpr double touch_memory_s = 0.3;
 // How soon the first ridge is felt.
@@ -23,8 +24,9 @@ struct LostShare {
 };
 
 LostShare lost_share(double slowness, double offset_deg) {
-  const double whole = std::max(cos_deg(offset_deg), 1e-6) + slowness;
-  return {slowness / whole, rad_per_deg * sin_deg(offset_deg) * slowness / (whole * whole)};
+  const auto [sine, cosine] = sin_cos_deg(offset_deg);
+  const double share = slowness / (std::max(cosine, 1e-6) + slowness);
+  return {share, slowness > 0.0 ? rad_per_deg * sine * share * share / slowness : 0.0};
 }
 
 }  // namespace
@@ -65,11 +67,11 @@ MaxShift max_shift(const Illusion& illusion, double bound_deg) {
   return {felt_shift(illusion, offset_deg).shift_deg, offset_deg};
 }
 
-double offset_for_shift(const Illusion& illusion, double shift_deg, double bound_deg) {
-  const MaxShift max = max_shift(illusion, bound_deg);
+double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max) {
   const double wanted_deg = std::abs(shift_deg);
   if (wanted_deg >= max.shift_deg) return std::copysign(max.offset_deg, shift_deg);
-  // Newton's steps from the chord, kept between the ends: g is concave for b > 0 and convex for b < 0.
+  // Newton's steps from the chord until they stand, kept between the ends: g is concave for b > 0 and convex
+  // for b < 0.
   double low_deg = 0.0;
   double high_deg = max.offset_deg;
   double offset_deg = max.offset_deg * wanted_deg / max.shift_deg;
@@ -77,7 +79,9 @@ double offset_for_shift(const Illusion& illusion, double shift_deg, double bound
     const FeltShift g = felt_shift(illusion, offset_deg);
     (g.shift_deg < wanted_deg ? low_deg : high_deg) = offset_deg;
     const double next_deg = g.by_offset > 1e-6 ? offset_deg + (wanted_deg - g.shift_deg) / g.by_offset : -1.0;
+    const double last_deg = offset_deg;
     offset_deg = next_deg >= low_deg && next_deg <= high_deg ? next_deg : 0.5 * (low_deg + high_deg);
+    if (std::abs(offset_deg - last_deg) < max_newton_error_deg) break;
   }
   return std::copysign(offset_deg, shift_deg);
 }

@@ -43,7 +43,7 @@ struct MaxShift {
 /// `bound_deg` in (0, 90]; weight > 0.
 MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
-/// The offset on the rising branch, within `bound_deg`, that gives `shift_deg`, or comes nearest to it.
-double offset_for_shift(const Illusion& illusion, double shift_deg, double bound_deg);
+/// The offset on the rising branch, up to that of `max`, that gives `shift_deg`, or comes nearest to it.
+double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max);
 
 }  // namespace hrt

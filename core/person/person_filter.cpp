@@ -13,9 +13,6 @@ namespace {
 
 // Random walks, per second.
 constexpr double direction_density_deg2_s = 14.0;
-constexpr double bias_density_deg2_s = 0.05;
-constexpr double illusion_density_s = 2e-5;
-constexpr double fading_density_s = 1e-4;
 constexpr double log_rate_density_s = 0.07;
 constexpr double place_density_mm2_s = 0.018;
 constexpr double place_share_s = 4e-4;  // of the speed squared: the pace is no law
@@ -113,8 +110,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const double felt_error_deg = steering.felt_error_deg;
   const double decay_s = steering.decay_s;
   const double turn_deg = steering.turn_deg;
-  const double sine = sin_deg(state_(direction) + 0.5 * turn_deg);
-  const double cosine = cos_deg(state_(direction) + 0.5 * turn_deg);
+  const auto [sine, cosine] = sin_cos_deg(state_(direction) + 0.5 * turn_deg);
 
   const double wander_kept = exponential(-seconds / wander_s);
   const double noise_kept = exponential(-seconds / noise_.correlation_s);
@@ -125,7 +121,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const double goal_by_phase = -2.0 * state_(habit) * begun.rate;
 
   // F P F', first its rows and then its columns. Each line uses only what is not yet changed.
-  const auto transform = [&](auto&& row) {
+  const auto transform = [&, sine = sine, cosine = cosine](auto&& row) {
     const double travel =
         travel_by_phase * row(phase) + travel_mm * row(log_rate) + travel_by_evenness * row(evenness);
     const double turn = travel_mm * rad_per_deg * row(direction);
@@ -142,7 +138,9 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
     row(noise_away) *= noise_kept;
   };
   for (int i = 0; i < size; ++i) transform(covariance_.col(i));
-  for (int i = 0; i < size; ++i) transform(covariance_.row(i));
+  // What stays as it is in a step, as the person's traits do, has a row that the column shows.
+  for (int i = 0; i < weight; ++i) transform(covariance_.row(i));
+  for (int i = weight; i < size; ++i) covariance_.row(i).head<weight>() = covariance_.col(i).head<weight>();
 
   state_(right) -= travel_mm * sine;
   state_(away) += travel_mm * cosine;
@@ -158,10 +156,6 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
 // What the model leaves to chance in a step: random walks, and what is fresh of what decays.
 void PersonFilter::add_noise(double seconds, const Step& step, double wander_kept, double noise_kept) {
   covariance_(direction, direction) += direction_density_deg2_s * seconds;
-  covariance_(bias, bias) += bias_density_deg2_s * seconds;
-  covariance_(weight, weight) += illusion_density_s * seconds;
-  covariance_(curve, curve) += illusion_density_s * seconds;
-  covariance_(fading, fading) += fading_density_s * seconds;
   covariance_(log_rate, log_rate) += log_rate_density_s * seconds;
   const double along_mm2 = place_share_s * step.travel_mm * step.travel_mm / seconds;
   covariance_(right, right) += place_density_mm2_s * seconds + along_mm2 * step.sine * step.sine;
@@ -186,28 +180,21 @@ void PersonFilter::rest(double seconds) {
 
 double PersonFilter::observe(double right_mm, double away_mm, double gate) {
   const double white_mm2 = noise_.white_mm * noise_.white_mm;
-  const auto correlate = [&](Index a, Index noise_a, Index b, Index noise_b) {
-    return covariance_(a, b) + covariance_(a, noise_b) + covariance_(noise_a, b) +
-           covariance_(noise_a, noise_b);
-  };
-  const double rr = correlate(right, noise_right, right, noise_right) + white_mm2;
-  const double ra = correlate(right, noise_right, away, noise_away);
-  const double aa = correlate(away, noise_away, away, noise_away) + white_mm2;
-  const double dr = right_mm - state_(right) - state_(noise_right);
-  const double da = away_mm - state_(away) - state_(noise_away);
-  const double nis = (aa * dr * dr - 2.0 * ra * dr * da + rr * da * da) / (rr * aa - ra * ra);
+  // One coordinate after the other; the second as it stands after the first.
+  const State by_right = covariance_.col(right) + covariance_.col(noise_right);
+  const double right_mm2 = by_right(right) + by_right(noise_right) + white_mm2;
+  const double off_right_mm = right_mm - state_(right) - state_(noise_right);
+  const double shared = (by_right(away) + by_right(noise_away)) / right_mm2;
+  const State by_away = covariance_.col(away) + covariance_.col(noise_away) - by_right * shared;
+  const double away_mm2 = by_away(away) + by_away(noise_away) + white_mm2;
+  const double off_away_mm = away_mm - state_(away) - state_(noise_away) - shared * off_right_mm;
+  const double nis = off_right_mm * off_right_mm / right_mm2 + off_away_mm * off_away_mm / away_mm2;
   if (nis > gate) return nis;
-  const auto correct = [&](Index place, Index noise, double measured_mm) {
-    const State column = covariance_.col(place) + covariance_.col(noise);
-    const double variance_mm2 = column(place) + column(noise) + white_mm2;
-    const double innovation_mm = measured_mm - state_(place) - state_(noise);
-    state_ += column * (innovation_mm / variance_mm2);
-    const State scaled = column / variance_mm2;
-    for (int j = 0; j < size; ++j)
-      for (int i = 0; i < size; ++i) covariance_(i, j) -= column(i) * scaled(j);
-  };
-  correct(right, noise_right, right_mm);
-  correct(away, noise_away, away_mm);
+  const State gain_right = by_right / right_mm2, gain_away = by_away / away_mm2;
+  state_ += gain_right * off_right_mm + gain_away * off_away_mm;
+  for (int j = 0; j < size; ++j)
+    for (int i = 0; i < size; ++i)
+      covariance_(i, j) -= by_right(i) * gain_right(j) + by_away(i) * gain_away(j);
   keep_in_range();
   return nis;
 }

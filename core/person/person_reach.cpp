@@ -46,8 +46,8 @@ PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, doubl
   if (std::isinf(stops.lower_deg) && std::isinf(stops.upper_deg)) return {stops, goal_deg};
   const Illusion illusion{config.person.mean(PersonTrait::weight), config.person.mean(PersonTrait::curve)};
   const double holding_deg =
-      reach.real_direction_deg +
-      offset_for_shift(illusion, goal_deg - reach.real_direction_deg, config.control.bound_deg);
+      reach.real_direction_deg + offset_for_shift(illusion, goal_deg - reach.real_direction_deg,
+                                                  max_shift(illusion, config.control.bound_deg));
   return {stops, goal_deg, config.control.bound_deg, holding_deg, stands_deg};
 }
 

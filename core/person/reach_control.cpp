@@ -36,12 +36,13 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
   const double arrives_s = outlook.now_s + outlook.latency_s;
   const double step_s = (arrives_s + sensory_delay_s - filter_s) / dead_time_steps;
   const double wander_kept = exponential(-step_s / wander_s);
-  Motion motion{.direction_deg = x.direction_deg,
-                .phase = x.phase,
-                .lateral_mm = (aim.right_mm - x.right_mm) * cos_deg(line_deg) +
-                              (aim.away_mm - x.away_mm) * sin_deg(line_deg),
-                .wander_deg = x.wander_deg,
-                .shift_deg = 0.0};
+  const SinCos line = sin_cos_deg(line_deg);
+  Motion motion{
+      .direction_deg = x.direction_deg,
+      .phase = x.phase,
+      .lateral_mm = (aim.right_mm - x.right_mm) * line.cosine + (aim.away_mm - x.away_mm) * line.sine,
+      .wander_deg = x.wander_deg,
+      .shift_deg = 0.0};
   double felt_plate_deg = 0.0;
   const double mean_mm_s = filter.mean_speed_mm_s();
   Illusion illusion{};
@@ -123,9 +124,9 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   Illusion illusion =
       filter.illusion(filter.mean_speed_mm_s() * std::max(p.rate, min_speed_share), filter.path_mm());
   illusion.weight = std::max(0.03, illusion.weight - weight_caution * filter.deviation().weight);
-  const double max_deg = max_shift(illusion, config.bound_deg).shift_deg;
-  const double given_deg = std::clamp(shift_deg, -max_deg, max_deg);
-  return {.plate_deg = motion.direction_deg + offset_for_shift(illusion, given_deg, config.bound_deg),
+  const MaxShift max = max_shift(illusion, config.bound_deg);
+  const double given_deg = std::clamp(shift_deg, -max.shift_deg, max.shift_deg);
+  return {.plate_deg = motion.direction_deg + offset_for_shift(illusion, given_deg, max),
           .felt_error_deg = error_deg + given_deg,
           .miss_mm = arrival.miss_mm + leverage * given_deg,
           .at_bound = given_deg != shift_deg};

@@ -89,13 +89,13 @@ TEST(Illusion, TheOffsetForAShiftGivesThatShift) {
       const MaxShift max = max_shift(illusion, bound);
       for (int i = -99; i <= 99; ++i) {
         const double wanted = 0.01 * i * max.shift_deg;
-        const double offset = offset_for_shift(illusion, wanted, bound);
+        const double offset = offset_for_shift(illusion, wanted, max);
         EXPECT_NEAR(felt_shift(illusion, offset).shift_deg, wanted, 2e-4 * max.shift_deg) << i;
         EXPECT_LE(std::abs(offset), max.offset_deg);
-        EXPECT_EQ(offset_for_shift(illusion, -wanted, bound), -offset);
+        EXPECT_EQ(offset_for_shift(illusion, -wanted, max), -offset);
       }
-      EXPECT_EQ(offset_for_shift(illusion, 1e9, bound), max.offset_deg);
-      EXPECT_EQ(offset_for_shift(illusion, -1e9, bound), -max.offset_deg);
+      EXPECT_EQ(offset_for_shift(illusion, 1e9, max), max.offset_deg);
+      EXPECT_EQ(offset_for_shift(illusion, -1e9, max), -max.offset_deg);
     }
   }
 }
