@@ -28,6 +28,7 @@ constexpr double arrived_phase = 0.97;
 constexpr double fit_share = 0.05;
 // A stray position is no misfit: a single one counts for no more than this.
 constexpr double fit_cap = 9.0;
+constexpr double recovery_nis = 20.0;
 constexpr double noise_floor_share = 0.5;
 
 }  // namespace
@@ -174,6 +175,8 @@ bool PersonEstimator::take(const TimedPlace& sample, const PlateTrace& plate) {
     filter_.place_at(place.right_mm, place.away_mm);
     filter_.loosen_clock(pause_clock_sd_s);
     outliers_ = 0;
+    // One jump is another finger; several are a motion that the model does not describe.
+    fit_.nis += fit_share * (recovery_nis - fit_.nis);
   }
   return false;
 }
