@@ -109,7 +109,7 @@ TEST_F(ContactTest, BeforeTheEndAndAfterItAreTheSame) {
   begin_straight_ahead();
   slide();
   ASSERT_OK(touch(contact_in(-2.0)));
-  EXPECT_TRUE(has_no_contacts(config_of(session))) << "the reach goes on as it began";
+  EXPECT_TRUE(has_no_contacts(config_of(session))) << "the reach continues as it began";
   end();
   const hrt_session_config before = config_of(session);
   EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
