@@ -67,13 +67,17 @@ PlatePoint corrected(const TouchedFrame& frame, const PlatePoint& seen) {
   return to_place(frame, matrix(frame) * from_home(frame, seen));
 }
 
+TouchedFrame drifted(const TouchedFrame& frame) {
+  TouchedFrame later = frame;
+  if (frame.known()) later.covariance.diagonal().array() += change_sd * change_sd;
+  return later;
+}
+
 TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered,
                            const Contact& contact) {
-  TouchedFrame after = before;
+  TouchedFrame after = drifted(before);
   Eigen::Matrix4d& covariance = after.covariance;
-  if (before.known())
-    covariance.diagonal().array() += change_sd * change_sd;
-  else
+  if (!before.known())
     covariance = prior(registered, contact.place, from_home(before, contact.place).squaredNorm());
   const Matrix24 by = by_entries(matrix(before).inverse() * from_home(before, contact.finger));
   const Eigen::Vector2d innovation{contact.place.right_m - contact.finger.right_m,

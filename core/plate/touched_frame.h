@@ -51,6 +51,9 @@ struct Contact {
 TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered,
                            const Contact& contact);
 
+/// The frame when trackers have drifted, as between contacts.
+TouchedFrame drifted(const TouchedFrame& frame);
+
 /// By how much a finger's bearing from home turns with the frame, at the place where it was believed to be.
 double turned_deg(const TouchedFrame& before, const TouchedFrame& after, const PlatePoint& finger);
 

@@ -36,6 +36,7 @@ class Caller {
     if (call.name == "remove") return hrt_target_remove(session_, targets_[call.text("name")]);
     if (call.name == "gap") return gap(call);
     if (call.name == "begin" || call.name == "retarget") return reach(call);
+    if (call.name == "touched") return touched(call);
     if (call.name == "cancel") return hrt_reach_cancel(session_);
     if (call.name == "end") return end();
     if (call.name == "lost") return update(0, call.number("time_ns"), {});
@@ -86,6 +87,14 @@ class Caller {
     config.virtual_target = targets_[call.text("virtual")];
     return call.name == "begin" ? hrt_reach_begin(session_, &config)
                                 : hrt_reach_retarget(session_, config.real_target, config.virtual_target);
+  }
+
+  hrt_result touched(const Call& call) {
+    hrt_contact contact = hrt_contact_init();
+    contact.flags = HRT_CONTACT_PLATE_POSITION;
+    for (int i = 0; i < 3; ++i) contact.position_m[i] = call.part("at", i);
+    contact.sd_m = call.number("sd_m");
+    return hrt_reach_touched(session_, &contact);
   }
 
   hrt_result update(std::uint32_t flags, double time_ns, std::array<double, 3> position_m) {

@@ -156,6 +156,8 @@ void ArgumentsTest::try_reaches() {
   ASSERT_OK(begin(real, seen));
   REFUSES(hrt_reach_update, session, &sample, &command);
   REFUSES(hrt_reach_retarget, session, real, seen);
+  const auto contact = output<hrt_contact>();
+  REFUSES_BUT(({"contact"}), hrt_reach_touched, session, &contact);
   REFUSES(hrt_reach_cancel, hrt_session{0});
   REFUSES(hrt_reach_end, session, &summary);
   ASSERT_OK(hrt_reach_cancel(session));

@@ -96,7 +96,8 @@ TEST(Ranges, OfASession) {
   };
   // Stops are half a turn apart; one variance or covariance alone is no covariance.
   EXPECT_EQ(try_ranges<hrt_session_config>(prepare, take),
-            (Names{"plate_lower_stop_deg", "plate_upper_stop_deg", "person_covariance", "plate_covariance"}));
+            (Names{"plate_lower_stop_deg", "plate_upper_stop_deg", "person_covariance", "plate_covariance",
+                   "contact_covariance"}));
 }
 
 TEST_F(SessionTest, RangesOfASetup) {

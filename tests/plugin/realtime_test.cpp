@@ -83,7 +83,9 @@ namespace {
 class RealTimeTest : public SessionTest {
  protected:
   void SetUp() override {
-    SessionTest::SetUp();
+    hrt_session_config config = session_config();
+    config.flags = HRT_SESSION_REGISTERED;
+    create(config);
     reach = hrt_reach_config_init();
     reach.real_target = add(HRT_TARGET_REAL, -5.0);
     reach.virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
@@ -142,7 +144,14 @@ class RealTimeTest : public SessionTest {
       }
       expect(hrt_reach_retarget(session, reach.virtual_target, reach.virtual_target), HRT_ERROR_OUT_OF_RANGE);
       expect(hrt_reach_retarget(session, {0}, reach.virtual_target), HRT_ERROR_INVALID_HANDLE);
-      expect(hrt_reach_cancel(session), HRT_OK);
+      auto contact = output<hrt_contact>();
+      contact.flags = HRT_CONTACT_PLATE_POSITION;
+      contact.position_m[2] = -1.0;
+      expect(hrt_reach_touched(session, &contact), HRT_ERROR_OUT_OF_RANGE);
+      contact.position_m[2] = -0.05;
+      expect(hrt_reach_touched(session, &contact), HRT_OK);
+      expect(hrt_reach_touched(session, nullptr), HRT_ERROR_WRONG_STATE);
+      expect(hrt_reach_end(session, &summary), HRT_OK);
     }
     return wrong;
   }

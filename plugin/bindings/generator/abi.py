@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import comments
 
 # Ends of the names of numbers without a unit: ratios, unit vectors, and arrays whose elements have units of their own.
-_WITHOUT_UNIT = ("weight", "width", "scale", "rotation", "up", "mean", "covariance")
+_WITHOUT_UNIT = ("weight", "width", "scale", "rotation", "up", "mean", "covariance", "correction")
 SIZES = {"char": 1, "int32_t": 4, "uint32_t": 4, "int64_t": 8, "uint64_t": 8, "double": 8}
 
 

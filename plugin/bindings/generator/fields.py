@@ -24,6 +24,7 @@ _RECORDED = (
     ("hrt_reach_summary", {"flags": "summary_flags", "final_direction_deg": "finger_direction_deg",
                            "distance_to_target_m": "distance_to_go_m", "duration_s": "duration_learnt_s"}),
     ("", ("setup",)),
+    ("hrt_contact", {"flags": "contact_flags", "position_m": "contact_{}_m", "sd_m": "contact_sd_m"}),
 )
 
 

@@ -51,6 +51,7 @@ _LEFT_OUT = (
     ("unreal", _PLATE, "a game links libhrt_plate, and calls plate.h"),
     ("unreal", "hrt_sample::finger_direction_deg", "C++ has UpdateSample()"),
     ("godot unreal", "HRT_PLACE_DIRECTION", "the default"),
+    ("godot unreal", "hrt_target_config::radius_m", "a contact is given with its place and deviation"),
     ("godot unreal", "HRT_PLACE_PLATE_POSITION", "places are given in the world"),
     ("godot unreal", "HRT_REACH_START_AT_FINGER", "a reach starts at the start of the settings"),
     ("unreal", "HRT_TARGET_REAL HRT_TARGET_VIRTUAL", "EHapticTargetRole has their numbers"),

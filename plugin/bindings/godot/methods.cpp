@@ -45,6 +45,8 @@ const Method kMethods[] = {
     METHOD(update_sample, "flags", "time_ns", "finger_direction_deg", "finger_x_m", "finger_y_m",
            "finger_z_m", "plate_orientation_deg"),
     METHOD(retarget, "real_target", "virtual_target"),
+    METHOD(touched, "world_position", "sd_m"),
+    METHOD(touched_real_target),
     METHOD(cancel),
     METHOD(end),
     METHOD(is_reaching),

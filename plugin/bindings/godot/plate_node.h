@@ -110,6 +110,8 @@ class PlateNode {
   Error update_sample(int64_t flags, int64_t time_ns, double direction_deg, double x_m, double y_m,
                       double z_m, double plate_orientation_deg);
   Error retarget(int64_t real, int64_t felt);
+  Error touched(Vector3 world_position, double sd_m);
+  Error touched_real_target();
   Error cancel();
   Error end();
   bool is_reaching() { return reaching_; }
@@ -151,6 +153,7 @@ class PlateNode {
   bool list_targets(uint32_t role, std::vector<hrt_target>& out_targets);
   int64_t add_target(const hrt_target_config& config);
   Error begin_reach(const hrt_reach_config& config);
+  Error take_contact(const hrt_contact* contact);
   bool finger_sample(const Vector3& place, int64_t time_ns, hrt_sample& out_sample);
   Error send(const hrt_sample& sample);
   Error guide(const hrt_sample& sample);

@@ -122,6 +122,23 @@ Error PlateNode::retarget(int64_t real, int64_t felt) {
   return error();
 }
 
+Error PlateNode::touched(Vector3 world_position, double sd_m) {
+  hrt_contact contact = hrt_contact_init();
+  contact.flags = HRT_CONTACT_WORLD_POSITION;
+  copy(world_position, contact.position_m);
+  contact.sd_m = sd_m;
+  return take_contact(&contact);
+}
+
+Error PlateNode::touched_real_target() {
+  return take_contact(nullptr);
+}
+
+Error PlateNode::take_contact(const hrt_contact* contact) {
+  if (ok(hrt_reach_touched(session_, contact)) && !reaching_) take_changes();
+  return error();
+}
+
 Error PlateNode::cancel() {
   if (ok(hrt_reach_cancel(session_))) reaching_ = false;
   return error();
@@ -132,7 +149,7 @@ Error PlateNode::end() {
   if (!ok(hrt_reach_end(session_, &summary))) return error();
   reaching_ = false;
   summary_ = summary;
-  take_changes();  // under HRT_ADAPTATION_CARRIED there are some
+  take_changes();  // under HRT_ADAPTATION_CARRIED, or after a contact, there are some
   engine_.emit(kReachEnded, summary.miss_deg);
   return Error::kOk;
 }

@@ -1,6 +1,6 @@
 // Structs have the fields of the C headers, under their names, which end in the unit: see abi.d.ts.
 import type {
-  hrt_gap, hrt_command, hrt_conditions, hrt_person_config, hrt_person_state, hrt_reach_summary,
+  hrt_contact, hrt_gap, hrt_command, hrt_conditions, hrt_person_config, hrt_person_state, hrt_reach_summary,
   hrt_recording_status, hrt_replay_report, hrt_sample, hrt_scene_info, hrt_scene_target, hrt_session_config,
   hrt_setup_config, hrt_setup_result, hrt_setup_step, hrt_target_config,
 } from "./abi.js";
@@ -97,6 +97,9 @@ export interface Session {
   beginReach(realTarget: TargetId, virtualTarget: TargetId, plateOrientationDeg?: number, startAtFinger?: boolean): void;
   /** Leads the reach to other targets from now on, or to the same ones after setTarget() has moved them. */
   retargetReach(realTarget: TargetId, virtualTarget: TargetId): void;
+  /** The finger has met the real object, by default at the real target's near side: later reaches correct the tracker's frame,
+   *  about a registration. Once a reach, before its end or after it. */
+  reachTouched(contact?: Input<hrt_contact>): void;
   /** Ends the reach without a summary; nothing is learnt from it. */
   cancelReach(): void;
   /** Writes the fingertip's place in the world to `sample`, or a dropout, in place of other flags. `time_ms`: the frame's

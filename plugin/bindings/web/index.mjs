@@ -191,6 +191,7 @@ class Session {
   retargetReach(realTarget, virtualTarget) {
     this.#memory.call("hrt_reach_retarget", this.#handle, realTarget, virtualTarget);
   }
+  reachTouched(contact = {}) { this.#memory.put("hrt_contact", contact, "hrt_reach_touched", this.#handle); }
   cancelReach() { this.#memory.call("hrt_reach_cancel", this.#handle); }
   setFinger(pose, time_ms) {
     if (!Number.isFinite(time_ms)) {

@@ -9,7 +9,9 @@
  *
  *    "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
- * Fields and ranges are those of hrt_session_config whose comments say "In profiles".
+ * Fields and ranges are those of hrt_session_config whose comments say "In profiles". Contacts stand with the
+ * pose of the plate under which they were made. A session with another pose leaves them out; in one with the
+ * same pose their covariance is wider by 0.2 %, since trackers drift.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H

@@ -105,6 +105,9 @@ typedef struct hrt_sample {
  * 8.6 mm/s, in 2 s by less than 2 mm/s. A lift or a gap of 0.3 s starts the time anew. Never in a reach of
  * directions alone: keep a time limit. */
 #define HRT_COMMAND_ARRIVED UINT32_C(8192)
+/** Contacts (hrt_reach_touched()) move the real target by more than the registration allows in 99.9 %: the
+ * plate or the tracker's frame has moved, or what was touched is another object. Set up again: setup.h. */
+#define HRT_COMMAND_CONTACTS UINT32_C(16384)
 
 /** hrt_command::time_to_go_s: the finger rests before the motion or within it; or, under FIXED_DIRECTION, the
  * time is not known. */
@@ -147,16 +150,16 @@ typedef struct hrt_command {
    * twenty. About 2 if the model fits, MISFIT from 4.5. 0 under FIXED_DIRECTION. */
   double misfit;
   /** Standard deviation of the finger's true place across the line to the real target, as a bearing from the
-   * start: by what the estimator knows of the place and by plate_covariance. At the end, of
-   * hrt_reach_summary::miss_deg. 0 under FIXED_DIRECTION. */
+   * start: by what the estimator knows of the place, and by plate_covariance or, once there were any,
+   * contacts. At the end, of hrt_reach_summary::miss_deg. 0 under FIXED_DIRECTION. */
   double miss_sd_deg;
 } hrt_command;
 
 /** Result of a reach. Set `struct_size` before the call. */
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
-  /** HRT_COMMAND_*: UNREACHABLE at the end, MISFIT and REGISTRATION at any time, OFF_TARGET of where the
-   * finger ended, FAULT. */
+  /** HRT_COMMAND_*: UNREACHABLE and CONTACTS at the end, MISFIT and REGISTRATION at any time, OFF_TARGET of
+   * where the finger ended, FAULT. */
   uint32_t flags;
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   int64_t samples;
@@ -216,6 +219,24 @@ typedef struct hrt_reach_summary {
   double miss_sd_deg;
 } hrt_reach_summary;
 
+/** hrt_contact::flags: how the place is given, at most one. With neither, the finger is at the near side of
+ * the reach's real target: its place, less its radius towards the start. */
+#define HRT_CONTACT_PLATE_POSITION UINT32_C(1) /**< position_m, in plate coordinates */
+#define HRT_CONTACT_WORLD_POSITION \
+  UINT32_C(2) /**< position_m, in the engine's world: by the session's pose */
+
+/** Where the finger is, since it touches a real object. All zero with `struct_size` is the default. */
+typedef struct hrt_contact {
+  uint32_t struct_size;
+  /** HRT_CONTACT_*. Default 0. */
+  uint32_t flags;
+  /** Place of the fingertip; the height above the plate has no effect. Each within 1000. Default 0. */
+  double position_m[3];
+  /** Standard deviation of that place in each coordinate. 0.0001 to 1; 0: the real target's radius, or 10 mm
+   * if that is unknown. Default 0. */
+  double sd_m;
+} hrt_contact;
+
 /** Begins a reach. The targets are copied. Its directions are measured from
  * hrt_session_config::start_position_m, wherever the finger is, unless HRT_REACH_START_AT_FINGER is set.
  * Errors: INVALID_HANDLE or OUT_OF_RANGE naming the target, WRONG_STATE during a reach. [real-time] */
@@ -242,8 +263,20 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
 HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** Ends the reach without a summary and learns nothing from it. The plate is where the last command left it.
- * Errors: WRONG_STATE without a reach. [real-time] */
+/** The finger has met the real object of the reach: its true place is known, whatever the tracker says. Once
+ * a reach, at HRT_COMMAND_ARRIVED for example, or after hrt_reach_end() until the next reach begins or the
+ * configuration is set; null `contact`: the default. It is evidence of the tracker's frame about the
+ * registration: from the next reach on, positions of the finger are corrected by
+ * hrt_session_config::contact_correction, and what reaches have learnt as the person's bias is less by how
+ * much that turns. miss_sd_deg is as contacts have it. Errors: OUT_OF_RANGE naming the field, or the place if
+ * it is within 10 mm of the start or too far from where the finger was seen: more than a quarter of its
+ * distance from the start and 3 deviations; WRONG_STATE without a reach, without HRT_SESSION_REGISTERED, or
+ * after a contact; INSUFFICIENT_DATA if the finger was not seen to move. [real-time] */
+HRT_NODISCARD HRT_API hrt_result hrt_reach_touched(hrt_session session,
+                                                   const hrt_contact* contact) HRT_NOEXCEPT;
+
+/** Ends the reach without a summary and learns nothing from it, nor from its contact. The plate is where the
+ * last command left it. Errors: WRONG_STATE without a reach. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_cancel(hrt_session session) HRT_NOEXCEPT;
 
 /** Ends the reach. Errors: WRONG_STATE without a reach; INSUFFICIENT_DATA if it has had no sample: it stays

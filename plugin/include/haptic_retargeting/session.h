@@ -50,7 +50,7 @@ typedef struct hrt_session {
  * the finger rests on the ridges before a reach: a plate that turns under a resting finger is felt. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
 /** The plate's pose is from a registration made at registration_time_ns. A set-up sets this;
- * hrt_scene_register(), which writes the scene's pose, clears it. */
+ * hrt_scene_register(), which writes the scene's pose, clears it. Either one forgets contacts. */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 
 /** Traits of a person, in this order, in hrt_session_config::person_mean. */
@@ -144,10 +144,12 @@ typedef struct hrt_session_config {
   double plate_radius_m;
   /** Height above the plate: positions above it count as lifted. 0.0001 to 1000. Default 0.015. */
   double lift_height_m;
-  /** Centre of the plate in the engine's world. Each within 1000. Default (0, 0, 0). */
+  /** Centre of the plate in the engine's world. Each within 1000. Default (0, 0, 0). In profiles if
+   * contact_covariance is not 0. */
   double plate_position_m[3];
   /** Rotation of the plate's mount in the world: the unit quaternion x, y, z, w from plate coordinates to the
-   * world's axes. It does not turn with the ridges. Length 1 within 0.001. Default (0, 0, 0, 1). */
+   * world's axes. It does not turn with the ridges. Length 1 within 0.001. Default (0, 0, 0, 1). In profiles
+   * if contact_covariance is not 0. */
   double plate_rotation[4];
   /** Perceptual bias: perceived minus true direction of a virtual target. The user goes to the virtual
    * direction plus this bias. Found by a set-up; GUIDANCE_ARRIVAL learns the rest. -45 to 45. Default 0.
@@ -175,7 +177,8 @@ typedef struct hrt_session_config {
    * profiles if person_covariance is not 0. */
   double person_covariance[HRT_PERSON_COVARIANCES];
   /** Length in the engine's world of 1 m on the plate: other than 1 if the tracker's unit is off. Divides
-   * positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default 1. */
+   * positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default 1. In profiles if
+   * contact_covariance is not 0. */
   double plate_scale;
   /** Covariance of the plate's pose in its own plane, wherever the pose comes from: its turn about its normal
    * (radians, counter-clockwise) and its centre's place to the right and away (metres); the lower triangle,
@@ -188,9 +191,9 @@ typedef struct hrt_session_config {
   /** Largest age of a registration at a sample. Older ones, and a session without HRT_SESSION_REGISTERED, get
    * HRT_COMMAND_REGISTRATION. 0 or more; 0: not checked. Default 0. */
   int64_t max_registration_age_ns;
-  /** Largest standard deviation that plate_covariance may give the bearing of the real target. Worse ones,
-   * and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. 0 to 180; 0: not checked.
-   * Default 0. */
+  /** Largest standard deviation that plate_covariance, or contacts, may give the bearing of the real target.
+   * Worse ones, and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. 0 to 180; 0: not
+   * checked. Default 0. */
   double max_registration_sd_deg;
   /** Standard deviation of the correlated part of the tracker's noise in each coordinate, under
    * GUIDANCE_ARRIVAL; tracker_noise_m is then the white part alone. Found by a set-up. 0 to 0.1; 0: not
@@ -202,6 +205,14 @@ typedef struct hrt_session_config {
   /** From the tracked joint to the skin that touches, in the joint's axes; of samples with
    * HRT_SAMPLE_JOINT_ROTATION. Found by a set-up; each hand has its own. Each within 1. Default 0. */
   double fingertip_offset_m[3];
+  /** What contacts have shown of the registration: a finger seen at r from the start, to the right and away,
+   * is at r + D r. D row by row; read if contact_covariance is not 0 and HRT_SESSION_REGISTERED is set.
+   * hrt_reach_touched() writes it, and with another pose of the plate it is 0 unless it changes too. Each
+   * within 0.5. Default 0. In profiles if contact_covariance is not 0. */
+  double contact_correction[4];
+  /** Covariance of contact_correction: the lower triangle, row by row; positive definite. All 0: there was no
+   * contact. Each within 1e4. Default 0. In profiles if contact_covariance is not 0. */
+  double contact_covariance[10];
 } hrt_session_config;
 
 /** Creates a session. `version` is HRT_VERSION: a program that was built with the headers of another version

@@ -47,6 +47,9 @@ typedef struct hrt_target_config {
   double position_m[3];
   /** Unique within the session unless empty. UTF-8, terminated by a zero. Default empty. */
   char name[HRT_NAME_SIZE];
+  /** Radius of a real object that the finger meets, for hrt_reach_touched(). 0 to 1; 0: unknown. Default 0.
+   */
+  double radius_m;
 } hrt_target_config;
 
 /** Adds a target. Errors: OUT_OF_RANGE naming the field, NAME_TAKEN, LIMIT_REACHED, OUT_OF_MEMORY.

@@ -36,6 +36,16 @@ hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                       [&](RecordedSession& s) { return s.retarget(real_target, virtual_target); });
 }
 
+hrt_result hrt_reach_touched(hrt_session session, const hrt_contact* contact) noexcept {
+  return with_session("hrt_reach_touched", session, [&](RecordedSession& s) -> hrt_result {
+    hrt_contact known{};
+    if (!contact) return s.touched({.struct_size = sizeof known});
+    if (const hrt_result result = read_struct("contact", contact, &known); result != HRT_OK)
+      return s.refuse(result, Refused::Argument::contact, contact);
+    return s.touched(known);
+  });
+}
+
 hrt_result hrt_reach_cancel(hrt_session session) noexcept {
   return with_session("hrt_reach_cancel", session, [](RecordedSession& s) { return s.cancel(); });
 }

@@ -1,11 +1,14 @@
 #include "haptic_retargeting/scene.h"
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/file.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/session/contact.h"
 #include "scene/scene.h"
 
 namespace hrt::plugin {
@@ -71,6 +74,7 @@ hrt_session_config unregistered(hrt_session_config config) {
   config.plate_scale = 1.0;
   write_frame_covariance(FrameCovariance::Zero(), &config);
   config.registration_time_ns = 0;
+  forget_contacts(&config);
   return config;
 }
 
@@ -81,6 +85,7 @@ hrt_target_config config_of(const SceneTarget& target) {
   config.place = HRT_PLACE_PLATE_POSITION;
   copy(target.position_m, config.position_m);
   std::memcpy(config.name, target.name.data(), target.name.size());
+  config.radius_m = std::min(target.radius_m.value_or(0.0), Fields<hrt_target_config>::radius_m.high);
   return config;
 }
 

@@ -16,8 +16,8 @@ constexpr std::string_view explanation =
     "user\n"
     "# (or the engine's world, as sample_flags says). Numbers are in full precision. Flags and results: "
     "reach.h,\n"
-    "# base.h. Columns up to struct_size hold what went in: targets by their numbers in the comments, 0 for "
-    "none;\n"
+    "# base.h. Columns up to struct_size and contact_* hold what went in: targets by their numbers in the "
+    "comments, 0 for none;\n"
     "# refused_argument is one that was null or, with struct_size, had a wrong size. The others hold what "
     "came "
     "out;\n"
@@ -33,6 +33,7 @@ constexpr ArgumentName argument_names[] = {
     {Refused::Argument::sample, "sample", "update"},
     {Refused::Argument::out_command, "out_command", "update"},
     {Refused::Argument::out_summary, "out_summary", "end"},
+    {Refused::Argument::contact, "contact", "touched"},
 };
 
 void write(const ConfigSet& set, hrt_result, RecordText& out) {
@@ -91,6 +92,13 @@ void write(const Retargeted& retargeted, hrt_result result, RecordText& out) {
   Row row(out, "retarget", result);
   put_targets(retargeted.real_number, retargeted.virtual_number, row);
   if (result == HRT_OK) put(retargeted.reach, row);
+}
+
+// A place that is not given may hold anything.
+void write(const Touched& touched, hrt_result result, RecordText& out) {
+  Row(out, "touched", result).put_fields(touched.contact, [&](std::string_view name) {
+    return touched.contact.flags != 0 || name != "position_m";
+  });
 }
 
 void write(const ReachCancelled&, hrt_result result, RecordText& out) {
@@ -155,6 +163,13 @@ hrt_result read_retarget(const Cells& cells, Record* out) {
   return HRT_OK;
 }
 
+hrt_result read_touched(const Cells& cells, Record* out) {
+  hrt_contact contact{};
+  HRT_RETURN_IF_FAILED(read_fields(cells, &contact));
+  out->call = Touched{contact};
+  return HRT_OK;
+}
+
 // A refused call, if the row has an argument for which it was.
 hrt_result read_refused(const Cells& cells, Record* out) {
   const std::string_view name = cells[column("refused_argument")];
@@ -171,7 +186,7 @@ hrt_result read_refused(const Cells& cells, Record* out) {
 
 hrt_result read_update(const Cells& cells, Record* out) {
   hrt_sample sample{};
-  HRT_RETURN_IF_FAILED(read_sample(cells, &sample));
+  HRT_RETURN_IF_FAILED(read_fields(cells, &sample));
   out->call = Updated{.sample = sample, .command = {}};
   return HRT_OK;
 }
@@ -236,6 +251,7 @@ hrt_result FileColumns::read_row(std::string_view line, Record* out) const {
   if (cells[0] == "begin") return read_begin(cells, out);
   if (cells[0] == "update") return read_update(cells, out);
   if (cells[0] == "retarget") return read_retarget(cells, out);
+  if (cells[0] == "touched") return read_touched(cells, out);
   if (cells[0] == "cancel") {
     out->call = ReachCancelled{};
     return HRT_OK;
@@ -245,8 +261,9 @@ hrt_result FileColumns::read_row(std::string_view line, Record* out) const {
     return HRT_OK;
   }
   if (is_setup_call(cells[0])) return read_setup_call(cells, out);
-  return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
-              "\"; allowed: begin, update, retarget, cancel, end, setup_update, setup_finish, setup_cancel");
+  return fail(
+      HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
+      "\"; allowed: begin, update, retarget, touched, cancel, end, setup_update, setup_finish, setup_cancel");
 }
 
 bool FileColumns::is_same_row(std::string_view row, std::string_view written) const {

@@ -49,6 +49,10 @@ struct Retargeted {
   Reach reach;  ///< as seen from where the finger is; only if the call succeeded
 };
 
+struct Touched {
+  hrt_contact contact;
+};
+
 struct ReachCancelled {};
 
 struct Updated {
@@ -79,7 +83,7 @@ struct SetupCancelled {};
 
 /// A call of which an argument was null or had a size that is none: nothing of it was read.
 struct Refused {
-  enum class Argument : std::uint8_t { config, sample, out_command, out_summary };
+  enum class Argument : std::uint8_t { config, sample, out_command, out_summary, contact };
   Argument argument;
   std::uint32_t struct_size;  ///< as given, unless it was null
 };
@@ -87,8 +91,8 @@ struct Refused {
 /// One call that crossed the boundary.
 struct Record {
   hrt_result result = HRT_OK;
-  std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, ReachCancelled,
-               ReachEnded, Refused, SetupBegun, SetupUpdated, SetupFinished, SetupCancelled>
+  std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, Touched,
+               ReachCancelled, ReachEnded, Refused, SetupBegun, SetupUpdated, SetupFinished, SetupCancelled>
       call;
 };
 

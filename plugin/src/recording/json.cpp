@@ -14,6 +14,7 @@
 #include "plugin/src/abi/number.h"
 #include "plugin/src/recording/json_number.h"
 #include "plugin/src/session/conditions.h"
+#include "plugin/src/session/contact.h"
 #include "plugin/src/session/session_config.h"
 #include "plugin/src/session/session_setup.h"
 #include "plugin/src/session/targets.h"
@@ -319,6 +320,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   if (!has_format) return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"");
   if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1");
   HRT_RETURN_IF_FAILED(check_session_config(known));
+  take_contacts_of_profile(*config, &known);
   HRT_RETURN_IF_FAILED(check_conditions(&measured));
   *config = known;
   *conditions = measured;

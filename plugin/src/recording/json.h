@@ -11,7 +11,7 @@
 
 namespace hrt::plugin {
 
-using JsonText = Text<4096>;
+using JsonText = Text<6144>;
 
 /// Every field of a configuration, in one line.
 void write_config(const hrt_session_config& config, JsonText& out);

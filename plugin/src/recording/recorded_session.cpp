@@ -93,6 +93,12 @@ hrt_result RecordedSession::retarget(hrt_target real_target, hrt_target virtual_
   return result;
 }
 
+hrt_result RecordedSession::touched(const hrt_contact& contact) {
+  const hrt_result result = session_.touched(contact);
+  record([&] { return Record{result, Touched{contact}}; });
+  return result;
+}
+
 hrt_result RecordedSession::cancel() {
   const hrt_result result = session_.cancel();
   record([&] { return Record{result, ReachCancelled{}}; });

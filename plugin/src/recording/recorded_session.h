@@ -36,6 +36,7 @@ class RecordedSession {
   hrt_result begin(const hrt_reach_config& config);
   hrt_result update(const hrt_sample& sample, hrt_command* command);
   hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
+  hrt_result touched(const hrt_contact& contact);
   hrt_result cancel();
   hrt_result end(hrt_reach_summary* summary);
   hrt_result begin_setup(std::uint32_t what, const hrt_setup_config& config);

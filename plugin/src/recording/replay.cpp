@@ -37,6 +37,8 @@ hrt_result check_size(const Refused& call) {
       return check_struct_size<hrt_command>("out_command", call.struct_size);
     case Refused::Argument::out_summary:
       return check_struct_size<hrt_reach_summary>("out_summary", call.struct_size);
+    case Refused::Argument::contact:
+      return check_struct_size<hrt_contact>("contact", call.struct_size);
   }
   return HRT_OK;
 }
@@ -195,6 +197,7 @@ class Replay {
     *result = session_->retarget(target(call.real_number), target(call.virtual_number));
     call.reach = session_->reach();
   }
+  void call_again(Touched& call, hrt_result* result) { *result = session_->touched(call.contact); }
   void call_again(ReachCancelled&, hrt_result* result) { *result = session_->cancel(); }
   void call_again(ReachEnded& call, hrt_result* result) { *result = session_->end(&call.summary); }
   void call_again(SetupUpdated& call, hrt_result* result) {

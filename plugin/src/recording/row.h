@@ -106,13 +106,15 @@ inline void put_sample(const hrt_sample& sample, Row& row) {
   });
 }
 
-inline hrt_result read_sample(const Cells& cells, hrt_sample* sample) {
-  sample->struct_size = sizeof *sample;
+/// A struct that has a column for each field; it keeps what is empty there.
+template <class S>
+hrt_result read_fields(const Cells& cells, S* values) {
+  values->struct_size = sizeof *values;
   hrt_result result = HRT_OK;
   std::size_t i = 0;
-  for_each_field<hrt_sample>([&](const auto& field) {
-    const std::size_t at = columns_of<hrt_sample>[i++];
-    if (result == HRT_OK) result = read_cell(cells, at, &(sample->*field.member));
+  for_each_field<S>([&](const auto& field) {
+    const std::size_t at = columns_of<S>[i++];
+    if (result == HRT_OK) result = read_cell(cells, at, &(values->*field.member));
   });
   return result;
 }

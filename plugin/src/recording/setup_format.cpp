@@ -69,7 +69,7 @@ hrt_result read_setup_call(const Cells& cells, Record* out) {
     out->call = SetupCancelled{};
   } else {
     SetupUpdated updated{};
-    HRT_RETURN_IF_FAILED(read_sample(cells, &updated.sample));
+    HRT_RETURN_IF_FAILED(read_fields(cells, &updated.sample));
     out->call = updated;
   }
   return HRT_OK;

@@ -2,6 +2,7 @@
 
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/session/contact.h"
 #include "plugin/src/session/session_config.h"
 
 namespace hrt::plugin {
@@ -77,6 +78,7 @@ FingerSample observe(const hrt_session_config& config, const hrt_sample& sample,
     } else {
       observed.observation = Observation::position;
       observed.position = {.right_m = finger.position_m.x, .away_m = -finger.position_m.z};
+      if (knows_contacts(config)) observed.position = corrected(touched_of(config), observed.position);
     }
   }
   return observed;

@@ -17,7 +17,8 @@ hrt_result check_sample(const hrt_sample& sample);
 /// Where the skin that touches is, in the frame of the checked sample.
 Vec3 skin_m(const hrt_session_config& config, const hrt_sample& checked_sample);
 
-/// What the core makes of a checked sample; sets those flags of a command that the sample alone decides.
+/// What the core makes of a checked sample, positions as contacts correct them; sets those flags of a command
+/// that the sample alone decides.
 FingerSample observe(const hrt_session_config& config, const hrt_sample& checked_sample,
                      std::uint32_t* command_flags);
 

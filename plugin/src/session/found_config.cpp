@@ -8,6 +8,7 @@
 #include "core/learning.h"
 #include "core/person/calibrated_person.h"
 #include "core/plate/frame_error.h"
+#include "plugin/src/session/contact.h"
 #include "plugin/src/session/session_config.h"
 #include "plugin/src/session/triangle.h"
 
@@ -41,6 +42,7 @@ void write_registration(const Registration& registration, std::int64_t time_ns, 
   for (int i = 0; i < 4; ++i) config->plate_rotation[i] = q.coeffs()(i);
   config->plate_scale = registration.scale;
   write_frame_covariance(frame_covariance(registration), config);
+  forget_contacts(config);
   config->registration_time_ns = time_ns;
   config->flags |= HRT_SESSION_REGISTERED;
 }

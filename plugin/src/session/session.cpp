@@ -8,6 +8,7 @@
 #include "core/retargeter.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/session/contact.h"
 #include "plugin/src/session/finger_sample.h"
 
 namespace hrt::plugin {
@@ -27,13 +28,16 @@ bool zero_what_is_not_finite(Struct& values) {
   return finite;
 }
 
+PlatePoint real_place(const Reach& reach) {
+  return point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m);
+}
+
 // Whether there is no registration where one is asked for, or one that turns the real target by too much.
 bool is_registration_poor(const hrt_session_config& config, const Reach& reach) {
   const bool checked = config.max_registration_age_ns > 0 || config.max_registration_sd_deg > 0.0;
   if (checked && (config.flags & HRT_SESSION_REGISTERED) == 0) return true;
   if (config.max_registration_sd_deg == 0.0) return false;
-  const PlatePoint target = point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m);
-  return frame_bearing_sd_deg(frame_covariance_of(config), reach.start, target) >
+  return bearing_sd_deg(touched_of(config), frame_covariance_of(config), reach.start, real_place(reach)) >
          config.max_registration_sd_deg;
 }
 
@@ -69,9 +73,12 @@ hrt_result Session::check_reach() const {
 
 hrt_result Session::set_config(const hrt_session_config& checked_config) {
   HRT_RETURN_IF_FAILED(check_no_reach());
-  config_ = checked_config;
+  hrt_session_config next = checked_config;
+  forget_contacts_elsewhere(config_, &next);
+  config_ = next;
+  ended_ = false;
   registration_doubted_ = false;
-  *retargeter_ = Retargeter(to_core(checked_config));
+  *retargeter_ = Retargeter(to_core(config_));
   return HRT_OK;
 }
 
@@ -120,8 +127,9 @@ hrt_result Session::begin(const hrt_reach_config& config) {
   reach_ = reach;
   reaching_ = true;
   awaits_finger_ = (config.flags & HRT_REACH_START_AT_FINGER) != 0;
-  sampled_ = faulty_ = registration_flagged_ = false;
-  registration_poor_ = is_registration_poor(config_, reach_);
+  sampled_ = faulty_ = registration_flagged_ = ended_ = touched_ = false;
+  contact_.reset();
+  judge_registration(reach_);
   return HRT_OK;
 }
 
@@ -133,7 +141,7 @@ hrt_result Session::start_at(const PlatePoint& finger) {
   retargeter_->begin_here(reach);
   start_ = finger;
   reach_ = reach;
-  registration_poor_ = is_registration_poor(config_, reach_);
+  judge_registration(reach_);
   awaits_finger_ = false;
   started_ = true;
   return HRT_OK;
@@ -151,8 +159,36 @@ hrt_result Session::retarget(hrt_target real_target, hrt_target virtual_target) 
   };
   pair_ = pair;
   reach_ = retargeter_->retarget(place(pair.real), place(pair.virtual_target));
-  registration_poor_ = is_registration_poor(config_, from_start);
+  judge_registration(from_start);
   return HRT_OK;
+}
+
+// Of the reach, under way or ended: what its end teaches of the person comes before the contact.
+hrt_result Session::touched(const hrt_contact& given) {
+  if (!reaching_ && !ended_)
+    return fail(HRT_ERROR_WRONG_STATE, "no reach is under way, or has ended since the configuration was set");
+  if (touched_) return fail(HRT_ERROR_WRONG_STATE, "the contact of this reach is known already");
+  if ((config_.flags & HRT_SESSION_REGISTERED) == 0)
+    return fail(
+        HRT_ERROR_WRONG_STATE,
+        "the plate is not registered (HRT_SESSION_REGISTERED), and contacts are about its registration");
+  TouchedPlace place{};
+  HRT_RETURN_IF_FAILED(read_contact(config_, given, start_, pair_.real, &place));
+  const std::optional<SeenFinger> seen = reaching_ ? retargeter_->finger() : finger_;
+  if (!seen) return fail(HRT_ERROR_INSUFFICIENT_DATA, "the finger was not seen to move in this reach");
+  Contact contact{};
+  HRT_RETURN_IF_FAILED(check_contact(config_, place, *seen, &contact));
+  touched_ = true;
+  if (reaching_)
+    contact_ = contact;
+  else
+    learn_from(contact);
+  return HRT_OK;
+}
+
+void Session::learn_from(const Contact& contact) {
+  config_ = after_contact(config_, contact);
+  *retargeter_ = Retargeter(to_core(config_));
 }
 
 hrt_result Session::cancel() {
@@ -185,6 +221,11 @@ hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
   return HRT_OK;
 }
 
+void Session::judge_registration(const Reach& reach) {
+  registration_poor_ = is_registration_poor(config_, reach);
+  contradicted_ = contradicts(touched_of(config_), frame_covariance_of(config_), real_place(reach));
+}
+
 bool Session::is_registration_doubtful(std::int64_t time_ns) const {
   if (registration_poor_) return true;
   const std::int64_t max_ns = config_.max_registration_age_ns;
@@ -205,6 +246,7 @@ hrt_command Session::command(std::uint32_t flags) const {
   if (command.off_target) flags |= HRT_COMMAND_OFF_TARGET;
   if (command.resting) flags |= HRT_COMMAND_RESTING;
   if (command.arrived) flags |= HRT_COMMAND_ARRIVED;
+  if (contradicted_) flags |= HRT_COMMAND_CONTACTS;
   return {
       .struct_size = sizeof(hrt_command),
       .flags = flags,
@@ -246,7 +288,7 @@ hrt_result Session::update_setup(const hrt_sample& sample, hrt_setup_step* step)
 hrt_result Session::finish_setup(hrt_setup_result* result) {
   HRT_RETURN_IF_FAILED(check_setup());
   HRT_RETURN_IF_FAILED(setup_->finish(&config_, &residuals_, result));
-  registration_doubted_ = false;
+  registration_doubted_ = ended_ = false;
   *retargeter_ = Retargeter(to_core(config_));
   if (setup_->is_over()) setup_.reset();
   return HRT_OK;
@@ -274,7 +316,13 @@ hrt_result Session::end(hrt_reach_summary* out_summary) {
   *out_summary = to_c(summary);
   if (!make_finite(*out_summary)) faulty_ = failed_ = true;
   if (faulty_) return HRT_OK;  // it teaches nothing
+  ended_ = true;
+  finger_ = retargeter_->finger();
   if (config_.adaptation == HRT_ADAPTATION_CARRIED) carry(summary.estimate);
+  if (!contact_) return HRT_OK;
+  learn_from(*contact_);
+  judge_registration(reach_);
+  if (contradicted_) out_summary->flags |= HRT_COMMAND_CONTACTS;
   return HRT_OK;
 }
 
@@ -287,6 +335,7 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
   if (summary.misfit) flags |= HRT_COMMAND_MISFIT;
   if (summary.off_target) flags |= HRT_COMMAND_OFF_TARGET;
   if (registration_flagged_) flags |= HRT_COMMAND_REGISTRATION;
+  if (contradicted_) flags |= HRT_COMMAND_CONTACTS;
   return {
       .struct_size = sizeof(hrt_reach_summary),
       .flags = flags,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/plate/touched_frame.h"
 #include "core/reach/reach.h"
 #include "haptic_retargeting/reach.h"
 #include "plugin/src/session/session_config.h"
@@ -36,6 +37,7 @@ class Session {
   hrt_result begin(const hrt_reach_config& config);
   hrt_result update(const hrt_sample& sample, hrt_command* command);
   hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
+  hrt_result touched(const hrt_contact& contact);
   hrt_result cancel();
   hrt_result end(hrt_reach_summary* summary);
   /// Nor a set-up.
@@ -64,7 +66,9 @@ class Session {
  private:
   hrt_result aim(const Pair& pair, const PlatePoint& start, Reach* out) const;
   hrt_result start_at(const PlatePoint& finger);
+  void judge_registration(const Reach& reach);
   bool is_registration_doubtful(std::int64_t time_ns) const;
+  void learn_from(const Contact& contact);
   hrt_command command(std::uint32_t finger_flags) const;
   hrt_result check_setup() const;
   hrt_reach_summary to_c(const ReachSummary& summary) const;
@@ -82,6 +86,11 @@ class Session {
   bool awaits_finger_ = false;         // the reach starts where the finger is first seen
   bool started_ = false;               // there, in the last update
   bool sampled_ = false;               // the reach has had a sample
+  bool ended_ = false;                 // the reach has ended, and its contact may still come
+  std::optional<SeenFinger> finger_;   // where it was then
+  bool touched_ = false;               // the contact of the reach is known
+  std::optional<Contact> contact_;     // of the reach that is under way
+  bool contradicted_ = false;          // contacts move the real target by more than is believable
   bool registration_poor_ = false;     // as far as it can be known before a sample
   bool registration_flagged_ = false;  // by any command of the reach
   bool registration_doubted_ = false;  // of any reach under this configuration

@@ -8,6 +8,7 @@
 #include "core/math/exponential.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/session/contact.h"
 #include "plugin/src/session/triangle.h"
 
 namespace hrt::plugin {
@@ -105,6 +106,7 @@ hrt_result check_session_config(const hrt_session_config& config) {
                 "; allowed: at least 180 above plate_lower_stop_deg, ", config.plate_lower_stop_deg);
   HRT_RETURN_IF_FAILED(check_person(config));
   HRT_RETURN_IF_FAILED(check_plate_covariance(config));
+  HRT_RETURN_IF_FAILED(check_contacts(config));
   return check_rotation("plate_rotation", config.plate_rotation);
 }
 
@@ -148,6 +150,7 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .tracker_latency_ns = config.tracker_latency_ns,
       .plate_waits = (config.flags & HRT_SESSION_PLATE_WAITS) != 0,
       .frame = frame_covariance_of(config),
+      .touched = touched_of(config),
   };
 }
 

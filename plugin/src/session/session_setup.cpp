@@ -10,6 +10,7 @@
 #include "core/setup/setup_fit.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/session/contact.h"
 #include "plugin/src/session/finger_sample.h"
 #include "plugin/src/session/found_config.h"
 #include "plugin/src/session/session_config.h"
@@ -139,10 +140,12 @@ bool take(const SetupFit& fit, hrt_session_config* session, hrt_setup_result* re
         deg_per_radian * std::sqrt(std::max(0.0, fit.registration->covariance(1, 1)));
   } else if (fit.check) {
     result->check_distance_m = fit.check->distance_m;
-    if (fit.check->holds)
+    if (fit.check->holds) {
       session->registration_time_ns = fit.touched_ns;
-    else
+    } else {
       session->flags &= ~HRT_SESSION_REGISTERED;
+      forget_contacts(session);
+    }
     return fit.check->holds;
   } else if (fit.latency) {
     const TrackerLatency& latency = *fit.latency;

@@ -38,6 +38,7 @@ hrt_result check_target_fields(hrt_target_config* config) {
   } else {
     HRT_RETURN_IF_FAILED(check_field(*config, F::position_m));
   }
+  HRT_RETURN_IF_FAILED(check_field(*config, F::radius_m));
   return check_name("name", config->name);
 }
 

@@ -25,6 +25,7 @@ namespace hrt::reach {
   X(hrt_scene_destroy)                \
   X(hrt_reach_begin)                  \
   X(hrt_reach_update)                 \
+  X(hrt_reach_touched)                \
   X(hrt_reach_cancel)                 \
   X(hrt_reach_end)                    \
   X(hrt_recording_start)              \

@@ -183,6 +183,16 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
   return result;
 }
 
+// A finger that ends inside the object's radius has met it, which is evidence of the tracker's frame about a
+// registration.
+void take_contact(Stage& stage, const TargetPair& pair, const ReachResult& result) {
+  const bool registered = (config_of(stage).flags & HRT_SESSION_REGISTERED) != 0;
+  if (!registered || result.miss_m > pair.real_radius_m) return;
+  const hrt_session session = stage.targets.session;
+  if (stage.plugin.hrt_reach_touched(session, nullptr) != HRT_OK)
+    stage.tell_user(stage.plugin.hrt_last_error());
+}
+
 }  // namespace
 
 ReachResult run_reach(Stage& stage, const TargetPair& pair) {
@@ -232,6 +242,7 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
   }
   ReachResult result = result_of(stage, pair, first, reach.end(), moments);
   result.changed_hands = finger.has_changed();
+  take_contact(stage, pair, result);
   return result;
 }
 

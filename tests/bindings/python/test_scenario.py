@@ -38,6 +38,9 @@ class Player:
     def retarget(self, real: str, virtual: str) -> None:
         self.reach.retarget(self.targets[real], self.targets[virtual])
 
+    def touched(self, at: str, sd_m: str) -> None:
+        self.reach.touched(numbers(at), float(sd_m))
+
     def update(self, time_ns: str, at: str) -> hrt.Command:
         return self.reach.update(int(time_ns), position_m=numbers(at))
 

@@ -71,6 +71,9 @@ namespace Hrt.HostTests
                 case "retarget":
                     session.RetargetReach(Target("real"), Target("virtual"));
                     return null;
+                case "touched":
+                    session.ReachTouched(new Contact { flags = ContactFlags.PlatePosition, positionM = Place("at"), sdM = Number("sd_m") });
+                    return null;
                 case "cancel":
                     session.CancelReach();
                     return null;

@@ -41,6 +41,7 @@ class ComponentCaller {
     if (name == "gap") return gap(call);
     if (name == "begin") return component_.BeginReach(targets_[call.text("real")], targets_[call.text("virtual")]);
     if (name == "retarget") return component_.RetargetReach(targets_[call.text("real")], targets_[call.text("virtual")]);
+    if (name == "touched") return component_.ReachTouched(place(call, "at"), 100 * call.number("sd_m"));
     if (name == "cancel") return component_.CancelReach();
     if (name == "update") return component_.UpdateFinger(place(call, "at"), 1e-9 * call.number("time_ns"));
     if (name == "lost") {

@@ -439,6 +439,7 @@ test("the scenario of all hosts is played", async () => {
         update(hrt.HRT_SAMPLE_PLATE_POSITION, i * 11_111_111, [share * x, share * y, 0.05 + share * (z - 0.05)]);
       }
     },
+    touched: (a) => session.reachTouched({ flags: hrt.HRT_CONTACT_PLATE_POSITION, position_m: place(a.at), sd_m: Number(a.sd_m) }),
     cancel: () => session.cancelReach(),
     end: () => session.endReach(),
     save_profile: () => { saved = session.profile; },

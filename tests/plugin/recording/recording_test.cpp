@@ -90,6 +90,46 @@ TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayToTheSameBits) {
   }
 }
 
+// In a reach and after it, refused ones and those that cannot be read too.
+TEST_F(RecordingTest, ContactsReplayToTheSameBits) {
+  hrt_session_config config = session_config();
+  config.flags = HRT_SESSION_REGISTERED;
+  create(config);
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0);
+  auto contact = output<hrt_contact>();
+  contact.flags = HRT_CONTACT_PLATE_POSITION;
+  contact.position_m[0] = 0.012;
+  contact.position_m[2] = -0.04;
+  contact.sd_m = 0.001;
+  hrt_contact bad = contact, small = contact;
+  bad.position_m[1] = std::nan("");
+  small.struct_size = 1;
+  for (const bool within : {true, false}) {
+    ASSERT_OK(begin(real, cup));
+    for (int i = 0; i < 260; ++i)
+      update(position_sample(i * 11 * ms, 0.001 * noise(), -0.05 + 0.0006 * std::clamp(i - 40, 0, 160)));
+    if (!within) end();
+    EXPECT_EQ(hrt_reach_touched(session, &bad), HRT_ERROR_OUT_OF_RANGE);
+    EXPECT_EQ(hrt_reach_touched(session, &small), HRT_ERROR_STRUCT_SIZE);
+    ASSERT_OK(hrt_reach_touched(session, within ? &contact : nullptr));
+    if (within) end();
+  }
+  ASSERT_OK(begin(real, cup));
+  update(position_sample(0, 0.01, 0.02));
+  end();
+  stop();
+  const std::string text = read(path());
+  const hrt_replay_report report = replay(text);
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.first_different_line, 0u);
+  std::string elsewhere = text;
+  const std::size_t at = elsewhere.find(",0.012,", elsewhere.find("\ntouched,0,"));
+  ASSERT_NE(at, std::string::npos);
+  elsewhere.replace(at, 7, ",0.013,");
+  EXPECT_GT(replay(elsewhere).first_different_line, 270u) << "what follows depends on it";
+}
+
 // Both controllers, with every kind of sample and errors among them, give the same bits in every build on
 // every host.
 TEST_F(RecordingTest, PlayedReachesGiveTheGoldenHash) {

@@ -47,6 +47,13 @@ TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
   EXPECT_NEAR(kept["position_m"][2], PlatePose{}.z_m, 1e-4);
 }
 
+// The finger has met the cylinder, which shows where it is: of a plate that is registered.
+TEST_F(ReachRegistration, ReachesEndWithAContact) {
+  const std::string recording = scratch_folder() + "/contact.csv";
+  ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file, "--record", recording}).exit_code, 0);
+  EXPECT_NE(read_file(recording).find("\ntouched,0,"), std::string::npos);
+}
+
 TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
   ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
   const Outcome next = run(Path().hold(marks[0]).reach(), {"--registered", file});

@@ -8,7 +8,7 @@ from ctypes import byref
 from typing import Protocol
 
 from . import _abi
-from ._abi import Command, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
+from ._abi import Command, Contact, ContactFlag, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
 from ._struct import Numbers
 from ._library import Error, check, library, output
 from .arrays import COMMAND, SAMPLE, Array, commands, expect_rows
@@ -137,6 +137,22 @@ class Reach:
         """Leads the reach to other targets from now on, or to the same ones after they were moved."""
         check(library().hrt_reach_retarget(
             self._session, handle_of(real, "real"), handle_of(virtual, "virtual")))
+
+    def touched(self, position_m: Numbers | None = None, sd_m: float = 0.0, *,
+                world_position_m: Numbers | None = None) -> None:
+        """The finger has met the real object: at the real target's near side, or at a place on the plate or in the world
+        that is known to `sd_m`, by default to the real target's radius. Later reaches correct the tracker's frame, about
+        a registration. Once a reach, before its end or after it."""
+        contact = Contact(sd_m=sd_m)
+        flags = ContactFlag(0)
+        if position_m is not None:
+            flags |= ContactFlag.PLATE_POSITION
+            setattr(contact, "position_m", position_m)
+        if world_position_m is not None:
+            flags |= ContactFlag.WORLD_POSITION
+            setattr(contact, "position_m", world_position_m)
+        contact.flags = flags
+        check(library().hrt_reach_touched(self._session, byref(contact)))
 
     def cancel(self) -> None:
         """Ends the reach without a summary; nothing is learnt from it."""

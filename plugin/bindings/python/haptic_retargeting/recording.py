@@ -48,7 +48,7 @@ _INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
     "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
 _TEXTS = ("call", "refused_argument")
 _OPTIONAL_TEXTS = ("calibration_result", "setup")
-_CALLS = ("begin", "update", "retarget", "cancel", "end")
+_CALLS = ("begin", "update", "retarget", "touched", "cancel", "end")
 
 _NEEDED_COLUMNS = (*_TEXTS, *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
 

@@ -47,6 +47,7 @@ func make(name_of_call: String, a: Dictionary) -> Variant:
 		"update": return plate.update(place(a.at), int(a.time_ns))
 		"lost": return plate.get_command() if plate.update_lost(int(a.time_ns)) == OK else {}
 		"slide": return slide(place(a.to), int(a.frames))
+		"touched": return plate.touched(place(a.at), float(a.sd_m))
 		"cancel": return plate.cancel()
 		"end": return plate.get_summary() if plate.end() == OK else {}
 		"save_profile":

@@ -85,6 +85,33 @@ bool UHapticRetargetingComponent::RetargetReach(const FHapticTarget& Real, const
 	return HAPTIC_CALL(hrt_reach_retarget(Session, ToTarget(Real), ToTarget(Virtual)));
 }
 
+bool UHapticRetargetingComponent::ReachTouched(const FVector& Location, double Deviation)
+{
+	hrt_contact Contact = hrt_contact_init();
+	Contact.flags = HRT_CONTACT_WORLD_POSITION;
+	ToMetres(Location, Contact.position_m);
+	Contact.sd_m = Deviation / CentimetresPerMetre;
+	return TakeContact(&Contact);
+}
+
+bool UHapticRetargetingComponent::ReachTouchedRealTarget()
+{
+	return TakeContact(nullptr);
+}
+
+bool UHapticRetargetingComponent::TakeContact(const hrt_contact* Contact)
+{
+	if (!HAPTIC_CALL(hrt_reach_touched(Session, Contact)))
+	{
+		return false;
+	}
+	if (!bReaching)
+	{
+		TakeFromSession();
+	}
+	return true;
+}
+
 bool UHapticRetargetingComponent::CancelReach()
 {
 	const bool bCancelled = HAPTIC_CALL(hrt_reach_cancel(Session));
@@ -100,10 +127,7 @@ bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
 		return false;
 	}
 	bReaching = false;
-	if (Configured.adaptation == HRT_ADAPTATION_CARRIED)
-	{
-		TakeFromSession();
-	}
+	TakeFromSession();  // what was learnt, and a contact
 	OutSummary = FromSummary(Summary);
 	OnReachEnded.Broadcast(OutSummary);
 	return true;

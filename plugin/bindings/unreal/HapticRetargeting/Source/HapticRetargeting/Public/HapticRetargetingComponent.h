@@ -98,6 +98,15 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
 
+	/** The finger has met the real object, at a place that is known to Deviation (cm; 0: to the real target's radius): later
+	 *  reaches correct the tracker's frame, about a registration. Once a reach, at Arrived or after EndReach. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool ReachTouched(const FVector& Location, double Deviation = 0.0);
+
+	/** The same at the near side of the real target. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool ReachTouchedRealTarget();
+
 	/** Ends the reach without a summary; nothing is learnt from it. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool CancelReach();
@@ -178,6 +187,7 @@ private:
 	bool Add(const hrt_target_config& Config, FHapticTarget& OutTarget);
 	hrt_sample FingerSample(const FVector& Location, double Time) const;
 	bool Guide(const hrt_sample& Sample);
+	bool TakeContact(const hrt_contact* Contact);
 	void CloseSession();
 
 	hrt_session Session{};

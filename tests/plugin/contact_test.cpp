@@ -1,0 +1,356 @@
+// Contacts: the finger has met the real object, and the tracker's frame turns out to be off.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <string>
+
+#include "core/math/trigonometry.h"
+#include "core/plate/plate_frame.h"
+#include "core/simulation/random.h"
+#include "tests/plugin/guided_person.h"
+
+namespace hrt::test {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+constexpr PlatePoint start{0.0, -0.05};
+
+hrt_contact contact_at(const PlatePoint& place, double sd_m) {
+  auto contact = output<hrt_contact>();
+  contact.flags = HRT_CONTACT_PLATE_POSITION;
+  contact.position_m[0] = place.right_m;
+  contact.position_m[2] = -place.away_m;
+  contact.sd_m = sd_m;
+  return contact;
+}
+
+/// 100 mm from the start.
+hrt_contact contact_in(double direction_deg, double sd_m = 0.001) {
+  return contact_at(point_ahead(start, direction_deg, 0.1), sd_m);
+}
+
+bool has_no_contacts(const hrt_session_config& config) {
+  const auto is_zero = [](double number) { return number == 0.0; };
+  return std::all_of(std::begin(config.contact_correction), std::end(config.contact_correction), is_zero) &&
+         std::all_of(std::begin(config.contact_covariance), std::end(config.contact_covariance), is_zero);
+}
+
+class ContactTest : public SessionTest {
+ protected:
+  void SetUp() override { create(registered()); }
+
+  static hrt_session_config registered() {
+    hrt_session_config config = session_config();
+    config.flags = HRT_SESSION_REGISTERED;
+    config.tracker_noise_m = 0.0001;
+    return config;
+  }
+
+  void begin_straight_ahead(double radius_m = 0.0) {
+    hrt_target_config real = target_config(HRT_TARGET_REAL, 0.0);
+    real.radius_m = radius_m;
+    hrt_target target{};
+    ASSERT_OK(hrt_target_add(session, &real, &target));
+    ASSERT_OK(begin(target, add(HRT_TARGET_VIRTUAL, 0.0)));
+  }
+
+  /// The tracker sees a finger that slides straight ahead, 100 mm in 1.5 s.
+  hrt_command slide() {
+    hrt_command command{};
+    for (std::int64_t t = 0; t <= 2200; t += 10) {
+      const double u = std::clamp(static_cast<double>(t - 300) / 1500.0, 0.0, 1.0);
+      command =
+          update(position_sample(t * ms, 0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))));
+    }
+    return command;
+  }
+
+  hrt_reach_summary reach_straight_ahead() {
+    begin_straight_ahead();
+    slide();
+    return end();
+  }
+
+  hrt_result touch(const hrt_contact& contact) { return hrt_reach_touched(session, &contact); }
+  void refused(const hrt_contact& contact, const char* part) {
+    expect_error(touch(contact), HRT_ERROR_OUT_OF_RANGE, part);
+  }
+};
+
+// A frame that is turned by 2 degrees: the finger is seen straight ahead, and is at -2. 2 mm of prior and 1
+// mm of the contact: four fifths of the turn are found, 0.4 degrees are left. The bias gives up what is
+// found, so that their sum stays.
+TEST_F(ContactTest, ATurnedFrameIsFound) {
+  EXPECT_NEAR(reach_straight_ahead().miss_deg, 0.0, 0.05);
+  const double bias_deg = config_of(session).person_mean[HRT_PERSON_BIAS];
+  ASSERT_OK(touch(contact_in(-2.0)));
+  const hrt_session_config after = config_of(session);
+  EXPECT_NEAR(after.person_mean[HRT_PERSON_BIAS], bias_deg - 1.6, 0.05);
+  const hrt_reach_summary summary = reach_straight_ahead();
+  EXPECT_NEAR(summary.miss_deg, -1.6, 0.05);
+  EXPECT_NEAR(summary.miss_sd_deg, deg_per_rad * 0.02 / std::sqrt(5.0), 0.05);
+  EXPECT_EQ(summary.flags & HRT_COMMAND_CONTACTS, 0u);
+}
+
+TEST_F(ContactTest, OfAFurtherReachFindsMore) {
+  for (int reach = 0; reach < 4; ++reach) {
+    reach_straight_ahead();
+    ASSERT_OK(touch(contact_in(-2.0)));
+  }
+  EXPECT_NEAR(reach_straight_ahead().miss_deg, -2.0, 0.15);
+}
+
+TEST_F(ContactTest, BeforeTheEndAndAfterItAreTheSame) {
+  reach_straight_ahead();
+  ASSERT_OK(touch(contact_in(-2.0)));
+  const hrt_session_config after = config_of(session);
+  create(registered());
+  begin_straight_ahead();
+  slide();
+  ASSERT_OK(touch(contact_in(-2.0)));
+  EXPECT_TRUE(has_no_contacts(config_of(session))) << "the reach continues as it began";
+  end();
+  const hrt_session_config before = config_of(session);
+  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
+}
+
+// A person whom no reach may change keeps their bias.
+TEST_F(ContactTest, ABiasThatNoReachHasTaughtStays) {
+  hrt_session_config config = registered();
+  config.adaptation = HRT_ADAPTATION_REACH;
+  config.bias_deg = 3.0;
+  create(config);
+  reach_straight_ahead();
+  ASSERT_OK(touch(contact_in(-2.0)));
+  EXPECT_EQ(config_of(session).bias_deg, 3.0);
+  EXPECT_EQ(config_of(session).person_mean[HRT_PERSON_BIAS], 0.0);
+  EXPECT_FALSE(has_no_contacts(config_of(session)));
+}
+
+// The finger, seen at 100 mm, is at the near side of an object of 20 mm: at 80 +- 20. D has 2 %, which is 2
+// mm.
+TEST_F(ContactTest, IsTheRealTargetsNearSideByDefault) {
+  begin_straight_ahead(0.02);
+  slide();
+  ASSERT_OK(hrt_reach_touched(session, nullptr));
+  end();
+  EXPECT_NEAR(config_of(session).contact_correction[3], 4e-4 * 0.1 / 4.04e-4 * -0.02, 1e-4);
+  EXPECT_NEAR(config_of(session).contact_covariance[9], 4e-4 * (1.0 - 4e-6 / 4.04e-4), 1e-8);
+  create(registered());
+  reach_straight_ahead();
+  ASSERT_OK(touch(output<hrt_contact>()));
+  EXPECT_NEAR(config_of(session).contact_correction[3], 0.0, 1e-4);
+  EXPECT_NEAR(config_of(session).contact_covariance[9], 4e-4 * (1.0 - 4e-6 / 1.04e-4), 1e-7) << "10 mm";
+}
+
+TEST_F(ContactTest, APlaceInTheWorldIsTakenToThePlate) {
+  hrt_session_config config = registered();
+  config.plate_position_m[0] = 1.0;
+  config.plate_scale = 1.25;
+  create(config);
+  reach_straight_ahead();
+  hrt_contact contact = contact_in(-2.0);
+  contact.flags = HRT_CONTACT_WORLD_POSITION;
+  contact.position_m[0] = 1.0 + 1.25 * contact.position_m[0];
+  contact.position_m[2] *= 1.25;
+  ASSERT_OK(touch(contact));
+  EXPECT_NEAR(reach_straight_ahead().miss_deg, -1.6, 0.05);
+}
+
+// The paper's controller too sees the finger where it is: 1.6 degrees beside a target at 100 mm.
+TEST_F(ContactTest, HoldsUnderBothGuidances) {
+  hrt_session_config config = paper_config();
+  config.flags = HRT_SESSION_REGISTERED;
+  config.tracker_noise_m = 0.0001;
+  create(config);
+  EXPECT_LT(reach_straight_ahead().distance_to_target_m, 0.0003);
+  ASSERT_OK(touch(contact_in(-2.0)));
+  EXPECT_NEAR(reach_straight_ahead().distance_to_target_m, 0.1 * 1.6 / deg_per_rad, 0.0003);
+}
+
+// 3.717 deviations of 2 mm are 7.4 mm.
+TEST_F(ContactTest, ARegistrationThatItContradictsIsFlagged) {
+  for (const bool contradicts : {false, true}) {
+    create(registered());
+    begin_straight_ahead();
+    const hrt_contact contact = contact_at({contradicts ? 0.008 : 0.007, 0.05}, 0.0001);
+    EXPECT_EQ(slide().flags & HRT_COMMAND_CONTACTS, 0u);
+    ASSERT_OK(touch(contact));
+    const std::uint32_t expected = contradicts ? HRT_COMMAND_CONTACTS : 0;
+    EXPECT_EQ(end().flags & HRT_COMMAND_CONTACTS, expected);
+    begin_straight_ahead();
+    EXPECT_EQ(slide().flags & HRT_COMMAND_CONTACTS, expected);
+    EXPECT_EQ(end().flags & HRT_COMMAND_CONTACTS, expected);
+  }
+}
+
+TEST_F(ContactTest, RefusalsNameTheReasonAndChangeNothing) {
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  begin_straight_ahead();
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_INSUFFICIENT_DATA, "not seen to move");
+  slide();
+  hrt_contact contact = contact_in(0.0);
+  contact.position_m[0] = std::nan("");
+  refused(contact, "position_m[0] is NaN; allowed: -1000 to 1000");
+  contact = contact_in(0.0, std::nan(""));
+  refused(contact, "sd_m is NaN");
+  refused(contact_in(0.0, 0.00001), "sd_m is 1e-05; allowed: 0.0001 to 1");
+  contact.flags = HRT_CONTACT_PLATE_POSITION | HRT_CONTACT_WORLD_POSITION;
+  refused(contact, "flags is 3; allowed: one of");
+  contact.flags = 4;
+  refused(contact, "flags is 4");
+  refused(contact_at({0.0, -0.041}, 0.001), "from start_position_m; at least 0.01 is needed");
+  refused(contact_at({0.0, -0.05}, 0.001), "is 0 m from start_position_m");
+  refused(contact_at({0.035, 0.05}, 0.001), "from where the finger was seen; allowed: up to 0.0");
+  ASSERT_OK(touch(contact_at({0.025, 0.05}, 0.001)));
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "known already");
+  ASSERT_OK(hrt_reach_cancel(session));
+  EXPECT_TRUE(has_no_contacts(config_of(session))) << "a cancelled reach teaches nothing";
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  reach_straight_ahead();
+  const hrt_session_config config = config_of(session);
+  ASSERT_OK(hrt_session_set(session, &config));
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "since the configuration was set");
+  create(session_config());
+  reach_straight_ahead();
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "HRT_SESSION_REGISTERED");
+}
+
+class KnownContactTest : public ContactTest {
+ protected:
+  void SetUp() override {
+    ContactTest::SetUp();
+    reach_straight_ahead();
+    ASSERT_OK(touch(contact_in(-2.0)));
+    known = config_of(session);
+    ASSERT_FALSE(has_no_contacts(known));
+  }
+
+  std::string save() const {
+    uint64_t length = 0;
+    EXPECT_OK(hrt_profile_save(session, 0, nullptr, &length));
+    std::string text(static_cast<std::size_t>(length) + 1, ' ');
+    EXPECT_OK(hrt_profile_save(session, text.size(), text.data(), &length));
+    text.pop_back();
+    return text;
+  }
+  hrt_session_config loaded(const std::string& profile, const hrt_session_config& config) {
+    create(config);
+    EXPECT_OK(hrt_profile_load(session, profile.data(), profile.size()));
+    return config_of(session);
+  }
+
+  hrt_session_config known{};
+};
+
+// As a drift of 0.2 % has it.
+TEST_F(KnownContactTest, AProfileKeepsItWiderForTheSamePose) {
+  const hrt_session_config back = loaded(save(), registered());
+  EXPECT_EQ(std::memcmp(back.contact_correction, known.contact_correction, sizeof known.contact_correction),
+            0);
+  for (int row = 0, at = 0; row < 4; ++row)
+    for (int column = 0; column <= row; ++column, ++at)
+      EXPECT_NEAR(back.contact_covariance[at], known.contact_covariance[at] + (row == column ? 4e-6 : 0.0),
+                  1e-18);
+}
+
+TEST_F(KnownContactTest, AProfileOfAnotherPoseKeepsNone) {
+  const std::string profile = save();
+  for (const int coordinate : {0, 1, 2}) {
+    hrt_session_config elsewhere = registered();
+    elsewhere.plate_position_m[coordinate] = 0.001;
+    const hrt_session_config back = loaded(profile, elsewhere);
+    EXPECT_TRUE(has_no_contacts(back));
+    EXPECT_EQ(back.plate_position_m[coordinate], 0.001);
+    EXPECT_EQ(back.person_mean[HRT_PERSON_BIAS], known.person_mean[HRT_PERSON_BIAS]);
+  }
+}
+
+TEST_F(KnownContactTest, AnotherPoseForgetsIt) {
+  hrt_session_config config = known;
+  config.horizon = 4;
+  ASSERT_OK(hrt_session_set(session, &config));
+  EXPECT_FALSE(has_no_contacts(config_of(session)));
+  config.plate_scale = 1.01;
+  ASSERT_OK(hrt_session_set(session, &config));
+  EXPECT_TRUE(has_no_contacts(config_of(session)));
+}
+
+TEST_F(KnownContactTest, ASceneForgetsIt) {
+  hrt_scene scene{};
+  ASSERT_OK(hrt_scene_load(HRT_DESK_SCENE, nullptr, 0, &scene));
+  ASSERT_OK(hrt_scene_register(scene, session, 0, nullptr));
+  ASSERT_OK(hrt_scene_destroy(scene));
+  EXPECT_TRUE(has_no_contacts(config_of(session)));
+}
+
+TEST_F(KnownContactTest, ANewRegistrationForgetsIt) {
+  GuidedPerson person = quiet_person();
+  set_up(session, HRT_SETUP_REGISTRATION, &person);
+  EXPECT_TRUE(has_no_contacts(config_of(session)));
+}
+
+TEST_F(KnownContactTest, WhatNoContactGivesIsRefused) {
+  const auto refuses = [&](const std::function<void(hrt_session_config&)>& spoil, const char* part) {
+    hrt_session_config config = known;
+    spoil(config);
+    expect_error(hrt_session_set(session, &config), HRT_ERROR_OUT_OF_RANGE, part);
+  };
+  refuses([](auto& c) { c.contact_covariance[0] = 0.0; }, "contact_covariance is not positive definite");
+  refuses([](auto& c) { c.contact_covariance[9] = -1e-6; }, "contact_covariance is not positive definite");
+  refuses([](auto& c) { c.contact_correction[2] = 0.6; }, "contact_correction[2] is 0.6");
+  refuses([](auto& c) { c.contact_correction[3] = std::nan(""); }, "contact_correction[3] is NaN");
+}
+
+/// Mean of the size of the true bearing error of 100 people's fifth reaches, in a frame that holds.
+double mean_error_deg(bool touches) {
+  double sum_deg = 0.0;
+  Draws draws(9, 0, 0, 0);
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    hrt_session_config config = session_config();
+    config.flags = HRT_SESSION_REGISTERED;
+    hrt_session session{};
+    EXPECT_OK(hrt_session_create(HRT_VERSION, &config, &session));
+    hrt_reach_config reach = hrt_reach_config_init();
+    const hrt_target_config real = target_config(HRT_TARGET_REAL, -5.0),
+                            seen = target_config(HRT_TARGET_VIRTUAL, 5.0);
+    EXPECT_OK(hrt_target_add(session, &real, &reach.real_target));
+    EXPECT_OK(hrt_target_add(session, &seen, &reach.virtual_target));
+    hrt_person person{};
+    EXPECT_OK(hrt_person_create(nullptr, seed, &person));
+    auto sample = output<hrt_sample>();
+    auto command = output<hrt_command>();
+    auto summary = output<hrt_reach_summary>();
+    auto state = output<hrt_person_state>();
+    for (int n = 0; n < 5; ++n) {
+      EXPECT_OK(hrt_person_begin(person, session, reach.virtual_target));
+      EXPECT_OK(hrt_reach_begin(session, &reach));
+      for (int frame = 0; frame < 240; ++frame) {
+        EXPECT_OK(hrt_person_move(person, frame * 11 * ms, command.plate_orientation_deg, &sample));
+        EXPECT_OK(hrt_reach_update(session, &sample, &command));
+      }
+      EXPECT_OK(hrt_reach_end(session, &summary));
+      EXPECT_OK(hrt_person_get_state(person, &state));
+      const PlatePoint place{state.position_m[0], -state.position_m[2]};
+      if (n == 4) sum_deg += std::abs(bearing_deg(start, place) + 5.0);
+      const hrt_contact contact =
+          contact_at({place.right_m + 0.001 * draws.normal(), place.away_m + 0.001 * draws.normal()}, 0.001);
+      if (touches) {
+        EXPECT_OK(hrt_reach_touched(session, &contact));
+      }
+    }
+    EXPECT_OK(hrt_person_destroy(person));
+    EXPECT_OK(hrt_session_destroy(session));
+  }
+  return sum_deg / 100.0;
+}
+
+TEST(Contacts, CostPeopleInAGoodFrameLittle) {
+  const double without_deg = mean_error_deg(false);
+  EXPECT_LT(mean_error_deg(true), without_deg + 0.1);
+  EXPECT_LT(without_deg, 1.0);
+}
+
+}  // namespace
+}  // namespace hrt::test
