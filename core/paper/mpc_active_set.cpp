@@ -22,9 +22,13 @@ struct Constraint {
   std::int8_t sign;  // 0: no constraint
 };
 
-// The work after which the solver gives up, in steps of passes over the window: 40 passes over the longest,
-// and in effect no limit to a window of 20.
-constexpr int max_steps_swept = 40 * max_horizon;
+// Passes from the path given, which is near the optimum in a closed loop. Then the solver starts anew from
+// a ramp.
+constexpr int max_sweeps_from_path = 8;
+
+// The work after which the solver gives up, in steps of passes over the window: 150 passes over the longest.
+// No random problem of a million takes more than 101.
+constexpr int max_steps_swept = 150 * max_horizon;
 
 class DualActiveSet {
  public:
@@ -33,6 +37,10 @@ class DualActiveSet {
   void run();
 
  private:
+  void hold_clamping();
+  void hold_ramp();
+  bool climb();
+
   // Optimum under the constraints held, as if all others did not exist: plate_deg_ and target_.
   void solve_held();
   void resolve_fixed();
@@ -68,6 +76,13 @@ class DualActiveSet {
   std::array<double, max_horizon> miss_weight_;
   WorkingSet set_;
 
+  struct CostToGo {
+    double s;
+    double r;
+  };
+  std::array<CostToGo, max_horizon> cost_to_go_;  // from each step that no link ties to the one before
+  WorkingSet swept_;                              // for which they hold
+
   std::array<bool, max_horizon> fixed_;       // u_i is determined by the constraints held alone
   std::array<double, max_horizon> law_gain_;  // u_i = law_gain x_i + law_constant where it is chosen freely
   std::array<double, max_horizon> law_constant_;
@@ -87,7 +102,6 @@ DualActiveSet::DualActiveSet(const WindowProblem& problem, WorkingSet& working_s
       plate_tolerance_deg_(tolerance_deg(problem)) {
   double rate_deg = 0.0;
   double miss_weight = 0.0;
-  double last_deg = problem.last_plate_deg;
   for (int i = 0; i < problem.horizon; ++i) {
     rate_deg += problem.rate_deg;
     miss_weight += problem.actual_weight;
@@ -96,26 +110,22 @@ DualActiveSet::DualActiveSet(const WindowProblem& problem, WorkingSet& working_s
     gain_[steps_] = problem.gains[i];
     rate_deg_[steps_] = rate_deg;
     miss_weight_[steps_] = miss_weight;
-    // The bounds that hold the given path, clamped step after step.
-    const double u = solution.plate_deg[i];
-    const double high_deg = std::min(problem.bound_deg, last_deg + rate_deg);
-    const double low_deg = std::max(-problem.bound_deg, last_deg - rate_deg);
-    if (u >= high_deg) (high_deg == problem.bound_deg ? set_.pin : set_.link)[steps_] = 1;
-    if (u <= low_deg) (low_deg == -problem.bound_deg ? set_.pin : set_.link)[steps_] = -1;
-    last_deg = std::clamp(u, low_deg, high_deg);
+    plate_deg_[steps_] = solution.plate_deg[i];
     ++steps_;
     rate_deg = miss_weight = 0.0;
   }
   last_miss_weight_ = miss_weight;
-  sweeps_left_ = max_steps_swept / std::max(steps_, 1);
+  swept_.pin.fill(2);  // of no step
 }
 
 void DualActiveSet::run() {
-  solution_.optimal = make_dual_feasible();
-  while (solution_.optimal) {
-    const Constraint violated = max_violated();
-    if (violated.sign == 0) break;
-    solution_.optimal = add(violated);
+  hold_clamping();
+  sweeps_left_ = max_sweeps_from_path;
+  solution_.optimal = climb();
+  if (!solution_.optimal) {
+    hold_ramp();
+    sweeps_left_ = max_steps_swept / std::max(steps_, 1);
+    solution_.optimal = climb();
   }
   window_set_ = {};
   for (int i = problem_.horizon - 1, step = steps_ - 1; i >= 0; --i) {
@@ -126,6 +136,46 @@ void DualActiveSet::run() {
     }
     solution_.plate_deg[i] =
         steps_ == 0 ? problem_.last_plate_deg : plate_deg_[std::min(step + 1, steps_ - 1)];
+  }
+}
+
+// Holds the bounds that clamp the path in plate_deg_, step after step.
+void DualActiveSet::hold_clamping() {
+  set_ = {};
+  double last_deg = problem_.last_plate_deg;
+  for (int i = 0; i < steps_; ++i) {
+    const double u = plate_deg_[i];
+    const double high_deg = std::min(problem_.bound_deg, last_deg + rate_deg_[i]);
+    const double low_deg = std::max(-problem_.bound_deg, last_deg - rate_deg_[i]);
+    if (u >= high_deg) (high_deg == problem_.bound_deg ? set_.pin : set_.link)[i] = 1;
+    if (u <= low_deg) (low_deg == -problem_.bound_deg ? set_.pin : set_.link)[i] = -1;
+    last_deg = std::clamp(u, low_deg, high_deg);
+  }
+}
+
+// Holds a bound at every step: that of the way in which the cost falls if the plate turns in this step and
+// then stays, seen from a plate that never turns.
+void DualActiveSet::hold_ramp() {
+  set_ = {};
+  fixed_.fill(true);
+  plate_deg_.fill(std::clamp(problem_.last_plate_deg, -problem_.bound_deg, problem_.bound_deg));
+  sweep_forwards();
+  find_multipliers();
+  double slope = 0.0;
+  for (int i = steps_ - 1; i >= 0; --i) {
+    slope += gradient_[i];
+    if (slope != 0.0) plate_deg_[i] = std::copysign(std::numeric_limits<double>::infinity(), -slope);
+  }
+  hold_clamping();
+}
+
+// From one optimum of the constraints held to the next, as the header says. False if out of sweeps.
+bool DualActiveSet::climb() {
+  if (!make_dual_feasible()) return false;
+  for (;;) {
+    const Constraint violated = max_violated();
+    if (violated.sign == 0) return true;
+    if (!add(violated)) return false;
   }
 }
 
@@ -156,10 +206,15 @@ void DualActiveSet::sweep_backwards() {
   const int n = steps_;
   const double q_perceived = problem_.perceived_weight;
   const double pw = problem_.proprioceptive_weight;
-  double s = last_miss_weight_, r = 0.0;
+  // Behind the run of the last constraint that changed since the last sweep, costs to go are as they were.
+  int from = n - 1;
+  while (from >= 0 && set_.pin[from] == swept_.pin[from] && set_.link[from] == swept_.link[from]) --from;
+  while (from + 1 < n && set_.link[from + 1]) ++from;
+  swept_ = set_;
+  auto [s, r] = from + 1 < n ? cost_to_go_[from + 1] : CostToGo{last_miss_weight_, 0.0};
   double m = 0.0, v = 0.0, f = 0.0;
   double level_deg = 0.0;  // u_i - z
-  for (int i = n - 1; i >= 0; --i) {
+  for (int i = from; i >= 0; --i) {
     const double k = gain_[i];
     const double q_actual = miss_weight_[i];
     const double a = k * pw;  // e = a x + k u + a p_R
@@ -171,6 +226,7 @@ void DualActiveSet::sweep_backwards() {
       law_constant_[i] = r * inverse / k - pw * problem_.real_offset_deg;
       r *= q_perceived * inverse;
       s = q_actual + q_perceived * inverse * s;
+      cost_to_go_[i] = {s, r};
       continue;
     }
     const double u = fixed_[i] ? plate_deg_[i] : level_deg;
@@ -192,6 +248,7 @@ void DualActiveSet::sweep_backwards() {
       r = q_perceived * a * d + (1.0 - a) * (r - s * d);
       s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
     }
+    cost_to_go_[i] = {s, r};
   }
 }
 
@@ -242,17 +299,30 @@ void DualActiveSet::solve_held() {
   find_multipliers();
 }
 
-// Lets go of every constraint that pulls the wrong way until none does. False if out of sweeps.
+// Lets go of constraints that pull the wrong way until none does: of all such pins, but of neighbouring links
+// only of the one that pulls most, because the others mostly turn round once it is gone. False if out of
+// sweeps.
 bool DualActiveSet::make_dual_feasible() {
   bool dropped = true;
   while (dropped && sweeps_left_ > 0) {
     solve_held();
     dropped = false;
+    int worst = -1;  // of the neighbouring links that pull the wrong way
+    double worst_pull = 0.0;
+    const auto let_go_of_worst = [&] {
+      if (worst >= 0) set_.link[worst] = 0, dropped = true;
+      worst = -1, worst_pull = 0.0;
+    };
     for (int i = 0; i < steps_; ++i) {
       const double slack = multiplier_tolerance_ * gain_[i];
       if (set_.pin[i] * target_.pin[i] < -slack) set_.pin[i] = 0, dropped = true;
-      if (set_.link[i] * target_.link[i] < -slack) set_.link[i] = 0, dropped = true;
+      const double pull = set_.link[i] * target_.link[i];
+      if (pull >= -slack)
+        let_go_of_worst();
+      else if (pull < worst_pull)
+        worst = i, worst_pull = pull;
     }
+    let_go_of_worst();
   }
   current_ = target_;
   return !dropped;

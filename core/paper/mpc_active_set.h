@@ -50,8 +50,9 @@ inline double tolerance_deg(const WindowProblem& problem) {
 }
 
 /// Solves `problem`. Starts from the path in `solution`, which must be finite: each step is clamped to the
-/// bounds, and those that clamp it are held. Leaves the optimum in `solution`, and the constraints that hold
-/// it in `working_set`. If the work allowed runs out, `solution` is no optimum and may break bounds.
+/// bounds, and those that clamp it are held. If the optimum is far from there, starts anew from a ramp.
+/// Leaves the optimum in `solution`, and the constraints that hold it in `working_set`. If the work allowed
+/// runs out, `solution` is no optimum and may break bounds.
 void solve_active_set(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution);
 
 }  // namespace hrt

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/paper_simulation/trial_table.h"
-#include "core/simulation/lanes.h"
 
 namespace hrt {
 namespace {
@@ -105,8 +104,7 @@ BatchResult run_untabulated(const BatchJob& job, std::uint64_t seed, std::uint32
 // their last bits.
 BatchResult run_trials(const BatchJob& job, const std::optional<TrialTable>& table, std::uint64_t seed,
                        std::uint32_t first, std::uint32_t last) {
-  return table ? table->run<PairLanes>(seed, job.condition_id, first, last)
-               : run_untabulated(job, seed, first, last);
+  return table ? table->run(seed, job.condition_id, first, last) : run_untabulated(job, seed, first, last);
 }
 
 }  // namespace

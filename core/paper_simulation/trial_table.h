@@ -29,8 +29,12 @@ class TrialTable {
   /// the law. Requires is_valid(condition). Uses the heap.
   static std::optional<TrialTable> tabulate(const Condition& condition);
 
-  /// Runs trials `first_trial` up to, not including, `last_trial`. Lanes: see lanes.h; ScalarLanes and
-  /// PairLanes give the same bits. No heap.
+  /// Runs trials `first_trial` up to, not including, `last_trial`, on the widest lanes of this processor. No
+  /// heap.
+  BatchResult run(std::uint64_t seed, std::uint32_t condition_id, std::uint32_t first_trial,
+                  std::uint32_t last_trial) const;
+  /// The same bits on the lanes named (lanes.h): ScalarLanes, PairLanes, or QuadLanes where HRT_AVX2 is
+  /// defined and the processor has it.
   template <class Lanes>
   BatchResult run(std::uint64_t seed, std::uint32_t condition_id, std::uint32_t first_trial,
                   std::uint32_t last_trial) const;

@@ -1,4 +1,4 @@
-// The generator and the normal transform behind random.h, for one draw or for two at a time (lanes.h).
+// The generator and the normal transform behind random.h, for one draw or for several at a time (lanes.h).
 // Built of the four operations, the square root, comparisons and moves of bits alone, so that the bits of a
 // draw depend neither on the compiler nor on a mathematics library.
 #pragma once

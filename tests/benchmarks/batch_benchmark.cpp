@@ -1,5 +1,6 @@
 // Simulated steps per second on one thread: participant, controller and random number of a step together.
-// Rows: one of a table (two trials side by side, one after the other), and one with the solver in the loop.
+// Rows: one of a table (four trials side by side, two, one after the other), and one with the solver in the
+// loop.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -35,6 +36,9 @@ void steps_by_table(benchmark::State& state) {
   for (auto _ : state) steps += table.run<Lanes>(1, id++, 0, table_trials).steps;
   state.SetItemsProcessed(static_cast<std::int64_t>(steps));
 }
+#if defined(HRT_AVX2)  // on a processor that has it
+BENCHMARK(steps_by_table<QuadLanes>)->Apply(grid);
+#endif
 BENCHMARK(steps_by_table<PairLanes>)->Apply(grid);
 BENCHMARK(steps_by_table<ScalarLanes>)->Apply(grid);
 

@@ -81,37 +81,21 @@ TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
   }
 }
 
-// A window of 50 steps with slow turns can take more work than is allowed. The command then says so, and
-// keeps the bounds all the same.
-TEST(MpcProperty, WorkThatIsCutShortIsReported) {
+// Slow turns over a window of 50 steps take the most work: dozens of bounds hold the optimum.
+TEST(MpcProperty, SlowTurnsOverALongWindowAreSolvedToTheEnd) {
   Random random(6);
-  constexpr int problems = 3000;
-  int cut_short = 0;
-  for (int i = 0; i < problems; ++i) {
+  for (int i = 0; i < 20'000; ++i) {
     RandomProblem drawn(random, 50, true);
     drawn.config.plate_rate_bound_deg = drawn.config.plate_bound_deg * std::exp(uniform(random, -6.0, 0.0));
     MpcPlan plan;
-    const Mpc::Command command = Mpc(drawn.config).solve(drawn.problem, &plan);
-    double last_deg = drawn.problem.plate_offset_deg;
-    for (int k = 0; k < 50; ++k) {
-      const double plate_deg = plan.plate_offset_deg[k];
-      EXPECT_LE(std::abs(plate_deg), drawn.config.plate_bound_deg);
-      EXPECT_LE(plate_deg, last_deg + drawn.config.plate_rate_bound_deg);
-      EXPECT_GE(plate_deg, last_deg - drawn.config.plate_rate_bound_deg);
-      last_deg = plate_deg;
-    }
-    if (command.optimal && i % 100 != 0) continue;
+    EXPECT_TRUE(Mpc(drawn.config).solve(drawn.problem, &plan).optimal) << i;
+    if (i % 200 != 0) continue;
     LongVector plate(50);
     for (int k = 0; k < 50; ++k) plate[k] = plan.plate_offset_deg[k];
     const KktResidual residual = kkt_residual(dense_problem(drawn.config, drawn.problem), plate);
-    if (command.optimal) {
-      EXPECT_LT(residual.stationarity, 1e-9L) << i;
-    } else {
-      ++cut_short;
-    }
+    EXPECT_LT(residual.stationarity, 1e-9L) << i;
+    EXPECT_LT(residual.violation_deg, 1e-12L) << i;
   }
-  EXPECT_GT(cut_short, 0);
-  EXPECT_LT(cut_short, problems / 20);
 }
 
 // From anywhere, however far out of the bound, the plate turns no faster than it can, and is inside as soon
