@@ -113,12 +113,14 @@ CoverageStudy simulate(Options options) {
   options.session.slides_an_angle = static_cast<int>(options.slides_an_angle);
   options.session.planned = options.angles == "planned";
   CoverageStudy study{.options = options, .rows = {}};
+  std::vector<KindRow> rows;
+  for (const CoverageKind& kind : coverage_kinds())
+    if (options.kind == "all" || options.kind == kind.name) rows.push_back({&kind, {}});
+  study.rows = options.writing.part.of(rows);
   Progress progress;
-  const auto kinds = coverage_kinds();
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (options.kind == "all" || options.kind == kinds[i].name)
-      study.rows.push_back({&kinds[i], simulate(kinds[i], options)});
-    progress.update(i + 1, kinds.size());
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    study.rows[i].coverage = simulate(*study.rows[i].kind, options);
+    progress.update(i + 1, study.rows.size());
   }
   return study;
 }
@@ -131,7 +133,8 @@ void add_coverage(CLI::App& app) {
       app, "coverage", "How often the calibration's 95 % intervals hold the truth, over simulated people.",
       R"(People as 'robustness' has them, and three more kinds: slides that slip, people who change over the
 session. 50 people of all kinds take some ten minutes.
-
+)" + part_words("kinds") +
+          R"(
 Examples:
   hrt-study coverage --kind habit-5
   hrt-study coverage --angles planned --trials 2 --people 200)",
@@ -146,6 +149,7 @@ Examples:
   add_number(command, "--duration", &options->session.duration_s, {0.3, 20.0}, "Time of a slide, s.");
   add_integer(command, "--threads", &options->threads, 1, 64, "Threads.");
   add_seed(command, &options->session.seed);
+  options->writing.add_part_option(command);
   options->writing.add_options(command);
 }
 

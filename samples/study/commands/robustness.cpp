@@ -72,8 +72,10 @@ SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
 
 // Recorded paths in an open loop.
 void run_replay(const Options& options) {
-  if (!options.person.empty() || !options.families.empty() || !options.csv.empty())
-    throw UsageError(not_allowed("--replay", options.replay, "given without --person, --family and --csv"));
+  if (!options.person.empty() || !options.families.empty() || !options.csv.empty() ||
+      !options.writing.part.whole())
+    throw UsageError(
+        not_allowed("--replay", options.replay, "given without --person, --family, --csv and --part"));
   options.writing.write([&] { return replay_folder("--replay", options.replay); }, replay_results,
                         replay_text);
 }
@@ -81,6 +83,7 @@ void run_replay(const Options& options) {
 RobustnessStudy simulated(const Options& options) {
   RobustnessStudy study{.options = options.robustness, .people = {}, .rows = {}};
   if (!options.durations_s.empty()) study.options.durations_s = options.durations_s;
+  study.options.part = options.writing.part;
   check_durations(study.options);
   if (!options.person.empty()) study.people.push_back(take_person(options, study));
   for (const PeopleFamily* family : options.families) study.people.push_back(people_of(*family));
@@ -88,7 +91,7 @@ RobustnessStudy simulated(const Options& options) {
     for (const PeopleFamily& family : people_families()) study.people.push_back(people_of(family));
   const Output csv("--csv", options.csv);
   simulate(study);
-  if (!options.csv.empty()) csv.write(csv_of(robustness_results(study)));
+  if (!options.csv.empty()) csv.write(csv_of(robustness_results(study), study.options.part));
   return study;
 }
 
@@ -119,12 +122,14 @@ does not fit, off target, silent misses (off target and no flag), false alarms (
 it or unreachable), and how often the 95 % interval of w_T covers the person's, which is 95 if the
 interval is honest. People who cannot hold the gap, whatever the plate does, are counted apart. A
 field without a value is empty (CSV) or null (JSON). With one sort of people the text has all of it.
-
+)" + part_words("families and durations") +
+         R"(
 Examples:
   hrt-study robustness
   hrt-study robustness --family linear,place --durations 1.5 --people 1000
   hrt-study robustness --people 1000 --format csv > robustness.csv
   hrt-study robustness --csv robustness.csv
+  hrt-study robustness --people 1000 --format csv --part 2/40 --out part02.csv
   hrt-study robustness --person me.json --people 1000
   hrt-study robustness --replay recordings --format csv
 
@@ -164,6 +169,7 @@ void add_robustness(CLI::App& app) {
   add_threads(command, &robustness.threads);
   add_path(command, "--csv", &options->csv, "a file in a folder that can be written",
            "All numbers there as well, in one run.");
+  options->writing.add_part_option(command);
   options->writing.add_options(command);
 }
 

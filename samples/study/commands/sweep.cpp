@@ -1,29 +1,16 @@
 // hrt-study sweep: every combination of lists of values, as CSV, in parts.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
-#include <optional>
 
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/cli/part.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/paper/grid.h"
 
 namespace hrt::study {
 namespace {
-
-/// Part `number` of `count`, from 1.
-struct Part {
-  std::uint64_t number = 1;
-  std::uint64_t count = 1;
-
-  // The first point of this part; the product stays within 64 bits.
-  std::uint64_t begin(std::uint64_t points) const { return points * (number - 1) / count; }
-  std::uint64_t end(std::uint64_t points) const { return points * number / count; }
-};
-
-constexpr std::uint64_t max_parts = 1'000'000;
 
 struct Options {
   Grid grid;
@@ -33,17 +20,6 @@ struct Options {
   std::uint64_t threads = 1;
   std::string out;
 };
-
-std::optional<Part> parse_part(const std::string& text) {
-  Part part;
-  const char* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, part.number);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') return std::nullopt;
-  const auto second = std::from_chars(first.ptr + 1, end, part.count);
-  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
-  if (part.number < 1 || part.number > part.count || part.count > max_parts) return std::nullopt;
-  return part;
-}
 
 // Simulates points [first, last) together; one row each.
 std::string rows(const Options& options, std::uint64_t first, std::uint64_t last,
@@ -82,7 +58,7 @@ void run(const Options& options) {
   // Blocks of about this many trials, so that all threads have work.
   constexpr std::uint64_t block_trials = 50'000;
   const std::uint64_t block = std::max<std::uint64_t>(1, block_trials / options.trials);
-  std::string text = options.part.number == 1 ? grid_header() : "";
+  std::string text = options.part.has_header() ? grid_header() : "";
   Progress progress;
   for (std::uint64_t begin = first; begin < last; begin += block)
     text += rows(options, begin, std::min(begin + block, last), [&](std::uint64_t done) {
@@ -100,10 +76,8 @@ void add_sweep(CLI::App& app) {
       R"(The grid has every combination of the listed values. A row of the CSV is one point: its parameters,
 then the results of its trials. Point i takes the random numbers of condition i, so the rows do not
 depend on threads or parts.
-
-Part 1 alone has the header: 'cat' of all parts in order is the whole. A part that was stopped leaves no
-file: do it again.
-
+)" + part_words("points") +
+          R"(
 Examples:
   hrt-study sweep --gap 2:20:10 --tactile-weight 0.05:0.45:9 --out gaps.csv
   hrt-study sweep --perceived-weight 0.01,0.1,1,10 --trials 100000
@@ -119,12 +93,7 @@ Examples:
   add_trials(command, &options->trials, "Trials of each point.");
   add_seed(command, &options->seed);
   add_threads(command, &options->threads);
-  add_value(command, "--part", "i/n, whole numbers with 1 <= i <= n <= " + std::to_string(max_parts), "1/1",
-            "Which part of how many to do.", [options](const std::string& text) {
-              const std::optional<Part> part = parse_part(text);
-              if (part) options->part = *part;
-              return part.has_value();
-            });
+  add_part(command, &options->part);
   add_out(command, &options->out);
 }
 

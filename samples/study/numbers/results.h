@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "samples/study/cli/output.h"
+#include "samples/study/cli/part.h"
 #include "samples/study/numbers/statistics.h"
 
 namespace CLI {
@@ -27,24 +28,29 @@ void put(Row& row, const std::string& name, const Share& share);
 /// NAME, NAME_low and NAME_high before `unit`.
 void put(Row& row, const std::string& name, const std::string& unit, const Quantile& quantile);
 
-/// A header and a line a row; flags are 1 and 0.
-std::string csv_of(const Results& results);
+/// A header, if `part` has it, and a line a row; flags are 1 and 0.
+std::string csv_of(const Results& results, const Part& part = {});
 /// `about`, then "rows". Text that is not UTF-8 is replaced.
 std::string json_of(const Results& results);
 
-/// Where and as what a command writes its results: --format and --out.
+/// Where and as what a command writes its results: --format and --out, and --part for those that have parts.
 struct Writing {
   std::string format = "text";
   std::string out;
+  Part part;
 
   void add_options(CLI::App& command);
+  void add_part_option(CLI::App& command);
+  /// Throws UsageError for parts in a format that `cat` does not join.
+  void check_part() const;
 
   /// What `make` returns, as `results_of` or `text_of` it. Throws as Output, before the work, if --out cannot
   /// be written.
   void write(auto&& make, auto&& results_of, auto&& text_of) const {
+    check_part();
     const Output output("--out", out);
     const auto made = make();
-    output.write(format == "csv"    ? csv_of(results_of(made))
+    output.write(format == "csv"    ? csv_of(results_of(made), part)
                  : format == "json" ? json_of(results_of(made))
                                     : text_of(made));
   }

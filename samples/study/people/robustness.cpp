@@ -132,6 +132,7 @@ std::vector<RobustnessRow> simulate_robustness(
   for (const SimulatedPeople& sort : people)
     for (const double duration_s : options.durations_s)
       rows.push_back({.people = sort, .duration_s = duration_s, .cells = {}});
+  rows = options.part.of(rows);
 
   std::vector<PersonResults> reached(rows.size() * options.people);
   const auto work = [&](std::uint64_t i) {

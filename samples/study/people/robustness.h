@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/simulation/people.h"
+#include "samples/study/cli/part.h"
 #include "samples/study/numbers/statistics.h"
 
 namespace hrt::study {
@@ -98,11 +99,12 @@ struct RobustnessOptions {
   std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
+  Part part;  ///< of the rows
 };
 
-/// All people at every duration, the durations of one sort one after another. Person i of a sort and duration
-/// is the same with every controller. The same for any number of threads. `progress` is called on this
-/// thread.
+/// All people at every duration, the durations of one sort one after another, or the rows of a part of that.
+/// Person i of a sort and duration is the same with every controller. The same for any number of threads.
+/// `progress` is called on this thread.
 std::vector<RobustnessRow> simulate_robustness(
     std::span<const SimulatedPeople> people, const RobustnessOptions& options,
     const std::function<void(std::uint64_t done, std::uint64_t total)>& progress = {});

@@ -34,6 +34,39 @@ TEST(StudyOutput, EveryByteIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(lines(run_study(robustness).out).size(), 1 + people_families().size() * 2 * leadings.size());
 }
 
+// Twelve points, six families and durations, twenty kinds; more parts than rows.
+TEST(StudyOutput, PartsConcatenateToTheWhole) {
+  const TemporaryFolder folder;
+  for (const Arguments& arguments :
+       {Arguments{"sweep", "--gap", "4,10", "--tactile-weight", "0.1:0.2:3", "--horizon", "2,3", "--trials",
+                  "50"},
+        Arguments{"robustness", "--people", "2", "--durations", "0.8,1.2,1.5", "--family", "linear,place",
+                  "--format", "csv"},
+        Arguments{"coverage", "--people", "1", "--trials", "1", "--format", "csv"}}) {
+    const std::string whole = run_study(arguments).out;
+    EXPECT_GE(lines(whole).size(), 13U) << arguments[0];
+    for (const int parts : {1, 2, 5, 12, 30}) {
+      std::string joined;
+      for (int part = 1; part <= parts; ++part) {
+        const StudyRun run =
+            run_study(arguments + Arguments{"--part", std::to_string(part) + "/" + std::to_string(parts),
+                                            "--out", folder / "part"});
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        joined += read_file(folder / "part");
+      }
+      EXPECT_EQ(joined, whole) << arguments[0] << ", " << parts << " parts";
+    }
+  }
+}
+
+TEST(StudyOutput, PartsAreCsv) {
+  for (const char* command : {"robustness", "coverage"}) {
+    const StudyRun run = run_study({command, "--part", "2/4", "--format", "json"});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.err, "hrt-study: --part: '2/4' is not allowed; it must be given with --format csv\n");
+  }
+}
+
 TEST(StudyOutput, TextSaysThatItIsSimulationInLinesThatFit) {
   for (const auto& [arguments, columns] :
        {std::pair<Arguments, std::size_t>{{"table1", "--trials", "200"}, 110},

@@ -157,6 +157,9 @@ TEST(StudyReplay, FoldersThatCannotBeReadAreRefused) {
   std::ofstream(folder / "x.csv") << "nothing";
   EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string()}).exit_code, 2);
   EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string(), "--family", "linear"}).exit_code, 2);
+  EXPECT_TRUE(
+      has(run_study({"robustness", "--replay", folder.path.string(), "--part", "1/2", "--format", "csv"}).err,
+          "without --person, --family, --csv and --part"));
 }
 
 }  // namespace

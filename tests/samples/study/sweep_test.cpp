@@ -11,11 +11,6 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-Arguments operator+(Arguments a, const Arguments& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 const Arguments small_grid{"sweep", "--gap",    "4,10", "--tactile-weight", "0.1:0.2:3", "--horizon",
                            "2,3",   "--trials", "50",   "--motor-variance", "0.5"};
 
@@ -69,23 +64,6 @@ TEST(StudySweep, ResultsAreTheLibrarysToTheBit) {
   EXPECT_EQ(value("saturated_share"), result.saturated_share());
   EXPECT_EQ(value("max_gap_deg"), max_gap_deg(0.15, 84.5));
   EXPECT_EQ(value("reachable"), 1.0);
-}
-
-TEST(StudySweep, PartsConcatenateToTheWhole) {
-  const TemporaryFolder folder;
-  const std::string whole = run_study(small_grid).out;
-  for (const int parts : {1, 2, 5, 12, 30}) {
-    std::string joined;
-    for (int part = 1; part <= parts; ++part) {
-      const std::string name = "part" + std::to_string(part) + "of" + std::to_string(parts);
-      const StudyRun run =
-          run_study(small_grid + Arguments{"--part", std::to_string(part) + "/" + std::to_string(parts),
-                                           "--out", folder / name});
-      ASSERT_EQ(run.exit_code, 0) << run.err;
-      joined += read_file(folder / name);
-    }
-    EXPECT_EQ(joined, whole) << parts << " parts";
-  }
 }
 
 }  // namespace
