@@ -121,7 +121,7 @@ void run_reach(hrt_session session, const hrt_session_config& config) {
     const bool resting = time_ms <= 200;
     const bool lifted = time_ms > 1300 && time_ms <= 1500;
     world.advance(resting, lifted);
-    if (time_ms % 11 != 0) continue;  // 90 Hz
+    if (time_ms % 20 != 0) continue;  // 50 Hz
     ++number;
     if (time_ms > 2100 && time_ms <= 2160) continue;  // frames that the host drops
     hrt_sample sample = world.sample(lifted);
