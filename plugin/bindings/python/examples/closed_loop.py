@@ -8,17 +8,19 @@ import numpy as np
 
 import haptic_retargeting as hrt
 
-PEOPLE, REACHES, FRAMES = 20, 5, 220  # frames of 90 Hz: 0.6 s at rest, 1.5 s of motion, a rest
+PEOPLE, REACHES, FRAMES = 20, 5, 900  # frames of 90 Hz, at most
 
 
 def ended_deg(session: hrt.Session, person: hrt.Person) -> float:
     """Where the finger ended beside the real target, seen from the start."""
     cylinder, cup = session.target("cylinder"), session.target("cup")
     person.begin(session, cup)
-    plate_deg = 0.0
+    command = hrt.Command()
     with session.reach(cylinder, cup) as reach:
         for frame in range(FRAMES):
-            plate_deg = reach.update_sample(person.move(frame * 11_111_111, plate_deg)).plate_orientation_deg
+            command = reach.update_sample(person.move(frame * 11_111_111, command.plate_orientation_deg))
+            if command.flags & hrt.CommandFlag.ARRIVED:
+                break
     return reach.summary.miss_deg
 
 

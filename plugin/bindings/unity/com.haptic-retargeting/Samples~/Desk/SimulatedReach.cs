@@ -10,14 +10,11 @@ namespace HrtSamples
     [RequireComponent(typeof(Desk))]
     public sealed class SimulatedReach : MonoBehaviour
     {
-        const double RestS = 0.3; // after the motion
-
         public int seed = 7;
 
         HapticRetargeting retargeting;
         HapticRetargetingPerson person;
         int chosen;
-        double endedS;
 
         void Start()
         {
@@ -41,18 +38,14 @@ namespace HrtSamples
             Transform target = retargeting.virtualTargets[chosen];
             retargeting.BeginReach(target);
             person.Begin(retargeting.Session, retargeting.IdOf(target));
-            endedS = double.PositiveInfinity;
         }
 
         void Update()
         {
-            double nowS = Time.unscaledTimeAsDouble;
-            Sample sample = person.Move((long)(nowS * 1e9), retargeting.LastCommand.plateOrientationDeg);
+            Sample sample = person.Move((long)(Time.unscaledTimeAsDouble * 1e9), retargeting.LastCommand.plateOrientationDeg);
             retargeting.finger.position = retargeting.plate.TransformPoint(Axes.ToUnity(sample.fingerPositionM));
             retargeting.MeasuredPlateOrientationDeg = sample.plateOrientationDeg;
-            if (person.GetState().done == 0) return;
-            endedS = System.Math.Min(endedS, nowS);
-            if (nowS < endedS + RestS) return;
+            if ((retargeting.LastCommand.flags & CommandFlags.Arrived) == 0) return;
             retargeting.EndReach();
             chosen = (chosen + 1) % retargeting.virtualTargets.Count;
             Begin();
