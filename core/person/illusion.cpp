@@ -59,7 +59,7 @@ MaxShift max_shift(const Illusion& illusion, double bound_deg) {
   }
   if (illusion.fading > 0.0 && illusion.slowness > 0.0 && felt_shift(illusion, offset_deg).by_offset < 0.0) {
     double low_deg = 0.0;
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 8; ++i) {
       const double middle_deg = 0.5 * (low_deg + offset_deg);
       (felt_shift(illusion, middle_deg).by_offset > 0.0 ? low_deg : offset_deg) = middle_deg;
     }

@@ -21,8 +21,6 @@ constexpr double rate_deviations = 0.4;
 constexpr int evennesses = 3;
 constexpr double evenness_deviations = 1.3;
 constexpr double min_evenness_step = 0.1;
-// Beyond this share of the path the time that has passed depends on the pace's end.
-constexpr double max_travelled_share = 0.9;
 
 }  // namespace
 
@@ -35,7 +33,7 @@ MotionFit fit_motion(const RecentPlaces& places, const PlaceMm& origin, const Pe
   const double travelled_mm = std::sqrt(square_distance_mm2(seen, origin));
   const double unit_right = (seen.right_mm - origin.right_mm) / travelled_mm;
   const double unit_away = (seen.away_mm - origin.away_mm) / travelled_mm;
-  const double share = std::min(travelled_mm / path_mm, max_travelled_share);
+  const double share = travelled_mm / path_mm;
 
   const double log_rate_sd = std::sqrt(belief.covariance(T::log_rate, T::log_rate));
   const double evenness_sd = std::sqrt(belief.covariance(T::evenness, T::evenness));

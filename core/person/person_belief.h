@@ -34,6 +34,9 @@ struct LinearIllusion {
   double weight_sd;
 };
 LinearIllusion linear_illusion(const PersonBelief& belief);
+/// Of w and b, their variances and covariance.
+LinearIllusion linear_illusion(double weight, double curve, double weight2, double weight_curve,
+                               double curve2);
 
 /// True if each mean is in its range, and the covariance finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);

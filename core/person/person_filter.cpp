@@ -253,6 +253,11 @@ double PersonFilter::shift_variance_deg2(const FeltShift& slopes, double by_bias
   return variance;
 }
 
+LinearIllusion PersonFilter::linear_illusion() const {
+  return hrt::linear_illusion(state_(weight), state_(curve), covariance_(weight, weight),
+                              covariance_(weight, curve), covariance_(curve, curve));
+}
+
 PersonBelief PersonFilter::belief() const {
   PersonBelief belief;
   for (int i = 0; i < PersonTrait::count; ++i) {

@@ -132,6 +132,8 @@ class PersonFilter {
   /// G at a share of the path, with the fast part at `wander_deg`.
   double goal_deg(double share, double wander_deg) const;
 
+  LinearIllusion linear_illusion() const;
+
   /// What this reach says of the person.
   PersonBelief belief() const;
 

@@ -232,7 +232,7 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
   const bool ends = begun && (!moving || x.phase >= last_phase);
   const double miss_deg = ends ? wrap_deg(bearing_deg(reach_.start, place) - reach_.real_direction_deg, 360.0)
                                : decision_.predicted_miss_deg;
-  const LinearIllusion linear = linear_illusion(estimator_.filter().belief());
+  const LinearIllusion linear = estimator_.filter().linear_illusion();
   return {
       .plate_orientation_deg = decision_.plate.orientation_deg,
       .finger_direction_deg = x.direction_deg,

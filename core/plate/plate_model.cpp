@@ -19,48 +19,56 @@ bool is_valid(const PlateDynamics& dynamics) {
          dynamics.latency_ns >= 0 && dynamics.latency_ns <= 1'000'000'000 && is_valid(dynamics.stops);
 }
 
-PlateModel::PlateModel(const PlateDynamics& dynamics, double orientation_deg)
-    : dynamics_(dynamics), orientation_deg_(orientation_deg), target_deg_(orientation_deg) {}
+PlateModel::PlateModel(const PlateDynamics& dynamics, double orientation_deg) : dynamics_(dynamics) {
+  put(orientation_deg);
+}
 
 void PlateModel::advance(std::int64_t time_ns) {
   if (!timed_) {
     timed_ = true;
-    now_ns_ = time_ns;
+    motion_.now_ns = time_ns;
     // A command from before the clock was known.
-    if (pending_count_ > 0) pending_[0].effective_ns = later_ns(now_ns_, dynamics_.latency_ns);
+    if (pending_count_ > 0) pending_[0].effective_ns = later_ns(time_ns, dynamics_.latency_ns);
   }
-  if (time_ns <= now_ns_) return;
+  if (time_ns <= motion_.now_ns) return;
+  const int due = turn_until(time_ns, motion_);
+  std::move(pending_.begin() + due, pending_.begin() + pending_count_, pending_.begin());
+  pending_count_ -= due;
+}
+
+// How many of the commands under way have become the target.
+int PlateModel::turn_until(std::int64_t time_ns, Motion& motion) const {
   const std::int64_t step_ns =
-      std::max(tick_ns, static_cast<std::int64_t>(elapsed_ns(now_ns_, time_ns) / max_ticks));
-  while (now_ns_ < time_ns) {
-    int due = 0;
-    while (due < pending_count_ && pending_[due].effective_ns <= now_ns_)
-      target_deg_ = pending_[due++].orientation_deg;
-    std::move(pending_.begin() + due, pending_.begin() + pending_count_, pending_.begin());
-    pending_count_ -= due;
-    if (pending_count_ == 0 && orientation_deg_ == target_deg_) break;
+      std::max(tick_ns, static_cast<std::int64_t>(elapsed_ns(motion.now_ns, time_ns) / max_ticks));
+  int due = 0;
+  while (motion.now_ns < time_ns) {
+    while (due < pending_count_ && pending_[due].effective_ns <= motion.now_ns)
+      motion.target_deg = pending_[due++].orientation_deg;
+    if (due == pending_count_ && motion.orientation_deg == motion.target_deg) break;
     std::int64_t until_ns = time_ns;
     if (std::isfinite(dynamics_.max_acceleration_deg_s2))
-      until_ns = std::min(until_ns, later_ns(now_ns_, step_ns));
-    if (pending_count_ > 0) until_ns = std::min(until_ns, pending_[0].effective_ns);
-    turn(elapsed_s(now_ns_, until_ns));
-    now_ns_ = until_ns;
+      until_ns = std::min(until_ns, later_ns(motion.now_ns, step_ns));
+    if (due < pending_count_) until_ns = std::min(until_ns, pending_[due].effective_ns);
+    turn(elapsed_s(motion.now_ns, until_ns), motion);
+    motion.now_ns = until_ns;
   }
-  now_ns_ = time_ns;
+  motion.now_ns = time_ns;
+  return due;
 }
 
 void PlateModel::command(double orientation_deg) {
   if (dynamics_.latency_ns == 0) {
     pending_count_ = 0;
-    target_deg_ = orientation_deg;
+    motion_.target_deg = orientation_deg;
     if (std::isinf(dynamics_.max_speed_deg_s) && std::isinf(dynamics_.max_acceleration_deg_s2)) {
-      orientation_deg_ = orientation_deg;
+      motion_.orientation_deg = orientation_deg;
     }
     return;
   }
-  if (orientation_deg == (pending_count_ > 0 ? pending_[pending_count_ - 1].orientation_deg : target_deg_))
+  if (orientation_deg ==
+      (pending_count_ > 0 ? pending_[pending_count_ - 1].orientation_deg : motion_.target_deg))
     return;
-  const std::int64_t effective_ns = later_ns(now_ns_, dynamics_.latency_ns);
+  const std::int64_t effective_ns = later_ns(motion_.now_ns, dynamics_.latency_ns);
   // As many as are kept, further apart than this, span more than the latency.
   const auto apart_ns =
       static_cast<std::uint64_t>(dynamics_.latency_ns) / static_cast<std::uint64_t>(pending_.size() - 1);
@@ -72,14 +80,14 @@ void PlateModel::command(double orientation_deg) {
 }
 
 void PlateModel::report(double orientation_deg) {
-  orientation_deg_ = reported_orientation_deg(orientation_deg, orientation_deg_, dynamics_.stops);
+  motion_.orientation_deg =
+      reported_orientation_deg(orientation_deg, motion_.orientation_deg, dynamics_.stops);
 }
 
 double PlateModel::orientation_at_deg(std::int64_t time_ns) const {
-  if (orientation_deg_ == target_deg_ && pending_count_ == 0) return orientation_deg_;
-  PlateModel ahead = *this;
-  ahead.advance(time_ns);
-  return ahead.orientation_deg_;
+  Motion ahead = motion_;
+  if (time_ns > ahead.now_ns) turn_until(time_ns, ahead);
+  return ahead.orientation_deg;
 }
 
 // Half the time speeding up and half slowing down, or with a stretch at full speed between.
@@ -93,21 +101,22 @@ double PlateModel::reach_deg(double seconds) const {
 }
 
 // As fast as the target allows: never faster than it can still brake from.
-void PlateModel::turn(double seconds) {
-  const double to_go_deg = target_deg_ - orientation_deg_;
+void PlateModel::turn(double seconds, Motion& motion) const {
+  const double to_go_deg = motion.target_deg - motion.orientation_deg;
   const double acceleration = dynamics_.max_acceleration_deg_s2;
   double wanted_deg_s = std::min(dynamics_.max_speed_deg_s, std::abs(to_go_deg) / seconds);
   if (std::isfinite(acceleration)) {
     wanted_deg_s = std::min(wanted_deg_s, std::sqrt(2.0 * acceleration * std::abs(to_go_deg)));
     wanted_deg_s = std::copysign(wanted_deg_s, to_go_deg);
-    speed_deg_s_ += std::clamp(wanted_deg_s - speed_deg_s_, -acceleration * seconds, acceleration * seconds);
+    motion.speed_deg_s +=
+        std::clamp(wanted_deg_s - motion.speed_deg_s, -acceleration * seconds, acceleration * seconds);
   } else {
-    speed_deg_s_ = std::copysign(wanted_deg_s, to_go_deg);
+    motion.speed_deg_s = std::copysign(wanted_deg_s, to_go_deg);
   }
-  const double turned_deg = speed_deg_s_ * seconds;
+  const double turned_deg = motion.speed_deg_s * seconds;
   const bool arrives = std::abs(to_go_deg - turned_deg) < 1e-9;
-  orientation_deg_ = arrives ? target_deg_ : orientation_deg_ + turned_deg;
-  if (arrives) speed_deg_s_ = 0.0;
+  motion.orientation_deg = arrives ? motion.target_deg : motion.orientation_deg + turned_deg;
+  if (arrives) motion.speed_deg_s = 0.0;
 }
 
 }  // namespace hrt

@@ -37,10 +37,10 @@ class PlateModel {
   void report(double orientation_deg);
 
   /// Puts the plate there at once.
-  void put(double orientation_deg) { orientation_deg_ = target_deg_ = orientation_deg; }
+  void put(double orientation_deg) { motion_.orientation_deg = motion_.target_deg = orientation_deg; }
 
   /// Where the plate stands now.
-  double orientation_deg() const { return orientation_deg_; }
+  double orientation_deg() const { return motion_.orientation_deg; }
 
   /// Where the plate will stand at `time_ns` with the commands it has, not before now.
   double orientation_at_deg(std::int64_t time_ns) const;
@@ -53,13 +53,17 @@ class PlateModel {
     std::int64_t effective_ns;
     double orientation_deg;
   };
-  void turn(double seconds);
+  struct Motion {
+    double orientation_deg = 0.0;
+    double speed_deg_s = 0.0;
+    double target_deg = 0.0;
+    std::int64_t now_ns = 0;
+  };
+  int turn_until(std::int64_t time_ns, Motion& motion) const;
+  void turn(double seconds, Motion& motion) const;
 
   PlateDynamics dynamics_;
-  double orientation_deg_;
-  double speed_deg_s_ = 0.0;
-  double target_deg_;
-  std::int64_t now_ns_ = 0;
+  Motion motion_;
   bool timed_ = false;
   // Commands under way, oldest first. Of those that follow each other within 1/63 of the latency only the
   // last is kept, early by no more than that.

@@ -64,6 +64,8 @@ SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, doub
       draws_(draws),
       position_(start),
       felt_position_(start),
+      delay_(std::clamp(static_cast<int>(std::lround(person.delay_s / tick_s)), 0, history_size - 1)),
+      noise_sd_deg_(std::sqrt(person.noise_deg2_per_s * tick_s)),
       direction_deg_(person.start_direction_deg),
       felt_deg_(person.start_direction_deg),
       goal_deg_(virtual_direction_deg + person.bias_deg + person.habit_deg) {
@@ -114,29 +116,30 @@ void SlidingPerson::answer() {
   const double turn_deg = bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   virtual_direction_deg_ += wrap_deg(turn_deg, 360.0);
   const double left_m = person_.path_scale * hrt::distance_m(felt_position_, virtual_place_);
-  const double left = 1.0 - progress(time_s_);
+  const double left = 1.0 - share_;
   distance_m_ = left > 0.1 ? left_m / left : left_m;
   if (left > 0.1) return;
   millisecond_ = 0;
-  time_s_ = 0.0;
+  time_s_ = share_ = 0.0;
   done_ = false;
 }
 
 void SlidingPerson::advance(double plate_orientation_deg) {
   if (answers_in_ms_ > 0 && --answers_in_ms_ == 0) answer();
   if (done_) return;
-  const double before = progress(time_s_);
   time_s_ = ++millisecond_ / 1000.0;
   const double s = progress(time_s_);
-  const double travel_m = distance_m_ * (s - before);
+  const double travel_m = distance_m_ * (s - share_);
+  share_ = s;
   speed_m_s_ = travel_m / tick_s;
   const double motion_deg = move(travel_m);
   felt_deg_ =
       motion_deg + person_.own_bias_deg + felt_shift_deg(plate_orientation_deg - motion_deg, travel_m);
 
   goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s);
-  felt_position_.right_m -= travel_m * sin_deg(felt_deg_);
-  felt_position_.away_m += travel_m * cos_deg(felt_deg_);
+  const SinCos felt = sin_cos_deg(felt_deg_);
+  felt_position_.right_m -= travel_m * felt.sine;
+  felt_position_.away_m += travel_m * felt.cosine;
   if (person_.steering == Steering::place &&
       hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
     goal_deg_ += bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
@@ -147,15 +150,16 @@ void SlidingPerson::advance(double plate_orientation_deg) {
 
 // Along the present direction; a heavy arm is pulled that way. Returns the direction of the motion.
 double SlidingPerson::move(double travel_m) {
+  const auto [sine, cosine] = sin_cos_deg(direction_deg_);
   if (person_.steering != Steering::heavy_arm) {
-    position_.right_m -= travel_m * sin_deg(direction_deg_);
-    position_.away_m += travel_m * cos_deg(direction_deg_);
+    position_.right_m -= travel_m * sine;
+    position_.away_m += travel_m * cosine;
     return direction_deg_;
   }
   constexpr double damping_n_s_m = 20.0;
   constexpr double muscle_s = 0.04;
-  const double wanted_right_n = damping_n_s_m * (-speed_m_s_ * sin_deg(direction_deg_) - velocity_right_m_s_);
-  const double wanted_away_n = damping_n_s_m * (speed_m_s_ * cos_deg(direction_deg_) - velocity_away_m_s_);
+  const double wanted_right_n = damping_n_s_m * (-speed_m_s_ * sine - velocity_right_m_s_);
+  const double wanted_away_n = damping_n_s_m * (speed_m_s_ * cosine - velocity_away_m_s_);
   force_right_n_ += (wanted_right_n - force_right_n_) * tick_s / muscle_s;
   force_away_n_ += (wanted_away_n - force_away_n_) * tick_s / muscle_s;
   velocity_right_m_s_ += force_right_n_ * tick_s;
@@ -183,7 +187,7 @@ double SlidingPerson::felt_shift_deg(double offset_deg, double travel_m) {
 }
 
 void SlidingPerson::steer(double motion_deg) {
-  const double noise_deg = std::sqrt(person_.noise_deg2_per_s * tick_s) * draws_.normal();
+  const double noise_deg = noise_sd_deg_ * draws_.normal();
   const bool predicts = person_.steering == Steering::predictive;
   // Of touch and of bias, apart from the direction itself, for who knows the own motion without delay.
   const double answered_deg = predicts ? felt_deg_ - motion_deg : felt_deg_;
@@ -202,9 +206,8 @@ void SlidingPerson::steer(double motion_deg) {
     return;
   }
   felt_history_[static_cast<std::size_t>(millisecond_ % history_size)] = answered_deg;
-  const int delay = std::clamp(static_cast<int>(std::lround(person_.delay_s / tick_s)), 0, history_size - 1);
-  if (millisecond_ > delay) {
-    double delayed = felt_history_[static_cast<std::size_t>((millisecond_ - delay) % history_size)];
+  if (millisecond_ > delay_) {
+    double delayed = felt_history_[static_cast<std::size_t>((millisecond_ - delay_) % history_size)];
     if (predicts) delayed += direction_deg_;
     direction_deg_ += -person_.gain_per_s * (delayed - goal_deg_) * tick_s;
   }

@@ -121,11 +121,13 @@ class SlidingPerson {
   Draws draws_;
   PlatePoint position_;
   PlatePoint felt_position_;
+  int delay_;            // milliseconds
+  double noise_sd_deg_;  // a millisecond's
   double direction_deg_;
   double velocity_right_m_s_ = 0.0, velocity_away_m_s_ = 0.0;  // heavy arm
   double force_right_n_ = 0.0, force_away_n_ = 0.0;
   double speed_m_s_ = 0.0;
-  double time_s_ = 0.0;
+  double time_s_ = 0.0, share_ = 0.0;  // progress(time_s_)
   double felt_deg_;
   double goal_deg_;
   double crossed_shift_deg_ = 0.0;
