@@ -110,7 +110,8 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const double felt_error_deg = steering.felt_error_deg;
   const double decay_s = steering.decay_s;
   const double turn_deg = steering.turn_deg;
-  const auto [sine, cosine] = sin_cos_deg(state_(direction) + 0.5 * turn_deg);
+  const SinCos way = sin_cos_deg(state_(direction) + 0.5 * turn_deg);
+  const double sine = way.sine, cosine = way.cosine;
 
   const double wander_kept = exponential(-seconds / wander_s);
   const double noise_kept = exponential(-seconds / noise_.correlation_s);
@@ -121,7 +122,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const double goal_by_phase = -2.0 * state_(habit) * begun.rate;
 
   // F P F', first its rows and then its columns. Each line uses only what is not yet changed.
-  const auto transform = [&, sine = sine, cosine = cosine](auto&& row) {
+  const auto transform = [&](auto&& row) {
     const double travel =
         travel_by_phase * row(phase) + travel_mm * row(log_rate) + travel_by_evenness * row(evenness);
     const double turn = travel_mm * rad_per_deg * row(direction);
