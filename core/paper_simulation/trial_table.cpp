@@ -114,6 +114,11 @@ const TrialTable::Step& TrialTable::step(int k) const {
   return table_[std::min(static_cast<std::size_t>(k), table_.size() - 1)];
 }
 
+#if defined(HRT_AVX2)
+extern template BatchResult TrialTable::run<QuadLanes>(std::uint64_t, std::uint32_t, std::uint32_t,
+                                                       std::uint32_t) const;
+#endif
+
 BatchResult TrialTable::run(std::uint64_t seed, std::uint32_t condition_id, std::uint32_t first_trial,
                             std::uint32_t last_trial) const {
 #if defined(HRT_AVX2)
