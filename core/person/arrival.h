@@ -30,7 +30,7 @@ inline Progress progress(double evenness, double phase) {
           .by_evenness = 1.0 - bell};
 }
 
-/// u where `share` of the path, in [0, 1], lies behind; within 1e-5.
+/// u where `share` of the path lies behind, and 1 beyond its end; within 1e-5.
 double phase_at(double evenness, double share);
 
 }  // namespace hrt
