@@ -138,13 +138,13 @@ class SceneBuilder {
     }
     // Any real target may serve many: the gap is smallest with the one that is nearest in direction.
     std::optional<std::size_t> nearest;
-    double smallest_gap_deg = 0.0;
+    double min_gap_deg = 0.0;
     for (std::size_t i = 0; i < scene_.targets.size(); ++i) {
       if (scene_.targets[i].kind != TargetKind::real_object) continue;
       const double gap_deg = std::abs(wrap_deg(scene_.targets[i].direction_deg - direction_deg, 360.0));
-      if (!nearest || gap_deg < smallest_gap_deg) {
+      if (!nearest || gap_deg < min_gap_deg) {
         nearest = i;
-        smallest_gap_deg = gap_deg;
+        min_gap_deg = gap_deg;
       }
     }
     if (!nearest) refuse(where(node), "the file has no real target that could serve this virtual one");

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/math/exponential.h"
-#include "core/person/arrival.h"
+#include "core/reach/pace.h"
 
 namespace hrt {
 namespace {

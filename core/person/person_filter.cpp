@@ -5,8 +5,8 @@
 
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
-#include "core/person/arrival.h"
 #include "core/person/steering.h"
+#include "core/reach/pace.h"
 
 namespace hrt {
 namespace {

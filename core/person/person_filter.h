@@ -19,9 +19,9 @@
 #include <Eigen/Core>
 #include <cstring>
 
-#include "core/person/arrival.h"
 #include "core/person/illusion.h"
 #include "core/person/person_belief.h"
+#include "core/reach/pace.h"
 #include "core/tracker/resting_finger.h"
 
 namespace hrt {

@@ -6,7 +6,7 @@
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
 #include "core/paper/perception.h"
-#include "core/person/arrival.h"
+#include "core/reach/pace.h"
 
 namespace hrt {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/simulation/sliding_finger.h"
 
-#include "core/person/arrival.h"
+#include "core/reach/pace.h"
 
 namespace hrt {
 

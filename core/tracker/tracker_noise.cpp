@@ -17,7 +17,7 @@ namespace {
 // Of two coordinates; a smaller number determines nothing.
 constexpr std::size_t min_noise_samples = 60;
 constexpr double max_correlation_s = 2.0;
-constexpr double shortest_correlation_s = 0.01;
+constexpr double min_correlation_s = 0.01;
 // An interval from 0 says something if it ends below this share of all noise.
 constexpr double little = 0.7;
 // A sample period that shows correlation: e^(-1 / 0.7) is about a quarter.
@@ -256,12 +256,12 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   for (const Rest& rest : kept)
     for (std::size_t i = 1; i < rest.size(); ++i) periods_s.push_back(rest[i].since_s);
   const double period_s = median(std::move(periods_s));
-  Box whole{0.0, 1.0, std::max(shortest_correlation_s, min_periods * period_s), max_correlation_s};
+  Box whole{0.0, 1.0, std::max(min_correlation_s, min_periods * period_s), max_correlation_s};
   const double quantum = quantum_m(kept);
   const bool searchable = whole.min_s < whole.max_s && quantum < max_quantum_m;
   RestNoise unknown{{0.0, 0.0, 0.0, false},
                     {0.0, 0.0, 0.0, false},
-                    {shortest_correlation_s, shortest_correlation_s, max_correlation_s, false}};
+                    {min_correlation_s, min_correlation_s, max_correlation_s, false}};
   if (count() < min_noise_samples || !searchable) return unknown;
 
   Surface surface = search(kept, whole);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/person/arrival.h"
+#include "core/reach/pace.h"
 #include "core/simulation/tracker.h"
 
 namespace hrt {

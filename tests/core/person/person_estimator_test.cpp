@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/person/arrival.h"
+#include "core/reach/pace.h"
 #include "core/simulation/person.h"
 #include "tests/core/heap_guard.h"
 

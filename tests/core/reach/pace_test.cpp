@@ -1,11 +1,11 @@
-#include "core/person/arrival.h"
+#include "core/reach/pace.h"
 
 #include <gtest/gtest.h>
 
 namespace hrt {
 namespace {
 
-TEST(Arrival, HalfTheTimeIsHalfThePath) {
+TEST(Pace, HalfTheTimeIsHalfThePath) {
   for (const double evenness : {0.0, 0.3, 1.0}) {
     EXPECT_DOUBLE_EQ(progress(evenness, 0.5).share, 0.5);
     EXPECT_EQ(progress(evenness, 0.0).share, 0.0);
@@ -14,7 +14,7 @@ TEST(Arrival, HalfTheTimeIsHalfThePath) {
 }
 
 // 30 (1/4)^2 (3/4)^2 = 270 / 256 is the bell at a quarter, where 10/64 - 15/256 + 6/1024 is behind.
-TEST(Arrival, TheBellIsThatOfAMinimumJerkMotion) {
+TEST(Pace, TheBellIsThatOfAMinimumJerkMotion) {
   EXPECT_DOUBLE_EQ(progress(0.0, 0.25).rate, 1.0546875);
   EXPECT_DOUBLE_EQ(progress(0.0, 0.25).share, 0.103515625);
   EXPECT_DOUBLE_EQ(progress(0.0, 0.5).rate, 1.875);
@@ -22,7 +22,7 @@ TEST(Arrival, TheBellIsThatOfAMinimumJerkMotion) {
   EXPECT_EQ(progress(1.0, 0.3).rate, 1.0);
 }
 
-TEST(Arrival, ItsDerivativesAreThoseOfDifferences) {
+TEST(Pace, ItsDerivativesAreThoseOfDifferences) {
   constexpr double h = 1e-5;
   for (const double evenness : {0.0, 0.2, 0.7}) {
     for (double u = 0.05; u < 1.0; u += 0.1) {
@@ -37,14 +37,14 @@ TEST(Arrival, ItsDerivativesAreThoseOfDifferences) {
   }
 }
 
-TEST(Arrival, IsStillBeforeAndAfter) {
+TEST(Pace, IsStillBeforeAndAfter) {
   for (const double u : {-1e300, -1.0, 2.0, 1e300}) {
     EXPECT_EQ(progress(0.0, u).rate, 0.0);
     EXPECT_EQ(progress(0.4, u).share, u < 0.0 ? 0.0 : 1.0);
   }
 }
 
-TEST(Arrival, ThePhaseOfAShareIsItsInverse) {
+TEST(Pace, ThePhaseOfAShareIsItsInverse) {
   for (const double evenness : {0.0, 0.05, 0.5, 1.0}) {
     for (double u = 0.0; u <= 1.0; u += 0.05)
       EXPECT_NEAR(progress(evenness, phase_at(evenness, progress(evenness, u).share)).share,

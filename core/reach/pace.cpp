@@ -1,4 +1,4 @@
-#include "core/person/arrival.h"
+#include "core/reach/pace.h"
 
 namespace hrt {
 
