@@ -107,14 +107,16 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const double k = state_(gain);
   const SteeringStep steering =
       steer(k, state_(direction), g, goal_deg(begun.share, state_(wander)), seconds);
-  const double felt_error_deg = steering.felt_error_deg;
-  const double decay_s = steering.decay_s;
-  const double turn_deg = steering.turn_deg;
-  const SinCos way = sin_cos_deg(state_(direction) + 0.5 * turn_deg);
-  const double sine = way.sine, cosine = way.cosine;
+  const SinCos way = sin_cos_deg(state_(direction) + 0.5 * steering.turn_deg);
+  const Step step{.seconds = seconds,
+                  .travel_mm = travel_mm,
+                  .sine = way.sine,
+                  .cosine = way.cosine,
+                  .turn_deg = steering.turn_deg,
+                  .phase = rate * seconds,
+                  .wander_kept = exponential(-seconds / wander_s),
+                  .noise_kept = exponential(-seconds / noise_.correlation_s)};
 
-  const double wander_kept = exponential(-seconds / wander_s);
-  const double noise_kept = exponential(-seconds / noise_.correlation_s);
   const double travel_scale = arrived ? 0.0 : path_mm_ * rate * seconds;
   const double travel_by_phase = travel_scale * begun.acceleration;
   const double travel_by_evenness = travel_scale * begun.by_evenness;
@@ -126,43 +128,47 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
     const double travel =
         travel_by_phase * row(phase) + travel_mm * row(log_rate) + travel_by_evenness * row(evenness);
     const double turn = travel_mm * rad_per_deg * row(direction);
-    row(right) -= sine * travel + cosine * turn;
-    row(away) += cosine * travel - sine * turn;
+    row(right) -= step.sine * travel + step.cosine * turn;
+    row(away) += step.cosine * travel - step.sine * turn;
     row(direction) +=
-        seconds * (-decay_s * row(direction) -
+        seconds * (-steering.decay_s * row(direction) -
                    k * (g.by_weight * row(weight) + g.by_curve * row(curve) + g.by_fading * row(fading)) -
-                   felt_error_deg * row(gain) +
+                   steering.felt_error_deg * row(gain) +
                    k * (row(bias) + row(wander) + habit_share * row(habit) + goal_by_phase * row(phase)));
-    row(phase) += rate * seconds * row(log_rate);
-    row(wander) *= wander_kept;
-    row(noise_right) *= noise_kept;
-    row(noise_away) *= noise_kept;
+    row(phase) += step.phase * row(log_rate);
+    row(wander) *= step.wander_kept;
+    row(noise_right) *= step.noise_kept;
+    row(noise_away) *= step.noise_kept;
   };
   for (int i = 0; i < size; ++i) transform(covariance_.col(i));
   // What stays as it is in a step, as the person's traits do, has a row that the column shows.
   for (int i = 0; i < weight; ++i) transform(covariance_.row(i));
   for (int i = weight; i < size; ++i) covariance_.row(i).head<weight>() = covariance_.col(i).head<weight>();
 
-  state_(right) -= travel_mm * sine;
-  state_(away) += travel_mm * cosine;
-  state_(direction) += turn_deg;
-  state_(phase) = std::min(state_(phase) + rate * seconds, 1.0);
-  state_(wander) *= wander_kept;
-  state_(noise_right) *= noise_kept;
-  state_(noise_away) *= noise_kept;
+  move_state(step);
+  add_noise(step);
+}
 
-  add_noise(seconds, {travel_mm, sine, cosine}, wander_kept, noise_kept);
+void PersonFilter::move_state(const Step& step) {
+  state_(right) -= step.travel_mm * step.sine;
+  state_(away) += step.travel_mm * step.cosine;
+  state_(direction) += step.turn_deg;
+  state_(phase) = std::min(state_(phase) + step.phase, 1.0);
+  state_(wander) *= step.wander_kept;
+  state_(noise_right) *= step.noise_kept;
+  state_(noise_away) *= step.noise_kept;
 }
 
 // What the model leaves to chance in a step: random walks, and what is fresh of what decays.
-void PersonFilter::add_noise(double seconds, const Step& step, double wander_kept, double noise_kept) {
-  covariance_(direction, direction) += direction_density_deg2_s * seconds;
-  covariance_(log_rate, log_rate) += log_rate_density_s * seconds;
-  const double along_mm2 = place_share_s * step.travel_mm * step.travel_mm / seconds;
-  covariance_(right, right) += place_density_mm2_s * seconds + along_mm2 * step.sine * step.sine;
-  covariance_(away, away) += place_density_mm2_s * seconds + along_mm2 * step.cosine * step.cosine;
-  covariance_(wander, wander) += (1.0 - wander_kept * wander_kept) * wander_sd_deg * wander_sd_deg;
-  const double fresh_mm2 = (1.0 - noise_kept * noise_kept) * noise_.correlated_mm * noise_.correlated_mm;
+void PersonFilter::add_noise(const Step& step) {
+  covariance_(direction, direction) += direction_density_deg2_s * step.seconds;
+  covariance_(log_rate, log_rate) += log_rate_density_s * step.seconds;
+  const double along_mm2 = place_share_s * step.travel_mm * step.travel_mm / step.seconds;
+  covariance_(right, right) += place_density_mm2_s * step.seconds + along_mm2 * step.sine * step.sine;
+  covariance_(away, away) += place_density_mm2_s * step.seconds + along_mm2 * step.cosine * step.cosine;
+  covariance_(wander, wander) += (1.0 - step.wander_kept * step.wander_kept) * wander_sd_deg * wander_sd_deg;
+  const double fresh_mm2 =
+      (1.0 - step.noise_kept * step.noise_kept) * noise_.correlated_mm * noise_.correlated_mm;
   covariance_(noise_right, noise_right) += fresh_mm2;
   covariance_(noise_away, noise_away) += fresh_mm2;
 }

@@ -144,13 +144,20 @@ class PersonFilter {
     std::memcpy(&state, vector.data(), sizeof state);
     return state;
   }
-  /// The finger's way in a step, and sine and cosine of its direction.
+  /// What a step of the motion does to the state: the finger's way, sine and cosine of its direction, its
+  /// turn, the share of the duration that passes, and what is left of what decays.
   struct Step {
+    double seconds;
     double travel_mm;
     double sine;
     double cosine;
+    double turn_deg;
+    double phase;
+    double wander_kept;
+    double noise_kept;
   };
-  void add_noise(double seconds, const Step& step, double wander_kept, double noise_kept);
+  void move_state(const Step& step);
+  void add_noise(const Step& step);
   void keep_in_range();
 
   double virtual_direction_deg_;
