@@ -57,24 +57,26 @@ MaxShift max_shift(const Illusion& illusion, double bound_deg) {
     // g' = 0
     offset_deg = std::min(offset_deg, scale_deg * std::sqrt(illusion.weight / (3.0 * illusion.curve)));
   }
-  if (illusion.fading > 0.0 && illusion.slowness > 0.0 && felt_shift(illusion, offset_deg).by_offset < 0.0) {
+  FeltShift felt = felt_shift(illusion, offset_deg);
+  if (illusion.fading > 0.0 && illusion.slowness > 0.0 && felt.by_offset < 0.0) {
     double low_deg = 0.0;
     for (int i = 0; i < 8; ++i) {
       const double middle_deg = 0.5 * (low_deg + offset_deg);
       (felt_shift(illusion, middle_deg).by_offset > 0.0 ? low_deg : offset_deg) = middle_deg;
     }
+    felt = felt_shift(illusion, offset_deg);
   }
-  return {felt_shift(illusion, offset_deg).shift_deg, offset_deg};
+  return {offset_deg, felt};
 }
 
 double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max) {
   const double wanted_deg = std::abs(shift_deg);
-  if (wanted_deg >= max.shift_deg) return std::copysign(max.offset_deg, shift_deg);
+  if (wanted_deg >= max.felt.shift_deg) return std::copysign(max.offset_deg, shift_deg);
   // Newton's steps from the chord until they stand, kept between the ends: g is concave for b > 0 and convex
   // for b < 0.
   double low_deg = 0.0;
   double high_deg = max.offset_deg;
-  double offset_deg = max.offset_deg * wanted_deg / max.shift_deg;
+  double offset_deg = max.offset_deg * wanted_deg / max.felt.shift_deg;
   for (int i = 0; i < 8; ++i) {
     const FeltShift g = felt_shift(illusion, offset_deg);
     (g.shift_deg < wanted_deg ? low_deg : high_deg) = offset_deg;

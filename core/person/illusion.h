@@ -36,8 +36,8 @@ FeltShift felt_shift(const Illusion& illusion, double offset_deg);
 
 /// The largest shift with the ridge normal within `bound_deg` of the motion, and the offset that gives it.
 struct MaxShift {
-  double shift_deg;
   double offset_deg;
+  FeltShift felt;
 };
 
 /// `bound_deg` in (0, 90]; weight > 0.

@@ -55,7 +55,7 @@ void PersonFilter::begin(double motion_log_rate, double motion_evenness, double 
   state_(log_rate) = motion_log_rate;
   state_(evenness) = motion_evenness;
   keep_in_range();
-  const double phase_sd = exponential(state_(log_rate)) * onset_sd_s;
+  const double phase_sd = rate_ * onset_sd_s;
   covariance_(phase, phase) = phase_sd * phase_sd;
   covariance_(right, right) = covariance_(away, away) = place_sd_mm * place_sd_mm;
   const double goal = now().goal_deg;
@@ -91,16 +91,11 @@ Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
           .slowness = ridge_slowness(speed_mm_s, travelled_mm)};
 }
 
-double PersonFilter::mean_speed_mm_s() const {
-  return path_mm_ * exponential(state_(log_rate));
-}
-
 void PersonFilter::move(double seconds, double felt_plate_deg) {
-  const double rate = exponential(state_(log_rate));
   const bool arrived = state_(phase) >= 1.0;
   const Progress begun = progress(state_(evenness), state_(phase));
-  const Progress middle = progress(state_(evenness), state_(phase) + 0.5 * rate * seconds);
-  const double travel_mm = arrived ? 0.0 : path_mm_ * rate * middle.rate * seconds;
+  const Progress middle = progress(state_(evenness), state_(phase) + 0.5 * rate_ * seconds);
+  const double travel_mm = arrived ? 0.0 : path_mm_ * rate_ * middle.rate * seconds;
 
   const FeltShift g =
       felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - state_(direction));
@@ -113,37 +108,40 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
                   .sine = way.sine,
                   .cosine = way.cosine,
                   .turn_deg = steering.turn_deg,
-                  .phase = rate * seconds,
+                  .phase = rate_ * seconds,
                   .wander_kept = exponential(-seconds / wander_s),
                   .noise_kept = exponential(-seconds / noise_.correlation_s)};
 
-  const double travel_scale = arrived ? 0.0 : path_mm_ * rate * seconds;
+  const double travel_scale = arrived ? 0.0 : path_mm_ * rate_ * seconds;
   const double travel_by_phase = travel_scale * begun.acceleration;
   const double travel_by_evenness = travel_scale * begun.by_evenness;
+  const double across_by_direction = travel_mm * rad_per_deg;
+  const double answer = k * seconds;  // of a turn by what is felt
   const double habit_share = 1.0 - 2.0 * begun.share;
   const double goal_by_phase = -2.0 * state_(habit) * begun.rate;
+  const double turn_by_direction = -steering.decay_s * seconds;
+  const double turn_by_gain = -steering.felt_error_deg * seconds;
 
-  // F P F', first its rows and then its columns. Each line uses only what is not yet changed.
+  // F P F', first its columns, which lie side by side, and then its rows. Each line uses only what is not yet
+  // changed.
   const auto transform = [&](auto&& row) {
-    const double travel =
+    const double along =
         travel_by_phase * row(phase) + travel_mm * row(log_rate) + travel_by_evenness * row(evenness);
-    const double turn = travel_mm * rad_per_deg * row(direction);
-    row(right) -= step.sine * travel + step.cosine * turn;
-    row(away) += step.cosine * travel - step.sine * turn;
-    row(direction) +=
-        seconds * (-steering.decay_s * row(direction) -
-                   k * (g.by_weight * row(weight) + g.by_curve * row(curve) + g.by_fading * row(fading)) -
-                   steering.felt_error_deg * row(gain) +
-                   k * (row(bias) + row(wander) + habit_share * row(habit) + goal_by_phase * row(phase)));
+    const double across = across_by_direction * row(direction);
+    row(right) -= step.sine * along + step.cosine * across;
+    row(away) += step.cosine * along - step.sine * across;
+    const double goal = row(bias) + row(wander) + habit_share * row(habit) + goal_by_phase * row(phase);
+    const double shift = g.by_weight * row(weight) + g.by_curve * row(curve) + g.by_fading * row(fading);
+    row(direction) += turn_by_direction * row(direction) + turn_by_gain * row(gain) + answer * (goal - shift);
     row(phase) += step.phase * row(log_rate);
     row(wander) *= step.wander_kept;
     row(noise_right) *= step.noise_kept;
     row(noise_away) *= step.noise_kept;
   };
-  for (int i = 0; i < size; ++i) transform(covariance_.col(i));
-  // What stays as it is in a step, as the person's traits do, has a row that the column shows.
-  for (int i = 0; i < weight; ++i) transform(covariance_.row(i));
-  for (int i = weight; i < size; ++i) covariance_.row(i).head<weight>() = covariance_.col(i).head<weight>();
+  for (int i = 0; i < size; ++i) transform(covariance_.row(i));
+  // What stays as it is in a step, as the person's traits do, has a column that the row shows.
+  for (int i = 0; i < weight; ++i) transform(covariance_.col(i));
+  for (int i = weight; i < size; ++i) covariance_.col(i).head<weight>() = covariance_.row(i).head<weight>();
 
   move_state(step);
   add_noise(step);
@@ -241,7 +239,7 @@ void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool
 }
 
 void PersonFilter::loosen_clock(double seconds) {
-  const double phases = exponential(state_(log_rate)) * seconds;
+  const double phases = rate_ * seconds;
   covariance_(phase, phase) += phases * phases;
 }
 
@@ -279,6 +277,7 @@ void PersonFilter::keep_in_range() {
   for (int i = 0; i < PersonTrait::count; ++i)
     state_(state_of[i]) = std::clamp(state_(state_of[i]), person_traits[i].min, person_traits[i].max);
   state_(phase) = std::clamp(state_(phase), 0.0, 1.0);
+  rate_ = exponential(state_(log_rate));
 }
 
 }  // namespace hrt

@@ -126,7 +126,9 @@ class PersonFilter {
   Illusion illusion(double speed_mm_s, double travelled_mm) const;
   /// At the mean speed of the reach, ridges having been crossed.
   Illusion mean_illusion() const { return illusion(mean_speed_mm_s(), path_mm_); }
-  double mean_speed_mm_s() const;
+  /// r, one over the duration, 1/s.
+  double rate() const { return rate_; }
+  double mean_speed_mm_s() const { return path_mm_ * rate_; }
   double path_mm() const { return path_mm_; }
 
   /// G at a share of the path, with the fast part at `wander_deg`.
@@ -164,6 +166,7 @@ class PersonFilter {
   double path_mm_;
   TrackerNoise noise_;
   State state_;
+  double rate_;  // of state_
   Covariance covariance_;
 };
 

@@ -193,8 +193,8 @@ ReachAim PersonReach::aim() const {
 // By the filter, which may stand at an earlier time.
 double PersonReach::time_to_go_s(double now_s) const {
   const std::optional<PersonFilter> retargeted = estimator_.after_retarget();
-  const PersonState x = (retargeted ? *retargeted : estimator_.filter()).state();
-  const double left_s = (1.0 - x.phase) / exponential(x.log_rate);
+  const PersonFilter& filter = retargeted ? *retargeted : estimator_.filter();
+  const double left_s = (1.0 - filter.state().phase) / filter.rate();
   return std::max(0.0, left_s - (now_s - estimator_.time_s()));
 }
 
@@ -204,10 +204,9 @@ bool PersonReach::can_be_held() const {
   const Illusion illusion = filter.mean_illusion();
   const MaxShift max = max_shift(illusion, config_.control.bound_deg);
   const double gap_deg = reach_.virtual_direction_deg + filter.state().bias_deg - aimed_direction_deg_;
-  const FeltShift g = felt_shift(illusion, max.offset_deg);
   const double variance =
-      frame_sd_deg_ * frame_sd_deg_ + filter.shift_variance_deg2(g, gap_deg > 0.0 ? -1.0 : 1.0);
-  return max.shift_deg - std::abs(gap_deg) > min_margin_deg - margin_deviations * deviation(variance);
+      frame_sd_deg_ * frame_sd_deg_ + filter.shift_variance_deg2(max.felt, gap_deg > 0.0 ? -1.0 : 1.0);
+  return max.felt.shift_deg - std::abs(gap_deg) > min_margin_deg - margin_deviations * deviation(variance);
 }
 
 // Of the finger across the line to the target: as the filter knows its place, and as the frame is known.

@@ -11,8 +11,8 @@
 namespace hrt {
 namespace {
 
-constexpr int dead_time_steps = 6;
-constexpr int arrival_nodes = 12;
+constexpr int dead_time_steps = 2;
+constexpr int arrival_nodes = 4;
 // Millimetres of miss a degree of change of the felt shift is worth.
 constexpr double change_weight_mm_deg = 0.08;
 // w is taken lower by this share of its deviation: too little shift misses, too much is corrected.
@@ -32,7 +32,7 @@ struct Motion {
 Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double line_deg, const ReachAim& aim,
                             const PlateOutlook& outlook) {
   const PersonState x = filter.state();
-  const double rate = exponential(x.log_rate);
+  const double rate = filter.rate();
   const double arrives_s = outlook.now_s + outlook.latency_s;
   const double step_s = (arrives_s + sensory_delay_s - filter_s) / dead_time_steps;
   const double wander_kept = exponential(-step_s / wander_s);
@@ -44,7 +44,6 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
       .wander_deg = x.wander_deg,
       .shift_deg = 0.0};
   double felt_plate_deg = 0.0;
-  const double mean_mm_s = filter.mean_speed_mm_s();
   Illusion illusion{};
   const double now_deg = outlook.past.at(outlook.now_s);
   for (int i = 0; i < dead_time_steps; ++i) {
@@ -54,7 +53,7 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
     felt_plate_deg = felt_s <= outlook.now_s ? outlook.past.at(felt_s)
                                              : now_deg + ahead * (outlook.after_latency_deg - now_deg);
     const Progress p = progress(x.evenness, motion.phase + 0.5 * rate * step_s);
-    illusion = filter.illusion(mean_mm_s * p.rate, filter.path_mm() * p.share);
+    illusion = filter.illusion(filter.mean_speed_mm_s() * p.rate, filter.path_mm() * p.share);
     const FeltShift g = felt_shift(illusion, felt_plate_deg - motion.direction_deg);
     const double turn_deg =
         steer(x.gain_s, motion.direction_deg, g, filter.goal_deg(p.share, motion.wander_deg), step_s)
@@ -77,7 +76,7 @@ struct Arrival {
 
 Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) {
   const PersonState x = filter.state();
-  const double rate = exponential(x.log_rate);
+  const double rate = filter.rate();
   const double remaining_s = std::max(0.0, 1.0 - from.phase) / rate;
   const double step_s = remaining_s / arrival_nodes;
   const double half_kept = kept_error(x.gain_s, 0.5 * step_s);
@@ -125,7 +124,7 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
       filter.illusion(filter.mean_speed_mm_s() * std::max(p.rate, min_speed_share), filter.path_mm());
   illusion.weight = std::max(0.03, illusion.weight - weight_caution * filter.deviation().weight);
   const MaxShift max = max_shift(illusion, config.bound_deg);
-  const double given_deg = std::clamp(shift_deg, -max.shift_deg, max.shift_deg);
+  const double given_deg = std::clamp(shift_deg, -max.felt.shift_deg, max.felt.shift_deg);
   return {.plate_deg = motion.direction_deg + offset_for_shift(illusion, given_deg, max),
           .felt_error_deg = error_deg + given_deg,
           .miss_mm = arrival.miss_mm + leverage * given_deg,

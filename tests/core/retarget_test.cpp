@@ -142,7 +142,7 @@ Shares shares(double duration_s, const std::optional<TargetMove>& move, int reac
   const RetargeterConfig controller = people_controller();
   Shares shares;
   int able = 0;
-  for (std::uint32_t i = 0; i < 40; ++i) {
+  for (std::uint32_t i = 0; i < 120; ++i) {
     PersonCondition condition = draw_person(people_families()[0], duration_s, 1, i);
     if (!can_hold(condition)) continue;
     ++able;

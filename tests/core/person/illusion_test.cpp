@@ -68,17 +68,17 @@ TEST(Illusion, DerivativesOfAFadingOneAreThoseOfDifferences) {
 TEST(Illusion, OfAFadingTouchIsLargestBelowTheBound) {
   const Illusion fading{.weight = 0.2, .curve = 0.0, .fading = 1.0, .slowness = 0.3};
   const MaxShift max = max_shift(fading, 85.0);
-  EXPECT_GT(max.shift_deg, felt_shift(fading, max.offset_deg - 1.0).shift_deg);
-  EXPECT_GT(max.shift_deg, felt_shift(fading, max.offset_deg + 1.0).shift_deg);
+  EXPECT_GT(max.felt.shift_deg, felt_shift(fading, max.offset_deg - 1.0).shift_deg);
+  EXPECT_GT(max.felt.shift_deg, felt_shift(fading, max.offset_deg + 1.0).shift_deg);
 }
 
 // 75 sqrt(0.3 / 0.36) = 68.465; the shift there is two thirds of 0.3 times it.
 TEST(Illusion, IsLargestWhereItsSlopeIsNoneOrAtTheBound) {
   EXPECT_NEAR(max_shift(curved, 75.0).offset_deg, 68.4653, 1e-4);
-  EXPECT_NEAR(max_shift(curved, 75.0).shift_deg, 13.69306, 1e-5);
+  EXPECT_NEAR(max_shift(curved, 75.0).felt.shift_deg, 13.69306, 1e-5);
   EXPECT_EQ(max_shift(curved, 40.0).offset_deg, 40.0);
   EXPECT_EQ(max_shift(linear, 75.0).offset_deg, 75.0);
-  EXPECT_DOUBLE_EQ(max_shift(linear, 75.0).shift_deg, 15.0);
+  EXPECT_DOUBLE_EQ(max_shift(linear, 75.0).felt.shift_deg, 15.0);
   EXPECT_LT(max_shift(linear, 90.0).offset_deg, 90.0);
 }
 
@@ -88,9 +88,9 @@ TEST(Illusion, TheOffsetForAShiftGivesThatShift) {
     for (const double bound : {75.0, 30.0, 89.9}) {
       const MaxShift max = max_shift(illusion, bound);
       for (int i = -99; i <= 99; ++i) {
-        const double wanted = 0.01 * i * max.shift_deg;
+        const double wanted = 0.01 * i * max.felt.shift_deg;
         const double offset = offset_for_shift(illusion, wanted, max);
-        EXPECT_NEAR(felt_shift(illusion, offset).shift_deg, wanted, 2e-4 * max.shift_deg) << i;
+        EXPECT_NEAR(felt_shift(illusion, offset).shift_deg, wanted, 2e-4 * max.felt.shift_deg) << i;
         EXPECT_LE(std::abs(offset), max.offset_deg);
         EXPECT_EQ(offset_for_shift(illusion, -wanted, max), -offset);
       }
