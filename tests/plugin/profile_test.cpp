@@ -100,6 +100,7 @@ TEST_F(ProfileTest, WhatIsNotAProfileIsRefusedAndChangesNothing) {
                "version");
   expect_error(load(session, profile(",\"horizon\":4")), HRT_ERROR_BAD_FORMAT, "\"horizon\"");
   expect_error(load(session, profile(",\"tactile_weight\":\"0.2\"")), HRT_ERROR_BAD_FORMAT, "tactile_weight");
+  expect_error(load(session, profile(",\"tactile_weight\":true")), HRT_ERROR_BAD_FORMAT, "not a JSON object");
   expect_error(load(session, profile(",\"tactile_weight\":0.9")), HRT_ERROR_OUT_OF_RANGE,
                "tactile_weight is 0.9");
   expect_error(load(session, profile(",\"tactile_weight\":1e999")), HRT_ERROR_BAD_FORMAT,

@@ -69,10 +69,15 @@ TEST_F(RetargetTest, StateIsWhatTheSessionIsAbout) {
   expect_state(0);
   const hrt_target_config former_role = target_config(HRT_TARGET_VIRTUAL, 5.0);
   ASSERT_OK(hrt_target_set(session, cup, &former_role));
+  ASSERT_OK(hrt_target_remove(session, add(HRT_TARGET_REAL, -10.0, "second")));
+  expect_state(HRT_STATE_READY);
+  ASSERT_OK(hrt_target_remove(session, real));
+  expect_state(0);
+  const hrt_target real_again = add(HRT_TARGET_REAL, -5.0);
   const std::string path = testing::TempDir() + "hrt_state.csv";
   ASSERT_OK(hrt_recording_start(session, path.c_str()));
   expect_state(HRT_STATE_READY | HRT_STATE_RECORDING);
-  ASSERT_OK(begin(real, cup));
+  ASSERT_OK(begin(real_again, cup));
   expect_state(HRT_STATE_REACHING | HRT_STATE_RECORDING);
   ASSERT_OK(hrt_target_remove(session, cup));
   expect_state(HRT_STATE_REACHING | HRT_STATE_RECORDING);

@@ -71,6 +71,18 @@ TEST(PlateWatch, APlateThatDoesNotKnowItsPlaceIsHeard) {
   EXPECT_FALSE(watch.speed_deg_s());
 }
 
+// A sensor may be off by 3 degrees.
+TEST(PlateWatch, NoticesAPlateBeyondItsLimits) {
+  for (const double side : {-1.0, 1.0}) {
+    PlateWatch watch(greeting, start);
+    watch.reported(start, side * 93.0);
+    EXPECT_NE(failure_of([&] {
+                watch.reported(start + 20ms, side * 93.1);
+              }).find("outside its limits of -90.0 to 90.0 deg"),
+              std::string::npos);
+  }
+}
+
 TEST(PlateWatch, APlateThatWasStoppedIsNotStuck) {
   PlateWatch watch(greeting, start);
   watch.commanded(30.0);

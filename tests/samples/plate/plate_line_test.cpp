@@ -66,6 +66,7 @@ TEST(PlateMessage, IsRead) {
   EXPECT_EQ(std::get<PlateRefusal>(*parse_plate_message("ERROR sum")).why, "sum");
   EXPECT_EQ(std::get<PlateSetting>(*parse_plate_message("CONF zero 1510.00")).value, 1510.0);
   EXPECT_EQ(std::get<PlateTest>(*parse_plate_message("TEST emergency closed")).result, "closed");
+  EXPECT_EQ(std::get<PlateTest>(*parse_plate_message("TEST end")).what, "end");
 }
 
 TEST(PlateMessage, IsNothingElse) {
@@ -108,6 +109,7 @@ TEST(PlateMessage, IsNothingElse) {
                            "CONF zero",
                            "ERROR",
                            "TEST",
+                           "TEST over",
                            "STOPPED why",
                            "STOPPED"})
     EXPECT_FALSE(parse_plate_message(body)) << body;
