@@ -10,14 +10,13 @@ export class Felt {
   /** Of the motion; NaN at rest. */
   finger_deg = NaN;
   felt_deg = NaN;
-  speed_m_s = 0;
   #speedRight_m_s = 0;
   #speedAway_m_s = 0;
 
   /** At rest there: nothing has been felt. */
   begin(at: Readonly<Place>): void {
     Object.assign(this.place, at);
-    this.#speedRight_m_s = this.#speedAway_m_s = this.speed_m_s = 0;
+    this.#speedRight_m_s = this.#speedAway_m_s = 0;
     this.finger_deg = this.felt_deg = NaN;
   }
 
@@ -26,9 +25,9 @@ export class Felt {
     const share = 1 - Math.exp(-milliseconds / smoothing_ms);
     this.#speedRight_m_s += share * ((1000 * right_m) / milliseconds - this.#speedRight_m_s);
     this.#speedAway_m_s += share * ((1000 * away_m) / milliseconds - this.#speedAway_m_s);
-    this.speed_m_s = Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
+    const speed_m_s = Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
     let added_deg = 0;
-    if (this.speed_m_s < leastSpeed_m_s) {
+    if (speed_m_s < leastSpeed_m_s) {
       this.finger_deg = this.felt_deg = NaN;
     } else {
       this.finger_deg = direction_deg(this.#speedRight_m_s, this.#speedAway_m_s);

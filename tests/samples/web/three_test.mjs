@@ -43,7 +43,7 @@ test("the three.js example leads a reach of a worn hand", () => visit(async (pag
   await page.waitForTimeout(200);
   await page.evaluate(() => {
     const eyes = globalThis.headset.device.position;
-    for (let i = 0; i <= 150; ++i) {
+    for (let i = 0; i <= 180; ++i) {
       const s = Math.min(1, Math.max(0, i - 30) / 110), gone = 0.1 * (10 * s ** 3 - 15 * s ** 4 + 6 * s ** 5);
       globalThis.headset.moveTip(eyes.x, eyes.y - 0.35, eyes.z - 0.4 + 0.05 - gone);
       globalThis.drawFrame(1000 / 90);

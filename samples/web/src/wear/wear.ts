@@ -1,6 +1,6 @@
 // Reaches of a hand that a headset tracks: places the plate, waits at its start, leads the slide by the real plugin, and
 // says where it ended. Knows no page and no browser's session: frames are given to it.
-import type { Library } from "haptic-retargeting";
+import { HRT_COMMAND_ARRIVED, type Library } from "haptic-retargeting";
 import { HandReach, type HapticPlate } from "haptic-retargeting/three";
 import { Quaternion, Vector3 } from "three";
 import { Controller, pageCourse } from "../controller";
@@ -16,8 +16,7 @@ const startRadius_m = 0.015;  // about the start, in each coordinate's plane
 const startHeight_m = 0.03;
 const startRest_ms = 400;
 const lostLimit_ms = 1000;  // a shorter loss is bridged: the plugin holds, and continues
-const shortest_m = 0.03, arrived_m = 0.085, beyond_m = 0.15;
-const stopSpeed_m_s = 0.012, stop_ms = 300, giveUp_ms = 1500;  // near the targets, and on the way
+const shortest_m = 0.03, beyond_m = 0.15;
 const liftHeight_m = 0.05;  // without a plate nothing holds the finger down
 const longestFrame_ms = 100;
 
@@ -69,7 +68,6 @@ export class Wear {
   #time_ms = NaN;
   #owed_ms = 0;
   #seen_ms = 0;
-  #stopped_ms = 0;
 
   /** `plate` is the one that is drawn, in its place in the scene. */
   constructor(library: Library, world: World, plate: HapticPlate, settings: Readonly<Settings>) {
@@ -193,7 +191,6 @@ export class Wear {
     this.#restart();
     this.#controller.begin(this.#world.plate_deg());
     this.#seen_ms = this.#time_ms;
-    this.#stopped_ms = 0;
     this.phase = "sliding";
     this.text = "Slide to the ghost, the orange goblet. Stop there.";
   }
@@ -215,14 +212,13 @@ export class Wear {
     this.#felt.move(x - this.finger.right_m, -z - this.finger.away_m, Math.max(1, elapsed_ms), this.#shift_deg);
     this.finger.right_m = x;
     this.finger.away_m = -z;
-    this.#endIfOver(y, elapsed_ms);
+    this.#endIfOver(y);
   }
 
-  #endIfOver(height_m: number, elapsed_ms: number): void {
+  #endIfOver(height_m: number): void {
     const gone_m = length_m(start, this.finger), lifted = height_m > liftHeight_m;
-    this.#stopped_ms = gone_m > shortest_m && this.#felt.speed_m_s < stopSpeed_m_s ? this.#stopped_ms + elapsed_ms : 0;
     if (lifted && gone_m < shortest_m) return this.#restart();
-    if (lifted || gone_m > beyond_m || this.#stopped_ms >= (gone_m > arrived_m ? stop_ms : giveUp_ms)) this.#arrive();
+    if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
   /** A hand that feels no plate teaches the controller nothing. */
