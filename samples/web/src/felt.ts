@@ -3,7 +3,7 @@ import { ahead, direction_deg, type Place } from "./geometry";
 
 /** A direction is the mean over about this time: tracked positions and a mouse's pixels are coarse. */
 const smoothing_ms = 60;
-const leastSpeed_m_s = 0.004;
+const minSpeed_m_s = 0.004;
 
 export class Felt {
   readonly place: Place = { right_m: 0, away_m: 0 };
@@ -27,7 +27,7 @@ export class Felt {
     this.#speedAway_m_s += share * ((1000 * away_m) / milliseconds - this.#speedAway_m_s);
     const speed_m_s = Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
     let added_deg = 0;
-    if (speed_m_s < leastSpeed_m_s) {
+    if (speed_m_s < minSpeed_m_s) {
       this.finger_deg = this.felt_deg = NaN;
     } else {
       this.finger_deg = direction_deg(this.#speedRight_m_s, this.#speedAway_m_s);

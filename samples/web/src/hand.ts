@@ -9,7 +9,7 @@ import type { Settings } from "./settings";
 import { Trace, tracePeriod_ms } from "./trace";
 
 /** A slide that is shorter does not count. */
-export const shortest_m = 0.03;
+export const minReach_m = 0.03;
 /** A finger that is felt this near to the ghost has reached it. */
 const near_m = 0.005;
 const degree = Math.PI / 180;
@@ -147,7 +147,7 @@ export class Hand {
   /** The finger is lifted. A slide that is too short begins anew. */
   end(): void {
     if (this.phase !== "sliding") return;
-    if (length_m(start, this.#felt) < shortest_m) return this.begin();
+    if (length_m(start, this.#felt) < minReach_m) return this.begin();
     this.#controller.cancel();
     this.recording = this.#controller.takeRecording();
     const course = pageCourse(this.#settings), ghost = virtualPlace(course);

@@ -8,7 +8,7 @@ import type { RecordedReach } from "../files/recording";
 import { Trace, tracePeriod_ms } from "../trace";
 
 const pause_ms = 2200;
-const longestFrame_ms = 100;
+const maxFrame_ms = 100;
 
 export class Replaying {
   readonly trace = new Trace();
@@ -42,7 +42,7 @@ export class Replaying {
   frame(elapsed_ms: number): void {
     const reach = this.#reach;
     if (!reach) return;
-    if (!this.#still) this.#time_ms += Math.min(elapsed_ms, longestFrame_ms);
+    if (!this.#still) this.#time_ms += Math.min(elapsed_ms, maxFrame_ms);
     if (this.#time_ms > this.#last_ms(reach) + pause_ms) this.show(reach);
     while ((reach.samples[this.#next]?.time_ms ?? Infinity) <= this.#time_ms) this.#take(reach, this.#next++);
     const sample = reach.samples[Math.max(0, this.#next - 1)];

@@ -12,7 +12,7 @@ import type { Ticks } from "../ticks";
 import type { Voice } from "../voice";
 
 const keySpeed_m_s = 0.06;
-const longestFrame_ms = 100;
+const maxFrame_ms = 100;
 const reveal_ms = 900;
 /** A mouse that comes so near to the ring takes the finger along. */
 const grasp_m = 0.008;
@@ -75,7 +75,7 @@ export class Sliding {
   }
 
   frame(elapsed_ms: number): void {
-    const elapsed = Math.min(elapsed_ms, longestFrame_ms), hand = this.#hand, { phase, ridges } = hand;
+    const elapsed = Math.min(elapsed_ms, maxFrame_ms), hand = this.#hand, { phase, ridges } = hand;
     this.#moveByKeys(elapsed / 1000);
     this.#owed_ms += elapsed;
     const whole = Math.floor(this.#owed_ms);

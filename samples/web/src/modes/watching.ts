@@ -11,7 +11,7 @@ import type { Watch } from "../watch";
 
 /** Between two reaches. */
 const pause_ms = 2200;
-const longestFrame_ms = 100;
+const maxFrame_ms = 100;
 const step_ms = 100;
 
 export class Watching {
@@ -76,7 +76,7 @@ export class Watching {
   /** A frame after `elapsed_ms`. */
   frame(elapsed_ms: number): void {
     if (this.playing) {
-      const elapsed = Math.min(elapsed_ms, longestFrame_ms);
+      const elapsed = Math.min(elapsed_ms, maxFrame_ms);
       if (this.#watch.phase === "arrived") {
         this.#shownFor_ms += elapsed;
         if (this.#shownFor_ms >= pause_ms) this.#begin();

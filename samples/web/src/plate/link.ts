@@ -5,7 +5,7 @@ import { angleText, decodeLine, encodeLine, LineReader, parseMessage, type Plate
 const greetingLimit_ms = 5000;  // boards start when their line is opened, and need 2 s
 const greetingPeriod_ms = 200;
 const beatPeriod_ms = 50;
-const leastPeriod_ms = 8;  // between two commands
+const minPeriod_ms = 8;  // between two commands
 const silenceLimit_ms = 500;
 const limitSlack_deg = 3;
 const far_deg = 10;
@@ -101,7 +101,7 @@ export class PlateLink {
   }
 
   #command(now_ms: number): void {
-    if (!this.facts || Number.isNaN(this.#wanted_deg) || now_ms - this.#said_ms < leastPeriod_ms) return;
+    if (!this.facts || Number.isNaN(this.#wanted_deg) || now_ms - this.#said_ms < minPeriod_ms) return;
     const angle_deg = Number(nearest(this.#wanted_deg, this.orientation_deg, this.facts).toFixed(2));
     if (angle_deg === this.#sent_deg) return;
     this.#sent_deg = angle_deg;

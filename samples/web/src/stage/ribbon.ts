@@ -2,7 +2,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial, type ColorRepresentation } from "three";
 
 const capacity = 2000;
-const leastStep_m = 0.0005, longestStep_m = 0.001;
+const minStep_m = 0.0005, maxStep_m = 0.001;
 
 export class Ribbon extends Mesh<BufferGeometry, MeshBasicMaterial> {
   readonly #halfWidth_m: number;
@@ -52,8 +52,8 @@ export class Ribbon extends Mesh<BufferGeometry, MeshBasicMaterial> {
       return;
     }
     // In pieces, so that a fast finger's dashes are as long as a slow one's.
-    const far_m = Math.hypot(right_m - this.#right_m, away_m - this.#away_m), pieces = Math.ceil(far_m / longestStep_m);
-    if (far_m < leastStep_m) return;
+    const far_m = Math.hypot(right_m - this.#right_m, away_m - this.#away_m), pieces = Math.ceil(far_m / maxStep_m);
+    if (far_m < minStep_m) return;
     const from = { right_m: this.#right_m, away_m: this.#away_m };
     for (let i = 1; i <= pieces; ++i) {
       this.#extend(from.right_m + ((right_m - from.right_m) * i) / pieces, from.away_m + ((away_m - from.away_m) * i) / pieces);

@@ -16,9 +16,9 @@ const startRadius_m = 0.015;  // about the start, in each coordinate's plane
 const startHeight_m = 0.03;
 const startRest_ms = 400;
 const lostLimit_ms = 1000;  // a shorter loss is bridged: the plugin holds, and continues
-const shortest_m = 0.03, beyond_m = 0.15;
+const minReach_m = 0.03, beyond_m = 0.15;
 const liftHeight_m = 0.05;  // without a plate nothing holds the finger down
-const longestFrame_ms = 100;
+const maxFrame_ms = 100;
 
 export type WearPhase = "placing" | "ready" | "sliding" | "arrived";
 
@@ -115,7 +115,7 @@ export class Wear {
 
   /** One frame of the headset, at the time of its callback. `hand`: the one that slides; undefined: it is not tracked. */
   frame(now_ms: number, frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
-    const elapsed_ms = Math.min(longestFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
+    const elapsed_ms = Math.min(maxFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
     this.#time_ms = now_ms;
     this.#advance(elapsed_ms);
     if (this.phase === "sliding") return this.#slide(frame, hand, space, elapsed_ms);
@@ -217,7 +217,7 @@ export class Wear {
 
   #endIfOver(height_m: number): void {
     const gone_m = length_m(start, this.finger), lifted = height_m > liftHeight_m;
-    if (lifted && gone_m < shortest_m) return this.#restart();
+    if (lifted && gone_m < minReach_m) return this.#restart();
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
