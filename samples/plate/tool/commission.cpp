@@ -152,6 +152,7 @@ Measurements commission(const Opener& open, const Person& person) {
     link->change_setting("latency", std::clamp(found.latency_ms.value, 0.0, 200.0));
     link->save_settings();
   }
+  found.details = device->details();
   return found;
 }
 

@@ -52,14 +52,15 @@ Answers entered(const std::vector<std::string>& lines) {
 
 // The commands, with the device at the line "board"; other lines are the computer's.
 template <class Emulated>
-Outcome run_with(Emulated& device, const std::vector<std::string>& arguments, const Answers& answers = {}) {
+Outcome run_with(Emulated& device, const std::vector<std::string>& arguments, const Answers& answers = {},
+                 const std::vector<std::string>& lines = {"/nonexistent", "board"}) {
   std::ostringstream out, err;
   const auto open = [&](const std::string& path, int baud) {
     return path == "board" ? line_to(device) : open_serial_line(path, baud);
   };
   std::vector<const char*> words = {"hrt-plate"};
   for (const std::string& argument : arguments) words.push_back(argument.c_str());
-  const auto devices = [] { return std::vector<std::string>{"/nonexistent", "board"}; };
+  const auto devices = [&lines] { return lines; };
   const int code =
       run_tool(static_cast<int>(words.size()), words.data(), {devices, open, reader_of(answers), out, err});
   return {code, out.str(), err.str()};
@@ -72,14 +73,13 @@ Answers scale_readings(Board& board) {
   return {[] { return std::string(); }, seen, seen};
 }
 
-// The guide shows what a command prints, with the name of a line in place of "board".
-testing::AssertionResult is_in_guide(const std::string& printed, const std::string& line) {
+// The guide shows what a command prints, with `other` in place of `own`.
+testing::AssertionResult is_in_guide(const std::string& printed, const std::string& own,
+                                     const std::string& other) {
   std::string shown;
   std::istringstream lines(printed);
-  for (std::string text; std::getline(lines, text); shown += "    " + text + "\n") {
-    const std::size_t at = text.find("board");
-    if (at != std::string::npos) text.replace(at, 5, line);
-  }
+  for (std::string text; std::getline(lines, text); shown += "    " + text + "\n")
+    for (std::size_t at; (at = text.find(own)) != std::string::npos;) text.replace(at, own.size(), other);
   return has(read_file(HRT_PLATE_SOURCE "/guide/README.md"), shown);
 }
 
@@ -93,7 +93,32 @@ TEST(PlateTool, FindsThePlate) {
   const Outcome none = run_with(board, {"find", "/dev/null"});
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_EQ(none.out, "/dev/null is not a serial line\n");
-  EXPECT_EQ(none.err, "hrt-plate: no plate was found\n");
+  EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /dev/null\n");
+}
+
+// The line that no plate answers at is a pseudo-terminal; so is the plate's.
+TEST(PlateTool, FindsThePlateToCommission) {
+  PtyDynamixel servo(std::uint8_t{1}, 1190);
+  TwinBoard mute({.answers = false});
+  const Outcome found = run_with(mute, {"commission"}, {}, {"/nonexistent", servo.device()});
+  EXPECT_EQ(found.exit_code, 1);  // nobody is there to press Enter
+  EXPECT_TRUE(
+      has(found.out, "dynamixel:" + servo.device() + ": Dynamixel XL330-M077, id 1, firmware 52\nHands off"))
+      << found.out;
+  TwinBoard other;
+  const Outcome two = run_with(other, {"commission"}, {}, {"board", servo.device()});
+  EXPECT_EQ(two.exit_code, 1);
+  EXPECT_EQ(two.err, "hrt-plate: more than one plate was found: name one of them\n");
+  const Outcome none = run_with(mute, {"commission"});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_EQ(none.out,
+            "/nonexistent cannot be opened: No such file or directory\n"
+            "board does not answer as a plate within 5 s\n"
+            "board does not answer as a Dynamixel of id 1 within 3 s\n");
+  EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /nonexistent, board\n");
+  EXPECT_LT(mute.now(), 8500ms);
+  EXPECT_EQ(run_with(mute, {"commission"}, {}, {}).err,
+            "hrt-plate: no plate was found; this computer has no serial device\n");
 }
 
 TEST(PlateTool, ShowsSettingsAndSelfTest) {
@@ -111,7 +136,7 @@ TEST(PlateTool, ShowsSettingsAndSelfTest) {
 TEST(PlateTool, RefusesAWrongCommandLine) {
   TwinBoard board;
   EXPECT_EQ(run_with(board, {}).exit_code, 2);
-  EXPECT_EQ(run_with(board, {"commission"}).exit_code, 2);
+  EXPECT_EQ(run_with(board, {"show"}).exit_code, 2);
   EXPECT_EQ(run_with(board, {"paint", "/dev/null"}).exit_code, 2);
   EXPECT_EQ(run_with(board, {"show", "dynamixel:board?id=300"}).err,
             "hrt-plate: option id is \"300\"; allowed: 0 to 252\n");
@@ -173,13 +198,13 @@ TEST(PlateTool, AnAbandonedTrimChangesNothing) {
 TEST(PlateTool, FindsShowsAndTrimsADynamixel) {
   EmulatedDynamixel servo(1, 1190);
   const Outcome found = run_with(servo, {"find", "board"});
-  EXPECT_TRUE(is_in_guide(found.out, "/dev/ttyUSB0"));
+  EXPECT_TRUE(is_in_guide(found.out, "board", "/dev/ttyUSB0"));
   EXPECT_TRUE(has(found.out, "dynamixel:board: Dynamixel XL330-M077, id 1, firmware 52\n"));
   const Outcome shown = run_with(servo, {"show", "dynamixel:board"});
   for (const char* line : {"range -360 to 360 deg, 299.532 deg/s", "orientation measured\n",
                            "operating mode 3\n", "homing offset 0 steps\n", "hardware error 0\n"})
     EXPECT_TRUE(has(shown.out, line)) << shown.out;
-  EXPECT_TRUE(is_in_guide(shown.out, ""));
+  EXPECT_TRUE(is_in_guide(shown.out, "board", ""));
   EXPECT_EQ(servo.get(64, 1), 0);
   const Outcome trimmed = run_with(servo, {"trim", "dynamixel:board"}, entered({"3", "-1", ""}));
   EXPECT_EQ(trimmed.exit_code, 0) << trimmed.err;
@@ -219,13 +244,14 @@ TEST(PlateCommission, WritesTheFileOfAPlate) {
   board.servo.span_us = -2200.0;
   const TemporaryFolder folder;
   const Outcome outcome =
-      run_with(board, {"commission", "board", "--out", folder / "plate.json", "--plot", folder / "plate.svg"},
-               scale_readings(board));
+      run_with(board, {"commission", "board", "--out", folder / "plate.json"}, scale_readings(board));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_TRUE(is_in_guide(outcome.out, ""));
+  EXPECT_TRUE(is_in_guide(outcome.out, folder / "", ""));
   EXPECT_TRUE(has(read_file(folder / "plate.svg"), "</svg>"));
   const auto file = nlohmann::json::parse(read_file(folder / "plate.json"));
   EXPECT_EQ(file.at("device"), "serial:board");
+  EXPECT_TRUE(has(file.at("details").dump(), "setting span -2") &&
+              has(file.at("details").dump(), "test emergency closed"));
   EXPECT_NEAR(file.at("session").at("plate_max_speed_deg_s").get<double>(), 160.0, 8.0);
   EXPECT_NEAR(file.at("measured").at("latency_ms").at(0).get<double>(), 21.5,
               3.0);  // dead time, half a frame, a pulse
@@ -321,8 +347,10 @@ TEST(PlateCommission, WritesTheFileOfADynamixel) {
   const Outcome outcome =
       run_with(servo, {"commission", "dynamixel:board", "--out", folder / "plate.json"}, entered({""}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(is_in_guide(outcome.out, ""));
+  EXPECT_TRUE(is_in_guide(outcome.out, folder / "", ""));
   EXPECT_EQ(read_plate_file(folder / "plate.json").description, "Dynamixel XL330-M077, id 1, firmware 52");
+  EXPECT_TRUE(has(read_file(folder / "plate.json"), "hardware error 0"));
+  EXPECT_TRUE(has(read_file(folder / "plate.svg"), "</svg>"));
 }
 
 TEST(PlateFile, IsRefusedUnlessItIsWhole) {
