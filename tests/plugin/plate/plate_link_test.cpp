@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "plugin/src/plate/plate_failure.h"
+#include "tests/plugin/plate/failing_test.h"
 #include "tests/plugin/plate/twin_board.h"
 
 namespace hrt::plate {
@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 constexpr double sensor_deg = 0.35;  // a step of its converter, and the servo's dead band
 
-class PlateLinkTest : public testing::Test {
+class PlateLinkTest : public FailingTest {
  protected:
   PlateLink& open(const TwinBoard::Traits& traits = {}) {
     link.reset();
@@ -28,20 +28,7 @@ class PlateLinkTest : public testing::Test {
     link = std::make_unique<PlateLink>(std::move(made));
     return *link;
   }
-  // What a failed plate says; empty if `action` does not fail.
-  template <class Action>
-  std::string failure_of(Action action) {
-    try {
-      action();
-    } catch (const PlateFailure& failed) {
-      fault = failed.fault();
-      return failed.what();
-    }
-    return {};
-  }
-  void serve(std::chrono::milliseconds time) {
-    for (const auto end = line->now() + time; line->now() < end;) link->wait(5ms);
-  }
+  void serve(std::chrono::milliseconds time) { FailingTest::serve(*link, time); }
   std::string failure_of_service() {
     return failure_of([&] { serve(3s); });
   }
@@ -52,7 +39,6 @@ class PlateLinkTest : public testing::Test {
   std::optional<TwinBoard> plate;
   std::unique_ptr<PlateLink> link;
   TwinLine* line = nullptr;
-  Fault fault{};
 };
 
 TEST_F(PlateLinkTest, LearnsLimitsAndOrientation) {
