@@ -300,18 +300,6 @@ TEST_F(DynamixelTest, NoticesARestart) {
   EXPECT_EQ(fault, Fault::restarted);
 }
 
-// It has written another goal.
-TEST_F(DynamixelTest, NoticesAnotherProgram) {
-  for (const bool is_at_rest : {true, false}) {
-    const auto device = open();
-    if (!is_at_rest) device->turn_to(40.0);
-    serve(*device, 100ms);
-    servo.set(116, 4, 1500);
-    EXPECT_EQ(failure_of([&] { serve(*device, 100ms); }), "hears another program too: close that one");
-    EXPECT_EQ(fault, Fault::line);
-  }
-}
-
 TEST_F(DynamixelTest, WorksOnADisturbedLine) {
   servo.damages_answers = true;
   const auto device = open();
