@@ -290,16 +290,6 @@ TEST_F(DynamixelTest, NamesEveryFault) {
   EXPECT_EQ(fault, Fault::stuck);
 }
 
-// Power fails in motion: torque is off, and the servo does not follow.
-TEST_F(DynamixelTest, NoticesARestart) {
-  const auto device = open();
-  device->turn_to(120.0);
-  serve(*device, 100ms);
-  servo.restart();
-  EXPECT_EQ(failure_of([&] { serve(*device, 2000ms); }), "has restarted: its supply or its line failed");
-  EXPECT_EQ(fault, Fault::restarted);
-}
-
 TEST_F(DynamixelTest, WorksOnADisturbedLine) {
   servo.damages_answers = true;
   const auto device = open();

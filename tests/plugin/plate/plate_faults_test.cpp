@@ -57,10 +57,8 @@ struct Hobby {
   static constexpr bool homes = true;
 
   static TwinBoard make(Phase phase) {
-    if (phase != home) return TwinBoard({.place_deg = place_deg});
-    TwinBoard board({.settings = settings_default(), .place_deg = place_deg});
-    board.has_sensor = false;
-    return board;
+    return TwinBoard(
+        {.settings = phase == home ? settings_default() : commissioned(), .place_deg = place_deg});
   }
   static void greet(TwinBoard& board) { board.say("HELLO 2"); }
   static double force_n(const TwinBoard&) { return 0.0; }  // nothing limits or knows it
@@ -164,10 +162,6 @@ struct Scene {
         before_first_set_deg = std::max(before_first_set_deg, std::abs(board.orientation_deg() - place_deg));
     }
   }
-  void begin(const Kind<Emulated>& kind) {
-    is_unplugged = is_unplugged || !kind.begin;
-    if (kind.begin) kind.begin(board);
-  }
   void open_host() {
     board.take_output();  // what came before is lost
     try {
@@ -187,9 +181,11 @@ struct Scene {
   void play(Phase phase, const Kind<Emulated>& first, const Kind<Emulated>& second) {
     const auto strike = [&](Phase now) {
       if (now != phase) return;
-      begin(first);
-      run(40ms);
-      begin(second);
+      for (const auto* kind : {&first, &second}) {
+        if (kind == &second) run(40ms);
+        is_unplugged = is_unplugged || !kind->begin;
+        if (kind->begin) kind->begin(board);
+      }
     };
     if (phase == open) {  // in the middle of the greeting
       Plate::greet(board);
