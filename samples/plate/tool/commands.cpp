@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -48,8 +49,13 @@ std::unique_ptr<Device> open(const std::string& name, const Surroundings& around
   return device_named(full_name(name))(around.open, start);
 }
 
-// The first kind of device that answers at a line; nothing if none does.
-std::optional<std::string> find_at(const std::string& place, const Surroundings& around) {
+struct Found {
+  std::string name;
+  std::string description;
+};
+
+// The first kind of device that answers at a line, within 8 s; nothing if none does.
+std::optional<Found> find_at(const std::string& place, const Surroundings& around) {
   std::vector<std::string> names;
   if (place.find(':') != std::string::npos) {
     names = {place};
@@ -58,7 +64,7 @@ std::optional<std::string> find_at(const std::string& place, const Surroundings&
   }
   for (const std::string& name : names) {
     try {
-      return name + ": " + open(name, around, Start::quiet)->description();
+      return Found{name, open(name, around, Start::quiet)->description()};
     } catch (const PlateFailure& failure) {
       around.out << place << " " << failure.what() << "\n";
       if (failure.fault() == Fault::line) break;
@@ -68,16 +74,25 @@ std::optional<std::string> find_at(const std::string& place, const Surroundings&
 }
 
 // Nothing moves, but boards start anew when their line is opened.
-int find(const Options& options, const Surroundings& around) {
-  bool found = false;
-  for (const std::string& place : options.devices.empty() ? around.devices() : options.devices) {
-    const std::optional<std::string> device = find_at(place, around);
+std::vector<Found> find_all(const std::vector<std::string>& places, const Surroundings& around) {
+  std::vector<Found> found;
+  std::string tried;
+  for (const std::string& place : places) {
+    tried += (tried.empty() ? "; tried: " : ", ") + place;
+    const std::optional<Found> device = find_at(place, around);
     if (!device) continue;
-    around.out << *device << "\n";
-    found = true;
+    around.out << device->name << ": " << device->description << std::endl;
+    found.push_back(*device);
   }
-  if (!found) around.err << "hrt-plate: no plate was found\n";
-  return found ? success : not_done;
+  if (found.empty())
+    around.err << "hrt-plate: no plate was found"
+               << (tried.empty() ? "; this computer has no serial device" : tried) << "\n";
+  return found;
+}
+
+int find(const Options& options, const Surroundings& around) {
+  const auto places = options.devices.empty() ? around.devices() : options.devices;
+  return find_all(places, around).empty() ? not_done : success;
 }
 
 int show(const Options& options, const Surroundings& around) {
@@ -138,12 +153,21 @@ std::string today() {
                 static_cast<unsigned>(date.day()));
 }
 
-int run_commission(const Options& options, const Surroundings& around) {
+int run_commission(Options& options, const Surroundings& around) {
+  if (options.device.empty()) {
+    const std::vector<Found> found = find_all(around.devices(), around);
+    if (found.size() > 1) around.err << "hrt-plate: more than one plate was found: name one of them\n";
+    if (found.size() != 1) return not_done;
+    options.device = found.front().name;
+  }
   const Measurements found =
       commission([&] { return open(options.device, around, Start::hold); }, person_at(around));
   around.out << text_of(found);
   write_file(options.out, file_of(found, full_name(options.device), today()));
-  if (!options.plot.empty()) write_file(options.plot, svg_of(found));
+  std::filesystem::path plot = options.plot;
+  if (plot.empty()) plot = std::filesystem::path(options.out).replace_extension(".svg");
+  write_file(plot, svg_of(found));
+  around.out << "Written: " << options.out << ", and its picture " << plot.string() << "\n";
   return success;
 }
 
@@ -154,11 +178,11 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
   CLI::App app("Puts a plate into operation (samples/plate/README.md).", "hrt-plate");
   app.footer(exit_codes);
   app.require_subcommand(1);
-  const auto command = [&](const char* name, const char* text) {
+  const auto command = [&](const char* name, const char* text, bool must_name = true) {
     CLI::App* added = app.add_subcommand(name, text);
     added
         ->add_option("device", options.device, "Serial device of the plate, or a name as of hrt_plate_open()")
-        ->required();
+        ->required(must_name);
     return added;
   };
   CLI::App* finder = app.add_subcommand("find", "Find plates; moves nothing, but boards restart");
@@ -169,10 +193,10 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
   CLI::App* turner = command("turn", "Turn to an angle, and hold it until Enter");
   turner->add_option("angle", options.angle_deg, "Degrees, counter-clockwise positive")->required();
   CLI::App* trimmer = command("trim", "Trim 0 against the base's mark, and save it in the plate");
-  CLI::App* commissioner =
-      command("commission", "Find out all of a plate, and write the file that hrt-reach --plate takes");
+  CLI::App* commissioner = command(
+      "commission", "Find the plate and all of it, and write the file that hrt-reach --plate takes", false);
   commissioner->add_option("--out", options.out, "The file")->capture_default_str();
-  commissioner->add_option("--plot", options.plot, "Draw the sweep into this SVG file");
+  commissioner->add_option("--plot", options.plot, "The sweep's picture [the file's name with .svg]");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -1,4 +1,5 @@
 // hrt-plate: puts a plate into operation.
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -23,6 +24,7 @@ std::vector<std::string> serial_devices() {
   for (const auto& entry : std::filesystem::directory_iterator("/dev", none))
     for (const char* begin : {"ttyACM", "ttyUSB", "cu.usb"})
       if (entry.path().filename().string().starts_with(begin)) found.push_back(entry.path().string());
+  std::sort(found.begin(), found.end());
 #endif
   return found;
 }

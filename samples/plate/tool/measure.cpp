@@ -13,8 +13,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double near_deg = 5.0;   // of the command: there
-constexpr double still_deg = 0.5;  // within which a plate at rest stays
+constexpr double max_slip_deg = 0.4;  // of a converter whose step is 0.3
+constexpr double near_deg = 5.0;      // of the command: there
+constexpr double still_deg = 0.5;     // within which a plate at rest stays
 constexpr auto rest_time = 200ms;
 constexpr auto settle_limit = 3000ms;
 constexpr double sweep_step_deg = 15.0;
@@ -59,6 +60,11 @@ void sweep(Device& device, Measurements& found) {
   };
   for (int i = 0; i <= count; ++i) visit(i, true);
   for (int i = count - 1; i >= 0; --i) visit(i, false);
+  // Both ends of the sweep were approached from above.
+  if (const double slip_deg = found.sweep.back().reported_deg - found.sweep.front().reported_deg;
+      std::abs(slip_deg) > max_slip_deg)
+    throw PlateFailure(Fault::device,
+                       format("came back from its sweep %.2f deg off: its sensor or a gear slips", slip_deg));
   std::vector<double> errors_deg;
   for (const SweepPoint& point : found.sweep) errors_deg.push_back(point.reported_deg - point.commanded_deg);
   found.error_deg = mean_of(errors_deg);

@@ -23,8 +23,9 @@ struct Measured {
 };
 
 struct Measurements {
-  std::string device;     ///< in one line
-  DeviceLimits limits{};  ///< as it says of itself
+  std::string device;                ///< in one line
+  std::vector<std::string> details;  ///< settings and self-test
+  DeviceLimits limits{};             ///< as it says of itself
   std::chrono::nanoseconds round_trip{};
   std::vector<SweepPoint> sweep;
   Measured error_deg;          ///< reported less commanded, in the sweep; its deviation is that of one stop

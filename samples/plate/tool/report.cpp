@@ -73,6 +73,7 @@ std::string file_of(const Measurements& found, const std::string& device, const 
   file["date"] = date;
   file["device"] = device;
   file["description"] = found.device;
+  file["details"] = found.details;
   file["round_trip_ms"] = milliseconds(found.round_trip);
   for (const Row& row : rows)
     file["measured"][row.name] = {(found.*row.value).value, (found.*row.value).deviation};

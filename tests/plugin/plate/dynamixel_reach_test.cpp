@@ -27,12 +27,5 @@ TEST(ReachWithDynamixel, ReachesTheTarget) {
   EXPECT_GT(servo.with([](EmulatedDynamixel& device) { return device.twin.max_turn_deg(); }), 30.0);
 }
 
-TEST(ReachWithDynamixel, AMalformedNameIsAWrongCommandLine) {
-  const Outcome outcome =
-      reach::run_scripted(R"({"clock": "real-time"})", {reach::desk, "--plate", "dynamixel:/dev/x?id=300"});
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
-  EXPECT_TRUE(has(outcome.err, "option id is \"300\"; allowed: 0 to 252"));
-}
-
 }  // namespace
 }  // namespace hrt::plate

@@ -8,8 +8,8 @@
 
 #include "plugin/src/plate/device.h"
 #include "plugin/src/plate/dynamixel/packet.h"
-#include "plugin/src/plate/plate_failure.h"
 #include "tests/plugin/plate/emulated_dynamixel.h"
+#include "tests/plugin/plate/failing_test.h"
 
 namespace hrt::plate {
 namespace {
@@ -106,7 +106,7 @@ TEST(DynamixelPacket, MemoryIsBounded) {
   EXPECT_EQ(reader.next()->id, 3);
 }
 
-class DynamixelTest : public testing::Test {
+class DynamixelTest : public FailingTest {
  protected:
   std::unique_ptr<Device> open(const std::string& options = "", Start start = Start::hold) {
     return device_named("dynamixel:bus" + options)(
@@ -121,23 +121,9 @@ class DynamixelTest : public testing::Test {
   std::string failure_of_opening(const std::string& options = "") {
     return failure_of([&] { open(options); });
   }
-  template <class Action>
-  std::string failure_of(Action action) {
-    try {
-      action();
-    } catch (const PlateFailure& failed) {
-      fault = failed.fault();
-      return failed.what();
-    }
-    return {};
-  }
-  void serve(Device& device, std::chrono::milliseconds time) {
-    for (const auto end = line->now() + time; line->now() < end;) device.wait(5ms);
-  }
 
   EmulatedDynamixel servo;
   DynamixelLine* line = nullptr;
-  Fault fault{};
 };
 
 TEST_F(DynamixelTest, IsSetUpAsTheControlTableSays) {
@@ -302,16 +288,6 @@ TEST_F(DynamixelTest, NamesEveryFault) {
   device->turn_to(-45.0);
   EXPECT_NE(failure_of([&] { serve(*device, 2000ms); }).find("is stuck at "), std::string::npos);
   EXPECT_EQ(fault, Fault::stuck);
-}
-
-// Power fails in motion: torque is off, and the servo does not follow.
-TEST_F(DynamixelTest, NoticesARestart) {
-  const auto device = open();
-  device->turn_to(120.0);
-  serve(*device, 100ms);
-  servo.restart();
-  EXPECT_EQ(failure_of([&] { serve(*device, 2000ms); }), "has restarted: its supply or its line failed");
-  EXPECT_EQ(fault, Fault::restarted);
 }
 
 TEST_F(DynamixelTest, WorksOnADisturbedLine) {

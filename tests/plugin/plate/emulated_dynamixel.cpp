@@ -45,8 +45,8 @@ void EmulatedDynamixel::restart() {
   set(goal_current, 2, get(38, 2));
   turns_ = static_cast<int>(std::floor((twin.plate_deg() + 180.0) / 360.0));
   twin.set_goal(std::nullopt, now_);
-  set(goal_position, 4, present());
-  set(present_position, 4, present());
+  set(goal_position, 4, present(twin.plate_deg()));
+  set(present_position, 4, present(twin.plate_deg()));
 }
 
 // In position mode offsets of more than a quarter turn are ignored.
@@ -55,8 +55,8 @@ std::int64_t EmulatedDynamixel::homing() const {
   return get(11, 1) == 3 && std::abs(offset) > 1024 ? 0 : offset;
 }
 
-std::int64_t EmulatedDynamixel::present() const {
-  const auto steps = std::lround(twin.plate_deg() * 4096.0 / 360.0) + 2048;
+std::int64_t EmulatedDynamixel::present(double reading_deg) const {
+  const auto steps = std::lround(reading_deg * 4096.0 / 360.0) + 2048;
   // Without power it knows its place within a turn; later it counts turns.
   return steps - turns_ * 4096 + homing();
 }
@@ -140,7 +140,7 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
     return StatusError::data_range;
   if (address < eeprom_end) ++writes_to_eeprom_;
   set(address, size, value);
-  if (address == torque_enable && value == 1) set(goal_position, 4, present());
+  if (address == torque_enable && value == 1) set(goal_position, 4, present(twin.plate_deg()));
   if (address == 11) {
     set(goal_current, 2, max_current);
     set(profile_velocity, 4, 0);
@@ -154,7 +154,7 @@ void EmulatedDynamixel::run_until(Time now) {
     set(bus_watchdog, 1, -1);
     set(profile_velocity, 4, 0);
     set(profile_acceleration, 4, 0);
-    set(goal_position, 4, present());
+    set(goal_position, 4, present(twin.plate_deg()));
   }
   now_ = now;
   const auto profile = static_cast<double>(get(profile_velocity, 4));
@@ -162,7 +162,7 @@ void EmulatedDynamixel::run_until(Time now) {
   const auto goal_steps = static_cast<double>(get(goal_position, 4) - homing() + turns_ * 4096 - 2048);
   twin.set_goal(get(torque_enable, 1) == 1 ? std::optional(goal_steps * 360.0 / 4096.0) : std::nullopt, now);
   twin.run_until(now);
-  set(present_position, 4, present());
+  set(present_position, 4, present(twin.reading_deg()));
 }
 
 }  // namespace hrt::plate

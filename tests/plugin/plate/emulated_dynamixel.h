@@ -31,6 +31,8 @@ class EmulatedDynamixel {
   void hear(std::string_view bytes, Time now);
   /// What it has sent since the last call.
   std::string take_output();
+  /// Bytes of others on the bus.
+  void send(std::string_view bytes) { output_ += bytes; }
   /// The watchdog may stop it.
   void run_until(Time now);
 
@@ -55,7 +57,7 @@ class EmulatedDynamixel {
 
  private:
   std::int64_t homing() const;
-  std::int64_t present() const;
+  std::int64_t present(double reading_deg) const;
   std::string answer(const dynamixel::Packet& packet);
   dynamixel::StatusError write(std::string_view parameters);
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "plugin/src/plate/line.h"
+#include "plugin/src/plate/plate_failure.h"
 
 namespace hrt::plate {
 
@@ -14,13 +15,16 @@ namespace hrt::plate {
 template <class Device>
 class EmulatedLine : public Line {
  public:
-  explicit EmulatedLine(Device& device) : device_(device), now_(device.now()) {}
+  explicit EmulatedLine(Device& device, const bool& is_unplugged = never)
+      : device_(device), is_unplugged_(is_unplugged), now_(device.now()) {}
 
   Time now() const override { return Time(now_); }
   void receive(std::string& bytes) override {
+    check();
     for (; has_arrived(); coming_.pop_front()) bytes += coming_.front().byte;
   }
   void send(std::string_view bytes) override {
+    check();
     const auto begins = going_.empty() ? now_ : std::max(now_, going_.back().arrives);
     going_.push_back({begins + device_.byte_time() * bytes.size(), std::string(bytes)});
     exchange();
@@ -44,6 +48,10 @@ class EmulatedLine : public Line {
     std::chrono::nanoseconds arrives;
     char byte;
   };
+  static constexpr bool never = false;
+  void check() const {
+    if (is_unplugged_) throw PlateFailure(Fault::unplugged, "is unplugged");
+  }
   bool has_arrived() const { return !coming_.empty() && coming_.front().arrives <= now_; }
   void run() {
     device_.run_until(now_ += std::chrono::microseconds(100));
@@ -61,6 +69,7 @@ class EmulatedLine : public Line {
   }
 
   Device& device_;
+  const bool& is_unplugged_;
   std::chrono::nanoseconds now_, free_at_{0};
   std::deque<Going> going_;
   std::deque<Coming> coming_;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "plugin/src/plate/plate_failure.h"
+#include "tests/plugin/plate/failing_test.h"
 #include "tests/plugin/plate/twin_board.h"
 
 namespace hrt::plate {
@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 constexpr double sensor_deg = 0.35;  // a step of its converter, and the servo's dead band
 
-class PlateLinkTest : public testing::Test {
+class PlateLinkTest : public FailingTest {
  protected:
   PlateLink& open(const TwinBoard::Traits& traits = {}) {
     link.reset();
@@ -28,20 +28,7 @@ class PlateLinkTest : public testing::Test {
     link = std::make_unique<PlateLink>(std::move(made));
     return *link;
   }
-  // What a failed plate says; empty if `action` does not fail.
-  template <class Action>
-  std::string failure_of(Action action) {
-    try {
-      action();
-    } catch (const PlateFailure& failed) {
-      fault = failed.fault();
-      return failed.what();
-    }
-    return {};
-  }
-  void serve(std::chrono::milliseconds time) {
-    for (const auto end = line->now() + time; line->now() < end;) link->wait(5ms);
-  }
+  void serve(std::chrono::milliseconds time) { FailingTest::serve(*link, time); }
   std::string failure_of_service() {
     return failure_of([&] { serve(3s); });
   }
@@ -52,7 +39,6 @@ class PlateLinkTest : public testing::Test {
   std::optional<TwinBoard> plate;
   std::unique_ptr<PlateLink> link;
   TwinLine* line = nullptr;
-  Fault fault{};
 };
 
 TEST_F(PlateLinkTest, LearnsLimitsAndOrientation) {
@@ -74,24 +60,6 @@ TEST_F(PlateLinkTest, LearnsLimitsAndOrientation) {
   EXPECT_NEAR(*link->orientation_deg(), 12.35, sensor_deg);
 }
 
-// A hobby servo without a sensor stands at 20 degrees: opening moves nothing, and a command homes it slowly.
-TEST_F(PlateLinkTest, HomesAPlateThatDoesNotKnowItsPlace) {
-  open({.settings = settings_default(), .place_deg = 20.0});
-  serve(1s);
-  EXPECT_FALSE(link->orientation_deg());
-  EXPECT_EQ(plate->orientation_deg(), 20.0);
-  EXPECT_FALSE(plate->has_pulses());
-  link->turn_to(0.0);
-  serve(8500ms);
-  EXPECT_EQ(times_heard("HOME +000.00"), 1);
-  EXPECT_EQ(link->orientation_deg(), 0.0);
-  EXPECT_LT(plate->servo.max_turn_deg(), 20.1);
-  link->turn_to(30.0);
-  serve(500ms);
-  EXPECT_EQ(times_heard("SET +030.00"), 1);
-  EXPECT_NEAR(plate->orientation_deg(), 30.0, 0.2);
-}
-
 TEST_F(PlateLinkTest, DoesNotRepeatACommandButKeepsBeating) {
   open();
   for (int i = 0; i < 50; ++i) {
@@ -101,15 +69,6 @@ TEST_F(PlateLinkTest, DoesNotRepeatACommandButKeepsBeating) {
   EXPECT_EQ(times_heard("SET +020.00"), 1);
   EXPECT_GE(times_heard("BEAT"), 4);
   EXPECT_EQ(plate->heartbeat_stops(), 0);
-}
-
-TEST_F(PlateLinkTest, SurvivesGarbage) {
-  const std::string bytes("\xff\0\x13 AT 5*00\nAT 77.0*11\n\n\r\nPLATE 9 9 9*1F\n", 41);
-  ASSERT_EQ(bytes.back(), '\n');
-  open({.noise = bytes + std::string(100, 'z') + "\n"});
-  link->turn_to(-33.0);
-  serve(500ms);
-  EXPECT_NEAR(*link->orientation_deg(), -33.0, sensor_deg);
 }
 
 // The host is late (it hangs, or its machine is busy): the plate stops by itself, and the next command moves

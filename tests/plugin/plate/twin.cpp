@@ -58,8 +58,8 @@ void Twin::step(double seconds) {
 }
 
 double Twin::reading_deg() {
-  if (traits_.noise_deg == 0.0) return plate_deg_;
-  return plate_deg_ + std::normal_distribution<double>(0.0, traits_.noise_deg)(random_);
+  if (traits_.noise_deg == 0.0) return plate_deg_ + slip_deg;
+  return plate_deg_ + slip_deg + std::normal_distribution<double>(0.0, traits_.noise_deg)(random_);
 }
 
 void HobbyTwin::take_pulse(double width_us, Time now) {

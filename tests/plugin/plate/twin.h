@@ -48,7 +48,8 @@ class Twin {
   Time now() const { return now_; }
 
   bool is_jammed = false;
-  double supply = 1.0;  ///< share of its voltage
+  double supply = 1.0;    ///< share of its voltage
+  double slip_deg = 0.0;  ///< by which its sensor has slipped on the axis
 
  private:
   struct Goal {

@@ -63,6 +63,7 @@ void TwinBoard::tick() {
   speaking = this;
   const double pin_mv = has_sensor ? servo.sensor_mv() : 0.0;
   inputs_.adc = static_cast<std::int16_t>(std::clamp(std::lround(pin_mv * 1023.0 / 5000.0), 0L, 1023L));
+  inputs_.adc = static_cast<std::int16_t>(inputs_.adc - inputs_.adc % codes);
   plate_tick(&plate_, &inputs_);
   if (std::exchange(is_saving_, false)) {
     traits_.settings = plate_.settings;

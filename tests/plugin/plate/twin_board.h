@@ -80,6 +80,7 @@ class TwinBoard {
   HobbyTwin servo;
   bool has_room = true;    ///< for lines to the host
   bool has_sensor = true;  ///< else its pin is open
+  int codes = 1;           ///< of its converter, of which only the first one comes
 
  private:
   static bool send_line(const char* line, std::uint8_t length);

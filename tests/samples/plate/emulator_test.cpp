@@ -203,27 +203,6 @@ TEST_F(Firmware, AMainLoopThatHangsLosesItsPulsesAndIsReset) {
   EXPECT_FALSE(contains(board_.take_lines(), "BOOT"));  // once
 }
 
-// Without a sensor: one pulse in eight.
-TEST_F(Firmware, HomesByFewPulses) {
-  EmulatedBoard blind;
-  blind.run_for(50ms);
-  blind.say("HELLO 2");
-  blind.say(set_body(10.0, 1, "HOME"));
-  const auto serve = [&](std::chrono::milliseconds time) {
-    for (; time > 0ms; time -= 50ms) {
-      blind.say(beat_body("BEAT", 2));
-      blind.run_for(50ms);
-    }
-  };
-  serve(8000ms);
-  EXPECT_NEAR(static_cast<double>(blind.pulses().size()), 50.0, 10.0);
-  serve(200ms);
-  EXPECT_TRUE(contains(blind.take_lines(), "AT +010.00 00002"));
-  for (const Pulse& pulse : blind.pulses())
-    EXPECT_NEAR(pulse.width_us(), 1500.0 + 10.0 * 2000.0 / 180.0, 1.0);
-  EXPECT_GT(blind.pulses().size(), 55U);
-}
-
 TEST_F(Firmware, KeepsItsSettingsInEeprom) {
   for (const char* body : {"CONF zero 1510", "CONF speed 150", "CONF serial 42"}) {
     board_.say(body);

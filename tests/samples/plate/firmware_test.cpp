@@ -295,13 +295,6 @@ class BlindFirmware : public FirmwareLogic {
   }
 };
 
-TEST_F(BlindFirmware, RefusesCommandsUntilItIsHomed) {
-  EXPECT_EQ(answer_to("SET +000.00 00001"), "STOPPED unhomed;");
-  EXPECT_EQ(place(), "unknown");
-  EXPECT_FALSE(board_.has_pulses());
-  EXPECT_EQ(board_.orientation_deg(), 20.0);
-}
-
 // One pulse in eight: an eighth of the servo's 250 degrees a second, or less.
 TEST_F(BlindFirmware, IsHomedSlowly) {
   home(-40.0);

@@ -235,6 +235,8 @@ class Servo : public Device {
       throw PlateFailure(Fault::protocol, Bus::describe(request, error));
     } else if (!is_goal) {
       take_poll(answer.parameters);
+    } else {
+      known_goal_ = number_at(request.parameters, 2, goal_position.size);
     }
   }
 
@@ -250,7 +252,14 @@ class Servo : public Device {
       return take_position(number_at(table, 0, present_position.size));
     const std::int64_t watchdog = number_at(table, 0, bus_watchdog.size);
     if (watchdog == 0) throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
-    if (watchdog == watchdog_expired) recover_from_watchdog();
+    if (watchdog == watchdog_expired) {
+      recover_from_watchdog();
+    } else {
+      const auto goal = number_at(table, goal_position.address - bus_watchdog.address, goal_position.size);
+      if (known_goal_.value_or(goal) != goal)
+        throw PlateFailure(Fault::line, "hears another program too: close that one");
+      known_goal_ = goal;
+    }
     take_position(number_at(table, present_position.address - bus_watchdog.address, present_position.size));
   }
 
@@ -273,6 +282,7 @@ class Servo : public Device {
   }
 
   void repeat_goal() {
+    known_goal_.reset();
     if (goal_step_) is_goal_sent_ = false;
     must_stop_ = !goal_step_;
   }
@@ -315,6 +325,7 @@ class Servo : public Device {
   std::optional<PlateWatch> watch_;
   std::optional<double> orientation_deg_;
   std::optional<int> goal_step_;
+  std::optional<std::int64_t> known_goal_;  // which the servo has, if none of this program's is under way
   bool is_goal_sent_ = true;
   bool must_stop_ = false;
   bool holds_ = false;
