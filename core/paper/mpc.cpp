@@ -22,7 +22,7 @@ bool breaks_rate_bound(const WindowProblem& window, const WindowSolution& soluti
   bool breaks = false;
   for (int i = 0; i < window.horizon; ++i) {
     const double k = window.gains[i];
-    if (k < min_gain) {
+    if (k < min_step_gain) {
       room_deg += window.rate_deg;
       continue;
     }
@@ -58,7 +58,7 @@ Mpc::Command command_of(const MpcConfig& config, const WindowProblem& window, co
   const double rate_deg = config.plate_rate_bound_deg;
   // Where the plate is not felt it turns to where it next is, or stays.
   int felt = step;
-  while (felt < window.horizon && window.gains[felt] < min_gain)
+  while (felt < window.horizon && window.gains[felt] < min_step_gain)
     felt = std::isfinite(rate_deg) ? felt + 1 : window.horizon;
   ActiveBound active = felt == step ? active_bound(held, step) : ActiveBound::none;
   double wanted_deg =

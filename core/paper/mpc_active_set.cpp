@@ -105,7 +105,7 @@ DualActiveSet::DualActiveSet(const WindowProblem& problem, WorkingSet& working_s
   for (int i = 0; i < problem.horizon; ++i) {
     rate_deg += problem.rate_deg;
     miss_weight += problem.actual_weight;
-    if (problem.gains[i] < min_gain) continue;
+    if (problem.gains[i] < min_step_gain) continue;
     index_[steps_] = i;
     gain_[steps_] = problem.gains[i];
     rate_deg_[steps_] = rate_deg;

@@ -42,7 +42,7 @@ struct WindowSolution {
 };
 
 /// A smaller gain counts as 0.
-inline constexpr double min_gain = 1e-12;
+inline constexpr double min_step_gain = 1e-12;
 
 /// Bounds that are broken by no more than this, in degrees felt at the finger (times the gain), hold.
 inline double tolerance_deg(const WindowProblem& problem) {

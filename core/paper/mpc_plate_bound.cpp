@@ -141,7 +141,7 @@ void PlateBoundSolver::write_window(const WindowProblem& problem, const Sweeps& 
   const double pw = problem.proprioceptive_weight;
   const double felt_at_real_deg = pw * problem.real_offset_deg;
   for (int i = 0; i < held_steps_; ++i) {
-    const double k = std::max(problem.gains[i], min_gain);
+    const double k = std::max(problem.gains[i], min_step_gain);
     const auto [s, r] = sweeps.after[i];
     const double inverse = 1.0 / (problem.perceived_weight + s);
     solution.plate_deg[i] = working_set_.pin[i] ? working_set_.pin[i] * problem.bound_deg
@@ -149,7 +149,7 @@ void PlateBoundSolver::write_window(const WindowProblem& problem, const Sweeps& 
                                                       (r * inverse / k - felt_at_real_deg);
   }
   for (int i = held_steps_; i < problem.horizon; ++i) {
-    const double k = std::max(problem.gains[i], min_gain);
+    const double k = std::max(problem.gains[i], min_step_gain);
     solution.plate_deg[i] =
         (free_gain_[problem.horizon - i] / k - pw) * sweeps.miss_deg[i] - felt_at_real_deg;
   }

@@ -14,6 +14,10 @@
 #include "core/simulation/person.h"
 
 #define HRT_WEB_EXPORT(name) __attribute__((export_name(#name)))
+#define HRT_WEB_VALUE(name, value)               \
+  HRT_WEB_EXPORT(name) double hrt_web_##name() { \
+    return value;                                \
+  }
 
 namespace {
 
@@ -71,11 +75,7 @@ void hrt_web_set_apparatus(double noise_m, double max_speed_deg_s) {
   world.condition.plate = {.max_speed_deg_s = max_speed_deg_s, .latency_ns = plate_latency_ns};
 }
 
-HRT_WEB_EXPORT(plate_latency_ms)
-double hrt_web_plate_latency_ms() {
-  return 1e-6 * static_cast<double>(plate_latency_ns);
-}
-
+HRT_WEB_VALUE(plate_latency_ms, 1e-6 * static_cast<double>(plate_latency_ns))
 /// Time starts anew, with the plate at rest at `plate_deg` and the finger at the start. The person will go
 /// `distance_m` to the virtual target; `number` chooses the reach's noise.
 HRT_WEB_EXPORT(begin_reach)
@@ -135,22 +135,12 @@ void hrt_web_set_plate(double plate_deg) {
   world.plate.advance(world.now_ns);
 }
 
-HRT_WEB_EXPORT(time_ms)
-double hrt_web_time_ms() {
-  return 1e-6 * static_cast<double>(world.now_ns);
-}
-
-HRT_WEB_EXPORT(plate_deg)
-double hrt_web_plate_deg() {
-  return world.plate.orientation_deg();
-}
+HRT_WEB_VALUE(time_ms, 1e-6 * static_cast<double>(world.now_ns))
+HRT_WEB_VALUE(plate_deg, world.plate.orientation_deg())
 
 /// What follows is 0 without a person. Moving: 1 from the first motion to the last; over: 1 once the rest
 /// after it is over too.
-HRT_WEB_EXPORT(moving)
-double hrt_web_moving() {
-  return world.person && !world.person->done() && world.person->elapsed_s() > 0.0 ? 1.0 : 0.0;
-}
+HRT_WEB_VALUE(moving, world.person && !world.person->done() && world.person->elapsed_s() > 0.0 ? 1.0 : 0.0)
 
 HRT_WEB_EXPORT(over)
 double hrt_web_over() {
@@ -158,51 +148,16 @@ double hrt_web_over() {
   return world.ended_s >= 0.0 && now_s > world.ended_s + tail_s ? 1.0 : 0.0;
 }
 
-HRT_WEB_EXPORT(finger_right_m)
-double hrt_web_finger_right_m() {
-  return world.person ? world.person->position().right_m : 0.0;
-}
-
-HRT_WEB_EXPORT(finger_away_m)
-double hrt_web_finger_away_m() {
-  return world.person ? world.person->position().away_m : 0.0;
-}
-
-HRT_WEB_EXPORT(felt_right_m)
-double hrt_web_felt_right_m() {
-  return world.person ? world.person->felt_position().right_m : 0.0;
-}
-
-HRT_WEB_EXPORT(felt_away_m)
-double hrt_web_felt_away_m() {
-  return world.person ? world.person->felt_position().away_m : 0.0;
-}
-
-HRT_WEB_EXPORT(finger_deg)
-double hrt_web_finger_deg() {
-  return world.person ? world.person->direction_deg() : 0.0;
-}
-
+HRT_WEB_VALUE(finger_right_m, world.person ? world.person->position().right_m : 0.0)
+HRT_WEB_VALUE(finger_away_m, world.person ? world.person->position().away_m : 0.0)
+HRT_WEB_VALUE(felt_right_m, world.person ? world.person->felt_position().right_m : 0.0)
+HRT_WEB_VALUE(felt_away_m, world.person ? world.person->felt_position().away_m : 0.0)
+HRT_WEB_VALUE(finger_deg, world.person ? world.person->direction_deg() : 0.0)
 /// Felt direction less the virtual target's.
-HRT_WEB_EXPORT(felt_error_deg)
-double hrt_web_felt_error_deg() {
-  return world.person ? world.person->felt_error_deg() : 0.0;
-}
-
-HRT_WEB_EXPORT(peak_felt_error_deg)
-double hrt_web_peak_felt_error_deg() {
-  return world.person ? world.peak_felt_error_deg : 0.0;
-}
-
-HRT_WEB_EXPORT(seen_right_m)
-double hrt_web_seen_right_m() {
-  return world.seen.right_m;
-}
-
-HRT_WEB_EXPORT(seen_away_m)
-double hrt_web_seen_away_m() {
-  return world.seen.away_m;
-}
+HRT_WEB_VALUE(felt_error_deg, world.person ? world.person->felt_error_deg() : 0.0)
+HRT_WEB_VALUE(peak_felt_error_deg, world.person ? world.peak_felt_error_deg : 0.0)
+HRT_WEB_VALUE(seen_right_m, world.seen.right_m)
+HRT_WEB_VALUE(seen_away_m, world.seen.away_m)
 
 /// Felt less true direction of a finger that moves in `finger_deg` over a plate at `plate_deg`, for the
 /// person.

@@ -14,8 +14,7 @@ using namespace std::chrono_literals;
 constexpr double asked_deg = 30.0;  // where the scale is read, by the first guess of the span
 constexpr double first_span_us = 2000.0, first_limit_deg = 45.0;
 constexpr double max_limit_deg = 95.0;
-constexpr double scale_share = 0.007;  // standard error of two angles, read to a degree, 60 apart
-constexpr double max_scale_error = 0.035, max_offset_deg = 1.0;
+constexpr double scale_share = 0.007;    // standard error of two angles, read to a degree, 60 apart
 constexpr double min_readings = 20.0;    // of the converter, between the two places
 constexpr double stop_step_deg = 3.0;    // in which stops are approached
 constexpr double max_lag_deg = 0.5;      // of the last step, if it was followed; a converter's step is 0.3
@@ -138,24 +137,6 @@ void set_up_servo(const Opener& open, const Person& person) {
   });
 }
 
-// Sensor and pulses were fitted to the same two places: over the sweep they agree, apart from half of the
-// backlash, unless the sensor has slipped, or the plate was still turning when the scale was read.
-void check_scale(const Measurements& found, bool is_clockwise) {
-  const double offset_deg = (is_clockwise ? 0.5 : -0.5) * found.backlash_deg.value + found.error_deg.value;
-  double tilt_deg = 0.0;
-  const double middle_deg = 0.5 * (found.limits.min_deg + found.limits.max_deg);
-  for (const auto& [commanded_deg, reported_deg, is_upwards] : found.sweep)
-    tilt_deg += (commanded_deg < middle_deg ? -1.0 : 1.0) * (reported_deg - commanded_deg);
-  const double half_deg = 0.5 * (found.limits.max_deg - found.limits.min_deg);
-  const double share = 2.0 * tilt_deg / (static_cast<double>(found.sweep.size()) * half_deg);
-  if (std::abs(share) > max_scale_error || std::abs(offset_deg) > max_offset_deg)
-    throw PlateFailure(
-        Fault::device,
-        format("disagrees with the scale that was read, by %.1f %% and %.1f deg: commission it "
-               "anew; does its sensor slip, or its supply dip?",
-               100.0 * share, offset_deg));
-}
-
 }  // namespace
 
 Measurements commission(const Opener& open, const Person& person) {
@@ -166,7 +147,6 @@ Measurements commission(const Opener& open, const Person& person) {
     ask(*device, person, "Hands off the plate: it turns through its whole range. Enter starts it.");
   Measurements found = measure(*device, person.say);
   if (auto* link = dynamic_cast<PlateLink*>(device.get())) {
-    check_scale(found, link->setting("span") < 0.0);
     for (Measured* angle : {&found.speed_deg_s, &found.acceleration_deg_s2, &found.backlash_deg})
       angle->deviation = std::hypot(angle->deviation, scale_share * angle->value);
     link->change_setting("latency", std::clamp(found.latency_ms.value, 0.0, 200.0));

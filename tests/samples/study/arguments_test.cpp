@@ -42,21 +42,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadArgument{{"trial", "--tactile-weight", "0"}, "--tactile-weight", tactile_weight},
         BadArgument{{"trial", "--tactile-weight", "0.5"}, "--tactile-weight", tactile_weight},
         BadArgument{{"trial", "--tactile-weight", "0.1x"}, "--tactile-weight", tactile_weight},
-        BadArgument{{"trial", "--tactile-weight", "0,1"}, "--tactile-weight", tactile_weight},
         BadArgument{{"trial", "--tactile-weight", ""}, "--tactile-weight", tactile_weight},
         BadArgument{{"trial", "--tactile-weight"}, "--tactile-weight", tactile_weight},
         BadArgument{{"trial", "--assumed-tactile-weight", "0.7"}, "--assumed-tactile-weight", tactile_weight},
         BadArgument{{"trial", "--motor-variance", "-1"}, "--motor-variance", "a number in [0, 1e+06]"},
-        BadArgument{{"trial", "--motor-variance", "inf"}, "--motor-variance", "a number in [0, 1e+06]"},
         BadArgument{{"trial", "--sensory-variance", "0"}, "--sensory-variance", "a number in (0, 1e+06]"},
-        BadArgument{{"trial", "--initial-variance", "-0.1"}, "--initial-variance", "a number in [0, 1e+06]"},
         BadArgument{{"trial", "--horizon", "0"}, "--horizon", from_1_to_50},
-        BadArgument{{"trial", "--horizon", "51"}, "--horizon", from_1_to_50},
         BadArgument{{"trial", "--horizon", "2.5"}, "--horizon", from_1_to_50},
-        BadArgument{{"trial", "--perceived-weight", "0"}, "--perceived-weight", "a number in (0, 1e+06]"},
         BadArgument{{"trial", "--actual-weight", "-1"}, "--actual-weight", "a number in [0, 1e+06]"},
         BadArgument{{"trial", "--plate-bound", "90.5"}, "--plate-bound", "a number in (0, 90]"},
-        BadArgument{{"trial", "--plate-rate-bound", "0"}, "--plate-rate-bound", "(0, 360], or inf"},
         BadArgument{{"trial", "--plate-rate-bound", "-inf"}, "--plate-rate-bound", "(0, 360], or inf"},
         BadArgument{{"trial", "--steps", "0"}, "--steps", "a whole number from 1 to 10000"},
         BadArgument{{"trial", "--real", "181"}, "--real", "a number in [-180, 180]"},
@@ -69,9 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
     Table1, StudyBadArgument,
     testing::Values(
         BadArgument{{"table1", "--trials", "0"}, "--trials", "a whole number from 1 to 100000000"},
-        BadArgument{{"table1", "--trials", "nan"}, "--trials", "a whole number from 1 to 100000000"},
         BadArgument{{"table1", "--trials", "99999999999999999999"}, "--trials", "a whole number from 1"},
-        BadArgument{{"table1", "--horizon", "51"}, "--horizon", from_1_to_50},
         BadArgument{{"table1", "--threads", "0"}, "--threads", "a whole number from 1 to 256"},
         BadArgument{{"table1", "--format", "xml"}, "--format", "one of text, csv, json"}));
 
@@ -90,7 +82,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadArgument{{"robustness", "--durations", "0.1"}, "--durations", "a number in [0.3, 20]"},
         BadArgument{{"robustness", "--durations", "1,1.0"}, "--durations", "given once"},
         BadArgument{{"robustness", "--family", "linear,nobody"}, "--family", "--help shows"},
-        BadArgument{{"robustness", "--family", "linear,linear"}, "--family", "--help shows"},
         BadArgument{{"robustness", "--family", ""}, "--family", "--help shows"}));
 
 const std::string part = "i/n, whole numbers with 1 <= i <= n";
@@ -102,12 +93,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadArgument{{"sweep", "--part", "0/3"}, "--part", part},
         BadArgument{{"sweep", "--part", "4/3"}, "--part", part},
         BadArgument{{"sweep", "--part", "1"}, "--part", part},
-        BadArgument{{"sweep", "--part", "1/3x"}, "--part", part},
         BadArgument{{"sweep", "--part", "-1/3"}, "--part", part},
         BadArgument{{"sweep", "--part", "1/9999999"}, "--part", part},
-        BadArgument{{"sweep", "--trials", "0"}, "--trials", "a whole number from 1"},
         BadArgument{{"sweep", "--horizon", "3,51"}, "--horizon", from_1_to_50},
-        BadArgument{{"sweep", "--horizon", "1:2:3"}, "--horizon", from_1_to_50},
         BadArgument{{"sweep", "--motor-variance", "1,-1"}, "--motor-variance", "a number in [0, 1e+06]"},
         BadArgument{{"sweep", "--gap", "nan"}, "--gap", "a number in (-90, 90)"},
         BadArgument{
