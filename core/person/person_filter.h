@@ -1,7 +1,7 @@
 // What is known of a finger that slides over the plate and of the person who moves it: an extended Kalman
 // filter on tracked positions.
 //
-// The person moves over a path of length L at the pace of arrival.h, feels their motion shifted by the ridges
+// The person moves over a path of length L at the pace of pace.h, feels their motion shifted by the ridges
 // (illusion.h), and steers what they feel towards a goal:
 //
 //   progress    v = L r s'(u),   u' = r = exp(rho)
