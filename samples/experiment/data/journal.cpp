@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <ctime>
@@ -76,12 +77,9 @@ std::vector<Event> read_journal(const std::string& text, const std::string& name
   std::vector<Event> events;
   std::size_t damaged = 0, number = 0;
   for (std::size_t at = 0; at < text.size(); ++number) {
-    std::size_t end = text.find('\n', at);
-    const bool is_cut = end == std::string::npos;
-    if (is_cut) end = text.size();
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    // A line that lacks no more than its end counts: once the next line is written, it has one.
     std::optional<Event> event = parse(text.substr(at, end - at));
-    // A line without an end was not synced whole, however whole it looks.
-    if (is_cut) event.reset();
     at = end + 1;
     if (!event) {
       if (damaged == 0) damaged = number + 1;
