@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/any_width.h"
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
 #include "core/person/steering.h"
@@ -91,6 +92,7 @@ Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
           .slowness = ridge_slowness(speed_mm_s, travelled_mm)};
 }
 
+HRT_ANY_WIDTH
 void PersonFilter::move(double seconds, double felt_plate_deg) {
   const bool arrived = state_(phase) >= 1.0;
   const Progress begun = progress(state_(evenness), state_(phase));
@@ -122,8 +124,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const double turn_by_direction = -steering.decay_s * seconds;
   const double turn_by_gain = -steering.felt_error_deg * seconds;
 
-  // F P F', first its columns, which lie side by side, and then its rows. Each line uses only what is not yet
-  // changed.
+  // A row of P F'. Each line uses only what is not yet changed.
   const auto transform = [&](auto&& row) {
     const double along =
         travel_by_phase * row(phase) + travel_mm * row(log_rate) + travel_by_evenness * row(evenness);
@@ -138,10 +139,13 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
     row(noise_right) *= step.noise_kept;
     row(noise_away) *= step.noise_kept;
   };
+  // F P F', as P F', turned over, times F' again: columns lie side by side. A step leaves the person's
+  // traits, below the motion, as they are.
   for (int i = 0; i < size; ++i) transform(covariance_.row(i));
-  // What stays as it is in a step, as the person's traits do, has a column that the row shows.
-  for (int i = 0; i < weight; ++i) transform(covariance_.col(i));
-  for (int i = weight; i < size; ++i) covariance_.col(i).head<weight>() = covariance_.row(i).head<weight>();
+  covariance_.topLeftCorner<weight, weight>().transposeInPlace();
+  covariance_.topRightCorner<weight, size - weight>() =
+      covariance_.bottomLeftCorner<size - weight, weight>().transpose();
+  for (int i = 0; i < weight; ++i) transform(covariance_.row(i));
 
   move_state(step);
   add_noise(step);
@@ -183,6 +187,7 @@ void PersonFilter::rest(double seconds) {
   covariance_(away, away) += resting_density_mm2_s * seconds;
 }
 
+HRT_ANY_WIDTH
 double PersonFilter::observe(double right_mm, double away_mm, double gate) {
   const double white_mm2 = noise_.white_mm * noise_.white_mm;
   // One coordinate after the other; the second as it stands after the first.
@@ -196,7 +201,7 @@ double PersonFilter::observe(double right_mm, double away_mm, double gate) {
   const double nis = off_right_mm * off_right_mm / right_mm2 + off_away_mm * off_away_mm / away_mm2;
   if (nis > gate) return nis;
   const State gain_right = by_right / right_mm2, gain_away = by_away / away_mm2;
-  state_ += gain_right * off_right_mm + gain_away * off_away_mm;
+  for (int i = 0; i < size; ++i) state_(i) += gain_right(i) * off_right_mm + gain_away(i) * off_away_mm;
   for (int j = 0; j < size; ++j)
     for (int i = 0; i < size; ++i)
       covariance_(i, j) -= by_right(i) * gain_right(j) + by_away(i) * gain_away(j);

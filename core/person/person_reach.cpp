@@ -212,8 +212,8 @@ bool PersonReach::can_be_held() const {
 // Of the finger across the line to the target: as the filter knows its place, and as the frame is known.
 double PersonReach::bearing_error_sd_deg() const {
   if (estimator_.motion() == FingerMotion::resting) return frame_sd_deg_;
-  const double variance_mm2 = estimator_.filter().place_variance_mm2(-cos_deg(reach_.real_direction_deg),
-                                                                     -sin_deg(reach_.real_direction_deg));
+  const SinCos ahead = sin_cos_deg(reach_.real_direction_deg);
+  const double variance_mm2 = estimator_.filter().place_variance_mm2(-ahead.cosine, -ahead.sine);
   const double place_sd_deg = atan2_deg(deviation(variance_mm2), mm_per_m * reach_.real_distance_m);
   return std::sqrt(frame_sd_deg_ * frame_sd_deg_ + place_sd_deg * place_sd_deg);
 }

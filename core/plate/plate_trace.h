@@ -22,7 +22,7 @@ class PlateTrace {
     double time_s;
     double orientation_deg;
   };
-  const Entry& entry(int i) const { return entries_[static_cast<std::size_t>((first_ + i) % capacity)]; }
+  const Entry& entry(int i) const { return entries_[static_cast<unsigned>(first_ + i) % capacity]; }
 
   static constexpr int capacity = 128;
   // Of every other entry: together they span a second.
