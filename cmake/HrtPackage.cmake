@@ -62,6 +62,8 @@ if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
   install(TARGETS hrtx_mock_runtime hrtx_capture LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/hrtx-run TYPE BIN COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES samples/mock_runtime/hrtx_control.py DESTINATION ${CMAKE_INSTALL_DATADIR}/hrtx COMPONENT mock_runtime EXCLUDE_FROM_ALL)
+elseif(WIN32)
+  install(TARGETS hrt-plate RUNTIME COMPONENT runtime)
 endif()
 
 if(NOT PROJECT_IS_TOP_LEVEL)

@@ -3,11 +3,24 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <string>
+#include <system_error>
 
 namespace hrt {
+namespace {
+
+#if defined(_WIN32)
+constexpr int writes_anew = O_WRONLY | O_CREAT | O_TRUNC | O_BINARY | O_NOINHERIT;
+#else
+constexpr int writes_anew = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
+#endif
+
+constexpr std::size_t max_write = 1U << 30U;
+
+}  // namespace
 
 std::filesystem::path temporary_beside(const std::filesystem::path& path) {
   return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(getpid()) + ".tmp");
@@ -15,7 +28,8 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path) {
 
 int write_all(int file, std::string_view content) {
   while (!content.empty()) {
-    const ssize_t written = write(file, content.data(), content.size());
+    const auto size = static_cast<unsigned>(std::min(content.size(), max_write));
+    const auto written = write(file, content.data(), size);
     if (written < 0 && errno != EINTR) return errno;
     if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -24,12 +38,14 @@ int write_all(int file, std::string_view content) {
 
 int write_whole_file(const std::filesystem::path& path, std::string_view content) {
   const std::filesystem::path temporary = temporary_beside(path);
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int file = open(temporary.string().c_str(), writes_anew, 0666);
   if (file < 0) return errno;
   int error = write_all(file, content);
   if (close(file) != 0 && error == 0) error = errno;
-  if (error == 0 && rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error != 0) unlink(temporary.c_str());
+  std::error_code failed;
+  if (error == 0) std::filesystem::rename(temporary, path, failed);
+  if (failed) error = failed.default_error_condition().value();
+  if (error != 0) std::filesystem::remove(temporary, failed);
   return error;
 }
 

@@ -7,11 +7,11 @@ endif()
 
 set(root ${CMAKE_BINARY_DIR}/debian_headers)
 file(MAKE_DIRECTORY ${root}/include ${root}/share/cmake ${root}/share/eigen3)
-foreach(header eigen3 fast_float fmt nlohmann Random123 tiny_gltf.h)
+foreach(header CLI eigen3 fast_float fmt nlohmann Random123 tiny_gltf.h)
   file(CREATE_LINK /usr/include/${header} ${root}/include/${header} SYMBOLIC)
 endforeach()
 # Copies: the packages find their headers from where these files are.
-file(COPY /usr/share/cmake/nlohmann_json DESTINATION ${root}/share/cmake)
+file(COPY /usr/share/cmake/CLI11 /usr/share/cmake/nlohmann_json DESTINATION ${root}/share/cmake)
 file(COPY /usr/share/eigen3/cmake DESTINATION ${root}/share/eigen3)
 
 list(APPEND CMAKE_FIND_ROOT_PATH ${root})

@@ -9,6 +9,10 @@
 
 #include "tests/plugin/fixture.h"
 
+#if defined(_WIN32)
+#define malloc_usable_size _msize
+#endif
+
 namespace hrt::test {
 
 /// An allocator that counts, and that fails at the n-th request, or from it on, or beyond a budget of bytes.

@@ -1,5 +1,12 @@
 // hrt-plate: puts a plate into operation.
+#if defined(_WIN32)
+#define WIN32_LEAN_AND_MEAN
+#define NOMINMAX
+#include <windows.h>
+#endif
+
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -18,7 +25,11 @@ using namespace hrt::plate;
 std::vector<std::string> serial_devices() {
   std::vector<std::string> found;
 #if defined(_WIN32)
-  for (int port = 1; port <= 32; ++port) found.push_back("COM" + std::to_string(port));
+  for (int port = 1; port <= 256; ++port) {
+    const std::string name = "COM" + std::to_string(port);
+    std::array<char, 1024> is{};
+    if (QueryDosDeviceA(name.c_str(), is.data(), is.size()) != 0) found.push_back(name);
+  }
 #else
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator("/dev", none))

@@ -10,9 +10,11 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <thread>
 
+#include "plugin/src/plate/plate_file.h"
 #include "tests/plugin/plate/emulated_dynamixel.h"
 
 namespace hrt::plate {
@@ -20,13 +22,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A servo at the other end of a named pipe.
+// A servo at the other end of a named pipe, of which one end is free while the other is in use.
 class PipeDynamixel {
  public:
   PipeDynamixel()
       : name_("\\\\.\\pipe\\hrt_plate_test_" + std::to_string(GetCurrentProcessId())),
-        pipe_(CreateNamedPipeA(name_.c_str(), PIPE_ACCESS_DUPLEX, PIPE_TYPE_BYTE | PIPE_WAIT, 1, 4096, 4096,
-                               0, nullptr)),
+        ends_{made(), made()},
         thread_([this] { live(); }) {}
   ~PipeDynamixel() {
     unplug();
@@ -45,19 +46,32 @@ class PipeDynamixel {
       std::this_thread::sleep_for(1ms);
       const auto now = std::chrono::steady_clock::now() - began;
       servo_.run_until(now);
-      DWORD waiting = 0, count = 0;
-      std::array<char, 256> bytes{};
-      if (!PeekNamedPipe(pipe_, nullptr, 0, nullptr, &waiting, nullptr) || waiting == 0) continue;
-      if (!ReadFile(pipe_, bytes.data(), static_cast<DWORD>(bytes.size()), &count, nullptr)) continue;
-      servo_.hear({bytes.data(), count}, now);
-      const std::string answer = servo_.take_output();
-      WriteFile(pipe_, answer.data(), static_cast<DWORD>(answer.size()), &count, nullptr);
+      for (HANDLE& end : ends_) serve(end, now);
     }
-    CloseHandle(pipe_);
+    for (HANDLE end : ends_) CloseHandle(end);
+  }
+  HANDLE made() const {
+    return CreateNamedPipeA(name_.c_str(), PIPE_ACCESS_DUPLEX, PIPE_TYPE_BYTE | PIPE_WAIT, 2, 4096, 4096, 0,
+                            nullptr);
+  }
+  void serve(HANDLE& end, std::chrono::steady_clock::duration now) {
+    DWORD waiting = 0, count = 0;
+    std::array<char, 256> bytes{};
+    if (!PeekNamedPipe(end, nullptr, 0, nullptr, &waiting, nullptr)) {
+      if (GetLastError() != ERROR_BROKEN_PIPE) return;
+      CloseHandle(end);
+      end = made();
+      return;
+    }
+    if (waiting == 0 || !ReadFile(end, bytes.data(), static_cast<DWORD>(bytes.size()), &count, nullptr))
+      return;
+    servo_.hear({bytes.data(), count}, now);
+    const std::string answer = servo_.take_output();
+    WriteFile(end, answer.data(), static_cast<DWORD>(answer.size()), &count, nullptr);
   }
 
   std::string name_;
-  HANDLE pipe_;
+  std::array<HANDLE, 2> ends_;
   EmulatedDynamixel servo_;
   std::atomic<bool> ending_ = false;
   std::thread thread_;
@@ -90,6 +104,15 @@ TEST(WindowsLine, DrivesAServoOverANamedPipe) {
   EXPECT_TRUE(eventually([&] { return report_of(plate).state == HRT_PLATE_STATE_FAILED; }));
   EXPECT_EQ(report_of(plate).fault, HRT_PLATE_FAULT_UNPLUGGED) << report_of(plate).message;
   EXPECT_EQ(hrt_plate_close(plate), HRT_OK);
+}
+
+// As a program.
+TEST(WindowsLine, HrtPlateCommissionsAServo) {
+  PipeDynamixel servo;
+  const std::string command =
+      "echo.| \"" HRT_PLATE_PROGRAM "\" commission dynamixel:" + servo.name() + " --out plate.json";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(read_plate_file("plate.json").description, "Dynamixel XL330-M288, id 1, firmware 52");
 }
 
 TEST(WindowsLine, NamesWhatIsNoLine) {
