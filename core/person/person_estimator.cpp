@@ -143,8 +143,8 @@ bool PersonEstimator::take(const TimedPlace& sample, const PlateTrace& plate) {
     take_paused(sample);
     return true;
   }
-  const PersonNow now = filter_.now();
-  const PersonState& x = now.mean;
+  const double speed_mm_s = filter_.speed_mm_s();
+  const PersonState x = filter_.state();
   const PlaceMm innovation{place.right_mm - x.right_mm - x.noise_right_mm,
                            place.away_mm - x.away_mm - x.noise_away_mm};
   const double nis = filter_.observe(place.right_mm, place.away_mm, gate);
@@ -161,7 +161,7 @@ bool PersonEstimator::take(const TimedPlace& sample, const PlateTrace& plate) {
     last_innovation_ = innovation;
   }
   PlaceMm still{};
-  if (backlog_ == 0 && nis > 6.0 && now.speed_mm_s > min_pausing_speed_mm_s && stands_still(still)) {
+  if (backlog_ == 0 && nis > 6.0 && speed_mm_s > min_pausing_speed_mm_s && stands_still(still)) {
     motion_ = FingerMotion::paused;
     pause_ = still;
     filter_.place_at(still.right_mm - origin().right_mm, still.away_mm - origin().away_mm);

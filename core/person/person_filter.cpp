@@ -3,11 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/any_width.h"
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
 #include "core/person/steering.h"
 #include "core/reach/pace.h"
+
+// A function that is compiled for AVX2 too; the processor picks one when the library is loaded. Both give the
+// same bits: nothing is summed in another order or contracted.
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define HRT_ANY_WIDTH __attribute__((target_clones("avx2", "default")))
+#else
+#define HRT_ANY_WIDTH
+#endif
 
 namespace hrt {
 namespace {
@@ -31,6 +39,44 @@ constexpr PersonFilter::Index state_of[PersonTrait::count] = {
     PersonFilter::weight,  PersonFilter::curve,    PersonFilter::gain,
     PersonFilter::bias,    PersonFilter::habit,    PersonFilter::evenness,
     PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
+
+// F P F', as P F', turned over, times F' again: columns lie side by side. A step leaves the person's traits,
+// below the motion, as they are.
+HRT_ANY_WIDTH void carry(PersonFilter::Covariance& covariance, PersonFilter::Step f) {
+  using enum PersonFilter::Index;
+  // A row times F'. Each line uses only what is not yet changed.
+  const auto transform = [&](auto&& row) {
+    const double along =
+        f.travel_by_phase * row(phase) + f.travel_mm * row(log_rate) + f.travel_by_evenness * row(evenness);
+    const double across = f.travel_mm * rad_per_deg * row(direction);
+    row(right) -= f.sine * along + f.cosine * across;
+    row(away) += f.cosine * along - f.sine * across;
+    const double goal = row(bias) + row(wander) + f.goal_by_habit * row(habit) + f.goal_by_phase * row(phase);
+    const double shift =
+        f.felt.by_weight * row(weight) + f.felt.by_curve * row(curve) + f.felt.by_fading * row(fading);
+    row(direction) +=
+        f.turn_by_direction * row(direction) + f.turn_by_gain * row(gain) + f.turn_by_felt * (goal - shift);
+    row(phase) += f.phase * row(log_rate);
+    row(wander) *= f.wander_kept;
+    row(noise_right) *= f.noise_kept;
+    row(noise_away) *= f.noise_kept;
+  };
+  for (int i = 0; i < size; ++i) transform(covariance.row(i));
+  covariance.topLeftCorner<weight, weight>().transposeInPlace();
+  covariance.topRightCorner<weight, size - weight>() =
+      covariance.bottomLeftCorner<size - weight, weight>().transpose();
+  for (int i = 0; i < weight; ++i) transform(covariance.row(i));
+}
+
+// Two coordinates have been measured, of which these are the rows of P and the variances.
+HRT_ANY_WIDTH void correct(PersonFilter::Covariance& covariance, const PersonFilter::State& by_right,
+                           double right_mm2, const PersonFilter::State& by_away, double away_mm2) {
+  const PersonFilter::State right = by_right, away = by_away;  // which no line below writes
+  const PersonFilter::State gain_right = right / right_mm2, gain_away = away / away_mm2;
+  for (int j = 0; j < PersonFilter::size; ++j)
+    for (int i = 0; i < PersonFilter::size; ++i)
+      covariance(i, j) -= right(i) * gain_right(j) + away(i) * gain_away(j);
+}
 
 }  // namespace
 
@@ -92,7 +138,6 @@ Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
           .slowness = ridge_slowness(speed_mm_s, travelled_mm)};
 }
 
-HRT_ANY_WIDTH
 void PersonFilter::move(double seconds, double felt_plate_deg) {
   const bool arrived = state_(phase) >= 1.0;
   const Progress begun = progress(state_(evenness), state_(phase));
@@ -105,6 +150,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const SteeringStep steering =
       steer(k, state_(direction), g, goal_deg(begun.share, state_(wander)), seconds);
   const SinCos way = sin_cos_deg(state_(direction) + 0.5 * steering.turn_deg);
+  const double travel_scale = arrived ? 0.0 : path_mm_ * rate_ * seconds;
   const Step step{.seconds = seconds,
                   .travel_mm = travel_mm,
                   .sine = way.sine,
@@ -112,41 +158,16 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
                   .turn_deg = steering.turn_deg,
                   .phase = rate_ * seconds,
                   .wander_kept = exponential(-seconds / wander_s),
-                  .noise_kept = exponential(-seconds / noise_.correlation_s)};
-
-  const double travel_scale = arrived ? 0.0 : path_mm_ * rate_ * seconds;
-  const double travel_by_phase = travel_scale * begun.acceleration;
-  const double travel_by_evenness = travel_scale * begun.by_evenness;
-  const double across_by_direction = travel_mm * rad_per_deg;
-  const double answer = k * seconds;  // of a turn by what is felt
-  const double habit_share = 1.0 - 2.0 * begun.share;
-  const double goal_by_phase = -2.0 * state_(habit) * begun.rate;
-  const double turn_by_direction = -steering.decay_s * seconds;
-  const double turn_by_gain = -steering.felt_error_deg * seconds;
-
-  // A row of P F'. Each line uses only what is not yet changed.
-  const auto transform = [&](auto&& row) {
-    const double along =
-        travel_by_phase * row(phase) + travel_mm * row(log_rate) + travel_by_evenness * row(evenness);
-    const double across = across_by_direction * row(direction);
-    row(right) -= step.sine * along + step.cosine * across;
-    row(away) += step.cosine * along - step.sine * across;
-    const double goal = row(bias) + row(wander) + habit_share * row(habit) + goal_by_phase * row(phase);
-    const double shift = g.by_weight * row(weight) + g.by_curve * row(curve) + g.by_fading * row(fading);
-    row(direction) += turn_by_direction * row(direction) + turn_by_gain * row(gain) + answer * (goal - shift);
-    row(phase) += step.phase * row(log_rate);
-    row(wander) *= step.wander_kept;
-    row(noise_right) *= step.noise_kept;
-    row(noise_away) *= step.noise_kept;
-  };
-  // F P F', as P F', turned over, times F' again: columns lie side by side. A step leaves the person's
-  // traits, below the motion, as they are.
-  for (int i = 0; i < size; ++i) transform(covariance_.row(i));
-  covariance_.topLeftCorner<weight, weight>().transposeInPlace();
-  covariance_.topRightCorner<weight, size - weight>() =
-      covariance_.bottomLeftCorner<size - weight, weight>().transpose();
-  for (int i = 0; i < weight; ++i) transform(covariance_.row(i));
-
+                  .noise_kept = exponential(-seconds / noise_.correlation_s),
+                  .felt = g,
+                  .travel_by_phase = travel_scale * begun.acceleration,
+                  .travel_by_evenness = travel_scale * begun.by_evenness,
+                  .goal_by_habit = 1.0 - 2.0 * begun.share,
+                  .goal_by_phase = -2.0 * state_(habit) * begun.rate,
+                  .turn_by_felt = k * seconds,
+                  .turn_by_direction = -steering.decay_s * seconds,
+                  .turn_by_gain = -steering.felt_error_deg * seconds};
+  carry(covariance_, step);
   move_state(step);
   add_noise(step);
 }
@@ -187,7 +208,6 @@ void PersonFilter::rest(double seconds) {
   covariance_(away, away) += resting_density_mm2_s * seconds;
 }
 
-HRT_ANY_WIDTH
 double PersonFilter::observe(double right_mm, double away_mm, double gate) {
   const double white_mm2 = noise_.white_mm * noise_.white_mm;
   // One coordinate after the other; the second as it stands after the first.
@@ -200,11 +220,9 @@ double PersonFilter::observe(double right_mm, double away_mm, double gate) {
   const double off_away_mm = away_mm - state_(away) - state_(noise_away) - shared * off_right_mm;
   const double nis = off_right_mm * off_right_mm / right_mm2 + off_away_mm * off_away_mm / away_mm2;
   if (nis > gate) return nis;
-  const State gain_right = by_right / right_mm2, gain_away = by_away / away_mm2;
-  for (int i = 0; i < size; ++i) state_(i) += gain_right(i) * off_right_mm + gain_away(i) * off_away_mm;
-  for (int j = 0; j < size; ++j)
-    for (int i = 0; i < size; ++i)
-      covariance_(i, j) -= by_right(i) * gain_right(j) + by_away(i) * gain_away(j);
+  correct(covariance_, by_right, right_mm2, by_away, away_mm2);
+  const double per_right = off_right_mm / right_mm2, per_away = off_away_mm / away_mm2;
+  for (int i = 0; i < size; ++i) state_(i) += by_right(i) * per_right + by_away(i) * per_away;
   keep_in_range();
   return nis;
 }

@@ -81,6 +81,15 @@ class PersonFilter {
   using State = Eigen::Matrix<double, size, 1>;
   using Covariance = Eigen::Matrix<double, size, size>;
 
+  /// What a step of the motion does to the state: the finger's way, sine and cosine of its direction, its
+  /// turn, the share of the duration that passes, what is left of what decays; and its derivatives.
+  struct Step {
+    double seconds, travel_mm, sine, cosine, turn_deg, phase, wander_kept, noise_kept;
+    FeltShift felt;
+    double travel_by_phase, travel_by_evenness, goal_by_habit, goal_by_phase;
+    double turn_by_felt, turn_by_direction, turn_by_gain;
+  };
+
   /// At rest, about to move over `path_mm` > 0 towards `virtual_direction_deg`.
   PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
                const TrackerNoise& noise);
@@ -129,6 +138,7 @@ class PersonFilter {
   /// r, one over the duration, 1/s.
   double rate() const { return rate_; }
   double mean_speed_mm_s() const { return path_mm_ * rate_; }
+  double speed_mm_s() const { return mean_speed_mm_s() * progress(state_(evenness), state_(phase)).rate; }
   double path_mm() const { return path_mm_; }
 
   /// G at a share of the path, with the fast part at `wander_deg`.
@@ -146,18 +156,6 @@ class PersonFilter {
     std::memcpy(&state, vector.data(), sizeof state);
     return state;
   }
-  /// What a step of the motion does to the state: the finger's way, sine and cosine of its direction, its
-  /// turn, the share of the duration that passes, and what is left of what decays.
-  struct Step {
-    double seconds;
-    double travel_mm;
-    double sine;
-    double cosine;
-    double turn_deg;
-    double phase;
-    double wander_kept;
-    double noise_kept;
-  };
   void move_state(const Step& step);
   void add_noise(const Step& step);
   void keep_in_range();

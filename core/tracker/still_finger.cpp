@@ -14,8 +14,8 @@ constexpr double half_a_tenth_s = 0.05;
 }  // namespace
 
 const StillFinger::Mean& StillFinger::back(int tenths) const {
-  constexpr int count = max_tenths + 1;
-  return means_[static_cast<std::size_t>((last_ + count - tenths) % count)];
+  const int at = last_ - tenths;
+  return means_[static_cast<std::size_t>(at < 0 ? at + max_tenths + 1 : at)];
 }
 
 void StillFinger::observe(std::int64_t time_ns, const Eigen::Vector3d& place_m) {

@@ -182,7 +182,7 @@ ProfileSources make_profiles(const SourceSet& set) {
   return made;
 }
 
-const ProfileSources& profiles_of(const SourceSet& set) {
+const ProfileSources& profiles_of(SourceSet set) {
   static const auto all = [] {
     std::array<ProfileSources, 8> made;
     for (unsigned i = 0; i < made.size(); ++i)

@@ -106,7 +106,6 @@ TEST(WindowsLine, DrivesAServoOverANamedPipe) {
   EXPECT_EQ(hrt_plate_close(plate), HRT_OK);
 }
 
-// As a program.
 TEST(WindowsLine, HrtPlateCommissionsAServo) {
   PipeDynamixel servo;
   const std::string command =
