@@ -40,32 +40,32 @@ constexpr PersonFilter::Index state_of[PersonTrait::count] = {
     PersonFilter::bias,    PersonFilter::habit,    PersonFilter::evenness,
     PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
 
-// F P F', as P F', turned over, times F' again: columns lie side by side. A step leaves the person's traits,
-// below the motion, as they are.
+// F P F', as (P F')' F': columns lie side by side. A step leaves the person's traits as they are.
 HRT_ANY_WIDTH void carry(PersonFilter::Covariance& covariance, PersonFilter::Step f) {
-  using enum PersonFilter::Index;
+  using X = PersonFilter;
   // A row times F'. Each line uses only what is not yet changed.
   const auto transform = [&](auto&& row) {
-    const double along =
-        f.travel_by_phase * row(phase) + f.travel_mm * row(log_rate) + f.travel_by_evenness * row(evenness);
-    const double across = f.travel_mm * rad_per_deg * row(direction);
-    row(right) -= f.sine * along + f.cosine * across;
-    row(away) += f.cosine * along - f.sine * across;
-    const double goal = row(bias) + row(wander) + f.goal_by_habit * row(habit) + f.goal_by_phase * row(phase);
-    const double shift =
-        f.felt.by_weight * row(weight) + f.felt.by_curve * row(curve) + f.felt.by_fading * row(fading);
-    row(direction) +=
-        f.turn_by_direction * row(direction) + f.turn_by_gain * row(gain) + f.turn_by_felt * (goal - shift);
-    row(phase) += f.phase * row(log_rate);
-    row(wander) *= f.wander_kept;
-    row(noise_right) *= f.noise_kept;
-    row(noise_away) *= f.noise_kept;
+    const double along = f.travel_by_phase * row(X::phase) + f.travel_mm * row(X::log_rate) +
+                         f.travel_by_evenness * row(X::evenness);
+    const double across = f.travel_mm * rad_per_deg * row(X::direction);
+    row(X::right) -= f.sine * along + f.cosine * across;
+    row(X::away) += f.cosine * along - f.sine * across;
+    const double goal =
+        row(X::bias) + row(X::wander) + f.goal_by_habit * row(X::habit) + f.goal_by_phase * row(X::phase);
+    const double shift = f.felt.by_weight * row(X::weight) + f.felt.by_curve * row(X::curve) +
+                         f.felt.by_fading * row(X::fading);
+    row(X::direction) += f.turn_by_direction * row(X::direction) + f.turn_by_gain * row(X::gain) +
+                         f.turn_by_felt * (goal - shift);
+    row(X::phase) += f.phase * row(X::log_rate);
+    row(X::wander) *= f.wander_kept;
+    row(X::noise_right) *= f.noise_kept;
+    row(X::noise_away) *= f.noise_kept;
   };
-  for (int i = 0; i < size; ++i) transform(covariance.row(i));
-  covariance.topLeftCorner<weight, weight>().transposeInPlace();
-  covariance.topRightCorner<weight, size - weight>() =
-      covariance.bottomLeftCorner<size - weight, weight>().transpose();
-  for (int i = 0; i < weight; ++i) transform(covariance.row(i));
+  for (int i = 0; i < X::size; ++i) transform(covariance.row(i));
+  covariance.topLeftCorner<X::weight, X::weight>().transposeInPlace();
+  covariance.topRightCorner<X::weight, X::size - X::weight>() =
+      covariance.bottomLeftCorner<X::size - X::weight, X::weight>().transpose();
+  for (int i = 0; i < X::weight; ++i) transform(covariance.row(i));
 }
 
 // Two coordinates have been measured, of which these are the rows of P and the variances.
