@@ -62,7 +62,7 @@ if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
   install(TARGETS hrtx_mock_runtime hrtx_capture LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/hrtx-run TYPE BIN COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES samples/mock_runtime/hrtx_control.py DESTINATION ${CMAKE_INSTALL_DATADIR}/hrtx COMPONENT mock_runtime EXCLUDE_FROM_ALL)
-elseif(WIN32)
+elseif(TARGET hrt-plate)  # Windows
   install(TARGETS hrt-plate RUNTIME COMPONENT runtime)
 endif()
 

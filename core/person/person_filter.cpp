@@ -9,7 +9,7 @@
 #include "core/reach/pace.h"
 
 // A function that is compiled for AVX2 too; the processor picks one when the library is loaded. Both give the
-// same bits: nothing is summed in another order or contracted.
+// same bits: nothing is summed in another order or contracted. Of this file alone: gcc exports any other.
 #if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define HRT_ANY_WIDTH __attribute__((target_clones("avx2", "default")))
