@@ -11,8 +11,8 @@ namespace {
 // a lower one, 0 where none is held. Stationarity at step i reads
 //     gradient_i + pin_i + link_i - link_i+1 = 0.
 struct Multipliers {
-  std::array<double, max_horizon> pin{};
-  std::array<double, max_horizon> link{};
+  std::array<double, max_horizon> pin;
+  std::array<double, max_horizon> link;
 };
 
 // A constraint that may be held: step i's pin or link at the bound of `sign`.
@@ -47,6 +47,7 @@ class DualActiveSet {
   void sweep_backwards();
   void sweep_forwards();
   void find_multipliers();
+  void copy(const Multipliers& from, Multipliers& to) const;
 
   bool make_dual_feasible();
   Constraint max_violated() const;
@@ -291,6 +292,13 @@ void DualActiveSet::find_multipliers() {
   }
 }
 
+void DualActiveSet::copy(const Multipliers& from, Multipliers& to) const {
+  for (int i = 0; i < steps_; ++i) {
+    to.pin[i] = from.pin[i];
+    to.link[i] = from.link[i];
+  }
+}
+
 void DualActiveSet::solve_held() {
   --sweeps_left_;
   resolve_fixed();
@@ -324,7 +332,7 @@ bool DualActiveSet::make_dual_feasible() {
     }
     let_go_of_worst();
   }
-  current_ = target_;
+  copy(target_, current_);
   return !dropped;
 }
 
@@ -380,7 +388,7 @@ bool DualActiveSet::add(Constraint constraint) {
     if (dependent) {
       // The plate cannot move. Only the multipliers do, by a circulation, until one of them is gone.
       --sweeps_left_;
-      target_ = current_;
+      copy(current_, target_);
       value(target_, constraint) += constraint.sign;
       push_to_ground(constraint.i, constraint.sign);
       if (constraint.is_link && constraint.i > 0) push_to_ground(constraint.i - 1, -constraint.sign);
@@ -406,7 +414,7 @@ bool DualActiveSet::add(Constraint constraint) {
     }
     if (blocking.sign == 0) {
       held(constraint) = constraint.sign;
-      current_ = target_;
+      copy(target_, current_);
       return !dependent;
     }
     for (int i = 0; i < steps_; ++i) {

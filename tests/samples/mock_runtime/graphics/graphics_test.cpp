@@ -1,5 +1,6 @@
 // Sessions that draw: devices, swapchains, layers and pictures. Above each test stands the sentence that it
 // tests, from the OpenXR specification. Needs a Vulkan driver; Mesa's lavapipe is one.
+#include <fcntl.h>
 #include <png.h>
 #include <unistd.h>
 
@@ -408,11 +409,13 @@ class MockHelloXr : public ::testing::TestWithParam<const char*> {
       words.insert(words.begin(), {"/usr/bin/xvfb-run", "-a"});
       environment.emplace_back("LD_PRELOAD=" HRT_VIDEO_MODES);
     }
-    int silent[2];  // it ends with the first key, or the end of its input
-    EXPECT_EQ(pipe(silent), 0);
-    const Outcome outcome = Process(words, environment, -1, silent[0]).wait();
+    // It ends with the first key, or the end of its input; by itself not, where the C library waits for that.
+    int silent[2];
+    EXPECT_EQ(pipe2(silent, O_CLOEXEC), 0);
+    const Process process(words, environment, -1, silent[0]);
+    for (int waits = 0; waits < 6000 && !has(process.out(), "_EXITING"); ++waits) usleep(10'000);
     for (const int end : silent) close(end);
-    return outcome;
+    return process.wait();
   }
 };
 
