@@ -1,13 +1,16 @@
 // Runs a command while emulated plates are at the other end of pseudo-terminals: the firmware's ELF on its
-// board, and a Dynamixel servo. The command finds their names in the environment.
-//   with_plate COMMAND...    HRT_PLATE_DEVICE=serial:/dev/pts/1, HRT_PLATE_SERVO=dynamixel:/dev/pts/2
+// board, and a Dynamixel servo, which was commissioned. The command finds in the environment:
+//   with_plate COMMAND...    HRT_PLATE_DEVICE=serial:/dev/pts/1,
+//   HRT_PLATE_FILE=/tmp/with_plate.1.json
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
+#include "plugin/src/plate/plate_file.h"
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/plate/board_with_servo.h"
 
@@ -39,7 +42,14 @@ int main(int argc, char** argv) {
   const hrt::plate::PtyDevice<HomedBoard> board;
   const hrt::plate::PtyDynamixel servo;
   setenv("HRT_PLATE_DEVICE", ("serial:" + board.device()).c_str(), 1);
-  setenv("HRT_PLATE_SERVO", ("dynamixel:" + servo.device()).c_str(), 1);
+  const std::string file = "/tmp/with_plate." + std::to_string(getpid()) + ".json";
+  std::ofstream(file) << hrt::plate::with_checksum(R"({
+  "format": "haptic plate 1", "device": "dynamixel:)" +
+                                                   servo.device() + R"(",
+  "description": "Dynamixel XL330-M288, id 1, firmware 52",
+  "session": {"plate_max_speed_deg_s": 123.0}, "measured": {"latency_ms": [4.0, 1.0]}, "max_error_deg": 1.0,
+)");
+  setenv("HRT_PLATE_FILE", file.c_str(), 1);
   const pid_t child = fork();
   if (child == 0) {
     execvp(argv[1], argv + 1);
@@ -50,5 +60,6 @@ int main(int argc, char** argv) {
     std::perror("with_plate");
     return cannot_run;
   }
+  std::remove(file.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : cannot_run;
 }

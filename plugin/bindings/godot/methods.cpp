@@ -76,6 +76,7 @@ const Method kMethods[] = {
     METHOD(stop_device),
     METHOD(get_device_report),
     METHOD(close_device),
+    METHOD(take_device),
     METHOD(get_version),
 };
 

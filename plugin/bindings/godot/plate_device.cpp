@@ -45,6 +45,15 @@ Record PlateNode::get_device_report() {
   return read_device(report) ? to_record(&report, device_fields) : Record{};
 }
 
+Error PlateNode::take_device() {
+  hrt_plate_report report;
+  result_ = read_device(report) && report.state == HRT_PLATE_STATE_READY ? HRT_OK : HRT_ERROR_WRONG_STATE;
+  if (result_ != HRT_OK) return error();
+  hrt_session_config_from_plate(&config_, &report);
+  engine_.update_warnings();
+  return Error::kOk;
+}
+
 Error PlateNode::close_device() {
   const Error closed = after_device(hrt_plate_close(device_));
   if (closed == Error::kOk) device_ = {};

@@ -139,6 +139,7 @@ class PlateNode {
   Error stop_device();
   Record get_device_report();
   Error close_device();
+  Error take_device();
   std::string get_version();
 
  private:

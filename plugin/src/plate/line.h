@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -30,5 +31,12 @@ class Line {
   /// Waits until something arrives, or, with unsent bytes, until the line takes some.
   virtual void wait(std::chrono::milliseconds limit) = 0;
 };
+
+/// The rates that open_serial_line() knows.
+inline constexpr int baud_rates[] = {57600, 115200, 1000000};
+
+/// Opens a serial line of `baud`, one of baud_rates, 8 data bits, no parity, 1 stop bit, no flow control, in
+/// raw mode; its settings are restored at the end. Throws PlateFailure.
+std::unique_ptr<Line> open_serial_line(const std::string& device, int baud);
 
 }  // namespace hrt::plate

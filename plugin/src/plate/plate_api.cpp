@@ -9,7 +9,6 @@
 #include "plugin/src/abi/handles.h"
 #include "plugin/src/abi/lease.h"
 #include "plugin/src/plate/plate_driver.h"
-#include "plugin/src/plate/serial_line.h"
 
 using namespace hrt::plugin;
 using hrt::plate::PlateDriver;

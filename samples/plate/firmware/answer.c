@@ -1,4 +1,5 @@
-#include "samples/plate/firmware/answer.h"
+/* Lines to the host. */
+#include "samples/plate/firmware/plate.h"
 
 enum { REPORT_MS = 20, ERROR_MS = 10 };
 

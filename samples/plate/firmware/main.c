@@ -9,6 +9,10 @@
 
 #include "samples/plate/firmware/plate.h"
 
+/* For a programmer; a bootloader cannot set them. A reset below 4.3 V, because 16 MHz need 3.8 V; a crystal;
+ * EEPROM that a chip erase leaves alone. */
+FUSES = {.low = 0xFF, .high = HFUSE_DEFAULT & FUSE_EESAVE, .extended = FUSE_BODLEVEL1 & FUSE_BODLEVEL0};
+
 enum { FRAME_TICKS = 40000 }; /* between two pulses, 20 ms: timer 1 counts half microseconds */
 
 /* Serial line: 115200 baud, both ways through rings. */

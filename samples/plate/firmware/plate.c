@@ -2,8 +2,6 @@
 
 #include <stddef.h>
 
-#include "samples/plate/firmware/answer.h"
-
 enum {
   /* The protocol's limit is 300 ms; up to 20 of them pass until the next pulse shows the stop. */
   HEARTBEAT_MS = 275,

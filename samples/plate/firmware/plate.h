@@ -34,6 +34,10 @@ typedef enum PlateState {
   PLATE_LATCHED    /**< no pulses after an emergency or a fault of the servo; only HELLO ends it */
 } PlateState;
 
+/** Lines to the host that are due, as bits; and how many those of a self-test are. */
+enum { DUE_BOOT = 1, DUE_PLATE = 2, DUE_INFO = 4, DUE_SAVED = 8, DUE_AT = 16 };
+enum { TEST_LINES = 6 };
+
 /** Reasons of a stop, in the order of their words in answer.c. */
 typedef enum PlateStop {
   PLATE_STOP_HOST,
@@ -77,7 +81,7 @@ typedef struct Plate {
   uint16_t report_ms; /**< since the last AT */
   uint8_t error_ms;   /**< until the next ERROR may be sent */
   LineError error;
-  uint16_t due;      /**< lines to send: bits of answer.h */
+  uint16_t due;      /**< lines to send: DUE_* */
   uint8_t stops_due; /**< bits of PlateStop */
   uint8_t conf_next, conf_end;
   uint8_t test_next;
@@ -104,6 +108,10 @@ int32_t plate_place_millideg(const Plate* plate);
 
 /** Width of the servo's next pulse in half microseconds; 0: no pulse. */
 uint16_t plate_pulse_ticks(const Plate* plate);
+
+/** Of answer.c, for plate.c: sends what is due, once a millisecond; what finds no room waits for the next
+ * one. */
+void answer(Plate* plate);
 
 #ifdef __cplusplus
 }

@@ -1,43 +1,28 @@
 // What joins the plate to the bearing, and the bearing to the servo's horn.
 
-module hub() {
-  head_z = hub_bottom_z + m3_head_height_mm;
-  layer(head_z, plate_bottom_z) difference() {
-    disc(2 * hub_radius_mm);
-    holes(m3_free_mm, hub_screw_circle_mm, hub_screws);
-  }
-  layer(hub_bottom_z, head_z) difference() {
-    disc(2 * hub_radius_mm);
-    holes(m3_head_mm, hub_screw_circle_mm, hub_screws);
-    holes(m3_pilot_mm, retainer_screw_circle_mm, retainer_screws);
-  }
-  layer(floor_z, hub_bottom_z) difference() {
-    disc(2 * land_radius_mm);
-    holes(m3_pilot_mm, retainer_screw_circle_mm, retainer_screws);
-  }
-  layer(journal_bottom_z, floor_z) difference() {
-    disc(bearing_bore_mm - bearing_fit_mm);
-    holes(m3_pilot_mm, retainer_screw_circle_mm, retainer_screws);
-  }
+// A disc with holes of two circles, and in its middle.
+module pierced(diameter_mm, screw_mm, other_mm = 0, other_circle_mm = hub_screw_circle_mm, count = hub_screws, turned_deg = 0,
+               middle_mm = 0) difference() {
+  disc(diameter_mm);
+  if (screw_mm > 0) holes(screw_mm, retainer_screw_circle_mm, retainer_screws);
+  if (other_mm > 0) rotate(turned_deg) holes(other_mm, other_circle_mm, count);
+  if (middle_mm > 0) disc(middle_mm);
 }
 
-// Holds the hub down and carries the horn. The horn's screws have their heads in the upper side.
+module hub() {
+  head_z = hub_bottom_z + m3_head_height_mm;
+  layer(head_z, plate_bottom_z) pierced(2 * hub_radius_mm, 0, m3_free_mm);
+  layer(hub_bottom_z, head_z) pierced(2 * hub_radius_mm, m3_pilot_mm, m3_head_mm);
+  layer(floor_z, hub_bottom_z) pierced(2 * land_radius_mm, m3_pilot_mm);
+  layer(journal_bottom_z, floor_z) pierced(bearing_bore_mm - bearing_fit_mm, m3_pilot_mm);
+}
+
+// Holds the hub down and carries the horn. The horn's screws have their heads in the upper side, between its own.
 module retainer() {
-  turned_deg = 180 / retainer_screws;  // the horn's screws lie between the retainer's
   head_z = bearing_bottom_z - m3_head_height_mm;
-  layer(head_z, bearing_bottom_z) difference() {
-    disc(2 * land_radius_mm);
-    holes(m3_free_mm, retainer_screw_circle_mm, retainer_screws);
-    rotate(turned_deg) holes(m3_head_mm, horn_hole_circle_mm, horn_holes);
-  }
-  layer(horn_top_z, head_z) difference() {
-    disc(2 * land_radius_mm);
-    holes(m3_free_mm, retainer_screw_circle_mm, retainer_screws);
-    rotate(turned_deg) holes(m3_free_mm, horn_hole_circle_mm, horn_holes);
-  }
-  layer(retainer_bottom_z, horn_top_z) difference() {
-    disc(2 * land_radius_mm);
-    holes(m3_free_mm, retainer_screw_circle_mm, retainer_screws);
-    disc(horn_diameter_mm + slide_fit_mm);
-  }
+  module outline(horn_mm, middle_mm = 0)
+      pierced(2 * land_radius_mm, m3_free_mm, horn_mm, horn_hole_circle_mm, horn_holes, 180 / retainer_screws, middle_mm);
+  layer(head_z, bearing_bottom_z) outline(m3_head_mm);
+  layer(horn_top_z, head_z) outline(m3_free_mm);
+  layer(retainer_bottom_z, horn_top_z) outline(0, horn_diameter_mm + slide_fit_mm);
 }

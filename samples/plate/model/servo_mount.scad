@@ -16,12 +16,15 @@ module mount_outline(hole_mm) {
   }
 }
 
-module servo_mount() {
+// A plate, the child with holes of $hole_mm, and the posts on it.
+module on_posts() {
   recess_z = mount_bottom_z + mount_recess_mm;
-  layer(mount_bottom_z, recess_z) mount_outline(post_washer_mm);
-  layer(recess_z, mount_top_z) mount_outline(post_hole_mm);
+  layer(mount_bottom_z, recess_z) let($hole_mm = post_washer_mm) children();
+  layer(recess_z, mount_top_z) let($hole_mm = post_hole_mm) children();
   layer(mount_top_z, deck_bottom_z) difference() {
     posts(2 * post_radius_mm);
     posts(post_hole_mm);
   }
 }
+
+module servo_mount() on_posts() mount_outline($hole_mm);

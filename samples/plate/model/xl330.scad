@@ -13,19 +13,13 @@ module xl_body(more_mm = 0) translate([0, xl_shaft_mm - xl_height_mm / 2])
     square([xl_width_mm + more_mm, xl_height_mm + more_mm], center = true);
 
 module xl330_mount() {
-  recess_z = mount_bottom_z + mount_recess_mm;
   // The plate under the posts.
   module floor_outline(hole_mm) difference() {
     hull() posts(2 * post_radius_mm + 2);
     posts(hole_mm);
     xl_body(2 * slide_fit_mm);
   }
-  layer(mount_bottom_z, recess_z) floor_outline(post_washer_mm);
-  layer(recess_z, mount_top_z) floor_outline(post_hole_mm);
-  layer(mount_top_z, deck_bottom_z) difference() {
-    posts(2 * post_radius_mm);
-    posts(post_hole_mm);
-  }
+  on_posts() floor_outline($hole_mm);
   difference() {
     layer(mount_top_z, xl_band_top_z) difference() {
       union() {
@@ -45,14 +39,9 @@ module xl330_mount() {
 }
 
 module xl330_retainer() {
-  turned_deg = 180 / retainer_screws;
   m2_head_z = bearing_bottom_z - m2_head_height_mm;
-  module outline(horn_hole_mm, horn_mm) difference() {
-    disc(2 * land_radius_mm);
-    holes(m3_free_mm, retainer_screw_circle_mm, retainer_screws);
-    rotate(turned_deg) holes(horn_hole_mm, xl_horn_circle_mm, horn_holes);
-    if (horn_mm > 0) disc(horn_mm);
-  }
+  module outline(horn_hole_mm, horn_mm) pierced(2 * land_radius_mm, m3_free_mm, horn_hole_mm, xl_horn_circle_mm, horn_holes,
+      180 / retainer_screws, horn_mm);
   layer(m2_head_z, bearing_bottom_z) outline(m2_head_mm, 0);
   layer(horn_top_z, m2_head_z) outline(m2_free_mm, 0);
   layer(retainer_bottom_z, horn_top_z) outline(m2_free_mm, xl_horn_diameter_mm + slide_fit_mm);

@@ -14,9 +14,7 @@
 #include "plugin/src/plate/plate_failure.h"
 #include "plugin/src/plate/plate_link.h"
 #include "samples/format.h"
-#include "samples/plate/tool/commission.h"
-#include "samples/plate/tool/report.h"
-#include "samples/plate/tool/trim.h"
+#include "samples/plate/tool/measure.h"
 
 namespace hrt::plate {
 namespace {
@@ -111,9 +109,24 @@ Person person_at(const Surroundings& around) {
   return {around.read, [&around](const std::string& text) { around.out << text << std::endl; }};
 }
 
+// Turns the plate to 0, as often as the person has its mark off; one who goes away leaves the old trim.
 int run_trim(const Options& options, const Surroundings& around) {
   const auto device = open(options.device, around, Start::hold);
-  trim(*device, person_at(around));
+  const double before_deg = device->zero_deg();
+  turn_and_wait(*device, 0.0);
+  std::string question =
+      "The plate is at 0. How many degrees is its mark off, counter-clockwise positive? An empty line keeps "
+      "it so.";
+  try {
+    while (const auto offset_deg = ask_number(*device, person_at(around), question, -30.0, 30.0)) {
+      device->set_zero(device->zero_deg() - *offset_deg);
+      question = format("0 has moved by %+.2f deg. And now?", device->zero_deg() - before_deg);
+    }
+  } catch (const Abandoned&) {
+    device->set_zero(before_deg);
+    throw;
+  }
+  device->keep_zero();
   around.out << "saved\n";
   return success;
 }

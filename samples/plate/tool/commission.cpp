@@ -1,15 +1,17 @@
-#include "samples/plate/tool/commission.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "plugin/src/plate/plate_failure.h"
+#include "plugin/src/plate/plate_link.h"
 #include "samples/format.h"
+#include "samples/plate/tool/measure.h"
 
 namespace hrt::plate {
 namespace {
 
 using namespace std::chrono_literals;
+
+using Opener = std::function<std::unique_ptr<Device>()>;
 
 constexpr double asked_deg = 30.0;  // where the scale is read, by the first guess of the span
 constexpr double first_span_us = 2000.0, first_limit_deg = 45.0;

@@ -14,7 +14,6 @@
 #include <queue>
 #include <thread>
 
-#include "plugin/src/plate/serial_line.h"
 #include "samples/plate/tool/commands.h"
 
 namespace {

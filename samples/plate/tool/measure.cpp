@@ -6,7 +6,6 @@
 
 #include "plugin/src/plate/plate_failure.h"
 #include "samples/format.h"
-#include "samples/plate/tool/step.h"
 
 namespace hrt::plate {
 namespace {
@@ -27,14 +26,6 @@ constexpr auto frame = 20ms;         // of a hobby servo's pulses
 
 double place_of(const Device& device) {
   return device.orientation_deg().value_or(0.0);
-}
-
-Measured mean_of(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double value : values) sum += value;
-  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
-  return {sum / n, std::sqrt(squares / (n - 1.0) / n)};
 }
 
 // Of a turn, and what follows it.
@@ -91,21 +82,21 @@ Measured repeatability_of(Device& device, double away_deg) {
 }
 
 // One turn from where the plate rests, as its reports show it.
-std::vector<StepSample> step_to(Device& device, double orientation_deg) {
-  const double from_deg = place_of(device), sign = orientation_deg < from_deg ? -1.0 : 1.0;
+Step step_to(Device& device, double from_deg, double orientation_deg) {
+  const double sign = orientation_deg < from_deg ? -1.0 : 1.0;
   const auto give_up = device.now() + limit_of_turn(device, orientation_deg);
   const auto began = device.now();
-  std::vector<StepSample> samples;
+  Step step{std::abs(orientation_deg - from_deg), {}};
   device.turn_to(orientation_deg);
   for (auto last = device.reported(); device.now() < give_up;) {
     device.wait(5ms);
     if (device.reported() == last) continue;
     last = device.reported();
-    samples.push_back(
+    step.samples.push_back(
         {std::chrono::duration<double>(last - began).count(), sign * (place_of(device) - from_deg)});
     if (std::abs(place_of(device) - orientation_deg) < near_deg) break;
   }
-  return samples;
+  return step;
 }
 
 // Each begins from a rest in its own direction, so that no gear is loose, and at another phase of the pulses.
@@ -114,7 +105,7 @@ void time_steps(Device& device, Measurements& found) {
       std::min(max_step_deg / 2.0, 0.9 * std::min(found.limits.max_deg, -found.limits.min_deg));
   const double filter_s = std::chrono::duration<double>(device.sensor_filter()).count();
   const double line_ms = std::chrono::duration<double, std::milli>(found.round_trip).count();
-  std::vector<double> latencies_ms, speeds_deg_s, accelerations_deg_s2;
+  std::vector<Step> timed;
   const auto first = device.now();
   for (int i = 0; i < steps; ++i) {
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
@@ -123,17 +114,13 @@ void time_steps(Device& device, Measurements& found) {
     const double from_deg = settle_at(device, -sign * (half_deg - run_up_deg - aside_deg));
     while ((device.now() - first) % frame > 1ms) device.wait(1ms);
     for (const auto begin = device.now() + frame * i / steps; device.now() < begin;) device.wait(1ms);
-    const auto samples = step_to(device, sign * half_deg);
-    const auto fit = fit_step(samples, std::abs(sign * half_deg - from_deg), filter_s);
-    if (!fit) throw PlateFailure(Fault::device, "reports too rarely to time its steps");
-    latencies_ms.push_back(fit->onset_s * 1000.0 - line_ms);
-    speeds_deg_s.push_back(fit->speed_deg_s);
-    accelerations_deg_s2.push_back(fit->acceleration_deg_s2);
+    timed.push_back(step_to(device, from_deg, sign * half_deg));
   }
-  found.latency_ms = mean_of(latencies_ms);
-  found.latency_ms.value = std::max(0.0, found.latency_ms.value);
-  found.speed_deg_s = mean_of(speeds_deg_s);
-  found.acceleration_deg_s2 = mean_of(accelerations_deg_s2);
+  const auto fit = fit_steps(timed, filter_s);
+  if (!fit) throw PlateFailure(Fault::device, "reports too rarely to time its steps");
+  found.latency_ms = {std::max(0.0, fit->onset_s.value * 1000.0 - line_ms), fit->onset_s.deviation * 1000.0};
+  found.speed_deg_s = fit->speed_deg_s;
+  found.acceleration_deg_s2 = fit->acceleration_deg_s2;
 }
 
 }  // namespace

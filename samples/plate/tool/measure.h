@@ -1,11 +1,16 @@
-// What a plate does, measured through the reports of its sensor.
+// What a plate does, measured through the reports of its sensor; as text, as the file that hrt_plate_open()
+// takes, and as a drawing.
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "plugin/src/plate/device.h"
+#include "samples/plate/tool/person.h"
+#include "samples/plate/tool/step.h"
 
 namespace hrt::plate {
 
@@ -14,12 +19,6 @@ struct SweepPoint {
   double commanded_deg;
   double reported_deg;  ///< mean over 0.2 s
   bool upwards;
-};
-
-/// A mean, and its standard error: of the spread, and where reports repeat exactly, of their step.
-struct Measured {
-  double value = 0.0;
-  double deviation = 0.0;
 };
 
 struct Measurements {
@@ -31,7 +30,7 @@ struct Measurements {
   Measured error_deg;          ///< reported less commanded, in the sweep; its deviation is that of one stop
   Measured backlash_deg;       ///< difference of the sweep's two directions: gears, and the servo's dead band
   Measured repeatability_deg;  ///< standard deviation of returns to 0 from below
-  Measured speed_deg_s;        ///< of the servo, from 35 to 65 % of steps
+  Measured speed_deg_s;        ///< of the servo
   Measured acceleration_deg_s2;
   Measured latency_ms;  ///< of the plate, from the arrival of a command to the motion
 };
@@ -46,5 +45,20 @@ double settle_at(Device& device, double orientation_deg);
 /// Moves the plate through its range, with nobody's hands on it, for half a minute. `note` gets a line at
 /// each stage. Throws PlateFailure, also if the plate has no sensor: nothing can be measured then.
 Measurements measure(Device& device, const std::function<void(const std::string&)>& note);
+
+/// From a plate that was just built: finds direction, span, sensor and stops of a hobby servo with the help
+/// of the person, who reads the scale twice, and keeps them in the plate; any other device knows its own.
+/// Then measures it. `open` opens the device anew. Throws PlateFailure, also if something cannot be measured,
+/// and Abandoned.
+Measurements commission(const std::function<std::unique_ptr<Device>()>& open, const Person& person);
+
+std::string text_of(const Measurements& found);
+/// `device`: the name to open; `date`: ISO 8601.
+std::string file_of(const Measurements& found, const std::string& device, const std::string& date);
+/// The sweep: reported less commanded orientation, against the command, of both directions.
+std::string svg_of(const Measurements& found);
+
+/// Puts `content` in the place of `file` in one step. Throws std::runtime_error.
+void write_file(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace hrt::plate

@@ -1,5 +1,3 @@
-#include "samples/plate/tool/report.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,6 +6,7 @@
 
 #include "plugin/src/plate/plate_file.h"
 #include "samples/format.h"
+#include "samples/plate/tool/measure.h"
 #include "samples/whole_file.h"
 
 namespace hrt::plate {

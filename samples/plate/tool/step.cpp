@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace hrt::plate {
 namespace {
@@ -17,18 +17,18 @@ double shown_of(double time_s, double acceleration_deg_s2, double filter_s) {
 }
 
 // The part of a step in which it has its full speed.
-constexpr double ramp_begins = 0.35, ramp_ends = 0.65;
+constexpr double ramp_begins = 0.3, ramp_ends = 0.65;
 
 // The line through the samples there: its speed, and where it meets 0.
 struct Ramp {
   double speed_deg_s;
   double start_s;
 };
-std::optional<Ramp> ramp_of(const std::vector<StepSample>& samples, double way_deg) {
+std::optional<Ramp> ramp_of(const Step& step) {
   double n = 0.0, t = 0.0, x = 0.0, tt = 0.0, tx = 0.0;
-  for (const auto& [time_s, part_deg] : samples) {
-    if (part_deg > ramp_ends * way_deg) break;
-    if (part_deg < ramp_begins * way_deg) continue;
+  for (const auto& [time_s, part_deg] : step.samples) {
+    if (part_deg > ramp_ends * step.way_deg) break;
+    if (part_deg < ramp_begins * step.way_deg) continue;
     n += 1.0;
     t += time_s;
     x += part_deg;
@@ -41,37 +41,73 @@ std::optional<Ramp> ramp_of(const std::vector<StepSample>& samples, double way_d
   return Ramp{speed_deg_s, (t - x / speed_deg_s) / n};
 }
 
-// Squares between the samples and the filtered motion: an acceleration, and one that ends it at full speed.
-double misfit(const std::vector<StepSample>& samples, double way_deg, double filter_s, const StepFit& fit) {
-  const double full_s = fit.speed_deg_s / fit.acceleration_deg_s2;
-  double squares = 0.0;
-  for (const auto& [sample_s, part_deg] : samples) {
-    if (part_deg > ramp_ends * way_deg) break;
-    const double time_s = sample_s - fit.onset_s;
-    const double off_deg = part_deg - shown_of(time_s, fit.acceleration_deg_s2, filter_s) +
-                           shown_of(time_s - full_s, fit.acceleration_deg_s2, filter_s);
+// The log of the likelihood that the ramp began so, where the noise of its samples is not known: a motion
+// that accelerates evenly, and one that ends it at full speed. Neighbours that a filter has smoothed say the
+// same once more.
+double likelihood(const Step& step, const Ramp& ramp, double onset_s, double acceleration_deg_s2,
+                  double filter_s) {
+  const double full_s = ramp.speed_deg_s / acceleration_deg_s2;
+  double n = 0.0, squares = 0.0, last_s = 0.0;
+  for (const auto& [sample_s, part_deg] : step.samples) {
+    if (part_deg > ramp_ends * step.way_deg) break;
+    const double off_deg = part_deg - shown_of(sample_s - onset_s, acceleration_deg_s2, filter_s) +
+                           shown_of(sample_s - onset_s - full_s, acceleration_deg_s2, filter_s);
     squares += off_deg * off_deg;
+    n += 1.0;
+    last_s = sample_s;
   }
-  return squares;
+  const double alike = std::exp(-last_s / n / std::max(filter_s, 1e-6));
+  return -0.5 * n * (1.0 - alike) / (1.0 + alike) * std::log(squares / n + 1e-6);
 }
 
 }  // namespace
 
+Measured mean_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0.0, squares = 0.0;
+  for (const double value : values) sum += value;
+  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
+  return {sum / n, std::sqrt(squares / (n - 1.0) / n)};
+}
+
 // On a ramp a filter is late by its time constant, and an acceleration by half of the time that it takes: the
-// line leaves the acceleration alone to be found.
-std::optional<StepFit> fit_step(const std::vector<StepSample>& samples, double way_deg, double filter_s) {
-  const auto ramp = ramp_of(samples, way_deg);
-  if (!ramp) return std::nullopt;
-  StepFit best{};
-  double least = std::numeric_limits<double>::infinity();
-  for (double a = min_acceleration_deg_s2; a <= max_acceleration_deg_s2; a *= 1.03) {
-    const StepFit fit{ramp->start_s - filter_s - 0.5 * ramp->speed_deg_s / a, ramp->speed_deg_s, a};
-    const double squares = misfit(samples, way_deg, filter_s, fit);
-    if (squares >= least) continue;
-    least = squares;
-    best = fit;
+// line leaves the acceleration alone to be found. Few samples see that, fewer the slower the plate is. So it
+// is one for all steps, and what they leave open of it, by the likelihood of each, is in the deviations.
+std::optional<StepsFit> fit_steps(const std::vector<Step>& steps, double filter_s) {
+  std::vector<Ramp> ramps;
+  std::vector<double> starts_s, speeds_deg_s;
+  for (const Step& step : steps) {
+    const auto ramp = ramp_of(step);
+    if (!ramp) return std::nullopt;
+    ramps.push_back(*ramp);
+    starts_s.push_back(ramp->start_s - filter_s);
+    speeds_deg_s.push_back(ramp->speed_deg_s);
   }
-  return best;
+  std::vector<std::pair<double, double>> candidates;  // an acceleration, and its likelihood
+  double most = -1e300;
+  for (double a = min_acceleration_deg_s2; a <= max_acceleration_deg_s2; a *= 1.03) {
+    double found = 0.0;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      found += likelihood(steps[i], ramps[i], starts_s[i] - 0.5 * speeds_deg_s[i] / a, a, filter_s);
+    candidates.emplace_back(a, found);
+    most = std::max(most, found);
+  }
+  StepsFit fit{mean_of(starts_s), mean_of(speeds_deg_s), {}};
+  const auto mean_by_likelihood = [&](auto number) -> Measured {
+    double sum = 0.0, first = 0.0, second = 0.0;
+    for (const auto& [a, found] : candidates) {
+      const double weight = std::exp(found - most), value = number(a);
+      sum += weight;
+      first += weight * value;
+      second += weight * value * value;
+    }
+    return {first / sum, std::sqrt(std::max(0.0, second / sum - first * first / (sum * sum)))};
+  };
+  fit.acceleration_deg_s2 = mean_by_likelihood([](double a) { return a; });
+  const Measured late_s = mean_by_likelihood([&](double a) { return 0.5 * fit.speed_deg_s.value / a; });
+  fit.onset_s.value -= late_s.value;
+  fit.onset_s.deviation = std::hypot(fit.onset_s.deviation, late_s.deviation);
+  return fit;
 }
 
 }  // namespace hrt::plate

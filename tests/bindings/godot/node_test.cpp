@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "../../../plugin/bindings/godot/plate_node.h"
+#include "tests/plugin/plate/pty_device.h"
 
 namespace {
 int64_t allocations = 0;
@@ -75,6 +76,18 @@ TEST(GodotNode, WarnsOfItsPropertiesAndPlace) {
   node.set(*bound, 84.5);
   engine.pose.x_axis = {2, 0, 0};
   EXPECT_EQ(node.warning(), kNotRigid);
+}
+
+TEST(GodotNode, TakesWhatItsDeviceReports) {
+  const hrt::plate::PtyDynamixel servo;
+  StillEngine engine;
+  PlateNode node(engine);
+  EXPECT_EQ(node.take_device(), Error::kUnavailable);
+  ASSERT_EQ(node.open_device("dynamixel:" + servo.device() + "?speed=200"), Error::kOk);
+  EXPECT_TRUE(hrt::plate::eventually([&] { return node.take_device() == Error::kOk; }));
+  const auto speed =
+      std::ranges::find(config_fields, std::string_view("plate_max_speed_deg_s"), &Field::name);
+  EXPECT_NEAR(std::get<double>(node.get(*speed)), 200.0, 0.7);
 }
 
 TEST(GodotNode, EditorExplainsEveryMethodAndSignal) {

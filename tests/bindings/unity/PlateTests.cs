@@ -48,11 +48,16 @@ namespace Hrt.HostTests
         }
 
         [Test]
-        public void TurnsADynamixel()
+        public void TurnsACommissionedDynamixel()
         {
-            using (var plate = new HapticRetargetingPlate(Device("HRT_PLATE_SERVO")))
+            using (var plate = new HapticRetargetingPlate(Device("HRT_PLATE_FILE")))
             {
-                Assert.AreEqual("Dynamixel XL330-M288, id 1, firmware 52", plate.WaitUntilReady().description.ToString());
+                PlateReport report = plate.WaitUntilReady();
+                Assert.AreEqual("Dynamixel XL330-M288, id 1, firmware 52", report.description.ToString());
+                Assert.AreEqual(4000000 + report.roundTripNs / 2, report.latencyNs);
+                SessionConfig config = SessionConfig.Default;
+                config.TakePlate(report);
+                Assert.AreEqual(123.0, config.plateMaxSpeedDegS);
                 Eventually(plate, r =>
                 {
                     plate.Set(-45);

@@ -15,6 +15,7 @@
 
 #include "HapticConversions.h"
 #include "HapticRetargetingComponent.h"
+#include "haptic_retargeting/plate.h"
 
 namespace {
 
@@ -133,6 +134,15 @@ TEST_F(Component, CallsRightPositive) {
   ASSERT_TRUE(component_.MoveTarget(ahead, FVector(5, 1, 0)));
   ASSERT_TRUE(component_.GetGap(right, ahead, gap));
   EXPECT_NEAR(gap.GapYaw, std::atan2(1.0, 10.0) * 180 / std::numbers::pi - 90, 1e-9);
+}
+
+TEST_F(Component, TakesWhatAPlateReports) {
+  hrt_session_config config = hrt_session_config_init();
+  const hrt_plate_report report{.latency_ns = 25'000'000};
+  hrt_session_config_from_plate(&config, &report);
+  ASSERT_EQ(hrt_session_set(component_.GetSession(), &config), HRT_OK);
+  component_.TakeFromSession();
+  EXPECT_EQ(component_.Settings.PlateLatency, 0.025);
 }
 
 // The same samples through the component's own terms and through the C interface's.

@@ -290,6 +290,27 @@ TEST_F(DynamixelTest, NamesEveryFault) {
   EXPECT_EQ(fault, Fault::stuck);
 }
 
+// It writes another goal, while this one has none, holds one, or moves: the plate is stopped. To write the
+// goal that holds changes nothing.
+TEST_F(DynamixelTest, NoticesASecondProgramOnItsPort) {
+  for (const double command_deg : {-1.0, 0.0, 90.0}) {
+    auto device = open();
+    if (command_deg >= 0.0) device->turn_to(command_deg);
+    serve(*device, 200ms);
+    for (const int aside : {0, 500}) {
+      const std::string goal = little_endian(116, 2) + little_endian(servo.get(116, 4) + aside, 4);
+      servo.hear(encode({.id = 1, .instruction = dynamixel::write, .parameters = goal}), servo.now());
+      EXPECT_EQ(failure_of([&] { serve(*device, 100ms); }),
+                aside == 0 ? "" : "hears another program too: close that one");
+    }
+    EXPECT_EQ(fault, Fault::line);
+    const double stopped_deg = servo.orientation_deg();
+    device.reset();
+    servo.run_until(servo.now() + 1s);
+    EXPECT_NEAR(servo.orientation_deg(), stopped_deg, 5.0);  // 300 degrees a second, seen 15 ms ago
+  }
+}
+
 TEST_F(DynamixelTest, WorksOnADisturbedLine) {
   servo.damages_answers = true;
   const auto device = open();

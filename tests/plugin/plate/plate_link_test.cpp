@@ -110,13 +110,6 @@ TEST_F(PlateLinkTest, FailsWhenThePlateNeverReports) {
   EXPECT_EQ(fault, Fault::no_report);
 }
 
-TEST_F(PlateLinkTest, FailsWhenThePlateReportsAnAngleBeyondItsLimits) {
-  open();
-  plate->servo.turn_by_hand(95.0);
-  EXPECT_TRUE(failure_of_service().ends_with(" deg, outside its limits of -90.0 to 90.0 deg"));
-  EXPECT_EQ(fault, Fault::limits);
-}
-
 TEST_F(PlateLinkTest, FailsWhenThePlateIsStuck) {
   open();
   plate->servo.is_jammed = true;

@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
-#include "plugin/src/plate/plate_failure.h"
+#include "tests/plugin/plate/failing_test.h"
 
 namespace hrt::plate {
 namespace {
@@ -16,17 +15,9 @@ using namespace std::chrono_literals;
 constexpr PlateGreeting greeting{-90.0, 90.0, 300.0, 20.0, true};
 constexpr PlateWatch::Time start{};
 
-template <class Action>
-std::string failure_of(Action action) {
-  try {
-    action();
-  } catch (const PlateFailure& failure) {
-    return failure.what();
-  }
-  return {};
-}
+using PlateWatchTest = FailingTest;
 
-TEST(PlateWatch, NoticesAPlateThatDoesNotReport) {
+TEST_F(PlateWatchTest, NoticesAPlateThatDoesNotReport) {
   PlateWatch watch(greeting, start);
   watch.check(start + 500ms);
   EXPECT_EQ(failure_of([&] { watch.check(start + 501ms); }), "never reports its orientation");
@@ -36,7 +27,7 @@ TEST(PlateWatch, NoticesAPlateThatDoesNotReport) {
             "has not reported its orientation for half a second");
 }
 
-TEST(PlateWatch, NoticesAPlateThatIsStuck) {
+TEST_F(PlateWatchTest, NoticesAPlateThatIsStuck) {
   PlateWatch watch(greeting, start);
   watch.commanded(30.0);
   for (auto time = 0ms; time <= 1000ms; time += 20ms)
@@ -45,14 +36,14 @@ TEST(PlateWatch, NoticesAPlateThatIsStuck) {
             "is stuck at 12.0 deg; it was commanded to 30.0 deg");
 }
 
-TEST(PlateWatch, APlateThatIsNearItsCommandIsNotStuck) {
+TEST_F(PlateWatchTest, APlateThatIsNearItsCommandIsNotStuck) {
   PlateWatch watch(greeting, start);
   watch.commanded(30.0);
   for (auto time = 0ms; time <= 3000ms; time += 20ms) watch.reported(start + time, 20.5);
 }
 
 // The host slept for 2 s, and then reads at once what the plate has sent since.
-TEST(PlateWatch, APauseOfTheHostIsNoFaultOfThePlate) {
+TEST_F(PlateWatchTest, APauseOfTheHostIsNoFaultOfThePlate) {
   PlateWatch watch(greeting, start);
   watch.commanded(80.0);
   watch.reported(start, 0.0);
@@ -61,7 +52,7 @@ TEST(PlateWatch, APauseOfTheHostIsNoFaultOfThePlate) {
   watch.reported(start + 2000ms, 80.0);
 }
 
-TEST(PlateWatch, APlateThatDoesNotKnowItsPlaceIsHeard) {
+TEST_F(PlateWatchTest, APlateThatDoesNotKnowItsPlaceIsHeard) {
   PlateWatch watch(greeting, start);
   watch.commanded(80.0);
   for (auto time = 0ms; time <= 8000ms; time += 100ms) {
@@ -72,7 +63,7 @@ TEST(PlateWatch, APlateThatDoesNotKnowItsPlaceIsHeard) {
 }
 
 // A sensor may be off by 3 degrees.
-TEST(PlateWatch, NoticesAPlateBeyondItsLimits) {
+TEST_F(PlateWatchTest, NoticesAPlateBeyondItsLimits) {
   for (const double side : {-1.0, 1.0}) {
     PlateWatch watch(greeting, start);
     watch.reported(start, side * 93.0);
@@ -83,7 +74,7 @@ TEST(PlateWatch, NoticesAPlateBeyondItsLimits) {
   }
 }
 
-TEST(PlateWatch, APlateThatWasStoppedIsNotStuck) {
+TEST_F(PlateWatchTest, APlateThatWasStoppedIsNotStuck) {
   PlateWatch watch(greeting, start);
   watch.commanded(30.0);
   for (auto time = 0ms; time <= 900ms; time += 20ms) watch.reported(start + time, 0.0);
@@ -92,7 +83,7 @@ TEST(PlateWatch, APlateThatWasStoppedIsNotStuck) {
 }
 
 // Two degrees a second, in a plate that says so, are a motion.
-TEST(PlateWatch, ASlowPlateIsNotStuck) {
+TEST_F(PlateWatchTest, ASlowPlateIsNotStuck) {
   PlateGreeting slow = greeting;
   slow.speed_deg_s = 2.0;
   PlateWatch watch(slow, start);
@@ -104,7 +95,7 @@ TEST(PlateWatch, ASlowPlateIsNotStuck) {
 }
 
 // 100 degrees a second from 0 to 80 degrees, reported every 20 ms.
-TEST(PlateWatch, MeasuresTheSpeed) {
+TEST_F(PlateWatchTest, MeasuresTheSpeed) {
   PlateWatch watch(greeting, start);
   watch.reported(start, 0.0);
   EXPECT_FALSE(watch.speed_deg_s());
@@ -116,7 +107,7 @@ TEST(PlateWatch, MeasuresTheSpeed) {
 }
 
 // Small commands one after the other are followed at their own pace, which is not the plate's.
-TEST(PlateWatch, DoesNotTakeThePaceOfCommandsForASpeed) {
+TEST_F(PlateWatchTest, DoesNotTakeThePaceOfCommandsForASpeed) {
   PlateWatch watch(greeting, start);
   for (auto time = 0ms; time <= 2000ms; time += 20ms) {
     const double place_deg = 0.02 * static_cast<double>(time.count());

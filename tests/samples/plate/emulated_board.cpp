@@ -147,6 +147,10 @@ std::vector<std::uint8_t> EmulatedBoard::eeprom() const {
   return bytes;
 }
 
+std::uint8_t EmulatedBoard::extended_fuse() const {
+  return avr_->fuse[2];
+}
+
 const std::vector<std::string>& EmulatedBoard::complaints() const {
   return logged;
 }

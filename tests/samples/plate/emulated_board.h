@@ -62,6 +62,8 @@ class EmulatedBoard {
   /// Voltage at the potentiometer's pin.
   void set_feedback_mv(std::uint32_t millivolts);
   std::vector<std::uint8_t> eeprom() const;
+  /// Its extended fuse, as the ELF declares it.
+  std::uint8_t extended_fuse() const;
   /// What simavr had to complain about.
   const std::vector<std::string>& complaints() const;
 

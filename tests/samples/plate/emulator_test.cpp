@@ -21,7 +21,9 @@ bool contains(const std::vector<std::string>& lines, const std::string& line) {
 
 class Firmware : public testing::Test {
  protected:
-  Firmware() { greet(); }
+  explicit Firmware(const Settings& settings = commissioned()) : board_({}, 40.0, eeprom_with(settings)) {
+    greet();
+  }
   void TearDown() override {
     for (const std::string& complaint : board_.complaints()) ADD_FAILURE() << complaint;
   }
@@ -41,8 +43,12 @@ class Firmware : public testing::Test {
   }
   double width_us() const { return board_.pulses().back().width_us(); }
 
-  BoardWithServo board_{{}, 40.0};
+  BoardWithServo board_;
   std::uint16_t sequence_ = 0;
+};
+
+struct BlindFirmware : Firmware {
+  BlindFirmware() : Firmware(settings_default()) {}
 };
 
 TEST_F(Firmware, AnnouncesItselfAndGivesNoPulseBeforeACommand) {
@@ -155,6 +161,10 @@ TEST_F(Firmware, DamagedLinesMoveNothing) {
   EXPECT_TRUE(contains(lines, "TEST loop 1") || contains(lines, "TEST loop 2"));
 }
 
+TEST_F(Firmware, DeclaresABrownOutAtFourPointThreeVolts) {
+  EXPECT_EQ(board_.extended_fuse(), 0xFC);
+}
+
 // The host has been sending since before the board started, and continues after a reset.
 TEST_F(Firmware, AResetEndsThePulsesUntilTheNextGreeting) {
   set(90.0);
@@ -186,6 +196,27 @@ TEST_F(Firmware, EmergencyStopCutsNoPulse) {
   EXPECT_LT(board_.pulses().back().start - opened, 25ms);
   EXPECT_GE(width_us(), 500.0);
   EXPECT_TRUE(contains(board_.take_lines(), "STOPPED emergency"));
+}
+
+// A board without a sensor: its compare unit leaves seven frames of eight without a pulse, for 8 s.
+TEST_F(BlindFirmware, IsHomedByOnePulseInEight) {
+  set(-40.0);
+  run_with_beats(500ms);
+  EXPECT_TRUE(contains(board_.take_lines(), "STOPPED unhomed"));
+  EXPECT_TRUE(board_.pulses().empty());
+  board_.say(set_body(-40.0, ++sequence_, "HOME"));
+  run_with_beats(7900ms);
+  EXPECT_TRUE(has(board_.take_lines().back(), "AT unknown"));
+  EXPECT_NEAR(board_.servo.plate_deg(), -40.0, 0.2);
+  run_with_beats(500ms);
+  EXPECT_TRUE(has(board_.take_lines().back(), "AT -040.00"));
+  const auto& pulses = board_.pulses();
+  for (std::size_t i = 1; i < pulses.size(); ++i) {
+    const auto apart = pulses[i].start - pulses[i - 1].start;
+    EXPECT_NEAR(static_cast<double>(apart.count()), i < 51 ? 160e6 : 20e6, 1e3) << i;
+    EXPECT_NEAR(pulses[i].width_us(), 1500.0 - 40.0 * 2000.0 / 180.0, 1.0) << i;
+  }
+  EXPECT_GT(pulses.size(), 60U);
 }
 
 // The watchdog ends the pulses, in whole ones, and resets the board, which then waits for a greeting.

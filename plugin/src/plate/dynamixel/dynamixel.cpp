@@ -9,7 +9,6 @@
 #include "plugin/src/plate/dynamixel/bus.h"
 #include "plugin/src/plate/plate_failure.h"
 #include "plugin/src/plate/plate_watch.h"
-#include "plugin/src/plate/serial_line.h"
 
 namespace hrt::plate {
 namespace {
@@ -252,6 +251,7 @@ class Servo : public Device {
       return take_position(number_at(table, 0, present_position.size));
     const std::int64_t watchdog = number_at(table, 0, bus_watchdog.size);
     if (watchdog == 0) throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
+    take_position(number_at(table, present_position.address - bus_watchdog.address, present_position.size));
     if (watchdog == watchdog_expired) {
       recover_from_watchdog();
     } else {
@@ -260,7 +260,6 @@ class Servo : public Device {
         throw PlateFailure(Fault::line, "hears another program too: close that one");
       known_goal_ = goal;
     }
-    take_position(number_at(table, present_position.address - bus_watchdog.address, present_position.size));
   }
 
   void take_position(std::int64_t step) {

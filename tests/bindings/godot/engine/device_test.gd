@@ -1,4 +1,4 @@
-# The plate's device, with emulated plates: HRT_PLATE_DEVICE is the firmware on its board, HRT_PLATE_SERVO a Dynamixel.
+# The plate's device, with emulated plates: HRT_PLATE_DEVICE is the firmware on its board, HRT_PLATE_FILE of a Dynamixel.
 extends "res://tests/checks.gd"
 
 # The report as soon as `key` is `wanted`; a busy machine gets 30 s. Turns the device to an orientation meanwhile.
@@ -29,7 +29,7 @@ func test_refusals() -> void:
 func test_turns() -> void:
 	var devices := {
 		"HRT_PLATE_DEVICE": "protocol 2, firmware 1.0.0, serial number 000000",
-		"HRT_PLATE_SERVO": "Dynamixel XL330-M288, id 1, firmware 52",
+		"HRT_PLATE_FILE": "Dynamixel XL330-M288, id 1, firmware 52",  # commissioned, the last one
 	}
 	var plate := new_plate()
 	for device: String in devices:
@@ -41,6 +41,8 @@ func test_turns() -> void:
 		check_equal(report.command_deg, -45.0, "command")
 		check(report.flags & HapticRetargeting.PLATE_REPORT_COMMANDED != 0, "flags")
 		check_equal(plate.stop_device(), OK, "stop")
+	check_equal(plate.take_device(), OK, "take")
+	check_equal(plate.plate_max_speed_deg_s, 123.0, "speed of the file")
 
 # The commands of a reach go to the device that is open, and where it stands goes into the samples.
 func test_reach() -> void:

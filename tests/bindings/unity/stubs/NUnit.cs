@@ -70,7 +70,6 @@ namespace NUnit.Framework
         // Without objects, which tests of garbage would count.
         public static void AreEqual(long expected, long actual, string message = "") { if (expected != actual) Expect(false, expected, actual, message); }
         public static void AreNotEqual(object other, object actual, string message = "") { Expect(!Same(other, actual), "other", actual, message); }
-        public static void AreSame(object expected, object actual, string message = "") { Expect(ReferenceEquals(expected, actual), expected, actual, message); }
         // The difference must be within: NaN never is.
         public static void AreEqual(double expected, double actual, double tolerance, string message = "") { Expect(expected.Equals(actual) || Math.Abs(expected - actual) <= tolerance, expected, actual, message); }
         public static void That(double actual, Near near, string message = "") { AreEqual(near.Expected, actual, near.Tolerance, message); }
@@ -78,11 +77,9 @@ namespace NUnit.Framework
         public static void IsFalse(bool holds, string message = "") { Expect(!holds, false, holds, message); }
         public static void IsNull(object value, string message = "") { Expect(value == null, null, value, message); }
         public static void IsNotNull(object value, string message = "") { Expect(value != null, "not null", value, message); }
-        public static void IsInstanceOf<T>(object value) { Expect(value is T, typeof(T), value, ""); }
         public static void Greater(double value, double than, string message = "") { Expect(value > than, "> " + than, value, message); }
         public static void GreaterOrEqual(double value, double than, string message = "") { Expect(value >= than, ">= " + than, value, message); }
         public static void Less(double value, double than, string message = "") { Expect(value < than, "< " + than, value, message); }
-        public static void LessOrEqual(double value, double than, string message = "") { Expect(value <= than, "<= " + than, value, message); }
 
         public static T Throws<T>(TestDelegate code, string message = "") where T : Exception
         {
@@ -105,7 +102,6 @@ namespace NUnit.Framework
     public static class CollectionAssert
     {
         public static void AreEqual(IEnumerable expected, IEnumerable actual, string message = "") { Assert.AreEqual(expected, actual, message); }
-        public static void Contains(IEnumerable list, object wanted) { Assert.Expect(list.Cast<object>().Any(one => Assert.Same(wanted, one)), wanted, list, "part"); }
     }
 
     static class RunTests
