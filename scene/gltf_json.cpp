@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/gltf_limits.h"
-#include "scene/refuse.h"
+#include "scene/scene_error.h"
 
 namespace hrt {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "scene/gltf_json.h"
 #include "scene/gltf_shape.h"
-#include "scene/refuse.h"
+#include "scene/scene_error.h"
 
 namespace hrt {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/gltf_limits.h"
-#include "scene/refuse.h"
+#include "scene/scene_error.h"
 
 namespace hrt {
 namespace {

@@ -11,7 +11,7 @@
 #include "scene/gltf_limits.h"
 #include "scene/gltf_model.h"
 #include "scene/gltf_shape.h"
-#include "scene/refuse.h"
+#include "scene/scene_error.h"
 
 namespace hrt {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/refuse.h"
+#include "scene/scene_error.h"
 
 namespace hrt {
 namespace {

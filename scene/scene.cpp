@@ -5,7 +5,7 @@
 
 #include "core/math/trigonometry.h"
 #include "scene/gltf_tree.h"
-#include "scene/refuse.h"
+#include "scene/scene_error.h"
 
 namespace hrt {
 namespace {

@@ -1,9 +1,11 @@
 // Messages of refusal.
 #pragma once
 
+#include <fmt/format.h>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace hrt {
 
@@ -18,5 +20,11 @@ std::string printable(std::string_view text);
 
 /// `text` in double quotes for a message: printable, cut after 80 characters of UTF-8.
 std::string in_quotes(std::string_view text);
+
+/// Throws SceneError: `where` is the file, or a node of it.
+template <class... Parts>
+[[noreturn]] void refuse(std::string_view where, fmt::format_string<Parts...> what, Parts&&... parts) {
+  throw SceneError(fmt::format("{}: {}", where, fmt::format(what, std::forward<Parts>(parts)...)));
+}
 
 }  // namespace hrt

@@ -6,7 +6,6 @@
 
 #include "core/math/distributions.h"
 #include "core/math/exponential.h"
-#include "core/math/median.h"
 
 namespace hrt {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/calibrate/lack_of_fit.h"
-#include "core/math/interval.h"
+#include "core/math/distributions.h"
 
 namespace hrt {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/math/interval.h"
+#include "core/math/distributions.h"
 
 namespace hrt {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/distributions.h"
 #include "core/math/linear_algebra.h"
-#include "core/math/median.h"
 
 namespace hrt {
 namespace {

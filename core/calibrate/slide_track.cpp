@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/math/median.h"
+#include "core/math/distributions.h"
 #include "core/math/time.h"
 #include "core/math/trigonometry.h"
 #include "core/plate/plate_limits.h"

@@ -1,12 +1,30 @@
-// Distribution functions of statistics, from the four operations, core/exponential and the square root: the
-// same bits on every host.
+// Statistics: estimates, distribution functions and medians. From the four operations, core/exponential and the
+// square root: the same bits on every host.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
-
-#include "core/math/interval.h"
+#include <vector>
 
 namespace hrt {
+
+/// An estimate with its 95 % interval. If the data cannot determine the value, `known` is false, the interval
+/// is the searched range or that of the fit, and the value its most likely point.
+struct Interval {
+  double value = 0.0;
+  double lower = 0.0;
+  double upper = 0.0;
+  bool known = true;
+};
+
+/// The normal quantile of 0.975.
+inline constexpr double normal_975 = 1.959963984540054;
+
+/// The standard deviation of which a 95 % interval from `lower` to `upper` is that of a normal estimate.
+inline double deviation_of_interval(double lower, double upper) {
+  return (upper - lower) / (2.0 * normal_975);
+}
 
 /// P(N(0, 1) <= x); absolute error below 2e-7.
 double normal_cdf(double x);
@@ -27,5 +45,16 @@ struct NormalPart {
 
 /// The median and the 95 % interval of a mixture of at least one part, whose probabilities sum to 1.
 Interval mixture_interval(std::span<const NormalPart> parts);
+
+/// The standard deviation of normal values over the median of their absolute values: 1 / 0.6745.
+inline constexpr double mad_to_deviation = 1.4826;
+
+/// Of an even number of values the upper one in the middle; 0 of none.
+inline double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 }  // namespace hrt

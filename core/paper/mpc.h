@@ -15,7 +15,7 @@
 #include "core/paper/mpc_active_set.h"
 #include "core/paper/mpc_config.h"
 #include "core/paper/mpc_plate_bound.h"
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 #include "core/plate/plate_limits.h"
 
 namespace hrt {

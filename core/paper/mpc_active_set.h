@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 
 namespace hrt {
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/paper/mpc_active_set.h"
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 
 namespace hrt {
 

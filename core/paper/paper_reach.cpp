@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/paper/authority.h"
+#include "core/paper/participant.h"
 
 namespace hrt {
 namespace {

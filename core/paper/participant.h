@@ -2,6 +2,12 @@
 // or theta_hat is here. No heap, no lock, no exception.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
+#include "core/paper/mpc_config.h"
+#include "core/reach/reach.h"
+
 namespace hrt {
 
 /// A participant's parameters. The defaults are condition 1 of Table I with the sensory variance that fits
@@ -55,5 +61,47 @@ struct ParticipantSlopes {
 };
 
 ParticipantSlopes participant_slopes(const ParticipantInput& input);
+
+/// The largest gap |theta_V - P_R| that a plate bounded to `plate_bound_deg` about theta_V can hold.
+/// `tactile_weight` in (0, 0.5), `plate_bound_deg` in (0, 90].
+double max_gap_deg(double tactile_weight, double plate_bound_deg);
+
+/// Authority over the pair of directions, any finite degrees. Ranges as for max_gap_deg().
+Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
+                             double plate_bound_deg);
+
+/// One step of the filter.
+struct FilterGain {
+  double gain;           ///< K, in (0, 1] (0 only if both variances before it are 0)
+  double variance_deg2;  ///< of the perceived direction once corrected: (1 - K) var-
+};
+
+/// Gain and variance of the step that follows a perceived direction of variance `variance_deg2`.
+FilterGain next_gain(const Participant& participant, double variance_deg2);
+
+/// Variance of the noise that a step of gain `gain` adds to the finger's direction: sigma_u^2 + var_k.
+double step_variance_deg2(const Participant& participant, double gain);
+
+/// The gains of the next steps: data() is K_k .. K_k+horizon-1.
+class GainWindow {
+ public:
+  /// Starts at the first step of a reach. Requires is_valid(participant), 1 <= horizon <= max_horizon +
+  /// max_lead.
+  GainWindow(const Participant& participant, int horizon);
+
+  /// `horizon` gains, the current step's first. Valid until advance().
+  const double* data() const { return gains_.data() + first_; }
+
+  /// Moves to the next step.
+  void advance();
+
+ private:
+  Participant participant_;
+  int horizon_;
+  int first_ = 0;
+  double last_variance_deg2_;
+  // A ring that holds every gain twice, so that a window is contiguous wherever it starts.
+  std::array<double, std::size_t{2} * (max_horizon + max_lead)> gains_{};
+};
 
 }  // namespace hrt

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/paper/estimator.h"
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 #include "core/paper/step_clock.h"
 #include "core/plate/plate_model.h"
 #include "core/reach/finger_sample.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 #include "core/plate/plate_limits.h"
 
 namespace hrt {

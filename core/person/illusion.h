@@ -8,6 +8,8 @@
 // nothing as it moves along them.
 #pragma once
 
+#include "core/reach/reach.h"
+
 namespace hrt {
 
 /// What a person feels of ridges.
@@ -45,5 +47,10 @@ MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
 /// The offset on the rising branch, up to that of `max`, that gives `shift_deg`, or comes nearest to it.
 double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max);
+
+/// Authority over the pair of directions, any finite degrees, for a person of this illusion. `bound_deg` in
+/// (0, 90].
+Authority authority_about_motion(double real_direction_deg, double goal_direction_deg,
+                                 const Illusion& illusion, double bound_deg);
 
 }  // namespace hrt

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "core/math/distributions.h"
 #include "core/person/traits.h"
 
 namespace hrt {
@@ -40,5 +41,18 @@ LinearIllusion linear_illusion(double weight, double curve, double weight2, doub
 
 /// True if each mean is in its range, and the covariance finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);
+
+/// Of the controller's curve, the goal and the paths; all known.
+struct CalibratedTraits {
+  Interval weight;
+  Interval curve;
+  double weight_curve_correlation;
+  Interval bias_deg;
+  Interval habit_deg;
+};
+
+/// A person of whom these are known, and of the rest nothing. Deviations are at least what people change by,
+/// and what a curve of another family costs.
+PersonBelief calibrated_person(const CalibratedTraits& traits);
 
 }  // namespace hrt

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/person/person_filter.h"
-#include "core/plate/plate_trace.h"
+#include "core/plate/plate_model.h"
 #include "core/tracker/recent_places.h"
 #include "core/tracker/resting_finger.h"
 

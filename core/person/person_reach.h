@@ -10,7 +10,6 @@
 #include "core/plate/frame_error.h"
 #include "core/plate/plate_limits.h"
 #include "core/plate/plate_model.h"
-#include "core/plate/plate_trace.h"
 #include "core/plate/touched_frame.h"
 #include "core/reach/finger_sample.h"
 #include "core/reach/reach.h"

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "core/person/person_filter.h"
-#include "core/plate/plate_trace.h"
+#include "core/plate/plate_model.h"
 
 namespace hrt {
 

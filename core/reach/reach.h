@@ -10,6 +10,16 @@
 
 namespace hrt {
 
+/// The gaps that can be held for one pair of targets and one participant. Angles in degrees.
+struct Authority {
+  bool reachable;                 ///< the real direction can be held
+  double gap_deg;                 ///< theta_V - P_R
+  double max_gap_deg;             ///< L w_T / (1 - w_T), >= 0
+  double margin_deg;              ///< max_gap_deg - |gap_deg|; negative if out of reach
+  double plate_orientation_deg;   ///< holds the settling direction; on the bound if out of reach
+  double settling_direction_deg;  ///< where the finger settles: the real direction if reachable
+};
+
 /// A pair of targets seen from the start of the reach; directions in degrees from the mid-line.
 struct Reach {
   double real_direction_deg;           ///< P_R, finite; within 90 of the goal: theta_V and the person's bias

@@ -5,7 +5,7 @@
 
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 #include "core/reach/pace.h"
 
 namespace hrt {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <limits>
 
+#include "core/math/distributions.h"
 #include "core/math/exponential.h"
-#include "core/math/median.h"
 #include "core/math/time.h"
 #include "core/tracker/rest_filter.h"
 

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "core/math/interval.h"
+#include "core/math/distributions.h"
 #include "core/plate/plate_frame.h"
 
 namespace hrt {

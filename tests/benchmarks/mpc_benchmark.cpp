@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/paper/mpc.h"
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 #include "core/simulation/random.h"
 #include "tests/benchmarks/peers.h"
 #include "tests/core/paper/mpc_random_problem.h"

@@ -27,8 +27,8 @@ _FILLED = {
 _CPP = ("godot", "unreal")
 # What is generated and uses the interface.
 _USES = ("Calls.cs",)
-# Names of this project that the headers do not have.
-_OWN = {"hrt_result", "hrt_godot", "hrt_web_open", "HRT_LIBRARY", "HRT_PLATE_LIBRARY", "HRT_ERROR_"}
+# Names of this project that the headers do not have, or have inline.
+_OWN = {"hrt_result", "hrt_godot", "hrt_web_open", "hrt_session_config_from_plate", "HRT_LIBRARY", "HRT_PLATE_LIBRARY", "HRT_ERROR_"}
 _COMMENTS = re.compile(r'//[^\n]*|/\*.*?\*/|"""(?:[^"]|"(?!""))*"""|(?m:^\s*#[^\n]*)', re.S)
 
 _ALL = "godot python unity unreal web"

@@ -7,8 +7,8 @@
 
 #include "core/assignment.h"
 #include "core/math/trigonometry.h"
-#include "core/paper/authority.h"
-#include "core/person/person_authority.h"
+#include "core/paper/participant.h"
+#include "core/person/illusion.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/calibrate/retest.h"
 #include "core/learning.h"
-#include "core/person/calibrated_person.h"
+#include "core/person/person_belief.h"
 #include "core/plate/frame_error.h"
 #include "plugin/src/session/contact.h"
 #include "plugin/src/session/session_config.h"

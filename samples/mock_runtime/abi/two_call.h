@@ -1,5 +1,8 @@
-// The two-call idiom: an application asks for the count, then for the elements.
+// What applications pass: structures chained with `next`, and the two-call idiom, by which they ask for the
+// count, then for the elements.
 #pragma once
+
+#include <openxr/openxr.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -35,6 +38,20 @@ void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count
 template <typename Source, typename Element>
 void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Element* elements) {
   two_call(source, capacity, count, elements, [](Element& to, const auto& from) { to = from; });
+}
+
+/// The first structure of a chain that has this type; null if there is none.
+template <typename Struct>
+Struct* chained(void* chain, XrStructureType type) {
+  for (auto* next = static_cast<XrBaseOutStructure*>(chain); next != nullptr; next = next->next)
+    if (next->type == type) return reinterpret_cast<Struct*>(next);
+  return nullptr;
+}
+template <typename Struct>
+const Struct* chained(const void* chain, XrStructureType type) {
+  for (auto* next = static_cast<const XrBaseInStructure*>(chain); next != nullptr; next = next->next)
+    if (next->type == type) return reinterpret_cast<const Struct*>(next);
+  return nullptr;
 }
 
 }  // namespace hrt::mock

@@ -1,7 +1,7 @@
 // XR_HRTX_mock_control and XR_KHR_convert_timespec_time.
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
-#include "samples/mock_runtime/script/parts.h"
+#include "samples/mock_runtime/script/event.h"
 
 namespace hrt::mock {
 

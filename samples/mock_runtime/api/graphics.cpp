@@ -1,5 +1,4 @@
 // XR_KHR_vulkan_enable2, XR_KHR_vulkan_enable and XR_KHR_opengl_enable.
-#include "samples/mock_runtime/abi/chain.h"
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
 

@@ -1,5 +1,5 @@
 // XR_EXT_hand_tracking.
-#include "samples/mock_runtime/abi/chain.h"
+#include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/space.h"
 #include "samples/mock_runtime/world/hand_model.h"
 

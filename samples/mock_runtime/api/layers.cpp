@@ -1,5 +1,5 @@
 // Composition layers: specification, "Compositing". Projections and quads, with or without depth.
-#include "samples/mock_runtime/abi/chain.h"
+#include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/space.h"
 #include "samples/mock_runtime/api/swapchain.h"
 #include "samples/mock_runtime/graphics/compose.h"

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "samples/mock_runtime/api/swapchain.h"
-#include "samples/mock_runtime/graphics/world_view.h"
+#include "samples/mock_runtime/graphics/compose.h"
 
 namespace hrt::mock {
 namespace {

@@ -1,6 +1,5 @@
 #include "samples/mock_runtime/api/space.h"
 
-#include "samples/mock_runtime/abi/chain.h"
 #include "samples/mock_runtime/abi/two_call.h"
 
 namespace hrt::mock {

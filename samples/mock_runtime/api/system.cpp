@@ -1,7 +1,6 @@
 // The system, its blend modes and its views.
 #include <cstdio>
 
-#include "samples/mock_runtime/abi/chain.h"
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/instance.h"
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "samples/mock_runtime/abi/chain.h"
+#include "samples/mock_runtime/abi/two_call.h"
 
 namespace hrt::capture {
 namespace {

@@ -4,6 +4,7 @@
 #include "samples/mock_runtime/graphics/picture.h"
 #include "samples/mock_runtime/openxr_all.h"
 #include "samples/mock_runtime/world/pose.h"
+#include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {
 
@@ -25,5 +26,8 @@ void draw_projection(Picture& onto, const Camera& camera, const Picture& image, 
                      XrCompositionLayerFlags flags);
 void draw_quad(Picture& onto, const Camera& camera, const Picture& image, const Pose& in_world,
                const XrExtent2Df& size_m, XrCompositionLayerFlags flags);
+
+/// From above and behind the plate, or the user where there is none. Now.
+Picture picture_of_world(const World& world, XrTime now);
 
 }  // namespace hrt::mock

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "samples/mock_runtime/world/pose_path.h"
+#include "samples/mock_runtime/world/pose.h"
 
 namespace hrt::mock {
 namespace {

@@ -1,6 +1,6 @@
 // The devices of a script: hand tracker, servo, hands, head, controllers.
 #include "samples/mock_runtime/input/paths.h"
-#include "samples/mock_runtime/script/parts.h"
+#include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {

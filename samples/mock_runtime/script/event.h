@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "samples/mock_runtime/calls/faults.h"
+#include "samples/mock_runtime/playback/members.h"
 #include "samples/mock_runtime/world/pose.h"
+#include "samples/mock_runtime/world/settings.h"
 
 namespace hrt::mock {
 
@@ -71,5 +73,21 @@ struct ScriptEvent {
   std::uint64_t reach;   ///< at the end of this reach of the session, from 1; 0: at frame or time_ns
   Happening what;
 };
+
+PersonSettings read_person(Members& members);
+TrackerSettings read_tracker(Members& members);
+PlateDynamics read_servo(Members& members);
+PlateSettings read_plate(Members& members);
+void read_hand(Members& members, HandSettings& hand);
+void read_head(Members& members, std::vector<Keyframe>& path);
+void read_controller(Members& members, ControllerSettings& controller);
+/// The path of an interaction profile; empty for null, a device that is off.
+std::string read_profile(Members& members);
+/// A pose in LOCAL: `position_m`, and `orientation` if it is there.
+Pose read_pose(Members& members, const Eigen::Quaterniond& otherwise);
+ScriptEvent read_event(Members& members);
+/// What an event lets happen: its `do`, and what goes with that.
+Happening read_happening(Members& members);
+CallFault read_call(Members& members);
 
 }  // namespace hrt::mock

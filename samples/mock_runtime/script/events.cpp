@@ -1,7 +1,7 @@
 // The events and the call faults of a script.
 #include "samples/mock_runtime/calls/call_log.h"
 #include "samples/mock_runtime/input/paths.h"
-#include "samples/mock_runtime/script/parts.h"
+#include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {

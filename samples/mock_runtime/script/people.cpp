@@ -1,5 +1,5 @@
 // The simulated people of a script.
-#include "samples/mock_runtime/script/parts.h"
+#include "samples/mock_runtime/script/event.h"
 
 namespace hrt::mock {
 

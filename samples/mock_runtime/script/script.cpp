@@ -4,7 +4,7 @@
 #include <fstream>
 #include <set>
 
-#include "samples/mock_runtime/script/parts.h"
+#include "samples/mock_runtime/script/event.h"
 
 namespace hrt::mock {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/plate/plate_model.h"
 #include "samples/mock_runtime/world/hand_model.h"
 #include "samples/mock_runtime/world/people.h"
-#include "samples/mock_runtime/world/pose_path.h"
+#include "samples/mock_runtime/world/pose.h"
 
 namespace hrt::mock {
 

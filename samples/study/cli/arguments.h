@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "samples/study/cli/usage_error.h"
+#include "samples/study/cli/output.h"
 
 // CLI11 takes seconds to compile: only arguments.cpp and main.cpp include it.
 namespace CLI {

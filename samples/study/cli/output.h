@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
@@ -10,6 +11,16 @@
 #include <string_view>
 
 namespace hrt::study {
+
+/// A mistake of the caller's: one line that names the argument and its allowed values. Exit code 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// "NAME: 'TEXT' is not allowed; it must be WHAT".
+inline std::string not_allowed(const std::string& name, std::string_view text, const std::string& what) {
+  return name + ": '" + std::string(text) + "' is not allowed; it must be " + what;
+}
 
 /// The shortest decimal that reads back to the same double: "0.1", "1e+20", "inf".
 std::string number(double value);
@@ -67,5 +78,9 @@ class Progress {
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point last_drawn_;
 };
+
+/// The content of the file at `path`. Throws UsageError naming `argument` if it cannot be read or is larger
+/// than `max_bytes`.
+std::string read_input(const std::string& argument, const std::string& path, std::size_t max_bytes);
 
 }  // namespace hrt::study

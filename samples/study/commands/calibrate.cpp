@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "samples/study/cli/arguments.h"
-#include "samples/study/cli/input.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/calibration.h"

@@ -5,10 +5,9 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
-#include "samples/study/figures/page.h"
 #include "samples/study/figures/ridges.h"
 #include "samples/study/figures/workshop.h"
-#include "samples/study/paper/table1_text.h"
+#include "samples/study/paper/table1.h"
 
 namespace hrt::study {
 namespace {

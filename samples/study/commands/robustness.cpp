@@ -1,5 +1,5 @@
 // hrt-study robustness: the controllers on simulated people who are not their model.
-#include "samples/study/people/robustness_text.h"
+#include "samples/study/people/robustness.h"
 
 #include <algorithm>
 #include <cctype>

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/math/trigonometry.h"
-#include "core/paper/authority.h"
+#include "core/paper/participant.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"

@@ -6,7 +6,6 @@
 #include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/numbers/results.h"
-#include "samples/study/paper/table1_text.h"
 
 namespace hrt::study {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/learning.h"
-#include "core/person/calibrated_person.h"
+#include "core/person/person_belief.h"
 #include "samples/study/cli/output.h"
 #include "samples/text.h"
 

@@ -30,4 +30,7 @@ std::string with_minus_signs(std::string text);
 /// The whole script, which writes NAME.svg.
 std::string drawing(const Figure& figure);
 
+/// HTML that shows `text`, then NAME.svg of each figure in the same folder, with its caption.
+std::string html_page(const std::string& text, const std::vector<Figure>& figures);
+
 }  // namespace hrt::study

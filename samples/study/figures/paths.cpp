@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/math/trigonometry.h"
-#include "core/paper/authority.h"
+#include "core/paper/participant.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"
 #include "samples/study/figures/figures.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/math/interval.h"
+#include "core/math/distributions.h"
 
 namespace hrt::study {
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/paper/authority.h"
+#include "core/paper/participant.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/numbers/statistics.h"
 

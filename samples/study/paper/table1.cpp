@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/paper/authority.h"
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"
 #include "samples/study/paper/paper.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/paper_simulation/batch.h"
+#include "samples/study/numbers/results.h"
 #include "samples/study/numbers/statistics.h"
 
 namespace hrt::study {
@@ -84,5 +85,9 @@ Table1 simulate_table1(const Table1Options& options);
 /// The largest percentage that any controller reaches: the noise of the last step comes after the plate
 /// has acted.
 double limit_percent(const Condition& condition);
+
+std::string table1_text(const Table1& table);
+/// A row a cell; groups of cells are in `about`.
+Results table1_results(const Table1& table);
 
 }  // namespace hrt::study

@@ -1,4 +1,4 @@
-#include "samples/study/paper/table1_text.h"
+#include "samples/study/paper/table1.h"
 
 #include <algorithm>
 #include <cmath>

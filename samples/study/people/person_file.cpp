@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/cli/input.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/numbers/csv.h"
 #include "samples/text.h"

@@ -10,7 +10,6 @@
 #include "core/retargeter.h"
 #include "core/simulation/controllers.h"
 #include "samples/study/cli/arguments.h"
-#include "samples/study/cli/input.h"
 #include "samples/study/cli/output.h"
 #include "samples/text.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/interval.h"
+#include "core/math/distributions.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
 #include "samples/study/numbers/parallel.h"

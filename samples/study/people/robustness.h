@@ -11,6 +11,7 @@
 
 #include "core/simulation/people.h"
 #include "samples/study/cli/part.h"
+#include "samples/study/numbers/results.h"
 #include "samples/study/numbers/statistics.h"
 
 namespace hrt::study {
@@ -121,5 +122,18 @@ Share pooled(std::span<const RobustnessRow> rows, Leading leading,
 
 /// Half the width of the widest interval of a share within near_deg, in percentage points; 0 without any.
 double widest_near_interval(std::span<const RobustnessRow> rows);
+
+struct RobustnessStudy {
+  RobustnessOptions options;
+  std::vector<SimulatedPeople> people;
+  std::vector<RobustnessRow> rows;  ///< simulate_robustness() of both
+};
+
+/// The name of the people, with the mark of their sort: * kept apart, + misplaced.
+std::string label(const SimulatedPeople& people);
+
+std::string robustness_text(const RobustnessStudy& study);
+/// A row a family, duration and controller.
+Results robustness_results(const RobustnessStudy& study);
 
 }  // namespace hrt::study

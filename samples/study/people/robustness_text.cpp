@@ -1,4 +1,4 @@
-#include "samples/study/people/robustness_text.h"
+#include "samples/study/people/robustness.h"
 
 #include <algorithm>
 #include <cmath>

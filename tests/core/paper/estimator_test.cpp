@@ -9,7 +9,7 @@
 
 #include "core/math/time.h"
 #include "core/math/trigonometry.h"
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/paper/mpc.h"
-#include "core/paper/perception.h"
+#include "core/paper/participant.h"
 
 namespace hrt {
 

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "core/paper/authority.h"
+#include "core/paper/participant.h"
 #include "core/paper_simulation/batch.h"
 #include "tests/samples/study/process.h"
 
