@@ -60,14 +60,15 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
       << format("%+9.2f %8s %+8.2f %7.1f  %5s %7.3f %7s %7d %5d %5.0f%%  %s", result.final_direction_deg,
                 result.peak_felt_error_deg > 0.0 ? format("%.1f", result.peak_felt_error_deg).c_str() : "-",
                 result.miss_deg, result.miss_m * 1e3,
-                result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-", result.assumed_weight,
+                result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-",
+                result.summary.tactile_weight,
                 result.is_truth ? format("%.1f", result.holdable_gap_deg).c_str() : "-", result.frames,
                 result.dropouts, result.saturated_share * 100.0,
                 is_reached(pair, result) ? "reached" : "missed");
   if (result.changed_hands) out << " (hands changed)";
   if (!result.can_be_held) out << " (flag: cannot be held)";
-  if (result.off_target) out << " (flag: off target)";
-  if (result.misfit) out << " (flag: model does not fit)";
+  if (result.summary.flags & HRT_COMMAND_OFF_TARGET) out << " (flag: off target)";
+  if (result.summary.flags & HRT_COMMAND_MISFIT) out << " (flag: model does not fit)";
   out << std::endl;
 }
 

@@ -17,7 +17,7 @@ class FollowedPlate : public Plate {
       : plate_(std::move(plate)), simulation_(simulation) {}
 
   std::string description() const override { return plate_->description(); }
-  std::optional<PlateLimits> limits() const override { return plate_->limits(); }
+  const hrt_plate_report* report() const override { return plate_->report(); }
   void service(XrTime time) override {
     plate_->service(time);
     if (const std::optional<double> orientation_deg = plate_->orientation_deg(time))

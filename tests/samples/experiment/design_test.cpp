@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "samples/experiment/data/sha256.h"
+#include "samples/experiment/data/disk.h"
 #include "samples/experiment/design/preregistration.h"
 #include "tests/samples/experiment/study.h"
 

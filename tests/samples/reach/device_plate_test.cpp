@@ -47,12 +47,12 @@ TEST(PlateChoice, IsWhatThePlatesLibraryOpens) {
 TEST(DevicePlate, LearnsLimitsAndOrientation) {
   PtyPlate device;
   DevicePlate plate("serial:" + device.device());
-  EXPECT_EQ(plate.limits()->min_deg, -90.0);
-  EXPECT_EQ(plate.limits()->max_deg, 90.0);
-  EXPECT_EQ(plate.limits()->speed_deg_s, 200.0);
+  EXPECT_EQ(plate.report()->lower_stop_deg, -90.0);
+  EXPECT_EQ(plate.report()->upper_stop_deg, 90.0);
+  EXPECT_EQ(plate.report()->max_speed_deg_s, 200.0);
   // What the plate says, and half of the line there and back.
-  EXPECT_GE(plate.limits()->latency_ns, 30'000'000);
-  EXPECT_LT(plate.limits()->latency_ns, 500'000'000);  // on a busy machine too
+  EXPECT_GE(plate.report()->latency_ns, 30'000'000);
+  EXPECT_LT(plate.report()->latency_ns, 500'000'000);  // on a busy machine too
   EXPECT_TRUE(has(plate.description(), "firmware 1.0.0, serial number 000007"));
   plate.command(0, 12.345);
   EXPECT_TRUE(eventually([&] {

@@ -1,5 +1,5 @@
 // A recording that the plugin could not write whole.
-#include "samples/reach/output/recording_file.h"
+#include "samples/reach/base/files.h"
 
 #include <gtest/gtest.h>
 
