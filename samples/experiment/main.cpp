@@ -116,6 +116,8 @@ void add_commands(CLI::App& app, Options& options) {
       [](const Options& o) { std::cout << design_text(read_design(o.study)); });
   add("preregister", "Print the text of a registered report, in Markdown, to be completed", true,
       [](const Options& o) { std::cout << preregistration_text(read_design(o.study)); });
+  add("protocol", "Print the experimenters' protocol, in Markdown", true,
+      [](const Options& o) { std::cout << protocol_text(read_design(o.study)); });
   add("schema", "Print the JSON schema of designs", false,
       [](const Options&) { std::cout << design_schema().dump(2) << "\n"; });
   CLI::App* run = add("run", "Run or resume the session of a participant", true, run_one);
