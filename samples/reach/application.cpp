@@ -12,7 +12,6 @@
 #include "samples/reach/base/files.h"
 #include "samples/reach/base/interrupt.h"
 #include "samples/reach/base/say.h"
-#include "samples/reach/output/calibration_text.h"
 #include "samples/reach/output/status_line.h"
 #include "samples/reach/output/table.h"
 #include "samples/reach/run/attendant.h"

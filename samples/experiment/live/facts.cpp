@@ -74,6 +74,7 @@ void Live::moment(const reach::Stage& stage, const reach::TargetPair& pair, cons
     facts["path"] = facts["felt"] = "";
     finger_m_ = felt_m_ = moment.position_m;
   }
+  // Felt is each piece of the way, turned by felt less true direction.
   const double turn = (moment.felt_direction_deg - moment.finger_direction_deg) * std::numbers::pi / 180.0;
   const double x_m = moment.position_m[0] - finger_m_[0], z_m = moment.position_m[2] - finger_m_[2];
   felt_m_[0] += std::cos(turn) * x_m + std::sin(turn) * z_m;

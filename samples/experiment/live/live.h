@@ -36,11 +36,9 @@ class Live {
   nlohmann::json facts;
   /// Gives readers a copy, and waits for none.
   void show() { shown_.store(std::make_shared<const nlohmann::json>(facts)); }
-  /// Of every frame: shows the plate, and checks before a start. `registered`: when a touch checked the
-  /// plate's place.
+  /// Of every frame. `registered`: when a touch checked the plate's place.
   void frame(reach::Stage& stage, XrTime time, std::optional<Clock::time_point> registered);
-  /// Of every frame of a reach. Felt: each piece of the way, turned by felt less
-  /// true direction.
+  /// Of every frame of a reach.
   void moment(const reach::Stage& stage, const reach::TargetPair& pair, const reach::Moment& moment,
               bool is_first);
   /// The next key that has been pressed on a page, if any.

@@ -24,13 +24,8 @@ constexpr XrDuration home_limit_ns = 3'000'000'000;
 constexpr double home_deg = 2.0, no_way_m = 1e-3;
 
 // The experimenter ends what is under way: a reach, which does not count, or else the program, to be resumed.
-class Ended : public reach::Interrupted {
- public:
-  explicit Ended(const char* reason) : why_(reason) {}
-  const char* what() const noexcept override { return why_; }
-
- private:
-  const char* why_;
+struct Ended : reach::Interrupted {
+  using Interrupted::Interrupted;
 };
 
 std::int64_t clock_ns(clockid_t clock) {

@@ -5,7 +5,6 @@
 #include "samples/format.h"
 #include "samples/reach/base/exit_code.h"
 #include "samples/reach/plate/device_plate.h"
-#include "samples/reach/plate/followed_plate.h"
 #include "samples/reach/plate/runtime_plate.h"
 #include "samples/reach/plate/simulated_servo.h"
 

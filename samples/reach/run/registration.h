@@ -8,7 +8,6 @@
 #include <span>
 
 #include "samples/reach/run/stage.h"
-#include "samples/reach/scene/marks.h"
 
 namespace hrt::reach {
 

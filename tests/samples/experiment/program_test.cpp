@@ -101,49 +101,40 @@ void expect_stopped(plate::PtyPlate& device, const std::string& where) {
   EXPECT_EQ(heard.back(), "STOP") << where;
 }
 
-// A simulated participant at an emulated plate, in real time.
+// A simulated participant at an emulated plate, in real time, with a live view.
 struct Led {
-  explicit Led(const std::string& set_up, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> words = {"run",
-                                      written(folder, "study.json",
-                                              small_design(2,
-                                                           [&](nlohmann::json& s) {
-                                                             s["set_up"] = set_up;
-                                                             s["practice_trials"] = 0;
-                                                             s["conditions"][1]["controller"] = "people";
-                                                           })
-                                                  .text),
-                                      "--participant",
-                                      "1",
-                                      "--simulated",
-                                      "3",
-                                      "--scene",
-                                      scene,
-                                      "--plate",
-                                      "serial:" + device.device(),
-                                      "--data",
-                                      folder / "data"};
-    words.insert(words.end(), more.begin(), more.end());
-    program.emplace(words, written(folder, "script.json", R"({"clock": "real-time"})"),
-                    terminal.descriptor());
+  explicit Led(const char* set_up)
+      : program({"run", written(folder, "study.json", with(set_up)), "--participant", "1", "--simulated", "3",
+                 "--scene", scene, "--plate", "serial:" + device.device(), "--data", folder / "data",
+                 "--live", "keys"},
+                written(folder, "script.json", R"({"clock": "real-time"})"), terminal.descriptor()) {}
+
+  static std::string with(const char* set_up) {
+    return small_design(2,
+                        [&](nlohmann::json& s) {
+                          s["set_up"] = set_up;
+                          s["practice_trials"] = 0;
+                          s["conditions"][1]["controller"] = "people";
+                        })
+        .text;
   }
 
   TemporaryFolder folder;
   plate::PtyPlate device;
   plate::Pty terminal{80};
-  std::optional<Program> program;
+  Program program;
 };
 
 // In a set-up, whose plate goes from slide to slide, and in a reach.
 TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
   for (const char* set_up : {"calibration", "none"}) {
     Led led(set_up);
-    ASSERT_TRUE(plate::eventually([&] { return led.device.is_following(); })) << led.program->err();
+    ASSERT_TRUE(plate::eventually([&] { return led.device.is_following(); })) << led.program.err();
     await_turning(led.device);
     led.terminal.type("s");
     expect_stopped(led.device, set_up);
     led.terminal.type("q");
-    const Outcome outcome = led.program->wait();
+    const Outcome outcome = led.program.wait();
     EXPECT_TRUE(has(outcome.out, "left")) << outcome.out << outcome.err;
   }
 }
@@ -178,8 +169,8 @@ struct Page {
 };
 
 TEST(ExperimentLive, ShowsLettersAndItsKeysStopThePlate) {
-  Led led("none", {"--live", "keys"});
-  const Page look(*led.program, "Live view: "), keys(*led.program, "Live view with keys: ");
+  Led led("none");
+  const Page look(led.program, "Live view: "), keys(led.program, "Live view with keys: ");
   const std::string other = "/" + std::string(32, '0') + "/";
   EXPECT_EQ(look.status(look.path), 200);
   for (const std::string& path : {std::string("/"), other, other + "events"})
@@ -201,7 +192,7 @@ TEST(ExperimentLive, ShowsLettersAndItsKeysStopThePlate) {
   expect_stopped(led.device, "by the page");
   EXPECT_TRUE(has(keys.events({R"("keys":"sxbnuq ")"}), "The plate is stopped."));
   EXPECT_EQ(keys.press("q", keys.path), 200);
-  EXPECT_TRUE(has(led.program->wait().out, "left"));
+  EXPECT_TRUE(has(led.program.wait().out, "left"));
 }
 
 // A person who gives no consent, by a key that is a note where nothing is awaited.
