@@ -29,6 +29,7 @@ struct Options {
   bool unblinds = false;
   bool simulated = false;
   bool speaks = false;
+  std::string live;
   std::string plate = "runtime";
   reach::Options reach;  // of a plate and OpenXR
 };
@@ -55,7 +56,9 @@ void run_one(const Options& options) {
     led.plate = reach::parse_plate(options.plate).value();
     if (options.speaks) led.speak_with = "espeak-ng";
     reach::watch_runtime(led.runtime_limit);
-    LedSubject subject(design, options.participant, led);
+    std::optional<Live> live;
+    if (!options.live.empty()) std::cerr << live.emplace(options.live == "keys").addresses();
+    LedSubject subject(design, options.participant, led, live ? &*live : nullptr);
     try {
       end = run_session(design, place, subject, Disk());
     } catch (const reach::Interrupted&) {
@@ -113,6 +116,8 @@ void add_commands(CLI::App& app, Options& options) {
       [](const Options& o) { std::cout << design_text(read_design(o.study)); });
   add("preregister", "Print the text of a registered report, in Markdown, to be completed", true,
       [](const Options& o) { std::cout << preregistration_text(read_design(o.study)); });
+  add("protocol", "Print the experimenters' protocol, in Markdown", true,
+      [](const Options& o) { std::cout << protocol_text(read_design(o.study)); });
   add("schema", "Print the JSON schema of designs", false,
       [](const Options&) { std::cout << design_schema().dump(2) << "\n"; });
   CLI::App* run = add("run", "Run or resume the session of a participant", true, run_one);
@@ -129,6 +134,10 @@ void add_commands(CLI::App& app, Options& options) {
   });
   run->add_option("--registered", options.reach.registered, "Where hrt-reach --register found the plate");
   run->add_option("--eye-height", options.reach.eye_height_m, "Metres, for a runtime that knows no floor");
+  run->add_option("--live", options.live,
+                  "Show the session on a page here: look, or keys, at a second address")
+      ->needs("--scene")
+      ->check(CLI::IsMember({"look", "keys"}));
   run->add_flag("--speak", options.speaks, "Speak what a participant is asked, with espeak-ng");
   all->add_option("--seed", options.reach.seed, "Of the simulated people [1]");
   all->add_option("--threads", options.threads, "[2]")->check(CLI::Range(1, 64));

@@ -9,19 +9,16 @@
 
 #include "samples/format.h"
 #include "samples/reach/base/at_end.h"
+#include "samples/reach/base/files.h"
 #include "samples/reach/base/interrupt.h"
-#include "samples/reach/base/profile_file.h"
 #include "samples/reach/base/say.h"
-#include "samples/reach/output/calibration_text.h"
-#include "samples/reach/output/recording_file.h"
 #include "samples/reach/output/status_line.h"
 #include "samples/reach/output/table.h"
 #include "samples/reach/run/attendant.h"
 #include "samples/reach/run/choice.h"
-#include "samples/reach/run/conditions.h"
 #include "samples/reach/run/make_plate.h"
 #include "samples/reach/run/reach.h"
-#include "samples/reach/run/registration_file.h"
+#include "samples/reach/run/registration.h"
 #include "samples/reach/run/set_up.h"
 #include "samples/reach/scene/scene_place.h"
 
@@ -42,7 +39,7 @@ class Run {
         table_(pairs_),
         marks_(options.marks.empty() ? marks_of(targets_) : read_marks(options.marks)),
         status_(options.verbose),
-        prompt_(options.speak_with, [this] { status_.clear(); }) {
+        prompt_(options.speak_with, [this](const std::string&) { status_.clear(); }) {
     if (!options.registered.empty()) registered_ = read_registration(options.registered);
     if (!options.profile.empty()) load_profile(plugin_, targets_.session, options.profile);
     recording_.emplace(plugin_, targets_.session, options.record);
@@ -194,8 +191,8 @@ class Run {
     try {
       if (options_.check_each && registered_ && !std::exchange(checked_, false))
         check_plate(stage, *registered_);
-      if (const std::optional<PlateLimits> limits = stage.plate.limits())
-        plan_with(plugin_, targets_.session, *limits);
+      if (const hrt_plate_report* report = stage.plate.report())
+        plan_with(plugin_, targets_.session, *report);
       const ReachResult result = run_reach(stage, pair);
       status_.clear();
       table_.print_row(std::cout, pair, result);

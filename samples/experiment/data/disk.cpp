@@ -1,8 +1,10 @@
 #include "samples/experiment/data/disk.h"
 
 #include <fcntl.h>
+#include <sha2.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -92,6 +94,12 @@ std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw Refusal(file.string() + ": cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string sha256_of(std::string_view text) {
+  std::array<char, SHA256_DIGEST_STRING_LENGTH> digits{};
+  SHA256Data(reinterpret_cast<const std::uint8_t*>(text.data()), text.size(), digits.data());
+  return digits.data();
 }
 
 }  // namespace hrt::experiment

@@ -43,4 +43,7 @@ class Disk {
 /// The whole file. Throws Refusal.
 std::string content_of(const std::filesystem::path& file);
 
+/// SHA-256 (FIPS 180-4), in hexadecimal.
+std::string sha256_of(std::string_view text);
+
 }  // namespace hrt::experiment

@@ -49,7 +49,7 @@ std::string line_of(const Event& event) {
       format("{\"number\":%llu,\"utc\":\"%s\",\"monotonic_ns\":%lld,\"event\":\"%s\",\"data\":",
              static_cast<unsigned long long>(event.number), utc_text(event.utc_ms).c_str(),
              static_cast<long long>(event.monotonic_ns), event.name.c_str()) +
-      event.data.dump();
+      event.data.dump(-1, ' ', false, json::error_handler_t::replace);  // a note's bytes may be no UTF-8
   return text + format(",\"crc\":\"%08x\"}\n", crc32(text));
 }
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <set>
 
-#include "samples/experiment/data/sha256.h"
+#include "samples/experiment/data/disk.h"
 #include "samples/experiment/design/draws.h"
 #include "samples/format.h"
 

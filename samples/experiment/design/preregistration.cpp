@@ -1,6 +1,7 @@
 #include "samples/experiment/design/preregistration.h"
 
 #include "samples/experiment/design/schedule.h"
+#include "samples/experiment/protocol.h"
 #include "samples/format.h"
 
 namespace hrt::experiment {
@@ -65,6 +66,19 @@ std::string preregistration_text(const Design& design) {
          design.conditions[design.reference].name + format(", Holm's correction, level %g.", design.alpha) +
          " [What else is looked at, called exploratory.]\n\n"
          "## Data\n\n[Where the data, recordings and this text will be.]\n";
+}
+
+std::string protocol_text(const Design& design) {
+  std::string text = protocol;
+  const auto fill = [&](const std::string& name, const std::string& value) {
+    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += value.size())
+      text.replace(at, name.size(), value);
+  };
+  fill("{plan}\n", plan_text(design, schedule_of(design, 1)));
+  fill("{participants}", format("%u", design.participants));
+  fill("{pause}", format("%g", design.max_pause_minutes));
+  fill("{title}", design.title);
+  return text;
 }
 
 }  // namespace hrt::experiment

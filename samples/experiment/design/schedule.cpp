@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "samples/experiment/design/draws.h"
 #include "samples/format.h"
@@ -151,16 +152,34 @@ Schedule schedule_of(const Design& design, unsigned participant) {
   return schedule;
 }
 
-double minutes_of(const Design& design, const Schedule& schedule) {
+std::string plan_text(const Design& design, const Schedule& schedule) {
   constexpr double consent_min = 5.0, calibration_min = 6.0, item_min = 0.15, min_per_s = 1.0 / 60.0;
-  double minutes = consent_min + (design.calibrates ? calibration_min : 0.0);
-  for (const Questionnaire& paper : design.questionnaires)
-    minutes += item_min * static_cast<double>(paper.items.size()) * (int{paper.before} + int{paper.after});
-  for (const Block& block : schedule.blocks) {
+  std::string text;
+  double now_min = 0.0;
+  const auto add = [&](const std::string& what, double minutes) {
+    text += format("| %.0f | ", now_min) + what + " |\n";
+    now_min += minutes;
+  };
+  const auto add_questionnaires = [&](bool Questionnaire::* asked) {
+    for (const Questionnaire& paper : design.questionnaires)
+      if (paper.*asked)
+        add("questionnaire " + paper.name, item_min * static_cast<double>(paper.items.size()));
+  };
+  add("information, consent, hand and finger, questions", consent_min);
+  if (design.calibrates) add("set-up, 16 to 40 slides straight ahead", calibration_min);
+  add_questionnaires(&Questionnaire::before);
+  bool is_first = true;
+  for (std::size_t i = 0; i < schedule.blocks.size(); ++i) {
+    const Block& block = schedule.blocks[i];
+    if (block.trials.empty()) continue;
+    if (!std::exchange(is_first, false)) add("break", design.break_minutes);
     const double reaches = block.kind == BlockKind::noticeability ? 2.0 : 1.0;
-    minutes += static_cast<double>(block.trials.size()) * reaches * design.trial_s * min_per_s;
+    add(format("block %zu: %s, %zu trials", i, name_of(block.kind).c_str(), block.trials.size()),
+        static_cast<double>(block.trials.size()) * reaches * design.trial_s * min_per_s);
   }
-  return minutes + design.break_minutes * static_cast<double>(schedule.blocks.size() - 1);
+  add_questionnaires(&Questionnaire::after);
+  add("debriefing, without the conditions' names", 0.0);
+  return text;
 }
 
 std::string name_of(BlockKind kind) {
@@ -170,15 +189,12 @@ std::string name_of(BlockKind kind) {
 
 std::string design_text(const Design& design) {
   const Schedule first = schedule_of(design, 1);
-  std::string text = design.title + "\nSHA-256 " + design.sha256 + "\n\n";
+  std::string text = design.title + "\nSHA-256 " + design.sha256 + "\n\nMinute, and what begins:\n" +
+                     plan_text(design, first);
   std::size_t trials = 0;
-  for (std::size_t b = 0; b < first.blocks.size(); ++b) {
-    text += format("block %zu: %s, %zu trials\n", b, name_of(first.blocks[b].kind).c_str(),
-                   first.blocks[b].trials.size());
-    if (b > 0) trials += first.blocks[b].trials.size();
-  }
-  text += format("%u participants, each %zu trials beside %u of practice, some %.0f minutes\n",
-                 design.participants, trials, design.practice_trials, minutes_of(design, first));
+  for (std::size_t b = 1; b < first.blocks.size(); ++b) trials += first.blocks[b].trials.size();
+  text += format("%u participants, each %zu trials beside %u of practice\n", design.participants, trials,
+                 design.practice_trials);
   text += balance_text(design) + "\n";
   for (unsigned p = 1; p <= design.participants; ++p) {
     const Schedule schedule = schedule_of(design, p);

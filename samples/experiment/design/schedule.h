@@ -35,8 +35,8 @@ std::vector<std::vector<unsigned>> williams_orders(unsigned count);
 /// `participant`: from 1.
 Schedule schedule_of(const Design& design, unsigned participant);
 
-/// Expected duration of a session.
-double minutes_of(const Design& design, const Schedule& schedule);
+/// What comes when: a line each, "| 12 | block 1: reaches, 13 trials |", with the minute at which it begins.
+std::string plan_text(const Design& design, const Schedule& schedule);
 
 /// Name of the kind, in files.
 std::string name_of(BlockKind kind);

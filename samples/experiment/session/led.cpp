@@ -8,10 +8,11 @@
 #include <fstream>
 
 #include "samples/format.h"
+#include "samples/reach/base/at_end.h"
 #include "samples/reach/base/exit_code.h"
 #include "samples/reach/base/interrupt.h"
 #include "samples/reach/run/make_plate.h"
-#include "samples/reach/run/registration_file.h"
+#include "samples/reach/run/registration.h"
 
 namespace hrt::experiment {
 namespace {
@@ -23,13 +24,8 @@ constexpr XrDuration home_limit_ns = 3'000'000'000;
 constexpr double home_deg = 2.0, no_way_m = 1e-3;
 
 // The experimenter ends what is under way: a reach, which does not count, or else the program, to be resumed.
-class Ended : public reach::Interrupted {
- public:
-  explicit Ended(const char* reason) : why_(reason) {}
-  const char* what() const noexcept override { return why_; }
-
- private:
-  const char* why_;
+struct Ended : reach::Interrupted {
+  using Interrupted::Interrupted;
 };
 
 std::int64_t clock_ns(clockid_t clock) {
@@ -40,10 +36,11 @@ std::int64_t clock_ns(clockid_t clock) {
 
 }  // namespace
 
-LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options)
+LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live)
     : design_(design),
       options_(options),
-      prompt_(options.speak_with, [] {}),
+      live_(live),
+      prompt_(options.speak_with, [this](const std::string& text) { show({{"says", text}}); }),
       plugin_(options.plugin),
       targets_(load_targets(plugin_, options.scene, hrt_session_config_init())),
       runtime_({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, reach::local_floor_extension}),
@@ -61,10 +58,14 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const reach::
              }(),
              .hands = options.hands,
              .time_limit_ns = static_cast<XrDuration>(options.time_limit_s * 1e9),
-             .on_frame = [this](const reach::TargetPair&, const reach::Moment& moment) { last_ = moment; },
+             .on_frame = {},
              .tell_user = [this](const std::string& what) { prompt_.ask(what); },
              .hint = [this](const std::string& what) { prompt_.hint(what); },
-             .attend = [this](XrTime time) { attend(time); }},
+             .attend =
+                 [this](XrTime time) {
+                   attend(time);
+                   if (live_ != nullptr) live_->frame(stage_, time, registered_);
+                 }},
       last_will_([this] { stop_plate(); }) {
   if (simulation_ && !options_.person) {
     stage_.simulation = &*simulation_;
@@ -74,6 +75,7 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const reach::
   } else {
     prompt_.say(keys_text);
   }
+  await("");
   place_plate();
 }
 
@@ -91,6 +93,7 @@ void LedSubject::place_plate() {
     session_.place_plate(session_.floor_space(), targets_.plate_pose);
   } else if (!options_.registered.empty()) {
     check_plate(stage_, reach::read_registration(options_.registered));
+    registered_ = Live::Clock::now();
   } else {
     const reach::ScenePlace place = place_of(targets_, session_, options_.eye_height_m, prompt_);
     prompt_.say(place.words);
@@ -123,19 +126,13 @@ std::string LedSubject::description() const {
 void LedSubject::plan(hrt_session_config& config) const {
   std::copy(targets_.start_m.begin(), targets_.start_m.end(), config.start_position_m);
   config.plate_radius_m = targets_.plate_radius_m;
-  if (const std::optional<reach::PlateLimits> limits = plate_->limits()) {
-    const hrt_plate_report report{.latency_ns = limits->latency_ns,
-                                  .max_speed_deg_s = limits->speed_deg_s,
-                                  .lower_stop_deg = limits->min_deg,
-                                  .upper_stop_deg = limits->max_deg};
-    hrt_session_config_from_plate(&config, &report);
-  }
+  if (const hrt_plate_report* report = plate_->report()) hrt_session_config_from_plate(&config, report);
 }
 
 // In every frame, in every state: the key that stops the plate does so here, before anything else.
 void LedSubject::attend(XrTime time) {
-  while (const std::optional<char> key = keyboard_.key()) {
-    if (is_typing_) {
+  while (const std::optional<char> key = next_key()) {
+    if (is_typing_ || awaited_.find(*key) != std::string::npos) {
       typed_ = key;
       return;
     }
@@ -159,10 +156,29 @@ void LedSubject::attend(XrTime time) {
         pressed_ = Key::unblind;
         break;
       default:
-        typed_ = key;
-        return;
+        break;
     }
   }
+}
+
+void LedSubject::await(const std::string& keys, bool text) {
+  typed_.reset();
+  awaited_ = keys;
+  is_typing_ = text;
+  std::string all = "sxbnuq";
+  std::erase_if(all, [&](char key) { return keys.find(key) != std::string::npos; });
+  show({{"keys", all + keys}, {"is_typing", text}});
+}
+
+std::optional<char> LedSubject::next_key() {
+  const std::optional<char> key = keyboard_.key();
+  return key || live_ == nullptr ? key : live_->key();
+}
+
+void LedSubject::show(const nlohmann::json& facts) {
+  if (live_ == nullptr) return;
+  live_->facts.update(facts);
+  live_->show();
 }
 
 Key LedSubject::key() {
@@ -177,22 +193,22 @@ Key LedSubject::key() {
 
 // Frames continue, so the plate is served. 'q' leaves from anywhere.
 char LedSubject::await_key(const std::string& allowed) {
-  typed_.reset();
+  const reach::AtEnd awaits_nothing([this] { await(""); });
+  await(allowed);
   for (;;) {
     try {
       frame();
     } catch (const Ended&) {
       if (pressed_ == Key::leave) return 'q';
     }
-    if (typed_ && allowed.find(*typed_) != std::string::npos) return *std::exchange(typed_, std::nullopt);
+    if (typed_) return *std::exchange(typed_, std::nullopt);
   }
 }
 
 std::string LedSubject::typed() {
   constexpr char erase = 0x7f;
-  const auto end_typing = [this](bool*) { is_typing_ = false; };
-  is_typing_ = true;
-  const std::unique_ptr<bool, decltype(end_typing)> at_end(&is_typing_, end_typing);
+  const reach::AtEnd awaits_nothing([this] { await(""); });
+  await("", true);
   std::string text;
   for (;; frame()) {
     const std::optional<char> key = std::exchange(typed_, std::nullopt);
@@ -295,30 +311,29 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
   const reach::TargetPair pair{
       "the target", "the real target",     order.virtual_deg,  order.real_deg,       order.distance_m,
       0.0,          at(order.virtual_deg), at(order.real_deg), order.virtual_target, order.real_target};
-  reach::TargetSet targets = targets_;
-  targets.session = order.session;
-  reach::Stage stage{stage_.plugin,    targets,      stage_.session,       stage_.simulation,
-                     stage_.plate,     stage_.hands, stage_.time_limit_ns, stage_.on_frame,
-                     stage_.tell_user, stage_.hint,  stage_.attend,        stage_.skin_m};
+  const hrt_session own = std::exchange(targets_.session, order.session);
+  const reach::AtEnd of_own([&] { targets_.session = own; });
   try {
     home();
-    if (stage.simulation != nullptr) simulation_->seed(options_.seed, order.number);
+    if (stage_.simulation != nullptr) simulation_->seed(options_.seed, order.number);
     std::optional<XrTime> moved;
-    stage.on_frame = [&](const reach::TargetPair&, const reach::Moment& moment) {
-      last_ = moment;
+    std::optional<reach::Moment> last;
+    stage_.on_frame = [&](const reach::TargetPair&, const reach::Moment& moment) {
+      if (live_ != nullptr) live_->moment(stage_, pair, moment, !last);
+      last = moment;
       if (!moved &&
           reach::distance_along_plate_m(moment.position_m, targets_.start_m) > reach::start_radius_m / 2)
         moved = moment.time;
     };
-    const reach::ReachResult result = run_reach(stage, pair);
+    const reach::ReachResult result = run_reach(stage_, pair);
     outcome.has_ended = true;
-    std::copy(last_->position_m.begin(), last_->position_m.end(), outcome.end_m);
-    outcome.duration_s = moved ? 1e-9 * static_cast<double>(last_->time - *moved) : 0.0;
+    std::copy(last->position_m.begin(), last->position_m.end(), outcome.end_m);
+    outcome.duration_s = moved ? 1e-9 * static_cast<double>(last->time - *moved) : 0.0;
     outcome.peak_felt_error_deg = result.peak_felt_error_deg;
     outcome.is_truth = result.is_truth;
-    outcome.summary.samples = result.frames;
+    outcome.summary = result.summary;
+    outcome.summary.samples = result.frames;  // the plugin's have the finger's lift at the end
     outcome.summary.dropped_samples = result.dropouts;
-    outcome.summary.tactile_weight = result.assumed_weight;
   } catch (const Ended& ended) {
     outcome.problem = ended.what();
   } catch (const reach::Failure& failure) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "samples/experiment/live/live.h"
 #include "samples/experiment/session/simulated.h"
 #include "samples/reach/person/keyboard.h"
 #include "samples/reach/run/options.h"
@@ -19,8 +20,9 @@ namespace hrt::experiment {
 class LedSubject : public Subject {
  public:
   /// `options`: scene, plugin, hands, plate, registered, speak_with, person, time_limit_s, runtime_limit and
-  /// seed are used. Throws as hrt-reach does: reach::Failure, reach::XrFailure.
-  LedSubject(const Design& design, unsigned participant, const reach::Options& options);
+  /// seed are used. `live` shows it; null: nothing does. Throws as hrt-reach does: reach::Failure,
+  /// reach::XrFailure.
+  LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live);
   ~LedSubject() override { plugin_.hrt_session_destroy(targets_.session); }
   LedSubject(const LedSubject&) = delete;
   LedSubject& operator=(const LedSubject&) = delete;
@@ -32,6 +34,7 @@ class LedSubject : public Subject {
   void plan(hrt_session_config& config) const override;
   Key key() override;
   void say(const std::string& text) override { prompt_.say(text); }
+  void show(const nlohmann::json& facts) override;
   std::string note() override;
   bool consents() override;
   void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
@@ -45,8 +48,10 @@ class LedSubject : public Subject {
  private:
   void place_plate();
   void stop_plate();
+  std::optional<char> next_key();
   void attend(XrTime time);
   XrTime frame() { return next_frame(stage_); }
+  void await(const std::string& keys, bool text = false);
   char await_key(const std::string& allowed);
   std::string typed();
   unsigned typed_number(unsigned low, unsigned high);
@@ -55,6 +60,7 @@ class LedSubject : public Subject {
   const Design& design_;
   reach::Options options_;
   std::optional<SimulatedSubject> stand_in_;
+  Live* live_;
   reach::Prompt prompt_;
   reach::Keyboard keyboard_;
   reach::Plugin plugin_;
@@ -65,9 +71,10 @@ class LedSubject : public Subject {
   std::optional<reach::Simulation> simulation_;
   std::unique_ptr<reach::Plate> plate_;
   reach::Stage stage_;
-  std::optional<reach::Moment> last_;  // of a reach
-  Key pressed_ = Key::none;            // and not yet asked for
-  std::optional<char> typed_;          // a key that is none of the experimenter's
+  std::optional<Live::Clock::time_point> registered_;  // when a touch checked it
+  Key pressed_ = Key::none;                            // and not yet asked for
+  std::optional<char> typed_;                          // a key that is awaited
+  std::string awaited_;
   bool is_typing_ = false;
   reach::LastWill last_will_;  // a blocked or crashed runtime leaves no turning plate
 };

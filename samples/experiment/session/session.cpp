@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "samples/experiment/data/sha256.h"
 #include "samples/experiment/design/draws.h"
 #include "samples/experiment/session/library.h"
 #include "samples/format.h"
@@ -45,6 +44,8 @@ json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&st
           {"samples", summary.samples},
           {"dropped", summary.dropped_samples},
           {"tactile_weight", summary.tactile_weight},
+          {"tracker_noise_m", summary.tracker_noise_m},
+          {"misfit", summary.misfit},
           {"flags", summary.flags}};
 }
 
@@ -82,6 +83,7 @@ class SessionRun {
         break;
       }
       stop_if_due();
+      subject_.show(standing(task));
       if (state_.end.empty()) perform(task);
     }
     subject_.say(state_.end == "done" ? "The session is done. Thank you." : "The session is stopped.");
@@ -214,12 +216,17 @@ class SessionRun {
   void keep_set_up(const LibrarySession& session, const hrt_setup_result& result) {
     const std::string profile = session.profile();
     disk_.create(folder_ / "profile.json", profile);
+    show_noise(session.config().tracker_noise_m);
     log("set_up", {{"is_known", result.done != 0},
                    {"slides", result.slides},
                    {"tactile_weight", result.tactile_weight.value},
                    {"tactile_weight_low", result.tactile_weight.lower},
                    {"tactile_weight_high", result.tactile_weight.upper},
                    {"profile", profile}});
+  }
+
+  void show_noise(double noise_m) const {
+    if (noise_m > 0.0) subject_.show({{"noise_mm", 1e3 * noise_m}});
   }
 
   std::string letter(unsigned condition) const { return letter_of(design_, condition); }
@@ -247,6 +254,22 @@ class SessionRun {
     std::vector<Part> parts(2, Part{notice.virtual_deg, notice.virtual_deg, notice.distance_m, condition});
     parts[bent].real_deg -= sign * gap_deg;
     return parts;
+  }
+
+  // Conditions by their letters.
+  json standing(const Task& task) const {
+    constexpr const char* tasks[] = {"consent", "set-up", "questionnaire", "break", "reach", "answer", "end"};
+    std::string text = format("Participant %u: ", state_.participant) + tasks[static_cast<int>(task.kind)];
+    double done = task.block;
+    if (task.kind == Task::Kind::trial || task.kind == Task::Kind::answer) {
+      const std::vector<PlannedTrial>& trials = schedule_.blocks[task.block].trials;
+      const std::size_t left = state_.pending.size(), all = trials.size();
+      text += format(", block %u of %zu, condition ", task.block, schedule_.blocks.size() - 1) +
+              letter(trials[task.trial].condition) + format(", %zu of %zu trials left", left, all);
+      done += 1.0 - static_cast<double>(left) / static_cast<double>(all);
+    }
+    done /= static_cast<double>(schedule_.blocks.size());
+    return {{"study", design_.title}, {"doing", text}, {"done", done}};
   }
 
   const TrialRecord& record(const Task& task) const { return state_.trials[task.block][task.trial]; }
@@ -309,11 +332,19 @@ class SessionRun {
     const ReachOutcome outcome =
         subject_.reach({session.handle(), real, seen, part.real_deg, part.virtual_deg, part.distance_m,
                         first_reach + state_.reaches + index});
+    const std::int64_t ended_ns = subject_.now().monotonic_ns;
     session.finish_recording(file);
     disk_.sync(file);
-    reach["parts"].push_back(outcome_of(part, outcome, session.config().start_position_m));
+    json& found = reach["parts"].emplace_back(outcome_of(part, outcome, session.config().start_position_m));
+    found["ended_ns"] = ended_ns;
     reach["reason"] = judged(design_.validity, outcome);
     reach["counts"] = reach["reason"] == "";
+    show_noise(outcome.summary.tracker_noise_m);
+    subject_.show({{"measured",
+                    {format("missed by %.1f mm", found["miss_mm"].get<double>()),
+                     format("largest felt error %.1f°", outcome.peak_felt_error_deg),
+                     format("misfit %.1f: the model fits below 4.5", outcome.summary.misfit),
+                     reach["counts"] ? "counts" : "does not count: " + reach["reason"].get<std::string>()}}});
     if (part.condition.controller == Controller::people && reach["counts"])
       reach["belief"] = session.profile();
   }

@@ -55,6 +55,8 @@ class Subject {
   /// Key that the experimenter has pressed since.
   virtual Key key() { return Key::none; }
   virtual void say(const std::string& text) = 0;
+  /// Of where the session stands, for page.html.
+  virtual void show(const nlohmann::json&) {}
   /// After Key::note.
   virtual std::string note() = 0;
 

@@ -8,7 +8,7 @@ namespace hrt::reach {
 /// A signal asks the program to end.
 class Interrupted : public std::runtime_error {
  public:
-  Interrupted() : std::runtime_error("interrupted") {}
+  explicit Interrupted(const char* why = "interrupted") : std::runtime_error(why) {}
 };
 
 /// From now on SIGINT, SIGTERM and SIGHUP are noted; the second one ends the program at once.

@@ -19,6 +19,37 @@ double without_minus_zero(double value) {
   return std::abs(value) < 0.05 ? 0.0 : value;
 }
 
+const char* illusion_text(std::uint32_t illusion) {
+  constexpr const char* families[] = {
+      "in proportion to the offset",        "in proportion, constant beyond some offset",
+      "as the sine of twice the offset",    "levels off (hyperbolic tangent)",
+      "nothing within some offset",         "unequal to the left and to the right",
+      "levels off (the controller's curve)"};
+  return illusion < std::size(families) ? families[illusion] : "no curve fits";
+}
+
+std::string line(const char* name, const hrt_interval& interval, const char* unit) {
+  if (interval.known == 0) return format("%-34s not known\n", name);
+  return format("%-34s %8.3f %-3s  95 %% within %.3f to %.3f\n", name, interval.value, unit, interval.lower,
+                interval.upper);
+}
+
+std::string lack_of_fit_text(std::uint32_t lack_of_fit) {
+  if (lack_of_fit == 0) return "The model fits the slides.\n";
+  std::string text;
+  if (lack_of_fit & HRT_LACK_OF_FIT_ANGLE)
+    text +=
+        "No curve fits over the plate's angles: check the plate's zero and the way that the user faces, and "
+        "repeat.\n";
+  if (lack_of_fit & HRT_LACK_OF_FIT_ORDER)
+    text += "The slides change from first to last: let the user practise or rest, and repeat.\n";
+  if (lack_of_fit & HRT_LACK_OF_FIT_PATH)
+    text +=
+        "The paths bend as neither a habit nor steering does: ask for slower, longer and even slides, and "
+        "repeat.\n";
+  return text;
+}
+
 }  // namespace
 
 bool is_within_tolerance(const ReachResult& result) {
@@ -60,14 +91,15 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
       << format("%+9.2f %8s %+8.2f %7.1f  %5s %7.3f %7s %7d %5d %5.0f%%  %s", result.final_direction_deg,
                 result.peak_felt_error_deg > 0.0 ? format("%.1f", result.peak_felt_error_deg).c_str() : "-",
                 result.miss_deg, result.miss_m * 1e3,
-                result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-", result.assumed_weight,
+                result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-",
+                result.summary.tactile_weight,
                 result.is_truth ? format("%.1f", result.holdable_gap_deg).c_str() : "-", result.frames,
                 result.dropouts, result.saturated_share * 100.0,
                 is_reached(pair, result) ? "reached" : "missed");
   if (result.changed_hands) out << " (hands changed)";
   if (!result.can_be_held) out << " (flag: cannot be held)";
-  if (result.off_target) out << " (flag: off target)";
-  if (result.misfit) out << " (flag: model does not fit)";
+  if (result.summary.flags & HRT_COMMAND_OFF_TARGET) out << " (flag: off target)";
+  if (result.summary.flags & HRT_COMMAND_MISFIT) out << " (flag: model does not fit)";
   out << std::endl;
 }
 
@@ -98,6 +130,25 @@ void print_summary(std::ostream& out, const Tally& tally) {
   if (tally.unfinished > 0) out << format("; %d more did not begin or end in time", tally.unfinished);
   if (tally.skipped > 0) out << format("; %d more were skipped", tally.skipped);
   out << ".\n";
+}
+
+bool is_enough(const hrt_setup_result& result) {
+  const hrt_interval& weight = result.tactile_weight;
+  return weight.known != 0 && weight.upper - weight.lower <= hrt_setup_config_init().enough_weight_width;
+}
+
+std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config) {
+  return format("%u slides, %u used\n", result.slides, result.slides_used) +
+         format("%-34s %s\n", "illusion", illusion_text(result.illusion)) +
+         line("share of touch (w_T) at 60 deg", result.tactile_weight, "") +
+         line("largest gap that a plate can hold", result.max_gap_deg, "deg") +
+         line("bias, left positive", result.bias_deg, "deg") +
+         format("%-34s %8.0f deg at most\n", "the plate is turned from the motion", config.motion_bound_deg) +
+         format("%-34s %8.3f mm\n", "tracker noise, white", 1e3 * config.tracker_noise_m) +
+         format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker_correlated_noise_m) +
+         lack_of_fit_text(result.lack_of_fit) +
+         (is_enough(result) ? "Enough: the share of touch is known as well as was asked.\n"
+                            : "The share of touch is not known as well as was asked.\n");
 }
 
 }  // namespace hrt::reach

@@ -1,4 +1,4 @@
-// The printed results.
+// The printed results: of reaches, and of a calibration.
 #pragma once
 
 #include <iosfwd>
@@ -49,5 +49,11 @@ struct Tally {
 };
 
 void print_summary(std::ostream& out, const Tally& tally);
+
+/// The share of touch is known as well as a set-up asks by default.
+bool is_enough(const hrt_setup_result& result);
+
+/// Lines to be printed or spoken. `config`: the session's, with what was found.
+std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config);
 
 }  // namespace hrt::reach

@@ -28,7 +28,7 @@ const char* const keys_in_words =
     "Keys: r repeats the instruction, w says where the finger is, n goes to the next target, b back to the "
     "last one, q stops, h lists the keys.";
 
-Prompt::Prompt(const std::string& speak_with, std::function<void()> before_print)
+Prompt::Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print)
     : before_print_(std::move(before_print)) {
   if (!speak_with.empty()) speech_ = std::make_unique<Speech>(speak_with);
 }
@@ -43,7 +43,7 @@ void Prompt::repeat() {
 }
 
 void Prompt::say(const std::string& text) {
-  before_print_();
+  before_print_(text);
   std::cerr << text << "\n";
   speak(text);
 }
@@ -53,7 +53,7 @@ void Prompt::speak(const std::string& text) {
   speech_->say(spoken(text));
   const std::optional<std::string> failure = speech_->take_failure();
   if (!failure || std::exchange(failure_reported_, true)) return;
-  before_print_();
+  before_print_(*failure);
   std::cerr << "hrt-reach: the speech program failed: " << *failure
             << "; texts are printed only where it fails\n";
 }

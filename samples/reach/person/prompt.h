@@ -16,9 +16,9 @@ namespace hrt::reach {
 /// One thread. No call waits for a voice, except finish().
 class Prompt {
  public:
-  /// `speak_with`: the program that speaks and its arguments; empty: nobody speaks. `before_print` makes room
-  /// on the terminal. Throws as Speech.
-  Prompt(const std::string& speak_with, std::function<void()> before_print);
+  /// `speak_with`: the program that speaks and its arguments; empty: nobody speaks. `before_print` gets the
+  /// text, and makes room on the terminal. Throws as Speech.
+  Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print);
 
   /// Asks for something: repeat() says it again.
   void ask(const std::string& text);
@@ -46,7 +46,7 @@ class Prompt {
  private:
   std::unique_ptr<Speech> speech_;
   std::unique_ptr<Keyboard> keyboard_;
-  std::function<void()> before_print_;
+  std::function<void(const std::string&)> before_print_;
   std::string asked_;
   std::chrono::steady_clock::time_point hinted_at_;
   bool failure_reported_ = false;

@@ -39,13 +39,6 @@ DevicePlate::~DevicePlate() {
   hrt_plate_close(plate_);
 }
 
-std::optional<PlateLimits> DevicePlate::limits() const {
-  return PlateLimits{.speed_deg_s = report_.max_speed_deg_s,
-                     .min_deg = report_.lower_stop_deg,
-                     .max_deg = report_.upper_stop_deg,
-                     .latency_ns = report_.latency_ns};
-}
-
 void DevicePlate::service(XrTime) {
   check(hrt_plate_get(plate_, &report_));
   if (report_.state == HRT_PLATE_STATE_FAILED) throw Failure(ExitCode::plate, report_.message);

@@ -21,7 +21,7 @@ class DevicePlate : public Plate {
 
   /// Also what was measured of it.
   std::string description() const override;
-  std::optional<PlateLimits> limits() const override;
+  const hrt_plate_report* report() const override { return &report_; }
   void service(XrTime time) override;
   void command(XrTime time, double orientation_deg) override;
   std::optional<double> orientation_deg(XrTime time) override;

@@ -1,6 +1,7 @@
 // The device that turns the plate.
 #pragma once
 
+#include <haptic_retargeting/plate.h>
 #include <openxr/openxr.h>
 
 #include <optional>
@@ -12,14 +13,6 @@ namespace hrt::reach {
 
 using plate::orientation_within;
 
-/// Limits that a device reports.
-struct PlateLimits {
-  double speed_deg_s;  ///< maximum
-  double min_deg;      ///< stops; both 0: it turns freely
-  double max_deg;
-  XrDuration latency_ns;  ///< from a command to the motion; 0: unknown
-};
-
 /// Orientations are in degrees from the mid-line; ridges repeat every 180. One thread. Every call returns
 /// at once and throws Failure (ExitCode::plate) when the device has failed.
 class Plate {
@@ -29,8 +22,9 @@ class Plate {
   /// What the device is, in one line; empty if it is no device.
   virtual std::string description() const { return {}; }
 
-  /// Nothing if the device reports none. They may change as the device is seen to move.
-  virtual std::optional<PlateLimits> limits() const { return std::nullopt; }
+  /// Limits and telemetry, as of the last service(): null if there are none. `state` is 0 unless it is a
+  /// device.
+  virtual const hrt_plate_report* report() const { return nullptr; }
 
   /// Call once a frame, also between reaches: exchanges messages with the device.
   virtual void service(XrTime) {}

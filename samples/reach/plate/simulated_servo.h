@@ -2,6 +2,9 @@
 // the last command.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "samples/reach/plate/plate.h"
 
 namespace hrt::reach {
@@ -9,18 +12,34 @@ namespace hrt::reach {
 class SimulatedServo : public Plate {
  public:
   /// Starts at 0; reports its orientation modulo 180, within 90 degrees; turns at `speed_deg_per_s` > 0.
-  explicit SimulatedServo(double speed_deg_per_s) : speed_deg_per_s_(speed_deg_per_s) {}
+  explicit SimulatedServo(double speed_deg_per_s)
+      : report_{.struct_size = sizeof report_, .max_speed_deg_s = speed_deg_per_s} {}
 
-  std::optional<PlateLimits> limits() const override { return PlateLimits{speed_deg_per_s_, 0.0, 0.0, 0}; }
+  const hrt_plate_report* report() const override { return &report_; }
   void service(XrTime time) override { turn_until(time); }
-  void command(XrTime time, double orientation_deg) override;
-  std::optional<double> orientation_deg(XrTime time) override;
-  void stop(XrTime time) override;
+  void command(XrTime time, double orientation_deg) override {
+    turn_until(time);
+    goal_deg_ = orientation_deg_ + std::remainder(orientation_deg - orientation_deg_, 180.0);
+  }
+  std::optional<double> orientation_deg(XrTime time) override {
+    turn_until(time);
+    return std::remainder(orientation_deg_, 180.0);
+  }
+  void stop(XrTime time) override {
+    turn_until(time);
+    goal_deg_ = orientation_deg_;
+  }
 
  private:
-  void turn_until(XrTime time);
+  void turn_until(XrTime time) {
+    if (time <= time_) return;
+    const double max_deg =
+        time_ == 0 ? 0.0 : report_.max_speed_deg_s * static_cast<double>(time - time_) * 1e-9;
+    orientation_deg_ += std::clamp(goal_deg_ - orientation_deg_, -max_deg, max_deg);
+    time_ = time;
+  }
 
-  double speed_deg_per_s_;
+  hrt_plate_report report_;
   XrTime time_ = 0;
   double orientation_deg_ = 0.0;
   double goal_deg_ = 0.0;

@@ -1,10 +1,24 @@
 #include "samples/reach/run/choice.h"
 
 #include <algorithm>
+#include <cstring>
+#include <ctime>
+#include <iostream>
 
 #include "samples/reach/base/exit_code.h"
 
 namespace hrt::reach {
+namespace {
+
+// What is not printable ASCII becomes '?': the plugin refuses text that is not UTF-8.
+void copy_name(const std::string& name, char (&out)[HRT_NAME_SIZE]) {
+  std::memset(out, 0, sizeof out);
+  std::transform(name.begin(),
+                 name.begin() + static_cast<std::ptrdiff_t>(std::min(name.size(), sizeof out - 1)), out,
+                 [](char c) { return c >= ' ' && c <= '~' ? c : '?'; });
+}
+
+}  // namespace
 
 TargetSet load_targets(const Plugin& plugin, const Options& options) {
   hrt_session_config config = hrt_session_config_init();
@@ -33,24 +47,39 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
   return all;
 }
 
-void plan_with(const Plugin& plugin, hrt_session session, const PlateLimits& limits) {
+void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report& report) {
   constexpr double min_turn_deg = 180.0;  // that the plugin can plan with: ridges repeat so
   hrt_session_config config{.struct_size = sizeof config};
   plugin.check(plugin.hrt_session_get(session, &config, nullptr));
   const hrt_session_config before = config;
-  config.plate_max_speed_deg_s = limits.speed_deg_s;
+  config.plate_max_speed_deg_s = report.max_speed_deg_s;
   constexpr std::int64_t max_steps = 8;  // of latency, that the plugin can plan with
-  if (limits.latency_ns > 0)
-    config.plate_latency_ns = std::min<std::int64_t>(limits.latency_ns, max_steps * config.step_period_ns);
-  if (limits.max_deg - limits.min_deg >= min_turn_deg) {
-    config.plate_lower_stop_deg = limits.min_deg;
-    config.plate_upper_stop_deg = limits.max_deg;
+  if (report.latency_ns > 0)
+    config.plate_latency_ns = std::min<std::int64_t>(report.latency_ns, max_steps * config.step_period_ns);
+  if (report.upper_stop_deg - report.lower_stop_deg >= min_turn_deg) {
+    config.plate_lower_stop_deg = report.lower_stop_deg;
+    config.plate_upper_stop_deg = report.upper_stop_deg;
   }
   const bool same = config.plate_max_speed_deg_s == before.plate_max_speed_deg_s &&
                     config.plate_latency_ns == before.plate_latency_ns &&
                     config.plate_lower_stop_deg == before.plate_lower_stop_deg &&
                     config.plate_upper_stop_deg == before.plate_upper_stop_deg;
   if (!same) plugin.check(plugin.hrt_session_set(session, &config));
+}
+
+void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate,
+                     const std::string& tracker) {
+  hrt_conditions now{.struct_size = sizeof now};
+  now.time_s = std::time(nullptr);
+  copy_name(plate.name, now.plate);
+  copy_name(tracker, now.tracker);
+  plugin.check(plugin.hrt_profile_set_conditions(session, &now));
+  hrt_conditions measured{.struct_size = sizeof measured};
+  plugin.check(plugin.hrt_profile_get_conditions(session, &measured));
+  if (measured.differing & HRT_CONDITION_PLATE)
+    std::cerr << "hrt-reach: the profile was measured with another plate, " << measured.plate << "\n";
+  if (measured.differing & HRT_CONDITION_TRACKER)
+    std::cerr << "hrt-reach: the profile was measured with another tracker, " << measured.tracker << "\n";
 }
 
 }  // namespace hrt::reach

@@ -16,6 +16,11 @@ TargetSet load_targets(const Plugin& plugin, const Options& options);
 std::vector<TargetPair> choose(const TargetSet& targets, const Options& options);
 
 /// The device's own limits replace the scene's.
-void plan_with(const Plugin& plugin, hrt_session session, const PlateLimits& limits);
+void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report& report);
+
+/// Names the plate and the tracker of now to the plugin; warns on standard error if the session's profile was
+/// measured with others.
+void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate,
+                     const std::string& tracker);
 
 }  // namespace hrt::reach

@@ -5,7 +5,6 @@
 #include "samples/format.h"
 #include "samples/reach/base/exit_code.h"
 #include "samples/reach/plate/device_plate.h"
-#include "samples/reach/plate/followed_plate.h"
 #include "samples/reach/plate/runtime_plate.h"
 #include "samples/reach/plate/simulated_servo.h"
 
@@ -35,7 +34,7 @@ std::unique_ptr<Plate> make_chosen(const PlateChoice& choice, Simulation* simula
       return std::make_unique<SimulatedServo>(choice.servo_speed_deg_per_s);
     case PlateChoice::Kind::device:
       require_real_time(session, runtime_name);
-      return std::make_unique<DevicePlate>(choice.device);
+      return std::make_unique<DevicePlate>(choice.name);
     case PlateChoice::Kind::runtime:
       break;
   }

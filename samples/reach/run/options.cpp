@@ -166,7 +166,7 @@ void take(const Words& words, Options& options) {
 }  // namespace
 
 std::optional<PlateChoice> parse_plate(const std::string& text) {
-  PlateChoice choice;
+  PlateChoice choice{.name = text};
   const std::size_t colon = text.find(':');
   const std::string kind = text.substr(0, colon);
   const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
@@ -179,7 +179,6 @@ std::optional<PlateChoice> parse_plate(const std::string& text) {
   }
   if ((kind != "servo" && !rest.empty()) || text.ends_with(".json")) {
     choice.kind = PlateChoice::Kind::device;
-    choice.device = text;
     return choice;
   }
   return std::nullopt;

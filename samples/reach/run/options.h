@@ -16,7 +16,7 @@ namespace hrt::reach {
 struct PlateChoice {
   enum class Kind { runtime, servo, device } kind = Kind::runtime;
   double servo_speed_deg_per_s = 400.0;
-  std::string device;  ///< as in hrt_plate_open()
+  std::string name = "runtime";  ///< of a device as in hrt_plate_open()
 };
 
 /// "runtime", "servo", "servo:SPEED", or a device, whose name hrt_plate_open() checks; nothing if it is none

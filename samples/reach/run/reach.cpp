@@ -9,7 +9,6 @@
 #include "samples/format.h"
 #include "samples/reach/base/exit_code.h"
 #include "samples/reach/run/sighting.h"
-#include "samples/reach/run/start.h"
 
 namespace hrt::reach {
 namespace {
@@ -156,9 +155,7 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
   ReachResult result{};
   Point end_m = moments.back().position_m;
   result.can_be_held = moments.back().can_be_held;
-  result.assumed_weight = summary.tactile_weight;
-  result.off_target = (summary.flags & HRT_COMMAND_OFF_TARGET) != 0;
-  result.misfit = (summary.flags & HRT_COMMAND_MISFIT) != 0;
+  result.summary = summary;
   result.final_direction_deg = summary.final_direction_deg;
   result.peak_felt_error_deg = summary.peak_felt_error_deg;
   if (stage.simulation != nullptr) {

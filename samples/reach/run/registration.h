@@ -1,12 +1,13 @@
-// Registration of the plate: a person touches its marks, and the plugin fits its pose to the touches.
+// Registration of the plate: a person touches its marks, the plugin fits its pose to the touches, and a file
+// keeps it.
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <span>
 
 #include "samples/reach/run/stage.h"
-#include "samples/reach/scene/marks.h"
 
 namespace hrt::reach {
 
@@ -31,5 +32,14 @@ RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool f
 /// for a touch that checks it. Throws as SetUp::run(); Failure (ExitCode::registration) if the plate is
 /// elsewhere or the runtime lacks its space.
 void check_plate(Stage& stage, const RegisteredPlate& plate);
+
+/// Replaces the file as a whole; the pose is in the present coordinates of its space. Throws Failure
+/// (ExitCode::output).
+void write_registration(const std::filesystem::path& file, const RegisteredPlate& plate,
+                        const XrHeadlessSession& session);
+
+/// Throws Failure (ExitCode::registration) naming the member. The plugin checks the numbers when they are
+/// used.
+RegisteredPlate read_registration(const std::filesystem::path& file);
 
 }  // namespace hrt::reach

@@ -45,4 +45,8 @@ class Sightings {
   std::array<Seen, 2> seen_;
 };
 
+/// Waits until one of the hands rests its fingertip at the start; returns that hand. Throws Failure
+/// (ExitCode::no_hand) after the stage's time limit.
+Hand await_finger_at_start(Stage& stage);
+
 }  // namespace hrt::reach

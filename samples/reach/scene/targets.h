@@ -1,4 +1,5 @@
-// The scene: the plate's place, and the real target that serves each virtual one.
+// The scene: the plate's place, the real target that serves each virtual one, and marks that a person
+// touches.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -43,5 +44,17 @@ XrPosef to_xr(const double (&position_m)[3], const double (&rotation)[4]);
 /// Throws Failure: ExitCode::scene, ExitCode::plugin.
 TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_file,
                        const hrt_session_config& config);
+
+struct Mark {
+  std::string name;                  ///< as a person knows it
+  std::array<double, 3> position_m;  ///< in plate coordinates
+};
+
+/// The scene's start and five places on the rim of its plate, as seen from the user.
+std::vector<Mark> marks_of(const TargetSet& targets);
+
+/// A CSV file with the columns name, x_m, y_m, z_m first and a header: samples/plate/model/marks.csv is one.
+/// At least 3 marks, each within 1 m, at most 8. Throws Failure (ExitCode::registration) naming the line.
+std::vector<Mark> read_marks(const std::filesystem::path& file);
 
 }  // namespace hrt::reach

@@ -9,6 +9,7 @@ import importlib.util
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -111,11 +112,41 @@ def test_report():
         for unblinded in (False, True):
             run(sys.argv[2], "export", "--data", data, *(["--unblind"] if unblinded else []))
             run(sys.argv[1] + "/analyse", data)
+            test_bids(data, {"people", "paper", "none"} if unblinded else {"A", "B", "C"})
             report = (data / "export/report.html").read_text()
             assert "Simulation: no person took part." in report
             assert ("Conditions are blinded" in report) != unblinded
             assert ("<td>paper</td>" in report) == unblinded
             assert (hashlib.sha256((data / "export/trials.csv").read_bytes()).hexdigest()) in report
+
+
+def bids_validator():
+    """The command of npm's bids-validator, from the registry, once: its package is one script. None without npm."""
+    cache = pathlib.Path.home() / ".cache/haptic_retargeting/bids-validator"
+    program = cache / "package/bin/bids-validator"
+    if not program.exists() and shutil.which("npm"):
+        cache.mkdir(parents=True, exist_ok=True)
+        subprocess.run("npm pack --silent bids-validator@1.15.0 >&2 && tar xf bids-validator-1.15.0.tgz", shell=True, cwd=cache, check=True)
+    return program if program.exists() else None
+
+
+def test_bids(data, conditions):
+    """By the rules of BIDS 1.9 for motion, and by its validator where there is npm."""
+    subprocess.run([sys.argv[1] + "/bids", data], check=True, capture_output=True)
+    bids, trials = data / "export/bids", pandas.read_csv(data / "export/trials.csv")
+    table = lambda name, header=0: pandas.read_csv(f"{bids}/sub-02/ses-01/motion/sub-02_ses-01_task-reach_{name}.tsv", sep="\t", header=header)
+    events, channels, motion = table("events"), table("tracksys-plate_channels"), table("tracksys-plate_motion", None)
+    assert list(channels.columns[:5]) == ["name", "component", "type", "tracked_point", "units"] and len(channels) == len(motion.columns)
+    time = motion[list(channels.type).index("LATENCY")]
+    assert time[0] == 0 and (time.diff()[1:] > 0).all() and list(events.columns[:3]) == ["onset", "duration", "trial_type"]
+    # Every sample is of one reach, and every trial is there.
+    assert (sum(time.between(row.onset - 1e-6, row.onset + row.duration + 1e-6).astype(int) for row in events.itertuples()) == 1).all()
+    assert len(events.groupby(["block", "trial"])) == sum(trials.participant == 2)
+    assert set(events.trial_type) == conditions, events.trial_type
+    if validator := bids_validator():
+        found = json.loads(subprocess.run(["node", validator, "--json", bids], capture_output=True, check=False).stdout)
+        assert not found["issues"]["errors"], found["issues"]["errors"]
+    print("BIDS by bids-validator" if validator else "BIDS by its written rules: there is no npm")
 
 
 test_by_hand()

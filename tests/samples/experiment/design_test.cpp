@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "samples/experiment/data/sha256.h"
+#include "samples/experiment/data/disk.h"
 #include "samples/experiment/design/preregistration.h"
 #include "tests/samples/experiment/study.h"
 
@@ -157,6 +157,15 @@ TEST(ExperimentDesign, SchemaHasEveryField) {
   EXPECT_EQ(schema["properties"]["validity"]["properties"]["max_attempts"]["default"], 5);
   EXPECT_EQ(schema["required"],
             json::parse(R"(["title", "participants", "conditions", "pairs", "repeats"])"));
+}
+
+// 5 minutes of consent, 6 of the set-up, 6 items, 3 trials of 12 s, a break of a minute.
+TEST(ExperimentDesign, TheProtocolHasTheTimePlan) {
+  const std::string text = protocol_text(read_design(HRT_EXPERIMENT_SOURCE "/example.json"));
+  EXPECT_EQ(text.find_first_of("{}"), std::string::npos) << text;
+  for (const char* part : {"| 5 | set-up", "| 11 | questionnaire SSQ", "| 12 | block 0: practice, 3 trials",
+                           "| 14 | block 1: reaches, 13 trials", "last of 12 participants", "more than 15"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
 TEST(ExperimentDesign, TextHasNoConditionsName) {

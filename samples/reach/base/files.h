@@ -1,4 +1,4 @@
-// The plugin's recording of a run.
+// A user's profile in a file, and the plugin's recording of a run.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +6,12 @@
 #include "samples/reach/base/plugin.h"
 
 namespace hrt::reach {
+
+/// The plugin's session starts from the profile. Throws Failure (ExitCode::plugin).
+void load_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
+
+/// Replaces the file as a whole. Throws Failure (ExitCode::output).
+void save_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
 
 /// Opens the file at once, so that a wrong name is known before the first reach. All throw Failure
 /// (ExitCode::output).

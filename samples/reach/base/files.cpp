@@ -1,9 +1,10 @@
-#include "samples/reach/base/profile_file.h"
+#include "samples/reach/base/files.h"
 
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "samples/reach/base/exit_code.h"
 #include "samples/whole_file.h"
@@ -26,6 +27,22 @@ void save_profile(const Plugin& plugin, hrt_session session, const std::filesyst
   text.back() = '\n';
   if (const int error = write_whole_file(file, text); error != 0)
     throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error));
+}
+
+RecordingFile::RecordingFile(const Plugin& plugin, hrt_session session, std::filesystem::path file)
+    : plugin_(plugin), session_(session), file_(std::move(file)) {
+  if (!file_.empty() && plugin.hrt_recording_start(session, file_.c_str()) != HRT_OK)
+    throw Failure(ExitCode::output, plugin.hrt_last_error());
+}
+
+void RecordingFile::finish() {
+  const std::filesystem::path file = std::exchange(file_, {});
+  if (file.empty()) return;
+  hrt_recording_status status{.struct_size = sizeof status};
+  plugin_.check(plugin_.hrt_recording_stop(session_, &status));
+  if (status.rows_lost > 0 || status.system_error != 0)
+    throw Failure(ExitCode::output, file.string() + " is not complete: " + std::to_string(status.rows_lost) +
+                                        " rows could not be written");
 }
 
 }  // namespace hrt::reach

@@ -1,6 +1,5 @@
-// The plate's library, as hrt-reach uses it, against a plate at the other end of a pseudo-terminal.
-#include "samples/reach/plate/device_plate.h"
-
+// Parts of hrt-reach that need no runtime. The plate's library is used against a plate at the other end of a
+// pseudo-terminal.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <termios.h>
@@ -8,6 +7,10 @@
 
 #include <cmath>
 
+#include "samples/reach/base/exit_code.h"
+#include "samples/reach/base/files.h"
+#include "samples/reach/plate/device_plate.h"
+#include "samples/reach/plate/simulated_servo.h"
 #include "samples/reach/run/options.h"
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/text.h"
@@ -38,7 +41,7 @@ TEST(PlateChoice, IsWhatThePlatesLibraryOpens) {
     const auto choice = parse_plate(device);
     ASSERT_TRUE(choice) << device;
     EXPECT_EQ(choice->kind, PlateChoice::Kind::device);
-    EXPECT_EQ(choice->device, device);
+    EXPECT_EQ(choice->name, device);
   }
   for (const char* other : {"plate.txt", "serial:", "servo:fast", ""})
     EXPECT_FALSE(parse_plate(other)) << other;
@@ -47,12 +50,12 @@ TEST(PlateChoice, IsWhatThePlatesLibraryOpens) {
 TEST(DevicePlate, LearnsLimitsAndOrientation) {
   PtyPlate device;
   DevicePlate plate("serial:" + device.device());
-  EXPECT_EQ(plate.limits()->min_deg, -90.0);
-  EXPECT_EQ(plate.limits()->max_deg, 90.0);
-  EXPECT_EQ(plate.limits()->speed_deg_s, 200.0);
+  EXPECT_EQ(plate.report()->lower_stop_deg, -90.0);
+  EXPECT_EQ(plate.report()->upper_stop_deg, 90.0);
+  EXPECT_EQ(plate.report()->max_speed_deg_s, 200.0);
   // What the plate says, and half of the line there and back.
-  EXPECT_GE(plate.limits()->latency_ns, 30'000'000);
-  EXPECT_LT(plate.limits()->latency_ns, 500'000'000);  // on a busy machine too
+  EXPECT_GE(plate.report()->latency_ns, 30'000'000);
+  EXPECT_LT(plate.report()->latency_ns, 500'000'000);  // on a busy machine too
   EXPECT_TRUE(has(plate.description(), "firmware 1.0.0, serial number 000007"));
   plate.command(0, 12.345);
   EXPECT_TRUE(eventually([&] {
@@ -88,6 +91,53 @@ TEST(DevicePlate, LeavesTheLineAsItWas) {
   EXPECT_EQ(after.c_oflag, before.c_oflag);
   EXPECT_EQ(after.c_cflag, before.c_cflag);
   EXPECT_EQ(cfgetospeed(&after), cfgetospeed(&before));
+}
+
+constexpr XrTime second = 1'000'000'000;
+
+TEST(SimulatedServo, TurnsAtItsSpeedAndStaysAtItsGoal) {
+  SimulatedServo servo(100.0);
+  servo.command(1 * second, 50.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(1 * second), 0.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(1 * second + second / 4), 25.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(2 * second), 50.0);
+  servo.command(2 * second, -10.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(2 * second + second / 2), 0.0);
+}
+
+// From 50, -80 is felt like 100, which is nearer; and 100 is reported as -80.
+TEST(SimulatedServo, TakesTheShortWayRound) {
+  SimulatedServo servo(100.0);
+  servo.command(1 * second, 50.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(2 * second), 50.0);
+  servo.command(2 * second, -80.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(2 * second + second / 4), 75.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(3 * second), -80.0);
+}
+
+TEST(SimulatedServo, StopsWhereItIs) {
+  SimulatedServo servo(100.0);
+  servo.command(1 * second, 50.0);
+  servo.stop(1 * second + second / 10);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(9 * second), 10.0);
+}
+
+// A recording that the plugin could not write whole.
+TEST(ReachRecordingFile, LostRowsFailTheRun) {
+  Plugin plugin(HRT_PLUGIN);
+  plugin.hrt_recording_start = [](hrt_session, const char*) noexcept { return HRT_OK; };
+  plugin.hrt_recording_stop = [](hrt_session, hrt_recording_status* status) noexcept {
+    status->rows_lost = 3;
+    return HRT_OK;
+  };
+  RecordingFile file(plugin, {}, "reach.csv");
+  try {
+    file.finish();
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::output);
+    EXPECT_STREQ(failure.what(), "reach.csv is not complete: 3 rows could not be written");
+  }
 }
 
 }  // namespace

@@ -1,0 +1,126 @@
+#include "samples/experiment/live/live.h"
+
+#include <httplib.h>
+#include <sys/random.h>
+
+#include "samples/experiment/design/fields.h"
+#include "samples/experiment/live_page.h"
+#include "samples/format.h"
+
+namespace hrt::experiment {
+namespace {
+
+using httplib::Request, httplib::Response, nlohmann::json;
+
+constexpr int max_streams = 4, threads = 2 * max_streams;  // a stream keeps its thread
+constexpr int refused = 403, not_found = 404, not_now = 409, too_many = 503;
+
+std::string random_token() {
+  unsigned char bytes[16];
+  if (getrandom(bytes, sizeof bytes, 0) != sizeof bytes) throw Refusal("--live: no random numbers");
+  std::string text;
+  for (const unsigned char byte : bytes) text += format("%02x", unsigned{byte});
+  return text;
+}
+
+// In a time that does not depend on where the two differ.
+bool is_same(const std::string& a, const std::string& b) {
+  int difference = a.size() == b.size() ? 0 : 1;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) difference |= a[i] ^ b[i];
+  return difference == 0;
+}
+
+}  // namespace
+
+Live::Live(bool takes_keys)
+    : look_token_(random_token()),
+      keys_token_(takes_keys ? random_token() : ""),
+      server_(std::make_unique<httplib::Server>()) {
+  server_->new_task_queue = [] { return new httplib::ThreadPool(threads); };
+  server_->set_keep_alive_max_count(1);  // an idle connection would keep its thread, too
+  server_->set_payload_max_length(1000);
+  route();
+  port_ = server_->bind_to_any_port("127.0.0.1");
+  if (port_ < 0) throw Refusal("--live: 127.0.0.1 has no free port");
+  thread_ = std::thread([this] { server_->listen_after_bind(); });
+}
+
+Live::~Live() {
+  is_ending_ = true;
+  while (!server_->is_running()) std::this_thread::yield();  // else stop() does nothing
+  server_->stop();
+  thread_.join();
+}
+
+std::string Live::addresses() const {
+  const std::string host = format(": http://127.0.0.1:%d/", port_);
+  const std::string keys = keys_token_.empty() ? "" : "Live view with keys" + host + keys_token_ + "/\n";
+  return "Live view" + host + look_token_ + "/\n" + keys;
+}
+
+void Live::route() {
+  // A page of another site can have its name lead here, but not its Host header.
+  server_->set_pre_routing_handler([this](const Request& request, Response& response) {
+    const std::string host = request.get_header_value("Host");
+    if (host == format("127.0.0.1:%d", port_) || host == format("localhost:%d", port_))
+      return httplib::Server::HandlerResponse::Unhandled;
+    response.status = refused;
+    return httplib::Server::HandlerResponse::Handled;
+  });
+  // With a token, whose page has keys or not.
+  const auto handler = [this](auto handle) {
+    return [this, handle](const Request& request, Response& response) {
+      const std::string token = request.matches[1];
+      const bool has_keys = is_same(token, keys_token_), looks = is_same(token, look_token_);
+      if (!has_keys && !looks) return void(response.status = not_found);
+      response.set_header("Cache-Control", "no-store");
+      handle(request, response, has_keys);
+    };
+  };
+  server_->Get("/([0-9a-f]+)/", handler([](const Request&, Response& response, bool) {
+                 const std::string nonce = random_token();
+                 std::string page = live_page;
+                 for (std::size_t at = 0; (at = page.find("NONCE", at)) != std::string::npos;)
+                   page.replace(at, 5, nonce);
+                 response.set_content(page, "text/html; charset=utf-8");
+                 response.set_header("Referrer-Policy", "no-referrer");
+                 response.set_header(
+                     "Content-Security-Policy",
+                     "default-src 'none'; connect-src 'self'; img-src data:; script-src 'nonce-" + nonce +
+                         "'; style-src 'nonce-" + nonce +
+                         "'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
+               }));
+  server_->Get("/([0-9a-f]+)/events", handler([this](const Request&, Response& response, bool has_keys) {
+                 const auto stream = std::shared_ptr<void>(nullptr, [this](void*) { --streams_; });
+                 if (++streams_ > max_streams) return void(response.status = too_many);
+                 const auto send = [this, has_keys, stream](std::size_t, httplib::DataSink& sink) {
+                   json data = *shown_.load();
+                   if (!has_keys) data.erase("keys");
+                   const std::string text =
+                       "data: " + data.dump(-1, ' ', false, json::error_handler_t::replace) + "\n\n";
+                   if (is_ending_ || !sink.write(text.data(), text.size())) return false;
+                   std::this_thread::sleep_for(show_period);
+                   return true;
+                 };
+                 response.set_chunked_content_provider("text/event-stream", send);
+               }));
+  server_->Post("/([0-9a-f]+)/keys",
+                handler([this](const Request& request, Response& response, bool has_keys) {
+                  if (!has_keys) return void(response.status = refused);
+                  // Letters of a text are keys unless a text is awaited: 's' stops the plate.
+                  if (request.body.size() > 1 && !shown_.load()->value("is_typing", false))
+                    return void(response.status = not_now);
+                  const std::scoped_lock lock(mutex_);
+                  pressed_ += request.body;
+                }));
+}
+
+std::optional<char> Live::key() {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock || pressed_.empty()) return std::nullopt;
+  const char key = pressed_.front();
+  pressed_.erase(0, 1);
+  return key;
+}
+
+}  // namespace hrt::experiment
