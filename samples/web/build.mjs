@@ -1,12 +1,12 @@
 // Bundles the page into a folder that any static server can serve.
 //   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE person.wasm plate_firmware.hex FOLDER_OF_THE_PAGE
-import { cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
+import { appendFile, cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const [, , packageFolder, personModule, firmware, pageFolder] = process.argv;
-const here = dirname(fileURLToPath(import.meta.url));
+const here = dirname(fileURLToPath(import.meta.url)), modules = join(here, "node_modules"), hands = join(modules, "@webxr-input-profiles/assets");
 
 // For a server: page.js with the first picture, and parts that are loaded when asked for. From a file: address no part can be
 // loaded, so offline.js has all; start.js chooses.
@@ -19,8 +19,9 @@ const shared = {
   platform: "browser",
   legalComments: "none",  // licences.txt has them
   alias: { "haptic-retargeting": resolve(packageFolder), "haptic-retargeting/three": resolve(packageFolder, "three.mjs"), "person.wasm": resolve(personModule),
-           "plate_firmware.hex": resolve(firmware), "marks.csv": join(here, "../plate/model/marks.csv") },
-  nodePaths: [join(here, "node_modules")],  // three.js, for the package
+           "plate_firmware.hex": resolve(firmware), "marks.csv": join(here, "../plate/model/marks.csv"),
+           "generic-hand": join(hands, "dist/profiles/generic-hand") },
+  nodePaths: [modules],  // three.js, for the package
   define: { "import.meta.url": '"about:blank"' },
   tsconfigRaw: {},
   logLevel: "warning",
@@ -28,13 +29,16 @@ const shared = {
 const loader = { ".hex": "text", ".csv": "text" };
 await rm(pageFolder, { recursive: true, force: true });
 await mkdir(pageFolder, { recursive: true });
-await build({ ...shared, format: "esm", splitting: true, chunkNames: "part_[hash]", assetNames: "[name]", loader: { ...loader, ".wasm": "file" } });
-await build({ ...shared, entryPoints: [{ in: join(here, "src/main.ts"), out: "offline" }], format: "iife", loader: { ...loader, ".wasm": "binary" } });
+await build({ ...shared, format: "esm", splitting: true, chunkNames: "part_[hash]", assetNames: "[name]", loader: { ...loader, ".wasm": "file", ".glb": "file" } });
+await build({ ...shared, entryPoints: [{ in: join(here, "src/main.ts"), out: "offline" }], format: "iife", loader: { ...loader, ".wasm": "binary", ".glb": "binary" } });
 for (const file of ["index.html", "page.css", "start.js"]) await cp(join(here, "src", file), join(pageFolder, file));
+await appendFile(join(pageFolder, "page.css"), await readFile(join(modules, "uplot/dist/uPlot.min.css")));
 
 const licences = [["This page and the plugin", join(packageFolder, "LICENSE")],
                   ["Libraries within the plugin", join(packageFolder, "THIRD_PARTY_NOTICES.md")],
-                  ["three.js", join(here, "node_modules/three/LICENSE")],
-                  ["avr8js", join(here, "node_modules/avr8js/LICENSE")]];
+                  ["three.js", join(modules, "three/LICENSE")],
+                  ["The hand's model, of webxr-input-profiles", join(hands, "LICENSE.md")],
+                  ["uPlot", join(modules, "uplot/LICENSE")],
+                  ["avr8js", join(modules, "avr8js/LICENSE")]];
 const texts = await Promise.all(licences.map(async ([name, path]) => `# ${name}\n\n${await readFile(path, "utf8")}`));
 await writeFile(join(pageFolder, "licences.txt"), texts.join("\n\n"));

@@ -32,6 +32,11 @@ export class HapticRetargetingError extends Error {
   readonly codeName: string;
 }
 
+// For `using`, where the compiler's library has it not yet.
+declare global {
+  interface SymbolConstructor { readonly dispose: unique symbol }
+}
+
 /** Loads the module: haptic_retargeting.wasm beside this file, unless `source` is another address, or the module
  *  itself as a bundler gives it. */
 export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | ArrayBufferView): Promise<Library>;
@@ -69,6 +74,8 @@ export interface Session {
    *  mount +Y is up and -Z away from the user. It replaces a registration. */
   setPlate(matrix: PlateMatrix): void;
   destroy(): void;
+  /** destroy(), for `using`. */
+  [Symbol.dispose](): void;
 
   addTarget(config: Input<hrt_target_config>): TargetId;
   target(id: TargetId): Output<hrt_target_config>;
@@ -145,6 +152,7 @@ export interface Person {
   /** Where the finger is, and where it is felt. */
   readonly state: Output<hrt_person_state>;
   destroy(): void;
+  [Symbol.dispose](): void;
 }
 
 /** Plate, start and targets of a glTF file. */
@@ -154,4 +162,5 @@ export interface Scene {
   /** Sets the session's plate and start, and adds the targets; their ids, in the order of `targets`. */
   register(session: Session): TargetId[];
   destroy(): void;
+  [Symbol.dispose](): void;
 }

@@ -57,11 +57,12 @@ class Library {
   }
 }
 
-// Handles and ids come as a struct of one u64.
-function created(memory, create) {
-  return memory.with(8, (at) => {
-    create(at);
-    return memory.view.getBigUint64(at, true);
+// Handles and ids come as a struct of one u64, as counts do.
+function created(memory, create) { return idsOf(memory, 1, create)[0]; }
+function idsOf(memory, count, write) {
+  return memory.with(8 * count + 1, (at) => {
+    write(at);
+    return Array.from({ length: count }, (_, i) => memory.view.getBigUint64(at + 8 * i, true));
   });
 }
 
@@ -88,6 +89,9 @@ class Frame {
 }
 
 function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
+
+// `using` destroys at a block's end. Compilers that bring it to engines without the symbol name it so.
+const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose");
 
 class Session {
   static #count = 0;
@@ -118,6 +122,7 @@ class Session {
     this.#output.free();
     Object.freeze(this.sample);
   }
+  [dispose]() { this.destroy(); }
 
   get config() {
     return this.#memory.output("hrt_session_config", (at) => this.#memory.call("hrt_session_get", this.#handle, at, 0));
@@ -148,15 +153,10 @@ class Session {
     return found;
   }
   targets(role = 0) {
-    const memory = this.#memory;
-    return memory.with(8, (count) => {
-      memory.call("hrt_target_list", this.#handle, role, 0n, 0, count);
-      const capacity = memory.view.getBigUint64(count, true);
-      return memory.with(8 * Number(capacity) + 1, (ids) => {
-        memory.call("hrt_target_list", this.#handle, role, capacity, ids, count);
-        return Array.from({ length: Number(capacity) }, (_, i) => memory.view.getBigUint64(ids + 8 * i, true));
-      });
-    });
+    const memory = this.#memory, list = (capacity, ids) =>
+      created(memory, (count) => memory.call("hrt_target_list", this.#handle, role, capacity, ids, count));
+    const capacity = list(0n, 0);
+    return idsOf(memory, Number(capacity), (ids) => list(capacity, ids));
   }
 
   gap(realTarget, virtualTarget) {
@@ -224,14 +224,12 @@ class Session {
   }
 
   get profile() {
-    const memory = this.#memory;
-    return memory.with(8, (length) => {
-      memory.call("hrt_profile_save", this.#handle, 0n, 0, length);
-      const capacity = memory.view.getBigUint64(length, true) + 1n;
-      return memory.with(Number(capacity), (text) => {
-        memory.call("hrt_profile_save", this.#handle, capacity, text, length);
-        return readText(memory.view.buffer, text);
-      });
+    const memory = this.#memory, save = (capacity, text) =>
+      created(memory, (length) => memory.call("hrt_profile_save", this.#handle, capacity, text, length));
+    const capacity = save(0n, 0) + 1n;
+    return memory.with(Number(capacity), (text) => {
+      save(capacity, text);
+      return readText(memory.view.buffer, text);
     });
   }
   loadProfile(text) {
@@ -283,6 +281,7 @@ class Person {
     this.#memory.call("hrt_person_destroy", this.#handle);
     this.#output.free();
   }
+  [dispose]() { this.destroy(); }
 
   begin(session, virtualTarget) { this.#memory.call("hrt_person_begin", this.#handle, session.handle, virtualTarget); }
   move(sample, time_ns, plateOrientationDeg) {
@@ -307,6 +306,7 @@ class Scene {
   }
 
   destroy() { this.#memory.call("hrt_scene_destroy", this.#handle); }
+  [dispose]() { this.destroy(); }
 
   get info() {
     return this.#memory.get("hrt_scene_info", "hrt_scene_get_info", this.#handle);
@@ -316,10 +316,7 @@ class Scene {
       this.#memory.get("hrt_scene_target", "hrt_scene_get_target", this.#handle, i));
   }
   register(session) {
-    const memory = this.#memory, count = this.info.target_count;
-    return memory.with(8 * count + 1, (ids) => {
-      memory.call("hrt_scene_register", this.#handle, session.handle, BigInt(count), ids);
-      return Array.from({ length: count }, (_, i) => memory.view.getBigUint64(ids + 8 * i, true));
-    });
+    const count = this.info.target_count;
+    return idsOf(this.#memory, count, (ids) => this.#memory.call("hrt_scene_register", this.#handle, session.handle, BigInt(count), ids));
   }
 }

@@ -77,17 +77,13 @@ export class Memory {
   withText(text, use) { return this.withBytes(encoder.encode(text), use); }
 
   /** Lends a struct with its size and its defaults in place, and `values` over these. */
-  withStruct(type, values, use) { return this.withStructs(type, [values], use); }
-  /** The same for several, one behind the other. */
-  withStructs(type, list, use) {
+  withStruct(type, values, use) {
     const { size, fields, defaults } = abi.structs[type];
-    return this.with(size * list.length + 1, (at) => {
-      list.forEach((values, i) => {
-        if (fields.struct_size) this.view.setUint32(at + size * i, size, true);
-        for (const [name, value] of Object.entries({ ...defaults, ...values })) {
-          if (value !== undefined) this.write(type, at + size * i, name, value);
-        }
-      });
+    return this.with(size, (at) => {
+      if (fields.struct_size) this.view.setUint32(at, size, true);
+      for (const [name, value] of Object.entries({ ...defaults, ...values })) {
+        if (value !== undefined) this.write(type, at, name, value);
+      }
       return use(at);
     });
   }
@@ -228,7 +224,7 @@ export class Host {
 
   /** Nanoseconds of a clock that only goes forward. */
   #time(at) {
-    this.view.setBigUint64(at, BigInt(Math.round(1e6 * performance.now())), true);
+    new DataView(this.#memory.buffer).setBigUint64(at, BigInt(Math.round(1e6 * performance.now())), true);
     return 0;
   }
   #zero(...pointers) {

@@ -1,5 +1,5 @@
 // The picture with its labels, in the size of its place on the page. Without WebGL the rest of the page still works.
-import { ahead, start, type Place } from "./geometry";
+import { ahead, start, type Place, type SlideEnd } from "./geometry";
 import { element, say } from "./page";
 import type { VisitorScene } from "./files/scene";
 import { Stage, type LabelName } from "./stage/stage";
@@ -11,6 +11,7 @@ const words: Readonly<Record<LabelName, readonly [own: string, watched: string]>
   finger: ["your hand", "finger"], felt: ["felt finger", "felt here"], real: ["real cylinder", "real cylinder"], ghost: ["glass", "ghost"] };
 const maxLabels = 30;  // more would cover each other
 const margin_px = 4, gap_px = 14, rings = 6;
+const turn_rad = 0.15;
 
 interface Box { x: number; y: number; width: number; height: number }
 interface Label {
@@ -44,7 +45,12 @@ export class Desk {
   readonly #felt: Place = { right_m: NaN, away_m: NaN };
 
   constructor() {
-    this.stage = createStage(this.canvas);
+    try {
+      this.stage = new Stage(this.canvas);
+    } catch {
+      this.stage = null;
+    }
+    this.stage?.orbit.addEventListener("change", () => { this.#stale = true; });
     if (!this.stage) {
       this.canvas.hidden = true;
       element("no-view", HTMLParagraphElement).hidden = false;
@@ -52,35 +58,35 @@ export class Desk {
     }
   }
 
-  setColours(colours: Colours): void {
-    this.stage?.setColours(colours);
-    this.#stale = true;
-  }
+  setColours(colours: Colours): void { this.#change((stage) => stage.setColours(colours)); }
   setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
     this.#glass = ahead(start, virtual_deg, distance_m);
-    this.stage?.setTargets(real_deg, virtual_deg, distance_m);
-    this.#stale = true;
+    this.#change((stage) => stage.setTargets(real_deg, virtual_deg, distance_m));
   }
-  setView(view: "oblique" | "above"): void {
-    this.stage?.setView(view);
-    this.#stale = true;
-  }
-  clearPaths(): void {
-    this.stage?.clearPaths();
-    this.#stale = true;
+  setView(view: "oblique" | "above"): void { this.stage?.setView(view); }
+
+  /** By keys, as a drag does; false: not one of the arrows. */
+  turn(key: string): boolean {
+    const left = Number(key === "ArrowLeft") - Number(key === "ArrowRight"), up = Number(key === "ArrowUp") - Number(key === "ArrowDown");
+    this.stage?.orbit.rotateLeft(left * turn_rad);
+    this.stage?.orbit.rotateUp(up * turn_rad);
+    return left !== 0 || up !== 0;
   }
 
-  resize(): void {
+  /** The hand's own shape, once it has come. */
+  async bringHand(): Promise<void> {
+    await this.stage?.finger.become((await import("./stage/hand_model")).pointingHand);
     this.#stale = true;
-    this.stage?.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio);
+    this.frame.dataset.hand = "yes";
   }
+  clearPaths(): void { this.#change((stage) => stage.clearPaths()); }
+  resize(): void { this.#change((stage) => stage.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio)); }
 
   /** How much of the true hand, its path and the cylinder is shown, from 0 to 1. */
   reveal(share: number): void {
     if (share === this.#revealed) return;
     this.#revealed = share;
-    this.#stale = true;
-    this.stage?.reveal(share);
+    this.#change((stage) => stage.reveal(share));
     this.#named.finger.hidden = share === 0;
     this.#named.real.hidden = share === 0 || this.#labels.length > this.#own.length;
   }
@@ -93,8 +99,7 @@ export class Desk {
 
   /** Plate and targets of a visitor's scene instead of the page's own; null: the page's own. */
   setScene(scene: VisitorScene | null): void {
-    this.stage?.setScene(scene);
-    this.#stale = true;
+    this.#change((stage) => stage.setScene(scene));
     for (const name of ["real", "ghost"] as const) this.#named[name].hidden = scene !== null;
     for (const { element: label } of this.#labels.slice(this.#own.length)) label.remove();
     this.#labels = [...this.#own];
@@ -109,8 +114,7 @@ export class Desk {
   }
 
   showFelt(shown: boolean): void {
-    this.stage?.showFelt(shown);
-    this.#stale = true;
+    this.#change((stage) => stage.showFelt(shown));
     this.#named.felt.hidden = !shown;
   }
 
@@ -143,7 +147,7 @@ export class Desk {
   }
 
   /** For those who check: the truth in numbers, beside the picture, and where ring and glass stand in it. */
-  write(result: Readonly<Record<"toCylinder_mm" | "toGhost_mm" | "feltToGhost_mm", number>> | null): void {
+  write(result: SlideEnd | null): void {
     const { dataset } = this.frame;
     for (const [name, place] of [["start", start], ["glass", this.#glass]] as const) {
       this.stage?.targetToCanvas(place, this.#at, 0);
@@ -153,6 +157,12 @@ export class Desk {
       if (result) dataset[name.replace("_mm", "Mm")] = String(result[name]);
       else delete dataset[name.replace("_mm", "Mm")];
     }
+  }
+
+  /** Anything but what draw() is given. */
+  #change(how: (stage: Stage) => void): void {
+    if (this.stage) how(this.stage);
+    this.#stale = true;
   }
 
   #changes(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): boolean {
@@ -173,14 +183,6 @@ export class Desk {
 
 function isSame(one: Readonly<Place>, other: Readonly<Place>): boolean {
   return one.right_m === other.right_m && one.away_m === other.away_m;
-}
-
-function createStage(canvas: HTMLCanvasElement): Stage | null {
-  try {
-    return new Stage(canvas);
-  } catch {
-    return null;
-  }
 }
 
 /** Puts the box beside `at`: on the first side and in the nearest ring where it is free, else where it is within. */

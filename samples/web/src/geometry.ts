@@ -48,6 +48,19 @@ export function bearingError_deg(place: Readonly<Place>, course: Course): number
 export function realPlace(course: Course): Place { return ahead(course.start, course.real_deg, course.real_m); }
 export function virtualPlace(course: Course): Place { return ahead(course.start, course.virtual_deg, course.virtual_m); }
 
+/** Where a slide ended, and where that was felt. */
+export interface SlideEnd {
+  readonly toCylinder_mm: number;
+  readonly toGhost_mm: number;
+  readonly feltToGhost_mm: number;
+}
+
+export function slideEnd(finger: Readonly<Place>, felt: Readonly<Place>, course: Course): SlideEnd {
+  const ghost = virtualPlace(course);
+  return { toCylinder_mm: 1000 * length_m(finger, realPlace(course)), toGhost_mm: 1000 * length_m(finger, ghost),
+           feltToGhost_mm: 1000 * length_m(felt, ghost) };
+}
+
 /** The same ridges, within 90 degrees of the mid-line. */
 export function folded_deg(orientation_deg: number): number {
   return orientation_deg - 180 * Math.round(orientation_deg / 180);

@@ -1,13 +1,12 @@
 // The page: loads plugin and simulation, connects settings, modes, picture and chart, and runs the frames.
 import { load } from "haptic-retargeting";
 import pluginModule from "haptic-retargeting/haptic_retargeting.wasm";
-import { Chart } from "./chart";
+import type { Chart } from "./chart";
 import { motionBound_deg, pageCourse } from "./controller";
 import { distance_m, start } from "./geometry";
 import { Desk } from "./desk";
 import { showFigures } from "./figures";
 import { Hand } from "./hand";
-import { Now } from "./now";
 import { element, radios, say } from "./page";
 import { Panel } from "./panel";
 import { createWorld } from "./person";
@@ -21,8 +20,8 @@ import { TraceTable } from "./trace";
 import { onSchemeChange, readColours } from "./theme";
 import { Connecting } from "./plate/connecting";
 import { Voice } from "./voice";
-import { Wear } from "./wear/wear";
-import { Wearing } from "./wear/wearing";
+import type { Wear } from "./wear/wear";
+import type { Wearing } from "./wear/wearing";
 import { HapticPlate } from "haptic-retargeting/three";
 import { Viewing } from "./modes/viewing";
 import { Watch } from "./watch";
@@ -39,7 +38,7 @@ async function main(): Promise<void> {
   desk.resize();
   desk.draw(0, start, start);
   showFigures();
-  const [library, watchWorld, handWorld, wearWorld, sceneWorld] = await Promise.all([load(pluginModule), createWorld(), createWorld(), createWorld(), createWorld()]);
+  const [library, watchWorld, handWorld, sceneWorld] = await Promise.all([load(pluginModule), createWorld(), createWorld(), createWorld()]);
   const linked = fromLink(location.hash.slice(1));
   showProblems(linked.problems);
   // A link that says more than the address is a researcher's.
@@ -47,15 +46,15 @@ async function main(): Promise<void> {
 
   const watch = new Watch(library, watchWorld, linked.settings);
   const hand = new Hand(library, handWorld, linked.settings);
-  const voice = new Voice(), plate = new Connecting(), now = new Now(), results = new Results(element("results", HTMLTableElement));
-  const table = new TraceTable(), chartCanvas = element("chart", HTMLCanvasElement), chart = new Chart(chartCanvas, readColours());
-  const watching = new Watching(watch, watchWorld, desk, now, results, linked.settings, voice, still);
-  const sliding = new Sliding(hand, handWorld, desk, now, voice, new Ticks(still), linked.settings, still);
-  const replaying = new Replaying(desk, now, still);
+  const voice = new Voice(), plate = new Connecting(), results = new Results(element("results", HTMLTableElement));
+  const table = new TraceTable(), researchers = element("researchers", HTMLDetailsElement);
+  const watching = new Watching(watch, watchWorld, desk, results, linked.settings, voice, still);
+  const sliding = new Sliding(hand, handWorld, desk, voice, new Ticks(still), linked.settings, still);
+  const replaying = new Replaying(desk, still);
   const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
-  const wear = new Wear(library, wearWorld, desk.stage?.plate ?? new HapticPlate(), linked.settings);
-  const wearing = new Wearing(wear, wearWorld, desk, now, voice, linked.settings);
   let mode: Mode = "hand";
+  // These come when asked for.
+  let chart: Chart | null = null, wearing: Wearing | null = null;
 
   const goals = { real_deg: 0, virtual_deg: 0, weight: NaN };
   const takeAway = new TakeAway(library, () => reaches().recording, () => (mode === "scene" ? viewing.watch : watch).profile, {
@@ -68,7 +67,7 @@ async function main(): Promise<void> {
     if (mode === "replay") choose("watch");
     watching.apply(settings);
     sliding.apply(settings);
-    wearing.apply(settings);
+    wearing?.apply(settings);
     showSettings();
     address();
   });
@@ -88,11 +87,9 @@ async function main(): Promise<void> {
     sliding.active = mode === "hand";
     const { frame } = desk;
     frame.classList.toggle("hand", sliding.active);
-    frame.tabIndex = sliding.active ? 0 : -1;
-    if (sliding.active) frame.setAttribute("role", "application");
-    else frame.removeAttribute("role");
-    if (sliding.active) frame.setAttribute("aria-label", "The plate: arrow keys slide the finger from the ring to the glass, ahead and somewhat to the left; Enter ends the slide");
-    else frame.removeAttribute("aria-label");
+    frame.setAttribute("aria-label", sliding.active
+      ? "The plate: arrow keys slide the finger from the ring to the glass, ahead and somewhat to the left; Enter ends the slide"
+      : "The plate and the hand: arrow keys turn the view");
     for (const name of modes) {
       for (const part of document.querySelectorAll<HTMLElement>(`.${name}-only`)) part.hidden = mode !== name;
     }
@@ -108,12 +105,22 @@ async function main(): Promise<void> {
     desk.showFelt(mode !== "replay");
     if (mode === "scene") watching.play(viewing.watch, sceneWorld, viewing.scene?.scale ?? 1);
     else watching.play(watch, watchWorld, 1);
-    resize();
+    desk.resize();
     showSettings();
+    if (mode === "wear" && !wearing) void bringHeadset();
     if (mode === "hand") sliding.restart();
     else if (mode === "watch") watching.resume();
     else if (mode === "replay" && replaying.reach) replaying.show(replaying.reach);
     else if (mode === "scene") watching.apply(panel.settings);
+  }
+
+  async function bringHeadset(): Promise<void> {
+    const [world, { Wear }, { Wearing }] = await Promise.all([createWorld(), import("./wear/wear"), import("./wear/wearing")]);
+    if (wearing) return;
+    const { settings } = panel, wear = new Wear(library, world, desk.stage?.plate ?? new HapticPlate(), settings);
+    wearing = new Wearing(wear, world, desk, voice, settings);
+    wearing.onFrame = follow;
+    wearing.onLeft = () => { desk.setView(mode === "hand" ? "above" : "oblique"); desk.resize(); };
   }
 
   function choose(wanted: Mode): void {
@@ -126,19 +133,14 @@ async function main(): Promise<void> {
     choose(brought);
   }
 
-  function resize(): void {
-    desk.resize();
-    chart.resize(chartCanvas.clientWidth, chartCanvas.clientHeight, devicePixelRatio);
-  }
-
   function colour(): void {
     const colours = readColours();
     desk.setColours(colours);
-    chart.setColours(colours);
+    chart?.setColours(colours);
   }
 
   /** Whose reaches are shown. */
-  function reaches(): Watch | Hand | Wear { return { watch, hand, wear, replay: watch, scene: viewing.watch }[mode]; }
+  function reaches(): Watch | Hand | Wear { return { watch, hand, wear: wearing?.wear ?? hand, replay: watch, scene: viewing.watch }[mode]; }
 
   /** A connected plate does what the controller commands, and is felt where it is. */
   function follow(elapsed_ms: number): void {
@@ -146,23 +148,21 @@ async function main(): Promise<void> {
     plate.frame(elapsed_ms, performance.now(), shown.command.plate_orientation_deg);
     // Reaches that are computed at once, or by steps, are not at the plate's time.
     const stepped = (mode === "watch" || mode === "scene") && !watching.playing;
-    for (const each of [watch, hand, wear, viewing.watch]) each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
+    for (const each of [watch, hand, viewing.watch, ...(wearing ? [wearing.wear] : [])]) each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
   }
 
   plate.onReady = ({ speed_deg_s }) => panel.replace({ ...panel.settings, plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
-  wearing.onFrame = follow;
-  wearing.onLeft = () => { desk.setView(mode === "hand" ? "above" : "oblique"); resize(); };
 
   let before_ms = performance.now();
   function frame(now_ms: number): void {
     const elapsed_ms = Math.max(0, now_ms - before_ms);
     before_ms = now_ms;
-    if (!wearing.worn) {
+    if (!wearing?.worn) {
       follow(elapsed_ms);
-      ({ watch: watching, hand: sliding, wear: wearing, replay: replaying, scene: watching })[mode].frame(elapsed_ms);
+      ({ watch: watching, hand: sliding, wear: wearing, replay: replaying, scene: watching })[mode]?.frame(elapsed_ms);
     }
-    const { trace } = { watch, hand, wear, replay: replaying, scene: viewing.watch }[mode];
-    chart.draw(trace, goals);
+    const { trace } = mode === "replay" ? replaying : reaches();
+    if (researchers.open) chart?.draw(trace, goals);
     table.show(trace);
     takeAway.allow(reaches().recording !== "");
     requestAnimationFrame(frame);
@@ -170,13 +170,16 @@ async function main(): Promise<void> {
 
   for (const radio of radios("mode")) {
     radio.addEventListener("change", () => {
-      if (wearing.worn) choose("wear");  // the headset's session goes first
+      if (wearing?.worn) choose("wear");  // the headset's session goes first
       else showMode();
       address();
     });
   }
-  new ResizeObserver(resize).observe(desk.canvas);
-  new ResizeObserver(resize).observe(chartCanvas);
+  new ResizeObserver(() => desk.resize()).observe(desk.canvas);
+  researchers.addEventListener("toggle", () => {
+    if (!chart) void import("./chart").then((part) => { chart ??= new part.Chart(element("chart", HTMLDivElement)); });
+  });
+  desk.frame.addEventListener("keydown", (event) => { if (!sliding.active && desk.turn(event.key)) event.preventDefault(); });
   onSchemeChange(colour);
   window.addEventListener("hashchange", () => {
     const { settings, mode: wanted, problems } = fromLink(location.hash.slice(1));
@@ -195,6 +198,7 @@ async function main(): Promise<void> {
   colour();
   choose(linked.mode);
   document.documentElement.dataset.ready = "yes";
+  void desk.bringHand();
   requestAnimationFrame(frame);
 }
 

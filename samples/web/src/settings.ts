@@ -73,21 +73,20 @@ export function fromLink(link: string): { settings: Settings; mode: Mode; proble
   let mode: Mode = "hand";
   for (const [name, text] of new URLSearchParams(link.slice(0, 500))) {
     const value = /^\d{1,6}(\.\d{1,6})?$/.test(text) ? Number(text) : NaN;
+    const refuse = (allowed: string) => problems.push(`${name} is "${text.slice(0, 20)}"; allowed: ${allowed}`);
     if (isSlider(name)) {
       const { min, max } = sliders[name];
       if (value >= min && value <= max) settings[name] = onSlider(name, value);
-      else problems.push(`${name} is "${text.slice(0, 20)}"; allowed: ${min} to ${max}`);
+      else refuse(`${min} to ${max}`);
     } else if (name === "mode") {
-      const known = linkedModes.find((each) => each === text);
-      if (known) mode = known;
-      else problems.push(`mode is "${text.slice(0, 20)}"; allowed: ${linkedModes.join(", ")}`);
+      mode = linkedModes.find((each) => each === text) ?? mode;
+      if (mode !== text) refuse(linkedModes.join(", "));
     } else if (name === "controller") {
-      const known = controllerNames.find((controller) => controller === text);
-      if (known) settings.controller = known;
-      else problems.push(`controller is "${text.slice(0, 20)}"; allowed: ${controllerNames.join(", ")}`);
+      settings.controller = controllerNames.find((each) => each === text) ?? settings.controller;
+      if (settings.controller !== text) refuse(controllerNames.join(", "));
     } else if (name === "person") {
       if (Number.isInteger(value) && value >= 1 && value <= maxPerson) settings.person = value;
-      else problems.push(`person is "${text.slice(0, 20)}"; allowed: 1 to ${maxPerson}`);
+      else refuse(`1 to ${maxPerson}`);
     } else {
       problems.push(`nothing is called "${name.slice(0, 20)}"`);
     }

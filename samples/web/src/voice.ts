@@ -2,6 +2,7 @@
 import { element, say } from "./page";
 
 export class Voice {
+  readonly #written = element("spoken", HTMLParagraphElement);
   readonly #wanted = element("speak", HTMLInputElement);
   readonly #synthesis = "speechSynthesis" in window ? window.speechSynthesis : null;
 
@@ -16,8 +17,9 @@ export class Voice {
     });
   }
 
-  /** Speaks this instead of what is being said. */
+  /** Writes this for screen readers, and, if asked to, speaks it instead of what is being said. */
   say(text: string): void {
+    say(this.#written, text);
     if (!this.#synthesis || !this.#wanted.checked) return;
     this.#synthesis.cancel();
     const words = new SpeechSynthesisUtterance(text);

@@ -9,6 +9,11 @@ declare module "plate_firmware.hex" {
   const text: string;
   export default text;
 }
+/** A model's bytes within the bundle, or its address. */
+declare module "*.glb" {
+  const model: Uint8Array<ArrayBuffer> | string;
+  export default model;
+}
 declare module "*.csv" {
   const text: string;
   export default text;

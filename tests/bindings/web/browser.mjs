@@ -1,13 +1,23 @@
-// Opens a page in headless Chromium, and waits for what it posts to /shown.
+// Opens a page in Chromium or Firefox without a display, and waits for what it posts to /shown.
 import { spawn } from "node:child_process";
-import { mkdtemp, rm } from "node:fs/promises";
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-/** What the page "/" posts. `answer(path)` gives { type, body } of a path, or nothing; a string in its place is the
- *  address of a server that is there already, whose page posts to the address in its query. */
-export async function shownBy(answer) {
+/** Of each browser: its program, and what it is started with. */
+const browsers = {
+  chromium: (profile) => ["chromium", ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", `--user-data-dir=${profile}`, "--remote-debugging-port=0"]],
+  firefox: (profile) => ["xvfb-run", ["-a", "firefox-esr", "--no-remote", "--profile", profile]],  // without a display it has no WebGL
+};
+export const browserNames = Object.keys(browsers);
+const quiet = ["browser.aboutwelcome.enabled", "browser.shell.checkDefaultBrowser", "datareporting.policy.dataSubmissionEnabled", "app.normandy.enabled",
+               "extensions.update.enabled", "network.captive-portal-service.enabled", "browser.safebrowsing.downloads.remote.enabled"];
+
+/** What the page "/" posts in the browser `name`. `answer(path)` gives { type, body } of a path, or nothing; a string in its place
+ *  is the address of a server that is there already, whose page posts to the address in its query. */
+export async function shownBy(answer, name) {
   let onShown;
   const shown = new Promise((resolve) => { onShown = resolve; });
   const server = createServer(async (request, response) => {
@@ -27,23 +37,22 @@ export async function shownBy(answer) {
   const here = `http://127.0.0.1:${server.address().port}/`;
 
   const profile = await mkdtemp(join(tmpdir(), "hrt_browser_"));
-  const browser = spawn("chromium", [
-    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", `--user-data-dir=${profile}`,
-    "--remote-debugging-port=0", typeof answer === "string" ? `${answer}?${here}shown` : here,
-  ], { stdio: ["ignore", "ignore", "pipe"] });
+  await writeFile(join(profile, "user.js"), quiet.map((setting) => `user_pref("${setting}", false);\n`).join(""));
+  const [program, options] = browsers[name](profile);
+  const browser = spawn(program, [...options, typeof answer === "string" ? `${answer}?${here}shown` : here],
+    { stdio: ["ignore", "ignore", "pipe"], env: { ...process.env, HOME: profile }, detached: true });
   let complaints = "";
   browser.stderr.on("data", (data) => { complaints += data; });
   const ended = new Promise((resolve) => {
-    browser.on("error", (error) => resolve(`chromium does not start: ${error.message}`));
-    browser.on("exit", (code) => resolve(`chromium ended with ${code} before the page showed anything:\n${complaints}`));
+    browser.on("error", (error) => resolve(`${program} does not start: ${error.message}`));
+    browser.on("exit", (code) => resolve(`${program} ended with ${code} before the page showed anything:\n${complaints}`));
   });
   const late = new Promise((resolve) => {
     setTimeout(resolve, 60_000, `the page showed nothing in 60 s:\n${complaints}`).unref();
   });
 
   const text = await Promise.race([shown, ended, late]);
-  browser.kill("SIGKILL");
+  try { process.kill(-browser.pid, "SIGKILL"); } catch { /* it has ended */ }
   await ended;
   server.close();
   server.closeAllConnections();

@@ -1,5 +1,5 @@
-// The package without a bundler and in the bundles of esbuild, Vite and webpack, each set up as its README says: no warning, nothing of node,
-// and the reach of all hosts in headless Chromium. Vite's development server too.
+// The package without a bundler and in the bundles of esbuild, Vite and webpack, each set up as its README says: no warning, nothing of node.
+// Each runs the README's own example and the reach of all hosts, in headless Chromium and Firefox. Vite's development server too.
 //   usage: node bundle_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLE reach.csv reach.hash FOLDER_TO_WORK_IN
 import assert from "node:assert/strict";
 import { cp, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
@@ -9,30 +9,33 @@ import { promisify } from "node:util";
 import esbuild from "esbuild";
 import * as vite from "vite";
 import webpack from "webpack";
-import { shownBy } from "./browser.mjs";
+import { browserNames, shownBy } from "./browser.mjs";
 
 const [packageFolder, exampleFolder, recording, hashFile, work] = process.argv.slice(2).map((path) => resolve(path));
-const expected = `hash ${(await readFile(hashFile, "utf8")).trim()}`;
+const readme = await readFile(join(exampleFolder, "../README.md"), "utf8");
+const [, example] = /^```js\n(.*?)^```/ms.exec(readme), [, shown] = /^```text\n(.*?)^```/ms.exec(readme);
+const expected = `${shown}hash ${(await readFile(hashFile, "utf8")).trim()}`;
 const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm", ".csv": "text/csv" };
 
 // A project as a user has it, the package copied into its node_modules as npm does.
-const main = (load) => `import * as hrt from "haptic-retargeting";
+const main = (module) => `import * as hrt from "haptic-retargeting";
 import { runReach } from "./reach.mjs";
-${load.startsWith("import") ? load : ""}
-const shown = document.getElementById("shown");
+${module}
+let shown = "";
 try {
-  const library = await hrt.load(${load.startsWith("import") ? "wasm" : load});
-  const { hash } = runReach(hrt, library, await (await fetch("/reach.csv")).text());
-  shown.textContent = "hash " + hash;
+  console.log = (line) => { shown += line + "\\n"; };
+  await import("./readme.js");
+  const { hash } = runReach(hrt, await hrt.load(${module && "wasm"}), await (await fetch("/reach.csv")).text());
+  shown += "hash " + hash;
 } catch (error) {
-  shown.textContent = String(error.stack ?? error);
+  shown += String(error.stack ?? error);
 }
-await fetch(location.search.slice(1) || "/shown", { method: "POST", body: shown.textContent });
+await fetch(location.search.slice(1) || "/shown", { method: "POST", body: shown });
 `;
-const html = (script) => `<!doctype html><meta charset="utf-8"><title>reach</title><pre id="shown">running</pre>
-<script type="module" src="${script}"></script>`;
+const html = (script) => `<!doctype html><meta charset="utf-8"><title>reach</title><script type="module" src="${script}"></script>`;
 
-async function project(name, load = "") {
+/** `module`: an import of the module as `wasm`, for load(). */
+async function project(name, module = "") {
   const folder = join(work, name);
   await rm(folder, { recursive: true, force: true });
   await mkdir(join(folder, "node_modules"), { recursive: true });
@@ -40,7 +43,8 @@ async function project(name, load = "") {
   await cp(packageFolder, join(folder, "node_modules/haptic-retargeting"), { recursive: true });
   await cp(join(exampleFolder, "reach.mjs"), join(folder, "reach.mjs"));
   await cp(recording, join(folder, "public/reach.csv"));
-  await writeFile(join(folder, "main.js"), main(load));
+  await writeFile(join(folder, "main.js"), main(module));
+  await writeFile(join(folder, "readme.js"), module ? `${module}\n${example.replace("hrt.load()", "hrt.load(wasm)")}` : example);
   await writeFile(join(folder, "index.html"), html("/main.js"));
   return folder;
 }
@@ -49,14 +53,16 @@ async function runs(folder) {
   for (const name of await readdir(folder, { recursive: true })) {
     if (/\.m?js$/.test(name)) assert.doesNotMatch(await readFile(join(folder, name), "utf8"), /["'`]node:/, name);
   }
-  assert.equal(await shownBy(async (path) => {
-    const file = join(folder, path === "/" ? "index.html" : path);
-    return types[extname(file)] && { type: types[extname(file)], body: await readFile(file) };
-  }), expected);
+  for (const browser of browserNames) {
+    assert.equal(await shownBy(async (path) => {
+      const file = join(folder, path === "/" ? "index.html" : path);
+      return types[extname(file)] && { type: types[extname(file)], body: await readFile(file) };
+    }, browser), expected, browser);
+  }
 }
 
-async function esbuildBundle(name, load, options) {
-  const folder = await project(name, load), out = join(folder, "dist");
+async function esbuildBundle(name, module, options) {
+  const folder = await project(name, module), out = join(folder, "dist");
   const { warnings } = await esbuild.build({
     absWorkingDir: folder, entryPoints: ["main.js"], outdir: out, bundle: true, minify: true, logLevel: "silent", ...options });
   assert.deepEqual(warnings, []);
@@ -68,7 +74,10 @@ async function esbuildBundle(name, load, options) {
 test("no bundler, the package's folder on the server", async () => {
   const folder = await project("none");
   await cp(join(folder, "public"), folder, { recursive: true });
-  await writeFile(join(folder, "main.js"), main("").replace('"haptic-retargeting"', '"./node_modules/haptic-retargeting/index.mjs"'));
+  for (const script of ["main.js", "readme.js"]) {
+    const text = await readFile(join(folder, script), "utf8");
+    await writeFile(join(folder, script), text.replace('"haptic-retargeting"', '"./node_modules/haptic-retargeting/index.mjs"'));
+  }
   await rm(join(folder, "node_modules/haptic-retargeting/node.mjs"));
   await runs(folder);
 });
@@ -90,7 +99,7 @@ test("esbuild, with the module inside the bundle", async () => {
 });
 
 // Vite's configuration as the README has it.
-const config = /^```js\n\/\/ vite\.config\.js\n(.*?)^```/ms.exec(await readFile(join(exampleFolder, "../README.md"), "utf8"))[1];
+const config = /^```js\n\/\/ vite\.config\.js\n(.*?)^```/ms.exec(readme)[1];
 const { default: ofReadme } = await import(`data:text/javascript,${encodeURIComponent(config)}`);
 
 function viteConfig(folder, warnings) {
@@ -111,10 +120,11 @@ test("Vite, served while developing", async () => {
   const server = await vite.createServer({ ...viteConfig(folder, warnings), server: { host: "127.0.0.1", port: 0, hmr: false, ws: false },
     ...ofReadme });
   await server.listen();
-  const shown = await shownBy(`http://127.0.0.1:${server.httpServer.address().port}/`);
+  for (const browser of browserNames) {
+    assert.equal(await shownBy(`http://127.0.0.1:${server.httpServer.address().port}/`, browser), expected, browser);
+  }
   await server.close();
   assert.deepEqual(warnings, []);
-  assert.equal(shown, expected);
 });
 
 test("webpack", async () => {

@@ -5,6 +5,7 @@ import wasm from "haptic-retargeting/haptic_retargeting.wasm";
 async function host(bytes: ArrayBuffer): Promise<number> {
   const library = await hrt.load(new URL("https://localhost/haptic_retargeting.wasm"));
   const bundled: hrt.Library = await hrt.load(wasm);
+  library.createSession()[Symbol.dispose]();
   const person: hrt.Person = bundled.createPerson(7n, { tactile_weight: 0.2 });
   const session: hrt.Session = library.createSession({ horizon: 20, plate_latency_ns: 30_000_000 });
   const real: hrt.TargetId = session.addTarget({ role: hrt.HRT_TARGET_REAL, name: "cylinder" });

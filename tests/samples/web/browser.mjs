@@ -54,7 +54,11 @@ export async function visit(use, { motion = false, viewport = desktop, colorSche
   }
 }
 
-export const shoot = (page, name, fullPage = true) => page.screenshot({ path: join(screenshots, `${name}.png`), fullPage, timeout: 120_000 });
+/** A picture of the page, with its hand. */
+export async function shoot(page, name, fullPage = true) {
+  await page.waitForSelector("#stage[data-hand=yes], #no-view:not([hidden])");
+  await page.screenshot({ path: join(screenshots, `${name}.png`), fullPage, timeout: 120_000 });
+}
 export const text = (page, selector) => page.locator(selector).textContent();
 
 /** Lets the page draw frames `elapsed_ms` apart. */

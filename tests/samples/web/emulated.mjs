@@ -8,3 +8,21 @@ const { outputFiles: [{ text }] } = await require("esbuild").build({
   target: "es2022", tsconfigRaw: {}, nodePaths: [join(sources, "node_modules")], logLevel: "warning",
 });
 export const headset = text;
+
+/** What only some browsers have of frames, of poses of joints, and of sessions. */
+export const optional = ["predictedDisplayTime", "fillPoses", "fillJointRadii", "radius", "enabledFeatures", "frameRate", "supportedFrameRates",
+                         "updateTargetFrameRate"];
+
+/** The headset in a browser that lacks these. */
+export const without = (lacking) => `${headset};(${(names) => {
+  const mask = (object) => {
+    for (const name of names) if (object && name in object) Object.defineProperty(object, name, { value: undefined, configurable: true });
+    return object;
+  };
+  const { requestAnimationFrame } = XRSession.prototype, { getJointPose } = XRFrame.prototype, { requestSession } = navigator.xr;
+  XRSession.prototype.requestAnimationFrame = function (use) {
+    return requestAnimationFrame.call(this, (time, frame) => use(time, mask(frame)));
+  };
+  XRFrame.prototype.getJointPose = function (...of) { return mask(getJointPose.apply(this, of)); };
+  navigator.xr.requestSession = async (...wanted) => mask(await requestSession.apply(navigator.xr, wanted));
+}})(${JSON.stringify(lacking)})`;

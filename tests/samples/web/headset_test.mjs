@@ -2,14 +2,18 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
-import { test } from "node:test";
+import { test as once } from "node:test";
 import { pathToFileURL } from "node:url";
 import { accessible, frames, pageFolder, phase, shoot, sources, text, visit } from "./browser.mjs";
-import { headset } from "./emulated.mjs";
+import { optional, without } from "./emulated.mjs";
 
 const hrt = await import(pathToFileURL(join(pageFolder, "../npm/node.mjs"))), library = await hrt.load();
 
-const worn = { motion: true, viewport: { width: 500, height: 400 }, script: headset };
+const worn = { motion: true, viewport: { width: 500, height: 400 } };
+/** In the headset, where all is that browsers have, and where none is that is optional. */
+function test(name, use, script = "", masks = [[], optional]) {
+  for (const lacking of masks) once(`${name}, without ${lacking}`, () => visit(use, { ...worn, script: without(lacking) + script }));
+}
 const caption = (page) => text(page, "#caption");
 const start = [0.05, 1.2, -0.35];  // of the fingertip, in the emulated room
 
@@ -71,7 +75,7 @@ const leave = async (page) => {
   await frames(page, 20, 2);
 };
 
-test("without a headset the page says so", () => visit(async (page) => {
+once("without a headset the page says so", () => visit(async (page) => {
   await page.locator("label:has(input[value=wear])").click();
   await page.locator("#wear-unavailable", { hasText: "Not available here" }).waitFor();
   assert.deepEqual([await page.isEnabled("#enter-vr"), await page.isEnabled("#enter-ar")], [false, false]);
@@ -79,15 +83,8 @@ test("without a headset the page says so", () => visit(async (page) => {
   await shoot(page, "wear_unavailable");
 }));
 
-/** In the page: frames lack these, as those of some browsers do. */
-const without = (...names) => `${headset};{ const { requestAnimationFrame: wait } = XRSession.prototype;
-  XRSession.prototype.requestAnimationFrame = function (use) { return wait.call(this, (time, frame) => {
-    for (const name of ${JSON.stringify(names)}) Object.defineProperty(frame, name, { value: undefined, configurable: true });
-    use(time, frame);
-  }); }; }`;
-
-for (const lacking of [[], ["predictedDisplayTime"], ["fillPoses"], ["fillJointRadii", "predictedDisplayTime"]]) test(
-  `a hand that is worn makes a real reach, which the plugin repeats bit for bit, without ${lacking}`, () => visit(async (page) => {
+// This one without each option alone too.
+test("a hand that is worn makes a real reach, which the plugin repeats bit for bit", async (page) => {
   await enter(page);
   assert.equal(await phase(page), "placing");
   await shoot(page, "wear_placing", false);
@@ -113,9 +110,9 @@ for (const lacking of [[], ["predictedDisplayTime"], ["fillPoses"], ["fillJointR
   const off = places.map(([right, away]) => Math.min(...moved.map((row) =>
     Math.hypot(sample(row, "sample_x_m") - right, 0.05 - sample(row, "sample_z_m") - away))));
   assert.ok(Math.max(...off) < 1e-6, `positions as recorded are ${Math.max(...off)} m off`);
-}, { ...worn, script: without(...lacking) }));
+}, "", [[], optional, ...optional.map((name) => [name])]);
 
-test("a headset that is recentred places the plate anew", () => visit(async (page) => {
+test("a headset that is recentred places the plate anew", async (page) => {
   await enter(page);
   await rest(page, start);
   await slide(page, { until: 0.4 });
@@ -126,27 +123,26 @@ test("a headset that is recentred places the plate anew", () => visit(async (pag
   assert.match(await caption(page), /^The headset has moved its room, so the plate is placed anew\. Hold your index/);
   await rest(page, start.map((x) => x + 0.05));
   assert.equal(await phase(page), "sliding", "the next one is there");
-}, worn));
+});
 
-test("a headset that refuses hands says what to switch on", () => visit(async (page) => {
+test("a headset that refuses hands says what to switch on", async (page) => {
   await page.locator("label:has(input[value=wear])").click();
   await frames(page, 20, 2);
   await page.locator("#enter-vr:enabled").click();
   await page.waitForTimeout(200);
   await frames(page, 20, 2);
   assert.match(await caption(page), /^The headset cannot be entered: no hands\. Switch hand tracking on in the headset's settings/);
-}, { ...worn, script: `${headset};navigator.xr.requestSession = async () => { throw new DOMException("no hands", "NotSupportedError"); }` }));
+}, 'navigator.xr.requestSession = async () => { throw new DOMException("no hands", "NotSupportedError"); }');
 
-
-test("a hand that goes straight to the ghost arrives there", () => visit(async (page) => {
+test("a hand that goes straight to the ghost arrives there", async (page) => {
   await enter(page);
   await rest(page, start);
   await slide(page);
   const { toGhostMm, feltToGhostMm } = await ended(page);
   assert.ok(toGhostMm < 1 && feltToGhostMm > 5, `${toGhostMm} mm, felt ${feltToGhostMm} mm from the ghost`);
-}, worn));
+});
 
-test("a hand lost for a moment is bridged, one lost for longer begins again", () => visit(async (page) => {
+test("a hand lost for a moment is bridged, one lost for longer begins again", async (page) => {
   await enter(page);
   await rest(page, start);
   await slide(page, { unseen: [60, 80] });
@@ -165,9 +161,9 @@ test("a hand lost for a moment is bridged, one lost for longer begins again", ()
   assert.equal(await phase(page), "sliding", "the next one");
   await leave(page);
   assert.deepEqual([await phase(page), library.replay(await recorded(page)).first_different_line], ["ready", 0n]);
-}, worn));
+});
 
-test("a session that the user ends in the middle of a reach leaves a page that works", () => visit(async (page) => {
+test("a session that the user ends in the middle of a reach leaves a page that works", async (page) => {
   await enter(page, "#enter-ar");
   await rest(page, start);
   await slide(page, { until: 0.5 });
@@ -182,10 +178,10 @@ test("a session that the user ends in the middle of a reach leaves a page that w
   assert.equal(await phase(page), "placing", "and enters again");
   await page.evaluate(() => document.getElementById("leave").click());  // the emulator's own picture lies over it
   await page.waitForFunction(() => !globalThis.headset.device.activeSession, null, { polling: 20 });
-}, worn));
+});
 
 // Of samples/plate/model/marks.csv, on a plate turned by 20 degrees to the left about its centre.
-test("a plate is placed by touches of its marks, and a bad touch is found", () => visit(async (page) => {
+test("a plate is placed by touches of its marks, and a bad touch is found", async (page) => {
   const marks = (await readFile(join(sources, "../plate/model/marks.csv"), "utf8")).trim().split("\n").slice(1)
     .map((line) => line.split(",").slice(1, 4).map(Number));
   const angle = 20 * Math.PI / 180, centre = [0.1, 1.1, -0.5];
@@ -215,4 +211,4 @@ test("a plate is placed by touches of its marks, and a bad touch is found", () =
   assert.equal(await phase(page), "ready");
   await rest(page, place([0, 0, 0.05]));
   assert.equal(await phase(page), "sliding", "the ring is where the touches put it");
-}, worn));
+});

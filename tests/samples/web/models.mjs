@@ -15,9 +15,10 @@ await build({
   outfile: join(folder, "models.mjs"), bundle: true, format: "esm", platform: "node", target: "es2022", tsconfigRaw: {},
   alias: { "haptic-retargeting": resolve(packageFolder), "haptic-retargeting/three": resolve(packageFolder, "three.mjs"),
            "person.wasm": resolve(personModule), "plate_firmware.hex": resolve(firmware),
-           "marks.csv": resolve(page, "../plate/model/marks.csv") },
+           "marks.csv": resolve(page, "../plate/model/marks.csv"),
+           "generic-hand": resolve(page, "node_modules/@webxr-input-profiles/assets/dist/profiles/generic-hand") },
   nodePaths: [resolve(page, "node_modules")],
-  loader: { ".wasm": "binary", ".hex": "text", ".csv": "text" }, logLevel: "warning",
+  loader: { ".wasm": "binary", ".glb": "binary", ".hex": "text", ".csv": "text" }, logLevel: "warning",
 });
 export const models = await import(pathToFileURL(join(folder, "models.mjs")));
 await rm(folder, { recursive: true, force: true });

@@ -5,7 +5,9 @@ import { readFile } from "node:fs/promises";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { accessible, arrived, desk, desktop, drawn, drop, frames, launch, newest, pageFolder, phase, phone, recorded, shoot, tablet, text, visit } from "./browser.mjs";
+import { accessible, arrived, desk, desktop, drawn, drop, frames, launch, newest, pageFolder, phase, phone, recorded, require, shoot, tablet, text, visit } from "./browser.mjs";
+
+const { PNG } = require("pngjs");
 
 async function handEnd(page) {
   assert.equal(await phase(page), "arrived");
@@ -75,6 +77,12 @@ test("a gap that cannot be held is said so", () => visit(async (page) => {
 
 test("the chart is a table too, and each of the four figures follows its control", () => visit(async (page) => {
   assert.ok(await page.locator("#trace tbody tr").count() >= 10);
+  // Three strips, each with what is under the cursor; the weight that is believed, at the end.
+  assert.equal(await page.locator("#chart .uplot").count(), 3);
+  const box = await page.locator("#chart .u-over").last().boundingBox();
+  await page.mouse.move(box.x + 0.9 * box.width, box.y + 20);
+  await page.locator("#chart .u-legend", { hasText: /felt:?\s*-?\d+\.\d°/ }).waitFor();
+  assert.match(await page.locator("#chart .u-legend").last().innerText(), /believed:?\s*0\.[12]\d/);
   assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+\d+° (left|right)\s+\d+\.\d° (left|right)/);
   for (const i of [1, 2, 3, 4]) {
     const before = await page.locator(`#figure-${i}`).innerHTML();
@@ -128,6 +136,7 @@ test("who goes to the glass by mouse is shown the hand at the cylinder, within a
     await frames(page, 33);
     if (i === 20) {
       assert.deepEqual([await phase(page), await hidden(page)], ["sliding", true]);
+      assert.ok(await skin(page) < 200, "the hand is not seen");
       await shoot(page, "hand_sliding");
     }
   }
@@ -140,6 +149,7 @@ test("who goes to the glass by mouse is shown the hand at the cylinder, within a
   assert.match(await text(page, "#caption"), /^You went to the glass\. Your hand is here, 1[5-9] mm away\.$/);
   assert.equal(await text(page, "#spoken"), await text(page, "#caption"));
   assert.equal(await hidden(page), false);
+  assert.ok(await skin(page) > 5000, "the hand is seen");
   await shoot(page, "hand_arrived");
   await page.mouse.move(...ring);
   await frames(page, 33);
@@ -361,11 +371,53 @@ test("the first picture takes 300 kB, and parts come when asked for", () => visi
   const first = await got(), page_kB = Object.entries(first).filter(([name]) => !name.endsWith(".wasm")).reduce((sum, [, size]) => sum + size, 0) / 1000;
   assert.ok(page_kB < 300, `${page_kB} kB`);
   assert.ok(first["haptic_retargeting.wasm"] < 450_000, `${first["haptic_retargeting.wasm"]} bytes of the plugin`);
-  const count = Object.keys(first).length;
-  await page.click("#plate-firmware");
-  await page.locator("#plate-state", { hasText: "Emulated board" }).waitFor();
-  assert.ok(Object.keys(await got()).length > count, "the emulator");
+  assert.ok(!Object.keys(first).some((name) => name.endsWith(".glb")), "the hand is not among them");
+  await page.waitForSelector("#stage[data-hand=yes]");
+  for (const [part, click, ready] of [["the emulator", "#plate-firmware", "#plate-stop"], ["the chart", "#researchers summary", "#chart .uplot"],
+                                      ["the headset", "label:has(input[value=wear])", "#wear-unavailable"]]) {
+    const count = Object.keys(await got()).length;
+    await page.click(click);
+    await page.locator(ready).first().waitFor();
+    assert.ok(Object.keys(await got()).length > count, part);
+  }
   await page.click("#plate-stop");
+}, { link: "" }));
+
+/** Of a picture, pixels in colours of lit skin. */
+async function skin(page) {
+  const { data } = PNG.sync.read(await page.locator("#view").screenshot());
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const red = data[i], warm = (red - data[i + 1]) / red, cold = (data[i + 1] - data[i + 2]) / red;
+    if (red > 90 && warm > 0.16 && warm < 0.4 && cold > 0.1 && cold < 0.3) ++count;
+  }
+  return count;
+}
+
+test("in Watch a hand is seen, and a drag or the arrows turn the picture; from above it stands still", () => visit(async (page) => {
+  const ghost = async () => {
+    await drawn(page);
+    return page.locator("#label-ghost").evaluate((label) => label.style.transform);
+  };
+  await page.waitForSelector("#stage[data-hand=yes]");
+  const seen = [await ghost()], { x, y, width, height } = await page.locator("#view").boundingBox();
+  assert.ok(await skin(page) > 5000, `${await skin(page)} pixels of skin`);
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 2 + 120, y + height / 2, { steps: 4 });
+  await page.mouse.up();
+  seen.push(await ghost());
+  await page.locator("#stage").focus();
+  for (const key of ["ArrowLeft", "ArrowUp"]) {
+    await page.keyboard.press(key);
+    seen.push(await ghost());
+  }
+  assert.equal(new Set(seen).size, 4, seen.join());
+  await shoot(page, "watch_turned");
+  await page.locator("label:has(input[value=watch])").press("ArrowLeft");
+  const above = await ghost();
+  await page.locator("#stage").press("ArrowLeft");
+  assert.equal(await ghost(), above);
 }));
 
 test("the page opens from a folder, without a server", () => visit(async (page) => {

@@ -32,8 +32,10 @@ test("what is no message of the protocol is none", () => {
 });
 
 test("a reader drops long lines whole, and finds the next one", () => {
-  const reader = new LineReader(), take = (text) => [...bytes(text)].map((byte) => reader.take(byte)).filter((line) => line !== null);
+  const reader = new LineReader(), take = (text) => [...bytes(text)].flatMap((byte) => reader.take([byte]));
   assert.deepEqual(take("one\r\ntwo\n"), ["one", "two"]);
+  assert.deepEqual(reader.take(bytes("one\r\ntwo\nth")), ["one", "two"]);
+  assert.deepEqual(take("ree\n"), ["three"]);
   assert.deepEqual(take(`${"x".repeat(63)}\n${"x".repeat(64)}\n${"x".repeat(1e6)}\nthree\n`), ["x".repeat(63), "three"]);
 });
 

@@ -14,14 +14,12 @@ export interface Brought {
 }
 
 export class TakeAway {
-  readonly #library: Library;
   readonly #saveRecording = element("save-recording", HTMLButtonElement);
   readonly #problem = element("problem", HTMLParagraphElement);
   readonly #replayed = element("replayed", HTMLParagraphElement);
 
   /** `recording` and `profile` are asked when a button is pressed; `brought` gets what is to be shown. */
-  constructor(library: Library, recording: () => string, profile: () => string, brought: Brought) {
-    this.#library = library;
+  constructor(private readonly library: Library, recording: () => string, profile: () => string, brought: Brought) {
     this.#saveRecording.addEventListener("click", () => save("reach.csv", "text/csv", recording()));
     element("save-profile", HTMLButtonElement).addEventListener("click", () => save("profile.json", "application/json", profile()));
     onFiles(element("open-file", HTMLInputElement), (files) => { void this.#open(files, brought); });
@@ -51,7 +49,7 @@ export class TakeAway {
 
   /** Targets by the plugin's loader; then the meshes, without which the scene is shown too. */
   async #scene(file: File, files: readonly File[]): Promise<VisitorScene> {
-    const bytes = await file.arrayBuffer(), scene = readScene(this.#library, bytes, file.name), { position_m, rotation } = scene.plate;
+    const bytes = await file.arrayBuffer(), scene = readScene(this.library, bytes, file.name), { position_m, rotation } = scene.plate;
     try {
       const { readMeshes } = await import("../stage/meshes");  // with three.js' loader
       const others = new Map(await Promise.all(files.map(async (each) => [each.name, await each.arrayBuffer()] as const)));
@@ -63,7 +61,7 @@ export class TakeAway {
   }
 
   #replay(name: string, text: string): RecordedReach {
-    const report = this.#library.replay(text), reach = readReach(text);
+    const report = this.library.replay(text), reach = readReach(text);
     const same = report.first_different_line === 0n
       ? `All ${report.rows} calls gave the same numbers again, bit for bit.`
       : `Line ${report.first_different_line} gave other numbers than those recorded.`;

@@ -1,7 +1,7 @@
 // The mode "Watch": plays reach after reach, at the chosen speed, and says what happens.
 import type { Desk } from "../desk";
 import type { Place } from "../geometry";
-import type { Now } from "../now";
+import { showNow } from "../now";
 import { element, say, sideways } from "../page";
 import type { World } from "../person";
 import type { Voice } from "../voice";
@@ -16,35 +16,19 @@ const step_ms = 100;
 
 export class Watching {
   playing = false;
-  readonly #still: boolean;
-  #watch: Watch;
-  #world: World;
   #scale = 1;
-  readonly #desk: Desk;
-  readonly #now: Now;
-  readonly #results: Results;
-  readonly #voice: Voice;
   readonly #caption = element("caption", HTMLParagraphElement);
   readonly #play = element("play", HTMLButtonElement);
   readonly #speed = element("speed", HTMLSelectElement);
-  readonly #spoken = element("spoken", HTMLParagraphElement);
   readonly #finger: Place = { right_m: 0, away_m: 0 };
   readonly #felt: Place = { right_m: 0, away_m: 0 };
   #owed_ms = 0;
   #shownFor_ms = 0;
-  #settings: Readonly<Settings>;
 
   /** `still`: reaches are shown at their end, at once, unless the visitor plays or steps them. */
-  constructor(watch: Watch, world: World, desk: Desk, now: Now, results: Results, settings: Readonly<Settings>,
-              voice: Voice, still: boolean) {
-    this.#watch = watch;
-    this.#world = world;
-    this.#desk = desk;
-    this.#now = now;
-    this.#results = results;
-    this.#settings = settings;
-    this.#voice = voice;
-    this.#still = still;
+  constructor(private watch: Watch, private world: World, private readonly desk: Desk,
+              private readonly results: Results, private settings: Readonly<Settings>, private readonly voice: Voice,
+              private readonly still: boolean) {
     this.#play.addEventListener("click", () => this.#setPlaying(!this.playing));
     element("step", HTMLButtonElement).addEventListener("click", () => this.#step());
     element("again", HTMLButtonElement).addEventListener("click", () => this.resume());
@@ -52,19 +36,19 @@ export class Watching {
   }
 
   apply(settings: Readonly<Settings>): void {
-    this.#settings = settings;
-    if (this.#watch.apply(settings)) this.#results.clear();
+    this.settings = settings;
+    if (this.watch.apply(settings)) this.results.clear();
     this.#shown();
     this.#finishIfStill();
   }
 
   /** Plays these reaches from now on, drawn `scale` times as large. */
   play(watch: Watch, world: World, scale: number): void {
-    if (watch === this.#watch) return;
-    this.#watch = watch;
-    this.#world = world;
+    if (watch === this.watch) return;
+    this.watch = watch;
+    this.world = world;
     this.#scale = scale;
-    this.#results.clear();
+    this.results.clear();
   }
 
   /** A new reach, for a picture that is shown again. */
@@ -77,7 +61,7 @@ export class Watching {
   frame(elapsed_ms: number): void {
     if (this.playing) {
       const elapsed = Math.min(elapsed_ms, maxFrame_ms);
-      if (this.#watch.phase === "arrived") {
+      if (this.watch.phase === "arrived") {
         this.#shownFor_ms += elapsed;
         if (this.#shownFor_ms >= pause_ms) this.#begin();
       } else {
@@ -91,8 +75,8 @@ export class Watching {
   }
 
   #finishIfStill(): void {
-    if (!this.#still || this.playing) return;
-    while (this.#watch.phase !== "arrived") this.#advance(step_ms);
+    if (!this.still || this.playing) return;
+    while (this.watch.phase !== "arrived") this.#advance(step_ms);
   }
 
   #setPlaying(playing: boolean): void {
@@ -102,64 +86,63 @@ export class Watching {
 
   #step(): void {
     this.#setPlaying(false);
-    if (this.#watch.phase === "arrived") this.#begin();
+    if (this.watch.phase === "arrived") this.#begin();
     else this.#advance(step_ms);
   }
 
   #begin(): void {
-    this.#watch.begin();
+    this.watch.begin();
     this.#shown();
   }
 
   #shown(): void {
-    this.#desk.clearPaths();
+    this.desk.clearPaths();
     this.#owed_ms = this.#shownFor_ms = 0;
   }
 
   #advance(milliseconds: number): void {
-    const world = this.#world;
-    for (let i = 0; i < milliseconds && this.#watch.phase !== "arrived"; ++i) {
-      this.#watch.advance();
+    const world = this.world;
+    for (let i = 0; i < milliseconds && this.watch.phase !== "arrived"; ++i) {
+      this.watch.advance();
       if (i % 5 === 0) this.#extend();
     }
     this.#extend();
-    const { result } = this.#watch;
-    if (!result || this.#watch.phase !== "arrived" || world.over() === 0) return;
-    this.#results.add(result);
-    this.#voice.say(resultText(result));
-    say(this.#spoken, resultText(result));
+    const { result } = this.watch;
+    if (!result || this.watch.phase !== "arrived" || world.over() === 0) return;
+    this.results.add(result);
+    this.voice.say(resultText(result));
   }
 
   #extend(): void {
-    const world = this.#world;
+    const world = this.world;
     this.#finger.right_m = this.#scale * world.finger_right_m();
     this.#finger.away_m = this.#scale * world.finger_away_m();
     this.#felt.right_m = this.#scale * world.felt_right_m();
     this.#felt.away_m = this.#scale * world.felt_away_m();
-    this.#desk.extendPaths(this.#finger, this.#felt);
+    this.desk.extendPaths(this.#finger, this.#felt);
   }
 
   #draw(): void {
-    const world = this.#world, { phase } = this.#watch;
+    const world = this.world, { phase } = this.watch;
     this.#extend();
-    this.#desk.frame.dataset.phase = phase;
-    this.#desk.draw(world.plate_deg(), this.#finger, this.#felt);
-    const moving = world.moving() !== 0, goal_deg = this.#watch.course.virtual_deg;
+    this.desk.frame.dataset.phase = phase;
+    this.desk.draw(world.plate_deg(), this.#finger, this.#felt);
+    const moving = world.moving() !== 0, goal_deg = this.watch.course.virtual_deg;
     const finger_deg = moving ? world.finger_deg() : NaN;
     const felt_deg = moving ? goal_deg + world.felt_error_deg() : NaN;
-    this.#now.show(world.plate_deg(), finger_deg, felt_deg, goal_deg);
+    showNow(world.plate_deg(), finger_deg, felt_deg, goal_deg);
     say(this.#caption, this.#text(finger_deg, felt_deg));
   }
 
   #text(finger_deg: number, felt_deg: number): string {
-    const { phase, result } = this.#watch;
+    const { phase, result } = this.watch;
     if (phase === "arrived" && result) return resultText(result);
     if (Number.isNaN(finger_deg)) {
       if (phase === "sliding") return "The finger has stopped.";
-      return this.#settings.controller === "off" ? "The finger rests at the start. The plate stands still."
+      return this.settings.controller === "off" ? "The finger rests at the start. The plate stands still."
         : "The finger rests at the start. The plate turns to where the first moment of the slide wants it.";
     }
     return `The finger moves ${sideways(finger_deg)}; over these ridges that feels like ${sideways(felt_deg)}. ` +
-      `The ghost lies ${sideways(this.#watch.course.virtual_deg)}.`;
+      `The ghost lies ${sideways(this.watch.course.virtual_deg)}.`;
   }
 }

@@ -19,8 +19,14 @@ export class Connecting {
     const available = serial() !== null;
     this.#serial.disabled = !available;
     element("plate-unavailable", HTMLParagraphElement).hidden = available;
-    this.#serial.addEventListener("click", () => { void this.#connect(); });
-    this.#firmware.addEventListener("click", () => { void this.#emulate(); });
+    this.#serial.addEventListener("click", () => void this.#connect(this.#serial, async () => {
+      const port = await serial()?.requestPort();
+      return port ? SerialPlate.open(port) : null;
+    }));
+    this.#firmware.addEventListener("click", () => void this.#connect(this.#firmware, async () => {
+      const { Board } = await import("./board");  // with the emulator
+      return new FirmwarePlate(new Board());
+    }));
     this.#stop.addEventListener("click", () => { void this.#end("The plate was disconnected."); });
     window.addEventListener("pagehide", () => { void this.#device?.close(); });
   }
@@ -47,26 +53,15 @@ export class Connecting {
     say(this.#state, `${device.state}.`);
   }
 
-  async #connect(): Promise<void> {
-    this.#serial.disabled = true;
+  async #connect(button: HTMLButtonElement, open: () => Promise<PlateDevice | null>): Promise<void> {
+    button.disabled = true;
     try {
-      const port = await serial()?.requestPort();
-      if (port) this.#begin(await SerialPlate.open(port));
+      const device = await open();
+      if (device) this.#begin(device);
     } catch (error) {
       say(this.#state, `No plate is connected: ${error instanceof Error ? error.message : String(error)}`);
     }
-    if (!this.#device) this.#serial.disabled = false;
-  }
-
-  async #emulate(): Promise<void> {
-    this.#firmware.disabled = true;
-    try {
-      const { Board } = await import("./board");  // with the emulator
-      this.#begin(new FirmwarePlate(new Board()));
-    } catch (error) {
-      say(this.#state, `No plate is connected: ${error instanceof Error ? error.message : String(error)}`);
-      this.#firmware.disabled = false;
-    }
+    if (!this.#device) button.disabled = false;
   }
 
   #begin(device: PlateDevice): void {

@@ -24,11 +24,9 @@ function stateOf(link: PlateLink): string {
 
 /** The emulated board runs in the page's frames. Its plate is the servo's. */
 export class FirmwarePlate implements PlateDevice {
-  readonly board: Board;
   readonly link = new PlateLink((text) => this.board.hear(text));
 
-  constructor(board: Board) {
-    this.board = board;
+  constructor(private readonly board: Board) {
     const byte = new Uint8Array(1);
     this.board.onByte = (value) => {
       byte[0] = value;
@@ -59,16 +57,10 @@ export class FirmwarePlate implements PlateDevice {
 
 /** A plate on a serial line. */
 export class SerialPlate implements PlateDevice {
-  readonly link: PlateLink;
-  readonly #end: () => Promise<void>;
-  readonly #timer: ReturnType<typeof setInterval>;
+  // Frames stop while the page is hidden, or worn; the heartbeat must not.
+  readonly #timer = setInterval(() => this.advance(), 20);
 
-  private constructor(link: PlateLink, end: () => Promise<void>) {
-    this.link = link;
-    this.#end = end;
-    // Frames stop while the page is hidden, or worn; the heartbeat must not.
-    this.#timer = setInterval(() => this.advance(), 20);
-  }
+  private constructor(readonly link: PlateLink, private readonly end: () => Promise<void>) {}
 
   /** Rejects if the port cannot be opened. */
   static async open(port: SerialPort): Promise<SerialPlate> {
@@ -86,6 +78,6 @@ export class SerialPlate implements PlateDevice {
   async close(): Promise<void> {
     clearInterval(this.#timer);
     this.link.stop(performance.now());
-    await this.#end();
+    await this.end();
   }
 }

@@ -25,22 +25,14 @@ export function decodeLine(line: string): string | null {
   return body !== undefined && crc16(body) === parseInt(parts?.[2] ?? "", 16) ? body : null;
 }
 
-/** Bytes to lines. A line that is too long is dropped whole. */
+/** Bytes to lines, without their ends. A line that is too long is dropped whole. */
 export class LineReader {
-  #line = "";
-  #tooLong = false;
+  #rest = "";
 
-  /** The line that this byte ends, without its end; null: none. */
-  take(byte: number): string | null {
-    if (byte !== 0x0a) {
-      if (this.#line.length + 1 < max_bytes) this.#line += String.fromCharCode(byte);
-      else this.#tooLong = true;
-      return null;
-    }
-    const line = this.#tooLong ? null : this.#line.replace(/\r$/, "");
-    this.#line = "";
-    this.#tooLong = false;
-    return line;
+  take(bytes: Uint8Array): string[] {
+    const lines = (this.#rest + Array.from(bytes, (byte) => String.fromCharCode(byte)).join("")).split("\n");
+    this.#rest = (lines.pop() ?? "").slice(0, max_bytes);
+    return lines.filter(({ length }) => length < max_bytes).map((line) => line.replace(/\r$/, ""));
   }
 }
 
@@ -57,28 +49,20 @@ const refusals = ["length", "byte", "sum", "word", "number", "range", "greeting"
 
 /** What a body of the plate says; null: nothing that this page needs, or out of range. */
 export function parseMessage(body: string): PlateMessage | null {
-  const words = body.split(" "), [verb, ...rest] = words, first = rest[0] ?? "";
-  if (verb === "BOOT" && rest.length === 0) return { kind: "boot" };
-  if (verb === "STOPPED" && rest.length === 1 && reasons.includes(first)) return { kind: "stopped", why: first };
-  if (verb === "ERROR" && rest.length === 1 && refusals.includes(first)) return { kind: "error", why: first };
-  if (verb === "AT" && rest.length === 2) {
-    const orientation_deg = /^[+-]\d{3}\.\d{2}$/.test(first) ? Number(first) : NaN;
-    const sequence = /^\d{5}$/.test(rest[1] ?? "") ? Number(rest[1]) : NaN;
-    const known = Math.abs(orientation_deg) <= 360 || first === "unknown";
-    return known && sequence <= 65535 ? { kind: "at", orientation_deg, sequence } : null;
+  const [verb, first = "", ...rest] = body.split(" "), alone = rest.length === 0;
+  if (body === "BOOT") return { kind: "boot" };
+  if (verb === "STOPPED" && alone && reasons.includes(first)) return { kind: "stopped", why: first };
+  if (verb === "ERROR" && alone && refusals.includes(first)) return { kind: "error", why: first };
+  const at = /^AT ([+-]\d{3}\.\d{2}|unknown) (\d{5})$/.exec(body);
+  if (at) {
+    const orientation_deg = Number(at[1]), sequence = Number(at[2]);
+    return !(Math.abs(orientation_deg) > 360) && sequence <= 65535 ? { kind: "at", orientation_deg, sequence } : null;
   }
-  if (verb === "PLATE" && rest.length === 6 && first === "2") {
-    const [min_deg, max_deg, speed_deg_s, latency_ms] = rest.slice(1, 5).map(number) as [number, number, number, number];
-    const source = rest[5];
-    const valid = Math.abs(min_deg) <= 360 && Math.abs(max_deg) <= 360 && min_deg < max_deg && speed_deg_s > 0 &&
-      speed_deg_s <= 1e6 && latency_ms >= 0 && latency_ms <= 1000 && (source === "measured" || source === "assumed");
-    return valid ? { kind: "plate", min_deg, max_deg, speed_deg_s, latency_ms, measured: source === "measured" } : null;
-  }
-  return null;
-}
-
-function number(text: string): number {
-  return text.length <= 12 && /^[+-]?\d+(\.\d+)?$/.test(text) ? Number(text) : NaN;
+  if (!/^PLATE 2( [+-]?\d+(\.\d+)?){4} (measured|assumed)$/.test(body) || rest.some(({ length }) => length > 12)) return null;
+  const [min_deg, max_deg, speed_deg_s, latency_ms] = rest.slice(0, 4).map(Number) as [number, number, number, number];
+  const valid = Math.abs(min_deg) <= 360 && Math.abs(max_deg) <= 360 && min_deg < max_deg && speed_deg_s > 0 &&
+    speed_deg_s <= 1e6 && latency_ms >= 0 && latency_ms <= 1000;
+  return valid ? { kind: "plate", min_deg, max_deg, speed_deg_s, latency_ms, measured: rest[4] === "measured" } : null;
 }
 
 /** An angle as SET has it; within 360. */

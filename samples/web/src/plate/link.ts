@@ -22,13 +22,7 @@ const stops: Readonly<Record<string, string>> = {
 };
 
 /** What a plate said of itself. */
-export interface PlateFacts {
-  readonly min_deg: number;
-  readonly max_deg: number;
-  readonly speed_deg_s: number;
-  readonly latency_ms: number;
-  readonly measured: boolean;
-}
+export type PlateFacts = Extract<PlateMessage, { kind: "plate" }>;
 
 export class PlateLink {
   facts: PlateFacts | null = null;
@@ -39,7 +33,6 @@ export class PlateLink {
   /** From a line to its echo, the last one; NaN: none yet. */
   roundTrip_ms = NaN;
 
-  readonly #send: (text: string) => void;
   readonly #reader = new LineReader();
   readonly #sentAt_ms = new Map<number, number>();
   #began_ms = NaN;
@@ -55,7 +48,7 @@ export class PlateLink {
   #movedFrom_deg = NaN;
 
   /** `send` gets whole lines. */
-  constructor(send: (text: string) => void) { this.#send = send; }
+  constructor(private readonly send: (text: string) => void) {}
 
   /** Greeted, and heard of since. */
   get ready(): boolean { return this.#heardOf && this.failure === ""; }
@@ -66,9 +59,8 @@ export class PlateLink {
   }
 
   hear(bytes: Uint8Array, now_ms: number): void {
-    for (const byte of bytes) {
-      const line = this.#reader.take(byte), body = line === null ? null : decodeLine(line);
-      const message = body === null ? null : parseMessage(body);
+    for (const line of this.#reader.take(bytes)) {
+      const body = decodeLine(line), message = body === null ? null : parseMessage(body);
       if (message && !this.failure) this.#take(message, now_ms);
     }
   }
@@ -167,7 +159,7 @@ export class PlateLink {
 
   #say(body: string, now_ms: number): void {
     this.#said_ms = now_ms;
-    this.#send(encodeLine(body));
+    this.send(encodeLine(body));
   }
 
   #fail(why: string): void {

@@ -1,59 +1,70 @@
-// What only a headset shows: the tracked hand's joints, and a board with words behind the plate.
-import { CanvasTexture, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, PlaneGeometry, SphereGeometry,
-         type ColorRepresentation } from "three";
+// What only a headset shows: tracked hands, and a board with words behind the plate.
+import { CanvasTexture, Group, type Loader, Mesh, MeshBasicMaterial, MeshStandardMaterial, PerspectiveCamera, PlaneGeometry, type Vector3,
+         type Quaternion } from "three";
+import type { GLTF } from "three/addons/loaders/GLTFLoader.js";
+import { XRHandModelFactory } from "three/addons/webxr/XRHandModelFactory.js";
+import { cover, readHand } from "./hand_model";
+import type { Stage } from "./stage";
 
-const joints = 25;
 const width_px = 1024, height_px = 320, margin_px = 36;
 
-/** Of an XRFrame with hands; TypeScript's types lack them. */
-interface JointFrame {
-  fillPoses?(spaces: readonly XRSpace[], base: XRSpace, poses: Float32Array): boolean;
-  fillJointRadii?(spaces: readonly XRJointSpace[], radii: Float32Array): boolean;
-  getJointPose?(joint: XRJointSpace, base: XRSpace): XRJointPose | undefined;
-}
+/** Draws the stage in a headset. */
+export class Headset {
+  readonly #eyes = new PerspectiveCamera(40, 1, 0.01, 50);  // the headset moves this one
+  readonly #words = new WordBoard();
+  readonly #skin = new MeshStandardMaterial({ roughness: 0.6, transparent: true, opacity: 0.75 });
 
-/** The 25 joints of a hand, as balls. Memory is taken once for each hand. */
-export class HandJoints extends InstancedMesh<SphereGeometry, MeshStandardMaterial> {
-  readonly #poses = new Float32Array(16 * joints);
-  readonly #radii = new Float32Array(joints);
-  readonly #matrix = new Matrix4();
-  #hand: XRHand | undefined;
-  #spaces: XRJointSpace[] = [];
-
-  constructor() {
-    super(new SphereGeometry(1, 12, 8), new MeshStandardMaterial({ roughness: 0.7, transparent: true, opacity: 0.75 }), joints);
-    this.frustumCulled = false;
-    this.visible = false;
+  constructor(private readonly stage: Stage) {
+    stage.mount.add(this.#words);
+    const loader = { load: (file: string, use: (hand: GLTF) => void) => { void readHand(file === "left.glb" ? "left" : "right").then(use); } };
+    const factory = new XRHandModelFactory(loader as unknown as Loader<GLTF>, (hand) => cover(hand, this.#skin));
+    for (const hand of [0, 1].map((i) => stage.renderer.xr.getHand(i))) stage.scene.add(hand.add(factory.createHandModel(hand, "mesh")));
   }
 
-  setColour(colour: ColorRepresentation): void { this.material.color.set(colour); }
-
-  /** In the space of the frames. Hides a hand that is lost, in part or whole. */
-  show(frame: JointFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
-    if (hand !== this.#hand) {
-      this.#hand = hand;
-      this.#spaces = hand ? [...hand.values()] : [];
-    }
-    this.visible = this.#spaces.length === joints && (frame.fillPoses && frame.fillJointRadii
-      ? frame.fillPoses(this.#spaces, space, this.#poses) && frame.fillJointRadii(this.#spaces, this.#radii) : this.#each(frame, space));
-    if (!this.visible) return;
-    for (let i = 0; i < joints; ++i) {
-      const radius_m = this.#radii[i] ?? 0;
-      this.#matrix.fromArray(this.#poses, 16 * i);
-      this.#matrix.elements[15] = 1;
-      for (let j = 0; j < 12; ++j) this.#matrix.elements[j] = (this.#matrix.elements[j] ?? 0) * radius_m;
-      this.setMatrixAt(i, this.#matrix);
-    }
-    this.instanceMatrix.needsUpdate = true;
+  /** The plate and all about it lie there, in the space of the frames. */
+  put(position: Vector3, rotation: Quaternion): void {
+    const { mount } = this.stage;
+    mount.position.copy(position);
+    mount.quaternion.copy(rotation);
+    mount.updateMatrixWorld(true);
   }
 
-  /** Joint by joint, in browsers that do not give a hand at once. */
-  #each(frame: JointFrame, space: XRReferenceSpace): boolean {
-    return this.#spaces.every((joint, i) => {
-      const pose = frame.getJointPose?.(joint, space);
-      if (pose) this.#poses.set(pose.transform.matrix, 16 * i);
-      this.#radii[i] = pose?.radius ?? 0.008;
-      return pose !== undefined && pose !== null;
+  /** Tracked hands stand for the finger, and words for the page. */
+  show(worn: boolean): void {
+    this.stage.finger.visible = !worn;
+    this.#words.visible = worn;
+  }
+
+  say(title: string, text: string): void {
+    const { colours } = this.stage;
+    if (!colours) return;
+    this.#skin.color.set(colours.hand);
+    this.#words.say(title, text, colours.text, colours.panel);
+  }
+
+  /** Draws until the session ends: `frame` is called before each picture, with the space in which `mount` stands; `moved`
+   *  when the headset has moved that space, as by its recentring. Rejects if the browser cannot. */
+  async present(session: XRSession, passthrough: boolean, frame: (time_ms: number, frame: XRFrame, space: XRReferenceSpace) => void,
+                moved: () => void): Promise<void> {
+    const { renderer, scene, desk, mount } = this.stage, { xr } = renderer, { background } = scene;
+    xr.enabled = true;
+    xr.setReferenceSpaceType("local");  // seated or standing: no floor is needed
+    session.addEventListener("end", () => {
+      renderer.setAnimationLoop(null);
+      xr.enabled = false;
+      scene.background = background;
+      desk.visible = true;
+      mount.position.set(0, 0, 0);
+      mount.quaternion.identity();
+    });
+    await xr.setSession(session);
+    xr.getReferenceSpace()?.addEventListener("reset", moved);
+    desk.visible = !passthrough;
+    if (passthrough) scene.background = null;
+    renderer.setAnimationLoop((time_ms: number, xrFrame: XRFrame | undefined) => {
+      const space = xr.getReferenceSpace();
+      if (xrFrame && space) frame(time_ms, xrFrame, space);
+      renderer.render(scene, this.#eyes);
     });
   }
 }

@@ -1,6 +1,6 @@
 // What lies and moves about the plate: the real cylinder, the ghost, the hand, the felt fingertip.
 import { CapsuleGeometry, CylinderGeometry, EdgesGeometry, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh,
-         MeshBasicMaterial, MeshStandardMaterial, RingGeometry, SphereGeometry, Vector2, type ColorRepresentation } from "three";
+         MeshBasicMaterial, MeshStandardMaterial, RingGeometry, SphereGeometry, Vector2, type ColorRepresentation, type Material, type Object3D } from "three";
 
 /** A solid cylinder that stands at its origin. */
 export class RealCylinder extends Group {
@@ -32,34 +32,27 @@ export class Ghost extends Group {
   }
 }
 
-/** A finger whose tip touches its origin; it comes from the viewer's side. */
+/** A pointing hand whose fingertip touches its origin; a finger until the model has come. */
 export class Finger extends Group {
-  readonly #tip = new MeshStandardMaterial({ roughness: 0.7, transparent: true });
-  readonly #rest = new MeshStandardMaterial({ roughness: 0.7, transparent: true, opacity: 0.7 });
+  readonly #skin = new MeshStandardMaterial({ roughness: 0.6, transparent: true });
   constructor() {
     super();
-    this.#addSegment(0.0062, 0, 0.016, 0.85, this.#tip);
-    this.#addSegment(0.0068, 0.021, 0.042, 0.95, this.#rest);
-    this.#addSegment(0.0075, 0.048, 0.085, 1.0, this.#rest);
+    const finger = new Mesh(new CapsuleGeometry(0.0065, 0.06, 8, 20), this.#skin);
+    finger.position.set(0.014, 0.025, 0.024);
+    finger.rotation.set(0.9, 0, -0.4);
+    finger.castShadow = true;
+    this.add(finger);
   }
-  setColour(colour: ColorRepresentation): void {
-    this.#tip.color.set(colour);
-    this.#rest.color.set(colour);
+  /** `model`: of hand_model.ts. */
+  async become(model: (skin: Material) => Promise<Object3D>): Promise<void> {
+    const hand = await model(this.#skin);
+    this.clear().add(hand);
   }
+  setColour(colour: ColorRepresentation): void { this.#skin.color.set(colour); }
   /** From 0, not there, to 1. */
   fade(share: number): void {
     this.visible = share > 0;
-    this.#tip.opacity = share;
-    this.#rest.opacity = 0.7 * share;
-  }
-  /** From `from_m` to `to_m` along a line that leans towards the viewer by `lean` from upright, in radians. */
-  #addSegment(radius_m: number, from_m: number, to_m: number, lean: number, material: MeshStandardMaterial): void {
-    const segment = new Mesh(new CapsuleGeometry(radius_m, to_m - from_m, 8, 20), material);
-    const middle_m = (from_m + to_m) / 2;
-    segment.position.set(0, 0.0062 + Math.cos(lean) * middle_m, Math.sin(lean) * middle_m);
-    segment.rotation.x = lean;
-    segment.castShadow = true;
-    this.add(segment);
+    this.#skin.opacity = share;
   }
 }
 

@@ -1,11 +1,11 @@
 // The desk in three dimensions. Draws what it is given; knows no plugin and no person.
 import { HapticPlate } from "haptic-retargeting/three";
-import { AmbientLight, BoxGeometry, type BufferGeometry, Color, DirectionalLight, Group, type Material, Mesh, MeshStandardMaterial, PerspectiveCamera, Plane,
+import { BoxGeometry, type BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, type Material, Mesh, MeshStandardMaterial, PerspectiveCamera, Plane,
          Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { ahead, radius_m, ridgeSpacing_m, start, type Place } from "../geometry";
 import type { VisitorScene } from "../files/scene";
 import type { Colours } from "../theme";
-import { HandJoints, WordBoard } from "./headset";
 import { colourTargets, FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";
 import { Ribbon } from "./ribbon";
 
@@ -23,13 +23,13 @@ export type LabelName = "real" | "ghost" | "finger" | "felt";
 
 export class Stage {
   readonly truePath = new Ribbon(0.0022, 0, pathHeight_m);
-  readonly feltPath = new Ribbon(0.0022, 0.004, pathHeight_m);
-  readonly #renderer: WebGLRenderer;
-  readonly #scene = new Scene();
+  readonly feltPath = new Ribbon(0.0022, 0.008, pathHeight_m);
+  readonly renderer: WebGLRenderer;
+  readonly scene = new Scene();
   /** All that stands on or about the plate, in plate coordinates; in a headset, where the plate is. */
   readonly mount = new Group();
-  readonly #ambient = new AmbientLight(0xffffff, 1.4);
-  readonly #eyes = new PerspectiveCamera(fieldOfView_deg, 1, 0.01, 50);  // a headset moves this one
+  /** The visitor turns the picture by a drag, except from above. */
+  readonly orbit: OrbitControls;
   readonly #camera = new PerspectiveCamera(fieldOfView_deg, 1, 0.01, 5);
   readonly #disc = new MeshStandardMaterial({ roughness: 0.85 });
   readonly #ridges = new MeshStandardMaterial({ roughness: 0.6 });
@@ -37,17 +37,15 @@ export class Stage {
   // Ridges are drawn larger than they are: as a headset would have them, they could hardly be seen from here.
   readonly plate = new HapticPlate({ radius_m, ridgeSpacing_m, ridgeWidth_m: 0.0016, ridgeHeight_m: 0.0022,
                                       discMaterial: this.#disc, ridgeMaterial: this.#ridges, markMaterial: this.#mark });
-  readonly #desk = new Mesh(new BoxGeometry(1.2, 0.02, 0.9), new MeshStandardMaterial({ roughness: 1 }));
+  readonly desk = new Mesh(new BoxGeometry(1.2, 0.02, 0.9), new MeshStandardMaterial({ roughness: 1 }));
   readonly #real = new RealCylinder();
   readonly #ghost = new Ghost();
-  readonly #finger = new Finger();
+  readonly finger = new Finger();
   readonly #felt = new FeltTip();
   readonly #start = new StartMark();
   readonly #visited = new Group();
-  readonly #joints = new HandJoints();
-  readonly #words = new WordBoard();
-  #colours: Colours | null = null;
-  readonly #lamp = new DirectionalLight(0xffffff, 2.2);
+  colours: Colours | null = null;
+  readonly #lamp = new DirectionalLight(0xfff4e6, 1.7);
   readonly #ray = new Raycaster();
   readonly #surface = new Plane(new Vector3(0, 1, 0), 0);
   readonly #point = new Vector3();
@@ -57,31 +55,34 @@ export class Stage {
 
   /** Throws if the browser has no WebGL. */
   constructor(canvas: HTMLCanvasElement) {
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true });
-    this.#renderer.shadowMap.enabled = true;
-    this.#desk.position.y = -0.018;
-    this.#desk.receiveShadow = true;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer.shadowMap.enabled = true;
+    this.orbit = new OrbitControls(this.#camera, canvas);
+    Object.assign(this.orbit, { enableZoom: false, enablePan: false, maxPolarAngle: 1.4 });
+    canvas.style.touchAction = "pan-y pinch-zoom";  // a thumb still scrolls the page
+    this.desk.position.y = -0.018;
+    this.desk.receiveShadow = true;
     this.#start.position.x = start.right_m;
     this.#start.position.z = -start.away_m;
     this.#lamp.position.set(-0.25, 0.5, 0.15);
     this.#lamp.castShadow = true;
     this.#lamp.shadow.mapSize.set(1024, 1024);
+    Object.assign(this.#lamp.shadow, { radius: 6, intensity: 0.7, normalBias: 0.0005 });
     Object.assign(this.#lamp.shadow.camera, { left: -0.2, right: 0.2, top: 0.2, bottom: -0.2, near: 0.1, far: 1.2 });
-    this.mount.add(this.#desk, this.plate, this.#real, this.#ghost, this.#finger, this.#felt, this.#start, this.#visited, this.truePath,
+    this.mount.add(this.desk, this.plate, this.#real, this.#ghost, this.finger, this.#felt, this.#start, this.#visited, this.truePath,
                    this.feltPath, this.#lamp, this.#lamp.target);
-    this.mount.add(this.#words);
-    this.#scene.add(this.mount, this.#joints, this.#ambient);
+    this.scene.add(this.mount, new HemisphereLight(0xffffff, 0x9a8f86, 1.9));
   }
 
   setColours(colours: Colours): void {
-    this.#colours = colours;
+    this.colours = colours;
     colourTargets(this.#visited, colours.real, colours.felt);
     for (const thing of this.#visited.children) {
       if (thing instanceof RealCylinder) thing.setColour(colours.real);
       else if (thing instanceof Ghost) thing.setColour(colours.felt);
     }
-    this.#scene.background = new Color(colours.stage);
-    this.#desk.material.color.set(colours.desk);
+    this.scene.background = new Color(colours.stage);
+    this.desk.material.color.set(colours.desk);
     this.#disc.color.set(colours.plate);
     this.#ridges.color.set(colours.ridges);
     this.#mark.color.set(colours.chartPlate);
@@ -90,8 +91,7 @@ export class Stage {
     this.#ghost.setColour(colours.felt);
     this.#felt.setColour(colours.felt);
     this.feltPath.setColour(colours.felt);
-    this.#finger.setColour(colours.hand);
-    this.#joints.setColour(colours.hand);
+    this.finger.setColour(colours.hand);
     this.#start.material.color.set(colours.text);
   }
 
@@ -110,19 +110,19 @@ export class Stage {
     });
     this.#visited.clear();
     for (const own of [this.#real, this.#ghost]) own.visible = !scene;
-    this.#desk.visible = !scene?.meshes;
+    this.desk.visible = !scene?.meshes;
     if (scene?.meshes) {
       const { group } = scene.meshes;
       group.scale.setScalar(scene.scale);
       this.#visited.add(group);
-      if (this.#colours) colourTargets(group, this.#colours.real, this.#colours.felt);
+      if (this.colours) colourTargets(group, this.colours.real, this.colours.felt);
     }
     const from = scene?.start ?? start;
     this.#start.position.set(from.right_m, this.#start.position.y, -from.away_m);
     for (const { name, real, drawn } of scene?.targets ?? []) {
       if (scene?.meshes?.targets.has(name)) continue;
       const thing = real ? new RealCylinder() : new Ghost();
-      if (this.#colours) thing.setColour(real ? this.#colours.real : this.#colours.felt);
+      if (this.colours) thing.setColour(real ? this.colours.real : this.colours.felt);
       thing.position.set(drawn.right_m, 0, -drawn.away_m);
       this.#visited.add(thing);
     }
@@ -130,12 +130,14 @@ export class Stage {
 
   setView(view: keyof typeof eyes): void {
     this.#camera.position.copy(eyes[view].from);
-    this.#camera.lookAt(eyes[view].to);
+    this.orbit.target.copy(eyes[view].to);
+    this.orbit.enabled = view !== "above";
+    this.orbit.update();
   }
 
   /** How much is shown of what is true, from 0 to 1: the hand fades in, its path draws itself. */
   reveal(share: number): void {
-    this.#finger.fade(share);
+    this.finger.fade(share);
     this.truePath.shown = share;
     this.#real.visible = share > 0 && this.#ghost.visible;
   }
@@ -147,7 +149,7 @@ export class Stage {
 
   place(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
     this.plate.orientation_deg = plate_deg;
-    this.#finger.position.set(finger.right_m, 0.002, -finger.away_m);
+    this.finger.position.set(finger.right_m, 0.002, -finger.away_m);
     this.#felt.position.set(felt.right_m, 0, -felt.away_m);
   }
 
@@ -161,8 +163,8 @@ export class Stage {
     if (width < 1 || height < 1) return;
     this.#width = width;
     this.#height = height;
-    this.#renderer.setPixelRatio(Math.min(pixelRatio, 2));
-    this.#renderer.setSize(width, height, false);
+    this.renderer.setPixelRatio(Math.min(pixelRatio, 2));
+    this.renderer.setSize(width, height, false);
     this.#camera.aspect = width / height;
     // The plate's width fits into a narrow window too.
     const widening = Math.max(1, minAspect / this.#camera.aspect);
@@ -170,45 +172,7 @@ export class Stage {
     this.#camera.updateProjectionMatrix();
   }
 
-  /** In a headset the tracked hand stands for the finger, and words for the page. */
-  showHeadset(worn: boolean): void {
-    this.#finger.visible = !worn;
-    this.#words.visible = worn;
-    if (!worn) this.#joints.visible = false;
-  }
-
-  showHand(frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace, title: string, text: string): void {
-    this.#joints.show(frame as object, hand, space);
-    if (this.#colours) this.#words.say(title, text, this.#colours.text, this.#colours.panel);
-  }
-
-  /** Draws in a headset, until its session ends: `frame` is called before each picture, with the space in which `mount`
-   *  stands; `moved` when the headset has moved that space, as by its recentring. Rejects if the browser cannot. */
-  async present(session: XRSession, passthrough: boolean, frame: (time_ms: number, frame: XRFrame, space: XRReferenceSpace) => void,
-                moved: () => void): Promise<void> {
-    const { xr } = this.#renderer, background = this.#scene.background;
-    xr.enabled = true;
-    xr.setReferenceSpaceType("local");  // seated or standing: no floor is needed
-    session.addEventListener("end", () => {
-      this.#renderer.setAnimationLoop(null);
-      xr.enabled = false;
-      this.#scene.background = background;
-      this.#desk.visible = true;
-      this.mount.position.set(0, 0, 0);
-      this.mount.quaternion.identity();
-    });
-    await xr.setSession(session);
-    xr.getReferenceSpace()?.addEventListener("reset", moved);
-    this.#desk.visible = !passthrough;
-    if (passthrough) this.#scene.background = null;
-    this.#renderer.setAnimationLoop((time_ms: number, xrFrame: XRFrame | undefined) => {
-      const space = xr.getReferenceSpace();
-      if (xrFrame && space) frame(time_ms, xrFrame, space);
-      this.#renderer.render(this.#scene, this.#eyes);
-    });
-  }
-
-  draw(): void { this.#renderer.render(this.#scene, this.#camera); }
+  draw(): void { this.renderer.render(this.scene, this.#camera); }
 
   /** Where on the plate's plane a point of the canvas lies, in CSS pixels from its corner; false beyond the horizon. */
   toPlate(x: number, y: number, out: Place): boolean {
@@ -222,7 +186,7 @@ export class Stage {
 
   /** Where a label belongs on the canvas, in CSS pixels from its corner. */
   toCanvas(label: LabelName, out: { x: number; y: number }): void {
-    const thing = { real: this.#real, ghost: this.#ghost, finger: this.#finger, felt: this.#felt }[label];
+    const thing = { real: this.#real, ghost: this.#ghost, finger: this.finger, felt: this.#felt }[label];
     this.#toCanvas(thing.position.x, label === "real" || label === "ghost" ? headHeight_m : 0.006, thing.position.z, out);
   }
 

@@ -21,12 +21,10 @@ export class Placing {
   readonly position = new Vector3();
   readonly rotation = new Quaternion();
 
-  readonly #session: Session | null;
   readonly #rest = new Rest(pointRadius_m, rest_ms);
 
   /** By marks: `session` is registered. Null: by pointing. */
-  constructor(session: Session | null) {
-    this.#session = session;
+  constructor(private readonly session: Session | null) {
     if (!session) return;
     if (session.state & HRT_STATE_SETTING_UP) session.cancelSetup();
     session.beginSetup(HRT_SETUP_REGISTRATION, {
@@ -37,7 +35,7 @@ export class Placing {
 
   /** True once the plate has a place. `forward`: where the visitor looks. */
   update(time_ms: number, tip: Vector3 | null, forward: Vector3): boolean {
-    if (this.#session) return this.#touch(this.#session, time_ms, tip);
+    if (this.session) return this.#touch(this.session, time_ms, tip);
     return this.#rest.update(time_ms, tip) && this.#point(forward);
   }
 

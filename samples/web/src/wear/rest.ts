@@ -4,22 +4,17 @@ import { Vector3 } from "three";
 export class Rest {
   /** Mean of the positions of the rest. */
   readonly place = new Vector3();
-  readonly #radius_m: number;
-  readonly #time_ms: number;
   readonly #sum = new Vector3();
   #count = 0;
   #since_ms = NaN;
   #taken = false;
 
   /** A rest stays within `radius_m` of its mean for `time_ms`. */
-  constructor(radius_m: number, time_ms: number) {
-    this.#radius_m = radius_m;
-    this.#time_ms = time_ms;
-  }
+  constructor(private readonly radius_m: number, private readonly time_ms: number) {}
 
   /** True once for each rest: the fingertip has to move off before the next one. A lost fingertip (null) rests nowhere. */
   update(time_ms: number, tip: Vector3 | null): boolean {
-    if (!tip || (this.#count > 0 && tip.distanceTo(this.place) > this.#radius_m)) {
+    if (!tip || (this.#count > 0 && tip.distanceTo(this.place) > this.radius_m)) {
       this.#count = 0;
       this.#sum.set(0, 0, 0);
       if (!tip) return false;
@@ -28,7 +23,7 @@ export class Rest {
     if (this.#count === 0) this.#since_ms = time_ms;
     this.#sum.add(tip);
     this.place.copy(this.#sum).divideScalar(++this.#count);
-    if (this.#taken || time_ms - this.#since_ms < this.#time_ms) return false;
+    if (this.#taken || time_ms - this.#since_ms < this.time_ms) return false;
     return (this.#taken = true);
   }
 

@@ -3,12 +3,12 @@
 import { HRT_COMMAND_ARRIVED, type Library } from "haptic-retargeting";
 import { HandReach, type HapticPlate } from "haptic-retargeting/three";
 import { Quaternion, Vector3 } from "three";
-import { Controller, pageCourse } from "../controller";
+import { pageCourse } from "../controller";
 import { Felt } from "../felt";
-import { length_m, realPlace, start, virtualPlace, type Place } from "../geometry";
+import { length_m, slideEnd, start, type Place, type SlideEnd } from "../geometry";
+import { Led } from "../led";
 import type { World } from "../person";
 import type { Settings } from "../settings";
-import { Trace, tracePeriod_ms } from "../trace";
 import { Placing } from "./placing";
 import { Rest } from "./rest";
 
@@ -22,45 +22,30 @@ const maxFrame_ms = 100;
 
 export type WearPhase = "placing" | "ready" | "sliding" | "arrived";
 
-export interface WearResult {
-  readonly toCylinder_mm: number;
-  readonly toGhost_mm: number;
-  readonly feltToGhost_mm: number;
-}
-
 /** What wear needs of an XRFrame. */
 export interface WearFrame {
   getJointPose?(joint: XRJointSpace, space: XRSpace): XRJointPose | undefined;
   getViewerPose(space: XRReferenceSpace): XRViewerPose | undefined;
 }
 
-export class Wear {
-  readonly trace = new Trace();
+export class Wear extends Led {
   readonly finger: Place = { ...start };
   phase: WearPhase = "placing";
-  result: WearResult | null = null;
+  result: SlideEnd | null = null;
   /** What the visitor is to do, or has done. */
   text = "";
   /** The reach's hand is not seen. */
   lost = false;
-  recording = "";
-  /** Where a connected plate is; NaN: there is none, and the simulated one turns. */
-  plateConnected_deg = NaN;
   /** Called when the plate has been placed: in the space of the frames. */
   onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
 
-  readonly #library: Library;
-  readonly #world: World;
-  readonly #plate: HapticPlate;
   readonly #felt = new Felt();
-  readonly #shift_deg = (finger_deg: number): number => this.#world.felt_shift_deg(this.#world.plate_deg(), finger_deg);
+  readonly #shift_deg = (finger_deg: number): number => this.world.felt_shift_deg(this.world.plate_deg(), finger_deg);
   readonly #rest = new Rest(startRadius_m, startRest_ms);
   readonly #tip = new Vector3();
   readonly #onPlate = new Vector3();
   readonly #forward = new Vector3();
   readonly #view = new Quaternion();
-  #settings: Settings;
-  #controller: Controller;
   #reach: HandReach;
   #placing: Placing;
   #byMarks = false;
@@ -70,13 +55,10 @@ export class Wear {
   #seen_ms = 0;
 
   /** `plate` is the one that is drawn, in its place in the scene. */
-  constructor(library: Library, world: World, plate: HapticPlate, settings: Readonly<Settings>) {
-    this.#library = library;
-    this.#world = world;
-    this.#plate = plate;
-    this.#settings = { ...settings };
-    this.#controller = this.#create();
-    this.#reach = new HandReach(this.#controller.session, plate);
+  constructor(library: Library, world: World, private readonly plate: HapticPlate, settings: Readonly<Settings>) {
+    super(library, world, settings, pageCourse(settings));
+    this.session.configure({ lift_height_m: liftHeight_m });
+    this.#reach = new HandReach(this.session, plate);
     this.#placing = new Placing(null);
     this.#restart();
     this.phase = "placing";
@@ -85,12 +67,11 @@ export class Wear {
   get felt(): Readonly<Place> { return this.#felt.place; }
   get finger_deg(): number { return this.#felt.finger_deg; }
   get felt_deg(): number { return this.#felt.felt_deg; }
-  get command() { return this.#controller.session.command; }
 
   /** Another session of a headset, or another room: the plate is placed anew, as it is said after `why`. */
   begin(byMarks: boolean, why = ""): void {
     this.#byMarks = byMarks;
-    this.#placing = new Placing(byMarks ? this.#controller.session : null);
+    this.#placing = new Placing(byMarks ? this.session : null);
     this.#time_ms = NaN;
     this.#restart();
     this.phase = "placing";
@@ -100,12 +81,11 @@ export class Wear {
 
   /** Other settings, with a hand that is unknown to the controller. */
   apply(settings: Readonly<Settings>): void {
-    this.#settings = { ...settings };
-    const { plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags } = this.#controller.session.config;
-    this.#controller.destroy();
-    this.#controller = this.#create();
-    this.#controller.session.configure({ plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags });
-    this.#reach = new HandReach(this.#controller.session, this.#plate);
+    this.settings = { ...settings };
+    const { plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags } = this.session.config;
+    this.renew(pageCourse(settings));
+    this.session.configure({ plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags, lift_height_m: liftHeight_m });
+    this.#reach = new HandReach(this.session, this.plate);
     if (this.phase === "placing") this.begin(this.#byMarks);
     else this.#restart();
   }
@@ -125,19 +105,12 @@ export class Wear {
     if (resting) this.#start();
   }
 
-  #create(): Controller {
-    const settings = this.#settings, controller = new Controller(this.#library, settings, pageCourse(settings), this.#world.plate_latency_ms());
-    controller.session.configure({ lift_height_m: liftHeight_m });
-    return controller;
-  }
-
   /** The plate follows its command; time passes in whole milliseconds. */
   #advance(elapsed_ms: number): void {
     this.#owed_ms += elapsed_ms;
     for (; this.#owed_ms >= 1; --this.#owed_ms) {
-      if (!Number.isNaN(this.plateConnected_deg)) this.#world.set_plate(this.plateConnected_deg);
-      this.#world.advance();
-      if (this.phase === "sliding" && this.#world.time_ms() % tracePeriod_ms === 0) this.#record();
+      this.tick();
+      if (this.phase === "sliding") this.record(this.finger_deg, this.felt_deg);
     }
   }
 
@@ -165,14 +138,9 @@ export class Wear {
   }
 
   #restart(): void {
-    const settings = this.#settings;
-    this.#controller.cancel();
-    this.#controller.takeRecording();
-    this.#world.set_person(settings.person, settings.tactile_weight, settings.pace_s);
-    this.#world.set_apparatus(settings.noise_mm / 1000, settings.plate_deg_s);
-    this.#world.begin_hand(0);
-    this.#plate.orientation_deg = this.#world.plate_deg();
-    this.trace.clear();
+    this.prepare();
+    this.world.begin_hand(0);
+    this.plate.orientation_deg = this.world.plate_deg();
     Object.assign(this.finger, start);
     this.#felt.begin(start);
     this.#rest.reset();
@@ -183,23 +151,23 @@ export class Wear {
   }
 
   #atStart(tip: Vector3): boolean {
-    const { x, y, z } = this.#plate.worldToLocal(this.#onPlate.copy(tip));
+    const { x, y, z } = this.plate.worldToLocal(this.#onPlate.copy(tip));
     return Math.hypot(x - start.right_m, z + start.away_m) < startRadius_m && Math.abs(y) < startHeight_m;
   }
 
   #start(): void {
     this.#restart();
-    this.#controller.begin(this.#world.plate_deg());
+    this.lead(this.world.plate_deg());
     this.#seen_ms = this.#time_ms;
     this.phase = "sliding";
     this.text = "Slide to the ghost, the orange goblet. Stop there.";
   }
 
   #slide(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {
-    const reach = this.#reach, { sample } = this.#controller.session;
+    const reach = this.#reach, { sample } = this.session;
     reach.measuredPlate_deg = this.plateConnected_deg;
-    this.#world.command(reach.updateFromHand(this.#time_ms, frame, hand, space).plate_orientation_deg);
-    this.#plate.orientation_deg = this.#world.plate_deg();
+    this.world.command(reach.updateFromHand(this.#time_ms, frame, hand, space).plate_orientation_deg);
+    this.plate.orientation_deg = this.world.plate_deg();
     this.lost = reach.lost;
     if (reach.lost) {
       if (this.#time_ms - this.#seen_ms <= lostLimit_ms) return;
@@ -223,24 +191,13 @@ export class Wear {
 
   /** A hand that feels no plate teaches the controller nothing. */
   #arrive(): void {
-    if (Number.isNaN(this.plateConnected_deg)) this.#controller.cancel();
-    else this.#controller.end();
-    this.recording = this.#controller.takeRecording();
-    const course = pageCourse(this.#settings), ghost = virtualPlace(course);
-    this.result = {
-      toCylinder_mm: 1000 * length_m(this.finger, realPlace(course)),
-      toGhost_mm: 1000 * length_m(this.finger, ghost),
-      feltToGhost_mm: 1000 * length_m(this.felt, ghost),
-    };
+    if (!Number.isNaN(this.plateConnected_deg)) this.session.endReach();
+    this.recording = this.drop();
+    this.result = slideEnd(this.finger, this.felt, pageCourse(this.settings));
     this.phase = "arrived";
     this.#rest.reset();
     const { toCylinder_mm, toGhost_mm, feltToGhost_mm } = this.result;
     this.text = `Your finger ended ${toCylinder_mm.toFixed(0)} mm from the real cylinder and ${toGhost_mm.toFixed(0)} mm from the ` +
       `ghost. On ridges it would be felt ${feltToGhost_mm.toFixed(0)} mm from the ghost. Back to the ring for the next one.`;
-  }
-
-  #record(): void {
-    const { tactile_weight, tactile_weight_sd } = this.command, learns = this.#settings.controller !== "off";
-    this.trace.add(this.#world.plate_deg(), this.finger_deg, this.felt_deg, learns ? tactile_weight : NaN, learns ? tactile_weight_sd : NaN);
   }
 }

@@ -1,10 +1,11 @@
 // The mode "Wear it": asks the browser for a headset with hand tracking, and shows the visitor's reaches in it.
 import type { Desk } from "../desk";
-import type { Now } from "../now";
+import { showNow } from "../now";
 import { element, radios, say } from "../page";
 import { pageCourse } from "../controller";
 import type { World } from "../person";
 import type { Settings } from "../settings";
+import { Headset } from "../stage/headset";
 import type { Voice } from "../voice";
 import type { Wear } from "./wear";
 
@@ -14,11 +15,7 @@ const kinds: readonly (readonly [Kind, string])[] = [["immersive-vr", "enter-vr"
 const ahead_m = 0.45, below_m = 0.3;
 
 export class Wearing {
-  readonly #wear: Wear;
-  readonly #world: World;
-  readonly #desk: Desk;
-  readonly #now: Now;
-  readonly #voice: Voice;
+  readonly #headset: Headset | null;
   readonly #caption = element("caption", HTMLParagraphElement);
   readonly #leave = element("leave", HTMLButtonElement);
   readonly #buttons = kinds.map(([kind, id]) => ({ kind, button: element(id, HTMLButtonElement), supported: false }));
@@ -27,25 +24,15 @@ export class Wearing {
   #before_ms = NaN;
   #spoken = "";
   #message = "Put a headset on, and be the finger. A headset's browser with hand tracking is needed.";
-  #settings: Readonly<Settings>;
   /** The headset's own frames, for what else follows the controller. */
   onFrame: (elapsed_ms: number) => void = () => {};
   /** A session has ended: the page draws again. */
   onLeft: () => void = () => {};
 
-  constructor(wear: Wear, world: World, desk: Desk, now: Now, voice: Voice, settings: Readonly<Settings>) {
-    this.#wear = wear;
-    this.#world = world;
-    this.#desk = desk;
-    this.#now = now;
-    this.#voice = voice;
-    this.#settings = settings;
-    const { stage } = desk;
-    wear.onPlaced = (position, rotation) => {
-      stage?.mount.position.copy(position);
-      stage?.mount.quaternion.copy(rotation);
-      stage?.mount.updateMatrixWorld(true);
-    };
+  constructor(readonly wear: Wear, private readonly world: World, private readonly desk: Desk,
+              private readonly voice: Voice, private settings: Readonly<Settings>) {
+    this.#headset = desk.stage && new Headset(desk.stage);
+    wear.onPlaced = (position, rotation) => this.#headset?.put(position, rotation);
     for (const { kind, button } of this.#buttons) button.addEventListener("click", () => { void this.#enter(kind); });
     this.#leave.addEventListener("click", () => { void this.#session?.end(); });
     void this.#ask();
@@ -56,29 +43,29 @@ export class Wearing {
   get worn(): boolean { return this.#session !== null; }
 
   apply(settings: Readonly<Settings>): void {
-    this.#settings = settings;
-    this.#wear.apply(settings);
-    this.#desk.clearPaths();
+    this.settings = settings;
+    this.wear.apply(settings);
+    this.desk.clearPaths();
   }
 
   /** A frame of the page, while no headset is worn. */
   frame(): void {
-    this.#desk.frame.dataset.phase = this.#wear.phase;
-    this.#desk.draw(this.#world.plate_deg(), this.#wear.finger, this.#wear.felt);
+    this.desk.frame.dataset.phase = this.wear.phase;
+    this.desk.draw(this.world.plate_deg(), this.wear.finger, this.wear.felt);
     this.#show();
   }
 
   async #ask(): Promise<void> {
     for (const entry of this.#buttons) {
-      entry.supported = this.#desk.stage !== null && (await navigator.xr?.isSessionSupported(entry.kind).catch(() => false) ?? false);
+      entry.supported = this.desk.stage !== null && (await navigator.xr?.isSessionSupported(entry.kind).catch(() => false) ?? false);
       entry.button.disabled = !entry.supported;
     }
     element("wear-unavailable", HTMLParagraphElement).hidden = this.#buttons.some(({ supported }) => supported);
   }
 
   async #enter(kind: Kind): Promise<void> {
-    const { stage } = this.#desk;
-    if (!stage || this.#session || !navigator.xr) return;
+    const headset = this.#headset;
+    if (!headset || this.#session || !navigator.xr) return;
     for (const { button } of this.#buttons) button.disabled = true;
     let session: XRSession | null = null;
     try {
@@ -88,11 +75,11 @@ export class Wearing {
       this.#leave.hidden = false;
       this.#handedness = "none";
       this.#before_ms = NaN;
-      this.#wear.begin(this.#byMarks);
-      this.#desk.clearPaths();
-      stage.showHeadset(true);
-      await stage.present(session, kind === "immersive-ar", (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
-                          () => this.#moved());
+      this.wear.begin(this.#byMarks);
+      this.desk.clearPaths();
+      headset.show(true);
+      await headset.present(session, kind === "immersive-ar", (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
+                            () => this.#moved());
     } catch (error) {
       this.#message = `The headset cannot be entered: ${error instanceof Error ? error.message : String(error)}${advice(error)}`;
       if (session && this.#session) await session.end().catch(() => this.#left());
@@ -103,28 +90,28 @@ export class Wearing {
   #left(): void {
     const was = this.#session;
     this.#session = null;
-    this.#wear.end();
+    this.wear.end();
     this.#leave.hidden = true;
     for (const { button, supported } of this.#buttons) button.disabled = !supported;
-    this.#desk.stage?.showHeadset(false);
+    this.#headset?.show(false);
     if (!was) return;
     this.#message = "You have left the headset.";
-    this.#desk.clearPaths();
+    this.desk.clearPaths();
     this.onLeft();
   }
 
   /** The headset was recentred: nothing is where it was. */
   #moved(): void {
     this.#before_ms = NaN;
-    this.#wear.begin(this.#byMarks, "The headset has moved its room, so the plate is placed anew. ");
-    this.#desk.clearPaths();
+    this.wear.begin(this.#byMarks, "The headset has moved its room, so the plate is placed anew. ");
+    this.desk.clearPaths();
   }
 
   get #byMarks(): boolean { return radios("placement").some((radio) => radio.checked && radio.value === "marks"); }
 
   /** `now_ms`: of the frame's callback, since most browsers have no predictedDisplayTime. */
   #frameWorn(now_ms: number, frame: XRFrame, space: XRReferenceSpace): void {
-    const { stage } = this.#desk, wear = this.#wear;
+    const { stage } = this.desk, wear = this.wear;
     if (!stage || !this.#session) return;
     if (Number.isNaN(this.#before_ms)) this.#standAhead(frame, space);
     const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms, phase = wear.phase;
@@ -132,21 +119,21 @@ export class Wearing {
     this.onFrame(elapsed_ms);
     const hand = this.#hand(frame, space);
     wear.frame(now_ms, frame, hand, space);
-    if (wear.phase !== phase && wear.phase === "sliding") this.#desk.clearPaths();
-    if (wear.phase === "sliding" && !wear.lost) this.#desk.extendPaths(wear.finger, wear.felt);
-    stage.place(this.#world.plate_deg(), wear.finger, wear.felt);
-    stage.showHand(frame, hand, space, this.#title(), wear.text);
-    this.#desk.frame.dataset.phase = wear.phase;
+    if (wear.phase !== phase && wear.phase === "sliding") this.desk.clearPaths();
+    if (wear.phase === "sliding" && !wear.lost) this.desk.extendPaths(wear.finger, wear.felt);
+    stage.place(this.world.plate_deg(), wear.finger, wear.felt);
+    this.#headset?.say(this.#title(), wear.text);
+    this.desk.frame.dataset.phase = wear.phase;
     this.#show();
   }
 
   #title(): string {
-    return Number.isNaN(this.#wear.plateConnected_deg) ? "SIMULATION: no plate is under your finger" : "A plate is connected";
+    return Number.isNaN(this.wear.plateConnected_deg) ? "SIMULATION: no plate is under your finger" : "A plate is connected";
   }
 
   /** Before the plate has a place, it stands ahead of the eyes, level. */
   #standAhead(frame: XRFrame, space: XRReferenceSpace): void {
-    const eyes = frame.getViewerPose(space)?.transform, { stage } = this.#desk;
+    const eyes = frame.getViewerPose(space)?.transform, { stage } = this.desk;
     if (!eyes || !stage) return;
     const { x, y, z, w } = eyes.orientation, yaw = Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y));
     stage.mount.position.set(eyes.position.x - ahead_m * Math.sin(yaw), eyes.position.y - below_m, eyes.position.z - ahead_m * Math.cos(yaw));
@@ -155,7 +142,7 @@ export class Wearing {
 
   /** The hand that slides: the one that began, or, before, the first whose fingertip is seen. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
-    const sources = this.#session?.inputSources, keeps = this.#wear.phase === "sliding";
+    const sources = this.#session?.inputSources, keeps = this.wear.phase === "sliding";
     for (let i = 0; sources && i < sources.length; ++i) {
       const source = sources[i];
       if (!source?.hand || (keeps && source.handedness !== this.#handedness)) continue;
@@ -168,14 +155,14 @@ export class Wearing {
   }
 
   #show(): void {
-    const wear = this.#wear;
-    this.#now.show(this.#world.plate_deg(), wear.finger_deg, wear.felt_deg, pageCourse(this.#settings).virtual_deg);
+    const wear = this.wear;
+    showNow(this.world.plate_deg(), wear.finger_deg, wear.felt_deg, pageCourse(this.settings).virtual_deg);
     const text = this.#session ? wear.text : this.#message;
     say(this.#caption, text);
-    this.#desk.frame.dataset.lost = String(wear.lost);
-    if (this.#session && text !== this.#spoken) this.#voice.say(text);
+    this.desk.frame.dataset.lost = String(wear.lost);
+    if (this.#session && text !== this.#spoken) this.voice.say(text);
     this.#spoken = text;
-    this.#desk.write(wear.result);
+    this.desk.write(wear.result);
   }
 }
 
