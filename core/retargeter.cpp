@@ -69,9 +69,7 @@ bool is_valid(const RetargeterConfig& config) {
 
 Retargeter::Retargeter(RetargeterConfig config) : config_(std::move(config)) {}
 
-void Retargeter::begin(const Reach& reach) {
-  begin(reach, std::nullopt);
-}
+void Retargeter::begin(const Reach& reach) { begin(reach, std::nullopt); }
 
 void Retargeter::begin_here(const Reach& reach) {
   std::optional<PlateHandover> awaiting = handover();

@@ -6,9 +6,7 @@ namespace hrt {
 namespace {
 
 // Every byte of a character but the first is 10xxxxxx.
-bool starts_character(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
-}
+bool starts_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }
 
 std::string spaces(std::string_view text, std::size_t width) {
   return std::string(width - std::min(width, length_of(text)), ' ');
@@ -27,9 +25,7 @@ std::string cut_to(std::string_view text, std::size_t length) {
   return {text.begin(), end};
 }
 
-std::string right(std::string_view text, std::size_t width) {
-  return spaces(text, width) += text;
-}
+std::string right(std::string_view text, std::size_t width) { return spaces(text, width) += text; }
 
 std::string left(std::string_view text, std::size_t width) {
   return std::string(text) += spaces(text, width);

@@ -13,24 +13,14 @@ struct Vec3 {
   double z = 0.0;
 };
 
-inline Vec3 operator+(Vec3 a, Vec3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vec3 operator-(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vec3 operator*(Vec3 a, double factor) {
-  return {a.x * factor, a.y * factor, a.z * factor};
-}
-inline double dot(Vec3 a, Vec3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3 operator*(Vec3 a, double factor) { return {a.x * factor, a.y * factor, a.z * factor}; }
+inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double length(Vec3 a) {
-  return std::sqrt(dot(a, a));
-}
+inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 
 /// A rotation as a unit quaternion, in the order of glTF and OpenXR.
 struct Quaternion {
@@ -53,12 +43,8 @@ struct Axes {
   Vec3 z{0.0, 0.0, 1.0};
 };
 
-inline Vec3 operator*(const Axes& axes, Vec3 v) {
-  return axes.x * v.x + axes.y * v.y + axes.z * v.z;
-}
-inline Axes operator*(const Axes& a, const Axes& b) {
-  return {a * b.x, a * b.y, a * b.z};
-}
+inline Vec3 operator*(const Axes& axes, Vec3 v) { return axes.x * v.x + axes.y * v.y + axes.z * v.z; }
+inline Axes operator*(const Axes& a, const Axes& b) { return {a * b.x, a * b.y, a * b.z}; }
 
 /// An affine map: the images of the axes and of the origin.
 struct Transform {

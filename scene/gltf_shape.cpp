@@ -208,8 +208,6 @@ std::string node_label(std::string_view name, std::size_t index) {
   return fmt::format("node {}", name.empty() ? fmt::format("[{}]", index) : in_quotes(name));
 }
 
-void check_shape(const json& document, const std::string& file) {
-  Check(document, file).run();
-}
+void check_shape(const json& document, const std::string& file) { Check(document, file).run(); }
 
 }  // namespace hrt

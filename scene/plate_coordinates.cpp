@@ -13,9 +13,7 @@ bool in_range(Vec3 v) {
          std::abs(v.z) < max_node_coordinate_m;
 }
 
-double squared_norm(Quaternion q) {
-  return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-}
+double squared_norm(Quaternion q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
 
 Quaternion normalized(Quaternion q) {
   const double scale = 1.0 / std::sqrt(squared_norm(q));

@@ -161,9 +161,7 @@ class SceneBuilder {
 
 }  // namespace
 
-PlateSurface surface_of(const Scene& scene) {
-  return {.radius_m = scene.plate.radius_m};
-}
+PlateSurface surface_of(const Scene& scene) { return {.radius_m = scene.plate.radius_m}; }
 
 Scene load_scene(const std::filesystem::path& file) {
   return SceneBuilder(read_haptic_nodes(file), printable(file.string())).build();

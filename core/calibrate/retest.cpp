@@ -12,9 +12,7 @@ namespace {
 constexpr double false_alarm = 0.05;
 
 // Not std::hypot, which would ask for a newer C library.
-double in_quadrature(double a, double b) {
-  return std::sqrt(a * a + b * b);
-}
+double in_quadrature(double a, double b) { return std::sqrt(a * a + b * b); }
 
 RetestDifference difference_of(const RepeatedValue& value) {
   RetestDifference result;

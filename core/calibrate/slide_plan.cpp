@@ -77,9 +77,7 @@ double expected_variance(const std::vector<Prospect>& prospects, const std::vect
 }
 
 // The middle is on neither side.
-double side_of(double plate_deg) {
-  return plate_deg > 1.0 ? 1.0 : plate_deg < -1.0 ? -1.0 : 0.0;
-}
+double side_of(double plate_deg) { return plate_deg > 1.0 ? 1.0 : plate_deg < -1.0 ? -1.0 : 0.0; }
 
 // How far the nearest of the slides' angles is.
 double nearest_deg(const std::vector<SlideTrack>& slides, double plate_deg) {

@@ -1,5 +1,5 @@
-// Statistics: estimates, distribution functions and medians. From the four operations, core/exponential and the
-// square root: the same bits on every host.
+// Statistics: estimates, distribution functions and medians. From the four operations, core/exponential and
+// the square root: the same bits on every host.
 #pragma once
 
 #include <algorithm>

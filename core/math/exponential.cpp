@@ -11,9 +11,7 @@ namespace {
 constexpr double ln2 = 0.6931471805599453;
 
 // 2^n for |n| <= 1022.
-double power_of_two(int n) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52U);
-}
+double power_of_two(int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52U); }
 
 }  // namespace
 

@@ -7,9 +7,7 @@ namespace hrt {
 /// e^x for |x| <= 700, clamped beyond; relative error below 1e-14.
 double exponential(double x);
 
-constexpr double square(double x) {
-  return x * x;
-}
+constexpr double square(double x) { return x * x; }
 
 /// tanh(x); relative error below 1e-13 from |x| = 1e-3 on.
 double hyperbolic_tangent(double x);

@@ -7,17 +7,13 @@
 
 namespace hrt {
 
-Eigen::MatrixXd product(const MatrixView& left, const MatrixView& right) {
-  return left.lazyProduct(right);
-}
+Eigen::MatrixXd product(const MatrixView& left, const MatrixView& right) { return left.lazyProduct(right); }
 
 Eigen::MatrixXd congruence(const MatrixView& jacobian, const MatrixView& weight) {
   return product(product(jacobian.transpose(), weight), jacobian);
 }
 
-Eigen::MatrixXd inverse(const MatrixView& square) {
-  return square.partialPivLu().inverse();
-}
+Eigen::MatrixXd inverse(const MatrixView& square) { return square.partialPivLu().inverse(); }
 
 Eigen::VectorXd solve(const MatrixView& square, const VectorView& right) {
   return square.partialPivLu().solve(right);
@@ -27,17 +23,13 @@ Eigen::VectorXd solve_symmetric(const MatrixView& symmetric, const VectorView& r
   return symmetric.llt().solve(right);
 }
 
-Eigen::MatrixXd cholesky_factor(const MatrixView& covariance) {
-  return covariance.llt().matrixL();
-}
+Eigen::MatrixXd cholesky_factor(const MatrixView& covariance) { return covariance.llt().matrixL(); }
 
 Eigen::MatrixXd whitening_of(const MatrixView& covariance) {
   return covariance.llt().matrixL().solve(Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols()));
 }
 
-bool is_positive_definite(const MatrixView& symmetric) {
-  return symmetric.llt().info() == Eigen::Success;
-}
+bool is_positive_definite(const MatrixView& symmetric) { return symmetric.llt().info() == Eigen::Success; }
 
 LinearFit linear_fit(const MatrixView& columns, const VectorView& values, double rank_threshold) {
   Eigen::MatrixXd scaled = columns;

@@ -23,9 +23,7 @@ PaperControl::PaperControl(const MpcConfig& config, const PlateDynamics& plate, 
       step_period_ns_(step_period_ns),
       goal_direction_deg_(goal_direction_deg) {}
 
-bool PaperControl::plans_turns() const {
-  return std::isfinite(mpc_.config().plate_rate_bound_deg);
-}
+bool PaperControl::plans_turns() const { return std::isfinite(mpc_.config().plate_rate_bound_deg); }
 
 PlateOrientation PaperControl::plan(const ReachState& reach, double aimed_direction_deg, double centre_deg,
                                     const PlateModel& plate) {

@@ -20,9 +20,7 @@ PlateLimits limits_of(const PaperReachConfig& config, bool plans_turns, double r
   return {config.plate.stops, goal_deg, bound_deg, holding_deg, stands_deg};
 }
 
-bool is_saturated(ActiveBound active) {
-  return active == ActiveBound::lower || active == ActiveBound::upper;
-}
+bool is_saturated(ActiveBound active) { return active == ActiveBound::lower || active == ActiveBound::upper; }
 
 bool is_rate_limited(ActiveBound active) {
   return active == ActiveBound::rate_down || active == ActiveBound::rate_up;

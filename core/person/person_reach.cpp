@@ -24,9 +24,7 @@ constexpr double given_duration_log_sd = 0.12;
 // Below this share of the time a reach teaches nothing.
 constexpr double min_taught_phase = 0.7;
 
-PlaceMm to_mm(const PlatePoint& point) {
-  return {mm_per_m * point.right_m, mm_per_m * point.away_m};
-}
+PlaceMm to_mm(const PlatePoint& point) { return {mm_per_m * point.right_m, mm_per_m * point.away_m}; }
 
 PersonBelief person_of(const PersonReachConfig& config, const Reach& reach) {
   PersonBelief belief = config.person;
@@ -35,9 +33,7 @@ PersonBelief person_of(const PersonReachConfig& config, const Reach& reach) {
   return belief;
 }
 
-double deviation(double variance) {
-  return std::sqrt(std::max(0.0, variance));
-}
+double deviation(double variance) { return std::sqrt(std::max(0.0, variance)); }
 
 // A plate that turns freely takes the short way round; between stops it keeps to one half turn.
 PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, double stands_deg) {

@@ -33,8 +33,6 @@ inline SteeringStep steer(double gain_s, double direction_deg, const FeltShift& 
 }
 
 /// The share of e that is left after `seconds` of a constant felt shift.
-inline double kept_error(double gain_s, double seconds) {
-  return exponential(-gain_s * seconds);
-}
+inline double kept_error(double gain_s, double seconds) { return exponential(-gain_s * seconds); }
 
 }  // namespace hrt

@@ -46,9 +46,7 @@ Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place
   return covariance;
 }
 
-Eigen::Matrix2d matrix(const TouchedFrame& frame) {
-  return Eigen::Matrix2d::Identity() + frame.stretch;
-}
+Eigen::Matrix2d matrix(const TouchedFrame& frame) { return Eigen::Matrix2d::Identity() + frame.stretch; }
 
 PlatePoint to_place(const TouchedFrame& frame, const Eigen::Vector2d& r) {
   return {frame.home.right_m + r.x(), frame.home.away_m + r.y()};

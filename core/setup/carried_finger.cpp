@@ -32,13 +32,9 @@ constexpr double min_spacing_s = 0.0039;
 
 }  // namespace
 
-CarriedFinger::CarriedFinger() {
-  samples_.reserve(static_cast<std::size_t>(all_s / min_spacing_s) + 2);
-}
+CarriedFinger::CarriedFinger() { samples_.reserve(static_cast<std::size_t>(all_s / min_spacing_s) + 2); }
 
-int CarriedFinger::of_s() {
-  return static_cast<int>(all_s);
-}
+int CarriedFinger::of_s() { return static_cast<int>(all_s); }
 
 void CarriedFinger::begin(std::int64_t time_ns, double plate_orientation_deg) {
   samples_.clear();

@@ -20,9 +20,7 @@ void MarkTouches::begin(int wanted) {
   away_ = 0;
 }
 
-bool MarkTouches::holding() const {
-  return moved_ && !complete() && still_.rest(holding_tenths).has_value();
-}
+bool MarkTouches::holding() const { return moved_ && !complete() && still_.rest(holding_tenths).has_value(); }
 
 void MarkTouches::observe(const SetupSample& sample) {
   if (complete()) return;

@@ -13,9 +13,7 @@ constexpr std::size_t samples_a_slide = 1000;
 constexpr std::array<double, first_slides> shares{-0.4, 0.8,  0.0, -0.8, 0.4, -0.6, 0.2, -0.2,
                                                   0.6,  -0.7, 0.3, -0.3, 0.7, -0.5, 0.5, -0.1};
 
-Eigen::Vector3d place_of(const PlatePoint& point) {
-  return {point.right_m, 0.0, -point.away_m};
-}
+Eigen::Vector3d place_of(const PlatePoint& point) { return {point.right_m, 0.0, -point.away_m}; }
 
 }  // namespace
 
@@ -31,9 +29,7 @@ Setup::Setup(const SetupConfig& config)
   begin_part();
 }
 
-SetupPart Setup::part() const {
-  return static_cast<SetupPart>(left_ & (~left_ + 1));
-}
+SetupPart Setup::part() const { return static_cast<SetupPart>(left_ & (~left_ + 1)); }
 
 void Setup::begin_part() {
   const int per_mark = config_.mark_count * config_.touches_per_mark;
@@ -54,9 +50,7 @@ void Setup::next_slide() {
   watch_.begin(config_.start, config_.slide_distance_m, plate_orientation_deg_);
 }
 
-bool Setup::slides_are_full() const {
-  return wanted_slides_ >= config_.max_slides || slides_->full();
-}
+bool Setup::slides_are_full() const { return wanted_slides_ >= config_.max_slides || slides_->full(); }
 
 bool Setup::finish_is_due() const {
   if (left_ == 0) return true;

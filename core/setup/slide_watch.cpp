@@ -28,9 +28,7 @@ constexpr double max_slide_s = 8.0;
 constexpr double tenth_s = 0.1;
 
 // In the plane of the plate.
-Eigen::Vector3d to_vector(const PlatePoint& point) {
-  return {point.right_m, 0.0, -point.away_m};
-}
+Eigen::Vector3d to_vector(const PlatePoint& point) { return {point.right_m, 0.0, -point.away_m}; }
 
 }  // namespace
 

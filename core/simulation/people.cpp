@@ -13,9 +13,7 @@ namespace {
 constexpr double bound_deg = 75.0;
 constexpr double tan_of_2_deg = 0.03492076949174773;
 
-double either_side(double size, Draws& draws) {
-  return draws.uniform() < 0.5 ? -size : size;
-}
+double either_side(double size, Draws& draws) { return draws.uniform() < 0.5 ? -size : size; }
 
 template <IllusionFamily family>
 void illusion(PersonCondition& condition, double scale_deg) {
@@ -159,9 +157,7 @@ constexpr PeopleFamily all_families[] = {
 
 }  // namespace
 
-std::span<const PeopleFamily> people_families() {
-  return all_families;
-}
+std::span<const PeopleFamily> people_families() { return all_families; }
 
 const PeopleFamily* people_family(const char* name) {
   for (const PeopleFamily& family : all_families)

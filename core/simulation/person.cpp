@@ -14,9 +14,7 @@ namespace {
 constexpr double tick_s = 0.001;
 constexpr double min_felt_speed_m_s = 0.0005;
 
-double minimum_jerk(double u) {
-  return hrt::progress(0.0, u).share;
-}
+double minimum_jerk(double u) { return hrt::progress(0.0, u).share; }
 
 // The clock of a person who stops it for `rest_s` when it stands at `at_s`.
 double with_rest(double time_s, double at_s, double rest_s) {

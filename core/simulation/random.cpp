@@ -58,9 +58,7 @@ std::uint64_t Draws::bits() {
   return half_of(words, 0);
 }
 
-double Draws::uniform() {
-  return static_cast<double>(bits() >> 11U) * 0x1p-53;
-}
+double Draws::uniform() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
 
 double Draws::normal() {
   if (std::exchange(has_spare_, false)) return spare_;

@@ -40,8 +40,6 @@ void NoiseLearner::observe(std::int64_t time_ns, const PlatePoint& position) {
   last_ = {time_ns, position};
 }
 
-double NoiseLearner::noise_m() const {
-  return std::sqrt(variance_mm2_) / mm_per_m;
-}
+double NoiseLearner::noise_m() const { return std::sqrt(variance_mm2_) / mm_per_m; }
 
 }  // namespace hrt

@@ -316,8 +316,6 @@ class Run {
 
 }  // namespace
 
-ExitCode run(const Options& options) {
-  return Run(options).run();
-}
+ExitCode run(const Options& options) { return Run(options).run(); }
 
 }  // namespace hrt::reach

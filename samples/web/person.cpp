@@ -14,10 +14,8 @@
 #include "core/simulation/person.h"
 
 #define HRT_WEB_EXPORT(name) __attribute__((export_name(#name)))
-#define HRT_WEB_VALUE(name, value)               \
-  HRT_WEB_EXPORT(name) double hrt_web_##name() { \
-    return value;                                \
-  }
+#define HRT_WEB_VALUE(name, value) \
+  HRT_WEB_EXPORT(name) double hrt_web_##name() { return value; }
 
 namespace {
 
@@ -124,9 +122,7 @@ void hrt_web_look() {
 }
 
 HRT_WEB_EXPORT(command)
-void hrt_web_command(double plate_deg) {
-  world.plate.command(plate_deg);
-}
+void hrt_web_command(double plate_deg) { world.plate.command(plate_deg); }
 
 /// The plate stands there, as a connected one reports, until the next of these or of command().
 HRT_WEB_EXPORT(set_plate)

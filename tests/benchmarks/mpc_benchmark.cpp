@@ -205,6 +205,4 @@ void print_single_times(int random_problems) {
 }  // namespace hrt
 
 // hrt_mpc_benchmark [RANDOM_PROBLEMS]
-int main(int argc, char** argv) {
-  hrt::print_single_times(argc > 1 ? std::atoi(argv[1]) : 5000);
-}
+int main(int argc, char** argv) { hrt::print_single_times(argc > 1 ? std::atoi(argv[1]) : 5000); }

@@ -23,9 +23,7 @@ std::atomic<std::int64_t> allocations{0};  // thread-local variables may need th
 }  // namespace
 
 namespace hrt {
-std::int64_t heap_allocations() {
-  return allocations;
-}
+std::int64_t heap_allocations() { return allocations; }
 }  // namespace hrt
 
 #ifdef HRT_SANITIZED

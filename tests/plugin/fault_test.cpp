@@ -20,9 +20,7 @@ ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, double, con
   return {.plate_deg = value, .felt_error_deg = value, .miss_mm = value, .at_bound = false};
 }
 
-double ready_orientation_deg(const ReachControlConfig&, const PersonFilter&, const ReachAim&) {
-  return 10.0;
-}
+double ready_orientation_deg(const ReachControlConfig&, const PersonFilter&, const ReachAim&) { return 10.0; }
 
 namespace test {
 namespace {

@@ -31,9 +31,7 @@ Output output() {
   return out;
 }
 
-inline hrt_session_config session_config() {
-  return hrt_session_config_init();
-}
+inline hrt_session_config session_config() { return hrt_session_config_init(); }
 
 inline hrt_session_config config_of(hrt_session session) {
   auto config = output<hrt_session_config>();

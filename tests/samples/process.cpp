@@ -56,17 +56,11 @@ Process::Process(std::vector<std::string> words, std::vector<std::string> enviro
   if (error != 0) throw std::runtime_error("cannot start " + words[0]);
 }
 
-void Process::send_signal(int signal) const {
-  kill(child_, signal);
-}
+void Process::send_signal(int signal) const { kill(child_, signal); }
 
-std::string Process::out() const {
-  return read_file(folder_ / "out");
-}
+std::string Process::out() const { return read_file(folder_ / "out"); }
 
-std::string Process::err() const {
-  return read_file(folder_ / "err");
-}
+std::string Process::err() const { return read_file(folder_ / "err"); }
 
 Outcome Process::wait() const {
   int status = 0;

@@ -68,9 +68,7 @@ inline Json virtual_on_the_left() {
 inline Scene load(const std::string& bytes, const char* name = "test.gltf") {
   return load_scene(std::as_bytes(std::span(bytes)), name);
 }
-inline Scene load(const Json& document) {
-  return load(document.dump());
-}
+inline Scene load(const Json& document) { return load(document.dump()); }
 
 /// Why the file is refused; empty if it is not.
 inline std::string refusal(const std::string& bytes) {
@@ -81,12 +79,8 @@ inline std::string refusal(const std::string& bytes) {
     return error.what();
   }
 }
-inline std::string refusal(const char* text) {
-  return refusal(std::string(text));
-}
-inline std::string refusal(const Json& document) {
-  return refusal(document.dump());
-}
+inline std::string refusal(const char* text) { return refusal(std::string(text)); }
+inline std::string refusal(const Json& document) { return refusal(document.dump()); }
 
 inline std::string little_endian(std::size_t value) {
   std::string bytes;

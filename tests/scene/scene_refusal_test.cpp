@@ -7,9 +7,7 @@
 namespace hrt {
 namespace {
 
-Json good() {
-  return document({plate(), real(), virtual_on_the_left()});
-}
+Json good() { return document({plate(), real(), virtual_on_the_left()}); }
 
 // good() with one change.
 Json with(const char* pointer, Json value) {
@@ -18,9 +16,7 @@ Json with(const char* pointer, Json value) {
   return file;
 }
 
-std::string refusal_with(const char* pointer, Json value) {
-  return refusal(with(pointer, std::move(value)));
-}
+std::string refusal_with(const char* pointer, Json value) { return refusal(with(pointer, std::move(value))); }
 
 // `message` follows the file's name.
 void refused(const auto& file, const std::string& message) {
@@ -31,9 +27,7 @@ void refused(const char* pointer, Json value, const std::string& message) {
   refused(with(pointer, std::move(value)), message);
 }
 
-TEST(SceneRefusal, GoodFileIsNotRefused) {
-  EXPECT_EQ(refusal(good()), "");
-}
+TEST(SceneRefusal, GoodFileIsNotRefused) { EXPECT_EQ(refusal(good()), ""); }
 
 TEST(SceneRefusal, NotGltf) {
   for (const char* text : {"", "hello", "{", "[]", "1", "null", "\"glTF\"", "{}", "{\"asset\":{}}",

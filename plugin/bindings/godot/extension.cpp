@@ -266,9 +266,7 @@ gde_object* create_instance(void*, gde_bool notify) noexcept {
   return object;
 }
 
-void free_instance(void*, void* instance) noexcept {
-  delete static_cast<Instance*>(instance);
-}
+void free_instance(void*, void* instance) noexcept { delete static_cast<Instance*>(instance); }
 
 /** Node._get_configuration_warnings(). */
 void get_warnings(void* instance, const void* const*, void* out_return) noexcept try {

@@ -82,8 +82,6 @@ const Method kMethods[] = {
 
 }  // namespace
 
-std::span<const Method> methods() {
-  return kMethods;
-}
+std::span<const Method> methods() { return kMethods; }
 
 }  // namespace hrt_godot

@@ -36,9 +36,7 @@ Error PlateNode::turn_device(double orientation_deg) {
   return after_device(hrt_plate_set(device_, orientation_deg));
 }
 
-Error PlateNode::stop_device() {
-  return after_device(hrt_plate_stop(device_));
-}
+Error PlateNode::stop_device() { return after_device(hrt_plate_stop(device_)); }
 
 Record PlateNode::get_device_report() {
   hrt_plate_report report;

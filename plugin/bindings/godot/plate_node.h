@@ -64,15 +64,11 @@ inline constexpr size_t kArgumentsMax = 8;
 
 /** Why samples are refused: the plugin's errors, up to 99, then the node's own. */
 inline constexpr size_t kFlagsReason = 126, kPoseReason = 127;
-constexpr size_t reason_of(hrt_result error) {
-  return static_cast<size_t>(-error) % kFlagsReason;
-}
+constexpr size_t reason_of(hrt_result error) { return static_cast<size_t>(-error) % kFlagsReason; }
 inline constexpr const char* kNotRigid =
     "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
 
-inline hrt_target target_of(int64_t id) {
-  return {static_cast<uint64_t>(id)};
-}
+inline hrt_target target_of(int64_t id) { return {static_cast<uint64_t>(id)}; }
 
 class PlateNode {
  public:

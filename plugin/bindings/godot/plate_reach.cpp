@@ -17,9 +17,7 @@ hrt_reach_config reach_of(int64_t real, int64_t felt) {
 
 }  // namespace
 
-Error PlateNode::begin(int64_t real, int64_t felt) {
-  return begin_reach(reach_of(real, felt));
-}
+Error PlateNode::begin(int64_t real, int64_t felt) { return begin_reach(reach_of(real, felt)); }
 
 Error PlateNode::begin_with_plate_at(int64_t real, int64_t felt, double plate_orientation_deg) {
   hrt_reach_config config = reach_of(real, felt);
@@ -130,9 +128,7 @@ Error PlateNode::touched(Vector3 world_position, double sd_m) {
   return take_contact(&contact);
 }
 
-Error PlateNode::touched_real_target() {
-  return take_contact(nullptr);
-}
+Error PlateNode::touched_real_target() { return take_contact(nullptr); }
 
 Error PlateNode::take_contact(const hrt_contact* contact) {
   if (ok(hrt_reach_touched(session_, contact)) && !reaching_) take_changes();

@@ -50,9 +50,7 @@ using Value = std::variant<std::monostate, bool, int64_t, double, std::string, V
 
 enum class Type { kNil, kBool, kInt, kReal, kString, kVector3, kRecord, kPose };
 
-inline Type type_of(const Value& value) {
-  return static_cast<Type>(value.index());
-}
+inline Type type_of(const Value& value) { return static_cast<Type>(value.index()); }
 
 constexpr const char* type_name(Type type) {
   constexpr const char* names[] = {"null",   "bool",    "int",        "float",

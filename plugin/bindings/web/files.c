@@ -18,9 +18,7 @@ long __syscall_open(const char* path, long flags, ...) {
 /* The C library's are for JavaScript to give. */
 #define NOT_THERE(name, ...) \
   long name(__VA_ARGS__);    \
-  long name(__VA_ARGS__) {   \
-    return -ENOENT;          \
-  }
+  long name(__VA_ARGS__) { return -ENOENT; }
 NOT_THERE(__syscall_stat64, const char* path, struct stat* out)
 NOT_THERE(__syscall_lstat64, const char* path, struct stat* out)
 NOT_THERE(__syscall_fstat64, int file, struct stat* out)

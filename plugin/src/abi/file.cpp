@@ -35,18 +35,10 @@ int open_descriptor(const char* path, int flags) {
             _S_IREAD | _S_IWRITE);
   return descriptor;
 }
-int status_of(int descriptor, Status* out) {
-  return _fstat64(descriptor, out);
-}
-bool is_regular(const Status& status) {
-  return (status.st_mode & _S_IFMT) == _S_IFREG;
-}
-bool lock(int) {
-  return true;
-}
-int truncate(int descriptor) {
-  return _chsize(descriptor, 0);
-}
+int status_of(int descriptor, Status* out) { return _fstat64(descriptor, out); }
+bool is_regular(const Status& status) { return (status.st_mode & _S_IFMT) == _S_IFREG; }
+bool lock(int) { return true; }
+int truncate(int descriptor) { return _chsize(descriptor, 0); }
 void unlock(int) {}
 std::ptrdiff_t read_some(int descriptor, char* out, std::size_t size) {
   return _read(descriptor, out, static_cast<unsigned>(size));
@@ -54,12 +46,8 @@ std::ptrdiff_t read_some(int descriptor, char* out, std::size_t size) {
 std::ptrdiff_t write_some(int descriptor, const char* text, std::size_t size) {
   return _write(descriptor, text, static_cast<unsigned>(size));
 }
-void close_descriptor(int descriptor) {
-  _close(descriptor);
-}
-bool means_no_file() {
-  return false;
-}
+void close_descriptor(int descriptor) { _close(descriptor); }
+bool means_no_file() { return false; }
 bool means_taken() {
   constexpr unsigned long sharing_violation = 32;
   return _doserrno == sharing_violation;
@@ -68,12 +56,8 @@ bool means_taken() {
 #else
 
 using Status = struct stat;
-int open_descriptor(const char* path, int flags) {
-  return ::open(path, flags, 0666);
-}
-bool is_regular(const Status& status) {
-  return S_ISREG(status.st_mode);
-}
+int open_descriptor(const char* path, int flags) { return ::open(path, flags, 0666); }
+bool is_regular(const Status& status) { return S_ISREG(status.st_mode); }
 #if defined(__EMSCRIPTEN__)  // one process with files of its own: nothing to wait for, to share or to inherit
 constexpr int to_read = O_RDONLY;
 constexpr int to_write = O_WRONLY | O_CREAT | O_TRUNC;
@@ -81,31 +65,21 @@ int status_of(int, Status* out) {
   out->st_mode = S_IFREG;
   return 0;
 }
-bool lock(int) {
-  return true;
-}
+bool lock(int) { return true; }
 void unlock(int) {}
-int truncate(int) {
-  return 0;
-}
+int truncate(int) { return 0; }
 #else
 // A pipe is not waited for, and a terminal does not become the process's.
 constexpr int everywhere = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
 constexpr int to_read = O_RDONLY | everywhere;
 constexpr int to_write = O_WRONLY | O_CREAT | everywhere;
-int status_of(int descriptor, Status* out) {
-  return fstat(descriptor, out);
-}
+int status_of(int descriptor, Status* out) { return fstat(descriptor, out); }
 // Locks belong to what was opened, so they keep apart the recordings of one process too.
 bool lock(int descriptor) {
   return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // some file systems have none
 }
-void unlock(int descriptor) {
-  flock(descriptor, LOCK_UN);
-}
-int truncate(int descriptor) {
-  return ftruncate(descriptor, 0);
-}
+void unlock(int descriptor) { flock(descriptor, LOCK_UN); }
+int truncate(int descriptor) { return ftruncate(descriptor, 0); }
 #endif
 std::ptrdiff_t read_some(int descriptor, char* out, std::size_t size) {
   return ::read(descriptor, out, size);
@@ -113,16 +87,10 @@ std::ptrdiff_t read_some(int descriptor, char* out, std::size_t size) {
 std::ptrdiff_t write_some(int descriptor, const char* text, std::size_t size) {
   return ::write(descriptor, text, size);
 }
-void close_descriptor(int descriptor) {
-  ::close(descriptor);
-}
+void close_descriptor(int descriptor) { ::close(descriptor); }
 // Of a pipe that nobody reads, and of a socket.
-bool means_no_file() {
-  return errno == ENXIO;
-}
-bool means_taken() {
-  return false;
-}
+bool means_no_file() { return errno == ENXIO; }
+bool means_taken() { return false; }
 
 #endif
 

@@ -14,9 +14,7 @@ namespace hrt::plugin {
 
 /// Windows' own narrow paths are in a code page that depends on the machine. Throws std::system_error if
 /// `utf8` is no UTF-8 there.
-inline std::filesystem::path path_of(const char* utf8) {
-  return reinterpret_cast<const char8_t*>(utf8);
-}
+inline std::filesystem::path path_of(const char* utf8) { return reinterpret_cast<const char8_t*>(utf8); }
 
 /// A regular file, byte for byte and without a buffer. Programs that the process starts do not inherit it.
 class File {

@@ -30,8 +30,6 @@ void watch_forks() {
 #endif
 }
 
-std::uint32_t forks() {
-  return fork_count.load(std::memory_order_relaxed);
-}
+std::uint32_t forks() { return fork_count.load(std::memory_order_relaxed); }
 
 }  // namespace hrt::plugin

@@ -26,12 +26,8 @@ char __libc_single_threaded = 0;
 int stat(const char* path, struct stat* out) noexcept {
   return static_cast<int>(syscall(SYS_newfstatat, AT_FDCWD, path, out, 0));
 }
-int fstat(int file, struct stat* out) noexcept {
-  return static_cast<int>(syscall(SYS_fstat, file, out));
-}
-int fstat64(int file, struct stat64* out) noexcept {
-  return static_cast<int>(syscall(SYS_fstat, file, out));
-}
+int fstat(int file, struct stat* out) noexcept { return static_cast<int>(syscall(SYS_fstat, file, out)); }
+int fstat64(int file, struct stat64* out) noexcept { return static_cast<int>(syscall(SYS_fstat, file, out)); }
 
 // In libc.so.6 since 2.32 to 2.34, in libpthread.so.0 before; both know them by their first version.
 int hrt_first_pthread_create(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
@@ -47,13 +43,9 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
                    void* argument) noexcept {
   return hrt_first_pthread_create(thread, attributes, start, argument);
 }
-int pthread_join(pthread_t thread, void** out) {
-  return hrt_first_pthread_join(thread, out);
-}
+int pthread_join(pthread_t thread, void** out) { return hrt_first_pthread_join(thread, out); }
 int pthread_sigmask(int how, const sigset_t* mask, sigset_t* out) noexcept {
   return hrt_first_pthread_sigmask(how, mask, out);
 }
-int pthread_once(pthread_once_t* once, void (*run)()) {
-  return hrt_first_pthread_once(once, run);
-}
+int pthread_once(pthread_once_t* once, void (*run)()) { return hrt_first_pthread_once(once, run); }
 }

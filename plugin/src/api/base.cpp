@@ -28,9 +28,7 @@ const char* hrt_result_string(hrt_result result) noexcept {
 #undef HRT_CASE
 }
 
-const char* hrt_last_error() noexcept {
-  return hrt::plugin::thread_error.text.c_str();
-}
+const char* hrt_last_error() noexcept { return hrt::plugin::thread_error.text.c_str(); }
 
 void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t* out_patch) noexcept {
   if (out_major) *out_major = HRT_VERSION_MAJOR;

@@ -23,9 +23,7 @@ void* c_allocate(void*, std::size_t size, std::size_t alignment) {
 #endif
 }
 
-void c_release(void*, void* memory) {
-  std::free(memory);
-}
+void c_release(void*, void* memory) { std::free(memory); }
 
 constexpr hrt_host c_library{
     .struct_size = sizeof(hrt_host),
@@ -77,38 +75,20 @@ void write_log(std::uint32_t level, const char* text) {
   if (lent.log) lent.log(lent.context, level, text);
 }
 
-void unlock_log_of_parent() {
-  std::construct_at(&log_mutex);
-}
+void unlock_log_of_parent() { std::construct_at(&log_mutex); }
 
 }  // namespace hrt::plugin
 
 using namespace hrt::plugin;
 
-void* operator new(std::size_t size) {
-  return allocate_or_throw(size, plain);
-}
-void* operator new[](std::size_t size) {
-  return allocate_or_throw(size, plain);
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return allocate(size, plain);
-}
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-  return allocate(size, plain);
-}
-void operator delete(void* memory) noexcept {
-  release(memory);
-}
-void operator delete[](void* memory) noexcept {
-  release(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  release(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  release(memory);
-}
+void* operator new(std::size_t size) { return allocate_or_throw(size, plain); }
+void* operator new[](std::size_t size) { return allocate_or_throw(size, plain); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size, plain); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size, plain); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
 
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate_or_throw(size, static_cast<std::size_t>(alignment));
@@ -116,18 +96,10 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 void* operator new[](std::size_t size, std::align_val_t alignment) {
   return allocate_or_throw(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory, std::align_val_t) noexcept {
-  release(memory);
-}
-void operator delete[](void* memory, std::align_val_t) noexcept {
-  release(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  release(memory);
-}
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
-  release(memory);
-}
+void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 
 hrt_result hrt_set_host(const hrt_host* given) noexcept {
   return guarded("hrt_set_host", [&]() -> hrt_result {

@@ -24,9 +24,7 @@ struct Kind {
 #define HRT_ROW(kind) {#kind, kind##_device},
 constexpr Kind kinds[] = {HRT_DEVICES(HRT_ROW)};
 
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw std::invalid_argument(sentence);
-}
+[[noreturn]] void refuse(const std::string& sentence) { throw std::invalid_argument(sentence); }
 
 std::string list_of(std::initializer_list<std::string_view> words) {
   std::string text;

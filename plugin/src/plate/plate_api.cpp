@@ -121,6 +121,4 @@ hrt_result hrt_plate_close(hrt_plate plate) noexcept {
   return destroy("hrt_plate_close", "plate", plates, plate.value);
 }
 
-const char* hrt_plate_last_error() noexcept {
-  return thread_error.text.c_str();
-}
+const char* hrt_plate_last_error() noexcept { return thread_error.text.c_str(); }

@@ -99,9 +99,7 @@ void PlateDriver::set(double orientation_deg) {
   calls_.fetch_add(1, std::memory_order_release);
 }
 
-void PlateDriver::stop() {
-  set(stay);
-}
+void PlateDriver::stop() { set(stay); }
 
 hrt_plate_report PlateDriver::report() const {
   calls_.fetch_add(1, std::memory_order_relaxed);

@@ -41,9 +41,7 @@ std::string with_checksum(std::string_view text) {
   return std::string(text) + std::string(mark) + hash_of(text) + "\"\n}\n";
 }
 
-bool is_plate_file(std::string_view name) {
-  return name.ends_with(".json");
-}
+bool is_plate_file(std::string_view name) { return name.ends_with(".json"); }
 
 PlateFile read_plate_file(const std::string& path) {
   const std::string text = content_of(path);

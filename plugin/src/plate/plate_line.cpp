@@ -118,9 +118,7 @@ std::uint16_t crc_of(std::string_view bytes) {
   return static_cast<std::uint16_t>(crc & 0xFFFFU);
 }
 
-std::string encode_line(std::string_view body) {
-  return std::string(body) + "*" + sum_of(body) + "\n";
-}
+std::string encode_line(std::string_view body) { return std::string(body) + "*" + sum_of(body) + "\n"; }
 
 std::optional<std::string_view> decode_line(std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);

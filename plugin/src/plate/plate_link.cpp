@@ -31,9 +31,7 @@ PlateLink::PlateLink(std::unique_ptr<Line> line) : line_(std::move(line)) {
   }
 }
 
-PlateLink::~PlateLink() {
-  stop_if_heard();
-}
+PlateLink::~PlateLink() { stop_if_heard(); }
 
 std::string PlateLink::description() const {
   return "protocol 2, firmware " + info_->firmware + ", serial number " + info_->serial;

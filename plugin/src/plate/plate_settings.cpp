@@ -97,9 +97,7 @@ double PlateLink::pulse_setting(const std::string& name) {
   return width_us;
 }
 
-double PlateLink::zero_deg() {
-  return pulse_setting("zero") / pulse_setting("span") * 180.0;
-}
+double PlateLink::zero_deg() { return pulse_setting("zero") / pulse_setting("span") * 180.0; }
 
 // In steps, so that the servo never jumps.
 void PlateLink::set_zero(double zero_deg) {

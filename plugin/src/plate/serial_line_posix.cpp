@@ -19,13 +19,9 @@ namespace {
 constexpr std::size_t max_unsent = 1024;
 constexpr int max_reads = 16;  // at a time, however much the plate sends
 
-std::string reason() {
-  return std::strerror(errno);
-}
+std::string reason() { return std::strerror(errno); }
 
-bool must_wait() {
-  return errno == EAGAIN || errno == EWOULDBLOCK;
-}
+bool must_wait() { return errno == EAGAIN || errno == EWOULDBLOCK; }
 
 speed_t speed_of(int baud) {
   switch (baud) {

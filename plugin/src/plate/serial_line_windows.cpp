@@ -15,9 +15,7 @@ namespace {
 
 constexpr std::size_t max_unsent = 1024;
 
-std::string reason() {
-  return "Windows error " + std::to_string(GetLastError());
-}
+std::string reason() { return "Windows error " + std::to_string(GetLastError()); }
 
 // COM10 and above have no other name than this one.
 std::wstring full_name(const std::string& device) {

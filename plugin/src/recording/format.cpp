@@ -101,9 +101,7 @@ void write(const Touched& touched, hrt_result result, RecordText& out) {
   });
 }
 
-void write(const ReachCancelled&, hrt_result result, RecordText& out) {
-  Row(out, "cancel", result);
-}
+void write(const ReachCancelled&, hrt_result result, RecordText& out) { Row(out, "cancel", result); }
 
 void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
   Row row(out, "begin", result);
@@ -215,9 +213,7 @@ void write_record(const Record& record, RecordText& out) {
   std::visit([&](const auto& call) { write(call, record.result, out); }, record.call);
 }
 
-void write_end(std::uint64_t checksum, RecordText& out) {
-  out << end_comment << checksum << "\n";
-}
+void write_end(std::uint64_t checksum, RecordText& out) { out << end_comment << checksum << "\n"; }
 
 hrt_result FileColumns::read_names(std::string_view line) {
   if (!line.starts_with("call,result,"))

@@ -236,9 +236,7 @@ bool is_of_participant(std::string_view key) {
 
 }  // namespace
 
-void write_config(const hrt_session_config& config, JsonText& out) {
-  write_object(config, out);
-}
+void write_config(const hrt_session_config& config, JsonText& out) { write_object(config, out); }
 
 void write_target(const hrt_target_config& target, JsonText& out) {
   // Fields that the place does not name are not read, and may hold anything.
@@ -250,9 +248,7 @@ void write_target(const hrt_target_config& target, JsonText& out) {
   write_object(read, out);
 }
 
-void write_setup_config(const hrt_setup_config& config, JsonText& out) {
-  write_object(config, out);
-}
+void write_setup_config(const hrt_setup_config& config, JsonText& out) { write_object(config, out); }
 
 hrt_result read_setup_config(std::string_view text, hrt_setup_config* out) {
   hrt_setup_config config = defaults<hrt_setup_config>;

@@ -54,9 +54,7 @@ void write(const SetupFinished& finished, hrt_result result, RecordText& out) {
   if (result == HRT_OK) put_setup(finished.result, row, cell);
 }
 
-void write(const SetupCancelled&, hrt_result result, RecordText& out) {
-  Row(out, cancel_setup_call, result);
-}
+void write(const SetupCancelled&, hrt_result result, RecordText& out) { Row(out, cancel_setup_call, result); }
 
 bool is_setup_call(std::string_view call) {
   return call == update_call || call == finish_call || call == cancel_setup_call;

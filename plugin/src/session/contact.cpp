@@ -46,9 +46,7 @@ bool knows_contacts(const hrt_session_config& config) {
   return (config.flags & HRT_SESSION_REGISTERED) != 0 && is_not_zero(config.contact_covariance);
 }
 
-void forget_contacts(hrt_session_config* config) {
-  write_touched({}, config);
-}
+void forget_contacts(hrt_session_config* config) { write_touched({}, config); }
 
 TouchedFrame touched_of(const hrt_session_config& config) {
   TouchedFrame frame{.home = start_of(config)};

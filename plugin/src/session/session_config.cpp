@@ -84,18 +84,14 @@ Vec3 unscaled(const hrt_session_config& config, Vec3 plate_position_m, Vec3 worl
   return plate_position_m + (world_position_m - plate_position_m) * (1.0 / config.plate_scale);
 }
 
-bool knows_person(const hrt_session_config& config) {
-  return is_not_zero(config.person_covariance);
-}
+bool knows_person(const hrt_session_config& config) { return is_not_zero(config.person_covariance); }
 
 void forget_person(hrt_session_config* config) {
   std::fill(std::begin(config->person_mean), std::end(config->person_mean), 0.0);
   std::fill(std::begin(config->person_covariance), std::end(config->person_covariance), 0.0);
 }
 
-bool holds_belief(const hrt_session_config& config) {
-  return is_valid(person_of(config));
-}
+bool holds_belief(const hrt_session_config& config) { return is_valid(person_of(config)); }
 
 hrt_result check_session_config(const hrt_session_config& config) {
   HRT_RETURN_IF_FAILED(check_fields(config));

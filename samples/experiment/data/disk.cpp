@@ -34,9 +34,7 @@ void Disk::check(bool done, const std::string& what, const fs::path& file) const
   if (!done) throw Refusal(file.string() + ": cannot be " + what + ": " + std::strerror(error));
 }
 
-int Disk::sync(int file) const {
-  return syncs_ ? fdatasync(file) : 0;
-}
+int Disk::sync(int file) const { return syncs_ ? fdatasync(file) : 0; }
 
 bool Disk::create(const fs::path& file, std::string_view content) const {
   if (fs::exists(file)) return false;

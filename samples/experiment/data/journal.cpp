@@ -113,9 +113,7 @@ Journal::Journal(std::filesystem::path file, const Disk& disk, std::function<Now
   }
 }
 
-Journal::~Journal() {
-  close(file_);
-}
+Journal::~Journal() { close(file_); }
 
 const Event& Journal::append(const std::string& name, json data) {
   const Now now = clock_();

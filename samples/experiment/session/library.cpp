@@ -69,9 +69,7 @@ LibrarySession::LibrarySession(const Condition& condition, const std::string& pr
   check(loaded);
 }
 
-LibrarySession::~LibrarySession() {
-  hrt_session_destroy(session_);
-}
+LibrarySession::~LibrarySession() { hrt_session_destroy(session_); }
 
 std::pair<hrt_target, hrt_target> LibrarySession::add_targets(double real_deg, double virtual_deg,
                                                               double distance_m) const {

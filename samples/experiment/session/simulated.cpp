@@ -111,9 +111,7 @@ std::vector<unsigned> SimulatedSubject::fill_in(const Questionnaire& paper) {
   return answers;
 }
 
-void SimulatedSubject::rest(double minutes) {
-  pass(60.0 * minutes);
-}
+void SimulatedSubject::rest(double minutes) { pass(60.0 * minutes); }
 
 ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
   const Person person(config_, seed_ * 1000 + participant_, order.session, order.virtual_target,

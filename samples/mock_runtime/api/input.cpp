@@ -45,9 +45,7 @@ Pose source_in_grip(const std::string& source) {
 }
 
 // Of several sources the one with the largest magnitude counts; for booleans that is "any".
-float magnitude(const XrVector2f& value) {
-  return std::hypot(value.x, value.y);
-}
+float magnitude(const XrVector2f& value) { return std::hypot(value.x, value.y); }
 
 }  // namespace
 

@@ -98,9 +98,7 @@ bool Space::stands_in_room() const {
   return type != nullptr && *type != XR_REFERENCE_SPACE_TYPE_VIEW;
 }
 
-bool Space::can_see_room() const {
-  return !session().world().head_is_lost();
-}
+bool Space::can_see_room() const { return !session().world().head_is_lost(); }
 
 std::optional<Pose> Space::in_world(XrTime time) const {
   const auto moving = motion(time);

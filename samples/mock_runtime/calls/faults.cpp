@@ -23,9 +23,7 @@ std::optional<CallFault> Faults::next(FunctionId function, const Scope& now) {
   return due;
 }
 
-const char* name_of(FunctionId function) {
-  return function_names[static_cast<std::size_t>(function)];
-}
+const char* name_of(FunctionId function) { return function_names[static_cast<std::size_t>(function)]; }
 
 std::optional<FunctionId> find_function(std::string_view name) {
   const auto found = std::find(function_names.begin(), function_names.end(), name);

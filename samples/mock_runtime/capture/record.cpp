@@ -25,9 +25,7 @@ std::string text_of(float value) {
   return static_cast<float>(read) == value ? shortest : text_of(static_cast<double>(value));
 }
 
-Record::Record(std::string_view kind) : text_("[") {
-  add(kind);
-}
+Record::Record(std::string_view kind) : text_("[") { add(kind); }
 
 Record& Record::put(std::string_view token) {
   if (text_.back() != '[') text_ += ',';
@@ -48,18 +46,14 @@ Record& Record::add(std::string_view value) {
   return put(quoted + '"');
 }
 
-Record& Record::add(const XrVector3f& vector) {
-  return add(vector.x).add(vector.y).add(vector.z);
-}
+Record& Record::add(const XrVector3f& vector) { return add(vector.x).add(vector.y).add(vector.z); }
 
 Record& Record::add(const XrPosef& pose) {
   const XrQuaternionf& q = pose.orientation;
   return add(q.x).add(q.y).add(q.z).add(q.w).add(pose.position);
 }
 
-Record& Record::open() {
-  return put("[");
-}
+Record& Record::open() { return put("["); }
 
 Record& Record::close() {
   text_ += ']';

@@ -38,9 +38,7 @@ const std::array<std::uint8_t, 256>& encoded_bytes() {
 
 }  // namespace
 
-std::uint32_t bytes_of(PixelKind kind) {
-  return kind == PixelKind::half_linear ? 8 : 4;
-}
+std::uint32_t bytes_of(PixelKind kind) { return kind == PixelKind::half_linear ? 8 : 4; }
 
 void convert_pixels(PixelKind kind, const std::uint8_t* from, std::size_t count, std::uint8_t* rgba) {
   const bool swaps = kind == PixelKind::bgra_srgb || kind == PixelKind::bgra_linear;

@@ -37,9 +37,7 @@ LineSocket::LineSocket(std::string path) : path_(std::move(path)) {
     refuse_socket(path_, std::string("cannot be made: ") + std::strerror(errno));
 }
 
-LineSocket::~LineSocket() {
-  unlink(path_.c_str());
-}
+LineSocket::~LineSocket() { unlink(path_.c_str()); }
 
 void LineSocket::serve(const std::function<std::string(const std::string&)>& answer) {
   if (!client_) {

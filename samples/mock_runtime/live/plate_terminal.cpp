@@ -76,9 +76,7 @@ bool PlateTerminal::send(const char* line, std::uint8_t length) {
   return !speaking->own_ || write(speaking->own_.get(), line, length) == length;
 }
 
-void PlateTerminal::save(const std::uint8_t*) {
-  speaking->saves_ = true;
-}
+void PlateTerminal::save(const std::uint8_t*) { speaking->saves_ = true; }
 
 std::optional<double> PlateTerminal::run_until(XrTime now, double orientation_deg) {
   speaking = this;

@@ -41,18 +41,14 @@ bool same(const XrPosef& a, const XrPosef& b) {
   return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
-Pose pose_of(const XrPosef& pose) {
-  return {from_xr(pose.orientation).normalized(), from_xr(pose.position)};
-}
+Pose pose_of(const XrPosef& pose) { return {from_xr(pose.orientation).normalized(), from_xr(pose.position)}; }
 
 // From the base in which something was recorded to the one in which it is wanted, both of one origin.
 Pose between_bases(const SpaceName& recorded, const SpaceName& wanted) {
   return inverse(pose_of(wanted.pose)) * pose_of(recorded.pose);
 }
 
-XrPosef moved(const Pose& by, const XrPosef& pose) {
-  return to_xr(by * pose_of(pose));
-}
+XrPosef moved(const Pose& by, const XrPosef& pose) { return to_xr(by * pose_of(pose)); }
 
 XrVector3f turned(const Pose& by, const XrVector3f& vector) {
   return to_xr(Eigen::Vector3d(by.orientation * from_xr(vector)));

@@ -54,9 +54,7 @@ InputEvent read_input(Members& members) {
   return input;
 }
 
-Names<XrHandEXT> hands() {
-  return {{"left", XR_HAND_LEFT_EXT}, {"right", XR_HAND_RIGHT_EXT}};
-}
+Names<XrHandEXT> hands() { return {{"left", XR_HAND_LEFT_EXT}, {"right", XR_HAND_RIGHT_EXT}}; }
 
 Put read_put(Members& members) {
   if (members.has("of")) {

@@ -13,8 +13,6 @@ XrTime Clock::now() const {
   return static_cast<XrTime>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
 }
 
-void Clock::advance_to(XrTime time) {
-  manual_now_ = std::max(manual_now_, time);
-}
+void Clock::advance_to(XrTime time) { manual_now_ = std::max(manual_now_, time); }
 
 }  // namespace hrt::mock

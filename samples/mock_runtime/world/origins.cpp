@@ -10,9 +10,7 @@ constexpr double eye_height_m = 1.2;
 
 }  // namespace
 
-Pose local_space_in_world() {
-  return {Eigen::Quaterniond::Identity(), {0.0, eye_height_m, 0.0}};
-}
+Pose local_space_in_world() { return {Eigen::Quaterniond::Identity(), {0.0, eye_height_m, 0.0}}; }
 
 void Origins::recenter(XrReferenceSpaceType type, XrTime change, const Pose& pose) {
   auto& changes = type == XR_REFERENCE_SPACE_TYPE_STAGE ? stage_ : local_;

@@ -80,8 +80,6 @@ Person DrawnPerson::towards(double virtual_direction_deg) const {
   return bound;
 }
 
-Draws noise_of_reach(std::uint64_t seed, std::uint32_t number) {
-  return {seed, reaches, number, 0};
-}
+Draws noise_of_reach(std::uint64_t seed, std::uint32_t number) { return {seed, reaches, number, 0}; }
 
 }  // namespace hrt::mock

@@ -37,9 +37,7 @@ Eigen::Quaterniond from_xr(const XrQuaternionf& q) {
   return Eigen::Quaternionf(q.w, q.x, q.y, q.z).cast<double>();
 }
 
-Eigen::Vector3d from_xr(const XrVector3f& v) {
-  return Eigen::Vector3f(v.x, v.y, v.z).cast<double>();
-}
+Eigen::Vector3d from_xr(const XrVector3f& v) { return Eigen::Vector3f(v.x, v.y, v.z).cast<double>(); }
 
 namespace {
 

@@ -12,9 +12,7 @@ constexpr double felt_after_s = 0.05;
 constexpr double felt_speed_m_s = 0.01;
 constexpr double plate_bound_deg = 75.0;
 
-Eigen::Vector2d on_plate(const PlatePoint& point) {
-  return {point.right_m, -point.away_m};
-}
+Eigen::Vector2d on_plate(const PlatePoint& point) { return {point.right_m, -point.away_m}; }
 
 }  // namespace
 
@@ -37,9 +35,7 @@ XrTime Reach::millisecond_end(std::size_t millisecond) const {
   return moves_ + static_cast<XrDuration>(millisecond + 1) * millisecond_ns;
 }
 
-XrTime Reach::ended() const {
-  return moves_ + static_cast<XrDuration>(path_.size() - 1) * millisecond_ns;
-}
+XrTime Reach::ended() const { return moves_ + static_cast<XrDuration>(path_.size() - 1) * millisecond_ns; }
 
 void Reach::advance(XrTime time, const PlateModel& plate) {
   for (XrTime end = millisecond_end(path_.size() - 1); !done() && end <= time; end += millisecond_ns) {

@@ -31,9 +31,7 @@ HandState resting_hand(XrHandEXT side) {
 
 }  // namespace
 
-Eigen::Quaterniond resting_hand_orientation() {
-  return hand_orientation(0.0);
-}
+Eigen::Quaterniond resting_hand_orientation() { return hand_orientation(0.0); }
 
 World::World(const WorldSettings& settings, XrTime start)
     : settings_(settings), servo_(settings.servo, 0.0), start_(start), now_(start) {

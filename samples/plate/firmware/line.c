@@ -106,9 +106,7 @@ char* line_word(char** rest) {
   return word;
 }
 
-static bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool line_hundredths(const char* word, int32_t* out) {
   uint8_t length = 0;

@@ -112,9 +112,7 @@ enum { COPIES = 2, COPY_BYTES = 64 };
 static uint8_t to_save[SETTINGS_BYTES];
 static uint8_t save_at, save_copy = COPIES;
 
-static uint8_t* eeprom_at(uint8_t copy, uint8_t at) {
-  return (uint8_t*)(uintptr_t)(copy * COPY_BYTES + at);
-}
+static uint8_t* eeprom_at(uint8_t copy, uint8_t at) { return (uint8_t*)(uintptr_t)(copy * COPY_BYTES + at); }
 
 static bool load(Settings* settings) {
   for (uint8_t copy = 0; copy < COPIES; ++copy) {
@@ -153,9 +151,7 @@ static void continue_to_save(Plate* plate) {
 /* The watchdog: a main loop that hangs for 120 ms loses the servo's pulses first, and is reset 120 ms later.
  * Without the interrupt a bootloader that leaves the watchdog on would run with it. */
 
-ISR(WDT_vect) {
-  wanted_ticks = 0; /* the pulse that has begun is ended in its time */
-}
+ISR(WDT_vect) { wanted_ticks = 0; /* the pulse that has begun is ended in its time */ }
 
 static void start_watchdog(void) {
   wdt_enable(WDTO_120MS);

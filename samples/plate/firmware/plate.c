@@ -23,9 +23,7 @@ static int32_t clamp(int32_t value, int32_t min, int32_t max) {
   return value < min ? min : value > max ? max : value;
 }
 
-static int32_t apart(int32_t a, int32_t b) {
-  return a < b ? b - a : a - b;
-}
+static int32_t apart(int32_t a, int32_t b) { return a < b ? b - a : a - b; }
 
 static bool is_measured(const Plate* plate) {
   return settings_has_feedback(&plate->settings) && plate->reading_256ths >= 0;
@@ -35,9 +33,7 @@ static int32_t measured_millideg(const Plate* plate) {
   return settings_measured_millideg(&plate->settings, (uint16_t)(plate->reading_256ths / 16));
 }
 
-static bool is_homing(const Plate* plate) {
-  return plate->pulses && !plate->homed;
-}
+static bool is_homing(const Plate* plate) { return plate->pulses && !plate->homed; }
 
 static void stop(Plate* plate, PlateStop why) {
   plate->target_microdeg = plate->position_microdeg;
@@ -138,9 +134,7 @@ static void watch_servo(Plate* plate) {
   }
 }
 
-bool plate_knows_place(const Plate* plate) {
-  return is_measured(plate) || plate->homed;
-}
+bool plate_knows_place(const Plate* plate) { return is_measured(plate) || plate->homed; }
 
 int32_t plate_place_millideg(const Plate* plate) {
   return is_measured(plate) ? measured_millideg(plate) : plate->position_microdeg / 1000;

@@ -27,9 +27,7 @@ static const int32_t min_span = 50000, min_adc_span = 5000;
 
 enum { VERSION = 1 };
 
-const char* setting_name(Setting setting) {
-  return ranges[setting].name;
-}
+const char* setting_name(Setting setting) { return ranges[setting].name; }
 
 static bool equal(const char* a, const char* b) {
   while (*a != 0 && *a == *b) {

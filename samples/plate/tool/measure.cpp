@@ -24,9 +24,7 @@ constexpr double max_step_deg = 120.0;
 constexpr double run_up_deg = 10.0;  // more than gears may be loose
 constexpr auto frame = 20ms;         // of a hobby servo's pulses
 
-double place_of(const Device& device) {
-  return device.orientation_deg().value_or(0.0);
-}
+double place_of(const Device& device) { return device.orientation_deg().value_or(0.0); }
 
 // Of a turn, and what follows it.
 std::chrono::milliseconds limit_of_turn(const Device& device, double orientation_deg) {

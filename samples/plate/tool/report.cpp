@@ -33,9 +33,7 @@ constexpr Row rows[] = {{"speed_deg_s", &Measurements::speed_deg_s},
                         {"error_deg", &Measurements::error_deg}};
 
 // The sweep begins at its least place, and is halfway at its largest.
-double max_deg_of(const Measurements& found) {
-  return found.sweep[found.sweep.size() / 2].commanded_deg;
-}
+double max_deg_of(const Measurements& found) { return found.sweep[found.sweep.size() / 2].commanded_deg; }
 
 std::string polyline(const Measurements& found, bool upwards, double scale) {
   const double min_deg = found.sweep.front().commanded_deg, width_deg = max_deg_of(found) - min_deg;

@@ -19,9 +19,7 @@ void note_interrupts() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 }
 
-bool is_interrupted() {
-  return noted;
-}
+bool is_interrupted() { return noted; }
 
 void throw_if_interrupted() {
   if (noted) throw Interrupted();

@@ -42,9 +42,7 @@ Plugin::Plugin(const std::filesystem::path& library)
   }
 }
 
-Plugin::~Plugin() {
-  dlclose(library_);
-}
+Plugin::~Plugin() { dlclose(library_); }
 
 void Plugin::check(hrt_result result) const {
   if (result != HRT_OK)

@@ -15,9 +15,7 @@ namespace {
 constexpr std::size_t widest_name = 32;
 
 // Directions are shown in tenths of a degree, in which -0.01 would be "-0.0".
-double without_minus_zero(double value) {
-  return std::abs(value) < 0.05 ? 0.0 : value;
-}
+double without_minus_zero(double value) { return std::abs(value) < 0.05 ? 0.0 : value; }
 
 const char* illusion_text(std::uint32_t illusion) {
   constexpr const char* families[] = {
@@ -52,9 +50,7 @@ std::string lack_of_fit_text(std::uint32_t lack_of_fit) {
 
 }  // namespace
 
-bool is_within_tolerance(const ReachResult& result) {
-  return std::abs(result.miss_deg) <= tolerance_deg;
-}
+bool is_within_tolerance(const ReachResult& result) { return std::abs(result.miss_deg) <= tolerance_deg; }
 
 bool is_reached(const TargetPair& pair, const ReachResult& result) {
   if (pair.real_radius_m > 0.0) return result.miss_m <= pair.real_radius_m;

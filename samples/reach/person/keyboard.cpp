@@ -27,9 +27,7 @@ Keyboard::Keyboard() {
   changed = is_there_;
 }
 
-Keyboard::~Keyboard() {
-  restore_terminal();
-}
+Keyboard::~Keyboard() { restore_terminal(); }
 
 std::optional<char> Keyboard::key() {
   if (!is_there_) return std::nullopt;

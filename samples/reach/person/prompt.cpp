@@ -38,9 +38,7 @@ void Prompt::ask(const std::string& text) {
   say(text);
 }
 
-void Prompt::repeat() {
-  say(asked_);
-}
+void Prompt::repeat() { say(asked_); }
 
 void Prompt::say(const std::string& text) {
   before_print_(text);

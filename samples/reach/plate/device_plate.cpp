@@ -35,27 +35,21 @@ void DevicePlate::home() {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
-DevicePlate::~DevicePlate() {
-  hrt_plate_close(plate_);
-}
+DevicePlate::~DevicePlate() { hrt_plate_close(plate_); }
 
 void DevicePlate::service(XrTime) {
   check(hrt_plate_get(plate_, &report_));
   if (report_.state == HRT_PLATE_STATE_FAILED) throw Failure(ExitCode::plate, report_.message);
 }
 
-void DevicePlate::command(XrTime, double orientation_deg) {
-  check(hrt_plate_set(plate_, orientation_deg));
-}
+void DevicePlate::command(XrTime, double orientation_deg) { check(hrt_plate_set(plate_, orientation_deg)); }
 
 std::optional<double> DevicePlate::orientation_deg(XrTime) {
   if ((report_.flags & HRT_PLATE_REPORT_ORIENTATION) == 0) return std::nullopt;
   return report_.orientation_deg;
 }
 
-void DevicePlate::stop(XrTime) {
-  check(hrt_plate_stop(plate_));
-}
+void DevicePlate::stop(XrTime) { check(hrt_plate_stop(plate_)); }
 
 // A plate that has just failed refuses commands: the reason is in its report.
 void DevicePlate::check(hrt_result result) {

@@ -12,13 +12,9 @@ namespace {
 constexpr double far_m = 0.3;      // a finger that never came nearer was probably at another place's start
 constexpr double named_m = 0.005;  // a smaller distance is not worth a word
 
-const char* name_of(Hand hand) {
-  return hand == Hand::left ? "left" : "right";
-}
+const char* name_of(Hand hand) { return hand == Hand::left ? "left" : "right"; }
 
-std::string mm(double metres) {
-  return format("%.0f mm", 1e3 * metres);
-}
+std::string mm(double metres) { return format("%.0f mm", 1e3 * metres); }
 
 }  // namespace
 

@@ -12,9 +12,7 @@ std::string within_s(XrDuration limit_ns) {
   return format("within %g s", static_cast<double>(limit_ns) * 1e-9);
 }
 
-double distance_along_plate_m(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[2] - b[2]);
-}
+double distance_along_plate_m(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[2] - b[2]); }
 
 hrt_session_config config_of(const Stage& stage) {
   hrt_session_config config{.struct_size = sizeof config};

@@ -41,9 +41,7 @@ class LoadedScene {
   hrt_scene scene_{};
 };
 
-std::array<double, 3> to_array(const double (&v)[3]) {
-  return {v[0], v[1], v[2]};
-}
+std::array<double, 3> to_array(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 constexpr std::size_t min_marks = 3;
 constexpr std::size_t max_marks = HRT_MARKS_MAX;

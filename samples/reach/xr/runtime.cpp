@@ -59,13 +59,9 @@ XrRuntime::XrRuntime(const std::vector<std::string>& optional_extensions) {
   }
 }
 
-XrRuntime::~XrRuntime() {
-  CALL_XR(xrDestroyInstance(instance_));
-}
+XrRuntime::~XrRuntime() { CALL_XR(xrDestroyInstance(instance_)); }
 
-bool XrRuntime::enabled(const std::string& extension) const {
-  return contains(enabled_, extension);
-}
+bool XrRuntime::enabled(const std::string& extension) const { return contains(enabled_, extension); }
 
 void XrRuntime::create_instance(const std::vector<std::string>& optional_extensions) {
   const std::vector<std::string> available = available_extensions();

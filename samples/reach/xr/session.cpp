@@ -20,9 +20,7 @@ constexpr auto poll_period = 2ms;                // while there are no frames to
 constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames have no times: 90 Hz
 
 // A final failure: the runtime violates the specification, or takes too long.
-[[noreturn]] void fail(const std::string& sentence) {
-  throw Failure(ExitCode::runtime_failed, sentence);
-}
+[[noreturn]] void fail(const std::string& sentence) { throw Failure(ExitCode::runtime_failed, sentence); }
 
 std::string within(std::chrono::milliseconds limit) {
   return format("within %g s", static_cast<double>(limit.count()) * 1e-3);
@@ -53,9 +51,7 @@ XrHeadlessSession::XrHeadlessSession(XrRuntime& runtime, SpaceMotion& motion, st
   }
 }
 
-XrHeadlessSession::~XrHeadlessSession() {
-  destroy();
-}
+XrHeadlessSession::~XrHeadlessSession() { destroy(); }
 
 void XrHeadlessSession::create() {
   create_hand_tracker_ = runtime_.function<PFN_xrCreateHandTrackerEXT>("xrCreateHandTrackerEXT");

@@ -7,9 +7,7 @@ std::array<double, 3> to_array(const XrVector3f& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-XrHandEXT to_xr(Hand hand) {
-  return hand == Hand::left ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
-}
+XrHandEXT to_xr(Hand hand) { return hand == Hand::left ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT; }
 
 }  // namespace
 

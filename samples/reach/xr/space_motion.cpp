@@ -13,9 +13,7 @@ Eigen::Quaternionf orientation(const XrPosef& pose) {
   return {q.w, q.x, q.y, q.z};
 }
 
-Eigen::Vector3f position(const XrPosef& pose) {
-  return {pose.position.x, pose.position.y, pose.position.z};
-}
+Eigen::Vector3f position(const XrPosef& pose) { return {pose.position.x, pose.position.y, pose.position.z}; }
 
 // Normalised, since many products would lose the length of 1.
 XrPosef pose_of(const Eigen::Quaternionf& turned, const Eigen::Vector3f& moved) {

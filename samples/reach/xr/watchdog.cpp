@@ -216,36 +216,22 @@ class Watchdog {
 
 }  // namespace
 
-void watch_runtime(std::chrono::milliseconds limit) {
-  Watchdog::the().start(limit);
-}
+void watch_runtime(std::chrono::milliseconds limit) { Watchdog::the().start(limit); }
 
 LastWill::LastWill(std::function<void()> put_in_order) {
   Watchdog::the().set_last_will(std::move(put_in_order));
 }
 
-LastWill::~LastWill() {
-  Watchdog::the().set_last_will(nullptr);
-}
+LastWill::~LastWill() { Watchdog::the().set_last_will(nullptr); }
 
-void put_in_order_now() {
-  Watchdog::the().put_in_order_now();
-}
+void put_in_order_now() { Watchdog::the().put_in_order_now(); }
 
-bool is_runtime_blocked() {
-  return Watchdog::the().has_taken_over();
-}
+bool is_runtime_blocked() { return Watchdog::the().has_taken_over(); }
 
-void expect_exit(int exit_code) {
-  Watchdog::the().expect_exit(exit_code);
-}
+void expect_exit(int exit_code) { Watchdog::the().expect_exit(exit_code); }
 
-RuntimeCall::RuntimeCall(std::string_view name) {
-  Watchdog::the().begin_call(name);
-}
+RuntimeCall::RuntimeCall(std::string_view name) { Watchdog::the().begin_call(name); }
 
-RuntimeCall::~RuntimeCall() {
-  Watchdog::the().end_call();
-}
+RuntimeCall::~RuntimeCall() { Watchdog::the().end_call(); }
 
 }  // namespace hrt::reach

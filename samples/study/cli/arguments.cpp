@@ -60,9 +60,7 @@ std::string joined(const std::vector<double>& values) {
   return text;
 }
 
-bool takes_value(const CLI::Option* option) {
-  return option->get_items_expected_max() > 0;
-}
+bool takes_value(const CLI::Option* option) { return option->get_items_expected_max() > 0; }
 
 class HelpFormatter : public CLI::Formatter {
  public:
@@ -234,16 +232,10 @@ CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* famil
                    });
 }
 
-void require(CLI::Option* option) {
-  option->required();
-}
+void require(CLI::Option* option) { option->required(); }
 
-void show_default(CLI::Option* option, const std::string& text) {
-  option->default_str(text);
-}
+void show_default(CLI::Option* option, const std::string& text) { option->default_str(text); }
 
-void format_help(CLI::App& app) {
-  app.formatter(std::make_shared<HelpFormatter>());
-}
+void format_help(CLI::App& app) { app.formatter(std::make_shared<HelpFormatter>()); }
 
 }  // namespace hrt::study

@@ -9,9 +9,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr NumberRange whole(double low, double high) {
-  return {.low = low, .high = high, .whole = true};
-}
+constexpr NumberRange whole(double low, double high) { return {.low = low, .high = high, .whole = true}; }
 
 // An open value is filled in by make_condition().
 void describe(CLI::Option* option, const Parameter& parameter) {

@@ -36,13 +36,9 @@ Authority authority_over(const Scene& scene, const SceneTarget& virtual_target, 
 }
 
 // A value that rounds to zero is written without a sign.
-std::string degrees(double angle_deg) {
-  return fixed(std::abs(angle_deg) < 0.005 ? 0.0 : angle_deg, 2);
-}
+std::string degrees(double angle_deg) { return fixed(std::abs(angle_deg) < 0.005 ? 0.0 : angle_deg, 2); }
 
-std::string millimetres(double metres) {
-  return fixed(std::abs(metres) < 0.5e-4 ? 0.0 : metres * 1e3, 1);
-}
+std::string millimetres(double metres) { return fixed(std::abs(metres) < 0.5e-4 ? 0.0 : metres * 1e3, 1); }
 
 std::string text(const Scene& scene, const Options& options) {
   const ScenePlate& plate = scene.plate;

@@ -25,12 +25,8 @@ std::string row(const std::string& name, const std::string& value, const std::st
   return "  " + left(name, 36) + right(value, 15) + "   " + rest + '\n';
 }
 
-double direction_deg(const CalibratedSlide& slide) {
-  return settled_direction_deg(slide.parts_deg);
-}
-double fitted_deg(const CalibratedSlide& slide) {
-  return settled_direction_deg(slide.fitted_deg);
-}
+double direction_deg(const CalibratedSlide& slide) { return settled_direction_deg(slide.parts_deg); }
+double fitted_deg(const CalibratedSlide& slide) { return settled_direction_deg(slide.fitted_deg); }
 
 // The likeliest family in words.
 std::string family_text(const Calibration& calibration) {

@@ -24,9 +24,7 @@ struct Spot {
   double y;
 };
 
-Spot spot(const PlatePoint& point) {
-  return {1e3 * point.right_m, -(1e3 * point.away_m + start_away_mm)};
-}
+Spot spot(const PlatePoint& point) { return {1e3 * point.right_m, -(1e3 * point.away_m + start_away_mm)}; }
 
 Spot target(const PersonCondition& condition, double direction_deg) {
   return spot(point_ahead({0.0, 0.0}, direction_deg, condition.distance_m));

@@ -12,9 +12,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::string words_for(std::string_view column) {
-  return "column " + std::string(column);
-}
+std::string words_for(std::string_view column) { return "column " + std::string(column); }
 
 }  // namespace
 
@@ -46,9 +44,7 @@ bool CsvReader::next() {
   return true;
 }
 
-std::string CsvReader::where() const {
-  return line_of_file(name_, number_);
-}
+std::string CsvReader::where() const { return line_of_file(name_, number_); }
 
 void CsvReader::take_header(std::string_view columns, const std::string& allowed) {
   for (const std::string_view column : split(columns, ',')) {

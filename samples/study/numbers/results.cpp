@@ -58,9 +58,7 @@ void Writing::add_options(CLI::App& command) {
   add_out(command, &out);
 }
 
-void Writing::add_part_option(CLI::App& command) {
-  add_part(command, &part);
-}
+void Writing::add_part_option(CLI::App& command) { add_part(command, &part); }
 
 void Writing::check_part() const {
   if (!part.whole() && format != "csv")

@@ -223,9 +223,7 @@ PercentInterval paper_interval(const Cell& cell) {
   return wilson_interval(*cell.paper_percent, paper_trials);
 }
 
-bool agrees(const Cell& cell) {
-  return paper_interval(cell).contains(cell.result.hit_percent());
-}
+bool agrees(const Cell& cell) { return paper_interval(cell).contains(cell.result.hit_percent()); }
 
 Table1 simulate_table1(const Table1Options& options) {
   Table1 table{.options = options};

@@ -17,9 +17,7 @@ std::string columns(std::optional<double> paper_percent, std::optional<PercentIn
          right(fixed(percent, 1), 9);
 }
 
-std::string yes_or_no(bool yes) {
-  return yes ? "     yes" : "      NO";
-}
+std::string yes_or_no(bool yes) { return yes ? "     yes" : "      NO"; }
 
 // Of a sample of six from a normal distribution, the ends of 95 % of its standard deviation over the true
 // one.

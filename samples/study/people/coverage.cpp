@@ -40,9 +40,7 @@ constexpr CoverageKind all_kinds[] = {
 
 }  // namespace
 
-std::span<const CoverageKind> coverage_kinds() {
-  return all_kinds;
-}
+std::span<const CoverageKind> coverage_kinds() { return all_kinds; }
 
 std::vector<double> coverage_angles() {
   std::vector<double> angles;

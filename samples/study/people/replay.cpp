@@ -48,9 +48,7 @@ std::string file_name(const ReplayedPath& replayed) {
   return std::filesystem::path(replayed.path.file).filename().string();
 }
 
-double or_nan(bool known, double value) {
-  return known ? value : std::numeric_limits<double>::quiet_NaN();
-}
+double or_nan(bool known, double value) { return known ? value : std::numeric_limits<double>::quiet_NaN(); }
 
 std::vector<std::pair<const char*, double>> numbers(const ReplayedPath& replayed) {
   const ReachSummary& summary = replayed.summary;

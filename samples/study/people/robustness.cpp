@@ -68,17 +68,11 @@ const char* leading_title(Leading leading) {
   return titles[static_cast<std::size_t>(leading)];
 }
 
-bool ReachResult::near() const {
-  return std::abs(bearing_error_deg) <= near_deg;
-}
+bool ReachResult::near() const { return std::abs(bearing_error_deg) <= near_deg; }
 
-bool ReachResult::silent() const {
-  return !near() && !unreachable && !misfit && !off_target;
-}
+bool ReachResult::silent() const { return !near() && !unreachable && !misfit && !off_target; }
 
-bool ReachResult::false_alarm() const {
-  return near() && (unreachable || off_target);
-}
+bool ReachResult::false_alarm() const { return near() && (unreachable || off_target); }
 
 namespace {
 

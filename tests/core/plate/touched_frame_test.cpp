@@ -13,9 +13,7 @@ constexpr PlatePoint home{0.01, -0.05};
 constexpr PlatePoint target{0.01, 0.05};  // 100 mm straight ahead
 const FrameCovariance exact = FrameCovariance::Zero();
 
-TouchedFrame frame() {
-  return {.home = home};
-}
+TouchedFrame frame() { return {.home = home}; }
 
 // A prior of 2 % of 100 mm is 2 mm: a contact of 2 mm moves the finger half way to where it is, in either
 // direction, and halves the variance. At half of the way there is half of the correction.

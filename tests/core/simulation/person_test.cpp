@@ -37,9 +37,7 @@ Person linear() {
   return person;
 }
 
-Draws draws(std::uint32_t reach = 0) {
-  return {1, 2, 3, reach};
-}
+Draws draws(std::uint32_t reach = 0) { return {1, 2, 3, reach}; }
 
 struct Walk {
   std::vector<PlatePoint> places;  // one a millisecond

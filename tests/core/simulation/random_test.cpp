@@ -111,9 +111,7 @@ TEST(SimulationRandom, EveryPartOfTheCounterCounts) {
   EXPECT_EQ(std::adjacent_find(draws.begin(), draws.end()), draws.end());
 }
 
-double normal_distribution_function(double x) {
-  return 0.5 * std::erfc(-x / std::numbers::sqrt2);
-}
+double normal_distribution_function(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
 
 // A million draws over trials and steps.
 const std::vector<double>& sorted_sample() {

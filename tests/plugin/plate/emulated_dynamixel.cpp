@@ -72,9 +72,7 @@ void EmulatedDynamixel::set(int address, int size, std::int64_t value) {
   std::copy(bytes.begin(), bytes.end(), table_.begin() + address);
 }
 
-std::string EmulatedDynamixel::take_output() {
-  return std::exchange(output_, {});
-}
+std::string EmulatedDynamixel::take_output() { return std::exchange(output_, {}); }
 
 void EmulatedDynamixel::hear(std::string_view bytes, Time now) {
   run_until(now);

@@ -36,9 +36,7 @@ bool comes_to(hrt_plate plate, std::uint32_t state) {
   return eventually([&] { return report_of(plate).state == state; });
 }
 
-std::string error() {
-  return hrt_plate_last_error();
-}
+std::string error() { return hrt_plate_last_error(); }
 
 class PlateApi : public testing::Test {
  protected:

@@ -79,9 +79,7 @@ EmulatedBoard::~EmulatedBoard() {
   std::free(avr_);
 }
 
-std::chrono::nanoseconds EmulatedBoard::now() const {
-  return time_of(avr_->cycle);
-}
+std::chrono::nanoseconds EmulatedBoard::now() const { return time_of(avr_->cycle); }
 
 void EmulatedBoard::run_until(std::chrono::nanoseconds time) {
   const std::uint64_t end = static_cast<std::uint64_t>(time.count()) * (cpu_hz / 1'000'000) / 1000;
@@ -91,13 +89,9 @@ void EmulatedBoard::run_until(std::chrono::nanoseconds time) {
   }
 }
 
-void EmulatedBoard::run_for(std::chrono::nanoseconds time) {
-  run_until(now() + time);
-}
+void EmulatedBoard::run_for(std::chrono::nanoseconds time) { run_until(now() + time); }
 
-void EmulatedBoard::say(std::string_view body) {
-  send(encode_line(body));
-}
+void EmulatedBoard::say(std::string_view body) { send(encode_line(body)); }
 
 std::string EmulatedBoard::take_output() {
   std::string output;
@@ -147,13 +141,9 @@ std::vector<std::uint8_t> EmulatedBoard::eeprom() const {
   return bytes;
 }
 
-std::uint8_t EmulatedBoard::extended_fuse() const {
-  return avr_->fuse[2];
-}
+std::uint8_t EmulatedBoard::extended_fuse() const { return avr_->fuse[2]; }
 
-const std::vector<std::string>& EmulatedBoard::complaints() const {
-  return logged;
-}
+const std::vector<std::string>& EmulatedBoard::complaints() const { return logged; }
 
 void EmulatedBoard::take_edge(avr_irq_t*, std::uint32_t value, void* board) {
   auto& self = *static_cast<EmulatedBoard*>(board);

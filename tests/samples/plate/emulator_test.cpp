@@ -161,9 +161,7 @@ TEST_F(Firmware, DamagedLinesMoveNothing) {
   EXPECT_TRUE(contains(lines, "TEST loop 1") || contains(lines, "TEST loop 2"));
 }
 
-TEST_F(Firmware, DeclaresABrownOutAtFourPointThreeVolts) {
-  EXPECT_EQ(board_.extended_fuse(), 0xFC);
-}
+TEST_F(Firmware, DeclaresABrownOutAtFourPointThreeVolts) { EXPECT_EQ(board_.extended_fuse(), 0xFC); }
 
 // The host has been sending since before the board started, and continues after a reset.
 TEST_F(Firmware, AResetEndsThePulsesUntilTheNextGreeting) {

@@ -345,9 +345,7 @@ TEST_F(BlindFirmware, ForgetsItsPlaceAtAnEmergencyAndAtAReset) {
   }
 }
 
-TEST(FirmwareLine, HasTheSumOfTheStandard) {
-  EXPECT_EQ(line_crc("123456789", 9), 0x29B1);
-}
+TEST(FirmwareLine, HasTheSumOfTheStandard) { EXPECT_EQ(line_crc("123456789", 9), 0x29B1); }
 
 // Firmware and driver agree on every line that the other can write.
 TEST(FirmwareLine, AgreesWithTheDriver) {

@@ -14,17 +14,13 @@
 namespace hrt::reach {
 namespace {
 
-Outcome run_desk(const std::string& script) {
-  return run_scripted(script, {desk});
-}
+Outcome run_desk(const std::string& script) { return run_scripted(script, {desk}); }
 
 std::string event_at(int frame, const std::string& what) {
   return R"({"frame": )" + std::to_string(frame) + ", " + what + "}";
 }
 
-std::string calm_with(const std::string& events) {
-  return "{" + calm + R"(, "events": [)" + events + "]}";
-}
+std::string calm_with(const std::string& events) { return "{" + calm + R"(, "events": [)" + events + "]}"; }
 
 std::string failing_call(const std::string& function, int call, const std::string& result) {
   return R"({"calls": [{"function": ")" + function + R"(", "call": )" + std::to_string(call) +

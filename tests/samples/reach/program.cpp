@@ -33,9 +33,7 @@ std::string scratch_folder() {
   return own.string();
 }
 
-std::map<std::string, std::string> mock_environment() {
-  return {{"XR_RUNTIME_JSON", HRT_MOCK_MANIFEST}};
-}
+std::map<std::string, std::string> mock_environment() { return {{"XR_RUNTIME_JSON", HRT_MOCK_MANIFEST}}; }
 
 Program::Program(const std::vector<std::string>& arguments,
                  const std::map<std::string, std::string>& environment, int err, int in)

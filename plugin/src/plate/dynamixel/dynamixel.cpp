@@ -28,9 +28,7 @@ struct Settings {
   int effort_percent;
 };
 
-double deg_of(std::int64_t step) {
-  return static_cast<double>(step - middle_step) * deg_per_step;
-}
+double deg_of(std::int64_t step) { return static_cast<double>(step - middle_step) * deg_per_step; }
 
 void check_hardware(std::int64_t bits) {
   if (bits == 0) return;

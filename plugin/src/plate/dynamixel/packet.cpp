@@ -14,9 +14,7 @@ constexpr std::size_t before_instruction = 7;           // header, id, length
 constexpr std::size_t crc_size = 2;
 constexpr std::size_t min_length = 3;  // instruction and CRC
 
-std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
-  return static_cast<std::uint8_t>(bytes[at]);
-}
+std::uint8_t byte_at(std::string_view bytes, std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); }
 
 std::string stuffed(std::string_view plain) {
   std::string bytes;
