@@ -121,17 +121,17 @@ def test_report():
 
 
 def bids_validator():
-    """The command of npm's bids-validator, from the registry, once: its package is one script. None without npm."""
+    """The command of npm's bids-validator, from the registry, once: its package is one script. None without npm or registry."""
     cache = pathlib.Path.home() / ".cache/haptic_retargeting/bids-validator"
     program = cache / "package/bin/bids-validator"
     if not program.exists() and shutil.which("npm"):
         cache.mkdir(parents=True, exist_ok=True)
-        subprocess.run("npm pack --silent bids-validator@1.15.0 >&2 && tar xf bids-validator-1.15.0.tgz", shell=True, cwd=cache, check=True)
+        subprocess.run("npm pack --silent bids-validator@1.15.0 >&2 && tar xf bids-validator-1.15.0.tgz", shell=True, cwd=cache, check=False)
     return program if program.exists() else None
 
 
 def test_bids(data, conditions):
-    """By the rules of BIDS 1.9 for motion, and by its validator where there is npm."""
+    """By the rules of BIDS 1.9 for motion, and by its validator where npm can fetch it."""
     subprocess.run([sys.argv[1] + "/bids", data], check=True, capture_output=True)
     bids, trials = data / "export/bids", pandas.read_csv(data / "export/trials.csv")
     table = lambda name, header=0: pandas.read_csv(f"{bids}/sub-02/ses-01/motion/sub-02_ses-01_task-reach_{name}.tsv", sep="\t", header=header)
@@ -146,7 +146,7 @@ def test_bids(data, conditions):
     if validator := bids_validator():
         found = json.loads(subprocess.run(["node", validator, "--json", bids], capture_output=True, check=False).stdout)
         assert not found["issues"]["errors"], found["issues"]["errors"]
-    print("BIDS by bids-validator" if validator else "BIDS by its written rules: there is no npm")
+    print("BIDS by bids-validator" if validator else "BIDS by its written rules: npm has no bids-validator here")
 
 
 test_by_hand()
