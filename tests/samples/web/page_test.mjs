@@ -79,8 +79,7 @@ test("the chart is a table too, and each of the four figures follows its control
   assert.ok(await page.locator("#trace tbody tr").count() >= 10);
   // Three strips, each with what is under the cursor; the weight that is believed, at the end.
   assert.equal(await page.locator("#chart .uplot").count(), 3);
-  const box = await page.locator("#chart .u-over").last().boundingBox();
-  await page.mouse.move(box.x + 0.5 * box.width, box.y + 20);
+  await page.locator("#chart .u-over").last().hover();  // its middle
   await page.locator("#chart .u-legend", { hasText: /felt:?\s*-?\d+\.\d°/ }).waitFor();
   assert.match(await page.locator("#chart .u-legend").last().innerText(), /believed:?\s*0\.[12]\d/);
   assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+\d+° (left|right)\s+\d+\.\d° (left|right)/);
