@@ -74,7 +74,6 @@ export interface Session {
    *  mount +Y is up and -Z away from the user. It replaces a registration. */
   setPlate(matrix: PlateMatrix): void;
   destroy(): void;
-  /** destroy(), for `using`. */
   [Symbol.dispose](): void;
 
   addTarget(config: Input<hrt_target_config>): TargetId;

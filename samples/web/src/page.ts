@@ -17,17 +17,11 @@ export function say(where: Element, text: string): void {
 }
 
 /** A direction for people; "–" if there is none. */
-export function sideways(angle_deg: number, digits = 0): string {
+export function sideways(angle_deg: number, digits = 0, none = "straight ahead", to = ""): string {
   if (Number.isNaN(angle_deg)) return "–";
   const size = Math.abs(angle_deg).toFixed(digits);
-  if (Number(size) === 0) return "straight ahead";
-  return `${size}° ${angle_deg > 0 ? "left" : "right"}`;
+  return Number(size) === 0 ? none : `${size}° ${to}${angle_deg > 0 ? "left" : "right"}`;
 }
 
 /** A turn for people. */
-export function turned(angle_deg: number): string {
-  if (Number.isNaN(angle_deg)) return "–";
-  const size = Math.abs(angle_deg).toFixed(1);
-  if (Number(size) === 0) return "nothing";
-  return `${size}° to the ${angle_deg > 0 ? "left" : "right"}`;
-}
+export function turned(angle_deg: number): string { return sideways(angle_deg, 1, "nothing", "to the "); }

@@ -29,14 +29,11 @@ export class Results {
                    `${result.peakFeltError_deg.toFixed(1)}°`, believed,
                    result.controller === "off" ? "" : warnings(result.flags).join("; ")];
     for (const text of cells) row.insertCell().textContent = text;
-    for (const [name, value] of Object.entries(result)) row.dataset[inDataset(name)] = String(value);
+    for (const [name, value] of Object.entries(result)) {  // peakFeltError_deg is peakFeltErrorDeg there
+      row.dataset[name.replace(/_(.)/g, (_, letter: string) => letter.toUpperCase())] = String(value);
+    }
     while (this.#body.rows.length > rowsKept) this.#body.deleteRow(-1);
   }
-}
-
-/** peakFeltError_deg as it is called in a dataset: peakFeltErrorDeg. */
-function inDataset(name: string): string {
-  return name.replace(/_(.)/g, (_, letter: string) => letter.toUpperCase());
 }
 
 /** What a reach came to, in a sentence. */

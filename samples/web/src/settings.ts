@@ -44,10 +44,8 @@ export const controllerNames: readonly ControllerName[] = ["off", "paper", "ours
 const maxPerson = 9999;
 
 export function defaultSettings(): Settings {
-  const settings: Settings = { tactile_weight: 0, gap_deg: 0, noise_mm: 0, pace_s: 0, plate_deg_s: 0,
-                               controller: "ours", person: 1 };
-  for (const name of sliderNames) settings[name] = sliders[name].start;
-  return settings;
+  const starts = Object.fromEntries(sliderNames.map((name) => [name, sliders[name].start])) as Record<SliderName, number>;
+  return { ...starts, controller: "ours", person: 1 };
 }
 
 /** The nearest value that the slider has. */

@@ -1,4 +1,4 @@
-/** A WebAssembly module's bytes within the bundle, or its address. */
+/** A WebAssembly module's bytes within the bundle, or its address; below, the same of a model. */
 declare module "*.wasm" {
   const module: Uint8Array<ArrayBuffer> | string;
   export default module;
@@ -9,7 +9,6 @@ declare module "plate_firmware.hex" {
   const text: string;
   export default text;
 }
-/** A model's bytes within the bundle, or its address. */
 declare module "*.glb" {
   const model: Uint8Array<ArrayBuffer> | string;
   export default model;

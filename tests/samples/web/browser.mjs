@@ -56,7 +56,7 @@ export async function visit(use, { motion = false, viewport = desktop, colorSche
 
 /** A picture of the page, with its hand. */
 export async function shoot(page, name, fullPage = true) {
-  await page.waitForSelector("#stage[data-hand=yes], #no-view:not([hidden])");
+  await page.waitForSelector("#stage[data-hand=yes], #no-view:not([hidden])", { state: "attached" });
   await page.screenshot({ path: join(screenshots, `${name}.png`), fullPage, timeout: 120_000 });
 }
 export const text = (page, selector) => page.locator(selector).textContent();

@@ -25,4 +25,4 @@ export const without = (lacking) => `${headset};(${(names) => {
   };
   XRFrame.prototype.getJointPose = function (...of) { return mask(getJointPose.apply(this, of)); };
   navigator.xr.requestSession = async (...wanted) => mask(await requestSession.apply(navigator.xr, wanted));
-}})(${JSON.stringify(lacking)})`;
+}})(${JSON.stringify(lacking)});`;

@@ -1,8 +1,7 @@
 // Files of the plugin: the last reach and what was learnt, to take away; a recording, which is run again and compared bit
-// for bit, or a scene, to bring. What is refused is refused in the plugin's words.
+// for bit, or a scene, to bring. Nothing leaves the machine. What is refused is refused in the plugin's words.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
 import { element, say } from "../page";
-import { onFiles, save } from "./browser";
 import { readReach, type RecordedReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
 
@@ -70,4 +69,27 @@ export class TakeAway {
       "controller believed.");
     return reach;
   }
+}
+
+/** Offers a text for saving. */
+function save(name: string, type: string, text: string): void {
+  const link = document.createElement("a"), url = URL.createObjectURL(new Blob([text], { type }));
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+/** Calls back with files that are chosen in `input`, or dropped anywhere on the page, together. */
+function onFiles(input: HTMLInputElement, opened: (files: readonly File[]) => void): void {
+  const take = (files: FileList | null | undefined) => { if (files?.length) opened([...files]); };
+  input.addEventListener("change", () => {
+    take(input.files);
+    input.value = "";
+  });
+  document.addEventListener("dragover", (event) => event.preventDefault());
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    take(event.dataTransfer?.files);
+  });
 }

@@ -111,22 +111,13 @@ export class WordBoard extends Group {
   }
 }
 
-/** Lines that fit; a word that is too long for one is broken. */
+/** Lines that fit, except for a word that is too long for one. */
 export function wrapped(text: string, fits: (line: string) => boolean): string[] {
   const lines: string[] = [];
-  let line = "";
-  for (let word of text.split(" ")) {
-    if (line && !fits(`${line} ${word}`)) {
-      lines.push(line);
-      line = "";
-    }
-    for (let count = word.length; !fits(word) && count > 1;) {
-      while (count > 1 && !fits(word.slice(0, count))) --count;
-      lines.push(word.slice(0, count));
-      word = word.slice(count);
-      count = word.length;
-    }
-    line = line ? `${line} ${word}` : word;
+  for (const word of text.split(" ")) {
+    const longer = lines.length > 0 ? `${lines.at(-1)} ${word}` : word;
+    if (lines.length > 0 && fits(longer)) lines[lines.length - 1] = longer;
+    else lines.push(word);
   }
-  return [...lines, line];
+  return lines;
 }

@@ -1,5 +1,5 @@
 // What lies and moves about the plate: the real cylinder, the ghost, the hand, the felt fingertip.
-import { CapsuleGeometry, CylinderGeometry, EdgesGeometry, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh,
+import { CylinderGeometry, EdgesGeometry, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh,
          MeshBasicMaterial, MeshStandardMaterial, RingGeometry, SphereGeometry, Vector2, type ColorRepresentation, type Material, type Object3D } from "three";
 
 /** A solid cylinder that stands at its origin. */
@@ -32,21 +32,12 @@ export class Ghost extends Group {
   }
 }
 
-/** A pointing hand whose fingertip touches its origin; a finger until the model has come. */
+/** A pointing hand whose fingertip touches its origin, once the model has come. */
 export class Finger extends Group {
   readonly #skin = new MeshStandardMaterial({ roughness: 0.6, transparent: true });
-  constructor() {
-    super();
-    const finger = new Mesh(new CapsuleGeometry(0.0065, 0.06, 8, 20), this.#skin);
-    finger.position.set(0.014, 0.025, 0.024);
-    finger.rotation.set(0.9, 0, -0.4);
-    finger.castShadow = true;
-    this.add(finger);
-  }
   /** `model`: of hand_model.ts. */
   async become(model: (skin: Material) => Promise<Object3D>): Promise<void> {
-    const hand = await model(this.#skin);
-    this.clear().add(hand);
+    this.add(await model(this.#skin));
   }
   setColour(colour: ColorRepresentation): void { this.#skin.color.set(colour); }
   /** From 0, not there, to 1. */

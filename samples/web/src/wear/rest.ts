@@ -15,10 +15,8 @@ export class Rest {
   /** True once for each rest: the fingertip has to move off before the next one. A lost fingertip (null) rests nowhere. */
   update(time_ms: number, tip: Vector3 | null): boolean {
     if (!tip || (this.#count > 0 && tip.distanceTo(this.place) > this.radius_m)) {
-      this.#count = 0;
-      this.#sum.set(0, 0, 0);
+      this.reset(tip === null && this.#taken);
       if (!tip) return false;
-      this.#taken = false;
     }
     if (this.#count === 0) this.#since_ms = time_ms;
     this.#sum.add(tip);
@@ -28,9 +26,9 @@ export class Rest {
   }
 
   /** The next rest may be where the last one was. */
-  reset(): void {
+  reset(taken = false): void {
     this.#count = 0;
     this.#sum.set(0, 0, 0);
-    this.#taken = false;
+    this.#taken = taken;
   }
 }
