@@ -1,4 +1,5 @@
-// A line of text in a fixed buffer: no heap, no locale. Characters that do not fit are cut off.
+// A line of text in a fixed buffer, and numbers as text: no heap, no locale. Characters that do not fit are cut off,
+// and every double reads back to the same bits.
 #pragma once
 
 #include <charconv>
@@ -8,10 +9,29 @@
 #include <string_view>
 #include <type_traits>
 
-#include "plugin/src/abi/number.h"
 #include "plugin/src/abi/utf8.h"
 
 namespace hrt::plugin {
+
+/// Room for any number that write_number() writes.
+inline constexpr std::size_t max_number = 32;
+
+/// Writes the shortest text that reads back as the same finite number. Returns its length.
+std::size_t write_number(double number, char (&out)[max_number]);
+
+/// Whether all of `text` is a number that a double can hold: digits with at most one point, with or without
+/// an exponent; or inf, nan. `*out` changes only then.
+bool read_number(std::string_view text, double* out);
+
+/// Whether all of `text` is a whole number.
+template <class Integer>
+bool read_number(std::string_view text, Integer* out) {
+  Integer number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return false;
+  *out = number;
+  return true;
+}
 
 /// A name, key or path in a message: cut after 64 bytes, so that there is room for the rest.
 struct Shown {

@@ -11,7 +11,7 @@
 
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/abi/number.h"
+#include "plugin/src/abi/text.h"
 #include "plugin/src/recording/json_number.h"
 #include "plugin/src/session/conditions.h"
 #include "plugin/src/session/contact.h"

@@ -8,7 +8,7 @@
 
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/abi/number.h"
+#include "plugin/src/abi/text.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
 #include "plugin/src/session/session.h"

@@ -10,7 +10,7 @@
 
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/abi/number.h"
+#include "plugin/src/abi/text.h"
 #include "plugin/src/recording/format.h"
 
 namespace hrt::plugin {

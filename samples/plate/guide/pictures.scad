@@ -1,8 +1,9 @@
 // The guide's pictures: openscad -D 'picture="step_1"' -o step_1.png --viewall --autocenter pictures.scad
 // A step's own parts are blue, screws orange and away from their place.
-use <../model/apparatus.scad>
-
 picture = "overview";
+include <../model/apparatus.scad>
+part = "none";
+sensor_room_mm = picture == "sensor" ? 14 : 0;
 
 module placed(names, lift_mm = 0, paint = "#d1d5db") color(paint) translate([0, 0, lift_mm]) for (name = names) installed(name);
 module new(names, lift_mm = 0) placed(names, lift_mm, "#60a5fa");
@@ -19,9 +20,12 @@ module screws(name, lift_mm) for (row = table_of_screws()) if (row[0] == name) f
 module pin(lift_mm) color("#d97706") translate([0, 75.5, lift_mm - 21]) cylinder(d = 3, h = 40);
 
 // Of a cut along the mid-line, the user to the left; flat.
-module section() for (row = [["plate", "#60a5fa"], ["hub", "#6ee7b7"], ["xl330_retainer", "#fde68a"], ["xl330_horn", "#9ca3af"],
-    ["bearing", "#a1a1aa"], ["deck", "#fca5a5"], ["xl330_mount", "#c4b5fd"], ["xl330", "#64748b"], ["drum", "#e5e7eb"],
-    ["bridge", "#fdba74"], ["object", "#fcd34d"]])
+paints = [["plate", "#60a5fa"], ["hub", "#6ee7b7"], ["bearing", "#a1a1aa"], ["deck", "#fca5a5"]];
+xl330_paints = [["xl330_retainer", "#fde68a"], ["xl330_horn", "#9ca3af"], ["xl330_mount", "#c4b5fd"], ["xl330", "#64748b"],
+    ["drum", "#e5e7eb"], ["bridge", "#fdba74"], ["object", "#fcd34d"]];
+sensor_paints = [["retainer", "#fde68a"], ["horn", "#9ca3af"], ["servo", "#64748b"], ["sensor_arm", "#c4b5fd"]];
+module upright(width_mm, bottom_z, height_mm, paint) color(paint) linear_extrude(1) translate([-width_mm / 2, bottom_z]) square([width_mm, height_mm]);
+module section(rows) for (row = rows)
   color(row[1]) linear_extrude(1) projection(cut = true) rotate([0, 0, 90]) rotate([0, 90, 0]) translate([0.02, 0, 0]) installed(row[0]);
 
 if (picture == "step_1") { placed(["plate"]); new(["hub"], -30); screws("hub", -55); }
@@ -56,4 +60,13 @@ if (picture == "step_9") {
 }
 if (picture == "overview") { placed(["drum", "deck", "bridge", "box"]); new(["plate"]); placed(["object"], 0, "#d97706"); }
 if (picture == "marks") { placed(["deck"]); new(["plate"]); }
-if (picture == "section") section();
+if (picture == "section") section(concat(paints, xl330_paints));
+if (picture == "sensor") {
+  intersection() {
+    section(concat(paints, sensor_paints));
+    translate([-50, -60, -1]) cube([100, 62, 3]);
+  }
+  upright(magnet_mm[0], magnet_bottom_z, magnet_mm[1], "#dc2626");
+  upright(sensor_board_mm[0], sensor_arm_z, sensor_board_mm[1], "#15803d");
+  upright(4, sensor_arm_z + sensor_board_mm[1], magnet_gap_mm, "#15803d");
+}

@@ -4,7 +4,7 @@
 //
 // README.md lists the parts. Any dimension of parameters.scad may be set in the same way: -D ridge_spacing_mm=8
 
-part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, bridge, object, object_cup, strip, box, xl330_mount, xl330_retainer, bearing, servo, horn, xl330, xl330_horn, tables]
+part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, sensor_arm, bridge, object, object_cup, strip, box, xl330_mount, xl330_retainer, bearing, servo, horn, xl330, xl330_horn, tables, none]
 servo_is = "xl330";  // [xl330, hobby] in "all"
 
 include <parameters.scad>
@@ -15,6 +15,7 @@ include <hub.scad>
 include <deck.scad>
 include <drum.scad>
 include <servo_mount.scad>
+include <sensor.scad>
 include <bridge.scad>
 include <registration.scad>
 include <bought.scad>
@@ -30,6 +31,7 @@ parts = [
   ["deck", deck_bottom_z, 0, 45],
   ["drum", drum_bottom_z, 0, 45],
   ["servo_mount", mount_bottom_z, 0, 0],
+  ["sensor_arm", sensor_arm_z - sensor_arm_mm, 0, 0],
   ["bridge", head_top_z, 180, 0],
   ["object", object_bottom_z, 0, 0],
   ["object_cup", object_bottom_z, 0, 0],
@@ -48,6 +50,7 @@ module installed(name) {
   else if (name == "deck") deck();
   else if (name == "drum") drum();
   else if (name == "servo_mount") servo_mount();
+  else if (name == "sensor_arm") sensor_arm();
   else if (name == "bridge") bridge();
   else if (name == "object") object();
   else if (name == "object_cup") object_cup();
@@ -64,14 +67,14 @@ module installed(name) {
 }
 
 if (part == "all") {
-  left_out = concat(["object_cup", "strip", "box"], servo_is == "xl330" ? of_hobby_servo : of_xl330);
+  left_out = concat(["object_cup", "strip", "box", "sensor_arm"], servo_is == "xl330" ? of_hobby_servo : of_xl330);
   for (name = concat([for (row = parts) row[0]], ["bearing", "servo", "horn", "xl330", "xl330_horn"]))
     if (search([name], left_out)[0] == []) installed(name);
 } else if (part == "tables") {
   marks_table();
   for (row = parts) echo(str("bed", row));
   for (row = table_of_screws()) echo(str("screw", row));
-} else {
+} else if (part != "none") {
   found = search([part], parts)[0];
   if (is_num(found)) {
     // Turned over about Y: the mid-line stays.

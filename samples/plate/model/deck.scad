@@ -53,6 +53,7 @@ module deck_floor(opening_mm, pin_mm) {
     deck_outline();
     disc(opening_mm);
     for (x_mm = [-post_x_mm, post_x_mm], y_mm = post_y_mm) translate([x_mm, y_mm]) disc(m3_pilot_mm, hole_facets);
+    for (at_mm = sensor_posts_mm) translate(at_mm) disc(m3_pilot_mm, hole_facets);
     around(drum_screw_radius_mm, drum_directions_deg) disc(m3_pilot_mm, hole_facets);
     tenons(m3_head_mm);
     if (pin_mm > 0) translate([0, zero_pin_radius_mm]) disc(pin_mm, hole_facets);

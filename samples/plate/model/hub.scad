@@ -17,12 +17,21 @@ module hub() {
   layer(journal_bottom_z, floor_z) pierced(bearing_bore_mm - bearing_fit_mm, m3_pilot_mm);
 }
 
-// Holds the hub down and carries the horn. The horn's screws have their heads in the upper side, between its own.
+// Holds the hub down and carries the horn. The horn's screws have their heads in the upper side. With a sensor it is
+// two such discs, two columns apart, with the magnet under the upper one; heads and screwdriver pass the other disc.
 module retainer() {
-  head_z = bearing_bottom_z - m3_head_height_mm;
-  module outline(horn_mm, middle_mm = 0)
-      pierced(2 * land_radius_mm, m3_free_mm, horn_mm, horn_hole_circle_mm, horn_holes, 180 / retainer_screws, middle_mm);
-  layer(head_z, bearing_bottom_z) outline(m3_head_mm);
-  layer(horn_top_z, head_z) outline(m3_free_mm);
-  layer(retainer_bottom_z, horn_top_z) outline(0, horn_diameter_mm + slide_fit_mm);
+  top_z = retainer_bottom_z + retainer_mm;
+  // The horn's screws lie between the retainer's.
+  module outline(screw_mm, horn_mm, middle_mm = 0)
+      pierced(2 * land_radius_mm, screw_mm, horn_mm, horn_hole_circle_mm, horn_holes, 180 / retainer_screws, middle_mm);
+  screw_mm = sensor_room_mm > 0 ? m3_head_mm : m3_free_mm;
+  head_z = top_z - m3_head_height_mm;
+  layer(head_z, top_z) outline(screw_mm, m3_head_mm);
+  layer(horn_top_z, head_z) outline(screw_mm, m3_free_mm);
+  layer(retainer_bottom_z, horn_top_z) outline(screw_mm, 0, horn_diameter_mm + slide_fit_mm);
+  if (sensor_room_mm > 0) {
+    layer(top_z, clamp_z) sensor_columns();
+    layer(clamp_z, magnet_bottom_z + magnet_mm[1]) outline(m3_free_mm, 4.5, magnet_mm[0] + slide_fit_mm);
+    layer(magnet_bottom_z + magnet_mm[1], bearing_bottom_z) outline(m3_free_mm, 4.5);
+  }
 }

@@ -56,6 +56,14 @@ horn_pocket_mm = 1.5;
 // By which the shaft stays short of the horn's end: it must not push the plate up.
 horn_slack_mm = 0.5;
 
+/* [Sensor of a hobby servo: an AS5600 board of 23 x 23 mm, its chip in the middle] */
+// Room for it between hub and servo: 14; 0: there is none.
+sensor_room_mm = 0;
+sensor_board_mm = [23.2, 1.6];
+magnet_mm = [6, 2.5];
+// From the magnet to the chip, which is as high as that itself.
+magnet_gap_mm = 1.5;
+
 /* [Dynamixel XL330. Measure yours] */
 xl_width_mm = 20;
 xl_height_mm = 34;
@@ -138,7 +146,7 @@ post_radius_mm = 5;
 post_x_mm = 28;
 post_y_mm = [14, -34];
 mount_mm = 5;
-mount_recess_mm = 2;
+mount_recess_mm = sensor_room_mm > 0 ? 3 : 2;  // screws of 50 or 30 mm
 // Wide: the mount is moved until the shaft is on the axis. Washers bridge them.
 post_hole_mm = 4;
 post_washer_mm = 7.6;
@@ -177,7 +185,11 @@ floor_z = hub_bottom_z - shoulder_mm;              // of the deck, and top of th
 bearing_bottom_z = floor_z - bearing_width_mm;
 journal_bottom_z = bearing_bottom_z + 0.2;         // the retainer clamps the bearing's inner ring
 deck_bottom_z = bearing_bottom_z - lip_mm;
-retainer_bottom_z = bearing_bottom_z - retainer_mm;
+clamp_z = bearing_bottom_z - retainer_mm;          // heads of the screws that hold the hub
+retainer_bottom_z = clamp_z - (sensor_room_mm > 0 ? sensor_room_mm + retainer_mm : 0);
+magnet_bottom_z = clamp_z + 1 - magnet_mm[1];      // in a pocket 1 mm deep
+sensor_arm_z = magnet_bottom_z - 2 * magnet_gap_mm - sensor_board_mm[1];
+sensor_arm_mm = 4;
 horn_top_z = retainer_bottom_z + horn_pocket_mm;
 flange_top_z = horn_top_z - horn_top_above_flange_mm - horn_slack_mm;
 mount_top_z = flange_top_z - servo_flange_thickness_mm;
@@ -229,4 +241,6 @@ assert(horn_diameter_mm + slide_fit_mm < retainer_screw_circle_mm - m3_head_mm,
 assert(rim_gap_mm <= 4, "rim_gap_mm must be 4 or less: wider gaps admit a fingertip");
 assert(object_gap_mm >= 1 && object_gap_mm <= 4, "object_gap_mm must be 1 to 4: wider gaps admit a fingertip");
 assert(cup_width_mm < 2 * cup_radius_mm, "cup_width_mm must be below twice cup_radius_mm");
+assert(sensor_room_mm == 0 || sensor_room_mm >= clamp_z - sensor_arm_z + sensor_arm_mm + 3,
+       "sensor_room_mm must be 0, or leave 3 mm below the sensor's arm: 14");
 assert(facets % 4 == 0, "facets must be a multiple of 4");

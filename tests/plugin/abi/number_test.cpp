@@ -1,5 +1,5 @@
 // Numbers as text: to the same bits and back, by the C++ library's reader too where there is one.
-#include "plugin/src/abi/number.h"
+#include "plugin/src/abi/text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "plugin/src/abi/number.h"
+#include "plugin/src/abi/text.h"
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
