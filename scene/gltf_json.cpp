@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "scene/gltf_limits.h"
 #include "scene/scene_error.h"
 
 namespace hrt {

@@ -9,6 +9,17 @@
 
 namespace hrt {
 
+/// What a file may hold: far above any real scene, to keep a hostile file's memory bounded.
+namespace gltf_limits {
+inline constexpr std::size_t json_bytes = std::size_t{64} << 20;
+inline constexpr std::size_t json_values = 1'000'000;
+inline constexpr std::size_t json_depth = 64;
+inline constexpr std::size_t nodes = 100'000;
+inline constexpr int node_depth = 256;
+inline constexpr std::size_t name_bytes = 255;
+inline constexpr std::size_t haptic_nodes = 1000;
+}  // namespace gltf_limits
+
 /// Where the JSON lies in a file.
 struct JsonExtent {
   std::size_t offset;

@@ -4,7 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "scene/gltf_limits.h"
+#include "scene/gltf_json.h"
 #include "scene/scene_error.h"
 
 namespace hrt {

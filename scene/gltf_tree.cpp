@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "scene/gltf_json.h"
-#include "scene/gltf_limits.h"
 #include "scene/gltf_model.h"
 #include "scene/gltf_shape.h"
 #include "scene/scene_error.h"

@@ -1,5 +1,5 @@
-// A line of text in a fixed buffer, and numbers as text: no heap, no locale. Characters that do not fit are cut off,
-// and every double reads back to the same bits.
+// A line of text in a fixed buffer, and numbers as text: no heap, no locale. Characters that do not fit are
+// cut off, and every double reads back to the same bits.
 #pragma once
 
 #include <charconv>
