@@ -71,7 +71,8 @@ HRT_ANY_WIDTH void carry(PersonFilter::Covariance& covariance, PersonFilter::Ste
 // Two coordinates have been measured, of which these are the rows of P and the variances.
 HRT_ANY_WIDTH void correct(PersonFilter::Covariance& covariance, const PersonFilter::State& by_right,
                            double right_mm2, const PersonFilter::State& by_away, double away_mm2) {
-  const PersonFilter::State right = by_right, away = by_away;  // which no line below writes
+  // Copies, which writing into P can't change. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+  const PersonFilter::State right = by_right, away = by_away;
   const PersonFilter::State gain_right = right / right_mm2, gain_away = away / away_mm2;
   for (int j = 0; j < PersonFilter::size; ++j)
     for (int i = 0; i < PersonFilter::size; ++i)
