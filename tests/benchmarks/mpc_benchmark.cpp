@@ -128,9 +128,8 @@ void print_row(const char* name, int horizon, const char* start, const std::vect
               sorted_us[sorted_us.size() * 99 / 100], sorted_us.back());
 }
 
-// Ours with a new controller for each problem, and each peer in the same minute: how many times longer it
-// takes, by median and by the 99th percentile, and the largest error of a first plate offset against the
-// long-double reference.
+// Ours, cold, and each peer in the same run: by how much longer it takes, and the largest error of a first
+// plate offset against the long-double reference.
 void print_peers(const std::vector<Case>& cases) {
   if (peers().empty()) return;
   const std::size_t count = std::min(cases.size(), compared);

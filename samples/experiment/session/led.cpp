@@ -193,30 +193,36 @@ Key LedSubject::key() {
 
 // Frames continue, so the plate is served. 'q' leaves from anywhere.
 char LedSubject::await_key(const std::string& allowed) {
-  const reach::AtEnd awaits_nothing([this] { await(""); });
   await(allowed);
-  for (;;) {
+  while (!typed_) {
     try {
       frame();
     } catch (const Ended&) {
-      if (pressed_ == Key::leave) return 'q';
+      if (pressed_ == Key::leave) typed_ = 'q';
     }
-    if (typed_) return *std::exchange(typed_, std::nullopt);
   }
+  const char key = *typed_;
+  await("");
+  return key;
 }
 
 std::string LedSubject::typed() {
   constexpr char erase = 0x7f;
-  const reach::AtEnd awaits_nothing([this] { await(""); });
   await("", true);
   std::string text;
-  for (;; frame()) {
-    const std::optional<char> key = std::exchange(typed_, std::nullopt);
-    if (!key) continue;
-    if (*key == '\n' || *key == '\r') return text;
-    if (*key == erase && !text.empty()) text.pop_back();
-    if (static_cast<unsigned char>(*key) >= ' ' && *key != erase) text += *key;
+  try {
+    for (;; frame()) {
+      const std::optional<char> key = std::exchange(typed_, std::nullopt);
+      if (key == '\n' || key == '\r') break;
+      if (key == erase && !text.empty()) text.pop_back();
+      if (key && static_cast<unsigned char>(*key) >= ' ' && key != erase) text += *key;
+    }
+  } catch (const Ended&) {
+    await("");
+    throw;
   }
+  await("");
+  return text;
 }
 
 unsigned LedSubject::typed_number(unsigned low, unsigned high) {
