@@ -149,16 +149,16 @@ struct Page {
     path = said.substr(slash, said.find('\n', slash) - slash);
   }
   int status(const std::string& of, const httplib::Headers& headers = {}) const {
-    return httplib::Client(host).Get(of.c_str(), headers)->status;
+    return httplib::Client(host).Get(of, headers)->status;
   }
   int press(const std::string& keys, const std::string& at) const {
-    const httplib::Result result = httplib::Client(host).Post((at + "keys").c_str(), keys, "text/plain");
+    const httplib::Result result = httplib::Client(host).Post(at + "keys", keys, "text/plain");
     return result ? result->status : 0;
   }
   // Until there was each of these.
   std::string events(const std::vector<std::string>& parts) const {
     std::string text;
-    httplib::Client(host).Get((path + "events").c_str(), [&](const char* data, std::size_t length) {
+    httplib::Client(host).Get(path + "events", [&](const char* data, std::size_t length) {
       text.append(data, length);
       return !std::all_of(parts.begin(), parts.end(), [&](const auto& part) { return has(text, part); });
     });
