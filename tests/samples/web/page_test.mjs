@@ -364,15 +364,15 @@ test("the page reaches no other machine, by its own policy", () => visit(async (
   assert.deepEqual(refused, ["rejected", "rejected", "rejected"]);
 }, { strict: false }));
 
-// What a browser gets before it draws, and what only those get who ask for it.
 test("the first picture takes 300 kB, and parts come when asked for", () => visit(async (page) => {
   const got = () => page.evaluate(() => Object.fromEntries(performance.getEntriesByType("resource").map(
-    ({ name, encodedBodySize }) => [name.replace(/.*\//, ""), encodedBodySize])));
-  const first = await got(), page_kB = Object.entries(first).filter(([name]) => !name.endsWith(".wasm")).reduce((sum, [, size]) => sum + size, 0) / 1000;
-  assert.ok(page_kB < 300, `${page_kB} kB`);
-  assert.ok(first["haptic_retargeting.wasm"] < 450_000, `${first["haptic_retargeting.wasm"]} bytes of the plugin`);
-  assert.ok(!Object.keys(first).some((name) => name.endsWith(".glb")), "the hand is not among them");
+    ({ name, encodedBodySize: size, startTime: from, responseEnd: to }) => [name.replace(/.*\//, ""), { size, from, to }])));
   await page.waitForSelector("#stage[data-hand=yes]");
+  const all = await got(), hand = Object.keys(all).find((name) => name.endsWith(".glb"));
+  const first = Object.entries(all).filter(([name]) => !/\.(wasm|glb)$/.test(name)), kB = first.reduce((sum, [, { size }]) => sum + size, 0) / 1000;
+  assert.ok(kB < 300, `${kB} kB`);
+  assert.ok(all["haptic_retargeting.wasm"].size < 450_000, `${all["haptic_retargeting.wasm"].size} bytes of the plugin`);
+  assert.ok(first.every(([, { to }]) => to <= all[hand].from), "the hand comes after the first picture's parts");
   for (const [part, click, ready] of [["the emulator", "#plate-firmware", "#plate-stop"], ["the chart", "#researchers summary", "#chart .uplot"],
                                       ["the headset", "label:has(input[value=wear])", "#wear-unavailable"]]) {
     const count = Object.keys(await got()).length;
