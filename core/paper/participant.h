@@ -62,15 +62,17 @@ struct ParticipantSlopes {
 
 ParticipantSlopes participant_slopes(const ParticipantInput& input);
 
-/// The largest gap |theta_V - P_R| that a plate bounded to `plate_bound_deg` about theta_V can hold.
-/// `tactile_weight` in (0, 0.5), `plate_bound_deg` in (0, 90].
+/// The largest gap |theta_V - P_R| that a plate bounded to `plate_bound_deg` about theta_V can hold: at rest
+/// the participant feels the goal, so w_T T + (1 - w_T) P = theta_V. `tactile_weight` in (0, 0.5),
+/// `plate_bound_deg` in (0, 90].
 double max_gap_deg(double tactile_weight, double plate_bound_deg);
 
 /// Authority over the pair of directions, any finite degrees. Ranges as for max_gap_deg().
 Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
                              double plate_bound_deg);
 
-/// One step of the filter.
+/// One step of the Kalman filter that fuses touch and proprioception. It does not depend on what is felt, so
+/// a controller knows the gains ahead.
 struct FilterGain {
   double gain;           ///< K, in (0, 1] (0 only if both variances before it are 0)
   double variance_deg2;  ///< of the perceived direction once corrected: (1 - K) var-

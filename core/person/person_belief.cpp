@@ -14,6 +14,12 @@ constexpr double weight_curve_correlation = 0.85;
 constexpr double known_weight_sd = 0.001;
 constexpr double known_bias_sd_deg = 0.05;
 constexpr double known_fading_sd = 0.01;
+// Of a calibrated one.
+constexpr double min_weight_sd = 0.01;
+constexpr double min_curve_sd = 0.015;
+constexpr double min_bias_sd_deg = 0.5;
+constexpr double min_habit_sd_deg = 0.4;
+constexpr double max_correlation = 0.95;
 
 }  // namespace
 
@@ -72,18 +78,6 @@ bool is_valid(const PersonBelief& belief) {
   if (belief.covariance != belief.covariance.transpose()) return false;
   return belief.covariance.llt().info() == Eigen::Success;
 }
-
-namespace {
-
-using T = PersonTrait;
-
-constexpr double min_weight_sd = 0.01;
-constexpr double min_curve_sd = 0.015;
-constexpr double min_bias_sd_deg = 0.5;
-constexpr double min_habit_sd_deg = 0.4;
-constexpr double max_correlation = 0.95;
-
-}  // namespace
 
 PersonBelief calibrated_person(const CalibratedTraits& traits) {
   PersonBelief belief = unknown_person();

@@ -318,7 +318,10 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
       "the target", "the real target",     order.virtual_deg,  order.real_deg,       order.distance_m,
       0.0,          at(order.virtual_deg), at(order.real_deg), order.virtual_target, order.real_target};
   const hrt_session own = std::exchange(targets_.session, order.session);
-  const reach::AtEnd of_own([&] { targets_.session = own; });
+  const reach::AtEnd of_own([&] {
+    targets_.session = own;
+    stage_.on_frame = nullptr;
+  });
   try {
     home();
     if (stage_.simulation != nullptr) simulation_->seed(options_.seed, order.number);
