@@ -123,6 +123,9 @@ typedef struct hrt_plate_report {
   /** The plate's own, or less if it was seen to turn slower. For
    *  hrt_session_config::plate_max_speed_deg_s. */
   double max_speed_deg_s;
+  /** As measured by `hrt-plate commission`; 0 without its file. For
+   *  hrt_session_config::plate_max_acceleration_deg_s2. */
+  double max_acceleration_deg_s2;
   /** Stops, or both 0 if the plate turns freely. For hrt_session_config, if they are 180 degrees apart or
    * more. */
   double lower_stop_deg;
@@ -164,11 +167,12 @@ HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;
  * has failed. Never null; valid until this thread's next failed call. [any-thread] */
 HRT_PLATE_API const char* hrt_plate_last_error(void) HRT_NOEXCEPT;
 
-/** Fills speed, latency and stops of a READY plate in; stops that are less than 180 degrees apart stay out.
+/** Fills speed, acceleration, latency and stops of a READY plate in; stops that are less than 180 degrees apart stay out.
  *  [any-thread] */
 static inline void hrt_session_config_from_plate(hrt_session_config* config, const hrt_plate_report* report) {
   const int has_stops = report->upper_stop_deg - report->lower_stop_deg >= 180.0;
   config->plate_max_speed_deg_s = report->max_speed_deg_s;
+  config->plate_max_acceleration_deg_s2 = report->max_acceleration_deg_s2;
   config->plate_latency_ns = report->latency_ns;
   config->plate_lower_stop_deg = has_stops ? report->lower_stop_deg : 0.0;
   config->plate_upper_stop_deg = has_stops ? report->upper_stop_deg : 0.0;

@@ -15,8 +15,8 @@ using hrt::plate::PlateDriver;
 
 // Sizes of the first version, which never change.
 static_assert(sizeof(hrt_plate_options) == 16);
-static_assert(sizeof(hrt_plate_report) == 472);
-static_assert(offsetof(hrt_plate_report, description) == 88);
+static_assert(sizeof(hrt_plate_report) == 480);
+static_assert(offsetof(hrt_plate_report, description) == 96);
 
 namespace {
 

@@ -198,6 +198,7 @@ void PlateDriver::publish(const Device& device) {
     report.latency_ns = std::llround(file_->latency_ms * 1e6) + device.round_trip().value_or(0ns).count() / 2;
   report.round_trip_ns = device.round_trip().value_or(0ns).count();
   report.max_speed_deg_s = file_ ? std::min(limits.speed_deg_s, file_->speed_deg_s) : limits.speed_deg_s;
+  report.max_acceleration_deg_s2 = file_ ? file_->acceleration_deg_s2 : 0.0;
   report.lower_stop_deg = limits.min_deg;
   report.upper_stop_deg = limits.max_deg;
   report.refused_messages = device.refusals();

@@ -10,6 +10,7 @@ struct PlateFile {
   std::string device;       ///< the name to open
   std::string description;  ///< of the device that was measured: with firmware and serial number
   double speed_deg_s = 0.0;
+  double acceleration_deg_s2 = 0.0;
   double latency_ms = 0.0;  ///< without the line
   double error_deg = 0.0;   ///< beyond which a plate at rest does not behave as measured
 };

@@ -91,6 +91,8 @@ class Registry {
   }
 
   void destroy(Object& object);
+  /// Its handle is no more; the object lives as long as its parent.
+  void retire(const Object& object) { objects_.erase(object.id()); }
 
  private:
   void forget(Object& object);

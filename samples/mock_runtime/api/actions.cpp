@@ -96,7 +96,9 @@ void create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAction*
 }
 
 void destroy_action(XrAction handle) {
-  runtime().registry.destroy(runtime().registry.get_even_lost<Action>(handle));
+  auto& action = runtime().registry.get_even_lost<Action>(handle);
+  // Spaces of an action that is attached go on without its handle.
+  action.action_set().attached ? runtime().registry.retire(action) : runtime().registry.destroy(action);
 }
 
 void suggest_interaction_profile_bindings(XrInstance handle,

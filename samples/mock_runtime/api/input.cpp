@@ -131,7 +131,11 @@ bool Input::sync(const std::vector<ActiveSet>& active) {
           ActionState& state = states_[{action->id(), subaction}];
           if (!state.active || magnitude(value) > magnitude(state.value)) state.value = value;
           state.active = true;
-          if (driver.sources[0].kind == SourceKind::pose)
+          if (driver.sources[0].kind != SourceKind::pose) continue;
+          // Of several devices that may give a pose the first one does, also while it is off.
+          const auto& giver =
+              pose_givers_.try_emplace({action->id(), subaction}, driver.top_level).first->second;
+          if (giver == driver.top_level)
             pose_sources_.try_emplace({action->id(), subaction}, driver.sources[0].path);
         }
       }

@@ -96,6 +96,7 @@ class Input {
   std::map<std::string, XrPath> profiles_;
   std::map<std::pair<std::uint64_t, XrPath>, ActionState> states_;
   std::map<std::pair<std::uint64_t, XrPath>, std::string> pose_sources_;
+  std::map<std::pair<std::uint64_t, XrPath>, std::string> pose_givers_;  // their top level user paths
 };
 
 }  // namespace hrt::mock

@@ -71,6 +71,9 @@ void Session::go_to(XrSessionState state) {
   const auto in_frame_loop = [](XrSessionState s) {
     return s >= XR_SESSION_STATE_SYNCHRONIZED && s <= XR_SESSION_STATE_FOCUSED;
   };
+  // Who draws may ask for the end before its first frame.
+  if (running && state_ == XR_SESSION_STATE_READY && state == XR_SESSION_STATE_STOPPING)
+    enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (!running || !in_frame_loop(state_)) return;
   const XrSessionState by_way_of = state == XR_SESSION_STATE_STOPPING ? XR_SESSION_STATE_SYNCHRONIZED : state;
   while (state_ != by_way_of)

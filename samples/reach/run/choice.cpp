@@ -48,23 +48,14 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
 }
 
 void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report& report) {
-  constexpr double min_turn_deg = 180.0;  // that the plugin can plan with: ridges repeat so
   hrt_session_config config{.struct_size = sizeof config};
   plugin.check(plugin.hrt_session_get(session, &config, nullptr));
   const hrt_session_config before = config;
-  config.plate_max_speed_deg_s = report.max_speed_deg_s;
+  hrt_session_config_from_plate(&config, &report);
   constexpr std::int64_t max_steps = 8;  // of latency, that the plugin can plan with
-  if (report.latency_ns > 0)
-    config.plate_latency_ns = std::min<std::int64_t>(report.latency_ns, max_steps * config.step_period_ns);
-  if (report.upper_stop_deg - report.lower_stop_deg >= min_turn_deg) {
-    config.plate_lower_stop_deg = report.lower_stop_deg;
-    config.plate_upper_stop_deg = report.upper_stop_deg;
-  }
-  const bool same = config.plate_max_speed_deg_s == before.plate_max_speed_deg_s &&
-                    config.plate_latency_ns == before.plate_latency_ns &&
-                    config.plate_lower_stop_deg == before.plate_lower_stop_deg &&
-                    config.plate_upper_stop_deg == before.plate_upper_stop_deg;
-  if (!same) plugin.check(plugin.hrt_session_set(session, &config));
+  config.plate_latency_ns = std::min<std::int64_t>(report.latency_ns, max_steps * config.step_period_ns);
+  if (report.latency_ns == 0) config.plate_latency_ns = before.plate_latency_ns;
+  if (std::memcmp(&config, &before, sizeof config) != 0) plugin.check(plugin.hrt_session_set(session, &config));
 }
 
 void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate,

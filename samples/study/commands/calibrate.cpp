@@ -17,9 +17,9 @@ namespace hrt::study {
 namespace {
 
 // A thousand slides of a minute at 90 Hz have half of this.
-constexpr std::size_t max_bytes = std::size_t{1} << 29;
+constexpr std::size_t max_slides_bytes = std::size_t{1} << 29;
 
-struct Options {
+struct CalibrateOptions {
   std::string data;
   std::string retest;
   double goal_direction_deg = 0.0;
@@ -31,7 +31,7 @@ struct Options {
 
 CalibrationReport calibrated(const std::string& data, double goal_direction_deg) {
   CalibrationReport report{.name = data, .goal_direction_deg = goal_direction_deg};
-  const auto trials = parse_calibration_csv(data, read_input("FILE", data, max_bytes));
+  const auto trials = parse_calibration_csv(data, read_input("FILE", data, max_slides_bytes));
   report.trials = trials.size();
   const auto result = calibrate(trials, goal_direction_deg);
   if (const auto* refusal = std::get_if<CalibrationRefusal>(&result))
@@ -54,7 +54,7 @@ std::string json_page(const CalibrationReport& report, const std::optional<Retes
   return page.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-void run(const Options& options) {
+void run(const CalibrateOptions& options) {
   const Output out("--out", options.out);
   const Output plot("--plot", options.plot);
   const Output profile("--profile", options.profile);
@@ -75,7 +75,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CalibrateOptions>();
   CLI::App& command =
       add_command(app, "calibrate", "A participant's parameters from slides over a plate at rest.",
                   "FILE is CSV with a header that names " + std::string(calibration_header) +

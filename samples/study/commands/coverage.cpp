@@ -16,7 +16,7 @@
 namespace hrt::study {
 namespace {
 
-struct Options {
+struct CoverageOptions {
   CoverageSession session{.plate_angles_deg = coverage_angles()};
   std::uint64_t slides_an_angle = 4;
   std::uint64_t people = 50;
@@ -32,11 +32,11 @@ struct KindRow {
 };
 
 struct CoverageStudy {
-  Options options;
+  CoverageOptions options;
   std::vector<KindRow> rows;
 };
 
-Coverage simulate(const CoverageKind& kind, const Options& options) {
+Coverage simulate(const CoverageKind& kind, const CoverageOptions& options) {
   std::vector<CoveragePerson> people(options.people);
   for_each_part(people.size(), options.threads, [&](std::uint64_t i) {
     people[i] = coverage_person(kind, options.session, static_cast<std::uint32_t>(i));
@@ -47,7 +47,7 @@ Coverage simulate(const CoverageKind& kind, const Options& options) {
 }
 
 std::string text(const CoverageStudy& study) {
-  const Options& options = study.options;
+  const CoverageOptions& options = study.options;
   std::string page =
       "Calibrations of simulated people; there was no human trial. " + std::to_string(options.people) +
       " people a kind, " + std::to_string(options.session.plate_angles_deg.size() * options.slides_an_angle) +
@@ -109,7 +109,7 @@ Results results(const CoverageStudy& study) {
   return found;
 }
 
-CoverageStudy simulate(Options options) {
+CoverageStudy simulate(CoverageOptions options) {
   options.session.slides_an_angle = static_cast<int>(options.slides_an_angle);
   options.session.planned = options.angles == "planned";
   CoverageStudy study{.options = options, .rows = {}};
@@ -128,7 +128,7 @@ CoverageStudy simulate(Options options) {
 }  // namespace
 
 void add_coverage(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CoverageOptions>();
   CLI::App& command = add_command(
       app, "coverage", "How often the calibration's 95 % intervals hold the truth, over simulated people.",
       R"(People as 'robustness' has them, and three more kinds: slides that slip, people who change over the

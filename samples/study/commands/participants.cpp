@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr double max_rows = 1e7;
 
-struct Options {
+struct ParticipantsOptions {
   Session session;
   std::vector<double> tactile_weights{0.15};
   double distance_mm = 100.0;
@@ -23,7 +23,7 @@ struct Options {
   std::string out;
 };
 
-void check_size(const Options& options) {
+void check_size(const ParticipantsOptions& options) {
   const CalibrationCondition& condition = options.session.condition;
   const double trials = static_cast<double>(options.session.plate_angles_deg.size()) *
                         static_cast<double>(options.session.trials_per_angle);
@@ -40,7 +40,7 @@ bool is_folder(const std::string& path) {
   return path.ends_with('/') || fs::is_directory(path, ignored);
 }
 
-void run(Options options) {
+void run(ParticipantsOptions options) {
   Session& session = options.session;
   session.condition.distance_m = 1e-3 * options.distance_mm;
   session.condition.tracker_noise_m = 1e-3 * options.tracker_noise_mm;
@@ -73,7 +73,7 @@ void run(Options options) {
 }  // namespace
 
 void add_participants(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ParticipantsOptions>();
   CLI::App& command = add_command(
       app, "participants", "Simulated calibration data as CSV: slides over a plate at rest, for 'calibrate'.",
       "Each row is a tracked position: " + std::string(calibration_header) +

@@ -14,12 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ReportOptions {
   Table1Options table;
   std::string out;
 };
 
-void run(const Options& options) {
+void run(const ReportOptions& options) {
   Workshop workshop("--out", options.out);
   const Table1 table = simulate_table1(options.table);
   std::vector<Figure> figures = path_figures(options.table.seed);
@@ -37,7 +37,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_report(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportOptions>();
   CLI::App& command = add_command(
       app, "report", "Figs. 1c and 4 to 8 and Table I as SVG, and a page of them.",
       R"(Makes fig1c, fig4 to fig8 and table1 (.svg) and report.html, which shows them. Needs gnuplot. Files

@@ -10,13 +10,13 @@
 namespace hrt::study {
 namespace {
 
-struct Options {
+struct RidgesOptions {
   RidgeOptions ridges;
   std::string plot;
   Writing writing;
 };
 
-Ridges simulated(const Options& options) {
+Ridges simulated(const RidgesOptions& options) {
   const Output plot("--plot", options.plot);
   Ridges ridges = simulate_ridges(options.ridges);
   if (!options.plot.empty()) plot.write(draw_beside("--plot", options.plot, ridges_figure(ridges)));
@@ -26,7 +26,7 @@ Ridges simulated(const Options& options) {
 }  // namespace
 
 void add_ridges(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RidgesOptions>();
   CLI::App& command = add_command(
       app, "ridges", "The paper's Fig. 1c: slides straight ahead over a plate that rests at five angles.",
       R"(At rest the participant feels straight ahead: w_T T + (1 - w_T) P = 0 for a plate at T.

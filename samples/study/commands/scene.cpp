@@ -16,7 +16,7 @@
 namespace hrt::study {
 namespace {
 
-struct Options {
+struct SceneOptions {
   std::string file;
   std::vector<double> tactile_weights{0.1, 0.15, 0.2};
   double plate_bound_deg = 84.5;
@@ -40,7 +40,7 @@ std::string degrees(double angle_deg) { return fixed(std::abs(angle_deg) < 0.005
 
 std::string millimetres(double metres) { return fixed(std::abs(metres) < 0.5e-4 ? 0.0 : metres * 1e3, 1); }
 
-std::string text(const Scene& scene, const Options& options) {
+std::string text(const Scene& scene, const SceneOptions& options) {
   const ScenePlate& plate = scene.plate;
   std::string page = "Plate " + plate.node_path + ": radius " + millimetres(plate.radius_m) + " mm";
   page += plate.max_speed_deg_s ? ", at most " + number(*plate.max_speed_deg_s) + " deg/s\n" : "\n";
@@ -82,7 +82,7 @@ std::string text(const Scene& scene, const Options& options) {
 }
 
 // A row a pair and weight of touch.
-Results results(const Scene& scene, const Options& options) {
+Results results(const Scene& scene, const SceneOptions& options) {
   Results found{.about = {{"simulation", true},
                           {"plate_node", scene.plate.node_path},
                           {"plate_radius_m", scene.plate.radius_m},
@@ -108,7 +108,7 @@ Results results(const Scene& scene, const Options& options) {
 }  // namespace
 
 void add_scene(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SceneOptions>();
   CLI::App& command =
       add_command(app, "scene", "What a glTF scene holds, and which of its pairs can be held.",
                   R"(scene/README.md lists the properties of the file.

@@ -12,7 +12,7 @@
 namespace hrt::study {
 namespace {
 
-struct Options {
+struct SweepOptions {
   Grid grid;
   Part part;
   std::uint64_t trials = 1'000;
@@ -22,7 +22,7 @@ struct Options {
 };
 
 // Simulates points [first, last) together; one row each.
-std::string rows(const Options& options, std::uint64_t first, std::uint64_t last,
+std::string rows(const SweepOptions& options, std::uint64_t first, std::uint64_t last,
                  const std::function<void(std::uint64_t)>& progress) {
   std::vector<BatchJob> jobs;
   for (std::uint64_t index = first; index < last; ++index)
@@ -49,7 +49,7 @@ void check_gaps(const Grid& grid) {
         throw UsageError(not_allowed("--gap", number(gap_deg), gap_range.text()));
 }
 
-void run(const Options& options) {
+void run(const SweepOptions& options) {
   check_gaps(options.grid);
   const Output output("--out", options.out);
   const std::uint64_t points = options.grid.size();
@@ -70,7 +70,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_sweep(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepOptions>();
   CLI::App& command = add_command(
       app, "sweep", "Every combination of lists of values, as CSV; in parts.",
       R"(The grid has every combination of the listed values. A row of the CSV is one point: its parameters,

@@ -15,7 +15,7 @@
 namespace hrt::study {
 namespace {
 
-struct Options {
+struct TrialOptions {
   ParameterValues values = default_values();
   double real_direction_deg = -5.0;
   double virtual_direction_deg = 5.0;
@@ -51,7 +51,7 @@ std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome
   return page + std::to_string(steps.size()) + ',' + number(outcome.final_direction_deg) + ",,,,,,,,\n";
 }
 
-void run_trace(const Options& options) {
+void run_trace(const TrialOptions& options) {
   if (options.families.size() != 1) throw UsageError("--family: one family is traced at a time");
   const ParameterValues defaults = default_values();
   for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -69,7 +69,7 @@ void run_trace(const Options& options) {
   workshop.publish();
 }
 
-void run(const Options& options) {
+void run(const TrialOptions& options) {
   Condition condition =
       make_condition(options.values, options.real_direction_deg, options.virtual_direction_deg);
   condition.plate_orientation_deg = options.plate_start_deg;
@@ -95,7 +95,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_trial(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrialOptions>();
   CLI::App& command = add_command(
       app, "trial", "One simulated reach as CSV, a row a step.",
       R"(Row k holds what happened in step k. The last row holds only the direction in which the finger

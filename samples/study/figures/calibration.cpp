@@ -17,8 +17,8 @@ namespace {
 // The slides' own colours: used, outlying, along the ridges.
 constexpr const char* verdict_name[] = {"used", "outlying", "along_ridges"};
 
-std::string interval_text(const Quantity& quantity) {
-  return between(quantity.interval.lower, quantity.interval.upper, quantity.decimals, " to ");
+std::string interval_text(const EstimatedTrait& trait) {
+  return between(trait.interval.lower, trait.interval.upper, trait.decimals, " to ");
 }
 
 std::string row(const std::string& name, const std::string& value, const std::string& rest) {
@@ -65,7 +65,7 @@ std::string fit_text(const Calibration& calibration) {
 
 }  // namespace
 
-std::vector<Quantity> quantities(const Calibration& calibration) {
+std::vector<EstimatedTrait> estimated_traits(const Calibration& calibration) {
   return {{"tactile_weight", "tactile weight w_T at 60°", calibration.tactile_weight, 3},
           {"bias_deg", "bias, °, left positive", calibration.bias_deg, 2},
           {"habit_deg", "habit of curving, °", calibration.habit_deg, 2},
@@ -84,10 +84,10 @@ std::string calibration_text(const CalibrationReport& report) {
                      std::to_string(calibration.count(SlideVerdict::used)) + " of " +
                      std::to_string(report.trials) + " trials have a slide that can be used\n\n";
   text += row("", "estimate", "95 % interval");
-  for (const Quantity& quantity : quantities(calibration)) {
-    const std::string value = fixed(quantity.interval.value, quantity.decimals);
-    text += quantity.interval.known ? row(quantity.words, value, interval_text(quantity))
-                                    : row(quantity.words, "not determined", "best fit " + value);
+  for (const EstimatedTrait& trait : estimated_traits(calibration)) {
+    const std::string value = fixed(trait.interval.value, trait.decimals);
+    text += trait.interval.known ? row(trait.words, value, interval_text(trait))
+                                    : row(trait.words, "not determined", "best fit " + value);
   }
   text += "  illusion: " + family_text(calibration) + '\n' + fit_text(calibration);
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
@@ -102,10 +102,10 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
       {"trials_used", calibration.count(SlideVerdict::used)},
       {"goal_direction_deg", report.goal_direction_deg},
   };
-  for (const Quantity& quantity : quantities(calibration))
-    page[quantity.name] = {{"value", quantity.interval.value},
-                           {"interval", {quantity.interval.lower, quantity.interval.upper}},
-                           {"known", quantity.interval.known}};
+  for (const EstimatedTrait& trait : estimated_traits(calibration))
+    page[trait.name] = {{"value", trait.interval.value},
+                           {"interval", {trait.interval.lower, trait.interval.upper}},
+                           {"known", trait.interval.known}};
   page["slides_turned"] = calibration.slides_turned;
   page["fits"] = calibration.fits();
   page["lack_of_fit"] = {{"angle_p", calibration.lack_of_fit.angle_p},
@@ -212,7 +212,7 @@ std::string parts_block(const Calibration& calibration) {
 
 // The curve of the illusion, and the slides' directions.
 std::string curve_and_directions(const Calibration& calibration) {
-  const auto all = quantities(calibration);
+  const auto all = estimated_traits(calibration);
   const char* const rings = " with points pt 6 ps 0.8 lc rgb '#999999' ";
   return "set grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset offsets graph 0.03, graph 0.03, graph 0.05, "
          "graph 0.05\nset lmargin 10\nset rmargin 3\nset multiplot\n"

@@ -17,14 +17,14 @@ struct CalibrationReport {
 };
 
 /// A value of a calibration, with how it is written.
-struct Quantity {
+struct EstimatedTrait {
   const char* name;   ///< in JSON
   const char* words;  ///< with unit
   Interval interval;
   int decimals;
 };
 
-std::vector<Quantity> quantities(const Calibration& calibration);
+std::vector<EstimatedTrait> estimated_traits(const Calibration& calibration);
 
 std::string calibration_text(const CalibrationReport& report);
 nlohmann::ordered_json calibration_json(const CalibrationReport& report);

@@ -11,9 +11,9 @@
 namespace hrt::study {
 namespace {
 
-Quantity quantity_of(const Calibration& calibration, std::string_view name) {
-  const std::vector<Quantity> all = quantities(calibration);
-  return *std::find_if(all.begin(), all.end(), [&](const Quantity& each) { return each.name == name; });
+EstimatedTrait trait_of(const Calibration& calibration, std::string_view name) {
+  const std::vector<EstimatedTrait> all = estimated_traits(calibration);
+  return *std::find_if(all.begin(), all.end(), [&](const EstimatedTrait& each) { return each.name == name; });
 }
 
 std::string conclusion(const RetestReport& report) {
@@ -22,7 +22,7 @@ std::string conclusion(const RetestReport& report) {
   for (const ComparedValue& value : report.values) {
     known += value.difference.difference.known ? 1 : 0;
     if (value.difference.differs)
-      differing += (differing.empty() ? "" : "; ") + std::string(value.quantity.words);
+      differing += (differing.empty() ? "" : "; ") + std::string(value.trait.words);
   }
   if (known == 0) return "No value is known from both calibrations: nothing can be compared";
   if (differing.empty())
@@ -40,9 +40,9 @@ RetestReport compare_calibrations(CalibrationReport first, CalibrationReport sec
   std::vector<RepeatedValue> values;
   for (const char* const name :
        {"tactile_weight", "max_gap_deg", "bias_deg", "habit_deg", "tracker_noise_mm"}) {
-    const Quantity first_value = quantity_of(a, name);
+    const EstimatedTrait first_value = trait_of(a, name);
     report.values.push_back({first_value, {}});
-    values.push_back({first_value.interval, quantity_of(b, name).interval});
+    values.push_back({first_value.interval, trait_of(b, name).interval});
   }
   const std::vector<RetestDifference> differences = compare(values);
   for (std::size_t i = 0; i < values.size(); ++i) report.values[i].difference = differences[i];
@@ -54,10 +54,10 @@ std::string retest_text(const RetestReport& report) {
                      left("", 36) + right("difference", 15) + "   95 % interval\n";
   for (const ComparedValue& value : report.values) {
     const Interval& difference = value.difference.difference;
-    text += "  " + left(value.quantity.words, 36);
+    text += "  " + left(value.trait.words, 36);
     text += difference.known
-                ? right(fixed(difference.value, value.quantity.decimals), 15) + "   " +
-                      between(difference.lower, difference.upper, value.quantity.decimals, " to ") +
+                ? right(fixed(difference.value, value.trait.decimals), 15) + "   " +
+                      between(difference.lower, difference.upper, value.trait.decimals, " to ") +
                       (value.difference.differs ? ", differs" : "") + '\n'
                 : right("not determined", 15) + '\n';
   }
@@ -71,7 +71,7 @@ nlohmann::ordered_json retest_json(const RetestReport& report) {
   for (const ComparedValue& value : report.values) {
     const RetestDifference& difference = value.difference;
     differs = differs || difference.differs;
-    page["values"][value.quantity.name] = {
+    page["values"][value.trait.name] = {
         {"difference", difference.difference.value},
         {"interval", {difference.difference.lower, difference.difference.upper}},
         {"known", difference.difference.known},

@@ -11,7 +11,7 @@
 namespace hrt::study {
 
 struct ComparedValue {
-  Quantity quantity;  ///< of the first calibration
+  EstimatedTrait trait;  ///< of the first calibration
   RetestDifference difference;
 };
 

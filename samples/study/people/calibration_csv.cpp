@@ -11,9 +11,9 @@ namespace {
 // A plate "at rest" as its own sensor may see it.
 constexpr double rest_tolerance_deg = 1.0;
 
-class Reader {
+class SlidesReader {
  public:
-  Reader(const std::string& name, std::string_view text) : name_(name), csv_(name, text) {}
+  SlidesReader(const std::string& name, std::string_view text) : name_(name), csv_(name, text) {}
 
   std::vector<CalibrationTrial> read() {
     while (csv_.next()) {
@@ -82,7 +82,7 @@ class Reader {
 }  // namespace
 
 std::vector<CalibrationTrial> parse_calibration_csv(const std::string& name, std::string_view text) {
-  return Reader(name, text).read();
+  return SlidesReader(name, text).read();
 }
 
 }  // namespace hrt::study

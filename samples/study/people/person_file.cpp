@@ -14,7 +14,7 @@
 namespace hrt::study {
 namespace {
 
-constexpr std::size_t max_bytes = 1 << 20;
+constexpr std::size_t max_person_bytes = 1 << 20;
 
 using C = PersonCondition;
 
@@ -155,7 +155,7 @@ PersonFile parse_person(const std::string& name, std::string_view text) {
 }
 
 PersonFile read_person(const std::string& argument, const std::string& path) {
-  return parse_person(path, read_input(argument, path, max_bytes));
+  return parse_person(path, read_input(argument, path, max_person_bytes));
 }
 
 std::string person_parameters() {

@@ -23,14 +23,14 @@ constexpr unsigned measured_plate_flag = 4;
 constexpr unsigned lifted_flag = 8;
 constexpr unsigned world_position_flag = 16;
 
-constexpr const char* columns =
+constexpr const char* recorded_columns =
     "call,result,time_ns,sample_flags,sample_x_m,sample_y_m,sample_z_m,measured_plate_deg,"
     "real_direction_deg,virtual_direction_deg,real_distance_m,start_right_m,start_away_m,"
     "plate_orientation_deg";
 
-class Reader {
+class PathsReader {
  public:
-  Reader(const std::string& name, std::string_view text) : name_(name), csv_(name, text) {}
+  PathsReader(const std::string& name, std::string_view text) : name_(name), csv_(name, text) {}
 
   RecordedPaths read() {
     while (csv_.next()) {
@@ -41,7 +41,7 @@ class Reader {
       else if (csv_.has_header())
         read_row();
       else
-        csv_.take_header(columns, "the header of a recording");
+        csv_.take_header(recorded_columns, "the header of a recording");
     }
     end_reach();
     return std::move(recorded_);
@@ -197,7 +197,7 @@ RecordedPaths parse_recorded_paths(const std::string& name, std::string_view tex
   const std::string_view version = text.substr(recording_start.size(), 1);
   if (version != readable_version)
     throw UsageError(not_allowed(name + ", line 1, version", version, std::string(readable_version)));
-  return Reader(name, text).read();
+  return PathsReader(name, text).read();
 }
 
 }  // namespace hrt::study

@@ -16,7 +16,7 @@
 namespace hrt::study {
 namespace {
 
-constexpr std::size_t max_bytes = std::size_t{1} << 29;
+constexpr std::size_t max_recording_bytes = std::size_t{1} << 29;
 constexpr const char* open_loop_words =
     "Recorded paths in an open loop: the finger could not answer. A path, its end and its felt error are "
     "those of the plate that stood there, whatever our controller would have commanded.";
@@ -121,7 +121,7 @@ Replayed replay_folder(const std::string& argument, const std::string& folder) {
   Replayed all;
   for (const fs::path& file : files) {
     const RecordedPaths recorded =
-        parse_recorded_paths(file.string(), read_input(argument, file.string(), max_bytes));
+        parse_recorded_paths(file.string(), read_input(argument, file.string(), max_recording_bytes));
     for (ReplayedPath& path : replay(recorded)) all.paths.push_back(std::move(path));
     all.left_out.insert(all.left_out.end(), recorded.left_out.begin(), recorded.left_out.end());
   }

@@ -72,7 +72,7 @@ namespace Hrt.HostTests
             Assert.AreEqual(functions, native.GetMethods(BindingFlags.Static | BindingFlags.NonPublic).Length);
             foreach (MethodInfo method in package.GetType("Hrt.PlateNative").GetMethods(BindingFlags.Static | BindingFlags.NonPublic))
                 Marshal.Prelink(method);
-            Assert.AreEqual(472, Marshal.SizeOf(typeof(PlateReport)));
+            Assert.AreEqual(480, Marshal.SizeOf(typeof(PlateReport)));
             Assert.Greater(functions, 30);
         }
 

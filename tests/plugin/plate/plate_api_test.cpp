@@ -132,7 +132,7 @@ TEST_F(PlateApi, OpensWhatWasCommissionedAndReportsWhenItDeviates) {
                                          device + R"(",
   "description": "protocol 2, firmware 1.0.0, serial number )" +
                                          serial + R"(",
-  "session": {"plate_max_speed_deg_s": 190.0}, "measured": {"latency_ms": [25.0, 1.0]}, "max_error_deg": 1.5,
+  "session": {"plate_max_speed_deg_s": 190.0, "plate_max_acceleration_deg_s2": 5000.0}, "measured": {"latency_ms": [25.0, 1.0]}, "max_error_deg": 1.5,
 )");
   };
   const struct {
@@ -149,6 +149,7 @@ TEST_F(PlateApi, OpensWhatWasCommissionedAndReportsWhenItDeviates) {
     hrt_session_config config{};
     hrt_session_config_from_plate(&config, &report);
     EXPECT_EQ(config.plate_max_speed_deg_s, 190.0);
+    EXPECT_EQ(config.plate_max_acceleration_deg_s2, 5000.0);
     EXPECT_EQ(config.plate_latency_ns, 25'000'000 + report.round_trip_ns / 2);
     EXPECT_EQ(config.plate_upper_stop_deg, 90.0);
     for (const double to_deg : {80.0, -80.0, 80.0}) {

@@ -227,6 +227,29 @@ TEST_F(MockActions, PoseActionsLocateTheirDevice) {
   EXPECT_NEAR(location.pose.position.y, 0.2F, 1e-6F);
 }
 
+// "Action spaces" without a subaction path: "pick one" device "and stick with it", and outlive their action.
+TEST_F(MockActions, PoseOfAnyHandIsThatOfTheFirst) {
+  const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, {left, right});
+  ASSERT_XR(XR_SUCCESS, suggest(simple, {{grip, path("/user/hand/left/input/grip/pose")},
+                                         {grip, path("/user/hand/right/input/grip/pose")}}));
+  ASSERT_XR(XR_SUCCESS, attach({set}));
+  focus();
+  local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const XrSpace space = create_action_space(grip, XR_NULL_PATH);
+  const auto flags = [&](XrBool32 has_left, XrBool32 has_right) {
+    EXPECT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, has_left));
+    EXPECT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), right, has_right));
+    EXPECT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+    return located(space, local, 1).locationFlags;
+  };
+  EXPECT_EQ(flags(XR_TRUE, XR_FALSE), 15U);
+  EXPECT_EQ(flags(XR_FALSE, XR_TRUE), 0U);
+  EXPECT_EQ(flags(XR_TRUE, XR_TRUE), 15U);
+  EXPECT_XR(XR_SUCCESS, xrDestroyAction(grip));
+  EXPECT_EQ(flags(XR_TRUE, XR_TRUE), 15U);
+  EXPECT_EQ(flags(XR_FALSE, XR_TRUE), 0U);
+}
+
 // "XR_ERROR_PATH_UNSUPPORTED" for what the device does not have, of the kind that the call sets.
 TEST_F(MockActions, AutomationRefusesWhatTheDeviceDoesNotHave) {
   const XrPath click = path("/user/hand/left/input/select/click");

@@ -437,6 +437,7 @@ TEST(PlateFile, IsRefusedUnlessItIsWhole) {
   found.device = "protocol 2, firmware 1.0.0, serial number 000007";
   found.limits = {-90.0, 90.0, 200.0, 30ms};
   found.speed_deg_s = {180.0, 1.0};
+  found.acceleration_deg_s2 = {6000.0, 300.0};
   found.latency_ms = {24.0, 0.5};
   found.sweep = {{-90.0, -90.0, true}, {90.0, 90.0, true}, {-90.0, -90.0, false}};
   const TemporaryFolder folder;

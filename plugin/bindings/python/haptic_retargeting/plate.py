@@ -70,11 +70,12 @@ class Plate:
         return report
 
     def session_fields(self) -> dict[str, Any]:
-        """Speed, latency and stops of a ready plate, for Session() or configure(); stops that are less than 180 degrees
+        """Speed, acceleration, latency and stops of a ready plate, for Session() or configure(); stops that are less than 180 degrees
         apart are left out."""
         report = self.get()
         has_stops = report.upper_stop_deg - report.lower_stop_deg >= 180.0
         return {"plate_max_speed_deg_s": report.max_speed_deg_s, "plate_latency_ns": report.latency_ns,
+                "plate_max_acceleration_deg_s2": report.max_acceleration_deg_s2,
                 "plate_lower_stop_deg": report.lower_stop_deg if has_stops else 0.0,
                 "plate_upper_stop_deg": report.upper_stop_deg if has_stops else 0.0}
 

@@ -192,6 +192,15 @@ TEST_F(MockGraphics, StatesFollowFrames) {
             (std::vector{XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}));
 }
 
+// "xrRequestExitSession": the state becomes "STOPPING", before the first frame too.
+TEST_F(MockGraphics, MayEndBeforeTheFirstFrame) {
+  begin_drawing();
+  EXPECT_XR(XR_SUCCESS, xrRequestExitSession(session));
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY,
+                                       XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING}));
+  EXPECT_XR(XR_SUCCESS, xrEndSession(session));
+}
+
 // "XR_ERROR_CALL_ORDER_INVALID": if all images are acquired; "if no image has been acquired", or one is
 // waited for already; "if [an] image has not been waited for".
 TEST_F(MockGraphics, ImagesAreAcquiredWaitedForAndReleased) {

@@ -46,12 +46,13 @@ namespace Hrt
 
     public partial struct SessionConfig
     {
-        /// <summary>Takes speed, latency and stops of a ready plate; stops that are less than 180 degrees apart are left
+        /// <summary>Takes speed, acceleration, latency and stops of a ready plate; stops that are less than 180 degrees apart are left
         /// out.</summary>
         public void TakePlate(PlateReport report)
         {
             bool hasStops = report.upperStopDeg - report.lowerStopDeg >= 180;
             plateMaxSpeedDegS = report.maxSpeedDegS;
+            plateMaxAccelerationDegS2 = report.maxAccelerationDegS2;
             plateLatencyNs = report.latencyNs;
             plateLowerStopDeg = hasStops ? report.lowerStopDeg : 0;
             plateUpperStopDeg = hasStops ? report.upperStopDeg : 0;
