@@ -2,6 +2,8 @@
 #pragma once
 
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -16,10 +18,19 @@ class SceneError : public std::runtime_error {
 };
 
 /// `text` with control characters as '?'.
-std::string printable(std::string_view text);
+inline std::string printable(std::string_view text) {
+  std::string result(text);
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
+      '?');
+  return result;
+}
 
 /// `text` in double quotes for a message: printable, cut after 80 characters of UTF-8.
-std::string in_quotes(std::string_view text);
+inline std::string in_quotes(std::string_view text) {
+  const std::string shown = fmt::format("{:.80}", text);
+  return fmt::format("\"{}{}\"", printable(shown), shown.size() < text.size() ? "..." : "");
+}
 
 /// Throws SceneError: `where` is the file, or a node of it.
 template <class... Parts>

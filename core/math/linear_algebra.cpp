@@ -29,8 +29,6 @@ Eigen::MatrixXd whitening_of(const MatrixView& covariance) {
   return covariance.llt().matrixL().solve(Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols()));
 }
 
-bool is_positive_definite(const MatrixView& symmetric) { return symmetric.llt().info() == Eigen::Success; }
-
 LinearFit linear_fit(const MatrixView& columns, const VectorView& values, double rank_threshold) {
   Eigen::MatrixXd scaled = columns;
   Eigen::VectorXd sizes = Eigen::VectorXd::Ones(columns.cols());

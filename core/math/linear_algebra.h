@@ -29,8 +29,6 @@ Eigen::MatrixXd cholesky_factor(const MatrixView& covariance);
 /// L^-1 of the same L.
 Eigen::MatrixXd whitening_of(const MatrixView& covariance);
 
-bool is_positive_definite(const MatrixView& symmetric);
-
 /// `values` as a sum of columns, by least squares.
 struct LinearFit {
   Eigen::VectorXd coefficients;

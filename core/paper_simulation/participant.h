@@ -1,7 +1,10 @@
 // A simulated person, who follows paper section II-A to the letter.
 #pragma once
 
+#include <cmath>
+
 #include "core/paper/participant.h"
+#include "core/plate/plate_limits.h"
 
 namespace hrt {
 
@@ -18,7 +21,10 @@ class SimulatedParticipant {
  public:
   /// About to reach for `virtual_direction_deg` (theta_V); the finger first moves along the mid-line.
   /// Requires is_valid(participant).
-  SimulatedParticipant(const Participant& participant, double virtual_direction_deg);
+  SimulatedParticipant(const Participant& participant, double virtual_direction_deg)
+      : participant_(participant),
+        goal_direction_deg_(goal_direction_deg(participant, virtual_direction_deg)),
+        variance_deg2_(participant.initial_variance_deg2) {}
 
   /// P_k: where the finger moves, degrees from the mid-line.
   double finger_direction_deg() const { return finger_direction_deg_; }
@@ -27,7 +33,24 @@ class SimulatedParticipant {
 
   /// One model step over ridges at `plate_orientation_deg` (T_k). `noise` is a draw from N(0, 1): it
   /// stands for the sum of the motor and the estimation noise, of variance sigma_u^2 + var_k.
-  SimulatedStep step(double plate_orientation_deg, double noise);
+  SimulatedStep step(double plate_orientation_deg, double noise) {
+    const auto [gain, variance_deg2] = next_gain(participant_, variance_deg2_);
+    const ParticipantStep felt = participant_step(
+        {.tactile_weight = participant_.tactile_weight,
+         .gain = gain,
+         .goal_direction_deg = goal_direction_deg_,
+         .plate_orientation_deg = ridge_normal_deg(plate_orientation_deg, goal_direction_deg_),
+         .finger_direction_deg = finger_direction_deg_});
+    const double noise_deg = std::sqrt(participant_.motor_variance_deg2 + variance_deg2) * noise;
+    variance_deg2_ = variance_deg2;
+    perceived_direction_deg_ = felt.perceived_direction_deg;
+    finger_direction_deg_ += felt.motor_command_deg + noise_deg;
+    return {.felt_direction_deg = felt.felt_direction_deg,
+            .gain = gain,
+            .variance_deg2 = variance_deg2,
+            .motor_command_deg = felt.motor_command_deg,
+            .noise_deg = noise_deg};
+  }
 
  private:
   Participant participant_;

@@ -31,6 +31,14 @@ inline Progress progress(double evenness, double phase) {
 }
 
 /// u where `share` of the path lies behind, and 1 beyond its end; within 1e-5.
-double phase_at(double evenness, double share);
+inline double phase_at(double evenness, double share) {
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = 0.5 * (low + high);
+    (progress(evenness, middle).share < share ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
 
 }  // namespace hrt

@@ -1,6 +1,7 @@
 // The inputs and outputs of a reach: targets, commands, summary.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -31,7 +32,14 @@ struct Reach {
 };
 
 /// True if every field is in its range, for a person with this goal direction.
-bool is_valid(const Reach& reach, double goal_direction_deg);
+inline bool is_valid(const Reach& reach, double goal_direction_deg) {
+  return std::isfinite(reach.real_direction_deg) && std::isfinite(reach.virtual_direction_deg) &&
+         std::abs(reach.real_direction_deg - goal_direction_deg) < 90.0 &&
+         std::isfinite(reach.plate_orientation_deg) && std::isfinite(reach.start.right_m) &&
+         std::isfinite(reach.start.away_m) && std::isfinite(reach.real_distance_m) &&
+         reach.real_distance_m > 0.0 &&
+         (reach.duration_s == 0.0 || (reach.duration_s >= 0.1 && reach.duration_s <= 20.0));
+}
 
 /// What a reach hands on to the one that takes its place: the plate under way, and the samples so far.
 struct PlateHandover {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/plate/plate_frame.h"
+#include "core/reach/pace.h"
 
 namespace hrt {
 
@@ -14,10 +15,16 @@ class SlidingFinger {
  public:
   /// Rests at `start` until time 0, and again after `duration_s` > 0 and `distance_m` of path.
   SlidingFinger(const PlatePoint& start, double distance_m, double duration_s,
-                SpeedProfile profile = SpeedProfile::constant);
+                SpeedProfile profile = SpeedProfile::constant)
+      : place_(start), distance_m_(distance_m), duration_s_(duration_s), profile_(profile) {}
 
   /// Slides along `direction_deg` from where the last call left the finger until `time_s`, not before it.
-  void slide(double time_s, double direction_deg);
+  void slide(double time_s, double direction_deg) {
+    const double travelled =
+        progress(profile_ == SpeedProfile::constant ? 1.0 : 0.0, time_s / duration_s_).share;
+    place_ = point_ahead(place_, direction_deg, distance_m_ * (travelled - travelled_));
+    travelled_ = travelled;
+  }
 
   const PlatePoint& place() const { return place_; }
 

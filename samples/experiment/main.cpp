@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-#include "samples/experiment/design/preregistration.h"
+#include "samples/experiment/design/design.h"
 #include "samples/experiment/output/export.h"
 #include "samples/experiment/session/led.h"
 #include "samples/experiment/session/session.h"

@@ -1,4 +1,4 @@
-// Solvers of others beside ours. Each is compiled from a checkout that `peers` is given, else not there.
+// Solvers of others beside ours. Each is there if `peers` is given where it is installed.
 #pragma once
 
 #include <vector>

@@ -167,8 +167,8 @@ HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;
  * has failed. Never null; valid until this thread's next failed call. [any-thread] */
 HRT_PLATE_API const char* hrt_plate_last_error(void) HRT_NOEXCEPT;
 
-/** Fills speed, acceleration, latency and stops of a READY plate in; stops that are less than 180 degrees apart stay out.
- *  [any-thread] */
+/** Fills speed, acceleration, latency and stops of a READY plate in; stops that are less than 180 degrees
+ * apart stay out. [any-thread] */
 static inline void hrt_session_config_from_plate(hrt_session_config* config, const hrt_plate_report* report) {
   const int has_stops = report->upper_stop_deg - report->lower_stop_deg >= 180.0;
   config->plate_max_speed_deg_s = report->max_speed_deg_s;

@@ -61,8 +61,8 @@ PlateFile read_plate_file(const std::string& path) {
     const auto is_within = [](double value, double low, double high) {
       return value >= low && value <= high;
     };
-    if (!is_within(file.speed_deg_s, 0.1, 1e5) || !is_within(file.acceleration_deg_s2, 1.0, 1e8) || !is_within(file.latency_ms, 0.0, 1000.0) ||
-        !is_within(file.error_deg, 0.0, 360.0))
+    if (!is_within(file.speed_deg_s, 0.1, 1e5) || !is_within(file.acceleration_deg_s2, 1.0, 1e8) ||
+        !is_within(file.latency_ms, 0.0, 1000.0) || !is_within(file.error_deg, 0.0, 360.0))
       refuse(path, "holds a number out of range");
     return file;
   } catch (const nlohmann::json::exception& wrong) {

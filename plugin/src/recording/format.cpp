@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "plugin/src/recording/row.h"
-#include "plugin/src/recording/setup_format.h"
 
 namespace hrt::plugin {
 namespace {

@@ -12,7 +12,6 @@
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/text.h"
-#include "plugin/src/recording/json_number.h"
 #include "plugin/src/session/conditions.h"
 #include "plugin/src/session/contact.h"
 #include "plugin/src/session/session_config.h"
@@ -21,6 +20,14 @@
 
 namespace hrt::plugin {
 namespace {
+
+// A number that is not whole, with a point: the parser has put the locale's decimal point into its text, and
+// read its value by that.
+std::string with_point(std::string number) {
+  const std::size_t point = number.find_first_not_of("+-0123456789eE");
+  if (point != number.npos) number[point] = '.';
+  return number;
+}
 
 using Json = nlohmann::json;
 

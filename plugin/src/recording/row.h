@@ -119,4 +119,13 @@ hrt_result read_fields(const Cells& cells, S* values) {
   return result;
 }
 
+// Of setup_format.cpp: how the calls of a set-up stand in a recording.
+void write(const SetupBegun& begun, hrt_result result, RecordText& out);
+void write(const SetupUpdated& updated, hrt_result result, RecordText& out);
+void write(const SetupFinished& finished, hrt_result result, RecordText& out);
+void write(const SetupCancelled& cancelled, hrt_result result, RecordText& out);
+
+bool is_setup_call(std::string_view call);
+hrt_result read_setup_call(const Cells& cells, Record* out);
+
 }  // namespace hrt::plugin

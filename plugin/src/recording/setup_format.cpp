@@ -1,4 +1,4 @@
-#include "plugin/src/recording/setup_format.h"
+#include "plugin/src/recording/row.h"
 
 namespace hrt::plugin {
 namespace {

@@ -107,4 +107,11 @@ nlohmann::json design_schema();
 /// Letters by which conditions are known until they are unblinded: drawn from the design's seed.
 std::string letter_of(const Design& design, unsigned condition);
 
+/// Markdown: every field of the design with what it means, defaults too; and, in brackets, what its authors
+/// have to say.
+std::string preregistration_text(const Design& design);
+
+/// PROTOCOL.md with the design's numbers in it.
+std::string protocol_text(const Design& design);
+
 }  // namespace hrt::experiment

@@ -1,4 +1,4 @@
-#include "samples/experiment/design/preregistration.h"
+#include "samples/experiment/design/design.h"
 
 #include "samples/experiment/design/schedule.h"
 #include "samples/experiment/protocol.h"

@@ -90,12 +90,19 @@ class Registry {
                        [&](const auto& child) { return child->type() == type; });
   }
 
-  void destroy(Object& object);
+  void destroy(Object& object) {
+    forget(object);
+    auto& siblings = object.parent_ != nullptr ? object.parent_->children_ : roots_;
+    std::erase_if(siblings, [&](const auto& sibling) { return sibling.get() == &object; });
+  }
   /// Its handle is no more; the object lives as long as its parent.
   void retire(const Object& object) { objects_.erase(object.id()); }
 
  private:
-  void forget(Object& object);
+  void forget(Object& object) {
+    for (const auto& child : object.children_) forget(*child);
+    objects_.erase(object.id_);
+  }
 
   // Far from 0 and from small integers, which a broken application is likely to pass.
   std::uint64_t next_id_ = 0x4852'5458'0000'0001;

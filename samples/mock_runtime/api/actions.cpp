@@ -97,7 +97,7 @@ void create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAction*
 
 void destroy_action(XrAction handle) {
   auto& action = runtime().registry.get_even_lost<Action>(handle);
-  // Spaces of an action that is attached go on without its handle.
+  // Spaces of an action that is attached need no handle of it.
   action.action_set().attached ? runtime().registry.retire(action) : runtime().registry.destroy(action);
 }
 

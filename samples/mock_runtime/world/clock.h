@@ -3,7 +3,9 @@
 
 #include <openxr/openxr.h>
 
-#include <cstdint>
+#include <ctime>
+
+#include <algorithm>
 
 namespace hrt::mock {
 
@@ -17,10 +19,15 @@ class Clock {
 
   Kind kind() const { return kind_; }
   void set_kind(Kind kind) { kind_ = kind; }
-  XrTime now() const;
+  XrTime now() const {
+    if (kind_ == Kind::manual) return manual_now_;
+    std::timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return static_cast<XrTime>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+  }
 
   /// Advances a manual clock to `time`; an earlier one does nothing.
-  void advance_to(XrTime time);
+  void advance_to(XrTime time) { manual_now_ = std::max(manual_now_, time); }
 
  private:
   Kind kind_;

@@ -55,7 +55,8 @@ void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report
   constexpr std::int64_t max_steps = 8;  // of latency, that the plugin can plan with
   config.plate_latency_ns = std::min<std::int64_t>(report.latency_ns, max_steps * config.step_period_ns);
   if (report.latency_ns == 0) config.plate_latency_ns = before.plate_latency_ns;
-  if (std::memcmp(&config, &before, sizeof config) != 0) plugin.check(plugin.hrt_session_set(session, &config));
+  if (std::memcmp(&config, &before, sizeof config) != 0)
+    plugin.check(plugin.hrt_session_set(session, &config));
 }
 
 void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate,

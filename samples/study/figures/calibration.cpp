@@ -87,7 +87,7 @@ std::string calibration_text(const CalibrationReport& report) {
   for (const EstimatedTrait& trait : estimated_traits(calibration)) {
     const std::string value = fixed(trait.interval.value, trait.decimals);
     text += trait.interval.known ? row(trait.words, value, interval_text(trait))
-                                    : row(trait.words, "not determined", "best fit " + value);
+                                 : row(trait.words, "not determined", "best fit " + value);
   }
   text += "  illusion: " + family_text(calibration) + '\n' + fit_text(calibration);
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
@@ -104,8 +104,8 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
   };
   for (const EstimatedTrait& trait : estimated_traits(calibration))
     page[trait.name] = {{"value", trait.interval.value},
-                           {"interval", {trait.interval.lower, trait.interval.upper}},
-                           {"known", trait.interval.known}};
+                        {"interval", {trait.interval.lower, trait.interval.upper}},
+                        {"known", trait.interval.known}};
   page["slides_turned"] = calibration.slides_turned;
   page["fits"] = calibration.fits();
   page["lack_of_fit"] = {{"angle_p", calibration.lack_of_fit.angle_p},

@@ -55,11 +55,10 @@ std::string retest_text(const RetestReport& report) {
   for (const ComparedValue& value : report.values) {
     const Interval& difference = value.difference.difference;
     text += "  " + left(value.trait.words, 36);
-    text += difference.known
-                ? right(fixed(difference.value, value.trait.decimals), 15) + "   " +
-                      between(difference.lower, difference.upper, value.trait.decimals, " to ") +
-                      (value.difference.differs ? ", differs" : "") + '\n'
-                : right("not determined", 15) + '\n';
+    text += difference.known ? right(fixed(difference.value, value.trait.decimals), 15) + "   " +
+                                   between(difference.lower, difference.upper, value.trait.decimals, " to ") +
+                                   (value.difference.differs ? ", differs" : "") + '\n'
+                             : right("not determined", 15) + '\n';
   }
   return text + conclusion(report) +
          ". With all values together, 5 % of pairs of an unchanged person would show a difference.\n";

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "samples/experiment/data/disk.h"
-#include "samples/experiment/design/preregistration.h"
+#include "samples/experiment/design/design.h"
 #include "tests/samples/experiment/study.h"
 
 namespace hrt::experiment {
