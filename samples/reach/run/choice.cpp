@@ -4,6 +4,7 @@
 #include <cstring>
 #include <ctime>
 #include <iostream>
+#include <tuple>
 
 #include "samples/reach/base/exit_code.h"
 
@@ -55,8 +56,11 @@ void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report
   constexpr std::int64_t max_steps = 8;  // of latency, that the plugin can plan with
   config.plate_latency_ns = std::min<std::int64_t>(report.latency_ns, max_steps * config.step_period_ns);
   if (report.latency_ns == 0) config.plate_latency_ns = before.plate_latency_ns;
-  if (std::memcmp(&config, &before, sizeof config) != 0)
-    plugin.check(plugin.hrt_session_set(session, &config));
+  const auto plate_of = [](const hrt_session_config& c) {
+    return std::tuple(c.plate_max_speed_deg_s, c.plate_max_acceleration_deg_s2, c.plate_latency_ns,
+                      c.plate_lower_stop_deg, c.plate_upper_stop_deg);
+  };
+  if (plate_of(config) != plate_of(before)) plugin.check(plugin.hrt_session_set(session, &config));
 }
 
 void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate,
