@@ -28,13 +28,11 @@ constexpr std::array<Turn, 14> turns{{{0.7, 18.0},
                                       {8.1, 0.0}}};
 constexpr double all_s = 8.6;
 constexpr double max_away_s = 0.3;
-constexpr double min_sample_spacing_s = 0.0039;
+constexpr double min_apart_s = 0.0039;
 
 }  // namespace
 
-CarriedFinger::CarriedFinger() {
-  samples_.reserve(static_cast<std::size_t>(all_s / min_sample_spacing_s) + 2);
-}
+CarriedFinger::CarriedFinger() { samples_.reserve(static_cast<std::size_t>(all_s / min_apart_s) + 2); }
 
 int CarriedFinger::of_s() { return static_cast<int>(all_s); }
 
@@ -57,7 +55,7 @@ void CarriedFinger::observe(const SetupSample& sample) {
   const bool lifted = sample.on_plate.observation == Observation::lifted;
   if (sample.tracked_m && !lifted) {
     seen_ns_ = sample.time_ns;
-    const bool due = samples_.empty() || time_s - samples_.back().time_s >= min_sample_spacing_s;
+    const bool due = samples_.empty() || time_s - samples_.back().time_s >= min_apart_s;
     if (due && sample.on_plate.plate_orientation_deg && samples_.size() < samples_.capacity())
       samples_.push_back({time_s, *sample.tracked_m, *sample.on_plate.plate_orientation_deg});
   } else if (elapsed_s(seen_ns_, sample.time_ns) > max_away_s) {

@@ -70,8 +70,8 @@ class Plate:
         return report
 
     def session_fields(self) -> dict[str, Any]:
-        """Speed, acceleration, latency and stops of a ready plate, for Session() or configure(); stops that are less than 180 degrees
-        apart are left out."""
+        """Speed, acceleration, latency and stops of a ready plate, for Session() or configure(); stops that are less
+        than 180 degrees apart are left out."""
         report = self.get()
         has_stops = report.upper_stop_deg - report.lower_stop_deg >= 180.0
         return {"plate_max_speed_deg_s": report.max_speed_deg_s, "plate_latency_ns": report.latency_ns,

@@ -46,8 +46,8 @@ namespace Hrt
 
     public partial struct SessionConfig
     {
-        /// <summary>Takes speed, acceleration, latency and stops of a ready plate; stops that are less than 180 degrees apart are left
-        /// out.</summary>
+        /// <summary>Takes speed, acceleration, latency and stops of a ready plate; stops that are less than 180 degrees
+        /// apart are left out.</summary>
         public void TakePlate(PlateReport report)
         {
             bool hasStops = report.upperStopDeg - report.lowerStopDeg >= 180;
