@@ -5,13 +5,16 @@
 
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cinttypes>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <sstream>
+#include <thread>
 
 #include "HapticConversions.h"
 #include "HapticRetargetingComponent.h"
@@ -459,6 +462,45 @@ uint64_t hash_command(uint64_t hash, const hrt_command& command) {
  command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit})
     hash = hash_word(hash, std::bit_cast<uint64_t>(number));
   return hash;
+}
+
+bool eventually(auto&& holds) {
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!holds() && std::chrono::steady_clock::now() < give_up) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return holds();
+}
+
+// A commissioned servo, emulated: run by with_plate.
+TEST_F(Component, ItsDeviceTurnsWithTheCommands) {
+  const char* device = std::getenv("HRT_PLATE_FILE");
+  ASSERT_NE(device, nullptr) << "run by with_plate";
+  ASSERT_TRUE(component_.OpenPlate(FString(UTF8_TO_TCHAR(device)))) << last_log();
+  ASSERT_TRUE(eventually([&] { return component_.IsPlateReady(); })) << last_log();
+  EXPECT_EQ(component_.Settings.PlateMaxSpeed, 123.0);
+  EXPECT_EQ(component_.Settings.PlateMaxAcceleration, 5000.0);
+  EXPECT_TRUE(component_.bPlateIsMeasured);
+  begin();
+  ASSERT_TRUE(component_.UpdateFinger(FVector(-5, 0, 0.2), 0)) << last_log();
+  ASSERT_TRUE(component_.UpdateFinger(FVector(-4, 0.1, 0.2), 0.1)) << last_log();
+  const double wanted = -component_.GetRawCommand().plate_orientation_deg;
+  ASSERT_GT(std::abs(wanted), 1.0);
+  EXPECT_TRUE(eventually([&] {  // or at what feels the same
+    return component_.IsPlateReady() && std::abs(std::remainder(component_.MeasuredPlateYaw - wanted, 180.0)) < 0.2;
+  })) << component_.MeasuredPlateYaw << " for " << wanted;
+  component_.ClosePlate();
+  EXPECT_FALSE(component_.bPlateIsMeasured);
+  EXPECT_FALSE(component_.IsPlateReady());
+}
+
+TEST_F(Component, SaysOnceWhyItsDeviceFails) {
+  EXPECT_FALSE(component_.OpenPlate(TEXT("usb:0")));
+  EXPECT_NE(last_log().find("device is of kind \"usb\""), std::string::npos) << last_log();
+  ASSERT_TRUE(component_.OpenPlate(TEXT("serial:/nonexistent"))) << last_log();
+  EXPECT_TRUE(eventually([&] { return !component_.IsPlateReady() && FLogCategory::Lines.size() == 2; }));
+  EXPECT_NE(last_log().find("Error: the plate at /nonexistent cannot be opened"), std::string::npos) << last_log();
+  begin();
+  EXPECT_TRUE(component_.UpdateFinger(FVector(-5, 0, 0.2), 0));
+  EXPECT_EQ(FLogCategory::Lines.size(), 2u);
 }
 
 // The reach that every host runs: plugin/bindings/README.md.

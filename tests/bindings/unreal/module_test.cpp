@@ -16,14 +16,13 @@ namespace {
 TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
   const std::unique_ptr<IModuleInterface> module(MakeModule());
   module->StartupModule();
-  ASSERT_EQ(FPlatformProcess::Opened.size(), 1u);
-  EXPECT_EQ(
-      FPlatformProcess::Opened[0],
-      "plugins/HapticRetargeting/Source/ThirdParty/HapticRetargetingLibrary/Win64/haptic_retargeting.dll");
+  const std::string folder = "plugins/HapticRetargeting/Source/ThirdParty/HapticRetargetingLibrary/Win64/";
+  EXPECT_EQ(FPlatformProcess::Opened,
+            (std::vector{folder + "haptic_retargeting.dll", folder + "hrt_plate.dll"}));
   module->ShutdownModule();
   FPlatformProcess::Missing = true;
   module->StartupModule();
-  EXPECT_NE(FLogCategory::Lines.back().find("Error: haptic_retargeting.dll is not in plugins/HapticRetargeting"), std::string::npos);
+  EXPECT_NE(FLogCategory::Lines.back().find("Error: haptic_retargeting.dll and hrt_plate.dll are not in plugins/HapticRetargeting"), std::string::npos);
 
   UHapticRetargetingComponent component;
   const FHapticTarget none;
@@ -33,6 +32,7 @@ TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
   EXPECT_FALSE(component.AddTarget(EHapticTargetRole::Real, TEXT("cylinder"), 5.0, 10.0, target));
   EXPECT_FALSE(component.BeginReach(none, none));
   EXPECT_FALSE(component.BeginSimulatedFinger(none, 1));
+  EXPECT_FALSE(component.OpenPlate(TEXT("serial:COM3")));
   EXPECT_EQ(component.GetSession().value, 0u);
   int64 written = 0, lost = 0;
   EXPECT_FALSE(component.GetRecordingStatus(written, lost));

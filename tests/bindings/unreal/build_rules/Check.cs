@@ -36,16 +36,17 @@ static class Check
 		{
 			Expect(File.Exists(Named), Named + " exists");
 		}
-		Expect(Linux.RuntimeDependencies.Files.Count == 2, "the library is staged by both names");
+		Expect(Linux.RuntimeDependencies.Files.Count == 4, "both libraries are staged by both names");
 	}
 
 	static void CheckWindows()
 	{
 		HapticRetargetingLibrary Windows = Rules(UnrealTargetPlatform.Win64);
-		Expect(Path.GetFileName(Windows.PublicAdditionalLibraries.Single()) == "haptic_retargeting.lib", "import library");
-		string Dll = Windows.RuntimeDependencies.Files.Single();
-		Expect(Windows.PublicDelayLoadDLLs.Single() == Path.GetFileName(Dll), "the DLL that is staged is loaded late");
-		Expect(Path.GetDirectoryName(Dll) == Path.Combine(Windows.ModuleDirectory, "Win64"), "from where the module loads it");
+		string[] Libraries = { "haptic_retargeting", "hrt_plate" };
+		Expect(Windows.PublicAdditionalLibraries.Select(Path.GetFileName).SequenceEqual(Libraries.Select(Each => Each + ".lib")), "import libraries");
+		string[] Dlls = Libraries.Select(Each => Path.Combine(Windows.ModuleDirectory, "Win64", Each + ".dll")).ToArray();
+		Expect(Windows.RuntimeDependencies.Files.SequenceEqual(Dlls), "staged from where the module loads them");
+		Expect(Windows.PublicDelayLoadDLLs.SequenceEqual(Dlls.Select(Path.GetFileName)), "and loaded late");
 	}
 
 	static void CheckOthers()

@@ -8,6 +8,7 @@ using namespace HapticConversions;
 
 bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual, double Duration)
 {
+	IsPlateReady();  // and where it stands
 	hrt_reach_config Config = hrt_reach_config_init();
 	Config.real_target = ToTarget(Real);
 	Config.virtual_target = ToTarget(Virtual);
@@ -23,8 +24,9 @@ bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FH
 	return true;
 }
 
-hrt_sample UHapticRetargetingComponent::FingerSample(const FVector& Location, double Time) const
+hrt_sample UHapticRetargetingComponent::FingerSample(const FVector& Location, double Time)
 {
+	IsPlateReady();  // and where it stands
 	hrt_sample Sample = hrt_sample_init();
 	Sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE | (bPlateIsMeasured ? HRT_SAMPLE_PLATE_ORIENTATION : 0);
 	Sample.time_ns = ToNanoseconds(Time);
@@ -75,7 +77,7 @@ bool UHapticRetargetingComponent::UpdateSample(const hrt_sample& Filled)
 	}
 	if ((Decided.flags & HRT_COMMAND_HELD) == 0)
 	{
-		OnPlateCommanded.Broadcast(Turned(Decided.plate_orientation_deg));
+		TurnPlate(Decided.plate_orientation_deg);
 	}
 	return true;
 }

@@ -119,6 +119,7 @@ void UHapticRetargetingComponent::TakeFromSession()
 
 void UHapticRetargetingComponent::CloseSession()
 {
+	ClosePlate();
 	if (Person.value != 0)
 	{
 		hrt_person_destroy(Person);

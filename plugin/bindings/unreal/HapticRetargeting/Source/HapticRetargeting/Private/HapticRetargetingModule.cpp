@@ -1,4 +1,4 @@
-// Loads the plugin's library where the linker leaves that to us, which is on Windows.
+// Loads the plugin's libraries where the linker leaves that to us, which is on Windows.
 
 #include "HapticRetargetingModule.h"
 
@@ -26,25 +26,30 @@ public:
 		const FString Folder = FPaths::Combine(IPluginManager::Get().FindPlugin(TEXT("HapticRetargeting"))->GetBaseDir(),
 			TEXT("Source/ThirdParty/HapticRetargetingLibrary/Win64"));
 		Library = FPlatformProcess::GetDllHandle(*FPaths::Combine(Folder, TEXT("haptic_retargeting.dll")));
-		bLibraryIsMissing = Library == nullptr;
+		PlateLibrary = FPlatformProcess::GetDllHandle(*FPaths::Combine(Folder, TEXT("hrt_plate.dll")));
+		bLibraryIsMissing = Library == nullptr || PlateLibrary == nullptr;
 		if (bLibraryIsMissing)
 		{
-			UE_LOG(LogLoad, Error, TEXT("haptic_retargeting.dll is not in %s: every call of Haptic Retargeting is refused"), *Folder);
+			UE_LOG(LogLoad, Error, TEXT("haptic_retargeting.dll and hrt_plate.dll are not in %s: every call of Haptic Retargeting is refused"), *Folder);
 		}
 #endif
 	}
 
 	virtual void ShutdownModule() override
 	{
-		if (Library)
+		for (void** Handle : {&Library, &PlateLibrary})
 		{
-			FPlatformProcess::FreeDllHandle(Library);
-			Library = nullptr;
+			if (*Handle)
+			{
+				FPlatformProcess::FreeDllHandle(*Handle);
+				*Handle = nullptr;
+			}
 		}
 	}
 
 private:
 	void* Library = nullptr;
+	void* PlateLibrary = nullptr;
 };
 
 IMPLEMENT_MODULE(FHapticRetargetingModule, HapticRetargeting)

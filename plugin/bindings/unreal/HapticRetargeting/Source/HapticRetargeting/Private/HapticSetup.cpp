@@ -34,7 +34,7 @@ bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 	Step = Now;
 	if (bTurns)
 	{
-		OnPlateCommanded.Broadcast(Turned(Now.plate_orientation_deg));
+		TurnPlate(Now.plate_orientation_deg);
 	}
 	if (std::memcmp(&Last, &Now, sizeof Now) != 0)
 	{

@@ -4,6 +4,7 @@
 #include "Components/SceneComponent.h"
 #include "CoreMinimal.h"
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/plate.h"
 #include "haptic_retargeting/setup.h"
 #include "haptic_retargeting/study.h"
 #include "HapticRetargetingTypes.h"
@@ -147,6 +148,21 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool UpdateSimulatedFinger(double Time, FVector& OutLocation);
 
+	/** Opens the device that turns the plate: "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or the file of `hrt-plate
+	 *  commission`. When it is ready, seconds later, it takes each command, sets bPlateIsMeasured and MeasuredPlateYaw if it
+	 *  knows where it stands, and what it can do goes into Settings, between reaches. Begin reaches from then on. The log has why
+	 *  it fails. False if the name is malformed. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
+	bool OpenPlate(const FString& Device);
+
+	/** Whether it takes commands. It stops by itself if nothing asks this, and no update comes, for 0.3 s. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
+	bool IsPlateReady();
+
+	/** Stops the plate where it is, and leaves it. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
+	void ClosePlate();
+
 	/** What is known of the user, as JSON. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool SaveProfile(FString& OutJson);
@@ -185,13 +201,18 @@ private:
 	void MoveToPlate();
 	void PlatePose(double (&OutPosition)[3], double (&OutRotation)[4]) const;
 	bool Add(const hrt_target_config& Config, FHapticTarget& OutTarget);
-	hrt_sample FingerSample(const FVector& Location, double Time) const;
+	hrt_sample FingerSample(const FVector& Location, double Time);
+	void TurnPlate(double OrientationDeg);
+	void RefusePlate(const char* Reason);
 	bool Guide(const hrt_sample& Sample);
 	bool TakeContact(const hrt_contact* Contact);
 	void CloseSession();
 
 	hrt_session Session{};
 	hrt_person Person{};
+	hrt_plate Device{};
+	bool bDeviceIsTaken = false;
+	bool bDeviceIsRefused = false;
 	/** The component's transform where the plugin has placed it: the session has the same to the last bit. */
 	FTransform PlatePlace;
 	bool bPlacedByPlugin = false;

@@ -13,29 +13,29 @@ public class HapticRetargetingLibrary : ModuleRules
 		if (Target.Platform == UnrealTargetPlatform.Win64)
 		{
 			string Folder = Path.Combine(ModuleDirectory, "Win64");
-			PublicAdditionalLibraries.Add(Path.Combine(Folder, "haptic_retargeting.lib"));
-			// Loaded by the module, from where the plugin has it: Windows would not look there.
-			PublicDelayLoadDLLs.Add("haptic_retargeting.dll");
-			Stage(Folder, "haptic_retargeting.dll");
+			foreach (string Name in new string[] { "haptic_retargeting", "hrt_plate" })
+			{
+				PublicAdditionalLibraries.Add(Path.Combine(Folder, Name + ".lib"));
+				// Loaded by the module, from where the plugin has it: Windows would not look there.
+				PublicDelayLoadDLLs.Add(Name + ".dll");
+				RuntimeDependencies.Add(Path.Combine(Folder, Name + ".dll"));
+			}
 		}
 		else if (Target.Platform == UnrealTargetPlatform.Linux)
 		{
 			string Folder = Path.Combine(ModuleDirectory, "Linux");
-			PublicAdditionalLibraries.Add(Path.Combine(Folder, "libhaptic_retargeting.so"));
 			PublicRuntimeLibraryPaths.Add(Folder);
-			// Linked by the one name, loaded by the other.
-			Stage(Folder, "libhaptic_retargeting.so");
-			Stage(Folder, "libhaptic_retargeting.so.0");
+			foreach (string Name in new string[] { "libhaptic_retargeting.so", "libhrt_plate.so" })
+			{
+				// Linked by the one name, loaded by the other.
+				PublicAdditionalLibraries.Add(Path.Combine(Folder, Name));
+				RuntimeDependencies.Add(Path.Combine(Folder, Name));
+				RuntimeDependencies.Add(Path.Combine(Folder, Name + ".0"));
+			}
 		}
 		else
 		{
 			throw new BuildException("Haptic Retargeting has no library for " + Target.Platform);
 		}
-	}
-
-	/// Has packaged games carry the file.
-	private void Stage(string Folder, string Name)
-	{
-		RuntimeDependencies.Add(Path.Combine(Folder, Name));
 	}
 }
