@@ -111,9 +111,8 @@ std::vector<std::size_t> assign_exclusively(std::span<const double> costs, std::
   std::sort(limits.begin(), limits.end());
   limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
   const std::size_t max = Matching(costs, columns, limits.back()).size();
-  const auto min = std::partition_point(limits.begin(), limits.end() - 1, [&](double limit) {
-    return Matching(costs, columns, limit).size() < max;
-  });
+  const auto min = std::partition_point(limits.begin(), limits.end() - 1,
+                                        [&](double limit) { return Matching(costs, columns, limit).size() < max; });
   return Matching(costs, columns, *min).column_of();
 }
 

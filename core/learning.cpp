@@ -33,16 +33,14 @@ void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt) {
   RetargeterConfig next = config;
   next.participant.tactile_weight = learnt.tactile_weight;
-  next.estimator.tactile_weight_sd =
-      std::clamp(learnt.tactile_weight_sd, min_carried_weight_sd, max_weight_sd);
+  next.estimator.tactile_weight_sd = std::clamp(learnt.tactile_weight_sd, min_carried_weight_sd, max_weight_sd);
   const double assumed_deg2 = config.participant.motor_variance_deg2;
   const double limited_deg2 = std::clamp(learnt.motor_variance_deg2, 0.5 * assumed_deg2, 2.0 * assumed_deg2);
   next.participant.motor_variance_deg2 =
       std::clamp(limited_deg2, Estimator::min_motor_variance_deg2, Estimator::max_motor_variance_deg2);
   // Far from the assumed variance, the reach is too sure of it.
   if (limited_deg2 == learnt.motor_variance_deg2)
-    next.estimator.motor_variance_sd_deg2 =
-        std::max(learnt.motor_variance_sd_deg2, min_carried_motor_variance_sd_deg2);
+    next.estimator.motor_variance_sd_deg2 = std::max(learnt.motor_variance_sd_deg2, min_carried_motor_variance_sd_deg2);
   return next;
 }
 
@@ -51,18 +49,16 @@ RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact,
   next.touched = after_contact(config.touched, config.frame, contact);
   if (!was_learnt) return next;
   double& bias_deg = next.person.mean(T::bias);
-  bias_deg = std::clamp(bias_deg + turned_deg(config.touched, next.touched, contact.finger),
-                        person_traits[T::bias].min, person_traits[T::bias].max);
+  bias_deg = std::clamp(bias_deg + turned_deg(config.touched, next.touched, contact.finger), person_traits[T::bias].min,
+                        person_traits[T::bias].max);
   return next;
 }
 
-PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed,
-                     const PersonBelief& unknown) {
+PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown) {
   PersonBelief next = learnt;
   // The filter's rounding differs above and below the diagonal.
   next.covariance = (0.5 * (learnt.covariance + learnt.covariance.transpose())).eval();
-  for (int i = 0; i < T::count; ++i)
-    next.covariance(i, i) += person_traits[i].change * person_traits[i].change;
+  for (int i = 0; i < T::count; ++i) next.covariance(i, i) += person_traits[i].change * person_traits[i].change;
   // Scaling a row and its column keeps the correlations.
   for (int i = 0; i < T::count; ++i) {
     const double excess = next.covariance(i, i) / unknown.covariance(i, i);

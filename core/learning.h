@@ -25,7 +25,6 @@ RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact,
 /// The belief for the next reach after one that began with `before`, ended with `learnt` and, if `missed`,
 /// did not reach its target: wider, since people change, yet never wider than `unknown`. After a miss with an
 /// illusion far below what was believed, the illusion is unknown again.
-PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed,
-                     const PersonBelief& unknown);
+PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown);
 
 }  // namespace hrt

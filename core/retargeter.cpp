@@ -24,8 +24,7 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
                          .estimator = config.estimator,
                          .plate = config.plate,
                          .step_period_ns = config.step_period_ns};
-  if (config.mode == ControlMode::fixed_plate)
-    paper.fixed_plate_orientation_deg = config.fixed_plate_orientation_deg;
+  if (config.mode == ControlMode::fixed_plate) paper.fixed_plate_orientation_deg = config.fixed_plate_orientation_deg;
   return paper;
 }
 
@@ -56,15 +55,12 @@ PersonReachConfig person_config(const RetargeterConfig& config) {
 }  // namespace
 
 bool is_valid(const RetargeterConfig& config) {
-  return is_valid(config.participant) && is_valid(config.mpc) &&
-         std::isfinite(config.fixed_plate_orientation_deg) && is_valid(config.estimator) &&
-         is_valid(config.plate) && config.step_period_ns >= 1'000'000 &&
-         config.step_period_ns <= 10'000'000'000 &&
-         config.plate.latency_ns <= max_lead * config.step_period_ns && is_valid(config.person) &&
-         config.reach.bound_deg > 0.0 && config.reach.bound_deg < 90.0 &&
+  return is_valid(config.participant) && is_valid(config.mpc) && std::isfinite(config.fixed_plate_orientation_deg) &&
+         is_valid(config.estimator) && is_valid(config.plate) && config.step_period_ns >= 1'000'000 &&
+         config.step_period_ns <= 10'000'000'000 && config.plate.latency_ns <= max_lead * config.step_period_ns &&
+         is_valid(config.person) && config.reach.bound_deg > 0.0 && config.reach.bound_deg < 90.0 &&
          config.reach.max_felt_error_deg > 0.0 && config.tracker_latency_ns >= 0 &&
-         config.tracker_latency_ns <= 500'000'000 && is_frame_covariance(config.frame) &&
-         is_valid(config.touched);
+         config.tracker_latency_ns <= 500'000'000 && is_frame_covariance(config.frame) && is_valid(config.touched);
 }
 
 Retargeter::Retargeter(RetargeterConfig config) : config_(std::move(config)) {}
@@ -119,11 +115,9 @@ ReachSummary Retargeter::summary() const {
 }
 
 std::optional<SeenFinger> Retargeter::finger() const {
-  const std::optional<PlatePoint> place =
-      std::visit([](const auto& leader) { return leader.place(); }, *leader_);
+  const std::optional<PlatePoint> place = std::visit([](const auto& leader) { return leader.place(); }, *leader_);
   if (!place) return std::nullopt;
-  if (const auto* person = std::get_if<PersonReach>(&*leader_))
-    return SeenFinger{*place, person->place_variance_m2()};
+  if (const auto* person = std::get_if<PersonReach>(&*leader_)) return SeenFinger{*place, person->place_variance_m2()};
   const double noise_m = summary().estimate.tracker_noise_m;
   return SeenFinger{*place, noise_m * noise_m};
 }
@@ -140,8 +134,7 @@ Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtu
   const PlatePoint felt = point_ahead(felt_passed_, reach_.virtual_direction_deg, passed_m);
   // They turn to the target as they see it once they answer.
   const double speed_m_s = std::visit([](const auto& leader) { return leader.speed_m_s(); }, *leader_);
-  const PlatePoint answers_from =
-      point_ahead(felt, reach_.virtual_direction_deg, reaction_time_s * speed_m_s);
+  const PlatePoint answers_from = point_ahead(felt, reach_.virtual_direction_deg, reaction_time_s * speed_m_s);
   if (passed_m > min_leg_m) {
     passed_ = seen.start;
     felt_passed_ = felt;

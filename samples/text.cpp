@@ -27,9 +27,7 @@ std::string cut_to(std::string_view text, std::size_t length) {
 
 std::string right(std::string_view text, std::size_t width) { return spaces(text, width) += text; }
 
-std::string left(std::string_view text, std::size_t width) {
-  return std::string(text) += spaces(text, width);
-}
+std::string left(std::string_view text, std::size_t width) { return std::string(text) += spaces(text, width); }
 
 std::string escaped(std::string_view text) {
   std::string result;

@@ -17,8 +17,7 @@ constexpr std::array sections{"asset", "scene", "scenes", "nodes", "extensionsRe
 
 std::uint32_t little_endian(std::string_view four_bytes) {
   std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i)
-    value = value << 8 | static_cast<unsigned char>(four_bytes[static_cast<std::size_t>(i)]);
+  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(four_bytes[static_cast<std::size_t>(i)]);
   return value;
 }
 
@@ -135,13 +134,11 @@ JsonExtent json_extent(std::string_view head, std::uint64_t file_bytes, const st
     if (head.substr(16) != "JSON") refuse(file, "the first chunk of a binary glTF must be JSON");
     json_bytes = little_endian(head.substr(12));
     if (json_bytes > file_bytes - glb_head_bytes) {
-      refuse(file, "the JSON chunk claims {} bytes, and {} are left", json_bytes,
-             file_bytes - glb_head_bytes);
+      refuse(file, "the JSON chunk claims {} bytes, and {} are left", json_bytes, file_bytes - glb_head_bytes);
     }
     extent.offset = glb_head_bytes;
   }
-  if (json_bytes > gltf_limits::json_bytes)
-    refuse(file, "its JSON is larger than {} bytes", gltf_limits::json_bytes);
+  if (json_bytes > gltf_limits::json_bytes) refuse(file, "its JSON is larger than {} bytes", gltf_limits::json_bytes);
   extent.size = static_cast<std::size_t>(json_bytes);
   return extent;
 }

@@ -38,8 +38,8 @@ tinygltf::Model model_of(const std::string& text, const std::string& file) {
   loader.SetStoreOriginalJSONForExtrasAndExtensions(true);
   tinygltf::Model model;
   std::string error, warning;
-  if (!loader.LoadASCIIFromString(&model, &error, &warning, text.c_str(), static_cast<unsigned>(text.size()),
-                                  "", tinygltf::REQUIRE_VERSION))
+  if (!loader.LoadASCIIFromString(&model, &error, &warning, text.c_str(), static_cast<unsigned>(text.size()), "",
+                                  tinygltf::REQUIRE_VERSION))
     refuse(file, "not a glTF file: {}", printable(error.substr(0, error.find('\n'))));
   return model;
 }
@@ -55,8 +55,8 @@ std::vector<int> parents_of(const tinygltf::Model& model, const std::string& fil
     for (const int child : model.nodes[static_cast<std::size_t>(i)].children) {
       int& parent = parents[static_cast<std::size_t>(child)];
       if (parent != no_parent) {
-        refuse(file, "{}: children of both {} and {} name it; a node has one parent", label(child),
-               label(parent), label(i));
+        refuse(file, "{}: children of both {} and {} name it; a node has one parent", label(child), label(parent),
+               label(i));
       }
       parent = i;
     }
@@ -65,16 +65,14 @@ std::vector<int> parents_of(const tinygltf::Model& model, const std::string& fil
 }
 
 // Every node has at most one parent, so a node not reached from a root is on a cycle or below one.
-void check_for_cycles(const tinygltf::Model& model, const std::vector<int>& parents,
-                      const std::string& file) {
+void check_for_cycles(const tinygltf::Model& model, const std::vector<int>& parents, const std::string& file) {
   std::vector<std::size_t> reached;
   for (std::size_t i = 0; i < parents.size(); ++i)
     if (parents[i] == no_parent) reached.push_back(i);
   std::vector<bool> is_reached(parents.size(), false);
   for (std::size_t next = 0; next < reached.size(); ++next) {
     is_reached[reached[next]] = true;
-    for (const int child : model.nodes[reached[next]].children)
-      reached.push_back(static_cast<std::size_t>(child));
+    for (const int child : model.nodes[reached[next]].children) reached.push_back(static_cast<std::size_t>(child));
   }
   const auto missed = std::find(is_reached.begin(), is_reached.end(), false);
   if (missed == is_reached.end()) return;
@@ -89,8 +87,7 @@ void check_roots(const tinygltf::Scene& scene, std::size_t number, const std::ve
   for (const int root : scene.nodes) {
     const auto index = static_cast<std::size_t>(root);
     if (parents[index] != no_parent)
-      refuse(file, "scenes[{}].nodes holds {}, which is not a root but the child of another node", number,
-             root);
+      refuse(file, "scenes[{}].nodes holds {}, which is not a root but the child of another node", number, root);
     if (is_root[index]) refuse(file, "scenes[{}].nodes holds {} twice", number, root);
     is_root[index] = true;
   }

@@ -27,8 +27,7 @@ std::string percent_decoded(std::string_view uri) {
   std::string result;
   for (std::size_t i = 0; i < uri.size(); ++i) {
     const std::string_view digits = uri.substr(i + 1, 2);
-    if (uri[i] == '%' && digits.size() == 2 &&
-        digits.find_first_not_of("0123456789abcdefABCDEF") == digits.npos) {
+    if (uri[i] == '%' && digits.size() == 2 && digits.find_first_not_of("0123456789abcdefABCDEF") == digits.npos) {
       result += static_cast<char>(std::stoi(std::string(digits), nullptr, 16));
       i += 2;
     } else {
@@ -41,13 +40,10 @@ std::string percent_decoded(std::string_view uri) {
 // Names of devices on Windows, with any extension.
 bool is_device(std::string name) {
   name = name.substr(0, name.find('.'));
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? c - 32 : c; });
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'a' && c <= 'z' ? c - 32 : c; });
   while (name.ends_with(' ')) name.pop_back();
-  if (name.size() == 4 && (name.starts_with("COM") || name.starts_with("LPT")))
-    return name[3] >= '0' && name[3] <= '9';
-  return name == "CON" || name == "PRN" || name == "AUX" || name == "NUL" || name == "CONIN$" ||
-         name == "CONOUT$";
+  if (name.size() == 4 && (name.starts_with("COM") || name.starts_with("LPT"))) return name[3] >= '0' && name[3] <= '9';
+  return name == "CON" || name == "PRN" || name == "AUX" || name == "NUL" || name == "CONIN$" || name == "CONOUT$";
 }
 
 // Why an address is not that of a file beside this one; null if it may be.
@@ -131,8 +127,7 @@ class Check {
       const bool is_harmless = std::any_of(harmless_prefixes.begin(), harmless_prefixes.end(),
                                            [&](const char* prefix) { return name.starts_with(prefix); });
       if (!is_harmless) {
-        refuse(file_, "extensionsRequired names {}, which may move nodes and is not understood here",
-               in_quotes(name));
+        refuse(file_, "extensionsRequired names {}, which may move nodes and is not understood here", in_quotes(name));
       }
     }
   }
@@ -164,9 +159,8 @@ class Check {
 
   void check_numbers(const json& node, const char* key, std::size_t count, const std::string& where) const {
     const json* found = find(node, key);
-    if (found &&
-        (!found->is_array() || found->size() != count ||
-         !std::all_of(found->begin(), found->end(), [](const json& each) { return each.is_number(); })))
+    if (found && (!found->is_array() || found->size() != count ||
+                  !std::all_of(found->begin(), found->end(), [](const json& each) { return each.is_number(); })))
       refuse(file_, "{}: {} is not an array of {} numbers", where, key, count);
   }
 

@@ -38,8 +38,7 @@ Transform local_of(const tinygltf::Node& node, const std::string& file, const st
   Axes axes;
   if (const std::vector<double>& q = node.rotation; !q.empty()) {
     const double squared_norm = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    if (!(std::abs(squared_norm - 1.0) < 2e-3))
-      refuse(file, "{}: rotation is not a quaternion of unit length", where);
+    if (!(std::abs(squared_norm - 1.0) < 2e-3)) refuse(file, "{}: rotation is not a quaternion of unit length", where);
     const double to_unit = 1.0 / std::sqrt(squared_norm);
     axes = axes_of({q[0] * to_unit, q[1] * to_unit, q[2] * to_unit, q[3] * to_unit});
   }
@@ -85,8 +84,7 @@ class Walk {
   void visit(const Pending& pending) {
     ancestors_.resize(static_cast<std::size_t>(pending.depth));
     ancestors_.push_back(pending.node);
-    if (pending.depth >= gltf_limits::node_depth)
-      refuse(where(), "lies deeper than {} nodes", gltf_limits::node_depth);
+    if (pending.depth >= gltf_limits::node_depth) refuse(where(), "lies deeper than {} nodes", gltf_limits::node_depth);
     const Transform world = pending.parent * locals_[pending.node];
     const std::string& extras = node(pending.node).extras_json_string;
     if (const auto json = nlohmann::json::parse(extras, nullptr, false); is_haptic(json))
@@ -99,8 +97,8 @@ class Walk {
       refuse(file_, "more than {} nodes have a haptic role", gltf_limits::haptic_nodes);
     for (std::size_t depth = 0; depth < ancestors_.size(); ++depth) {
       if (is_degenerate(locals_[ancestors_[depth]].axes)) {
-        refuse(file_, "node {}: its {} has a zero-length axis or flattens space{}",
-               in_quotes(path(depth + 1)), node(ancestors_[depth]).matrix.empty() ? "scale" : "matrix",
+        refuse(file_, "node {}: its {} has a zero-length axis or flattens space{}", in_quotes(path(depth + 1)),
+               node(ancestors_[depth]).matrix.empty() ? "scale" : "matrix",
                depth + 1 == ancestors_.size() ? "" : fmt::format(", and {} is below it", in_quotes(path())));
       }
     }

@@ -19,7 +19,7 @@ struct HapticNode {
   std::string path;  ///< names from the root, joined with '/'; a nameless node is its index in brackets,
                      ///< control characters are '?'
   Vec3 origin_m;     ///< in the world
-  Axes axes;  ///< what the node's world transform makes of its axes: not unit, not always perpendicular
+  Axes axes;         ///< what the node's world transform makes of its axes: not unit, not always perpendicular
   HapticProperties properties;
 };
 

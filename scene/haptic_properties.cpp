@@ -72,8 +72,8 @@ class PropertyReader {
 
  private:
   const Role& role() const {
-    const auto found = std::find_if(properties_.begin(), properties_.end(),
-                                    [](const Property& p) { return p.key == "role"; });
+    const auto found =
+        std::find_if(properties_.begin(), properties_.end(), [](const Property& p) { return p.key == "role"; });
     if (found == properties_.end())
       refuse(where_, "{} is missing, beside {}", label_of("role"), properties_.front().label);
     const std::string name = text(*found);

@@ -26,9 +26,7 @@ Bearing bearing_from(Vec3 start_m, Vec3 point_m) {
   const PlatePoint start{start_m.x, -start_m.z};
   const PlatePoint point{point_m.x, -point_m.z};
   const double distance = distance_m(start, point);
-  return {.direction_deg = bearing_deg(start, point),
-          .distance_m = distance,
-          .at_start = distance < min_distance_m};
+  return {.direction_deg = bearing_deg(start, point), .distance_m = distance, .at_start = distance < min_distance_m};
 }
 
 bool is_valid(const Pose& pose) {
@@ -39,8 +37,7 @@ bool locate_finger(const PlateSurface& surface, const Pose& plate, Vec3 fingerti
   if (!is_valid(plate) || !in_range(fingertip_m)) return false;
   const Vec3 position_m = along(axes_of(normalized(plate.orientation)), fingertip_m - plate.position_m);
   out = {.position_m = position_m,
-         .off_plate =
-             position_m.x * position_m.x + position_m.z * position_m.z > surface.radius_m * surface.radius_m,
+         .off_plate = position_m.x * position_m.x + position_m.z * position_m.z > surface.radius_m * surface.radius_m,
          .lifted = position_m.y > surface.lift_height_m};
   return true;
 }

@@ -19,8 +19,7 @@ class SceneBuilder {
   SceneBuilder(const std::vector<HapticNode>& nodes, const std::string& file) : nodes_(nodes), file_(file) {}
 
   Scene build() {
-    if (nodes_.empty())
-      refuse(file_, "no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
+    if (nodes_.empty()) refuse(file_, "no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
     for (const HapticNode& node : nodes_) check_position(node, node.origin_m, "the world's origin");
     const HapticNode* plate = only(HapticRole::plate);
     if (plate == nullptr) refuse(file_, "no node has extras.haptic.role \"plate\"");
@@ -37,9 +36,7 @@ class SceneBuilder {
   }
 
  private:
-  std::string where(const HapticNode& node) const {
-    return fmt::format("{}: node {}", file_, in_quotes(node.path));
-  }
+  std::string where(const HapticNode& node) const { return fmt::format("{}: node {}", file_, in_quotes(node.path)); }
 
   void check_position(const HapticNode& node, Vec3 p, const char* whence) const {
     for (const double coordinate_m : {p.x, p.y, p.z})
@@ -65,8 +62,7 @@ class SceneBuilder {
     const Vec3 up = node.axes.y * (1.0 / length(node.axes.y));
     const Vec3 back = node.axes.z * (1.0 / length(node.axes.z));
     if (!(std::abs(dot(up, back)) < max_shear)) {
-      refuse(where(node),
-             "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular");
+      refuse(where(node), "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular");
     }
     const Vec3 sideways = cross(up, back);
     plate_axes_.x = sideways * (1.0 / length(sideways));
@@ -92,19 +88,16 @@ class SceneBuilder {
     scene_.start_path = node->path;
     const double from_centre_m = length(scene_.start_m);
     if (from_centre_m > scene_.plate.radius_m) {
-      refuse(where(*node),
-             "the start lies off the plate, {:g} m from its centre; the plate's radius_m is {:g}",
+      refuse(where(*node), "the start lies off the plate, {:g} m from its centre; the plate's radius_m is {:g}",
              from_centre_m, scene_.plate.radius_m);
     }
   }
 
   void add_target(const HapticNode& node) {
-    const std::string& name =
-        node.properties.name.value_or(node.name.empty() ? node.path : printable(node.name));
+    const std::string& name = node.properties.name.value_or(node.name.empty() ? node.path : printable(node.name));
     const auto [same, is_new] = index_of_.emplace(name, scene_.targets.size());
     if (!is_new) {
-      refuse(where(node),
-             "its name {} is also that of {}; targets need names of their own (extras.haptic.name)",
+      refuse(where(node), "its name {} is also that of {}; targets need names of their own (extras.haptic.name)",
              in_quotes(name), in_quotes(target_nodes_[same->second]->path));
     }
     const Vec3 position_m = in_plate_coordinates(node);
@@ -112,8 +105,7 @@ class SceneBuilder {
     const Bearing bearing = bearing_from(scene_.start_m, position_m);
     if (bearing.at_start) refuse(where(node), "the target lies at the start point, so it has no direction");
     scene_.targets.push_back({
-        .kind =
-            node.properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object,
+        .kind = node.properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object,
         .name = name,
         .world_position_m = node.origin_m,
         .position_m = position_m,
@@ -131,8 +123,7 @@ class SceneBuilder {
       const std::string& wanted = *node.properties.served_by;
       const auto found = index_of_.find(wanted);
       if (found == index_of_.end() || scene_.targets[found->second].kind != TargetKind::real_object) {
-        refuse(where(node), "extras.haptic.served_by is {}, which is not the name of a real target",
-               in_quotes(wanted));
+        refuse(where(node), "extras.haptic.served_by is {}, which is not the name of a real target", in_quotes(wanted));
       }
       return found->second;
     }

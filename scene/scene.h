@@ -33,14 +33,13 @@ enum class TargetKind {
 
 struct SceneTarget {
   TargetKind kind;
-  std::string name;                ///< unique among the targets
-  Vec3 world_position_m;           ///< of the node's origin
-  Vec3 position_m;                 ///< the same in plate coordinates; y is the height above the plate
-  double direction_deg;            ///< from the start, in (-180, 180]
-  double distance_m;               ///< from the start along the plate, >= min_distance_m
-  std::optional<double> radius_m;  ///< if the file has it
-  std::optional<std::size_t>
-      served_by;  ///< of a virtual target, always: the real one's index in Scene::targets
+  std::string name;                      ///< unique among the targets
+  Vec3 world_position_m;                 ///< of the node's origin
+  Vec3 position_m;                       ///< the same in plate coordinates; y is the height above the plate
+  double direction_deg;                  ///< from the start, in (-180, 180]
+  double distance_m;                     ///< from the start along the plate, >= min_distance_m
+  std::optional<double> radius_m;        ///< if the file has it
+  std::optional<std::size_t> served_by;  ///< of a virtual target, always: the real one's index in Scene::targets
   std::string node_path;
 };
 

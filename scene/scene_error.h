@@ -21,8 +21,7 @@ class SceneError : public std::runtime_error {
 inline std::string printable(std::string_view text) {
   std::string result(text);
   std::replace_if(
-      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
-      '?');
+      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
   return result;
 }
 

@@ -22,10 +22,8 @@ constexpr int band_steps = 15;  // to either side, of 5 degrees
 // A slow start is no noise of a finger at rest.
 constexpr std::int64_t before_onset_ns = 50'000'000;
 
-std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& trials,
-                                        double goal_direction_deg) {
-  if (!std::isfinite(goal_direction_deg))
-    return CalibrationRefusal{"the goal direction is not a finite number"};
+std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
+  if (!std::isfinite(goal_direction_deg)) return CalibrationRefusal{"the goal direction is not a finite number"};
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const std::string name = "trial " + std::to_string(i + 1);
     if (!std::isfinite(trials[i].plate_orientation_deg)) {
@@ -38,8 +36,7 @@ std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& tri
       if (!std::isfinite(plate_deg)) return CalibrationRefusal{name + ": a plate orientation is not finite"};
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (!std::isfinite(samples[k].position.right_m) || !std::isfinite(samples[k].position.away_m)) {
-        return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) +
-                                  ": the position is not finite"};
+        return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) + ": the position is not finite"};
       }
       if (k > 0 && samples[k].time_ns <= samples[k - 1].time_ns) {
         return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) + ": time does not increase"};
@@ -62,8 +59,8 @@ void describe_controllers_curve(const PersonFit& person, Calibration* calibratio
   });
   const CurveFit& fit = own != person.families.end() ? own->fit : person.best();
   const auto interval = [](const FitValue& value) {
-    return Interval{value.value, value.value - normal_975 * value.deviation,
-                    value.value + normal_975 * value.deviation, true};
+    return Interval{value.value, value.value - normal_975 * value.deviation, value.value + normal_975 * value.deviation,
+                    true};
   };
   const FitValue slope = fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.first; });
   calibration->slope = interval(slope);
@@ -72,16 +69,14 @@ void describe_controllers_curve(const PersonFit& person, Calibration* calibratio
     return;
   }
   const FitValue curve = fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.second; });
-  const FitValue sum =
-      fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.first + p.curve.second; });
+  const FitValue sum = fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.first + p.curve.second; });
   calibration->curve = interval(curve);
   const double product = slope.deviation * curve.deviation;
   if (product > 0.0)
-    calibration->slope_curve_correlation =
-        std::clamp((sum.deviation * sum.deviation - slope.deviation * slope.deviation -
-                    curve.deviation * curve.deviation) /
-                       (2.0 * product),
-                   -1.0, 1.0);
+    calibration->slope_curve_correlation = std::clamp(
+        (sum.deviation * sum.deviation - slope.deviation * slope.deviation - curve.deviation * curve.deviation) /
+            (2.0 * product),
+        -1.0, 1.0);
 }
 
 std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::size_t trials) {
@@ -94,15 +89,13 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
   for (std::size_t i = 0; i < slides.resting.size(); ++i)
     if (verdicts[i] == SlideVerdict::used) counting.push_back(slides.resting[i]);
   if (counting.size() < min_trials)
-    return CalibrationRefusal{std::to_string(counting.size()) + " of " +
-                              std::to_string(slides.resting.size()) + " slides are not along the ridges" +
-                              needed + ": bring the plate nearer to the goal"};
+    return CalibrationRefusal{std::to_string(counting.size()) + " of " + std::to_string(slides.resting.size()) +
+                              " slides are not along the ridges" + needed + ": bring the plate nearer to the goal"};
   const int angles = different_angles(counting);
   const auto [low, high] =
       std::minmax_element(counting.begin(), counting.end(),
                           [](const SlideTrack& a, const SlideTrack& b) { return a.plate_deg < b.plate_deg; });
-  if (angles >= min_plate_angles && high->plate_deg - low->plate_deg >= min_plate_span_deg)
-    return std::nullopt;
+  if (angles >= min_plate_angles && high->plate_deg - low->plate_deg >= min_plate_span_deg) return std::nullopt;
   return CalibrationRefusal{
       "the plate stood at " + std::to_string(angles) +
       " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
@@ -146,8 +139,7 @@ Calibration described(const PersonFit& person) {
   calibration.bias_deg.known = fits && is_within(calibration.bias_deg, max_angle_width_deg);
   calibration.habit_deg.known = fits && is_within(calibration.habit_deg, max_angle_width_deg);
   calibration.curve.known = fits && curved;
-  calibration.max_gap_deg.known =
-      fits && curved && reaches && is_within(calibration.max_gap_deg, max_angle_width_deg);
+  calibration.max_gap_deg.known = fits && curved && reaches && is_within(calibration.max_gap_deg, max_angle_width_deg);
   return calibration;
 }
 
@@ -158,8 +150,8 @@ bool Calibration::fits() const {
 }
 
 std::size_t Calibration::count(SlideVerdict verdict) const {
-  return static_cast<std::size_t>(std::count_if(
-      slides.begin(), slides.end(), [&](const CalibratedSlide& s) { return s.verdict == verdict; }));
+  return static_cast<std::size_t>(
+      std::count_if(slides.begin(), slides.end(), [&](const CalibratedSlide& s) { return s.verdict == verdict; }));
 }
 
 std::vector<std::string> Calibration::advice() const {
@@ -178,15 +170,13 @@ std::vector<std::string> Calibration::advice() const {
         "the paths bend in a way that neither a habit nor the steering law explains: ask for "
         "one even motion, slower and longer, and repeat the calibration");
   if (families.size() == 1)
-    sentences.emplace_back(
-        "the illusion was taken for linear: a curve takes slides at 7 plate angles or more");
+    sentences.emplace_back("the illusion was taken for linear: a curve takes slides at 7 plate angles or more");
   else if (fits() && !max_gap_deg.known)
     sentences.emplace_back(
         "the largest gap is extrapolated: add slides with the plate farther from the goal, on "
         "both sides");
   if (slides_turned > 0)
-    sentences.emplace_back(
-        "the plate turned within slides, which were left out: let it rest while the person slides");
+    sentences.emplace_back("the plate turned within slides, which were left out: let it rest while the person slides");
   if (5 * count(SlideVerdict::outlying) > slides.size())
     sentences.emplace_back("more than a fifth of the slides are outliers: check the tracker and repeat");
   return sentences;
@@ -214,17 +204,15 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
   if (auto refusal = check(slides, trials.size())) return *refusal;
   const PersonFit person = fit_person(slides.resting, slides.order);
   if (person.used.size() < static_cast<std::size_t>(min_fitted_slides))
-    return CalibrationRefusal{std::to_string(person.used.size()) + " of " +
-                              std::to_string(slides.resting.size()) +
+    return CalibrationRefusal{std::to_string(person.used.size()) + " of " + std::to_string(slides.resting.size()) +
                               " slides are like one another; at least " + std::to_string(min_fitted_slides) +
                               " are needed: check the tracker"};
   Calibration calibration = described(person);
   const Interval& w = calibration.tactile_weight;
   if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight)) {
-    return CalibrationRefusal{
-        "w_T is " + three_digits(w.value) + " with a 95 % interval of " + three_digits(w.lower) + " to " +
-        three_digits(w.upper) +
-        "; within 0.02 to 0.48 is needed: more trials, or this hand does not feel the ridges"};
+    return CalibrationRefusal{"w_T is " + three_digits(w.value) + " with a 95 % interval of " + three_digits(w.lower) +
+                              " to " + three_digits(w.upper) +
+                              "; within 0.02 to 0.48 is needed: more trials, or this hand does not feel the ridges"};
   }
   std::vector<std::vector<TimedPoint>> rests;
   for (std::size_t i = 0; i < slides.resting.size(); ++i) {

@@ -39,10 +39,10 @@ struct FamilyScore {
 
 /// `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not show it.
 struct Calibration {
-  Interval tactile_weight;  ///< felt shift over offset at 60 degrees, mean of both sides
-  Interval bias_deg;        ///< goal at the middle of the path less target direction, left positive
-  Interval habit_deg;       ///< how far the goal turns over the path, halved
-  Interval max_gap_deg;     ///< largest felt shift within 75 degrees, on the weaker side
+  Interval tactile_weight;                   ///< felt shift over offset at 60 degrees, mean of both sides
+  Interval bias_deg;                         ///< goal at the middle of the path less target direction, left positive
+  Interval habit_deg;                        ///< how far the goal turns over the path, halved
+  Interval max_gap_deg;                      ///< largest felt shift within 75 degrees, on the weaker side
   double peak_offset_deg = curve_bound_deg;  ///< smallest offset that gives it
   Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2
   Interval curve;                            ///< b of it

@@ -128,16 +128,14 @@ LeastSquares problem_of(CurveFamily family, std::span<const SlideTrack> slides, 
   problem.derivatives = [=](const FitVector& parameters) {
     const SlidingPersonModel person = fitted_person(family, parameters);
     std::vector<Eigen::MatrixXd> derivatives;
-    for (const SlideTrack& slide : slides)
-      derivatives.push_back(product(root, rough_jacobian(slide, person)));
+    for (const SlideTrack& slide : slides) derivatives.push_back(product(root, rough_jacobian(slide, person)));
     return derivatives;
   };
   return problem;
 }
 
 // What the steering law gets wrong in all slides alike, in parameters.
-FitMatrix common_covariance(const CurveFit& fit, std::span<const SlideTrack> slides,
-                            const PartsMatrix& weight) {
+FitMatrix common_covariance(const CurveFit& fit, std::span<const SlideTrack> slides, const PartsMatrix& weight) {
   const FitMatrix inverted = inverse(fit.information);
   SlideJacobian tilted = SlideJacobian::Zero(slide_parts, inverted.cols());
   for (std::size_t i = 0; i < slides.size(); ++i)
@@ -171,9 +169,7 @@ std::vector<double> first_guesses(CurveFamily family) {
 
 }  // namespace
 
-double common_deviation_deg(int part) {
-  return common_share * law_deviation_deg[static_cast<std::size_t>(part)];
-}
+double common_deviation_deg(int part) { return common_share * law_deviation_deg[static_cast<std::size_t>(part)]; }
 
 PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
   PartsMatrix covariance = parts_covariance;
@@ -183,8 +179,8 @@ PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
 }
 
 double fit_derivative_step(CurveFamily family, int parameter) {
-  const bool angle = parameter == second && (family == CurveFamily::saturating ||
-                                             family == CurveFamily::tanh || family == CurveFamily::dead_band);
+  const bool angle = parameter == second && (family == CurveFamily::saturating || family == CurveFamily::tanh ||
+                                             family == CurveFamily::dead_band);
   return angle ? 0.5 : fit_step[parameter];
 }
 
@@ -223,8 +219,7 @@ SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& 
   return jacobian;
 }
 
-CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides,
-                   const PartsMatrix& parts_covariance) {
+CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance) {
   const PartsMatrix weight = fit_weight(parts_covariance);
   const Eigen::MatrixXd root = cholesky_factor(weight).transpose();
   const LeastSquares problem = problem_of(family, slides, root);
@@ -237,8 +232,7 @@ CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides,
   CurveFit best;
   best.person = fitted_person(family, found.parameters);
   best.misfit = found.misfit;
-  best.bic = best.misfit +
-             static_cast<double>(found.parameters.size()) * logarithm(static_cast<double>(slides.size()));
+  best.bic = best.misfit + static_cast<double>(found.parameters.size()) * logarithm(static_cast<double>(slides.size()));
   std::vector<Eigen::VectorXd> residuals;
   std::vector<Eigen::MatrixXd> derivatives;
   for (const SlideTrack& slide : slides) {
@@ -248,8 +242,8 @@ CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides,
     derivatives.push_back(product(root, best.jacobians.back()));
   }
   best.information = information_of(derivatives, problem.prior_deviation);
-  best.covariance = jackknife_covariance(residuals, derivatives, problem.prior_deviation) +
-                    common_covariance(best, slides, weight);
+  best.covariance =
+      jackknife_covariance(residuals, derivatives, problem.prior_deviation) + common_covariance(best, slides, weight);
   return best;
 }
 

@@ -23,8 +23,7 @@ struct CurveFit {
   double misfit = 0.0;    ///< sum of squared residuals in units of their deviation
   double bic = 0.0;       ///< misfit + parameters log(slides)
   FitMatrix information;  ///< of the parameters if the given covariance is right
-  FitMatrix
-      covariance;  ///< of the parameters, whatever the covariance is: jackknife over slides, and the law
+  FitMatrix covariance;   ///< of the parameters, whatever the covariance is: jackknife over slides, and the law
   std::vector<SlideDirections> residuals;  ///< one a slide, degrees
   std::vector<SlideJacobian> jacobians;
 };
@@ -41,15 +40,13 @@ PartsMatrix fit_weight(const PartsMatrix& parts_covariance);
 
 /// `parts_covariance`: of one slide's directions about the fit, positive definite. At least as many slides as
 /// parameters.
-CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides,
-                   const PartsMatrix& parts_covariance);
+CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance);
 
 /// The derivatives of one slide's predicted directions.
 SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& person);
 
 // Steps of numerical derivatives, in the parameters' order.
-inline constexpr double fit_step[max_fit_parameters] = {0.05,  0.05, 0.05,  0.02, 0.003,
-                                                        0.003, 0.01, 0.002, 0.002};
+inline constexpr double fit_step[max_fit_parameters] = {0.05, 0.05, 0.05, 0.02, 0.003, 0.003, 0.01, 0.002, 0.002};
 double fit_derivative_step(CurveFamily family, int parameter);
 
 /// The derivative by one parameter of what `function` makes of the person.
@@ -61,8 +58,7 @@ auto fit_derivative(CurveFamily family, const FitVector& middle, int parameter, 
   above(parameter) += step;
   below(parameter) -= step;
   using Value = decltype(function(fitted_person(family, middle)));
-  return Value((function(fitted_person(family, above)) - function(fitted_person(family, below))) /
-               (2.0 * step));
+  return Value((function(fitted_person(family, above)) - function(fitted_person(family, below))) / (2.0 * step));
 }
 
 /// A number that depends on the fitted person, and its standard deviation to first order.
@@ -74,8 +70,7 @@ template <class Function>
 FitValue fit_value(const CurveFit& fit, const Function& function) {
   const FitVector middle = fit_vector(fit.person);
   FitVector gradient(middle.size());
-  for (int i = 0; i < middle.size(); ++i)
-    gradient(i) = fit_derivative(fit.person.curve.family, middle, i, function);
+  for (int i = 0; i < middle.size(); ++i) gradient(i) = fit_derivative(fit.person.curve.family, middle, i, function);
   const double variance = gradient.dot(fit.covariance * gradient);
   return {function(fit.person), variance > 0.0 ? std::sqrt(variance) : 0.0};
 }

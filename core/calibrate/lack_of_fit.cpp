@@ -18,8 +18,7 @@ struct Whitened {
 
 // The probability of the share that `patterns` explain beyond the fit's own derivatives, and beyond what the
 // steering law may be wrong by: `allowed_deg`, the standard deviation of each pattern's size.
-double pattern_p(const Whitened& whitened, const Eigen::MatrixXd& patterns,
-                 const Eigen::VectorXd& allowed_deg) {
+double pattern_p(const Whitened& whitened, const Eigen::MatrixXd& patterns, const Eigen::VectorXd& allowed_deg) {
   const LinearFit without = linear_fit(whitened.derivatives, whitened.residuals, rank_threshold);
   Eigen::MatrixXd both(whitened.residuals.size(), whitened.derivatives.cols() + patterns.cols());
   both << whitened.derivatives, patterns;
@@ -29,8 +28,7 @@ double pattern_p(const Whitened& whitened, const Eigen::MatrixXd& patterns,
   if (gained < 1.0 || degrees < 4.0) return 1.0;
   double allowed = 0.0;
   for (Eigen::Index i = 0; i < patterns.cols(); ++i)
-    allowed += allowed_deg(i) * allowed_deg(i) *
-               linear_fit(whitened.derivatives, patterns.col(i), rank_threshold).left;
+    allowed += allowed_deg(i) * allowed_deg(i) * linear_fit(whitened.derivatives, patterns.col(i), rank_threshold).left;
   return f_tail((without.left - with.left) / (gained * with.left / degrees + allowed), gained, degrees);
 }
 
@@ -54,8 +52,7 @@ LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, s
     const Eigen::VectorXd powers = plate_powers(slides[k].plate_deg, degree);
     // The settled parts follow the curve; the first one is on its way.
     const SlideDirections settled = whitening * SlideDirections(0.5, 1.0, 1.0, 1.0);
-    for (int power = 2; power <= degree; ++power)
-      angle.block<slide_parts, 1>(row, power - 2) = settled * powers(power);
+    for (int power = 2; power <= degree; ++power) angle.block<slide_parts, 1>(row, power - 2) = settled * powers(power);
     const double when = 2.0 * order[k] / std::max(last, 1.0) - 1.0;
     trend.block<slide_parts, 1>(row, 0) = settled * when;
     trend.block<slide_parts, 1>(row, 1) = settled * (when * powers(1));
@@ -66,9 +63,7 @@ LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, s
   Eigen::VectorXd path_deg(2 * slide_parts);
   for (int part = 0; part < slide_parts; ++part)
     path_deg(part) = path_deg(slide_parts + part) = common_deviation_deg(part);
-  return {.angle_p = degree > 1
-                         ? pattern_p(whitened, angle, Eigen::VectorXd::Constant(degree - 1, settled_deg))
-                         : 1.0,
+  return {.angle_p = degree > 1 ? pattern_p(whitened, angle, Eigen::VectorXd::Constant(degree - 1, settled_deg)) : 1.0,
           .order_p = pattern_p(whitened, trend, Eigen::VectorXd::Zero(2)),
           .path_p = pattern_p(whitened, path, path_deg)};
 }

@@ -22,8 +22,7 @@ Interval PersonFit::value(const std::function<double(const SlidingPersonModel&)>
   std::vector<NormalPart> parts;
   for (const FamilyFit& family : families) {
     const FitValue value = fit_value(family.fit, number);
-    const double degrees =
-        static_cast<double>(used.size()) - static_cast<double>(family.fit.covariance.rows());
+    const double degrees = static_cast<double>(used.size()) - static_cast<double>(family.fit.covariance.rows());
     parts.push_back({family.probability, value.value, value.deviation * student_975(degrees) / normal_975});
   }
   return mixture_interval(parts);
@@ -84,8 +83,7 @@ PersonFit fit_person(std::span<const SlideTrack> slides, std::span<const double>
 
   const int compared = different_angles(fitted) >= min_curve_angles ? curve_families : 1;
   for (int i = 0; i < compared; ++i)
-    person.families.push_back(
-        {fit_curve(static_cast<CurveFamily>(i), fitted, person.scatter.covariance), 0.0});
+    person.families.push_back({fit_curve(static_cast<CurveFamily>(i), fitted, person.scatter.covariance), 0.0});
   // Not std::stable_sort, which takes memory and does without if there is none.
   std::sort(person.families.begin(), person.families.end(), [](const FamilyFit& a, const FamilyFit& b) {
     return std::pair(a.fit.bic, a.fit.person.curve.family) < std::pair(b.fit.bic, b.fit.person.curve.family);

@@ -18,12 +18,9 @@ RetestDifference difference_of(const RepeatedValue& value) {
   RetestDifference result;
   const double difference = value.second.value - value.first.value;
   // The ends that face each other decide: intervals need not be symmetric.
-  const double below =
-      in_quadrature(value.second.value - value.second.lower, value.first.upper - value.first.value);
-  const double above =
-      in_quadrature(value.second.upper - value.second.value, value.first.value - value.first.lower);
-  result.difference = {difference, difference - below, difference + above,
-                       value.first.known && value.second.known};
+  const double below = in_quadrature(value.second.value - value.second.lower, value.first.upper - value.first.value);
+  const double above = in_quadrature(value.second.upper - value.second.value, value.first.value - value.first.lower);
+  result.difference = {difference, difference - below, difference + above, value.first.known && value.second.known};
   if (!result.difference.known) return result;
   const double towards_zero = difference > 0.0 ? below : above;
   if (towards_zero > 0.0) {
@@ -42,8 +39,7 @@ std::vector<RetestDifference> compare(std::span<const RepeatedValue> values) {
   std::vector<std::size_t> order(results.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::erase_if(order, [&](std::size_t i) { return !results[i].difference.known; });
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return results[a].p < results[b].p; });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return results[a].p < results[b].p; });
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     if (results[order[rank]].p > false_alarm / static_cast<double>(order.size() - rank)) break;
     results[order[rank]].differs = true;

@@ -52,8 +52,7 @@ SlideDirections predicted_directions(const SlideTrack& track, const SlidingPerso
     }
     const double felt_deg = direction_deg + curve_shift_deg(person.curve, track.plate_deg - direction_deg);
     const double goal_deg =
-        person.bias_deg +
-        person.habit_deg * (1.0 - 2.0 * share_at(track, static_cast<double>(i) - goal_delay));
+        person.bias_deg + person.habit_deg * (1.0 - 2.0 * share_at(track, static_cast<double>(i) - goal_delay));
     if (const auto answer = steering.feel(felt_deg))
       direction_deg = std::clamp(direction_deg - gain * answer->share * (answer->felt_deg - goal_deg),
                                  -max_direction_deg, max_direction_deg);

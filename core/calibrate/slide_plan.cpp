@@ -88,8 +88,8 @@ double nearest_deg(const std::vector<SlideTrack>& slides, double plate_deg) {
 
 // The angle on the other side than `last_side` that is expected to leave the least variance. A curve needs
 // more angles first: the one farthest from all so far.
-double best_angle_deg(const PersonFit& person, const std::vector<SlideTrack>& fitted, bool curved,
-                      double last_side, const SlidePlan& plan) {
+double best_angle_deg(const PersonFit& person, const std::vector<SlideTrack>& fitted, bool curved, double last_side,
+                      const SlidePlan& plan) {
   std::vector<Prospect> prospects;
   for (const FamilyFit& family : person.families) prospects.push_back(prospect(family));
   const PartsMatrix weight = fit_weight(person.scatter.covariance);
@@ -115,8 +115,7 @@ double best_angle_deg(const PersonFit& person, const std::vector<SlideTrack>& fi
 
 }  // namespace
 
-NextSlide next_slide(std::span<const SlideTrack> slides, std::span<const double> order,
-                     const SlidePlan& plan) {
+NextSlide next_slide(std::span<const SlideTrack> slides, std::span<const double> order, const SlidePlan& plan) {
   const double middle_deg = 0.5 * (plan.lower_plate_deg + plan.upper_plate_deg);
   const double half_deg = 0.5 * (plan.upper_plate_deg - plan.lower_plate_deg);
   if (slides.size() < opening.size()) return {middle_deg + half_deg * opening[slides.size()], false};
@@ -142,8 +141,7 @@ NextSlide next_slide(std::span<const SlideTrack> slides, std::span<const double>
   return {best_deg, enough};
 }
 
-NextSlide next_slide(const std::vector<CalibrationTrial>& trials, double goal_direction_deg,
-                     const SlidePlan& plan) {
+NextSlide next_slide(const std::vector<CalibrationTrial>& trials, double goal_direction_deg, const SlidePlan& plan) {
   const CalibrationSlides slides = slides_of(trials, goal_direction_deg);
   return next_slide(slides.resting, slides.order, plan);
 }

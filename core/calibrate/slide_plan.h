@@ -22,12 +22,10 @@ struct NextSlide {
 
 /// The plate's angle that is expected to narrow w_T and the largest gap most, given the slides so far; the
 /// first nine open the range. The side alternates: a person cannot settle into one.
-NextSlide next_slide(std::span<const SlideTrack> slides, std::span<const double> order,
-                     const SlidePlan& plan);
+NextSlide next_slide(std::span<const SlideTrack> slides, std::span<const double> order, const SlidePlan& plan);
 
 /// The same of trials as they were recorded, finite and with increasing times; those without a slide are left
 /// out.
-NextSlide next_slide(const std::vector<CalibrationTrial>& trials, double goal_direction_deg,
-                     const SlidePlan& plan);
+NextSlide next_slide(const std::vector<CalibrationTrial>& trials, double goal_direction_deg, const SlidePlan& plan);
 
 }  // namespace hrt

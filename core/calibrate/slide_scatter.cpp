@@ -31,8 +31,8 @@ Rows residuals_of(const Eigen::MatrixXd& design, const Rows& directions, const R
   Rows residuals(directions.rows(), slide_parts);
   for (int part = 0; part < slide_parts; ++part) {
     const Eigen::VectorXd root = weights.col(part).cwiseSqrt();
-    const LinearFit fit = linear_fit(root.asDiagonal() * design, root.cwiseProduct(directions.col(part)),
-                                     scatter_rank_threshold);
+    const LinearFit fit =
+        linear_fit(root.asDiagonal() * design, root.cwiseProduct(directions.col(part)), scatter_rank_threshold);
     residuals.col(part) = directions.col(part) - product(design, fit.coefficients);
   }
   return residuals;

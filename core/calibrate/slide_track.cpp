@@ -96,8 +96,7 @@ double smooth_along_m(const std::vector<Place>& places, double time_s, std::size
 }
 
 // The samples from the onset on, until the tracker is away for long.
-std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const Onset& onset,
-                             double goal_direction_deg) {
+std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const Onset& onset, double goal_direction_deg) {
   const double sine = sin_deg(goal_direction_deg);
   const double cosine = cos_deg(goal_direction_deg);
   std::vector<Place> places;
@@ -124,9 +123,9 @@ double set_pace(const std::vector<Place>& places, SlideTrack* track) {
     const double share = 0.5 * (along_m[i] + along_m[i + 1]) / length_m;
     SlideTrack::Step step{.advance_m = along_m[i + 1] - along_m[i], .share = share};
     if (share >= window_edges[0] && share < window_edges[slide_parts])
-      step.window = static_cast<int>(std::upper_bound(window_edges.begin(), window_edges.end(), share) -
-                                     window_edges.begin()) -
-                    1;
+      step.window =
+          static_cast<int>(std::upper_bound(window_edges.begin(), window_edges.end(), share) - window_edges.begin()) -
+          1;
     track->steps.push_back(step);
   }
   return length_m;

@@ -44,9 +44,7 @@ struct SlideTrack {
 };
 
 /// The direction of the second half of a path.
-inline double settled_direction_deg(const SlideDirections& directions) {
-  return 0.5 * (directions(2) + directions(3));
-}
+inline double settled_direction_deg(const SlideDirections& directions) { return 0.5 * (directions(2) + directions(3)); }
 
 inline constexpr double min_slide_m = 0.03;
 

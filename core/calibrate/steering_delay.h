@@ -16,8 +16,7 @@ class SteeringDelay {
 
   /// `steps`: from what is felt to its answer, -0.5 to max_steps; between steps what is felt is linear.
   explicit SteeringDelay(double steps)
-      : whole_(steps > 0.0 ? static_cast<std::size_t>(steps) : 0),
-        part_(steps - static_cast<double>(whole_)) {}
+      : whole_(steps > 0.0 ? static_cast<std::size_t>(steps) : 0), part_(steps - static_cast<double>(whole_)) {}
 
   struct Answer {
     double felt_deg;

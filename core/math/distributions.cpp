@@ -44,9 +44,8 @@ double beta_fraction(double a, double b, double x) {
 double incomplete_beta(double a, double b, double x) {
   if (x <= 0.0) return 0.0;
   if (x >= 1.0) return 1.0;
-  const double front =
-      exponential(log_gamma(a + b) - log_gamma(a) - log_gamma(b) + a * logarithm(std::max(x, 1e-300)) +
-                  b * logarithm(std::max(1.0 - x, 1e-300)));
+  const double front = exponential(log_gamma(a + b) - log_gamma(a) - log_gamma(b) + a * logarithm(std::max(x, 1e-300)) +
+                                   b * logarithm(std::max(1.0 - x, 1e-300)));
   return x < (a + 1.0) / (a + b + 2.0) ? front * beta_fraction(a, b, x) / a
                                        : 1.0 - front * beta_fraction(b, a, 1.0 - x) / b;
 }

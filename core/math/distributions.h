@@ -22,9 +22,7 @@ struct Interval {
 inline constexpr double normal_975 = 1.959963984540054;
 
 /// The standard deviation of which a 95 % interval from `lower` to `upper` is that of a normal estimate.
-inline double deviation_of_interval(double lower, double upper) {
-  return (upper - lower) / (2.0 * normal_975);
-}
+inline double deviation_of_interval(double lower, double upper) { return (upper - lower) / (2.0 * normal_975); }
 
 /// P(N(0, 1) <= x); absolute error below 2e-7.
 double normal_cdf(double x);

@@ -24,9 +24,7 @@ double penalty_of(const LeastSquares& problem, const Eigen::VectorXd& parameters
   return (parameters - problem.prior_mean).cwiseQuotient(problem.prior_deviation).squaredNorm();
 }
 
-Eigen::VectorXd precision_of(const Eigen::VectorXd& deviation) {
-  return deviation.cwiseAbs2().cwiseInverse();
-}
+Eigen::VectorXd precision_of(const Eigen::VectorXd& deviation) { return deviation.cwiseAbs2().cwiseInverse(); }
 
 }  // namespace
 
@@ -40,10 +38,8 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& firs
     const std::vector<Eigen::MatrixXd> derivatives = problem.derivatives(fit.parameters);
     Eigen::MatrixXd damped = information_of(derivatives, problem.prior_deviation);
     const Eigen::VectorXd diagonal = damped.diagonal();
-    Eigen::VectorXd gradient =
-        precision_of(problem.prior_deviation).cwiseProduct(problem.prior_mean - fit.parameters);
-    for (std::size_t i = 0; i < derivatives.size(); ++i)
-      gradient += product(derivatives[i].transpose(), residuals[i]);
+    Eigen::VectorXd gradient = precision_of(problem.prior_deviation).cwiseProduct(problem.prior_mean - fit.parameters);
+    for (std::size_t i = 0; i < derivatives.size(); ++i) gradient += product(derivatives[i].transpose(), residuals[i]);
     double gained = 0.0;
     for (int attempt = 0; attempt < max_attempts && !(gained > 0.0); ++attempt) {
       damped.diagonal() = (1.0 + damping) * diagonal;

@@ -28,8 +28,7 @@ struct LeastSquaresFit {
 LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& first);
 
 /// The information of residuals and prior, if the residuals' deviations are right.
-Eigen::MatrixXd information_of(const std::vector<Eigen::MatrixXd>& derivatives,
-                               const Eigen::VectorXd& prior_deviation);
+Eigen::MatrixXd information_of(const std::vector<Eigen::MatrixXd>& derivatives, const Eigen::VectorXd& prior_deviation);
 
 /// Covariance of the parameters whatever the residuals' deviations are: groups left out one at a time, to
 /// first order, and the width of the prior. At least two groups.

@@ -15,9 +15,7 @@ Eigen::MatrixXd congruence(const MatrixView& jacobian, const MatrixView& weight)
 
 Eigen::MatrixXd inverse(const MatrixView& square) { return square.partialPivLu().inverse(); }
 
-Eigen::VectorXd solve(const MatrixView& square, const VectorView& right) {
-  return square.partialPivLu().solve(right);
-}
+Eigen::VectorXd solve(const MatrixView& square, const VectorView& right) { return square.partialPivLu().solve(right); }
 
 Eigen::VectorXd solve_symmetric(const MatrixView& symmetric, const VectorView& right) {
   return symmetric.llt().solve(right);

@@ -25,10 +25,10 @@ constexpr double outlier_innovation = 25.0;
 }  // namespace
 
 bool is_valid(const EstimatorConfig& config) {
-  return config.tactile_weight_sd > 0.0 && config.tactile_weight_sd < 0.5 &&
-         config.motor_variance_sd_deg2 > 0.0 && config.motor_variance_sd_deg2 <= 10.0 &&
-         config.tracker_noise_m >= 0.0 && config.tracker_noise_m <= 0.1 && config.correlated_noise_m >= 0.0 &&
-         config.correlated_noise_m <= 0.1 && config.correlation_s >= 0.01 && config.correlation_s <= 2.0;
+  return config.tactile_weight_sd > 0.0 && config.tactile_weight_sd < 0.5 && config.motor_variance_sd_deg2 > 0.0 &&
+         config.motor_variance_sd_deg2 <= 10.0 && config.tracker_noise_m >= 0.0 && config.tracker_noise_m <= 0.1 &&
+         config.correlated_noise_m >= 0.0 && config.correlated_noise_m <= 0.1 && config.correlation_s >= 0.01 &&
+         config.correlation_s <= 2.0;
 }
 
 Estimator::Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
@@ -38,8 +38,7 @@ Estimator::Estimator(const EstimatorConfig& config, const Participant& participa
       goal_direction_deg_(goal_direction_deg),
       motor_variance_deg2_(participant.motor_variance_deg2),
       motor_variance_information_(1.0 / (config.motor_variance_sd_deg2 * config.motor_variance_sd_deg2)) {
-  state_ << start.right_m * mm_per_m, start.away_m * mm_per_m, initial_speed_mm_s, 0.0,
-      participant.tactile_weight;
+  state_ << start.right_m * mm_per_m, start.away_m * mm_per_m, initial_speed_mm_s, 0.0, participant.tactile_weight;
   covariance_.setZero();
   covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
   covariance_(speed, speed) = initial_speed_sd_mm_s * initial_speed_sd_mm_s;
@@ -79,10 +78,8 @@ void Estimator::end_step(double plate_orientation_deg, double gain, double step_
                                .finger_direction_deg = state_(direction) - goal_direction_deg_};
   state_(direction) += participant_step(input).motor_command_deg;
   const auto [by_direction, by_weight] = participant_slopes(input);
-  covariance_.row(direction) =
-      by_direction * covariance_.row(direction) + by_weight * covariance_.row(weight);
-  covariance_.col(direction) =
-      by_direction * covariance_.col(direction) + by_weight * covariance_.col(weight);
+  covariance_.row(direction) = by_direction * covariance_.row(direction) + by_weight * covariance_.row(weight);
+  covariance_.col(direction) = by_direction * covariance_.col(direction) + by_weight * covariance_.col(weight);
   covariance_(direction, direction) += step_variance_deg2;
   if (config_.adapt) covariance_(weight, weight) += weight_drift_sd * weight_drift_sd;
   step_direction_deg_ = state_(direction);
@@ -152,9 +149,8 @@ FingerEstimate Estimator::estimate() const {
           .tactile_weight = state_(weight),
           .tactile_weight_sd = std::sqrt(std::max(covariance_(weight, weight), 0.0)),
           .tracker_noise_m = noise_.noise_m(),
-          .motor_variance_deg2 =
-              std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
-                         min_motor_variance_deg2, max_motor_variance_deg2),
+          .motor_variance_deg2 = std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
+                                            min_motor_variance_deg2, max_motor_variance_deg2),
           .motor_variance_sd_deg2 = 1.0 / std::sqrt(motor_variance_information_)};
 }
 

@@ -66,9 +66,7 @@ class Estimator {
   bool observe_position(const PlatePoint& position);
 
   /// Learns the tracker's noise. To be called with every position, also of a finger at rest.
-  void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position) {
-    noise_.observe(time_ns, position);
-  }
+  void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position) { noise_.observe(time_ns, position); }
 
   FingerEstimate estimate() const;
 

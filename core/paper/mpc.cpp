@@ -61,8 +61,7 @@ Mpc::Command command_of(const MpcConfig& config, const WindowProblem& window, co
   while (felt < window.horizon && window.gains[felt] < min_step_gain)
     felt = std::isfinite(rate_deg) ? felt + 1 : window.horizon;
   ActiveBound active = felt == step ? active_bound(held, step) : ActiveBound::none;
-  double wanted_deg =
-      felt < window.horizon ? solution.plate_deg[felt] * (1.0 / tactile_weight) : last_plate_deg;
+  double wanted_deg = felt < window.horizon ? solution.plate_deg[felt] * (1.0 / tactile_weight) : last_plate_deg;
   if (active == ActiveBound::upper || active == ActiveBound::lower) wanted_deg = held.pin[step] * bound_deg;
   if (active == ActiveBound::rate_up) wanted_deg = last_plate_deg + rate_deg;
   if (active == ActiveBound::rate_down) wanted_deg = last_plate_deg - rate_deg;
@@ -82,9 +81,8 @@ Mpc::Command command_of(const MpcConfig& config, const WindowProblem& window, co
 
 bool is_valid(const MpcConfig& config) {
   return config.horizon >= 1 && config.horizon <= max_horizon && std::isfinite(config.perceived_weight) &&
-         config.perceived_weight > 0.0 && std::isfinite(config.actual_weight) &&
-         config.actual_weight >= 0.0 && config.plate_bound_deg > 0.0 && config.plate_bound_deg <= 90.0 &&
-         config.plate_rate_bound_deg > 0.0;
+         config.perceived_weight > 0.0 && std::isfinite(config.actual_weight) && config.actual_weight >= 0.0 &&
+         config.plate_bound_deg > 0.0 && config.plate_bound_deg <= 90.0 && config.plate_rate_bound_deg > 0.0;
 }
 
 Mpc::Mpc(const MpcConfig& config)

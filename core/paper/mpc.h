@@ -37,8 +37,7 @@ struct MpcProblem {
 /// The plate over the window. Entries past `horizon` are not written.
 struct MpcPlan {
   std::array<double, max_horizon> plate_offset_deg;  ///< t_k ..
-  std::array<ActiveBound, max_horizon>
-      active;  ///< the plate bound, or else the rate bound against the step before
+  std::array<ActiveBound, max_horizon> active;  ///< the plate bound, or else the rate bound against the step before
 };
 
 /// Solves one problem a step. Remembers which plate bounds were active to start the next one; this changes

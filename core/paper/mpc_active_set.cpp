@@ -135,8 +135,7 @@ void DualActiveSet::run() {
       window_set_.link[i] = set_.link[step];
       --step;
     }
-    solution_.plate_deg[i] =
-        steps_ == 0 ? problem_.last_plate_deg : plate_deg_[std::min(step + 1, steps_ - 1)];
+    solution_.plate_deg[i] = steps_ == 0 ? problem_.last_plate_deg : plate_deg_[std::min(step + 1, steps_ - 1)];
   }
 }
 
@@ -257,8 +256,7 @@ void DualActiveSet::sweep_forwards() {
   double x = problem_.miss_deg;
   auto& u = plate_deg_;
   for (int i = 0; i < steps_; ++i) {
-    if (!fixed_[i])
-      u[i] = set_.link[i] ? u[i - 1] + set_.link[i] * rate_deg_[i] : law_gain_[i] * x + law_constant_[i];
+    if (!fixed_[i]) u[i] = set_.link[i] ? u[i - 1] + set_.link[i] * rate_deg_[i] : law_gain_[i] * x + law_constant_[i];
     const double e = gain_[i] * (u[i] + problem_.proprioceptive_weight * (x + problem_.real_offset_deg));
     error_deg_[i] = e;
     miss_deg_[i] = x;

@@ -22,8 +22,8 @@ struct WindowProblem {
   double proprioceptive_weight;  ///< 1 - w_T
   double bound_deg;              ///< w_T L: |u_i| <= this
   double rate_deg;               ///< w_T R: |u_i - u_i-1| <= this; may be infinite
-  double last_plate_deg;  ///< w_T t_k-1. Some u_k within both bounds must exist. Unread if rate is infinite
-  const double* gains;    ///< K_k .., `horizon` values in [0, 1]
+  double last_plate_deg;         ///< w_T t_k-1. Some u_k within both bounds must exist. Unread if rate is infinite
+  const double* gains;           ///< K_k .., `horizon` values in [0, 1]
 };
 
 /// The constraints that are held as equalities: +1 at the upper bound, -1 at the lower one, 0 not held.

@@ -25,8 +25,7 @@ PlateBoundSolver::PlateBoundSolver(int horizon, double perceived_weight, double 
   }
 }
 
-const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, bool whole_window,
-                                          WindowSolution& solution) {
+const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, bool whole_window, WindowSolution& solution) {
   const int horizon = problem.horizon;
   Sweeps sweeps;
   if (held_steps_ > horizon) {
@@ -44,8 +43,7 @@ const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, bool who
       if (held_steps == 0) sweeps.after[0] = free_cost_to_go(horizon - 1);
       if (whole_window) write_window(problem, sweeps, solution);
       // With a rate bound the bits are those of the active-set solver, which finds what rate bounds hold.
-      if (!whole_window || std::isinf(problem.rate_deg))
-        solution.plate_deg[0] = first_plate_deg(problem, sweeps);
+      if (!whole_window || std::isinf(problem.rate_deg)) solution.plate_deg[0] = first_plate_deg(problem, sweeps);
       solution.optimal = true;
       return working_set_;
     }
@@ -69,8 +67,7 @@ void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, int from, S
       s = q_actual + q_perceived * inverse * s;
     } else {
       const double a = problem.gains[i] * problem.proprioceptive_weight;  // e = a x + d
-      const double d =
-          problem.gains[i] * (working_set_.pin[i] * problem.bound_deg) + a * problem.real_offset_deg;
+      const double d = problem.gains[i] * (working_set_.pin[i] * problem.bound_deg) + a * problem.real_offset_deg;
       r = q_perceived * a * d + (1.0 - a) * (r - s * d);
       s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
     }
@@ -87,8 +84,7 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
   const double pw = problem.proprioceptive_weight;
   const double felt_at_real_deg = pw * problem.real_offset_deg;
   const double bound_deg = problem.bound_deg;
-  const double slack_deg =
-      2e-15 * (std::abs(problem.miss_deg) + std::abs(problem.real_offset_deg) + bound_deg);
+  const double slack_deg = 2e-15 * (std::abs(problem.miss_deg) + std::abs(problem.real_offset_deg) + bound_deg);
   const int held_steps = std::exchange(held_steps_, 0);
   int last_changed = -1;
   double x = problem.miss_deg;
@@ -144,14 +140,13 @@ void PlateBoundSolver::write_window(const WindowProblem& problem, const Sweeps& 
     const double k = std::max(problem.gains[i], min_step_gain);
     const auto [s, r] = sweeps.after[i];
     const double inverse = 1.0 / (problem.perceived_weight + s);
-    solution.plate_deg[i] = working_set_.pin[i] ? working_set_.pin[i] * problem.bound_deg
-                                                : (s * inverse / k - pw) * sweeps.miss_deg[i] +
-                                                      (r * inverse / k - felt_at_real_deg);
+    solution.plate_deg[i] = working_set_.pin[i]
+                                ? working_set_.pin[i] * problem.bound_deg
+                                : (s * inverse / k - pw) * sweeps.miss_deg[i] + (r * inverse / k - felt_at_real_deg);
   }
   for (int i = held_steps_; i < problem.horizon; ++i) {
     const double k = std::max(problem.gains[i], min_step_gain);
-    solution.plate_deg[i] =
-        (free_gain_[problem.horizon - i] / k - pw) * sweeps.miss_deg[i] - felt_at_real_deg;
+    solution.plate_deg[i] = (free_gain_[problem.horizon - i] / k - pw) * sweeps.miss_deg[i] - felt_at_real_deg;
   }
 }
 

@@ -33,8 +33,7 @@ PlateOrientation PaperControl::plan(const ReachState& reach, double aimed_direct
   const std::int64_t arrival_ns = later_ns(reach.now_ns, latency_ns_);
   while (end_ns <= arrival_ns && lead < max_lead) {
     const double plate_deg = plate.orientation_at_deg(end_ns);
-    ahead.direction_deg +=
-        predicted_step(ahead, reach.gains[lead], goal_direction_deg_, plate_deg).motor_command_deg;
+    ahead.direction_deg += predicted_step(ahead, reach.gains[lead], goal_direction_deg_, plate_deg).motor_command_deg;
     end_ns = later_ns(end_ns, step_period_ns_);
     ++lead;
   }

@@ -15,21 +15,17 @@ PlateLimits limits_of(const PaperReachConfig& config, bool plans_turns, double r
   if (config.fixed_plate_orientation_deg) return {{}, goal_deg, bound_deg, goal_deg, goal_deg};
   if (!plans_turns) return {config.plate.stops, goal_deg};
   const double holding_deg =
-      steering_authority(real_deg, goal_deg, config.participant.tactile_weight, bound_deg)
-          .plate_orientation_deg;
+      steering_authority(real_deg, goal_deg, config.participant.tactile_weight, bound_deg).plate_orientation_deg;
   return {config.plate.stops, goal_deg, bound_deg, holding_deg, stands_deg};
 }
 
 bool is_saturated(ActiveBound active) { return active == ActiveBound::lower || active == ActiveBound::upper; }
 
-bool is_rate_limited(ActiveBound active) {
-  return active == ActiveBound::rate_down || active == ActiveBound::rate_up;
-}
+bool is_rate_limited(ActiveBound active) { return active == ActiveBound::rate_down || active == ActiveBound::rate_up; }
 
 }  // namespace
 
-PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach,
-                       const std::optional<PlateHandover>& handover)
+PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach, const std::optional<PlateHandover>& handover)
     : config_(config),
       reach_(reach),
       goal_deg_(goal_direction_deg(config.participant, reach.virtual_direction_deg)),
@@ -39,8 +35,7 @@ PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach,
       control_(config.mpc, config.plate, config.step_period_ns, goal_deg_),
       plate_(handover ? handover->plate
                       : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
-      limits_(limits_of(config, control_.plans_turns(), reach.real_direction_deg, goal_deg_,
-                        plate_.orientation_deg())),
+      limits_(limits_of(config, control_.plans_turns(), reach.real_direction_deg, goal_deg_, plate_.orientation_deg())),
       decision_{.aim = {reach.real_direction_deg, false}, .plate = initial_plate(handover)},
       finger_{.direction_deg = 0.0,
               .perceived_direction_deg = 0.0,
@@ -55,8 +50,7 @@ PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach,
 
 PlateOrientation PaperReach::initial_plate(const std::optional<PlateHandover>& handover) const {
   const double stands_deg = plate_.orientation_deg();
-  if (!config_.fixed_plate_orientation_deg)
-    return {handover ? handover->commanded_deg : stands_deg, ActiveBound::none};
+  if (!config_.fixed_plate_orientation_deg) return {handover ? handover->commanded_deg : stands_deg, ActiveBound::none};
   return {nearest_equivalent_deg(*config_.fixed_plate_orientation_deg, stands_deg, config_.plate.stops),
           ActiveBound::none};
 }
@@ -124,10 +118,8 @@ PlateHandover PaperReach::handover() const {
 PaperReach::Aim PaperReach::aim(const ReachState& state) const {
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double weight = state.finger.tactile_weight;
-  const double max_weight =
-      std::min(weight + 2.0 * state.finger.tactile_weight_sd, Estimator::max_tactile_weight);
-  const bool unreachable =
-      std::abs(goal_deg_ - reach_.real_direction_deg) > max_gap_deg(max_weight, bound_deg);
+  const double max_weight = std::min(weight + 2.0 * state.finger.tactile_weight_sd, Estimator::max_tactile_weight);
+  const bool unreachable = std::abs(goal_deg_ - reach_.real_direction_deg) > max_gap_deg(max_weight, bound_deg);
   if (!unreachable || !config_.estimator.adapt) return {reach_.real_direction_deg, unreachable};
   return {steering_authority(reach_.real_direction_deg, goal_deg_, weight, bound_deg).settling_direction_deg,
           unreachable};
@@ -150,8 +142,7 @@ void PaperReach::decide(const Decision& decision) {
 PaperReach::Finger PaperReach::finger(const ReachState& state, double plate_orientation_deg) const {
   return {.direction_deg = state.finger.direction_deg,
           .perceived_direction_deg =
-              predicted_step(state.finger, state.gains[0], goal_deg_, plate_orientation_deg)
-                  .perceived_direction_deg,
+              predicted_step(state.finger, state.gains[0], goal_deg_, plate_orientation_deg).perceived_direction_deg,
           .tactile_weight = state.finger.tactile_weight,
           .tactile_weight_sd = state.finger.tactile_weight_sd};
 }

@@ -50,8 +50,7 @@ Authority steering_authority(double real_direction_deg, double virtual_direction
       .gap_deg = gap_deg,
       .max_gap_deg = max_deg,
       .margin_deg = max_deg - std::abs(gap_deg),
-      .plate_orientation_deg =
-          virtual_direction_deg + std::clamp(plate_offset_deg, -plate_bound_deg, plate_bound_deg),
+      .plate_orientation_deg = virtual_direction_deg + std::clamp(plate_offset_deg, -plate_bound_deg, plate_bound_deg),
       .settling_direction_deg = reachable ? real_direction_deg : virtual_direction_deg - held_gap_deg,
   };
 }

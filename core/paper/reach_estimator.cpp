@@ -15,17 +15,15 @@ constexpr double rest_speed_m_s = 0.004;
 
 ParticipantStep predicted_step(const FingerEstimate& finger, double gain, double goal_direction_deg,
                                double plate_orientation_deg) {
-  return participant_step(
-      {.tactile_weight = finger.tactile_weight,
-       .gain = gain,
-       .goal_direction_deg = goal_direction_deg,
-       .plate_orientation_deg = ridge_normal_deg(plate_orientation_deg, goal_direction_deg),
-       .finger_direction_deg = finger.direction_deg});
+  return participant_step({.tactile_weight = finger.tactile_weight,
+                           .gain = gain,
+                           .goal_direction_deg = goal_direction_deg,
+                           .plate_orientation_deg = ridge_normal_deg(plate_orientation_deg, goal_direction_deg),
+                           .finger_direction_deg = finger.direction_deg});
 }
 
-ReachEstimator::ReachEstimator(const EstimatorConfig& config, const Participant& participant,
-                               double goal_direction_deg, const PlatePoint& start,
-                               std::int64_t step_period_ns, int horizon)
+ReachEstimator::ReachEstimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
+                               const PlatePoint& start, std::int64_t step_period_ns, int horizon)
     : adapts_(config.adapt),
       participant_(participant),
       goal_direction_deg_(goal_direction_deg),
@@ -58,8 +56,7 @@ ReachState ReachEstimator::step(double direction_deg, const PlateModel& plate) {
     estimator_.observe_direction(direction_deg);
     return state(estimator_.estimate(), Observation::direction);
   }
-  return state({.direction_deg = direction_deg, .tactile_weight = participant_.tactile_weight},
-               Observation::direction);
+  return state({.direction_deg = direction_deg, .tactile_weight = participant_.tactile_weight}, Observation::direction);
 }
 
 void ReachEstimator::turn_to(double goal_direction_deg) {

@@ -71,8 +71,7 @@ class Chunks {
   }
 
   Chunk operator[](std::uint64_t number) const {
-    const auto job =
-        static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), number) - ends_.begin());
+    const auto job = static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), number) - ends_.begin());
     const auto within_job = static_cast<std::uint32_t>(number - (ends_[job] - count_of(job)));
     const std::uint32_t first = jobs_[job].first_trial + within_job * chunk_trials;
     return {job, first, first + std::min(chunk_trials, jobs_[job].last_trial - first)};
@@ -84,8 +83,7 @@ class Chunks {
 };
 
 // One trial after the other through the Retargeter, for conditions without a table.
-BatchResult run_untabulated(const BatchJob& job, std::uint64_t seed, std::uint32_t first,
-                            std::uint32_t last) {
+BatchResult run_untabulated(const BatchJob& job, std::uint64_t seed, std::uint32_t first, std::uint32_t last) {
   BatchResult result;
   for (std::uint32_t trial = first; trial < last; ++trial) {
     const TrialOutcome outcome =
@@ -109,8 +107,7 @@ BatchResult run_trials(const BatchJob& job, const std::optional<TrialTable>& tab
 
 }  // namespace
 
-std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed,
-                                   const BatchOptions& options) {
+std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed, const BatchOptions& options) {
   // A job's table is made by the thread that comes to it first, and goes when its last chunk is done.
   struct JobState {
     std::once_flag tabulated;

@@ -21,8 +21,7 @@ Nodes simplified(const Nodes& nodes) {
   for (const Node& node : nodes) {
     const auto close = [&](double x, double y) { return std::abs(x - y) <= 1e-13 * (1.0 + std::abs(y)); };
     if (!kept.empty() && close(node.x, kept.back().x)) continue;
-    while (kept.size() >= 2 &&
-           close(interpolate(kept[kept.size() - 2], node, kept.back().x), kept.back().value)) {
+    while (kept.size() >= 2 && close(interpolate(kept[kept.size() - 2], node, kept.back().x), kept.back().value)) {
       kept.pop_back();
     }
     kept.push_back(node);
@@ -113,8 +112,7 @@ std::optional<ControlLaw> control_law(const MpcConfig& config, const MpcProblem&
     const auto felt_by_finger = [&](double x) { return (1.0 - w) * (x + problem.real_offset_deg); };
 
     Nodes next_of_x;  // y without the bound
-    for (const Node& node : derivative.nodes())
-      next_of_x.push_back({node.x + node.value / q_perceived, node.x});
+    for (const Node& node : derivative.nodes()) next_of_x.push_back({node.x + node.value / q_perceived, node.x});
     plate = restricted(PiecewiseLinear(next_of_x), max_deg);
     for (Node& node : plate) node.value = ((node.x - node.value) / gain - felt_by_finger(node.x)) / w;
     plate = simplified(clamped(plate, bound_deg));
@@ -131,8 +129,7 @@ std::optional<ControlLaw> control_law(const MpcConfig& config, const MpcProblem&
     const double held_slope = 1.0 - gain * (1.0 - w);
     Nodes cost;  // D_i
     for (const auto& [x, y] : next) {
-      cost.push_back(
-          {x, q_actual * x + (1.0 - held_slope) * q_perceived * (x - y) + held_slope * derivative(y)});
+      cost.push_back({x, q_actual * x + (1.0 - held_slope) * q_perceived * (x - y) + held_slope * derivative(y)});
     }
     derivative = PiecewiseLinear(simplified(cost));
   }

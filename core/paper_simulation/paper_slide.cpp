@@ -8,8 +8,8 @@
 
 namespace hrt {
 
-CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
-                                            double plate_orientation_deg, const TrialId& id) {
+CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition, double plate_orientation_deg,
+                                            const TrialId& id) {
   NormalDraws normal(id.seed, id.condition, id.trial);
   SimulatedParticipant participant(condition.participant, condition.goal_direction_deg);
   SlidingFinger finger({}, condition.distance_m, condition.duration_s);

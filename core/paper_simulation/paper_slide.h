@@ -20,7 +20,7 @@ struct CalibrationCondition {
 };
 
 /// One slide with the plate at `plate_orientation_deg`. Any thread.
-CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
-                                            double plate_orientation_deg, const TrialId& id);
+CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition, double plate_orientation_deg,
+                                            const TrialId& id);
 
 }  // namespace hrt

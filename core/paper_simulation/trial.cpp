@@ -12,8 +12,8 @@ bool is_valid(const Condition& condition) {
   return is_valid(condition.participant) && is_valid(condition.controller) &&
          std::isfinite(condition.real_direction_deg) && std::isfinite(condition.virtual_direction_deg) &&
          std::abs(condition.virtual_direction_deg - condition.real_direction_deg) < 90.0 &&
-         std::isfinite(condition.plate_orientation_deg) && condition.steps >= 1 &&
-         condition.steps <= max_trial_steps && condition.tolerance_deg >= 0.0;
+         std::isfinite(condition.plate_orientation_deg) && condition.steps >= 1 && condition.steps <= max_trial_steps &&
+         condition.tolerance_deg >= 0.0;
 }
 
 TrialOutcome simulate_trial(const Condition& condition, const TrialId& id, std::vector<TrialStep>* steps) {
@@ -28,8 +28,7 @@ TrialOutcome simulate_trial(const Condition& condition, const TrialId& id, std::
   for (int k = 0; k < condition.steps; ++k) {
     const double finger_direction_deg = participant.finger_direction_deg();
     const PlateCommand command = retargeter.step(finger_direction_deg);
-    const SimulatedStep felt =
-        participant.step(command.plate_orientation_deg, normal(static_cast<std::uint32_t>(k)));
+    const SimulatedStep felt = participant.step(command.plate_orientation_deg, normal(static_cast<std::uint32_t>(k)));
     if (command.active != ActiveBound::none) ++outcome.saturated_steps;
     if (steps) {
       steps->push_back({
@@ -48,8 +47,7 @@ TrialOutcome simulate_trial(const Condition& condition, const TrialId& id, std::
   }
   outcome.final_direction_deg = participant.finger_direction_deg();
   outcome.perceived_direction_deg = participant.perceived_direction_deg();
-  outcome.hit =
-      std::abs(outcome.final_direction_deg - condition.real_direction_deg) <= condition.tolerance_deg;
+  outcome.hit = std::abs(outcome.final_direction_deg - condition.real_direction_deg) <= condition.tolerance_deg;
   return outcome;
 }
 

@@ -59,7 +59,6 @@ struct TrialOutcome {
 
 /// Simulates one trial with the Retargeter, as an engine would drive it. Appends every step to `steps` if
 /// it is not null. Requires is_valid(condition). Any thread.
-TrialOutcome simulate_trial(const Condition& condition, const TrialId& id,
-                            std::vector<TrialStep>* steps = nullptr);
+TrialOutcome simulate_trial(const Condition& condition, const TrialId& id, std::vector<TrialStep>* steps = nullptr);
 
 }  // namespace hrt

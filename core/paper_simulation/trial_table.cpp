@@ -17,8 +17,8 @@ constexpr double max_draw = 8.0;
 // |f_k(p)| <= max(|p|, 90): the participant alone never runs away, so noise bounds where a trial can get.
 bool stays_in_range(const Condition& condition) {
   const Participant& participant = condition.participant;
-  const double variance_deg2 = participant.motor_variance_deg2 +
-                               std::max(participant.initial_variance_deg2, participant.sensory_variance_deg2);
+  const double variance_deg2 =
+      participant.motor_variance_deg2 + std::max(participant.initial_variance_deg2, participant.sensory_variance_deg2);
   const double start_deg = std::max(std::abs(condition.virtual_direction_deg), 90.0);
   return start_deg + condition.steps * max_draw * std::sqrt(variance_deg2) < max_law_offset_deg;
 }
@@ -33,23 +33,21 @@ bool looks_at_direction_alone(const RetargeterConfig& controller) {
 // t_k for every direction of the finger.
 ControlLaw constant_law(double plate_offset_deg) {
   const double infinity = std::numeric_limits<double>::infinity();
-  return {PiecewiseLinear({{-max_law_offset_deg, plate_offset_deg}, {max_law_offset_deg, plate_offset_deg}}),
-          -infinity, infinity};
+  return {PiecewiseLinear({{-max_law_offset_deg, plate_offset_deg}, {max_law_offset_deg, plate_offset_deg}}), -infinity,
+          infinity};
 }
 
 // t_k over p_k for the gains of a window.
 std::optional<ControlLaw> law_of(const Condition& condition, const std::vector<double>& gains) {
   const RetargeterConfig& controller = condition.controller;
   if (controller.mode == ControlMode::fixed_plate)
-    return constant_law(
-        ridge_normal_deg(controller.fixed_plate_orientation_deg, condition.virtual_direction_deg) -
-        condition.virtual_direction_deg);
-  return control_law(controller.mpc,
-                     {.finger_offset_deg = 0.0,
-                      .real_offset_deg = condition.real_direction_deg - condition.virtual_direction_deg,
-                      .tactile_weight = controller.participant.tactile_weight,
-                      .plate_offset_deg = 0.0,
-                      .gains = gains.data()});
+    return constant_law(ridge_normal_deg(controller.fixed_plate_orientation_deg, condition.virtual_direction_deg) -
+                        condition.virtual_direction_deg);
+  return control_law(controller.mpc, {.finger_offset_deg = 0.0,
+                                      .real_offset_deg = condition.real_direction_deg - condition.virtual_direction_deg,
+                                      .tactile_weight = controller.participant.tactile_weight,
+                                      .plate_offset_deg = 0.0,
+                                      .gains = gains.data()});
 }
 
 }  // namespace
@@ -71,8 +69,7 @@ std::optional<TrialTable> TrialTable::tabulate(const Condition& condition) {
   for (int k = 0; k < condition.steps; ++k, gains.advance()) {
     felt = next_gain(condition.participant, felt.variance_deg2);
     const std::vector<double> window(gains.data(), gains.data() + controller.mpc.horizon);
-    if (window == last_gains && felt.gain == last_felt.gain && felt.variance_deg2 == last_felt.variance_deg2)
-      break;
+    if (window == last_gains && felt.gain == last_felt.gain && felt.variance_deg2 == last_felt.variance_deg2) break;
     last_gains = window;
     last_felt = felt;
 
@@ -83,8 +80,7 @@ std::optional<TrialTable> TrialTable::tabulate(const Condition& condition) {
   return table;
 }
 
-TrialTable::Step TrialTable::step_of(const ControlLaw& law, const Participant& participant,
-                                     const FilterGain& felt) {
+TrialTable::Step TrialTable::step_of(const ControlLaw& law, const Participant& participant, const FilterGain& felt) {
   std::vector<PiecewiseLinear::Node> nodes = law.plate_offset_deg.nodes();
   for (PiecewiseLinear::Node& node : nodes)
     node.value = node.x + participant_step({.tactile_weight = participant.tactile_weight,

@@ -67,8 +67,8 @@ class TrialTable {
   const Step& step(int k) const;
   // The normal draws of steps 4 quad to 4 quad + 3 for the block of trials that starts with `first_trial`.
   template <class Lanes>
-  static void draw_four_steps(const PhiloxKeys<Lanes>& keys, std::uint32_t condition_id,
-                              std::uint32_t first_trial, std::uint32_t quad, std::array<Block, 4>& draws);
+  static void draw_four_steps(const PhiloxKeys<Lanes>& keys, std::uint32_t condition_id, std::uint32_t first_trial,
+                              std::uint32_t quad, std::array<Block, 4>& draws);
   // One step of a block; how many of its trials had the plate at a bound.
   template <class Lanes>
   static std::uint64_t advance(const Step& step, const Block& draw, Block& offsets);

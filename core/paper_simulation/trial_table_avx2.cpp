@@ -4,7 +4,6 @@
 
 namespace hrt {
 
-template BatchResult TrialTable::run<QuadLanes>(std::uint64_t, std::uint32_t, std::uint32_t,
-                                                std::uint32_t) const;
+template BatchResult TrialTable::run<QuadLanes>(std::uint64_t, std::uint32_t, std::uint32_t, std::uint32_t) const;
 
 }  // namespace hrt

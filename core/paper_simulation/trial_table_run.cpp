@@ -9,11 +9,9 @@ double TrialTable::next_offset_deg(int k, double offset_deg) const {
   return next[0];
 }
 
-template BatchResult TrialTable::run<ScalarLanes>(std::uint64_t, std::uint32_t, std::uint32_t,
-                                                  std::uint32_t) const;
+template BatchResult TrialTable::run<ScalarLanes>(std::uint64_t, std::uint32_t, std::uint32_t, std::uint32_t) const;
 #if defined(__GNUC__)
-template BatchResult TrialTable::run<PairLanes>(std::uint64_t, std::uint32_t, std::uint32_t,
-                                                std::uint32_t) const;
+template BatchResult TrialTable::run<PairLanes>(std::uint64_t, std::uint32_t, std::uint32_t, std::uint32_t) const;
 #endif
 
 }  // namespace hrt

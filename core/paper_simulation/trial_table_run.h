@@ -14,8 +14,8 @@
 namespace hrt {
 
 template <class Lanes>
-void TrialTable::draw_four_steps(const PhiloxKeys<Lanes>& keys, std::uint32_t condition_id,
-                                 std::uint32_t first_trial, std::uint32_t quad, std::array<Block, 4>& draws) {
+void TrialTable::draw_four_steps(const PhiloxKeys<Lanes>& keys, std::uint32_t condition_id, std::uint32_t first_trial,
+                                 std::uint32_t quad, std::array<Block, 4>& draws) {
   // In two loops, so that the processor has several independent chains of operations at hand in each.
   std::array<std::array<std::uint64_t, block_trials>, 2> bits;
   for (std::uint32_t i = 0; i < block_trials; ++i) bits[0][i] = first_trial + i;
@@ -53,8 +53,7 @@ std::uint64_t TrialTable::advance(const Step& step, const Block& draw, Block& of
       // Where a comparison holds all bits are set, which is -1.
       saturated = saturated - Lanes::less_equal(offset[j], saturated_below);
       saturated = saturated - Lanes::less_equal(saturated_above, offset[j]);
-      Lanes::store(&offsets[i + j * Lanes::count],
-                   next[j] + noise_sd * Lanes::load(&draw[i + j * Lanes::count]));
+      Lanes::store(&offsets[i + j * Lanes::count], next[j] + noise_sd * Lanes::load(&draw[i + j * Lanes::count]));
     }
   }
   std::array<std::uint64_t, Lanes::count> counts;
@@ -66,8 +65,7 @@ std::uint64_t TrialTable::advance(const Step& step, const Block& draw, Block& of
 template <class Lanes, std::size_t count>
 void TrialTable::next_offsets(const Step& step, const typename Lanes::Reals (&offsets)[count],
                               typename Lanes::Reals (&next)[count]) {
-  for (std::size_t i = 0; i < count; ++i)
-    next[i] = Lanes::all(step.constant_deg) + Lanes::all(step.slope) * offsets[i];
+  for (std::size_t i = 0; i < count; ++i) next[i] = Lanes::all(step.constant_deg) + Lanes::all(step.slope) * offsets[i];
   for (const Hinge& hinge : step.hinges) {
     const typename Lanes::Reals at = Lanes::all(hinge.at_deg);
     const typename Lanes::Reals change = Lanes::all(hinge.change);
@@ -90,8 +88,7 @@ BatchResult TrialTable::run(std::uint64_t seed, std::uint32_t condition_id, std:
     std::fill_n(offsets.begin(), count, -virtual_direction_deg_);
 
     for (int k = 0; k < steps_; ++k) {
-      if (k % 4 == 0)
-        draw_four_steps<Lanes>(keys, condition_id, first, static_cast<std::uint32_t>(k / 4), draws);
+      if (k % 4 == 0) draw_four_steps<Lanes>(keys, condition_id, first, static_cast<std::uint32_t>(k / 4), draws);
       if (k == steps_ - 1) {
         for (std::size_t i = 0; i < count; ++i) felt_errors[i] = offsets[i] - next_offset_deg(k, offsets[i]);
       }

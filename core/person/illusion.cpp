@@ -33,8 +33,7 @@ LostShare lost_share(double slowness, double offset_deg) {
 
 double ridge_slowness(double speed_mm_s, double travelled_mm) {
   const double ridges = std::max(travelled_mm, 1.0) / ridge_spacing_mm;
-  return ridge_spacing_mm / (2.0 * touch_memory_s * std::max(speed_mm_s, 1.0)) +
-         first_ridge / (ridges * ridges);
+  return ridge_spacing_mm / (2.0 * touch_memory_s * std::max(speed_mm_s, 1.0)) + first_ridge / (ridges * ridges);
 }
 
 FeltShift felt_shift(const Illusion& illusion, double offset_deg) {
@@ -88,8 +87,8 @@ double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShi
   return std::copysign(offset_deg, shift_deg);
 }
 
-Authority authority_about_motion(double real_direction_deg, double goal_direction_deg,
-                                 const Illusion& illusion, double bound_deg) {
+Authority authority_about_motion(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
+                                 double bound_deg) {
   const double gap_deg = goal_direction_deg - real_direction_deg;
   const MaxShift max = max_shift(illusion, bound_deg);
   const double held_gap_deg = std::clamp(gap_deg, -max.felt.shift_deg, max.felt.shift_deg);

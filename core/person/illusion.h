@@ -50,7 +50,7 @@ double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShi
 
 /// Authority over the pair of directions, any finite degrees, for a person of this illusion. `bound_deg` in
 /// (0, 90].
-Authority authority_about_motion(double real_direction_deg, double goal_direction_deg,
-                                 const Illusion& illusion, double bound_deg);
+Authority authority_about_motion(double real_direction_deg, double goal_direction_deg, const Illusion& illusion,
+                                 double bound_deg);
 
 }  // namespace hrt

@@ -26,8 +26,8 @@ constexpr double min_evenness_step = 0.1;
 
 // Rate and evenness decide when the motion began, since the share of the path that lies behind is known; the
 // places since the rest decide between them.
-MotionFit fit_motion(const RecentPlaces& places, const PlaceMm& origin, const PersonBelief& belief,
-                     double path_mm, double noise_variance_mm2) {
+MotionFit fit_motion(const RecentPlaces& places, const PlaceMm& origin, const PersonBelief& belief, double path_mm,
+                     double noise_variance_mm2) {
   const double seen_s = places[1].time_s;
   const PlaceMm seen = places.mean_of_last(3);
   const double travelled_mm = std::sqrt(square_distance_mm2(seen, origin));

@@ -58,13 +58,11 @@ void know(PersonBelief& belief, PersonTrait::Index trait, double mean, double sd
 }
 
 LinearIllusion linear_illusion(const PersonBelief& belief) {
-  return linear_illusion(belief.mean(T::weight), belief.mean(T::curve),
-                         belief.covariance(T::weight, T::weight), belief.covariance(T::weight, T::curve),
-                         belief.covariance(T::curve, T::curve));
+  return linear_illusion(belief.mean(T::weight), belief.mean(T::curve), belief.covariance(T::weight, T::weight),
+                         belief.covariance(T::weight, T::curve), belief.covariance(T::curve, T::curve));
 }
 
-LinearIllusion linear_illusion(double weight, double curve, double weight2, double weight_curve,
-                               double curve2) {
+LinearIllusion linear_illusion(double weight, double curve, double weight2, double weight_curve, double curve2) {
   constexpr double share = (60.0 / 75.0) * (60.0 / 75.0);
   const double variance = weight2 - 2.0 * share * weight_curve + share * share * curve2;
   return {std::clamp(weight - share * curve, 0.001, 0.499), std::sqrt(variance > 0.0 ? variance : 0.0)};

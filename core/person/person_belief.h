@@ -18,8 +18,7 @@ struct PersonBelief {
 /// The prior of an unknown person. `tactile_weight` and its standard deviation are those of a linear
 /// illusion; a curve is as uncertain in proportion. `bias_deg` is that of a calibration, or 0. Clamped to the
 /// ranges.
-PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05,
-                            double bias_deg = 0.0);
+PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05, double bias_deg = 0.0);
 
 /// The same, with illusion and bias taken as known.
 PersonBelief known_person(double tactile_weight, double bias_deg);
@@ -36,8 +35,7 @@ struct LinearIllusion {
 };
 LinearIllusion linear_illusion(const PersonBelief& belief);
 /// Of w and b, their variances and covariance.
-LinearIllusion linear_illusion(double weight, double curve, double weight2, double weight_curve,
-                               double curve2);
+LinearIllusion linear_illusion(double weight, double curve, double weight2, double weight_curve, double curve2);
 
 /// True if each mean is in its range, and the covariance finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);

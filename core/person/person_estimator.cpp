@@ -76,8 +76,7 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
     return;
   }
   // A target that moves on before they have answered is answered with it.
-  if (!retarget_)
-    retarget_ = {.time_s = time_s + reaction_time_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
+  if (!retarget_) retarget_ = {.time_s = time_s + reaction_time_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
   retarget_->virtual_direction_deg = virtual_direction_deg;
   retarget_->longer_mm += longer_mm;
   if (motion_ == FingerMotion::paused || filter_.state().phase <= arrived_phase) return;
@@ -145,8 +144,7 @@ bool PersonEstimator::take(const TimedPlace& sample, const PlateTrace& plate) {
   }
   const double speed_mm_s = filter_.speed_mm_s();
   const PersonState x = filter_.state();
-  const PlaceMm innovation{place.right_mm - x.right_mm - x.noise_right_mm,
-                           place.away_mm - x.away_mm - x.noise_away_mm};
+  const PlaceMm innovation{place.right_mm - x.right_mm - x.noise_right_mm, place.away_mm - x.away_mm - x.noise_away_mm};
   const double nis = filter_.observe(place.right_mm, place.away_mm, gate);
   if (nis <= gate) {
     outliers_ = 0;
@@ -213,8 +211,7 @@ bool PersonEstimator::stands_still(PlaceMm& where) const {
     moment_away += centred * places_[i].place.away_mm;
     spread += centred * centred;
   }
-  const double trend_mm =
-      std::sqrt(square(moment_right) + square(moment_away)) / spread * (still_samples - 1);
+  const double trend_mm = std::sqrt(square(moment_right) + square(moment_away)) / spread * (still_samples - 1);
   return trend_mm < 2.5 * std::sqrt(noise().variance_mm2());
 }
 

@@ -36,8 +36,8 @@ class PersonEstimator {
  public:
   /// The finger is about to move over `path_mm` from near `start`, asked to go in `virtual_direction_deg`.
   /// `noise`: of the tracker, if it is known; else it is learnt while the finger rests.
-  PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
-                  const PlaceMm& start, const std::optional<TrackerNoise>& noise);
+  PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const PlaceMm& start,
+                  const std::optional<TrackerNoise>& noise);
 
   /// Takes a position in, seen at `time_s`, after the last one's. `plate` has stood where its trace says.
   /// False if it was left out: five standard deviations off.

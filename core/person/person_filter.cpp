@@ -36,26 +36,25 @@ constexpr double min_path_mm = 1.0;
 constexpr double another_motion_sd_s = 0.15;
 
 constexpr PersonFilter::Index state_of[PersonTrait::count] = {
-    PersonFilter::weight,  PersonFilter::curve,    PersonFilter::gain,
-    PersonFilter::bias,    PersonFilter::habit,    PersonFilter::evenness,
-    PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
+    PersonFilter::weight,   PersonFilter::curve,   PersonFilter::gain,     PersonFilter::bias,  PersonFilter::habit,
+    PersonFilter::evenness, PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
 
 // F P F', as (P F')' F': columns lie side by side. A step leaves the person's traits as they are.
 HRT_ANY_WIDTH void carry(PersonFilter::Covariance& covariance, PersonFilter::Step f) {
   using X = PersonFilter;
   // A row times F'. Each line uses only what is not yet changed.
   const auto transform = [&](auto&& row) {
-    const double along = f.travel_by_phase * row(X::phase) + f.travel_mm * row(X::log_rate) +
-                         f.travel_by_evenness * row(X::evenness);
+    const double along =
+        f.travel_by_phase * row(X::phase) + f.travel_mm * row(X::log_rate) + f.travel_by_evenness * row(X::evenness);
     const double across = f.travel_mm * rad_per_deg * row(X::direction);
     row(X::right) -= f.sine * along + f.cosine * across;
     row(X::away) += f.cosine * along - f.sine * across;
     const double goal =
         row(X::bias) + row(X::wander) + f.goal_by_habit * row(X::habit) + f.goal_by_phase * row(X::phase);
-    const double shift = f.felt.by_weight * row(X::weight) + f.felt.by_curve * row(X::curve) +
-                         f.felt.by_fading * row(X::fading);
-    row(X::direction) += f.turn_by_direction * row(X::direction) + f.turn_by_gain * row(X::gain) +
-                         f.turn_by_felt * (goal - shift);
+    const double shift =
+        f.felt.by_weight * row(X::weight) + f.felt.by_curve * row(X::curve) + f.felt.by_fading * row(X::fading);
+    row(X::direction) +=
+        f.turn_by_direction * row(X::direction) + f.turn_by_gain * row(X::gain) + f.turn_by_felt * (goal - shift);
     row(X::phase) += f.phase * row(X::log_rate);
     row(X::wander) *= f.wander_kept;
     row(X::noise_right) *= f.noise_kept;
@@ -69,14 +68,13 @@ HRT_ANY_WIDTH void carry(PersonFilter::Covariance& covariance, PersonFilter::Ste
 }
 
 // Two coordinates have been measured, of which these are the rows of P and the variances.
-HRT_ANY_WIDTH void correct(PersonFilter::Covariance& covariance, const PersonFilter::State& by_right,
-                           double right_mm2, const PersonFilter::State& by_away, double away_mm2) {
+HRT_ANY_WIDTH void correct(PersonFilter::Covariance& covariance, const PersonFilter::State& by_right, double right_mm2,
+                           const PersonFilter::State& by_away, double away_mm2) {
   // Copies, which writing into P can't change. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
   const PersonFilter::State right = by_right, away = by_away;
   const PersonFilter::State gain_right = right / right_mm2, gain_away = away / away_mm2;
   for (int j = 0; j < PersonFilter::size; ++j)
-    for (int i = 0; i < PersonFilter::size; ++i)
-      covariance(i, j) -= right(i) * gain_right(j) + away(i) * gain_away(j);
+    for (int i = 0; i < PersonFilter::size; ++i) covariance(i, j) -= right(i) * gain_right(j) + away(i) * gain_away(j);
 }
 
 }  // namespace
@@ -88,8 +86,7 @@ PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_
   covariance_.setZero();
   for (int i = 0; i < PersonTrait::count; ++i) {
     state_(state_of[i]) = belief.mean(i);
-    for (int j = 0; j < PersonTrait::count; ++j)
-      covariance_(state_of[i], state_of[j]) = belief.covariance(i, j);
+    for (int j = 0; j < PersonTrait::count; ++j) covariance_(state_of[i], state_of[j]) = belief.covariance(i, j);
   }
   keep_in_range();
   covariance_(wander, wander) = wander_sd_deg * wander_sd_deg;
@@ -98,8 +95,7 @@ PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_
   begin(state_(log_rate), state_(evenness), 0.0, 0.0);
 }
 
-void PersonFilter::begin(double motion_log_rate, double motion_evenness, double onset_sd_s,
-                         double place_sd_mm) {
+void PersonFilter::begin(double motion_log_rate, double motion_evenness, double onset_sd_s, double place_sd_mm) {
   state_(log_rate) = motion_log_rate;
   state_(evenness) = motion_evenness;
   keep_in_range();
@@ -110,12 +106,10 @@ void PersonFilter::begin(double motion_log_rate, double motion_evenness, double 
   state_(direction) = state_(heading) * goal;
   // direction = heading G, and G = V + d + dr + c at the start.
   const double share = state_(heading);
-  covariance_.row(direction) =
-      goal * covariance_.row(heading) +
-      share * (covariance_.row(bias) + covariance_.row(wander) + covariance_.row(habit));
-  covariance_.col(direction) =
-      goal * covariance_.col(heading) +
-      share * (covariance_.col(bias) + covariance_.col(wander) + covariance_.col(habit));
+  covariance_.row(direction) = goal * covariance_.row(heading) +
+                               share * (covariance_.row(bias) + covariance_.row(wander) + covariance_.row(habit));
+  covariance_.col(direction) = goal * covariance_.col(heading) +
+                               share * (covariance_.col(bias) + covariance_.col(wander) + covariance_.col(habit));
 }
 
 double PersonFilter::goal_deg(double share, double wander_deg) const {
@@ -148,8 +142,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const FeltShift g =
       felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - state_(direction));
   const double k = state_(gain);
-  const SteeringStep steering =
-      steer(k, state_(direction), g, goal_deg(begun.share, state_(wander)), seconds);
+  const SteeringStep steering = steer(k, state_(direction), g, goal_deg(begun.share, state_(wander)), seconds);
   const SinCos way = sin_cos_deg(state_(direction) + 0.5 * steering.turn_deg);
   const double travel_scale = arrived ? 0.0 : path_mm_ * rate_ * seconds;
   const Step step{.seconds = seconds,
@@ -191,8 +184,7 @@ void PersonFilter::add_noise(const Step& step) {
   covariance_(right, right) += place_density_mm2_s * step.seconds + along_mm2 * step.sine * step.sine;
   covariance_(away, away) += place_density_mm2_s * step.seconds + along_mm2 * step.cosine * step.cosine;
   covariance_(wander, wander) += (1.0 - step.wander_kept * step.wander_kept) * wander_sd_deg * wander_sd_deg;
-  const double fresh_mm2 =
-      (1.0 - step.noise_kept * step.noise_kept) * noise_.correlated_mm * noise_.correlated_mm;
+  const double fresh_mm2 = (1.0 - step.noise_kept * step.noise_kept) * noise_.correlated_mm * noise_.correlated_mm;
   covariance_(noise_right, noise_right) += fresh_mm2;
   covariance_(noise_away, noise_away) += fresh_mm2;
 }
@@ -268,8 +260,7 @@ void PersonFilter::loosen_clock(double seconds) {
 }
 
 double PersonFilter::place_variance_mm2(double along_right, double along_away) const {
-  return along_right * along_right * covariance_(right, right) +
-         along_away * along_away * covariance_(away, away) +
+  return along_right * along_right * covariance_(right, right) + along_away * along_away * covariance_(away, away) +
          2.0 * along_right * along_away * covariance_(right, away);
 }
 
@@ -283,16 +274,15 @@ double PersonFilter::shift_variance_deg2(const FeltShift& slopes, double by_bias
 }
 
 LinearIllusion PersonFilter::linear_illusion() const {
-  return hrt::linear_illusion(state_(weight), state_(curve), covariance_(weight, weight),
-                              covariance_(weight, curve), covariance_(curve, curve));
+  return hrt::linear_illusion(state_(weight), state_(curve), covariance_(weight, weight), covariance_(weight, curve),
+                              covariance_(curve, curve));
 }
 
 PersonBelief PersonFilter::belief() const {
   PersonBelief belief;
   for (int i = 0; i < PersonTrait::count; ++i) {
     belief.mean(i) = state_(state_of[i]);
-    for (int j = 0; j < PersonTrait::count; ++j)
-      belief.covariance(i, j) = covariance_(state_of[i], state_of[j]);
+    for (int j = 0; j < PersonTrait::count; ++j) belief.covariance(i, j) = covariance_(state_of[i], state_of[j]);
   }
   return belief;
 }

@@ -43,9 +43,8 @@ struct PersonState {
 };
 /// Of each, in its order.
 inline constexpr const char* person_state_names[] = {
-    "right_mm",       "away_mm",       "direction_deg", "phase", "log_rate",   "wander_deg",
-    "noise_right_mm", "noise_away_mm", "weight",        "curve", "gain_per_s", "bias_deg",
-    "habit_deg",      "evenness",      "heading",       "fading"};
+    "right_mm", "away_mm", "direction_deg", "phase",    "log_rate",  "wander_deg", "noise_right_mm", "noise_away_mm",
+    "weight",   "curve",   "gain_per_s",    "bias_deg", "habit_deg", "evenness",   "heading",        "fading"};
 
 /// Finger and person at the filter's time, as a sample's plan and command read them.
 struct PersonNow {
@@ -91,8 +90,7 @@ class PersonFilter {
   };
 
   /// At rest, about to move over `path_mm` > 0 towards `virtual_direction_deg`.
-  PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
-               const TrackerNoise& noise);
+  PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const TrackerNoise& noise);
 
   /// Begins the motion with a log rate and evenness that fit its first samples. `onset_sd_s`, `place_sd_mm`:
   /// standard deviations of when it began and of where the finger rested.

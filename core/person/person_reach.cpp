@@ -41,9 +41,8 @@ PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, doubl
   const double goal_deg = reach.virtual_direction_deg;
   if (std::isinf(stops.lower_deg) && std::isinf(stops.upper_deg)) return {stops, goal_deg};
   const Illusion illusion{config.person.mean(PersonTrait::weight), config.person.mean(PersonTrait::curve)};
-  const double holding_deg =
-      reach.real_direction_deg + offset_for_shift(illusion, goal_deg - reach.real_direction_deg,
-                                                  max_shift(illusion, config.control.bound_deg));
+  const double holding_deg = reach.real_direction_deg + offset_for_shift(illusion, goal_deg - reach.real_direction_deg,
+                                                                         max_shift(illusion, config.control.bound_deg));
   return {stops, goal_deg, config.control.bound_deg, holding_deg, stands_deg};
 }
 
@@ -74,9 +73,8 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
 void PersonReach::stand_ready() {
   if (config_.plate_waits) return;
   const double ready_deg = ready_orientation_deg(config_.control, estimator_.filter(), aim());
-  decision_.plate =
-      limits_.limit({ready_deg + limits_.centre_deg() - reach_.virtual_direction_deg, ActiveBound::none},
-                    plate_.orientation_deg());
+  decision_.plate = limits_.limit({ready_deg + limits_.centre_deg() - reach_.virtual_direction_deg, ActiveBound::none},
+                                  plate_.orientation_deg());
   plate_.command(decision_.plate.orientation_deg);
   turned_ready_ = true;
 }
@@ -109,8 +107,7 @@ std::optional<PlatePoint> PersonReach::place() const {
 
 double PersonReach::place_variance_m2() const {
   const PersonFilter& filter = estimator_.filter();
-  return 0.5 * (filter.place_variance_mm2(1.0, 0.0) + filter.place_variance_mm2(0.0, 1.0)) /
-         (mm_per_m * mm_per_m);
+  return 0.5 * (filter.place_variance_mm2(1.0, 0.0) + filter.place_variance_mm2(0.0, 1.0)) / (mm_per_m * mm_per_m);
 }
 
 double PersonReach::speed_m_s() const {
@@ -169,10 +166,9 @@ PersonReach::Decision PersonReach::decide(double now_s) {
   const ActiveBound bound = !plan.at_bound               ? ActiveBound::none
                             : plan.plate_deg < later_deg ? ActiveBound::lower
                                                          : ActiveBound::upper;
-  return {
-      .plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach_.virtual_direction_deg, bound},
-                             plate_.orientation_deg()),
-      .predicted_miss_deg = atan2_deg(miss_share_ * plan.miss_mm, mm_per_m * reach_.real_distance_m)};
+  return {.plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach_.virtual_direction_deg, bound},
+                                 plate_.orientation_deg()),
+          .predicted_miss_deg = atan2_deg(miss_share_ * plan.miss_mm, mm_per_m * reach_.real_distance_m)};
 }
 
 ReachAim PersonReach::aim() const {
@@ -283,8 +279,8 @@ ReachSummary PersonReach::summary() const {
   summary.final_direction_deg = command_.finger_direction_deg;
   summary.final_miss_deg = command_.finger_direction_deg - reach_.real_direction_deg;
   summary.perceived_direction_deg = command_.perceived_direction_deg;
-  summary.perceived_error_deg = command_.perceived_direction_deg - reach_.virtual_direction_deg -
-                                config_.person.mean(PersonTrait::bias);
+  summary.perceived_error_deg =
+      command_.perceived_direction_deg - reach_.virtual_direction_deg - config_.person.mean(PersonTrait::bias);
   summary.distance_to_target_m = distance_m(ended, target_);
   summary.bearing_error_deg =
       begun ? wrap_deg(bearing_deg(reach_.start, ended) - reach_.real_direction_deg, 360.0) : 0.0;

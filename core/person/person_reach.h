@@ -23,7 +23,7 @@ struct PersonReachConfig {
   std::optional<TrackerNoise> noise;    ///< of the tracker; none: learn it while the finger rests
   std::int64_t tracker_latency_ns = 0;  ///< from a motion to the time of its sample, 0 to 0.5 s
   std::int64_t step_period_ns = 100'000'000;
-  bool plate_waits = false;  ///< the plate stays where it stands until the finger moves
+  bool plate_waits = false;                         ///< the plate stays where it stands until the finger moves
   FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; is_frame_covariance()
   TouchedFrame touched;                             ///< what contacts have shown
 };

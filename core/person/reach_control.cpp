@@ -37,12 +37,11 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
   const double step_s = (arrives_s + sensory_delay_s - filter_s) / dead_time_steps;
   const double wander_kept = exponential(-step_s / wander_s);
   const SinCos line = sin_cos_deg(line_deg);
-  Motion motion{
-      .direction_deg = x.direction_deg,
-      .phase = x.phase,
-      .lateral_mm = (aim.right_mm - x.right_mm) * line.cosine + (aim.away_mm - x.away_mm) * line.sine,
-      .wander_deg = x.wander_deg,
-      .shift_deg = 0.0};
+  Motion motion{.direction_deg = x.direction_deg,
+                .phase = x.phase,
+                .lateral_mm = (aim.right_mm - x.right_mm) * line.cosine + (aim.away_mm - x.away_mm) * line.sine,
+                .wander_deg = x.wander_deg,
+                .shift_deg = 0.0};
   double felt_plate_deg = 0.0;
   Illusion illusion{};
   const double now_deg = outlook.past.at(outlook.now_s);
@@ -50,14 +49,13 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
     const double felt_s = filter_s + (i + 0.5) * step_s - sensory_delay_s;
     const double ahead =
         outlook.latency_s > 0.0 ? std::clamp((felt_s - outlook.now_s) / outlook.latency_s, 0.0, 1.0) : 1.0;
-    felt_plate_deg = felt_s <= outlook.now_s ? outlook.past.at(felt_s)
-                                             : now_deg + ahead * (outlook.after_latency_deg - now_deg);
+    felt_plate_deg =
+        felt_s <= outlook.now_s ? outlook.past.at(felt_s) : now_deg + ahead * (outlook.after_latency_deg - now_deg);
     const Progress p = progress(x.evenness, motion.phase + 0.5 * rate * step_s);
     illusion = filter.illusion(filter.mean_speed_mm_s() * p.rate, filter.path_mm() * p.share);
     const FeltShift g = felt_shift(illusion, felt_plate_deg - motion.direction_deg);
     const double turn_deg =
-        steer(x.gain_s, motion.direction_deg, g, filter.goal_deg(p.share, motion.wander_deg), step_s)
-            .turn_deg;
+        steer(x.gain_s, motion.direction_deg, g, filter.goal_deg(p.share, motion.wander_deg), step_s).turn_deg;
     const double travel_mm = motion.phase >= 1.0 ? 0.0 : filter.path_mm() * rate * p.rate * step_s;
     motion.lateral_mm += travel_mm * sin_deg(motion.direction_deg + 0.5 * turn_deg - line_deg);
     motion.direction_deg += turn_deg;
@@ -103,8 +101,8 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
 
 }  // namespace
 
-ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s,
-                     const ReachAim& aim, const PlateOutlook& outlook) {
+ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s, const ReachAim& aim,
+                     const PlateOutlook& outlook) {
   const double line_deg = atan2_deg(-(aim.right_mm - aim.from_right_mm), aim.away_mm - aim.from_away_mm);
   const Motion motion = carry_over_dead_time(filter, filter_s, line_deg, aim, outlook);
   const Arrival arrival = arrive(filter, motion, line_deg);
@@ -120,8 +118,7 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
 
   // At rest nothing is felt: the plate stands for the motion to come.
-  Illusion illusion =
-      filter.illusion(filter.mean_speed_mm_s() * std::max(p.rate, min_speed_share), filter.path_mm());
+  Illusion illusion = filter.illusion(filter.mean_speed_mm_s() * std::max(p.rate, min_speed_share), filter.path_mm());
   illusion.weight = std::max(0.03, illusion.weight - weight_caution * filter.deviation().weight);
   const MaxShift max = max_shift(illusion, config.bound_deg);
   const double given_deg = std::clamp(shift_deg, -max.felt.shift_deg, max.felt.shift_deg);
@@ -131,8 +128,7 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
           .at_bound = given_deg != shift_deg};
 }
 
-double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting,
-                             const ReachAim& aim) {
+double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const ReachAim& aim) {
   // It stands where the plan wants it as soon as the plan finds it standing there.
   double ready_deg = 0.0;
   for (int i = 0; i < 3; ++i) {

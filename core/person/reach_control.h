@@ -44,16 +44,15 @@ struct PlateOutlook {
 struct ReachPlan {
   double plate_deg;       ///< wanted orientation of the ridge normal
   double felt_error_deg;  ///< felt less intended direction once the plate stands there
-  double miss_mm;  ///< across the line to the real target at arrival, left positive, if the plate does so
-  bool at_bound;   ///< more shift is wanted than the plate may give
+  double miss_mm;         ///< across the line to the real target at arrival, left positive, if the plate does so
+  bool at_bound;          ///< more shift is wanted than the plate may give
 };
 
 /// Plans from `filter`, which stands at `filter_s` <= outlook.now_s. No heap, no lock, no exception.
-ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s,
-                     const ReachAim& aim, const PlateOutlook& outlook);
+ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s, const ReachAim& aim,
+                     const PlateOutlook& outlook);
 
 /// Where the plate should stand before the person moves.
-double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting,
-                             const ReachAim& aim);
+double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const ReachAim& aim);
 
 }  // namespace hrt

@@ -25,8 +25,7 @@ struct SteeringStep {
 
 /// A step of `seconds` >= 0 by a person of gain k. Implicit in what the turn does to the felt error: stable
 /// for any length, of second order in time.
-inline SteeringStep steer(double gain_s, double direction_deg, const FeltShift& felt, double goal_deg,
-                          double seconds) {
+inline SteeringStep steer(double gain_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds) {
   const double error_deg = direction_deg + felt.shift_deg - goal_deg;
   const double decay_s = gain_s * std::clamp(1.0 - felt.by_offset, -max_slope, max_slope);
   return {error_deg, decay_s, -gain_s * error_deg * seconds / (1.0 + 0.5 * seconds * std::max(0.0, decay_s))};

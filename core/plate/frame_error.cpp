@@ -37,16 +37,14 @@ FrameCovariance frame_covariance(const Registration& registration) {
   return 0.5 * (covariance + covariance.transpose());
 }
 
-double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start,
-                            const PlatePoint& target) {
+double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start, const PlatePoint& target) {
   const double length_m = distance_m(start, target);
   if (!(length_m > 0.0)) return max_deg;
   // Across the line, to the left.
   const double direction_deg = bearing_deg(start, target);
   const double across_right = -cos_deg(direction_deg);
   const double across_away = -sin_deg(direction_deg);
-  const Eigen::Vector3d by{across_away * target.right_m - across_right * target.away_m, across_right,
-                           across_away};
+  const Eigen::Vector3d by{across_away * target.right_m - across_right * target.away_m, across_right, across_away};
   const double variance_m2 = by.dot(covariance * by);
   return std::min(max_deg, deg_per_rad * std::sqrt(std::max(0.0, variance_m2)) / length_m);
 }

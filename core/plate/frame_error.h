@@ -30,7 +30,6 @@ FrameCovariance frame_covariance(const Registration& registration);
 
 /// Standard deviation, degrees, of the bearing of a finger that is believed to be at `target`, as seen from
 /// `start`; the start is where it was believed to be. At most 180; 180 if they coincide.
-double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start,
-                            const PlatePoint& target);
+double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start, const PlatePoint& target);
 
 }  // namespace hrt

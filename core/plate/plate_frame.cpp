@@ -18,8 +18,7 @@ double distance_m(const PlatePoint& from, const PlatePoint& to) {
 
 // Left is positive for directions, right for positions.
 PlatePoint point_ahead(const PlatePoint& from, double direction_deg, double distance_m) {
-  return {from.right_m - distance_m * sin_deg(direction_deg),
-          from.away_m + distance_m * cos_deg(direction_deg)};
+  return {from.right_m - distance_m * sin_deg(direction_deg), from.away_m + distance_m * cos_deg(direction_deg)};
 }
 
 }  // namespace hrt

@@ -22,8 +22,7 @@ struct PlaceMm {
 };
 
 constexpr double square_distance_mm2(const PlaceMm& a, const PlaceMm& b) {
-  return (a.right_mm - b.right_mm) * (a.right_mm - b.right_mm) +
-         (a.away_mm - b.away_mm) * (a.away_mm - b.away_mm);
+  return (a.right_mm - b.right_mm) * (a.right_mm - b.right_mm) + (a.away_mm - b.away_mm) * (a.away_mm - b.away_mm);
 }
 
 /// Where something was, and when.

@@ -54,8 +54,7 @@ double reported_orientation_deg(double orientation_deg, double expected_deg, con
   return turns_freely ? nearest_equivalent_deg(orientation_deg, expected_deg, stops) : orientation_deg;
 }
 
-double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg,
-                                const PlateStops& stops) {
+double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg, const PlateStops& stops) {
   const double nearest = std::floor((current_deg - 0.5 * (lowest_deg + highest_deg)) / 180.0 + 0.5);
   const double fewest = std::ceil((stops.lower_deg - lowest_deg) / 180.0);
   const double max = std::floor((stops.upper_deg - highest_deg) / 180.0);
@@ -69,26 +68,23 @@ double half_turns_between_stops(double lowest_deg, double highest_deg, double cu
 PlateLimits::PlateLimits(const PlateStops& stops, double goal_direction_deg)
     : stops_(stops), centre_deg_(goal_direction_deg), keeps_half_turn_(false) {}
 
-PlateLimits::PlateLimits(const PlateStops& stops, double goal_direction_deg, double bound_deg,
-                         double holding_deg, double current_deg)
+PlateLimits::PlateLimits(const PlateStops& stops, double goal_direction_deg, double bound_deg, double holding_deg,
+                         double current_deg)
     : stops_(stops),
-      centre_deg_(goal_direction_deg + 180.0 * half_turns_for_reach(stops, goal_direction_deg, bound_deg,
-                                                                    holding_deg, current_deg)),
+      centre_deg_(goal_direction_deg +
+                  180.0 * half_turns_for_reach(stops, goal_direction_deg, bound_deg, holding_deg, current_deg)),
       keeps_half_turn_(true) {}
 
 PlateOrientation PlateLimits::at_stops(const PlateOrientation& planned) const {
   if (!keeps_half_turn_) return planned;
-  if (planned.orientation_deg < stops_.lower_deg)
-    return {stops_.lower_deg, ActiveBound::lower, planned.optimal};
-  if (planned.orientation_deg > stops_.upper_deg)
-    return {stops_.upper_deg, ActiveBound::upper, planned.optimal};
+  if (planned.orientation_deg < stops_.lower_deg) return {stops_.lower_deg, ActiveBound::lower, planned.optimal};
+  if (planned.orientation_deg > stops_.upper_deg) return {stops_.upper_deg, ActiveBound::upper, planned.optimal};
   return planned;
 }
 
 PlateOrientation PlateLimits::limit(const PlateOrientation& planned, double current_deg) const {
   if (keeps_half_turn_) return at_stops(planned);
-  return {nearest_equivalent_deg(planned.orientation_deg, current_deg, stops_), planned.active,
-          planned.optimal};
+  return {nearest_equivalent_deg(planned.orientation_deg, current_deg, stops_), planned.active, planned.optimal};
 }
 
 }  // namespace hrt

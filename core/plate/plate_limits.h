@@ -45,8 +45,7 @@ double reported_orientation_deg(double orientation_deg, double expected_deg, con
 /// Half turns to add so that the range from `lowest_deg` to `highest_deg` fits between the stops, or is cut
 /// the least, without a swing of half a turn within it. Of equal ones those nearest to `current_deg`. A whole
 /// number.
-double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg,
-                                const PlateStops& stops);
+double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg, const PlateStops& stops);
 
 /// The limits of one reach.
 class PlateLimits {

@@ -15,8 +15,8 @@ constexpr std::uint64_t max_ticks = 500;
 }  // namespace
 
 bool is_valid(const PlateDynamics& dynamics) {
-  return dynamics.max_speed_deg_s > 0.0 && dynamics.max_acceleration_deg_s2 > 0.0 &&
-         dynamics.latency_ns >= 0 && dynamics.latency_ns <= 1'000'000'000 && is_valid(dynamics.stops);
+  return dynamics.max_speed_deg_s > 0.0 && dynamics.max_acceleration_deg_s2 > 0.0 && dynamics.latency_ns >= 0 &&
+         dynamics.latency_ns <= 1'000'000'000 && is_valid(dynamics.stops);
 }
 
 PlateModel::PlateModel(const PlateDynamics& dynamics, double orientation_deg) : dynamics_(dynamics) {
@@ -65,8 +65,7 @@ void PlateModel::command(double orientation_deg) {
     }
     return;
   }
-  if (orientation_deg ==
-      (pending_count_ > 0 ? pending_[pending_count_ - 1].orientation_deg : motion_.target_deg))
+  if (orientation_deg == (pending_count_ > 0 ? pending_[pending_count_ - 1].orientation_deg : motion_.target_deg))
     return;
   const std::int64_t effective_ns = later_ns(motion_.now_ns, dynamics_.latency_ns);
   // As many as are kept, further apart than this, span more than the latency.
@@ -80,8 +79,7 @@ void PlateModel::command(double orientation_deg) {
 }
 
 void PlateModel::report(double orientation_deg) {
-  motion_.orientation_deg =
-      reported_orientation_deg(orientation_deg, motion_.orientation_deg, dynamics_.stops);
+  motion_.orientation_deg = reported_orientation_deg(orientation_deg, motion_.orientation_deg, dynamics_.stops);
 }
 
 double PlateModel::orientation_at_deg(std::int64_t time_ns) const {

@@ -96,8 +96,7 @@ Eigen::Vector3d predicted(const Registration& registration, const Eigen::Vector3
 Jacobian jacobian(const Registration& registration, const Eigen::Vector3d& mark_m) {
   Jacobian result;
   for (int axis = 0; axis < 3; ++axis)
-    result.col(axis) =
-        registration.scale * (registration.rotation * Eigen::Vector3d::Unit(axis).cross(mark_m));
+    result.col(axis) = registration.scale * (registration.rotation * Eigen::Vector3d::Unit(axis).cross(mark_m));
   result.block<3, 3>(0, 3).setIdentity();
   result.col(6) = registration.rotation * mark_m;
   return result;
@@ -123,8 +122,7 @@ Fit fit(const RegistrationConfig& config, const Touches& touches) {
   const double scale = svd.values.dot(signs) / moments.marks_m2.trace();
   if (config.fit_scale && scale >= min_scale && scale <= max_scale) found.scale = scale;
   found.position_m = moments.touched_m - found.scale * (found.rotation * moments.mark_m);
-  touches.for_each(
-      [&](const MarkTouch& touch) { result.square_sum_m2 += std::pow(residual_m(found, touch), 2); });
+  touches.for_each([&](const MarkTouch& touch) { result.square_sum_m2 += std::pow(residual_m(found, touch), 2); });
   result.freedom = 3.0 * touches.count() - (config.fit_scale ? 7.0 : 6.0);
   return result;
 }

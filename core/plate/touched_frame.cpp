@@ -71,17 +71,14 @@ TouchedFrame drifted(const TouchedFrame& frame) {
   return later;
 }
 
-TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered,
-                           const Contact& contact) {
+TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered, const Contact& contact) {
   TouchedFrame after = drifted(before);
   Eigen::Matrix4d& covariance = after.covariance;
-  if (!before.known())
-    covariance = prior(registered, contact.place, from_home(before, contact.place).squaredNorm());
+  if (!before.known()) covariance = prior(registered, contact.place, from_home(before, contact.place).squaredNorm());
   const Matrix24 by = by_entries(matrix(before).inverse() * from_home(before, contact.finger));
   const Eigen::Vector2d innovation{contact.place.right_m - contact.finger.right_m,
                                    contact.place.away_m - contact.finger.away_m};
-  const Eigen::Matrix2d expected =
-      by * covariance * by.transpose() + contact.variance_m2 * Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d expected = by * covariance * by.transpose() + contact.variance_m2 * Eigen::Matrix2d::Identity();
   const Eigen::Matrix<double, 4, 2> gain = covariance * by.transpose() * expected.inverse();
   const Eigen::Vector4d change = gain * innovation;
   after.stretch.row(0) += change.head<2>().transpose();
@@ -96,9 +93,8 @@ TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& re
 
 double turned_deg(const TouchedFrame& before, const TouchedFrame& after, const PlatePoint& finger) {
   const Eigen::Vector2d seen = matrix(before).inverse() * from_home(before, finger);
-  return wrap_deg(
-      bearing_deg(after.home, to_place(after, matrix(after) * seen)) - bearing_deg(before.home, finger),
-      360.0);
+  return wrap_deg(bearing_deg(after.home, to_place(after, matrix(after) * seen)) - bearing_deg(before.home, finger),
+                  360.0);
 }
 
 double bearing_sd_deg(const TouchedFrame& frame, const FrameCovariance& registered, const PlatePoint& start,

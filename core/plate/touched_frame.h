@@ -48,8 +48,7 @@ struct Contact {
 
 /// The frame after a contact; before the first one it is as `registered` has it at the contact's place, which
 /// is not `home`. No heap.
-TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered,
-                           const Contact& contact);
+TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered, const Contact& contact);
 
 /// The frame when trackers have drifted, as between contacts.
 TouchedFrame drifted(const TouchedFrame& frame);

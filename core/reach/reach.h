@@ -34,10 +34,9 @@ struct Reach {
 /// True if every field is in its range, for a person with this goal direction.
 inline bool is_valid(const Reach& reach, double goal_direction_deg) {
   return std::isfinite(reach.real_direction_deg) && std::isfinite(reach.virtual_direction_deg) &&
-         std::abs(reach.real_direction_deg - goal_direction_deg) < 90.0 &&
-         std::isfinite(reach.plate_orientation_deg) && std::isfinite(reach.start.right_m) &&
-         std::isfinite(reach.start.away_m) && std::isfinite(reach.real_distance_m) &&
-         reach.real_distance_m > 0.0 &&
+         std::abs(reach.real_direction_deg - goal_direction_deg) < 90.0 && std::isfinite(reach.plate_orientation_deg) &&
+         std::isfinite(reach.start.right_m) && std::isfinite(reach.start.away_m) &&
+         std::isfinite(reach.real_distance_m) && reach.real_distance_m > 0.0 &&
          (reach.duration_s == 0.0 || (reach.duration_s >= 0.1 && reach.duration_s <= 20.0));
 }
 
@@ -55,18 +54,17 @@ struct PlateCommand {
   double finger_direction_deg = 0.0;     ///< P, estimated or predicted
   double perceived_direction_deg = 0.0;  ///< theta_hat at the end of this step; of a person: felt now
   double aimed_direction_deg = 0.0;      ///< the wanted direction, if it can be held
-  double tactile_weight = 0.0;     ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
-  double tactile_weight_sd = 0.0;  ///< its standard deviation; 0 without adaptation
-  double distance_to_go_m = 0.0;   ///< to the real target's place; the whole until a position is seen
-  double time_to_go_s =
-      0.0;  ///< until the motion ends, then 0; -1 before it and in a pause; 0 under the paper's
+  double tactile_weight = 0.0;           ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
+  double tactile_weight_sd = 0.0;        ///< its standard deviation; 0 without adaptation
+  double distance_to_go_m = 0.0;         ///< to the real target's place; the whole until a position is seen
+  double time_to_go_s = 0.0;        ///< until the motion ends, then 0; -1 before it and in a pause; 0 under the paper's
   double felt_error_deg = 0.0;      ///< felt less intended direction, now, as estimated
   double predicted_miss_deg = 0.0;  ///< bearing of the place of arrival less the real target's, as predicted
   /// Standard deviation of the finger's true place across the line to the real target, as a bearing from the
   /// start: by the filter and by the registration of the plate; 0 under the paper's controller.
   double bearing_error_sd_deg = 0.0;
-  double nis = 0.0;        ///< normalised innovation squared of recent positions; 2 is expected
-  std::int64_t step = -1;  ///< model step; -1 before the finger moves
+  double nis = 0.0;                        ///< normalised innovation squared of recent positions; 2 is expected
+  std::int64_t step = -1;                  ///< model step; -1 before the finger moves
   ActiveBound active = ActiveBound::none;  ///< the bound that holds the command
   bool held = true;                        ///< no new decision was taken in this call
   bool predicted = false;    ///< neither this step nor the one before has a sample: the finger is the model's
@@ -121,9 +119,9 @@ struct ReachSummary {
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
   double perceived_error_deg = 0.0;      ///< perceived_direction_deg less theta_V and the configured bias
   double distance_to_target_m = 0.0;     ///< from the last position, seen or predicted, to the real target's
-  double bearing_error_deg = 0.0;     ///< of the last position from the start, less P_R; 0 without positions
-  double bearing_error_sd_deg = 0.0;  ///< as in the last PlateCommand
-  double peak_felt_error_deg = 0.0;   ///< largest size of PlateCommand::felt_error_deg
+  double bearing_error_deg = 0.0;        ///< of the last position from the start, less P_R; 0 without positions
+  double bearing_error_sd_deg = 0.0;     ///< as in the last PlateCommand
+  double peak_felt_error_deg = 0.0;      ///< largest size of PlateCommand::felt_error_deg
   double rms_felt_error_deg = 0.0;
   double nis = 0.0;                      ///< as in PlateCommand, largest
   bool unreachable = false;              ///< as in the last PlateCommand

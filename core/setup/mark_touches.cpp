@@ -39,8 +39,8 @@ void MarkTouches::observe(const SetupSample& sample) {
   still_.observe(sample.time_ns, *sample.tracked_m);
   const std::optional<Eigen::Vector3d> rest_m = moved_ ? still_.rest(touch_tenths) : std::nullopt;
   if (!rest_m) return;
-  touches_[static_cast<std::size_t>(count_++)] = {
-      sample.time_ns, *rest_m, sample.joint_rotation.value_or(Eigen::Matrix3d::Identity())};
+  touches_[static_cast<std::size_t>(count_++)] = {sample.time_ns, *rest_m,
+                                                  sample.joint_rotation.value_or(Eigen::Matrix3d::Identity())};
   from_m_ = rest_m;
   moved_ = lost_ = false;
   away_ = 0;

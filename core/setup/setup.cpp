@@ -68,8 +68,7 @@ void Setup::close() {
 
 void Setup::repeat(SetupProblem problem) {
   problem_ = problem;
-  if (has_part(slide_parts_of_setup))
-    wanted_slides_ = std::min(wanted_slides_ + more_slides, config_.max_slides);
+  if (has_part(slide_parts_of_setup)) wanted_slides_ = std::min(wanted_slides_ + more_slides, config_.max_slides);
   begin_part();
 }
 

@@ -38,8 +38,7 @@ SetupProblem fit_registration_of(const Setup& setup, SetupFit* fit) {
 SetupProblem check_of(const Setup& setup, const Registration& registered, SetupFit* fit) {
   const SetupConfig& config = setup.config();
   const RegistrationCheck found = check_registration(
-      registered,
-      {config.marks_m[static_cast<std::size_t>(config.check_mark)], setup.touches()[0].touched_m});
+      registered, {config.marks_m[static_cast<std::size_t>(config.check_mark)], setup.touches()[0].touched_m});
   if (!found.holds && setup.step().problem != SetupProblem::disagrees) return SetupProblem::disagrees;
   fit->check = found;
   return SetupProblem::none;

@@ -28,8 +28,7 @@ bool SlideStore::add(const FingerSample& sample) {
   if (any && elapsed_ns(samples_.back().time_ns, sample.time_ns) < min_spacing_ns) return true;
   if (full()) return false;
   // Ridges are the same after half a turn, and a plate does not jump.
-  if (sample.plate_orientation_deg)
-    now_plate_deg_ += wrap_deg(*sample.plate_orientation_deg - now_plate_deg_, 180.0);
+  if (sample.plate_orientation_deg) now_plate_deg_ += wrap_deg(*sample.plate_orientation_deg - now_plate_deg_, 180.0);
   samples_.push_back({sample.time_ns, sample.position});
   plate_deg_.push_back(now_plate_deg_);
   return true;

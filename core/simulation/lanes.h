@@ -94,8 +94,7 @@ struct QuadLanes : VectorLanes<FourReals, FourWords> {
   static Reals square_root(Reals x) { return _mm256_sqrt_pd(x); }
   static Reals larger(Reals a, Reals b) { return _mm256_max_pd(a, b); }
   static Words multiply_low(Words a, Words b) {
-    return reinterpret_cast<Words>(
-        _mm256_mul_epu32(reinterpret_cast<__m256i>(a), reinterpret_cast<__m256i>(b)));
+    return reinterpret_cast<Words>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), reinterpret_cast<__m256i>(b)));
   }
 };
 #else

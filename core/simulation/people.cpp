@@ -83,8 +83,7 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws& d) { c.person.weight_drift = either_side(0.05, d); }},
     {"even", "even pace", true, [](PersonCondition& c, Draws&) { c.person.pace = Pace::even; }},
     {"skewed", "early peak of speed", true, [](PersonCondition& c, Draws&) { c.person.pace = Pace::skewed; }},
-    {"stop-and-go", "two rests of 0.3 s", false,
-     [](PersonCondition& c, Draws&) { c.person.pace = Pace::stop_and_go; }},
+    {"stop-and-go", "two rests of 0.3 s", false, [](PersonCondition& c, Draws&) { c.person.pace = Pace::stop_and_go; }},
     {"pause", "a rest of 0.6 s", false, [](PersonCondition& c, Draws&) { c.person.pace = Pace::pause; }},
     {"two-parts", "two motions, one after the other", false,
      [](PersonCondition& c, Draws&) { c.person.pace = Pace::two_parts; }},
@@ -165,10 +164,8 @@ const PeopleFamily* people_family(const char* name) {
   return nullptr;
 }
 
-PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed,
-                            std::uint32_t index) {
-  Draws draws(seed, PersonStream::drawn, index,
-              static_cast<std::uint32_t>(std::llround(1000.0 * duration_s)));
+PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index) {
+  Draws draws(seed, PersonStream::drawn, index, static_cast<std::uint32_t>(std::llround(1000.0 * duration_s)));
   PersonCondition condition;
   Person& person = condition.person;
   person.illusion.tactile_weight = 0.12 + 0.18 * draws.uniform();
@@ -192,11 +189,9 @@ bool can_hold(const PersonCondition& condition) {
   double max_deg = 0.0;
   for (int half = 0; half <= static_cast<int>(2.0 * bound_deg); ++half) {
     const double t = 0.5 * half;
-    const double between_s =
-        ridge_spacing_m / (condition.distance_m / person.duration_s * std::max(cos_deg(t), 1e-6));
+    const double between_s = ridge_spacing_m / (condition.distance_m / person.duration_s * std::max(cos_deg(t), 1e-6));
     const double mean_share = touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));
-    max_deg =
-        std::max(max_deg, mean_share * std::abs(felt_shift_deg(person.illusion, std::copysign(t, gap_deg))));
+    max_deg = std::max(max_deg, mean_share * std::abs(felt_shift_deg(person.illusion, std::copysign(t, gap_deg))));
   }
   return max_deg > std::abs(gap_deg);
 }

@@ -36,8 +36,8 @@ struct PersonCondition {
 struct PeopleFamily {
   const char* name;
   const char* says;  ///< what sets them apart, for tables
-  bool tuned;  ///< the controller's numbers were searched with it; with others only its last settings were
-               ///< compared
+  bool tuned;        ///< the controller's numbers were searched with it; with others only its last settings were
+                     ///< compared
   void (*set)(PersonCondition& condition, Draws& draws);
   /// The tracker's frame or the plate's zero is off: no controller sees that in a reach.
   bool misplaced = false;
@@ -51,8 +51,7 @@ const PeopleFamily* people_family(const char* name);
 
 /// Person `index` of a family, who moves for `duration_s`: w_T in 0.12 to 0.30, gain 5 to 12 /s, delay up to
 /// 120 ms, a first direction between the mid-line and the virtual target; gap 10 degrees to either side.
-PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed,
-                            std::uint32_t index);
+PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index);
 
 /// Streams of Draws for person `index`.
 namespace PersonStream {

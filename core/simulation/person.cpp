@@ -131,15 +131,13 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   share_ = s;
   speed_m_s_ = travel_m / tick_s;
   const double motion_deg = move(travel_m);
-  felt_deg_ =
-      motion_deg + person_.own_bias_deg + felt_shift_deg(plate_orientation_deg - motion_deg, travel_m);
+  felt_deg_ = motion_deg + person_.own_bias_deg + felt_shift_deg(plate_orientation_deg - motion_deg, travel_m);
 
   goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s);
   const SinCos felt = sin_cos_deg(felt_deg_);
   felt_position_.right_m -= travel_m * felt.sine;
   felt_position_.away_m += travel_m * felt.cosine;
-  if (person_.steering == Steering::place &&
-      hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
+  if (person_.steering == Steering::place && hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
     goal_deg_ += bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   }
   steer(motion_deg);
@@ -164,8 +162,7 @@ double SlidingPerson::move(double travel_m) {
   velocity_away_m_s_ += force_away_n_ * tick_s;
   position_.right_m += velocity_right_m_s_ * tick_s;
   position_.away_m += velocity_away_m_s_ * tick_s;
-  const double speed =
-      std::sqrt(velocity_right_m_s_ * velocity_right_m_s_ + velocity_away_m_s_ * velocity_away_m_s_);
+  const double speed = std::sqrt(velocity_right_m_s_ * velocity_right_m_s_ + velocity_away_m_s_ * velocity_away_m_s_);
   return speed > 0.002 ? atan2_deg(-velocity_right_m_s_, velocity_away_m_s_) : direction_deg_;
 }
 
@@ -199,8 +196,8 @@ void SlidingPerson::steer(double motion_deg) {
     const Participant participant;
     const auto [gain, variance_deg2] = next_gain(participant, perceived_variance_deg2_);
     perceived_variance_deg2_ = variance_deg2;
-    direction_deg_ += -gain * (felt_deg_ - goal_deg_) +
-                      std::sqrt(participant.motor_variance_deg2 + variance_deg2) * draws_.normal();
+    direction_deg_ +=
+        -gain * (felt_deg_ - goal_deg_) + std::sqrt(participant.motor_variance_deg2 + variance_deg2) * draws_.normal();
     return;
   }
   felt_history_[static_cast<std::size_t>(millisecond_ % history_size)] = answered_deg;

@@ -41,9 +41,9 @@ enum class Steering {
   steps,       ///< paper section II-A, every 100 ms
   continuous,  ///< dP/dt = -k (felt(time - delay) - goal) + noise
   predictive,  ///< as continuous, and they know their own P without delay
-  place,  ///< as continuous, towards the virtual target's place as seen from where they feel the finger is
-  heavy_arm,  ///< a mass of 1 kg, muscles of 40 ms, feedback after the delay
-  crossings,  ///< as continuous; ridges are felt only when the finger crosses one, every 10 mm
+  place,       ///< as continuous, towards the virtual target's place as seen from where they feel the finger is
+  heavy_arm,   ///< a mass of 1 kg, muscles of 40 ms, feedback after the delay
+  crossings,   ///< as continuous; ridges are felt only when the finger crosses one, every 10 mm
 };
 
 enum class Pace {
@@ -83,8 +83,8 @@ inline constexpr double reaction_s = 0.2;
 class SlidingPerson {
  public:
   /// At rest at `start`, asked to go `distance_m` to the virtual target in `virtual_direction_deg`.
-  SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
-                double distance_m, Draws draws);
+  SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg, double distance_m,
+                Draws draws);
 
   /// The virtual target is at `place` from now on. They answer after `reaction_s`, as seen from where they
   /// feel that the finger is: by the same motion, stretched or cut, or by another one near its end.

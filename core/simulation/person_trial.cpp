@@ -24,12 +24,10 @@ class Targets {
 
   // Moves them once the finger is far enough.
   void follow(SlidingPerson& person, Retargeter* controller) {
-    if (!moves_ || distance_m(start, person.position()) < condition_.move->at_share * condition_.distance_m)
-      return;
+    if (!moves_ || distance_m(start, person.position()) < condition_.move->at_share * condition_.distance_m) return;
     moves_ = false;
     const PlatePoint& by = condition_.move->by;
-    const PlatePoint virtual_place =
-        point_ahead(start, condition_.virtual_direction_deg, condition_.distance_m);
+    const PlatePoint virtual_place = point_ahead(start, condition_.virtual_direction_deg, condition_.distance_m);
     const PlatePoint virtual_now{virtual_place.right_m + by.right_m, virtual_place.away_m + by.away_m};
     real_ = {real_.right_m + by.right_m, real_.away_m + by.away_m};
     person.retarget(virtual_now);
@@ -46,9 +44,9 @@ class Targets {
   bool moves_;
 };
 
-PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller,
-                             const TouchedFrame& frame, std::uint64_t seed, std::uint32_t index,
-                             std::uint32_t reach_number, const PersonWatch& watch) {
+PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, const TouchedFrame& frame,
+                             std::uint64_t seed, std::uint32_t index, std::uint32_t reach_number,
+                             const PersonWatch& watch) {
   Draws draws(seed, PersonStream::tracking, index, reach_number);
   const double rest_s = 0.4 + 0.4 * draws.uniform();
   Tracker tracker(condition.tracker, start, draws);
@@ -77,8 +75,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
     }
     targets.follow(person, controller);
     if (person.done() && ended_s < 0.0) ended_s = now_s;
-    if (ended_s >= 0.0 &&
-        now_s > ended_s + reach_tail_s + condition.tracker.latency_s + condition.tracker.late_s)
+    if (ended_s >= 0.0 && now_s > ended_s + reach_tail_s + condition.tracker.latency_s + condition.tracker.late_s)
       break;
     tracker.look(now_s, person.position());
     while (auto sample = tracker.arrived(now_ns)) {
@@ -87,9 +84,8 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
       const PlateCommand command = controller->update(*sample);
       plate.command(command.plate_orientation_deg);
       if (watch)
-        watch(static_cast<int>(reach_number),
-              {now_s, person.position(), person.felt_position(), plate.orientation_deg(), command,
-               controller->person_filter()});
+        watch(static_cast<int>(reach_number), {now_s, person.position(), person.felt_position(),
+                                               plate.orientation_deg(), command, controller->person_filter()});
     }
   }
   const double error_deg = bearing_deg(start, person.position()) - targets.real_direction_deg();
@@ -106,8 +102,7 @@ void touch(const PersonOutcome& outcome, const Retargeter& retargeter, double sd
            RetargeterConfig& config) {
   const std::optional<SeenFinger> seen = retargeter.finger();
   if (!seen) return;
-  Contact contact{
-      .finger = seen->place, .place = outcome.finger, .variance_m2 = sd_m * sd_m + seen->variance_m2};
+  Contact contact{.finger = seen->place, .place = outcome.finger, .variance_m2 = sd_m * sd_m + seen->variance_m2};
   contact.place.right_m += sd_m * draws.normal();
   contact.place.away_m += sd_m * draws.normal();
   config = carried(config, contact, outcome.learnt.has_value());
@@ -115,21 +110,19 @@ void touch(const PersonOutcome& outcome, const Retargeter& retargeter, double sd
 
 }  // namespace
 
-std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
-                                           const RetargeterConfig* controller, int reaches,
-                                           std::uint64_t seed, std::uint32_t index,
+std::vector<PersonOutcome> simulate_person(const PersonCondition& condition, const RetargeterConfig* controller,
+                                           int reaches, std::uint64_t seed, std::uint32_t index,
                                            const PersonWatch& watch) {
   std::vector<PersonOutcome> outcomes;
   RetargeterConfig config = controller ? *controller : RetargeterConfig{};
   Draws touching(seed, PersonStream::touching, index, 0);
   for (int i = 0; i < reaches; ++i) {
     Retargeter retargeter(config);
-    outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, config.touched, seed,
-                                      index, static_cast<std::uint32_t>(i), watch));
+    outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, config.touched, seed, index,
+                                      static_cast<std::uint32_t>(i), watch));
     if (const auto learnt = retargeter.learnt()) {
       const ReachSummary& summary = outcomes.back().summary;
-      config.person =
-          carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
+      config.person = carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
       outcomes.back().learnt = config.person;
     }
     if (controller && condition.contact_sd_m > 0.0)

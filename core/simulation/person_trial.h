@@ -37,9 +37,8 @@ using PersonWatch = std::function<void(int, const PersonMoment&)>;
 /// `reaches` of one person, one after another, each led by `controller` with what it has learnt; as
 /// ControlMode::reach carries it. Without a controller (null) the plate stays at 0. `watch` gets each sample
 /// that a controller has taken. Any thread.
-std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
-                                           const RetargeterConfig* controller, int reaches,
-                                           std::uint64_t seed, std::uint32_t index,
+std::vector<PersonOutcome> simulate_person(const PersonCondition& condition, const RetargeterConfig* controller,
+                                           int reaches, std::uint64_t seed, std::uint32_t index,
                                            const PersonWatch& watch = {});
 
 }  // namespace hrt

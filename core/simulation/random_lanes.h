@@ -45,10 +45,8 @@ struct RandomBlock {
 /// Philox 4x32-10 (Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11) of the
 /// counter words 0 to 3, each below 2^32.
 template <class Lanes>
-[[gnu::always_inline]] inline RandomBlock<Lanes> philox(const PhiloxKeys<Lanes>& keys,
-                                                        typename Lanes::Words word0,
-                                                        typename Lanes::Words word1,
-                                                        typename Lanes::Words word2,
+[[gnu::always_inline]] inline RandomBlock<Lanes> philox(const PhiloxKeys<Lanes>& keys, typename Lanes::Words word0,
+                                                        typename Lanes::Words word1, typename Lanes::Words word2,
                                                         typename Lanes::Words word3) {
   using Words = typename Lanes::Words;
   const Words multiplier0 = Lanes::all(std::uint64_t{0xD2511F53});
@@ -123,10 +121,10 @@ template <class Lanes>
   constexpr std::uint64_t bits_of_root_half = 0x3fe6a09e667f3bcd;
   const Words shifted = Lanes::as_words(x) + Lanes::all(bits_of_one - bits_of_root_half);
   // An integer below 2^52 becomes a double by its place in the fraction of 2^52.
-  const Reals exponent = Lanes::as_reals((shifted >> 52) | Lanes::all(std::uint64_t{0x4330000000000000})) -
-                         Lanes::all(0x1p52 + 1023);
-  const Reals m = Lanes::as_reals((shifted & Lanes::all(std::uint64_t{0x000fffffffffffff})) +
-                                  Lanes::all(bits_of_root_half));
+  const Reals exponent =
+      Lanes::as_reals((shifted >> 52) | Lanes::all(std::uint64_t{0x4330000000000000})) - Lanes::all(0x1p52 + 1023);
+  const Reals m =
+      Lanes::as_reals((shifted & Lanes::all(std::uint64_t{0x000fffffffffffff})) + Lanes::all(bits_of_root_half));
   const Reals f = m - Lanes::all(1.0);
   const Reals s = f / (m + Lanes::all(1.0));
   return exponent * Lanes::all(-2.0 * 0.6931471805599453) + s * polynomial<Lanes>(s * s, logarithm_series);
@@ -150,8 +148,7 @@ template <class Lanes>
   // The angle: 22 bits within +-1/2 of a quarter turn, one bit that adds half a turn and one that swaps sine
   // and cosine make the four quarters of the circle.
   const Words quarter_cell = (bits & Lanes::all(std::uint64_t{0x3fffff})) << 30;
-  const Reals quarters =
-      Lanes::as_reals(quarter_cell | one | Lanes::all(std::uint64_t{0x20000000})) - Lanes::all(1.5);
+  const Reals quarters = Lanes::as_reals(quarter_cell | one | Lanes::all(std::uint64_t{0x20000000})) - Lanes::all(1.5);
   const Reals square = quarters * quarters;
   const Reals sine = quarters * random_detail::polynomial<Lanes>(square, random_detail::sine_series);
   const Reals cosine = random_detail::polynomial<Lanes>(square, random_detail::cosine_series);

@@ -20,8 +20,7 @@ class SlidingFinger {
 
   /// Slides along `direction_deg` from where the last call left the finger until `time_s`, not before it.
   void slide(double time_s, double direction_deg) {
-    const double travelled =
-        progress(profile_ == SpeedProfile::constant ? 1.0 : 0.0, time_s / duration_s_).share;
+    const double travelled = progress(profile_ == SpeedProfile::constant ? 1.0 : 0.0, time_s / duration_s_).share;
     place_ = point_ahead(place_, direction_deg, distance_m_ * (travelled - travelled_));
     travelled_ = travelled;
   }

@@ -25,9 +25,8 @@ void Tracker::look(double time_s, const PlatePoint& finger) {
   const double right_m = model_.scale * (finger.right_m - about_.right_m) + model_.shear * away_m;
   const double sine = sin_deg(model_.turned_deg);
   const double cosine = cos_deg(model_.turned_deg);
-  PlatePoint seen{
-      about_.right_m + cosine * right_m - sine * away_m + right_m_ + model_.white_m * draws_.normal(),
-      about_.away_m + sine * right_m + cosine * away_m + away_m_ + model_.white_m * draws_.normal()};
+  PlatePoint seen{about_.right_m + cosine * right_m - sine * away_m + right_m_ + model_.white_m * draws_.normal(),
+                  about_.away_m + sine * right_m + cosine * away_m + away_m_ + model_.white_m * draws_.normal()};
   if (draws_.uniform() < model_.outlier_share) {
     seen.right_m += 0.03 * draws_.normal();
     seen.away_m += 0.03 * draws_.normal();

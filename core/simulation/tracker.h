@@ -19,13 +19,13 @@ struct TrackerModel {
   double correlation_s = 0.1;
   double latency_s = 0.0;           ///< from a motion to its sample
   double declared_latency_s = 0.0;  ///< of it, what the controller is given
-  double late_s = 0.0;         ///< samples come up to this later still, each anew; less than between samples
-  double outlier_share = 0.0;  ///< of samples that are off by 30 mm, standard deviation
-  double dropout_share = 0.0;  ///< of samples at which tracking is lost, for some ten samples
-  double jitter_share = 0.0;   ///< of the time between samples
-  double turned_deg = 0.0;     ///< of its frame about the start
-  double scale = 1.0;          ///< of its frame about the start
-  double shear = 0.0;          ///< seen to the right by this for each metre away from the start
+  double late_s = 0.0;              ///< samples come up to this later still, each anew; less than between samples
+  double outlier_share = 0.0;       ///< of samples that are off by 30 mm, standard deviation
+  double dropout_share = 0.0;       ///< of samples at which tracking is lost, for some ten samples
+  double jitter_share = 0.0;        ///< of the time between samples
+  double turned_deg = 0.0;          ///< of its frame about the start
+  double scale = 1.0;               ///< of its frame about the start
+  double shear = 0.0;               ///< seen to the right by this for each metre away from the start
 };
 
 /// A tracker in use.

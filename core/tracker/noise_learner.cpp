@@ -23,8 +23,7 @@ NoiseLearner::NoiseLearner(double known_m)
 void NoiseLearner::observe(std::int64_t time_ns, const PlatePoint& position) {
   if (is_known_ || (last_ && time_ns <= last_->time_ns)) return;
   if (last_but_one_) {
-    const double share =
-        elapsed_s(last_but_one_->time_ns, last_->time_ns) / elapsed_s(last_but_one_->time_ns, time_ns);
+    const double share = elapsed_s(last_but_one_->time_ns, last_->time_ns) / elapsed_s(last_but_one_->time_ns, time_ns);
     const auto departure_mm2 = [&](double first_m, double middle_m, double last_m) {
       const double departure_mm = mm_per_m * (middle_m - ((1.0 - share) * first_m + share * last_m));
       return departure_mm * departure_mm / (1.0 + (1.0 - share) * (1.0 - share) + share * share);

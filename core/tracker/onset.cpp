@@ -29,8 +29,7 @@ bool Onset::observe(std::int64_t time_ns, const PlatePoint& position, double noi
     return false;
   }
   last_ = {last_[1], last_[2], position};
-  const double threshold_m =
-      std::max(leaving_deviations * (noise_m + unknown_noise_m / samples_), min_travel_m);
+  const double threshold_m = std::max(leaving_deviations * (noise_m + unknown_noise_m / samples_), min_travel_m);
   if (distance_m(place_, averaged_ ? mean_of_last() : position) > threshold_m) return true;
   const double travel_m = distance_m(place_, position);
   if (travel_m < std::max(noise_m, 0.5 * min_travel_m)) rest_ns_ = time_ns;

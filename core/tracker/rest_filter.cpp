@@ -64,8 +64,7 @@ std::vector<double> kept_between(const std::vector<Rest>& rests, double correlat
   return kept;
 }
 
-RestLikelihood rest_likelihood(const std::vector<Rest>& rests, double share,
-                               const std::vector<double>& kept) {
+RestLikelihood rest_likelihood(const std::vector<Rest>& rests, double share, const std::vector<double>& kept) {
   RestLikelihood sums;
   std::size_t index = 0;
   for (const Rest& rest : rests) {
@@ -87,8 +86,7 @@ RestLikelihood rest_likelihood(const std::vector<Rest>& rests, double share,
       filter.take(seen);
     }
     for (const double product : place.products) sums.squares -= product * product / place.weight;
-    sums.determinant +=
-        2.0 * logarithm(std::max(product_of_variances, 1e-290)) + 2.0 * logarithm(place.weight);
+    sums.determinant += 2.0 * logarithm(std::max(product_of_variances, 1e-290)) + 2.0 * logarithm(place.weight);
   }
   return sums;
 }
@@ -156,8 +154,7 @@ RestInnovations innovations(const std::vector<Rest>& rests, const RestNoiseShape
         squares += z * z;
         fourths += z * z * z * z;
         count += 1.0;
-        for (std::size_t lag = 1; lag <= lags && lag <= i; ++lag)
-          products[lag - 1] += z * normalised[i - lag][a];
+        for (std::size_t lag = 1; lag <= lags && lag <= i; ++lag) products[lag - 1] += z * normalised[i - lag][a];
       }
     }
   }

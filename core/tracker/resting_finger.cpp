@@ -29,10 +29,8 @@ RestingFinger::RestingFinger(const PlaceMm& start, const std::optional<TrackerNo
     : noise_(noise.value_or(TrackerNoise{})), noise_known_(noise.has_value()), place_(start) {}
 
 bool RestingFinger::has_left(const RecentPlaces& places) const {
-  const double moved_mm2 =
-      square(std::max(min_onset_mm, onset_deviations * std::sqrt(noise_.variance_mm2())));
-  return rested_ > 0 && places.count() >= 3 &&
-         square_distance_mm2(places.mean_of_last(3), place_) > moved_mm2;
+  const double moved_mm2 = square(std::max(min_onset_mm, onset_deviations * std::sqrt(noise_.variance_mm2())));
+  return rested_ > 0 && places.count() >= 3 && square_distance_mm2(places.mean_of_last(3), place_) > moved_mm2;
 }
 
 bool RestingFinger::observe(const RecentPlaces& places) {
@@ -64,8 +62,7 @@ bool RestingFinger::observe(const RecentPlaces& places) {
 void RestingFinger::learn_noise() {
   if (noise_known_ || departures_ < 5) return;
   const double step_mm2 = step_sum_mm2_ / steps_;
-  const double total_mm2 =
-      std::max(step_mm2, std::min(square_sum_mm2_ / departures_, square(max_departure_mm)));
+  const double total_mm2 = std::max(step_mm2, std::min(square_sum_mm2_ / departures_, square(max_departure_mm)));
   const double kept = std::max(0.1, exponential(-spacing_sum_s_ / steps_ / 0.1));
   const double correlated_mm2 = std::min((total_mm2 - step_mm2) / kept, total_mm2);
   const double share = steps_ / (steps_ + assumed_noise_samples);

@@ -66,9 +66,7 @@ struct Circle {
   Three coefficients;  // of 1, cos and sin
 };
 
-Eigen::Vector3d regressors(double orientation_deg) {
-  return {1.0, cos_deg(orientation_deg), sin_deg(orientation_deg)};
-}
+Eigen::Vector3d regressors(double orientation_deg) { return {1.0, cos_deg(orientation_deg), sin_deg(orientation_deg)}; }
 
 template <class Body>
 void for_each(Samples samples, double latency_s, Body&& body) {
@@ -139,8 +137,7 @@ std::optional<double> half_interval_s(Samples samples, double latency_s, const C
     information += slope.squaredNorm();
   }
   if (!(information > 0.0)) return std::nullopt;
-  const double spacing_s =
-      (samples.back().time_s - samples.front().time_s) / static_cast<double>(samples.size() - 1);
+  const double spacing_s = (samples.back().time_s - samples.front().time_s) / static_cast<double>(samples.size() - 1);
   const auto memory = static_cast<std::size_t>(std::min(noise_memory_s / spacing_s, max_memory_samples));
   // At least that of white noise. The quantile grows with the share of the samples that a memory is (Kiefer
   // and Vogelsang, Econometric Theory 21, 2005).
@@ -167,8 +164,7 @@ bool is_ambiguous(const std::vector<Tried>& tried, double best_s, const Circle& 
 
 TrackerLatency fit_tracker_latency(Samples samples) {
   TrackerLatency result;
-  if (samples.size() < min_pairs || samples.back().time_s - samples.front().time_s < min_duration_s)
-    return result;
+  if (samples.size() < min_pairs || samples.back().time_s - samples.front().time_s < min_duration_s) return result;
   double best_s = min_latency_s;
   std::optional<Circle> best;
   std::vector<Tried> tried;
@@ -197,10 +193,9 @@ TrackerLatency fit_tracker_latency(Samples samples) {
   result.upper_s = best_s + *half_s;
   result.residual_m = std::sqrt(best->square_sum_m2 / (3.0 * best->count - unknowns));
   result.radius_m = best->radius_m;
-  result.known =
-      result.upper_s - result.lower_s <= max_width_s && result.lower_s > min_latency_s + stride_s &&
-      result.upper_s < max_latency_s - stride_s && result.radius_m >= min_radius_m &&
-      result.residual_m <= max_residual_share * result.radius_m && !is_ambiguous(tried, best_s, *best);
+  result.known = result.upper_s - result.lower_s <= max_width_s && result.lower_s > min_latency_s + stride_s &&
+                 result.upper_s < max_latency_s - stride_s && result.radius_m >= min_radius_m &&
+                 result.residual_m <= max_residual_share * result.radius_m && !is_ambiguous(tried, best_s, *best);
   return result;
 }
 

@@ -30,8 +30,7 @@ struct TrackerLatency {
   double upper_s = 0.0;
   double residual_m = 0.0;  ///< of a coordinate, standard deviation
   double radius_m = 0.0;    ///< of the circle on which the finger was carried
-  bool known =
-      false;  ///< the interval is at most 40 ms wide, within the range that is searched, and no other fits
+  bool known = false;  ///< the interval is at most 40 ms wide, within the range that is searched, and no other fits
 };
 
 /// Where the latency is searched.

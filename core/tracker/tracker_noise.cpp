@@ -69,8 +69,7 @@ std::vector<Rest> screened(std::span<const std::vector<TimedPoint>> rests) {
       const TimedPoint& sample = rests[r][i];
       const double since_s = rest.empty() ? 0.0 : elapsed_s(last_ns, sample.time_ns);
       rest.push_back(
-          {since_s,
-           {sample.position.right_m - middles[r].right_m, sample.position.away_m - middles[r].away_m}});
+          {since_s, {sample.position.right_m - middles[r].right_m, sample.position.away_m - middles[r].away_m}});
       last_ns = sample.time_ns;
     }
     if (rest.size() > 1) kept.push_back(std::move(rest));
@@ -115,8 +114,8 @@ Surface evaluate(const std::vector<Rest>& rests, const Box& box, std::size_t n) 
     const double correlation_s = box.min_s * exponential(along * logarithm(box.max_s / box.min_s));
     const std::vector<double> kept = kept_between(rests, correlation_s);
     for (std::size_t k = 0; k < n; ++k) {
-      const double share = box.min_share + (box.max_share - box.min_share) * static_cast<double>(k) /
-                                               static_cast<double>(n - 1);
+      const double share =
+          box.min_share + (box.max_share - box.min_share) * static_cast<double>(k) / static_cast<double>(n - 1);
       surface.points.push_back({share, correlation_s, rest_likelihood(rests, share, kept), count});
       if (surface.points.back().peak() > surface.peak()) surface.best = surface.points.size() - 1;
     }
@@ -138,9 +137,8 @@ Box zoomed(const Surface& surface, const Box& box, std::size_t n) {
   const auto steps = static_cast<double>(n - 1);
   const double share_step = (box.max_share - box.min_share) / steps;
   const double ratio = exponential(logarithm(box.max_s / box.min_s) / steps);
-  return {std::max(inner.min_share - share_step, box.min_share),
-          std::min(inner.max_share + share_step, box.max_share), std::max(inner.min_s / ratio, box.min_s),
-          std::min(inner.max_s * ratio, box.max_s)};
+  return {std::max(inner.min_share - share_step, box.min_share), std::min(inner.max_share + share_step, box.max_share),
+          std::max(inner.min_s / ratio, box.min_s), std::min(inner.max_s * ratio, box.max_s)};
 }
 
 Surface search(const std::vector<Rest>& rests, const Box& whole) {
@@ -151,8 +149,7 @@ Surface search(const std::vector<Rest>& rests, const Box& whole) {
 }
 
 // The interval of a standard deviation of which `part` of the total variance is the square.
-Interval deviation_interval(const Surface& surface, double drop,
-                            const std::function<double(const Point&)>& part) {
+Interval deviation_interval(const Surface& surface, double drop, const std::function<double(const Point&)>& part) {
   const auto profile = [&](double deviation) {
     double max = -std::numeric_limits<double>::infinity();
     for (const Point& point : surface.points) {
@@ -235,8 +232,7 @@ double quantum_m(const std::vector<Rest>& rests) {
   std::vector<double> values;
   for (const Rest& rest : rests)
     for (std::size_t i = 1; i < rest.size(); ++i)
-      for (std::size_t a = 0; a < 2; ++a)
-        values.push_back(std::abs(rest[i].place_m[a] - rest[i - 1].place_m[a]));
+      for (std::size_t a = 0; a < 2; ++a) values.push_back(std::abs(rest[i].place_m[a] - rest[i - 1].place_m[a]));
   double min_m = std::numeric_limits<double>::infinity();
   for (const double value : values)
     if (value > same_coordinate_m) min_m = std::min(min_m, value);
@@ -259,9 +255,8 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   Box whole{0.0, 1.0, std::max(min_correlation_s, min_periods * period_s), max_correlation_s};
   const double quantum = quantum_m(kept);
   const bool searchable = whole.min_s < whole.max_s && quantum < max_quantum_m;
-  RestNoise unknown{{0.0, 0.0, 0.0, false},
-                    {0.0, 0.0, 0.0, false},
-                    {min_correlation_s, min_correlation_s, max_correlation_s, false}};
+  RestNoise unknown{
+      {0.0, 0.0, 0.0, false}, {0.0, 0.0, 0.0, false}, {min_correlation_s, min_correlation_s, max_correlation_s, false}};
   if (count() < min_noise_samples || !searchable) return unknown;
 
   Surface surface = search(kept, whole);
@@ -301,8 +296,8 @@ std::optional<KnownNoise> known_noise(const RestNoise& noise) {
   if (!noise.correlated_m.known) return KnownNoise{noise.white_m.value};
   if (noise.correlated_m.lower > 0.0 && noise.correlation_s.known)
     return KnownNoise{noise.white_m.value, noise.correlated_m.value, noise.correlation_s.value};
-  return KnownNoise{std::sqrt(noise.white_m.value * noise.white_m.value +
-                              noise.correlated_m.value * noise.correlated_m.value)};
+  return KnownNoise{
+      std::sqrt(noise.white_m.value * noise.white_m.value + noise.correlated_m.value * noise.correlated_m.value)};
 }
 
 }  // namespace hrt

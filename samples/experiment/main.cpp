@@ -48,8 +48,7 @@ void run_one(const Options& options) {
     SimulatedSubject subject(design, options.participant, options.reach.seed);
     end = run_session(design, place, subject, Disk());
   } else {
-    if (options.reach.scene.empty())
-      throw Refusal("--scene: is missing; a simulated participant has --simulated");
+    if (options.reach.scene.empty()) throw Refusal("--scene: is missing; a simulated participant has --simulated");
     reach::note_interrupts();
     reach::Options led = options.reach;
     led.person = !options.simulated;
@@ -125,8 +124,7 @@ void add_commands(CLI::App& app, Options& options) {
   CLI::App* tables = add("export", "Write trials.csv, people.csv and their dictionary", false, write_tables);
   run->add_option("--participant", options.participant, "From 1")->required();
   run->add_option("--session", options.session, "From 1 [1]")->check(CLI::Range(1, 99));
-  run->add_option("--simulated", options.reach.seed,
-                  "Seed of a simulated participant: without a scene in this process")
+  run->add_option("--simulated", options.reach.seed, "Seed of a simulated participant: without a scene in this process")
       ->each([&options](const std::string&) { options.simulated = true; });
   run->add_option("--scene", options.reach.scene, "glTF file with the plate and the start, for OpenXR");
   run->add_option("--plate", options.plate, "As of hrt-reach [runtime]")->check([](const std::string& text) {
@@ -134,8 +132,7 @@ void add_commands(CLI::App& app, Options& options) {
   });
   run->add_option("--registered", options.reach.registered, "Where hrt-reach --register found the plate");
   run->add_option("--eye-height", options.reach.eye_height_m, "Metres, for a runtime that knows no floor");
-  run->add_option("--live", options.live,
-                  "Show the session on a page here: look, or keys, at a second address")
+  run->add_option("--live", options.live, "Show the session on a page here: look, or keys, at a second address")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
   run->add_flag("--speak", options.speaks, "Speak what a participant is asked, with espeak-ng");

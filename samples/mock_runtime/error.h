@@ -21,8 +21,7 @@ inline void require(bool holds, XrResult otherwise, const char* why) {
 template <typename Struct>
 void require_struct(const Struct* pointer, XrStructureType type, const char* name) {
   if (pointer == nullptr) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " is null"};
-  if (pointer->type != type)
-    throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " has a wrong type"};
+  if (pointer->type != type) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " has a wrong type"};
 }
 
 template <typename Value>

@@ -40,7 +40,7 @@ typedef struct XrCallRecordHRTX {
   char function[XR_MAX_CALL_NAME_SIZE_HRTX];       /* "xrCreateSession" */
   char reason[XR_MAX_CALL_REASON_SIZE_HRTX];       /* why it was refused; empty otherwise */
   char arguments[XR_MAX_CALL_ARGUMENTS_SIZE_HRTX]; /* "(0x4852545800000002, {time=5})", cut at this size */
-  uint32_t thread; /* that called, numbered from 1 in order of their first calls */
+  uint32_t thread;                                 /* that called, numbered from 1 in order of their first calls */
 } XrCallRecordHRTX;
 
 /* Replaces the script, from the next session on; calls, sessions and instances are

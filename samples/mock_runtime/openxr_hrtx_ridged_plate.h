@@ -62,10 +62,10 @@ typedef struct XrReachTruthHRTX {
   void* XR_MAY_ALIAS next;
   double trueDirection;      /* degrees: the direction in which the person steers the finger now */
   double perceivedDirection; /* degrees: the direction that the person feels now */
-  double peakFeltError;     /* degrees, >= 0: largest difference between felt and goal direction so far, while
-                               the finger moves */
-  double leftmostDirection; /* degrees: farther to the left, no plate within 75 degrees of the motion can hold
-                               the finger while the person means to go to the goal */
+  double peakFeltError;      /* degrees, >= 0: largest difference between felt and goal direction so far, while
+                                the finger moves */
+  double leftmostDirection;  /* degrees: farther to the left, no plate within 75 degrees of the motion can hold
+                                the finger while the person means to go to the goal */
   double rightmostDirection; /* degrees: farther to the right */
   double tactileWeight;      /* the share that touch has in what the person feels */
   XrVector3f indexTip;       /* of the joint, in plate coordinates, metres, without the tracker's errors */
@@ -78,28 +78,24 @@ typedef XrResult(XRAPI_PTR* PFN_xrPlacePlateHRTX)(XrSession session, const XrPla
 /* The people, and the noise, come from this seed from now on; the next reach counts as number
 ** `nextReach`, from 0. A run from here on with the same seed, number, calls and times is the same to the
 ** last bit. At first the seed is 1, or the script's, and the number 0. */
-typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed,
-                                                         uint32_t nextReach);
+typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed, uint32_t nextReach);
 
 /* Turns the plate: its servo gets a new target, in degrees within [-360, 360]. */
 typedef XrResult(XRAPI_PTR* PFN_xrSetPlateOrientationHRTX)(XrSession session, double orientation);
 
 /* The orientation of the plate at `time`: in the future, if the servo gets no further target; in the past, as
 ** now. XR_ERROR_TIME_INVALID if `time` is not positive. */
-typedef XrResult(XRAPI_PTR* PFN_xrGetPlateOrientationHRTX)(XrSession session, XrTime time,
-                                                           double* orientation);
+typedef XrResult(XRAPI_PTR* PFN_xrGetPlateOrientationHRTX)(XrSession session, XrTime time, double* orientation);
 
 /* The person puts the fingertip to the start, reacts after 0.3 to 0.7 s and slides at a natural pace, 1 to 2
  *s,
  ** unless a script says otherwise. Every millisecond the person feels the plate as it stands then and steers.
  ** An instruction to a hand replaces the one before.
  ** XR_ERROR_CALL_ORDER_INVALID before the plate is placed. */
-typedef XrResult(XRAPI_PTR* PFN_xrInstructReachHRTX)(XrSession session,
-                                                     const XrReachInstructionHRTX* instruction);
+typedef XrResult(XRAPI_PTR* PFN_xrInstructReachHRTX)(XrSession session, const XrReachInstructionHRTX* instruction);
 
 /* The truth about the hand's latest reach, now. XR_ERROR_CALL_ORDER_INVALID if there has been none. */
-typedef XrResult(XRAPI_PTR* PFN_xrGetReachTruthHRTX)(XrSession session, XrHandEXT hand,
-                                                     XrReachTruthHRTX* truth);
+typedef XrResult(XRAPI_PTR* PFN_xrGetReachTruthHRTX)(XrSession session, XrHandEXT hand, XrReachTruthHRTX* truth);
 
 #ifdef __cplusplus
 }

@@ -115,8 +115,7 @@ class Run {
     } else {
       prompt_.listen();
       // Before a device is opened, which must be served from then on.
-      if (!is_registered() && !scene_place_)
-        scene_place_ = place_of(targets_, session, options_.eye_height_m, prompt_);
+      if (!is_registered() && !scene_place_) scene_place_ = place_of(targets_, session, options_.eye_height_m, prompt_);
     }
     const std::unique_ptr<Plate> plate =
         make_plate(options_.plate, simulation ? &*simulation : nullptr, session, runtime.name());
@@ -161,10 +160,9 @@ class Run {
   // Where touches say, or said in another run, rather than where the scene has it.
   void find_plate(Stage& stage) {
     if (stage.simulation != nullptr)
-      throw Failure(
-          ExitCode::usage,
-          "a simulated user touches no marks: --register and --registered need --person, or a runtime "
-          "without one");
+      throw Failure(ExitCode::usage,
+                    "a simulated user touches no marks: --register and --registered need --person, or a runtime "
+                    "without one");
     if (registered_) return check_plate(stage, *registered_);
     registered_ = register_plate(stage, marks_, options_.fingertip);
     write_registration(options_.register_to, *registered_, stage.session);
@@ -189,10 +187,8 @@ class Run {
   void make_next_reach(Stage& stage) {
     const TargetPair& pair = pairs_[next_];
     try {
-      if (options_.check_each && registered_ && !std::exchange(checked_, false))
-        check_plate(stage, *registered_);
-      if (const hrt_plate_report* report = stage.plate.report())
-        plan_with(plugin_, targets_.session, *report);
+      if (options_.check_each && registered_ && !std::exchange(checked_, false)) check_plate(stage, *registered_);
+      if (const hrt_plate_report* report = stage.plate.report()) plan_with(plugin_, targets_.session, *report);
       const ReachResult result = run_reach(stage, pair);
       status_.clear();
       table_.print_row(std::cout, pair, result);

@@ -21,8 +21,7 @@ void complain(std::string message) {
 }
 
 // CLI11's message, with the allowed values if it lacks them.
-std::string explain(const CLI::App& app, const CLI::ParseError& error,
-                    const std::vector<std::string>& words) {
+std::string explain(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
   const std::string message = error.what();
   if (app.get_subcommands().empty()) {
     std::string names;
@@ -32,8 +31,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error,
   }
   for (const CLI::App* subcommand : app.get_subcommands())
     for (const CLI::Option* option : subcommand->get_options())
-      if (message.starts_with(option->get_name() + ": 1 required") ||
-          message == option->get_name() + " is required")
+      if (message.starts_with(option->get_name() + ": 1 required") || message == option->get_name() + " is required")
         return option->get_name() + ": the value is missing; it must be " + option->get_type_name();
   return message + " (see --help)";
 }

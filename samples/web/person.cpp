@@ -84,8 +84,7 @@ void hrt_web_begin_reach(double number, double start_right_m, double start_away_
   hrt::Person person = world.condition.person;
   person.start_direction_deg *= virtual_deg;
   const hrt::PlatePoint start{start_right_m, start_away_m};
-  world.person.emplace(person, start, virtual_deg, distance_m,
-                       hrt::Draws(world.seed, steering_stream, 0, reach));
+  world.person.emplace(person, start, virtual_deg, distance_m, hrt::Draws(world.seed, steering_stream, 0, reach));
   world.tracker.emplace(world.seed, tracking_stream, 0, reach);
   world.peak_felt_error_deg = 0.0;
   world.ended_s = -1.0;

@@ -98,8 +98,7 @@ void count_sessions() {
 std::uint64_t count_updates(std::uint32_t person, int period_ms) {
   const PersonCondition condition = draw_person(people_families()[0], 1.5, 1, person);
   Frames frames(default_config(), condition.real_direction_deg, condition.virtual_direction_deg);
-  SlidingPerson finger(condition.person, {}, condition.virtual_direction_deg, condition.distance_m,
-                       {1, 0, person, 0});
+  SlidingPerson finger(condition.person, {}, condition.virtual_direction_deg, condition.distance_m, {1, 0, person, 0});
   Draws noise(1, 1, person, 0);
   std::uint64_t updates = 0;
   for (int t = 0; !finger.done(); ++t) {
@@ -142,9 +141,8 @@ void count_setup_updates() {
   require(api.setup_begin(session, HRT_SETUP_CALIBRATION, nullptr) == HRT_OK, "hrt_setup_begin");
   for (int i = 0; i < updates; ++i) {
     const bool rested = step.instruction == HRT_STEP_REST_AT_START;
-    require(
-        api.person_move(person, std::int64_t{11'111'111} * i, step.plate_orientation_deg, &sample) == HRT_OK,
-        "hrt_person_move");
+    require(api.person_move(person, std::int64_t{11'111'111} * i, step.plate_orientation_deg, &sample) == HRT_OK,
+            "hrt_person_move");
     require(counted([&] { return api.setup_update(session, &sample, &step); }) == HRT_OK, "hrt_setup_update");
     if (step.instruction != HRT_STEP_REST_AT_START || rested) continue;
     require(api.person_begin(person, session, ahead) == HRT_OK, "hrt_person_begin");
@@ -181,9 +179,8 @@ void count_solves(int horizon, bool has_rate_bound) {
     const Mpc::Command command = counted([&] { return mpc.solve(drawn.problem); });
     require(std::isfinite(command.plate_offset_deg), "Mpc::solve");
   }
-  end_row(
-      std::string("random solve, N = ") + std::to_string(horizon) + (has_rate_bound ? ", rate bound" : ""),
-      problems);
+  end_row(std::string("random solve, N = ") + std::to_string(horizon) + (has_rate_bound ? ", rate bound" : ""),
+          problems);
 }
 
 void count_batch() {

@@ -51,8 +51,7 @@ struct Case {
 class ClosedLoop {
  public:
   ClosedLoop(const LoopConfig& loop, int horizon)
-      : config_{.horizon = horizon, .plate_rate_bound_deg = loop.rate_bound_deg},
-        tactile_weight_(loop.tactile_weight) {
+      : config_{.horizon = horizon, .plate_rate_bound_deg = loop.rate_bound_deg}, tactile_weight_(loop.tactile_weight) {
     const Participant participant{.tactile_weight = loop.tactile_weight};
     GainWindow window(participant, horizon);
     for (auto& gains : windows_) {
@@ -68,13 +67,11 @@ class ClosedLoop {
   }
 
   const MpcConfig& config() const { return config_; }
-  MpcProblem problem() const {
-    return {finger_deg_, -10.0, tactile_weight_, plate_deg_, windows_[step_].data()};
-  }
+  MpcProblem problem() const { return {finger_deg_, -10.0, tactile_weight_, plate_deg_, windows_[step_].data()}; }
 
   void advance(double plate_deg) {
-    finger_deg_ += noise_deg_[noise_] -
-                   windows_[step_][0] * (tactile_weight_ * plate_deg + (1.0 - tactile_weight_) * finger_deg_);
+    finger_deg_ +=
+        noise_deg_[noise_] - windows_[step_][0] * (tactile_weight_ * plate_deg + (1.0 - tactile_weight_) * finger_deg_);
     noise_ = (noise_ + 1) % noises;
     plate_deg_ = plate_deg;
     if (++step_ < reach_steps) return;
@@ -106,8 +103,7 @@ std::vector<MpcProblem> problems_of(ClosedLoop& loop) {
 
 // The times of single solves in microseconds, each the least of five: `cold` with a new controller for each
 // problem, else in the order of the loop.
-std::vector<double> single_times_us(const MpcConfig& config, const std::vector<MpcProblem>& problems,
-                                    bool cold) {
+std::vector<double> single_times_us(const MpcConfig& config, const std::vector<MpcProblem>& problems, bool cold) {
   std::vector<double> min_us(problems.size(), std::numeric_limits<double>::infinity());
   for (int repetition = 0; repetition < 5; ++repetition) {
     Mpc mpc(config);
@@ -150,8 +146,7 @@ void print_peers(const std::vector<Case>& cases) {
     std::sort(us.begin(), us.end());
     std::sort(ours_us.begin(), ours_us.end());
     std::printf("    %-11s %6.2f times the median, %6.2f the 99th percentile; error %.1e deg\n", name,
-                us[count / 2] / ours_us[count / 2], us[count * 99 / 100] / ours_us[count * 99 / 100],
-                error_deg);
+                us[count / 2] / ours_us[count / 2], us[count * 99 / 100] / ours_us[count * 99 / 100], error_deg);
   };
   print("ours", ours_us, ours_deg);
   for (const Peer& peer : peers()) {
@@ -190,8 +185,7 @@ void print_single_times(int random_problems) {
       ClosedLoop loop(loop_config, horizon);
       const std::vector<MpcProblem> problems = problems_of(loop);
       for (const bool cold : {true, false})
-        print_row(loop_config.name, horizon, cold ? "cold" : "warm",
-                  single_times_us(loop.config(), problems, cold));
+        print_row(loop_config.name, horizon, cold ? "cold" : "warm", single_times_us(loop.config(), problems, cold));
       std::vector<Case> cases;
       for (const MpcProblem& problem : problems) cases.push_back({loop.config(), problem});
       print_peers(cases);

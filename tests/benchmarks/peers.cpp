@@ -48,9 +48,8 @@ double eiquadprog_us(const DenseProblem& problem, double& first_deg) {
   Solver solver;
   if constexpr (n == Eigen::Dynamic) solver.reset(gradient.size(), 0, limits.size());
   solver.is_inverse_provided_ = true;
-  const double us =
-      min_us([&] { solver.m_J = factor; },
-             [&] { solver.solve_quadprog(hessian, gradient, no_rows, {}, rows, limits, plate); });
+  const double us = min_us([&] { solver.m_J = factor; },
+                           [&] { solver.solve_quadprog(hessian, gradient, no_rows, {}, rows, limits, plate); });
   first_deg = plate[0];
   return us;
 }

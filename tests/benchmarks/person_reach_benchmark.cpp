@@ -27,8 +27,7 @@ void time_reach(std::uint32_t person, int period_ms, std::vector<double>& min_us
   const Reach reach{.real_direction_deg = condition.real_direction_deg,
                     .virtual_direction_deg = condition.virtual_direction_deg};
   PersonReach controller({.person = unknown_person(), .plate = condition.plate}, reach);
-  SlidingPerson finger(condition.person, {}, reach.virtual_direction_deg, reach.real_distance_m,
-                       {1, 0, person, 0});
+  SlidingPerson finger(condition.person, {}, reach.virtual_direction_deg, reach.real_distance_m, {1, 0, person, 0});
   Draws noise(1, 1, person, 0);
   std::size_t update = 0;
   for (int t = 0; t < milliseconds; ++t) {

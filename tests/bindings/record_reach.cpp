@@ -77,8 +77,7 @@ class World {
     const double height_m = lifted ? 0.03 : 0.002;
     hrt_sample sample{};
     sample.struct_size = sizeof sample;
-    sample.flags =
-        HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | (lifted ? HRT_SAMPLE_LIFTED : 0u);
+    sample.flags = HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | (lifted ? HRT_SAMPLE_LIFTED : 0u);
     sample.time_ns = now_ns_ + static_cast<std::int64_t>(std::clamp(noise_.normal(), -2.0, 2.0) * 0.2 * ms);
     sample.finger_position_m[0] = rounded(finger.right_m + tracker_noise_m * noise_.normal(), 1e6);
     sample.finger_position_m[1] = height_m;
@@ -134,9 +133,8 @@ void run_reach(hrt_session session, const hrt_session_config& config) {
   summary.struct_size = sizeof summary;
   check(hrt_reach_end(session, &summary));
   const double bearing_deg = hrt::bearing_deg({0.0, -0.05}, world.person().position());
-  std::printf(
-      "the finger ended at %.2f degrees, feeling %.2f; the real target is at -5, the virtual one at 5\n",
-      bearing_deg, 5.0 + world.person().felt_error_deg());
+  std::printf("the finger ended at %.2f degrees, feeling %.2f; the real target is at -5, the virtual one at 5\n",
+              bearing_deg, 5.0 + world.person().felt_error_deg());
 }
 
 }  // namespace

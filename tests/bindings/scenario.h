@@ -40,8 +40,7 @@ struct Answer {
 inline std::map<std::string, std::string> pairs_of(const std::string& words) {
   std::map<std::string, std::string> pairs;
   std::istringstream stream(words);
-  for (std::string word; stream >> word;)
-    pairs[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+  for (std::string word; stream >> word;) pairs[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
   return pairs;
 }
 

@@ -45,8 +45,7 @@ class Caller {
                     {call.part("at", 0), call.part("at", 1), call.part("at", 2)});
     if (call.name == "slide") return slide(call);
     if (call.name == "save_profile") return save();
-    if (call.name == "load_profile")
-      return load(call.arguments.contains("text") ? call.text("text") : profile_);
+    if (call.name == "load_profile") return load(call.arguments.contains("text") ? call.text("text") : profile_);
     ADD_FAILURE() << call.name << " is no call of the scenario";
     return HRT_OK;
   }
@@ -113,9 +112,9 @@ class Caller {
     hrt_result result = HRT_OK;
     for (int i = 0; i < frames && result == HRT_OK; ++i) {
       const double share = i / (frames - 1.0);
-      result = update(HRT_SAMPLE_PLATE_POSITION, 11'111'111.0 * i,
-                      {share * call.part("to", 0), share * call.part("to", 1),
-                       0.05 + share * (call.part("to", 2) - 0.05)});
+      result =
+          update(HRT_SAMPLE_PLATE_POSITION, 11'111'111.0 * i,
+                 {share * call.part("to", 0), share * call.part("to", 1), 0.05 + share * (call.part("to", 2) - 0.05)});
     }
     return result;
   }

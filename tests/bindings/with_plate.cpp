@@ -21,8 +21,8 @@ using namespace std::chrono_literals;
 // A board without a sensor, homed at 0: it is where it is sent, exactly.
 struct HomedBoard : hrt::plate::EmulatedBoard {
   HomedBoard()
-      : EmulatedBoard(hrt::plate::eeprom_with(
-            hrt::plate::settings_with({{SETTING_MIN_DEG, -90}, {SETTING_MAX_DEG, 90}}))) {
+      : EmulatedBoard(
+            hrt::plate::eeprom_with(hrt::plate::settings_with({{SETTING_MIN_DEG, -90}, {SETTING_MAX_DEG, 90}}))) {
     run_for(50ms);
     say("HELLO 2");
     say(hrt::plate::set_body(0.0, 1, "HOME"));

@@ -19,8 +19,7 @@ struct Quality {
   bool operator==(const Quality&) const = default;
 };
 
-Quality quality(const std::vector<double>& costs, std::size_t columns,
-                const std::vector<std::size_t>& column_of) {
+Quality quality(const std::vector<double>& costs, std::size_t columns, const std::vector<std::size_t>& column_of) {
   Quality found;
   std::vector<bool> taken(columns, false);
   for (std::size_t row = 0; row < column_of.size(); ++row) {
@@ -40,8 +39,7 @@ Quality quality(const std::vector<double>& costs, std::size_t columns,
 void try_all(const std::vector<double>& costs, std::size_t columns, std::size_t row, std::vector<bool>& taken,
              const Quality& handover, Quality& best) {
   if (row * columns == costs.size()) {
-    if (handover.served > best.served || (handover.served == best.served && handover.max < best.max))
-      best = handover;
+    if (handover.served > best.served || (handover.served == best.served && handover.max < best.max)) best = handover;
     return;
   }
   try_all(costs, columns, row + 1, taken, handover, best);
@@ -67,13 +65,11 @@ TEST(Assignment, AvoidsTheDearestPair) {
 }
 
 TEST(Assignment, ServesAsManyAsCanBe) {
-  EXPECT_EQ(assign_exclusively(std::vector<double>{1.0, 100.0, 2.0, never}, 2),
-            (std::vector<std::size_t>{1, 0}));
+  EXPECT_EQ(assign_exclusively(std::vector<double>{1.0, 100.0, 2.0, never}, 2), (std::vector<std::size_t>{1, 0}));
 }
 
 TEST(Assignment, NothingCanBeServed) {
-  EXPECT_EQ(assign_exclusively(std::vector<double>{never, never}, 1),
-            (std::vector<std::size_t>{unserved, unserved}));
+  EXPECT_EQ(assign_exclusively(std::vector<double>{never, never}, 1), (std::vector<std::size_t>{unserved, unserved}));
   EXPECT_TRUE(assign_exclusively({}, 3).empty());
 }
 
@@ -87,9 +83,7 @@ TEST(Assignment, IsAsGoodAsTheBestOfAll) {
     std::vector<double> costs(rows * columns);
     for (double& cost : costs) {
       const double drawn = draws.uniform();
-      cost = draws.uniform() < impossible ? never
-             : ties                       ? static_cast<double>(static_cast<int>(4.0 * drawn))
-                                          : drawn;
+      cost = draws.uniform() < impossible ? never : ties ? static_cast<double>(static_cast<int>(4.0 * drawn)) : drawn;
     }
     const std::vector<std::size_t> column_of = assign_exclusively(costs, columns);
     ASSERT_EQ(column_of.size(), rows);

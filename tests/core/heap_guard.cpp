@@ -30,8 +30,7 @@ std::int64_t heap_allocations() { return allocations; }
 
 // The sanitizers have replaced malloc themselves, and call back instead.
 // (Declared in sanitizer/allocator_interface.h, which gcc does not ship.)
-extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
-                                                                             std::size_t),
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*, std::size_t),
                                                          void (*free_hook)(const volatile void*));
 
 namespace {

@@ -67,8 +67,7 @@ TEST(RegisteredReach, CommandsAreThoseOfAnExactPlate) {
     EXPECT_LT(a.bearing_error_sd_deg, 2.0);
   }
   EXPECT_GT(exact.summary().bearing_error_sd_deg, 0.0);
-  EXPECT_EQ(registered_by_touch.summary().bearing_error_sd_deg,
-            registered_by_touch.command().bearing_error_sd_deg);
+  EXPECT_EQ(registered_by_touch.summary().bearing_error_sd_deg, registered_by_touch.command().bearing_error_sd_deg);
 }
 
 // The margin is 0.3 degrees less 0.9 deviations: the frame's variance adds to that of the person.

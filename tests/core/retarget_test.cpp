@@ -63,8 +63,8 @@ TEST(Retarget, BeforeTheMotionIsAnotherBeginning) {
     fresh.begin({.real_direction_deg = 2.0, .virtual_direction_deg = 9.0, .real_distance_m = 0.08});
     for (std::int64_t time_ns = 0; time_ns < 1500 * ms; time_ns += 10 * ms) {
       const PlateCommand command = retargeter.update(seen(time_ns, slid(time_ns)));
-      EXPECT_NEAR(command.plate_orientation_deg,
-                  fresh.update(seen(time_ns, slid(time_ns))).plate_orientation_deg, 1e-6);
+      EXPECT_NEAR(command.plate_orientation_deg, fresh.update(seen(time_ns, slid(time_ns))).plate_orientation_deg,
+                  1e-6);
     }
   }
 }
@@ -91,8 +91,7 @@ TEST(Retarget, DirectionsAreSeenFromTheFingerAndFromWhereItIsFelt) {
     EXPECT_NEAR(aimed.start.away_m, 0.05, 0.002);
     EXPECT_NEAR(aimed.real_direction_deg, bearing_deg({0.0, 0.05}, moved(real_place, -0.03, 0.0)), 1.5);
     // A person answers 0.2 s later.
-    const PlatePoint felt =
-        point_ahead({}, 5.0, slid(mode == ControlMode::reach ? 1250 * ms : 1050 * ms).away_m);
+    const PlatePoint felt = point_ahead({}, 5.0, slid(mode == ControlMode::reach ? 1250 * ms : 1050 * ms).away_m);
     EXPECT_NEAR(aimed.virtual_direction_deg, bearing_deg(felt, moved(virtual_place, -0.03, 0.0)), 5.0);
     const PlateCommand command = retargeter.update(seen(1060 * ms, slid(1060 * ms)));
     EXPECT_NEAR(command.distance_to_go_m, distance_m(slid(1060 * ms), moved(real_place, -0.03, 0.0)), 0.002);
@@ -122,8 +121,8 @@ TEST(Retarget, AnyTargetAtAnyMomentGivesNumbers) {
       ASSERT_LT(std::abs(aimed.real_direction_deg - aimed.virtual_direction_deg), 90.0);
       const PlateCommand command = retargeter.update(seen(time_ns, slid(time_ns)));
       for (const double value :
-           {command.plate_orientation_deg, command.felt_error_deg, command.predicted_miss_deg,
-            command.time_to_go_s, command.distance_to_go_m, command.aimed_direction_deg, command.nis})
+           {command.plate_orientation_deg, command.felt_error_deg, command.predicted_miss_deg, command.time_to_go_s,
+            command.distance_to_go_m, command.aimed_direction_deg, command.nis})
         ASSERT_TRUE(std::isfinite(value));
       const ReachSummary summary = retargeter.summary();
       ASSERT_TRUE(std::isfinite(summary.bearing_error_deg) && std::isfinite(summary.distance_to_target_m));

@@ -33,8 +33,7 @@ TEST(Retargeter, PositionsAreLedByTheControllerForPeople) {
     EXPECT_EQ(retargeter.command().plate_orientation_deg, person.command().plate_orientation_deg);
   }
   for (int i = 0; i < 100; ++i)
-    EXPECT_EQ(retargeter.update(position(i)).plate_orientation_deg,
-              person.update(position(i)).plate_orientation_deg);
+    EXPECT_EQ(retargeter.update(position(i)).plate_orientation_deg, person.update(position(i)).plate_orientation_deg);
   retargeter.update(direction(20));
   EXPECT_TRUE(retargeter.leads_person()) << "a position has been seen";
 }
@@ -54,8 +53,7 @@ TEST(Retargeter, DirectionsAreLedByThePapersController) {
         person.update({.time_ns = -early * ms});
       }
       handover = person.handover();
-      EXPECT_NEAR(std::abs(handover->plate.orientation_deg() - 20.0), 12.0, 1e-9)
-          << "150 ms less 30, at 100 deg/s";
+      EXPECT_NEAR(std::abs(handover->plate.orientation_deg() - 20.0), 12.0, 1e-9) << "150 ms less 30, at 100 deg/s";
     }
     PaperReach paper({.plate = plate}, reach, handover);
     for (int i = 0; i < 10; ++i) {

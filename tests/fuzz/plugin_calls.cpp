@@ -95,9 +95,8 @@ class Caller {
   }
 
   hrt_target target() {
-    return bytes_.ConsumeIntegralInRange(0, 7)
-               ? targets_[bytes_.ConsumeIntegralInRange<size_t>(0, targets_.size() - 1)]
-               : hrt_target{bytes_.ConsumeIntegral<uint64_t>()};
+    return bytes_.ConsumeIntegralInRange(0, 7) ? targets_[bytes_.ConsumeIntegralInRange<size_t>(0, targets_.size() - 1)]
+                                               : hrt_target{bytes_.ConsumeIntegral<uint64_t>()};
   }
 
   // A default with a few bytes changed.
@@ -151,8 +150,8 @@ class Caller {
   void list() {
     hrt_target out[8];
     uint64_t count = 0;
-    check(hrt_target_list(session(), bytes_.ConsumeIntegralInRange(0u, 3u),
-                          bytes_.ConsumeIntegralInRange(0u, 8u), out, &count));
+    check(hrt_target_list(session(), bytes_.ConsumeIntegralInRange(0u, 3u), bytes_.ConsumeIntegralInRange(0u, 8u), out,
+                          &count));
   }
 
   void gap() {

@@ -22,8 +22,7 @@ class OwnDeclarations : public tidy::ClangTidyCheck {
   void check(const matchers::MatchFinder::MatchResult& result) override {
     std::vector<clang::Decl*> own;
     for (clang::Decl* declaration : result.Nodes.getNodeAs<clang::TranslationUnitDecl>("unit")->decls())
-      if (!result.SourceManager->isInSystemHeader(
-              result.SourceManager->getExpansionLoc(declaration->getLocation())))
+      if (!result.SourceManager->isInSystemHeader(result.SourceManager->getExpansionLoc(declaration->getLocation())))
         own.push_back(declaration);
     result.Context->setTraversalScope(own);
   }

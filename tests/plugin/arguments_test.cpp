@@ -37,8 +37,7 @@ concept Handle = requires(T value) { value.value; } && sizeof(T) == 8;
 template <class... P>
 class Refusals {
  public:
-  Refusals(const char* call, hrt_result (*function)(P...) noexcept, std::set<std::string> optional,
-           P... given)
+  Refusals(const char* call, hrt_result (*function)(P...) noexcept, std::set<std::string> optional, P... given)
       : function_(function), given_(given...), optional_(std::move(optional)), names_(parameters_of(call)) {
     tried.insert(call);
     SCOPED_TRACE(call);
@@ -76,19 +75,18 @@ class Refusals {
   void with(std::tuple_element_t<i, std::tuple<P...>> spoilt, hrt_result expected, const std::string& part) {
     std::tuple<P...> arguments = given_;
     std::get<i>(arguments) = spoilt;
-    const std::vector<std::string> before = std::apply(
-        [](auto... argument) { return std::vector<std::string>{bytes_of(argument)...}; }, arguments);
+    const std::vector<std::string> before =
+        std::apply([](auto... argument) { return std::vector<std::string>{bytes_of(argument)...}; }, arguments);
     expect_error(std::apply(function_, arguments), expected, part);
-    const std::vector<std::string> after = std::apply(
-        [](auto... argument) { return std::vector<std::string>{bytes_of(argument)...}; }, arguments);
+    const std::vector<std::string> after =
+        std::apply([](auto... argument) { return std::vector<std::string>{bytes_of(argument)...}; }, arguments);
     EXPECT_EQ(before, after) << "an output changed";
   }
 
   template <class T>
   static std::string bytes_of(T argument) {
     if constexpr (std::is_pointer_v<T>) {
-      if constexpr (!std::is_void_v<std::remove_pointer_t<T>> &&
-                    !std::is_function_v<std::remove_pointer_t<T>>)
+      if constexpr (!std::is_void_v<std::remove_pointer_t<T>> && !std::is_function_v<std::remove_pointer_t<T>>)
         if (argument) return {reinterpret_cast<const char*>(argument), sizeof *argument};
     }
     return {};

@@ -60,8 +60,7 @@ class ContactTest : public SessionTest {
     hrt_command command{};
     for (std::int64_t t = 0; t <= 2200; t += 10) {
       const double u = std::clamp(static_cast<double>(t - 300) / 1500.0, 0.0, 1.0);
-      command =
-          update(position_sample(t * ms, 0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))));
+      command = update(position_sample(t * ms, 0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))));
     }
     return command;
   }
@@ -247,12 +246,10 @@ class KnownContactTest : public ContactTest {
 // As a drift of 0.2 % has it.
 TEST_F(KnownContactTest, AProfileKeepsItWiderForTheSamePose) {
   const hrt_session_config back = loaded(save(), registered());
-  EXPECT_EQ(std::memcmp(back.contact_correction, known.contact_correction, sizeof known.contact_correction),
-            0);
+  EXPECT_EQ(std::memcmp(back.contact_correction, known.contact_correction, sizeof known.contact_correction), 0);
   for (int row = 0, at = 0; row < 4; ++row)
     for (int column = 0; column <= row; ++column, ++at)
-      EXPECT_NEAR(back.contact_covariance[at], known.contact_covariance[at] + (row == column ? 4e-6 : 0.0),
-                  1e-18);
+      EXPECT_NEAR(back.contact_covariance[at], known.contact_covariance[at] + (row == column ? 4e-6 : 0.0), 1e-18);
 }
 
 TEST_F(KnownContactTest, AProfileOfAnotherPoseKeepsNone) {
@@ -313,8 +310,7 @@ double mean_error_deg(bool touches) {
     hrt_session session{};
     EXPECT_OK(hrt_session_create(HRT_VERSION, &config, &session));
     hrt_reach_config reach = hrt_reach_config_init();
-    const hrt_target_config real = target_config(HRT_TARGET_REAL, -5.0),
-                            seen = target_config(HRT_TARGET_VIRTUAL, 5.0);
+    const hrt_target_config real = target_config(HRT_TARGET_REAL, -5.0), seen = target_config(HRT_TARGET_VIRTUAL, 5.0);
     EXPECT_OK(hrt_target_add(session, &real, &reach.real_target));
     EXPECT_OK(hrt_target_add(session, &seen, &reach.virtual_target));
     hrt_person person{};

@@ -24,8 +24,7 @@ class CountingAllocator {
     host.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
       auto& self = *static_cast<CountingAllocator*>(context);
       const long request = ++self.requests;
-      if (request == self.fail_at || (self.fail_on && self.fail_at > 0 && request > self.fail_at))
-        return nullptr;
+      if (request == self.fail_at || (self.fail_on && self.fail_at > 0 && request > self.fail_at)) return nullptr;
       if (self.bytes + static_cast<long>(size) > self.budget) return nullptr;
       void* memory = std::malloc(size);
       ++self.held;

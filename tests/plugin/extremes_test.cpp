@@ -85,8 +85,7 @@ class Extremes : public SessionTest {
           std::min<std::int64_t>(8 * config.step_period_ns, one_of({1, 30'000'000, 1'000'000'000}));
     if (changes()) {
       config.plate_lower_stop_deg = one_of({-3600.0, -90.0, 0.0, 3420.0});
-      config.plate_upper_stop_deg =
-          std::min(3600.0, config.plate_lower_stop_deg + one_of({180.0, 270.0, 7200.0}));
+      config.plate_upper_stop_deg = std::min(3600.0, config.plate_lower_stop_deg + one_of({180.0, 270.0, 7200.0}));
     }
     for (double& coordinate_m : config.start_position_m) {
       if (changes()) coordinate_m = within(-1000.0, 1000.0);
@@ -101,8 +100,7 @@ class Extremes : public SessionTest {
   /// A person within the documented bounds, whose traits are independent.
   void believe(hrt_session_config* config) {
     for (int trait = 0; trait < HRT_PERSON_TRAITS; ++trait)
-      config->person_mean[trait] =
-          within(F::person_mean_elements[trait].low, F::person_mean_elements[trait].high);
+      config->person_mean[trait] = within(F::person_mean_elements[trait].low, F::person_mean_elements[trait].high);
     for (double& covariance : config->person_covariance) covariance = 0.0;
     for (int trait = 0, at = 0; trait < HRT_PERSON_TRAITS; at += ++trait + 1)
       config->person_covariance[at] = within(1e-12, 1e4);
@@ -110,8 +108,8 @@ class Extremes : public SessionTest {
 
   hrt_target place(std::uint32_t role) {
     hrt_target_config config = target_config(role, 0.0);
-    config.place = one_of(
-        {HRT_PLACE_DIRECTION, HRT_PLACE_DIRECTION, HRT_PLACE_PLATE_POSITION, HRT_PLACE_WORLD_POSITION});
+    config.place =
+        one_of({HRT_PLACE_DIRECTION, HRT_PLACE_DIRECTION, HRT_PLACE_PLATE_POSITION, HRT_PLACE_WORLD_POSITION});
     config.direction_deg = below(2) == 0 ? uniform(-20.0, 20.0) : within(-180.0, 180.0);
     config.distance_m = below(2) == 0 ? 0.1 : within(0.001, 1000.0);
     for (double& coordinate_m : config.position_m) coordinate_m = within(-1000.0, 1000.0);
@@ -137,9 +135,9 @@ class Extremes : public SessionTest {
 
   /// Fingers that rest, slide, leap and vanish.
   void move(hrt_sample* sample) {
-    sample->flags = one_of<std::uint32_t>(
-        {HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_DIRECTION,
-         HRT_SAMPLE_WORLD_POSITION, HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE, 0, HRT_SAMPLE_LIFTED});
+    sample->flags = one_of<std::uint32_t>({HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_DIRECTION,
+                                           HRT_SAMPLE_WORLD_POSITION, HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE,
+                                           0, HRT_SAMPLE_LIFTED});
     if (below(3) == 0) sample->flags |= HRT_SAMPLE_PLATE_ORIENTATION;
     sample->plate_orientation_deg = within(-3600.0, 3600.0);
     sample->finger_direction_deg = within(-180.0, 180.0);
@@ -153,11 +151,9 @@ class Extremes : public SessionTest {
       default:
         sample->finger_position_m[0] += 0.001 * uniform(-1.0, 1.0);
         sample->finger_position_m[2] -= 0.002;
-        for (double& coordinate_m : sample->finger_position_m)
-          coordinate_m = std::clamp(coordinate_m, -1000.0, 1000.0);
+        for (double& coordinate_m : sample->finger_position_m) coordinate_m = std::clamp(coordinate_m, -1000.0, 1000.0);
     }
-    constexpr std::int64_t steps_ns[] = {0,          1,           11'000'000,    11'000'000,
-                                         11'000'000, 100'000'000, 20'000'000'000};
+    constexpr std::int64_t steps_ns[] = {0, 1, 11'000'000, 11'000'000, 11'000'000, 100'000'000, 20'000'000'000};
     const std::int64_t step_ns = below(50) == 0 ? std::int64_t{1} << 60 : one_of(steps_ns);
     constexpr std::int64_t last_ns = std::numeric_limits<std::int64_t>::max();
     sample->time_ns = sample->time_ns > last_ns - step_ns ? last_ns : sample->time_ns + step_ns;
@@ -178,10 +174,8 @@ class Extremes : public SessionTest {
 
   void reach() {
     auto sample = output<hrt_sample>();
-    sample.time_ns =
-        one_of<std::int64_t>({0, -1, std::numeric_limits<std::int64_t>::min(), 1'700'000'000'000'000'000});
-    std::memcpy(sample.finger_position_m, config_of(session).start_position_m,
-                sizeof sample.finger_position_m);
+    sample.time_ns = one_of<std::int64_t>({0, -1, std::numeric_limits<std::int64_t>::min(), 1'700'000'000'000'000'000});
+    std::memcpy(sample.finger_position_m, config_of(session).start_position_m, sizeof sample.finger_position_m);
     for (int i = 0; i < 60; ++i) {
       move(&sample);
       const hrt_command command = update(sample);
@@ -203,8 +197,7 @@ class Extremes : public SessionTest {
     for (int i = 0; i < 5000 && step.instruction != HRT_STEP_FINISH; ++i) {
       if (step.instruction != HRT_STEP_SLIDE) slid = 0;
       if (step.instruction == HRT_STEP_SLIDE && slid++ == 0)
-        side = std::tan((weight * std::remainder(step.plate_orientation_deg, 180.0) + uniform(-2.0, 2.0)) /
-                        57.3);
+        side = std::tan((weight * std::remainder(step.plate_orientation_deg, 180.0) + uniform(-2.0, 2.0)) / 57.3);
       const double away_m = 0.0025 * std::min(slid, 40);
       const hrt_sample sample =
           position_sample(std::int64_t{i} * 33'000'000, side * away_m + noise_m * uniform(-1.0, 1.0),

@@ -14,8 +14,7 @@ bool plans_fail = false;
 
 }  // namespace
 
-ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, double, const ReachAim&,
-                     const PlateOutlook&) {
+ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, double, const ReachAim&, const PlateOutlook&) {
   const double value = plans_fail ? std::numeric_limits<double>::quiet_NaN() : 20.0;
   return {.plate_deg = value, .felt_error_deg = value, .miss_mm = value, .at_bound = false};
 }
@@ -60,10 +59,9 @@ TEST_F(FaultTest, PlateIsHeldFlagsSaySoAndTheLogOnce) {
   EXPECT_EQ(config_of(session).person_covariance[0], before.person_covariance[0]) << "it taught something";
   EXPECT_EQ(log_.text, "") << "a call of a reach is real-time";
   ASSERT_OK(hrt_session_set(session, &before));
-  EXPECT_EQ(log_.text,
-            std::to_string(HRT_LOG_ERROR) + " session " + std::to_string(session.value) +
-                ": a defect of the library made a value of a command or summary not finite; the plate was "
-                "held, and the reach taught nothing\n");
+  EXPECT_EQ(log_.text, std::to_string(HRT_LOG_ERROR) + " session " + std::to_string(session.value) +
+                           ": a defect of the library made a value of a command or summary not finite; the plate was "
+                           "held, and the reach taught nothing\n");
   begin_reach();
   reach(true);
   ASSERT_OK(hrt_session_destroy(session));

@@ -19,9 +19,7 @@ class GuidedPerson {
  public:
   /// Person `index` of the family with a linear illusion.
   explicit GuidedPerson(std::uint32_t index)
-      : condition(draw_person(people_families().front(), 1.5, 77, index)),
-        draws_(78, 0, index, 0),
-        index_(index) {
+      : condition(draw_person(people_families().front(), 1.5, 77, index)), draws_(78, 0, index, 0), index_(index) {
     condition.person.habit_deg = 0.0;
   }
 
@@ -39,8 +37,7 @@ class GuidedPerson {
 
   /// What tracker and servo report a frame after the last one.
   hrt_sample follow(const hrt_setup_step& step) {
-    if (step.part != last_.part || step.done != last_.done || step.instruction != last_.instruction)
-      turn_to(step);
+    if (step.part != last_.part || step.done != last_.done || step.instruction != last_.instruction) turn_to(step);
     last_ = step;
     plate_.command(step.plate_orientation_deg);
     for (const std::int64_t until = time_ms_ + 11; time_ms_ < until;) {
@@ -76,8 +73,7 @@ class GuidedPerson {
 
   void turn_to(const hrt_setup_step& step) {
     const Eigen::Vector3d place_m(step.place_m[0], step.place_m[1], step.place_m[2]);
-    const bool was_touching =
-        last_.instruction == HRT_STEP_TOUCH_MARK || last_.instruction == HRT_STEP_HOLD_STILL;
+    const bool was_touching = last_.instruction == HRT_STEP_TOUCH_MARK || last_.instruction == HRT_STEP_HOLD_STILL;
     const bool is_new = step.part != last_.part || step.done != last_.done || !was_touching;
     if (step.instruction == HRT_STEP_SLIDE) {
       Person sliding = condition.person;

@@ -99,8 +99,7 @@ TEST_F(LocaleTest, MessagesHavePoints) {
   const std::string scene = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[
     {"name":"plate","extras":{"haptic":{"role":"plate","radius_m":-2.5}}}]})";
   hrt_scene loaded{};
-  expect_error(hrt_scene_load("scene.gltf", scene.data(), scene.size(), &loaded), HRT_ERROR_BAD_FORMAT,
-               "-2.5");
+  expect_error(hrt_scene_load("scene.gltf", scene.data(), scene.size(), &loaded), HRT_ERROR_BAD_FORMAT, "-2.5");
 }
 
 }  // namespace

@@ -338,8 +338,7 @@ TEST_F(PersonTest, BeliefsThatAreNoneAreRefused) {
   refused([](auto& c) { c.person_covariance[2] = -c.person_covariance[2]; }, no_belief);
   refused([](auto& c) { c.person_mean[HRT_PERSON_WEIGHT] = 0.61; },
           "person_mean[HRT_PERSON_WEIGHT] is 0.61; allowed: 0.01 to 0.6");
-  refused([](auto& c) { c.person_mean[HRT_PERSON_GAIN] = 0.0; },
-          "person_mean[HRT_PERSON_GAIN] is 0; allowed: 3 to 20");
+  refused([](auto& c) { c.person_mean[HRT_PERSON_GAIN] = 0.0; }, "person_mean[HRT_PERSON_GAIN] is 0; allowed: 3 to 20");
   refused([](auto& c) { c.person_mean[HRT_PERSON_LOG_RATE] = 2.5; },
           "person_mean[HRT_PERSON_LOG_RATE] is 2.5; allowed: -3 to 2.4");
   refused([](auto& c) { c.person_covariance[44] = std::nan(""); }, "person_covariance[44] is NaN");
@@ -382,8 +381,7 @@ TEST_F(PersonTest, DirectionsAloneAreLedAsByThePaper) {
     EXPECT_NE(config_of(session).tactile_weight, 0.2) << "it is carried";
     return commands;
   };
-  const std::vector<hrt_command> arrival = led(HRT_GUIDANCE_ARRIVAL),
-                                 fixed = led(HRT_GUIDANCE_FIXED_DIRECTION);
+  const std::vector<hrt_command> arrival = led(HRT_GUIDANCE_ARRIVAL), fixed = led(HRT_GUIDANCE_FIXED_DIRECTION);
   ASSERT_EQ(arrival.size(), fixed.size());
   for (std::size_t i = 0; i < fixed.size(); ++i)
     ASSERT_EQ(std::memcmp(&arrival[i], &fixed[i], sizeof(hrt_command)), 0) << i;

@@ -111,8 +111,8 @@ std::size_t stack_of(void* (*body)(void*), void* argument) {
   EXPECT_EQ(pthread_create(&thread, &attributes, body, argument), 0);
   EXPECT_EQ(pthread_join(thread, nullptr), 0);
   pthread_attr_destroy(&attributes);
-  const auto untouched = static_cast<std::size_t>(
-      std::find_if(stack, stack + stack_size, [](auto b) { return b != paint; }) - stack);
+  const auto untouched =
+      static_cast<std::size_t>(std::find_if(stack, stack + stack_size, [](auto b) { return b != paint; }) - stack);
   munmap(stack, stack_size);
   return stack_size - untouched;
 }
@@ -147,11 +147,9 @@ TEST_F(Stack, OfRealTimeCallsIsAsDocumented) {
                      (void)hrt_reach_begin(session, &reach);
                      auto command = output<hrt_command>();
                      for (int i = 0; i < 200; ++i) {
-                       const hrt_sample sample =
-                           position_sample(std::int64_t{i} * 11'111'111, 0.0, -0.05 + 0.0005 * i);
+                       const hrt_sample sample = position_sample(std::int64_t{i} * 11'111'111, 0.0, -0.05 + 0.0005 * i);
                        (void)hrt_reach_update(session, &sample, &command);
-                       if (i % 20 == 0)
-                         (void)hrt_reach_retarget(session, reach.real_target, reach.virtual_target);
+                       if (i % 20 == 0) (void)hrt_reach_retarget(session, reach.real_target, reach.virtual_target);
                      }
                      auto summary = output<hrt_reach_summary>();
                      (void)hrt_reach_end(session, &summary);

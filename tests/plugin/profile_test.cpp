@@ -26,11 +26,10 @@ hrt_result load(hrt_session session, const std::string& text) {
 }
 
 TEST_F(ProfileTest, IsWhatTheHeaderSays) {
-  EXPECT_EQ(
-      save(session),
-      "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tactile_weight\":0.2,"
-      "\"tactile_weight_sd\":0.05,\"motor_variance_deg2\":0.5,\"sensory_variance_deg2\":0.1,"
-      "\"initial_variance_deg2\":0,\"tracker_noise_m\":0,\"bias_deg\":0,\"motor_variance_sd_deg2\":0.5}\n");
+  EXPECT_EQ(save(session),
+            "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tactile_weight\":0.2,"
+            "\"tactile_weight_sd\":0.05,\"motor_variance_deg2\":0.5,\"sensory_variance_deg2\":0.1,"
+            "\"initial_variance_deg2\":0,\"tracker_noise_m\":0,\"bias_deg\":0,\"motor_variance_sd_deg2\":0.5}\n");
 }
 
 TEST_F(ProfileTest, ComesBackToTheLastBit) {
@@ -63,10 +62,9 @@ TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
   config.motor_variance_sd_deg2 = 0.25;
   config.tracker_noise_m = 0.001;
   ASSERT_OK(hrt_session_set(session, &config));
-  ASSERT_OK(load(
-      session,
-      R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.02,)"
-      R"("motor_variance_deg2":0.6,"sensory_variance_deg2":0.2,"initial_variance_deg2":0.1})"));
+  ASSERT_OK(load(session,
+                 R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.02,)"
+                 R"("motor_variance_deg2":0.6,"sensory_variance_deg2":0.2,"initial_variance_deg2":0.1})"));
   const hrt_session_config back = config_of(session);
   EXPECT_EQ(back.tactile_weight, 0.2);
   EXPECT_EQ(back.motor_variance_deg2, 0.6);
@@ -79,8 +77,7 @@ TEST_F(ProfileTest, SmallBufferIsRefused) {
   const std::string whole = save(session);
   std::string text(whole.size(), '?');
   uint64_t length = 99;
-  expect_error(hrt_profile_save(session, text.size(), text.data(), &length), HRT_ERROR_BUFFER_TOO_SMALL,
-               "capacity");
+  expect_error(hrt_profile_save(session, text.size(), text.data(), &length), HRT_ERROR_BUFFER_TOO_SMALL, "capacity");
   EXPECT_EQ(length, 99u);
   EXPECT_EQ(text, std::string(whole.size(), '?'));
 }
@@ -101,10 +98,8 @@ TEST_F(ProfileTest, WhatIsNotAProfileIsRefusedAndChangesNothing) {
   expect_error(load(session, profile(",\"horizon\":4")), HRT_ERROR_BAD_FORMAT, "\"horizon\"");
   expect_error(load(session, profile(",\"tactile_weight\":\"0.2\"")), HRT_ERROR_BAD_FORMAT, "tactile_weight");
   expect_error(load(session, profile(",\"tactile_weight\":true")), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load(session, profile(",\"tactile_weight\":0.9")), HRT_ERROR_OUT_OF_RANGE,
-               "tactile_weight is 0.9");
-  expect_error(load(session, profile(",\"tactile_weight\":1e999")), HRT_ERROR_BAD_FORMAT,
-               "not a JSON object");
+  expect_error(load(session, profile(",\"tactile_weight\":0.9")), HRT_ERROR_OUT_OF_RANGE, "tactile_weight is 0.9");
+  expect_error(load(session, profile(",\"tactile_weight\":1e999")), HRT_ERROR_BAD_FORMAT, "not a JSON object");
   begin_reach();
   expect_error(load(session, before), HRT_ERROR_WRONG_STATE, "under way");
   EXPECT_EQ(save(session), before);
@@ -167,8 +162,7 @@ TEST_F(ConditionsTest, OthersThanOfTheProfileAreWarnedOf) {
   EXPECT_NE(log.text.find("measured with another tracker, \"Ultraleap\";"), std::string::npos) << log.text;
   set(conditions("desk 2", "Quest"));
   EXPECT_EQ(measured().differing, HRT_CONDITION_PLATE | HRT_CONDITION_TRACKER);
-  EXPECT_NE(log.text.find("another plate, \"desk 1\", and tracker, \"Ultraleap\";"), std::string::npos)
-      << log.text;
+  EXPECT_NE(log.text.find("another plate, \"desk 1\", and tracker, \"Ultraleap\";"), std::string::npos) << log.text;
   log.text.clear();
   set(conditions("", ""));
   EXPECT_EQ(measured().differing, 0u) << "unknown is not another";

@@ -118,9 +118,8 @@ TEST(Ranges, OfAPerson) {
     EXPECT_EQ(person.value, 7u);
     return result;
   };
-  EXPECT_EQ(
-      try_ranges<hrt_person_config>([](const std::string&) { return output<hrt_person_config>(); }, take),
-      Names{});
+  EXPECT_EQ(try_ranges<hrt_person_config>([](const std::string&) { return output<hrt_person_config>(); }, take),
+            Names{});
 }
 
 TEST_F(SessionTest, RangesOfATarget) {

@@ -239,8 +239,7 @@ TEST_F(ReachTest, AdaptationLearnsTheShareOfTouchAndCarriesIt) {
     EXPECT_OK(hrt_reach_begin(session, &reach_config));
     SimulatedParticipant participant({.tactile_weight = 0.22}, 5.0);
     for (int step = 0; step < 30; ++step) {
-      const hrt_command command =
-          update(direction_sample(step * step_ns, participant.finger_direction_deg()));
+      const hrt_command command = update(direction_sample(step * step_ns, participant.finger_direction_deg()));
       participant.step(command.plate_orientation_deg, 0.0);
     }
     return end();
@@ -339,8 +338,7 @@ TEST_F(ReachTest, FieldsThatFlagsDoNotNameAreNotRead) {
 
 TEST_F(ReachTest, BadPairsAreRefused) {
   const hrt_target real = add(HRT_TARGET_REAL, -50.0), virtual_target = add(HRT_TARGET_VIRTUAL, 45.0);
-  expect_error(begin(real, virtual_target), HRT_ERROR_OUT_OF_RANGE,
-               "real target is at -50 degrees, the virtual at 45");
+  expect_error(begin(real, virtual_target), HRT_ERROR_OUT_OF_RANGE, "real target is at -50 degrees, the virtual at 45");
   expect_error(begin(virtual_target, real), HRT_ERROR_OUT_OF_RANGE, "real_target");
   expect_error(begin({0}, virtual_target), HRT_ERROR_INVALID_HANDLE, "real_target");
 }

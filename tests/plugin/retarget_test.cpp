@@ -45,8 +45,7 @@ class RetargetTest : public SessionTest {
     hrt_command command{};
     for (std::int64_t t = from_ms; t < until_ms; t += 10) {
       const double u = std::clamp(static_cast<double>(t - 300) / 1500.0, 0.0, 1.0);
-      command =
-          update(position_sample(t * ms, 0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))));
+      command = update(position_sample(t * ms, 0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))));
     }
     return command;
   }
@@ -157,8 +156,7 @@ TEST_F(RetargetTest, LeadsToTheNewPlaces) {
     hrt_session_config config = session_config();
     config.guidance = guidance;
     create(config);
-    const hrt_target real = add_at(HRT_TARGET_REAL, 0.009, 0.05),
-                     cup = add_at(HRT_TARGET_VIRTUAL, -0.009, 0.05);
+    const hrt_target real = add_at(HRT_TARGET_REAL, 0.009, 0.05), cup = add_at(HRT_TARGET_VIRTUAL, -0.009, 0.05);
     ASSERT_OK(begin(real, cup));
     const double before_m = slide(0, 900).distance_to_go_m;
     const hrt_target_config real_moved = placed(HRT_TARGET_REAL, -0.02, 0.05),
@@ -202,12 +200,10 @@ TEST_F(RetargetTest, GivesTheCommandsOfASessionThatIsConfiguredForThatStart) {
       config.guidance = guidance;
       if (!at_finger) config.start_position_m[0] = 0.02;
       create(config);
-      const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.05),
-                       cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.05);
+      const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.05), cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.05);
       ASSERT_OK(at_finger ? begin_at_finger(real, cup) : begin(real, cup));
       for (int i = 0; i < 150; ++i)
-        commands[at_finger].push_back(
-            update(position_sample(i * 11 * ms, 0.02, -0.05 + std::max(0, i - 30) * 0.0008)));
+        commands[at_finger].push_back(update(position_sample(i * 11 * ms, 0.02, -0.05 + std::max(0, i - 30) * 0.0008)));
     }
     for (std::size_t i = 0; i < commands[0].size(); ++i)
       ASSERT_EQ(std::memcmp(&commands[0][i], &commands[1][i], sizeof(hrt_command)), 0) << i;
@@ -246,25 +242,23 @@ TEST_F(RetargetTest, BringsAPersonToTheMovedTarget) {
   const PlatePoint real_place = point_ahead(start, -5.0, 0.1), seen_place = point_ahead(start, 5.0, 0.1);
   const hrt_target real = add_at(HRT_TARGET_REAL, real_place.right_m, real_place.away_m),
                    cup = add_at(HRT_TARGET_VIRTUAL, seen_place.right_m, seen_place.away_m);
-  SlidingPerson person({.illusion = {.tactile_weight = 0.25}, .noise_deg2_per_s = 0.0, .duration_s = 2.0},
-                       start, 5.0, 0.1, {1, 0, 0, 0});
+  SlidingPerson person({.illusion = {.tactile_weight = 0.25}, .noise_deg2_per_s = 0.0, .duration_s = 2.0}, start, 5.0,
+                       0.1, {1, 0, 0, 0});
   ASSERT_OK(begin(real, cup));
   double plate_deg = 0.0;
   for (std::int64_t t = 0; !person.done(); ++t) {
     if (t > 500) person.advance(plate_deg);
     if (t == 500 + 900) {
-      const hrt_target_config real_moved =
-                                  placed(HRT_TARGET_REAL, real_place.right_m - 0.03, real_place.away_m),
-                              cup_moved =
-                                  placed(HRT_TARGET_VIRTUAL, seen_place.right_m - 0.03, seen_place.away_m);
+      const hrt_target_config real_moved = placed(HRT_TARGET_REAL, real_place.right_m - 0.03, real_place.away_m),
+                              cup_moved = placed(HRT_TARGET_VIRTUAL, seen_place.right_m - 0.03, seen_place.away_m);
       ASSERT_OK(hrt_target_set(session, real, &real_moved));
       ASSERT_OK(hrt_target_set(session, cup, &cup_moved));
       ASSERT_OK(hrt_reach_retarget(session, real, cup));
       person.retarget({seen_place.right_m - 0.03, seen_place.away_m});
     }
     if (t % 10 == 0)
-      plate_deg = update(position_sample(t * ms, person.position().right_m, person.position().away_m))
-                      .plate_orientation_deg;
+      plate_deg =
+          update(position_sample(t * ms, person.position().right_m, person.position().away_m)).plate_orientation_deg;
   }
   const PlatePoint moved{real_place.right_m - 0.03, real_place.away_m};
   EXPECT_NEAR(bearing_deg(start, person.position()), bearing_deg(start, moved), 1.5);

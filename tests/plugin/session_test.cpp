@@ -112,8 +112,7 @@ TEST(Session, ManyFitAndOneMoreIsRefused) {
   std::vector<hrt_session> all(HRT_SESSIONS_MAX);
   for (hrt_session& session : all) ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   hrt_session one_more{42};
-  expect_error(hrt_session_create(HRT_VERSION, &config, &one_more), HRT_ERROR_LIMIT_REACHED,
-               "there are 1024 sessions");
+  expect_error(hrt_session_create(HRT_VERSION, &config, &one_more), HRT_ERROR_LIMIT_REACHED, "there are 1024 sessions");
   EXPECT_EQ(one_more.value, 42u);
   for (const hrt_session session : all) ASSERT_OK(hrt_session_destroy(session));
 }

@@ -84,8 +84,7 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
     begin_setup(HRT_SETUP_ALL_MISSING);
     const hrt_setup_result result = run(person);
     const hrt_session_config config = config_of(session);
-    EXPECT_EQ(result.done & ~std::uint32_t{HRT_SETUP_CALIBRATION},
-              everything & ~std::uint32_t{HRT_SETUP_CALIBRATION})
+    EXPECT_EQ(result.done & ~std::uint32_t{HRT_SETUP_CALIBRATION}, everything & ~std::uint32_t{HRT_SETUP_CALIBRATION})
         << i;
     const Eigen::Vector3d tip_m(config.fingertip_offset_m[0], config.fingertip_offset_m[1],
                                 config.fingertip_offset_m[2]);
@@ -105,9 +104,9 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
         "%2u: turn %5.2f of %.2f deg, latency %.3f to %.3f s, weight %.3f in %.3f to %.3f, bias %.1f in %.1f "
         "to %.1f, "
         "%u slides, lack %u\n",
-        i, turn_deg, result.registration_turn_sd_deg, result.latency_s.lower, result.latency_s.upper,
-        true_weight, weight.lower, weight.upper, bias_deg, result.bias_deg.lower, result.bias_deg.upper,
-        result.slides, result.lack_of_fit);
+        i, turn_deg, result.registration_turn_sd_deg, result.latency_s.lower, result.latency_s.upper, true_weight,
+        weight.lower, weight.upper, bias_deg, result.bias_deg.lower, result.bias_deg.upper, result.slides,
+        result.lack_of_fit);
     if (weight.known) {
       EXPECT_NEAR(config.tactile_weight, weight.value, 1e-12);
       EXPECT_NE(config.person_covariance[0], 0.0);
@@ -171,8 +170,7 @@ TEST_F(SetupTest, SwappedMarksAreTouchedAgain) {
   result.left = 1;
   for (int frame = 0; result.left != 0 && frame < 10'000; ++frame) {
     hrt_setup_step misheard = step;
-    if ((problems & (1u << HRT_PROBLEM_UPSIDE_DOWN | 1u << HRT_PROBLEM_DISAGREES)) == 0)
-      misheard.place_m[0] *= -1.0;
+    if ((problems & (1u << HRT_PROBLEM_UPSIDE_DOWN | 1u << HRT_PROBLEM_DISAGREES)) == 0) misheard.place_m[0] *= -1.0;
     step = update(person, misheard);
     if (step.instruction == HRT_STEP_FINISH) {
       ASSERT_OK(hrt_setup_finish(session, &result));
@@ -378,14 +376,12 @@ TEST_F(SetupTest, RefusalsNameTheField) {
   expect_error(hrt_setup_update(session, &joint, &step), HRT_ERROR_OUT_OF_RANGE, "JOINT_ROTATION");
   joint.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_JOINT_ROTATION;
   expect_error(hrt_setup_update(session, &joint, &step), HRT_ERROR_OUT_OF_RANGE, "joint_rotation is");
-  expect_error(hrt_setup_begin(session, HRT_SETUP_LATENCY, nullptr), HRT_ERROR_WRONG_STATE,
-               "set-up is under way");
+  expect_error(hrt_setup_begin(session, HRT_SETUP_LATENCY, nullptr), HRT_ERROR_WRONG_STATE, "set-up is under way");
   ASSERT_OK(hrt_setup_cancel(session));
   hrt_session_config config = session_config();
   config.start_position_m[2] = -0.05;
   create(config);
-  expect_error(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr), HRT_ERROR_OUT_OF_RANGE,
-               "start_position_m");
+  expect_error(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr), HRT_ERROR_OUT_OF_RANGE, "start_position_m");
 }
 
 }  // namespace

@@ -157,8 +157,7 @@ TEST_F(SimulatedPersonTest, RefusesWhatIsOutOfPlace) {
   ASSERT_OK(hrt_person_begin(person, session, seen));
   ASSERT_OK(hrt_person_move(person, 100, 0.0, &sample));
   expect_error(hrt_person_move(person, 99, 0.0, &sample), HRT_ERROR_TIME_REVERSED, "99");
-  expect_error(hrt_person_move(person, 100, std::nan(""), &sample), HRT_ERROR_OUT_OF_RANGE,
-               "plate_orientation_deg");
+  expect_error(hrt_person_move(person, 100, std::nan(""), &sample), HRT_ERROR_OUT_OF_RANGE, "plate_orientation_deg");
   EXPECT_OK(hrt_person_destroy(person));
 }
 

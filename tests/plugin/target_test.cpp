@@ -60,8 +60,7 @@ TEST_F(TargetTest, OfAnotherSessionIsRefused) {
 }
 
 TEST_F(TargetTest, AreListedInTheOrderAdded) {
-  const hrt_target a = add(HRT_TARGET_REAL, 0.0), b = add(HRT_TARGET_VIRTUAL, 1.0),
-                   c = add(HRT_TARGET_REAL, 2.0);
+  const hrt_target a = add(HRT_TARGET_REAL, 0.0), b = add(HRT_TARGET_VIRTUAL, 1.0), c = add(HRT_TARGET_REAL, 2.0);
   ASSERT_OK(hrt_target_remove(session, a));
   const hrt_target d = add(HRT_TARGET_REAL, 3.0);
   uint64_t count = 0;
@@ -224,8 +223,8 @@ class AssignTest : public SessionTest {
   std::vector<hrt_gap> assign(const std::vector<hrt_target>& virtuals, const std::vector<hrt_target>& reals,
                               std::uint32_t flags) const {
     std::vector<hrt_gap> out(virtuals.size(), output<hrt_gap>());
-    EXPECT_OK(hrt_target_assign(session, virtuals.data(), size(virtuals), reals.data(), size(reals), flags,
-                                size(out), out.data()));
+    EXPECT_OK(hrt_target_assign(session, virtuals.data(), size(virtuals), reals.data(), size(reals), flags, size(out),
+                                out.data()));
     return out;
   }
 
@@ -271,11 +270,9 @@ TEST_F(AssignTest, RefusesWhatIsNoSet) {
   hrt_gap out[2]{output<hrt_gap>(), output<hrt_gap>()};
   const hrt_gap before = out[0];
   const auto assign = [&](const hrt_target* v, std::uint64_t vs, const hrt_target* r, std::uint64_t rs,
-                          std::uint32_t flags, std::uint64_t capacity, hrt_gap* to) {
-    return hrt_target_assign(session, v, vs, r, rs, flags, capacity, to);
-  };
-  expect_error(assign(cups, 0, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE,
-               "the count of virtual_targets is 0");
+                          std::uint32_t flags, std::uint64_t capacity,
+                          hrt_gap* to) { return hrt_target_assign(session, v, vs, r, rs, flags, capacity, to); };
+  expect_error(assign(cups, 0, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "the count of virtual_targets is 0");
   expect_error(assign(cups, 1, reals, 1001, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "allowed: 1 to 1000");
   expect_error(assign(cups, 2, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "virtual_targets: target");
   expect_error(assign(cups, 1, reals, 2, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "is there twice");
@@ -294,8 +291,7 @@ TEST_F(AssignTest, ElementsHaveTheCallersSize) {
   alignas(8) unsigned char out[2 * later_size + 8]{};
   std::memcpy(out, &later_size, sizeof later_size);
   out[2 * later_size] = 77;
-  ASSERT_OK(
-      hrt_target_assign(session, virtuals.data(), 2, reals.data(), 1, 0, 2, reinterpret_cast<hrt_gap*>(out)));
+  ASSERT_OK(hrt_target_assign(session, virtuals.data(), 2, reals.data(), 1, 0, 2, reinterpret_cast<hrt_gap*>(out)));
   hrt_target second{};
   std::memcpy(&second, out + later_size + offsetof(hrt_gap, virtual_target), sizeof second);
   EXPECT_EQ(second.value, virtuals[1].value);

@@ -50,8 +50,8 @@ Process::Process(std::vector<std::string> words, std::vector<std::string> enviro
     posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
   else
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err_file.c_str(), flags, 0600);
-  const int error = posix_spawn(&child_, words[0].c_str(), &files, nullptr, pointers(words).data(),
-                                pointers(environment).data());
+  const int error =
+      posix_spawn(&child_, words[0].c_str(), &files, nullptr, pointers(words).data(), pointers(environment).data());
   posix_spawn_file_actions_destroy(&files);
   if (error != 0) throw std::runtime_error("cannot start " + words[0]);
 }

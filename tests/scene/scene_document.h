@@ -61,9 +61,7 @@ inline Json real(Json more = {{"translation", {0.0, 0.0, -0.05}}}) {
 }
 
 /// 100 mm to the left of the default start.
-inline Json virtual_on_the_left() {
-  return node("Left", haptic("virtual"), {{"translation", {-0.1, 0.0, 0.05}}});
-}
+inline Json virtual_on_the_left() { return node("Left", haptic("virtual"), {{"translation", {-0.1, 0.0, 0.05}}}); }
 
 inline Scene load(const std::string& bytes, const char* name = "test.gltf") {
   return load_scene(std::as_bytes(std::span(bytes)), name);

@@ -70,14 +70,12 @@ TEST(SceneGeometry, TurnedPlate) {
 // Group (10, 0, 0) turned a quarter left, in it a shelf 1 m along the group's -Z, which is the world's -X,
 // and on it the plate: at (9, 0, 0), looking along -X. The same with every transform as a matrix.
 TEST(SceneGeometry, NestedNodesAsTransformsAndAsMatrices) {
-  const Json nodes = {
-      node("Group", {}, {{"translation", {10, 0, 0}}, {"rotation", quarter_left}, {"children", {1}}}),
-      node("Shelf", {}, {{"translation", {0, 0, -1}}, {"children", {2, 3}}}), plate(), real()};
+  const Json nodes = {node("Group", {}, {{"translation", {10, 0, 0}}, {"rotation", quarter_left}, {"children", {1}}}),
+                      node("Shelf", {}, {{"translation", {0, 0, -1}}, {"children", {2, 3}}}), plate(), real()};
   const Json matrices = {
       node("Group", {}, {{"matrix", {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 10, 0, 0, 1}}, {"children", {1}}}),
-      node("Shelf", {},
-           {{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1}}, {"children", {2, 3}}}),
-      plate(), real({{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -0.05, 1}}})};
+      node("Shelf", {}, {{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1}}, {"children", {2, 3}}}), plate(),
+      real({{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -0.05, 1}}})};
   for (const Json& form : {nodes, matrices}) {
     const Scene scene = load(document(form));
     EXPECT_EQ(scene.plate.node_path, "Group/Shelf/Plate");
@@ -163,9 +161,8 @@ TEST(SceneGeometry, FlatPropertiesMeanTheSame) {
                                          {"haptic_radius_m", 0.075},
                                          {"haptic_max_speed_deg_s", 400},
                                          {"unrelated", Json::array()}});
-  const Json flat_real =
-      node("Brass", {{"haptic_role", "real"}, {"haptic_name", "cylinder"}, {"haptic_radius_m", 1}},
-           {{"translation", {0.0, 0.0, -0.05}}});
+  const Json flat_real = node("Brass", {{"haptic_role", "real"}, {"haptic_name", "cylinder"}, {"haptic_radius_m", 1}},
+                              {{"translation", {0.0, 0.0, -0.05}}});
   const Json flat_virtual = node("Bottle", {{"haptic_role", "virtual"}, {"haptic_served_by", "cylinder"}},
                                  {{"translation", {-0.1, 0.0, 0.05}}});
   const Scene scene = load(document({flat_plate, flat_real, flat_virtual}));

@@ -12,9 +12,7 @@ namespace {
 
 class RandomScenes : public testing::Test {
  protected:
-  double uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
   Json translation(double size_m) {
     return {uniform(-size_m, size_m), uniform(-size_m, size_m), uniform(-size_m, size_m)};
@@ -80,8 +78,8 @@ TEST_F(RandomScenes, MirroringFlipsSigns) {
     Json mirrored = {node("Root", {}, {{"scale", {-1.0, 1.0, 1.0}}, {"children", {1, 2, 3, 4, 5}}}), plate()};
     for (const SceneTarget& target : scene.targets) {
       const Vec3 p = target.position_m;
-      mirrored.push_back(node(target.name.c_str(), haptic(target.served_by ? "virtual" : "real"),
-                              {{"translation", {p.x, p.y, p.z}}}));
+      mirrored.push_back(
+          node(target.name.c_str(), haptic(target.served_by ? "virtual" : "real"), {{"translation", {p.x, p.y, p.z}}}));
     }
     const Scene seen = load(document(mirrored));
     for (std::size_t i = 0; i < 4; ++i) {

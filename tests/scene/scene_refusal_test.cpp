@@ -19,9 +19,7 @@ Json with(const char* pointer, Json value) {
 std::string refusal_with(const char* pointer, Json value) { return refusal(with(pointer, std::move(value))); }
 
 // `message` follows the file's name.
-void refused(const auto& file, const std::string& message) {
-  EXPECT_EQ(refusal(file), "test.gltf: " + message);
-}
+void refused(const auto& file, const std::string& message) { EXPECT_EQ(refusal(file), "test.gltf: " + message); }
 
 void refused(const char* pointer, Json value, const std::string& message) {
   refused(with(pointer, std::move(value)), message);
@@ -30,9 +28,9 @@ void refused(const char* pointer, Json value, const std::string& message) {
 TEST(SceneRefusal, GoodFileIsNotRefused) { EXPECT_EQ(refusal(good()), ""); }
 
 TEST(SceneRefusal, NotGltf) {
-  for (const char* text : {"", "hello", "{", "[]", "1", "null", "\"glTF\"", "{}", "{\"asset\":{}}",
-                           "{\"asset\":{\"version\":2.0}}", "\x89PNG\r\n\x1a\n",
-                           "{\"asset\":{\"version\":\"2.0\"}}NaN", "{\"asset\":{\"version\":\"\xff\"}}"}) {
+  for (const char* text :
+       {"", "hello", "{", "[]", "1", "null", "\"glTF\"", "{}", "{\"asset\":{}}", "{\"asset\":{\"version\":2.0}}",
+        "\x89PNG\r\n\x1a\n", "{\"asset\":{\"version\":\"2.0\"}}NaN", "{\"asset\":{\"version\":\"\xff\"}}"}) {
     SCOPED_TRACE(text);
     EXPECT_TRUE(refusal(text).starts_with("test.gltf: not a glTF file: ")) << refusal(text);
   }
@@ -74,8 +72,7 @@ TEST(SceneRefusal, BinaryHeader) {
 }
 
 TEST(SceneRefusal, NodeGraph) {
-  refused("/nodes/0/children", {1, 2},
-          "scenes[0].nodes holds 1, which is not a root but the child of another node");
+  refused("/nodes/0/children", {1, 2}, "scenes[0].nodes holds 1, which is not a root but the child of another node");
   refused("/nodes/0/children", {3}, R"(node "Plate": children holds 3, and there are 3 nodes)");
   refused("/nodes/0/children", {-1}, R"(node "Plate": children holds "-1", which is not an index)");
   refused("/nodes/0/children", {1.0}, R"(node "Plate": children holds "1.0", which is not an index)");
@@ -86,15 +83,12 @@ TEST(SceneRefusal, NodeGraph) {
   Json two_parents = good();
   two_parents["nodes"][0]["children"] = {2};
   two_parents["nodes"][1]["children"] = {2};
-  refused(two_parents,
-          R"(node "Left": children of both node "Plate" and node "Real" name it; a node has one parent)");
+  refused(two_parents, R"(node "Left": children of both node "Plate" and node "Real" name it; a node has one parent)");
   two_parents["nodes"][1]["children"] = Json::array();
   two_parents["nodes"][0]["children"] = {2, 2};
-  refused(two_parents,
-          R"(node "Left": children of both node "Plate" and node "Plate" name it; a node has one parent)");
+  refused(two_parents, R"(node "Left": children of both node "Plate" and node "Plate" name it; a node has one parent)");
 
-  refused("/nodes/2/children", {2},
-          R"(node "Left": children of the nodes below it lead back to it: a cycle)");
+  refused("/nodes/2/children", {2}, R"(node "Left": children of the nodes below it lead back to it: a cycle)");
   Json cycle = good();
   cycle["nodes"][1]["children"] = {2};
   cycle["nodes"][2]["children"] = {1};
@@ -104,14 +98,11 @@ TEST(SceneRefusal, NodeGraph) {
 TEST(SceneRefusal, Transforms) {
   refused("/nodes/1/translation", {0, 0}, R"(node "Real": translation is not an array of 3 numbers)");
   refused("/nodes/1/translation", {0, 0, "NaN"}, R"(node "Real": translation is not an array of 3 numbers)");
-  refused("/nodes/1/translation", {0, 0, 1e300},
-          R"(node "Real": it is further than 1000 m from the world's origin)");
-  refused(
-      document({plate({{"translation", {900.0, 0.0, 0.0}}}), real({{"translation", {-900.0, 0.0, 0.0}}})}),
-      R"(node "Real": it is further than 1000 m from the plate)");
+  refused("/nodes/1/translation", {0, 0, 1e300}, R"(node "Real": it is further than 1000 m from the world's origin)");
+  refused(document({plate({{"translation", {900.0, 0.0, 0.0}}}), real({{"translation", {-900.0, 0.0, 0.0}}})}),
+          R"(node "Real": it is further than 1000 m from the plate)");
   refused("/nodes/1/rotation", {0, 0, 0, 0}, R"(node "Real": rotation is not a quaternion of unit length)");
-  refused("/nodes/1/rotation", {1e200, 0, 0, 0},
-          R"(node "Real": rotation is not a quaternion of unit length)");
+  refused("/nodes/1/rotation", {1e200, 0, 0, 0}, R"(node "Real": rotation is not a quaternion of unit length)");
   refused("/nodes/1/scale", 2, R"(node "Real": scale is not an array of 3 numbers)");
   refused("/nodes/1/matrix", Json::array({1, 0, 0}), R"(node "Real": matrix is not an array of 16 numbers)");
   const Json identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -126,9 +117,8 @@ TEST(SceneRefusal, Transforms) {
   flat[8] = 1;  // +Z is made the same as +X
   flat[10] = 0;
   refused("/nodes/0/matrix", flat, R"(node "Plate": its matrix has a zero-length axis or flattens space)");
-  refused(
-      document({node("Group", {}, {{"scale", {0, 0, 0}}, {"children", {1}}}), plate()}),
-      R"(node "Group": its scale has a zero-length axis or flattens space, and "Group/Plate" is below it)");
+  refused(document({node("Group", {}, {{"scale", {0, 0, 0}}, {"children", {1}}}), plate()}),
+          R"(node "Group": its scale has a zero-length axis or flattens space, and "Group/Plate" is below it)");
 
   // JSON has no NaN and no infinity; a number that overflows would be one.
   for (const char* number : {"NaN", "-Infinity", "1e999", "-1e999"}) {
@@ -155,8 +145,7 @@ TEST(SceneRefusal, Roles) {
   refused("/nodes/1/extras/haptic", {{"name", "brass"}},
           R"(node "Real": extras.haptic.role is missing, beside extras.haptic.name)");
   for (const Json& not_an_object : {Json(), Json::object(), Json("real"), Json::array({"role", "real"})}) {
-    refused("/nodes/1/extras/haptic", not_an_object,
-            R"(node "Real": extras.haptic is not an object with a role)");
+    refused("/nodes/1/extras/haptic", not_an_object, R"(node "Real": extras.haptic is not an object with a role)");
   }
   refused("/nodes/1/extras/haptic_radius_m", 1,
           R"(node "Real": both extras.haptic and extras.haptic_radius_m are given; keep one form)");
@@ -166,8 +155,7 @@ TEST(SceneRefusal, Properties) {
   Json file = good();
   file["nodes"][0]["extras"]["haptic"].erase("radius_m");
   refused(file, R"(node "Plate": extras.haptic.radius_m is missing: a plate needs its radius in metres)");
-  refused("/nodes/0/extras/haptic/radius_m", 0,
-          R"(node "Plate": extras.haptic.radius_m is 0; allowed is 0.001 to 10)");
+  refused("/nodes/0/extras/haptic/radius_m", 0, R"(node "Plate": extras.haptic.radius_m is 0; allowed is 0.001 to 10)");
   refused("/nodes/0/extras/haptic/radius_m", -0.075,
           R"(node "Plate": extras.haptic.radius_m is -0.075; allowed is 0.001 to 10)");
   // 2^32 + 1, of which 32 bits are 1.
@@ -176,25 +164,20 @@ TEST(SceneRefusal, Properties) {
   refused("/nodes/0/extras/haptic/radius_m", 1e-300,
           R"(node "Plate": extras.haptic.radius_m is 1e-300; allowed is 0.001 to 10)");
   EXPECT_EQ(refusal_with("/nodes/0/extras/haptic/radius_m", 0.001), "");
-  refused("/nodes/0/extras/haptic/radius_m", "0.075",
-          R"(node "Plate": extras.haptic.radius_m is not a number)");
+  refused("/nodes/0/extras/haptic/radius_m", "0.075", R"(node "Plate": extras.haptic.radius_m is not a number)");
   refused("/nodes/0/extras/haptic/radius_m", true, R"(node "Plate": extras.haptic.radius_m is not a number)");
   refused("/nodes/0/extras/haptic/max_speed_deg_s", 1e6,
           R"(node "Plate": extras.haptic.max_speed_deg_s is 1e+06; allowed is 0.001 to 100000)");
-  refused(
-      "/nodes/1/extras/haptic/radius", 0.01,
-      R"(node "Real": extras.haptic.radius is not a property of this role; allowed are role, name, radius_m)");
-  refused(
-      "/nodes/1/extras/haptic/served_by", "Left",
-      R"(node "Real": extras.haptic.served_by is not a property of this role; allowed are role, name, radius_m)");
-  refused(
-      "/nodes/1/extras/haptic/ra\rdius", 0.01,
-      R"(node "Real": extras.haptic.ra?dius is not a property of this role; allowed are role, name, radius_m)");
+  refused("/nodes/1/extras/haptic/radius", 0.01,
+          R"(node "Real": extras.haptic.radius is not a property of this role; allowed are role, name, radius_m)");
+  refused("/nodes/1/extras/haptic/served_by", "Left",
+          R"(node "Real": extras.haptic.served_by is not a property of this role; allowed are role, name, radius_m)");
+  refused("/nodes/1/extras/haptic/ra\rdius", 0.01,
+          R"(node "Real": extras.haptic.ra?dius is not a property of this role; allowed are role, name, radius_m)");
   EXPECT_EQ(refusal_with(("/nodes/1/extras/haptic/" + std::string(3000, 'r')).c_str(), 0.01),
             "test.gltf: node \"Real\": extras.haptic." + std::string(80, 'r') +
                 "... is not a property of this role; allowed are role, name, radius_m");
-  refused("/nodes/1/extras/haptic/name", "",
-          R"(node "Real": extras.haptic.name has 0 bytes; allowed are 1 to 255)");
+  refused("/nodes/1/extras/haptic/name", "", R"(node "Real": extras.haptic.name has 0 bytes; allowed are 1 to 255)");
   refused("/nodes/1/name", 5, "node [1]: name is not a string of at most 255 bytes");
   EXPECT_EQ(refusal_with("/nodes/1/name", std::string(256, 'x')),
             "test.gltf: node \"" + std::string(80, 'x') + "...\": name is not a string of at most 255 bytes");
@@ -213,15 +196,13 @@ TEST(SceneRefusal, Targets) {
   refused(document({plate(), virtual_on_the_left()}),
           R"(node "Left": the file has no real target that could serve this virtual one)");
   const Json start = node("Start", haptic("start"), {{"translation", {0.0, 0.0, 0.08}}});
-  refused(
-      document({plate(), start, real()}),
-      R"(node "Start": the start lies off the plate, 0.08 m from its centre; the plate's radius_m is 0.075)");
+  refused(document({plate(), start, real()}),
+          R"(node "Start": the start lies off the plate, 0.08 m from its centre; the plate's radius_m is 0.075)");
 }
 
 TEST(SceneRefusal, RequiredExtensions) {
-  refused(
-      "/extensionsRequired", {"EXT_mesh_gpu_instancing"},
-      R"(extensionsRequired names "EXT_mesh_gpu_instancing", which may move nodes and is not understood here)");
+  refused("/extensionsRequired", {"EXT_mesh_gpu_instancing"},
+          R"(extensionsRequired names "EXT_mesh_gpu_instancing", which may move nodes and is not understood here)");
   refused("/extensionsRequired", {"KHR_materials_unlit", "AGI_articulations"},
           R"(extensionsRequired names "AGI_articulations", which may move nodes and is not understood here)");
   EXPECT_EQ(refusal_with("/extensionsRequired", {"KHR_materials_unlit", "KHR_draco_mesh_compression"}), "");
@@ -272,10 +253,8 @@ TEST(SceneRefusal, KeysThatAreThereTwice) {
     return text.insert(text.find(before), member + ",");
   };
   refused(with_member("\"nodes\":[{", "\"nodes\":[]"), R"(its JSON has the key "nodes" twice)");
-  refused(with_member("\"radius_m\"", "\"radius_m\":1"),
-          R"("nodes[0].extras.haptic" has the key "radius_m" twice)");
-  refused(with_member("\"translation\"", "\"translation\":7"),
-          R"("nodes[1]" has the key "translation" twice)");
+  refused(with_member("\"radius_m\"", "\"radius_m\":1"), R"("nodes[0].extras.haptic" has the key "radius_m" twice)");
+  refused(with_member("\"translation\"", "\"translation\":7"), R"("nodes[1]" has the key "translation" twice)");
   refused(with_member("\"asset\"", R"("meshes":[{"a":[[{"b":1,"a\u0000":{},"\u0062":2}]]}])"),
           R"("meshes[0].a[0][0]" has the key "b" twice)");
   EXPECT_EQ(refusal(with_member("\"asset\"", R"("meshes":[{"b":{"b":1}},{"b":1}])")), "");

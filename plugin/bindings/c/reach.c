@@ -147,8 +147,8 @@ int main(int argc, char** argv) {
   check(hrt_session_destroy(session));
 
   printf("hash 0x%016" PRIx64 "\n", hash);
-  printf("updates %ld, steps %d, of these predicted %d\n", updates,
-         (int)(summary.steps + summary.predicted_steps), (int)summary.predicted_steps);
+  printf("updates %ld, steps %d, of these predicted %d\n", updates, (int)(summary.steps + summary.predicted_steps),
+         (int)summary.predicted_steps);
   printf("ended %.2f deg beside the real target, felt error %.2f deg at most (simulated)\n", summary.miss_deg,
          summary.peak_felt_error_deg);
   return 0;

@@ -32,9 +32,8 @@ const char* load_interface(gde_get_proc_address get_proc_address) {
   // Godot 4.4 has the same under the number of its own.
   const auto load = [&](const std::string_view name) {
     const gde_function found = get_proc_address(name.data());
-    return found || name != "classdb_register_extension_class5"
-               ? found
-               : get_proc_address("classdb_register_extension_class4");
+    return found || name != "classdb_register_extension_class5" ? found
+                                                                : get_proc_address("classdb_register_extension_class4");
   };
 #define LOAD(result, name, arguments)                                 \
   engine.name = reinterpret_cast<decltype(engine.name)>(load(#name)); \
@@ -236,9 +235,7 @@ class Instance : public Engine {
 
   void update_warnings() override { call("update_configuration_warnings", {}); }
 
-  void push_error(const char* text) override {
-    engine.print_error(text, kClassName, "extension.cpp", __LINE__, false);
-  }
+  void push_error(const char* text) override { engine.print_error(text, kClassName, "extension.cpp", __LINE__, false); }
 
  private:
   bool is_inside_tree() { return std::get<bool>(call("is_inside_tree", {})); }
@@ -304,8 +301,8 @@ struct Callable {
 /** The engine keeps pointers to these. */
 std::deque<Callable> callables;
 
-void call(void* callable, void* instance, const gde_variant* const* arguments, int64_t count,
-          gde_variant* out_return, gde_call_error*) noexcept {
+void call(void* callable, void* instance, const gde_variant* const* arguments, int64_t count, gde_variant* out_return,
+          gde_call_error*) noexcept {
   if (!instance) return;
   try {
     std::array<Value, kArgumentsMax> values;
@@ -395,9 +392,9 @@ void register_property(const EngineName& class_name, const Field& field) {
   Descriptions property;
   const EngineName setter_name(setter.c_str());
   const EngineName getter_name(getter.c_str());
-  engine.classdb_register_extension_class_property(
-      library, &class_name.get(), property.add(field.name, field.type, field.hint, field.hint_text),
-      &setter_name.get(), &getter_name.get());
+  engine.classdb_register_extension_class_property(library, &class_name.get(),
+                                                   property.add(field.name, field.type, field.hint, field.hint_text),
+                                                   &setter_name.get(), &getter_name.get());
 }
 
 void register_properties(const EngineName& class_name, std::span<const Field> fields) {
@@ -407,8 +404,7 @@ void register_properties(const EngineName& class_name, std::span<const Field> fi
     if (field.group != group) {
       group = field.group;
       const EngineString name(field.group);
-      engine.classdb_register_extension_class_property_group(library, &class_name.get(), &name.get(),
-                                                             &no_prefix.get());
+      engine.classdb_register_extension_class_property_group(library, &class_name.get(), &name.get(), &no_prefix.get());
     }
     register_property(class_name, field);
   }
@@ -417,8 +413,8 @@ void register_properties(const EngineName& class_name, std::span<const Field> fi
 void register_constant(const EngineName& class_name, const Constant& constant) {
   const EngineName name(constant.name);
   const EngineName enumeration(constant.enumeration);
-  engine.classdb_register_extension_class_integer_constant(library, &class_name.get(), &enumeration.get(),
-                                                           &name.get(), constant.value, constant.is_flag);
+  engine.classdb_register_extension_class_integer_constant(library, &class_name.get(), &enumeration.get(), &name.get(),
+                                                           constant.value, constant.is_flag);
 }
 
 void register_signal(const EngineName& class_name, const Signal& signal) {
@@ -459,8 +455,7 @@ void deinitialize(void*, int32_t level) noexcept {
 
 using namespace hrt_godot;
 
-extern "C" GDE_EXPORT gde_bool haptic_retargeting_init(gde_get_proc_address get_proc_address,
-                                                       gde_library* own_library,
+extern "C" GDE_EXPORT gde_bool haptic_retargeting_init(gde_get_proc_address get_proc_address, gde_library* own_library,
                                                        gde_initialization* out_initialization) {
   if (const char* missing = load_interface(get_proc_address)) {
     if (engine.print_error) {
@@ -470,9 +465,7 @@ extern "C" GDE_EXPORT gde_bool haptic_retargeting_init(gde_get_proc_address get_
     return false;
   }
   library = own_library;
-  *out_initialization = {.minimum_level = GDE_LEVEL_SCENE,
-                         .data = nullptr,
-                         .initialize = initialize,
-                         .deinitialize = deinitialize};
+  *out_initialization = {
+      .minimum_level = GDE_LEVEL_SCENE, .data = nullptr, .initialize = initialize, .deinitialize = deinitialize};
   return true;
 }

@@ -107,8 +107,8 @@ inline Record to_record(const void* object, std::span<const Field> fields) {
 extern const std::span<const Field> config_fields;
 /** More properties: hrt_setup_config without its marks. */
 extern const std::span<const Field> setup_fields;
-extern const std::span<const Field> command_fields, summary_fields, gap_fields, step_fields,
-    conditions_fields, recording_fields, device_fields;
+extern const std::span<const Field> command_fields, summary_fields, gap_fields, step_fields, conditions_fields,
+    recording_fields, device_fields;
 /** Of an interval NAME the fields NAME, NAME_lower, NAME_upper and NAME_known. */
 extern const std::span<const Field> result_fields;
 

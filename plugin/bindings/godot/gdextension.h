@@ -72,8 +72,8 @@ enum { GDE_USAGE_DEFAULT = 6 };
 enum { GDE_METHOD_NORMAL = 1 };
 
 /* Arguments are variants, and so is *out_return, already. */
-typedef void (*gde_call)(void* method, void* instance, const gde_variant* const* arguments,
-                         int64_t argument_count, gde_variant* out_return, gde_call_error* out_error);
+typedef void (*gde_call)(void* method, void* instance, const gde_variant* const* arguments, int64_t argument_count,
+                         gde_variant* out_return, gde_call_error* out_error);
 /* Arguments are values of the registered types, and *out_return is one already. */
 typedef void (*gde_ptrcall)(void* method, void* instance, const void* const* arguments, void* out_return);
 
@@ -143,46 +143,44 @@ typedef void (*gde_constructor)(void* out, const void* const* arguments);
 typedef void (*gde_destructor)(void* value);
 
 /* X(result, name, (arguments)) for each of the engine's functions, which it is asked for by that name. */
-#define GDE_FUNCTIONS(X)                                                                                 \
-  X(void, print_error,                                                                                   \
-    (const char* text, const char* function, const char* file, int32_t line, gde_bool notify_editor))    \
-  X(void, classdb_register_extension_class_integer_constant,                                             \
-    (gde_library * library, const gde_string_name* class_name, const gde_string_name* enumeration,       \
-     const gde_string_name* name, int64_t value, gde_bool is_bitfield))                                  \
-  X(void, variant_new_nil, (gde_variant * out))                                                          \
-  X(void, variant_destroy, (gde_variant * self))                                                         \
-  X(int32_t, variant_get_type, (const gde_variant* self))                                                \
-  X(void, variant_call,                                                                                  \
-    (gde_variant * self, const gde_string_name* method, const gde_variant* const* arguments,             \
-     int64_t argument_count, gde_variant* out_return, gde_call_error* out_error))                        \
-  X(gde_variant_from_type, get_variant_from_type_constructor, (int32_t type))                            \
-  X(gde_type_from_variant, get_variant_to_type_constructor, (int32_t type))                              \
-  X(gde_constructor, variant_get_ptr_constructor, (int32_t type, int32_t index))                         \
-  X(gde_destructor, variant_get_ptr_destructor, (int32_t type))                                          \
-  X(void, string_new_with_utf8_chars, (gde_string * out, const char* text))                              \
-  /* Returns how many bytes there are; writes no zero after them. */                                     \
-  X(int64_t, string_to_utf8_chars, (const gde_string* self, char* out_text, int64_t capacity))           \
-  X(void, string_name_new_with_utf8_chars, (gde_string_name * out, const char* text))                    \
-  X(gde_variant*, dictionary_operator_index, (gde_dictionary * self, const gde_variant* key))            \
-  X(void, object_set_instance, (gde_object * object, const gde_string_name* class_name, void* instance)) \
-  X(gde_object*, classdb_construct_object2, (const gde_string_name* class_name))                         \
-  X(void, classdb_register_extension_class5,                                                             \
-    (gde_library * library, const gde_string_name* name, const gde_string_name* parent,                  \
-     const gde_class* info))                                                                             \
-  X(void, classdb_register_extension_class_method,                                                       \
-    (gde_library * library, const gde_string_name* class_name, const gde_method* info))                  \
-  X(void, classdb_register_extension_class_property,                                                     \
-    (gde_library * library, const gde_string_name* class_name, const gde_property* info,                 \
-     const gde_string_name* setter, const gde_string_name* getter))                                      \
-  X(void, classdb_register_extension_class_signal,                                                       \
-    (gde_library * library, const gde_string_name* class_name, const gde_string_name* name,              \
-     const gde_property* arguments, int64_t argument_count))                                             \
-  /* Properties that are registered after this are shown under the group. */                             \
-  X(void, classdb_register_extension_class_property_group,                                               \
-    (gde_library * library, const gde_string_name* class_name, const gde_string* group,                  \
-     const gde_string* prefix))                                                                          \
-  /* In an editor alone, at its level. */                                                                \
-  X(void, editor_help_load_xml_from_utf8_chars, (const char* xml))                                       \
+#define GDE_FUNCTIONS(X)                                                                                             \
+  X(void, print_error,                                                                                               \
+    (const char* text, const char* function, const char* file, int32_t line, gde_bool notify_editor))                \
+  X(void, classdb_register_extension_class_integer_constant,                                                         \
+    (gde_library * library, const gde_string_name* class_name, const gde_string_name* enumeration,                   \
+     const gde_string_name* name, int64_t value, gde_bool is_bitfield))                                              \
+  X(void, variant_new_nil, (gde_variant * out))                                                                      \
+  X(void, variant_destroy, (gde_variant * self))                                                                     \
+  X(int32_t, variant_get_type, (const gde_variant* self))                                                            \
+  X(void, variant_call,                                                                                              \
+    (gde_variant * self, const gde_string_name* method, const gde_variant* const* arguments, int64_t argument_count, \
+     gde_variant* out_return, gde_call_error* out_error))                                                            \
+  X(gde_variant_from_type, get_variant_from_type_constructor, (int32_t type))                                        \
+  X(gde_type_from_variant, get_variant_to_type_constructor, (int32_t type))                                          \
+  X(gde_constructor, variant_get_ptr_constructor, (int32_t type, int32_t index))                                     \
+  X(gde_destructor, variant_get_ptr_destructor, (int32_t type))                                                      \
+  X(void, string_new_with_utf8_chars, (gde_string * out, const char* text))                                          \
+  /* Returns how many bytes there are; writes no zero after them. */                                                 \
+  X(int64_t, string_to_utf8_chars, (const gde_string* self, char* out_text, int64_t capacity))                       \
+  X(void, string_name_new_with_utf8_chars, (gde_string_name * out, const char* text))                                \
+  X(gde_variant*, dictionary_operator_index, (gde_dictionary * self, const gde_variant* key))                        \
+  X(void, object_set_instance, (gde_object * object, const gde_string_name* class_name, void* instance))             \
+  X(gde_object*, classdb_construct_object2, (const gde_string_name* class_name))                                     \
+  X(void, classdb_register_extension_class5,                                                                         \
+    (gde_library * library, const gde_string_name* name, const gde_string_name* parent, const gde_class* info))      \
+  X(void, classdb_register_extension_class_method,                                                                   \
+    (gde_library * library, const gde_string_name* class_name, const gde_method* info))                              \
+  X(void, classdb_register_extension_class_property,                                                                 \
+    (gde_library * library, const gde_string_name* class_name, const gde_property* info,                             \
+     const gde_string_name* setter, const gde_string_name* getter))                                                  \
+  X(void, classdb_register_extension_class_signal,                                                                   \
+    (gde_library * library, const gde_string_name* class_name, const gde_string_name* name,                          \
+     const gde_property* arguments, int64_t argument_count))                                                         \
+  /* Properties that are registered after this are shown under the group. */                                         \
+  X(void, classdb_register_extension_class_property_group,                                                           \
+    (gde_library * library, const gde_string_name* class_name, const gde_string* group, const gde_string* prefix))   \
+  /* In an editor alone, at its level. */                                                                            \
+  X(void, editor_help_load_xml_from_utf8_chars, (const char* xml))                                                   \
   X(void, classdb_unregister_extension_class, (gde_library * library, const gde_string_name* name))
 
 }  // extern "C"

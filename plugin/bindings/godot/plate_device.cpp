@@ -32,9 +32,7 @@ Error PlateNode::open_device(std::string device) {
   return after_device(hrt_plate_open(device.c_str(), nullptr, &device_));
 }
 
-Error PlateNode::turn_device(double orientation_deg) {
-  return after_device(hrt_plate_set(device_, orientation_deg));
-}
+Error PlateNode::turn_device(double orientation_deg) { return after_device(hrt_plate_set(device_, orientation_deg)); }
 
 Error PlateNode::stop_device() { return after_device(hrt_plate_stop(device_)); }
 

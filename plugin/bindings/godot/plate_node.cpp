@@ -83,8 +83,8 @@ const void* PlateNode::of(const Field& property) const {
 
 void PlateNode::set(const Field& property, const Value& value) noexcept try {
   if (property.set(const_cast<void*>(of(property)), value)) return engine_.update_warnings();
-  const std::string text = std::string(property.name) + " was given a value of type " +
-                           type_name(type_of(value)) + "; allowed: " + property.allowed;
+  const std::string text = std::string(property.name) + " was given a value of type " + type_name(type_of(value)) +
+                           "; allowed: " + property.allowed;
   engine_.push_error(text.c_str());
 } catch (const std::exception& error) {
   engine_.push_error(error.what());
@@ -159,11 +159,9 @@ void PlateNode::take_changes() {
   const hrt_session_config before = configured_;
   if (!ok(hrt_session_get(session_, &configured_, nullptr))) return;
   for (const Field& field : config_fields)
-    if (const Entry now = field.get(&configured_); now != field.get(&before))
-      field.set(&config_, to_value(now));
+    if (const Entry now = field.get(&configured_); now != field.get(&before)) field.set(&config_, to_value(now));
   copy_hidden(configured_, config_);
-  if (std::memcmp(before.plate_position_m, configured_.plate_position_m, sizeof before.plate_position_m) ==
-          0 &&
+  if (std::memcmp(before.plate_position_m, configured_.plate_position_m, sizeof before.plate_position_m) == 0 &&
       std::memcmp(before.plate_rotation, configured_.plate_rotation, sizeof before.plate_rotation) == 0)
     return;
   engine_.move_node(to_pose(configured_.plate_position_m, configured_.plate_rotation));

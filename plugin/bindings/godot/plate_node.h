@@ -34,8 +34,7 @@ inline constexpr Signal kFlagsChanged{"flags_changed", {"flags", Type::kInt}};
 inline constexpr Signal kReachEnded{"reach_ended", {"miss_deg", Type::kReal}};
 inline constexpr Signal kSetupStep{"setup_step", {"step", Type::kRecord}};
 inline constexpr Signal kSetupFinished{"setup_finished", {"result", Type::kRecord}};
-inline constexpr Signal kSignals[] = {kPlateCommanded, kFlagsChanged, kReachEnded, kSetupStep,
-                                      kSetupFinished};
+inline constexpr Signal kSignals[] = {kPlateCommanded, kFlagsChanged, kReachEnded, kSetupStep, kSetupFinished};
 
 /** The engine, as the node needs it. */
 class Engine {
@@ -103,8 +102,8 @@ class PlateNode {
   Error update(Vector3 world_position, int64_t time_ns);
   Error update_joint(Pose joint, int64_t time_ns);
   Error update_lost(int64_t time_ns);
-  Error update_sample(int64_t flags, int64_t time_ns, double direction_deg, double x_m, double y_m,
-                      double z_m, double plate_orientation_deg);
+  Error update_sample(int64_t flags, int64_t time_ns, double direction_deg, double x_m, double y_m, double z_m,
+                      double plate_orientation_deg);
   Error retarget(int64_t real, int64_t felt);
   Error touched(Vector3 world_position, double sd_m);
   Error touched_real_target();

@@ -77,8 +77,8 @@ Error PlateNode::update_lost(int64_t time_ns) {
   return send(sample);
 }
 
-Error PlateNode::update_sample(int64_t flags, int64_t time_ns, double direction_deg, double x_m, double y_m,
-                               double z_m, double plate_orientation_deg) {
+Error PlateNode::update_sample(int64_t flags, int64_t time_ns, double direction_deg, double x_m, double y_m, double z_m,
+                               double plate_orientation_deg) {
   constexpr int64_t kTaken =
       HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED;
   if (flags & ~kTaken) {
@@ -150,13 +150,9 @@ Error PlateNode::end() {
   return Error::kOk;
 }
 
-Record PlateNode::get_command() {
-  return command_.struct_size ? to_record(&command_, command_fields) : Record{};
-}
+Record PlateNode::get_command() { return command_.struct_size ? to_record(&command_, command_fields) : Record{}; }
 
-Record PlateNode::get_summary() {
-  return summary_.struct_size ? to_record(&summary_, summary_fields) : Record{};
-}
+Record PlateNode::get_summary() { return summary_.struct_size ? to_record(&summary_, summary_fields) : Record{}; }
 
 /** The same seed is the same person, in another reach. */
 Error PlateNode::begin_simulated_finger(int64_t felt, int64_t seed) {

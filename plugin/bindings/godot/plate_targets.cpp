@@ -17,8 +17,7 @@ hrt_target_config target_config(uint32_t role, const std::string& name) {
   return config;
 }
 
-hrt_target_config polar_target(uint32_t role, const std::string& name, double direction_deg,
-                               double distance_m) {
+hrt_target_config polar_target(uint32_t role, const std::string& name, double direction_deg, double distance_m) {
   hrt_target_config config = target_config(role, name);
   config.direction_deg = direction_deg;
   config.distance_m = distance_m;
@@ -88,8 +87,7 @@ bool PlateNode::list_targets(uint32_t role, std::vector<hrt_target>& out_targets
 
 Error PlateNode::assign_targets(bool exclusive) {
   std::vector<hrt_target> real, felt;
-  if (!configure() || !list_targets(HRT_TARGET_REAL, real) || !list_targets(HRT_TARGET_VIRTUAL, felt))
-    return error();
+  if (!configure() || !list_targets(HRT_TARGET_REAL, real) || !list_targets(HRT_TARGET_VIRTUAL, felt)) return error();
   // One more than is filled, because the plugin reads the first one's size.
   std::vector<hrt_gap> assigned(felt.size() + 1, hrt_gap_init());
   if (ok(hrt_target_assign(session_, felt.data(), felt.size(), real.data(), real.size(),
@@ -122,8 +120,7 @@ int64_t PlateNode::find_target(std::string name) {
   if (!configure() || !list_targets(0, targets)) return kNoTarget;
   for (const hrt_target target : targets) {
     hrt_target_config config = hrt_target_config_init();
-    if (ok(hrt_target_get(session_, target, &config)) && name == config.name)
-      return static_cast<int64_t>(target.value);
+    if (ok(hrt_target_get(session_, target, &config)) && name == config.name) return static_cast<int64_t>(target.value);
   }
   engine_.push_error(("find_target: no target has the name \"" + name + '"').c_str());
   return kNoTarget;

@@ -16,8 +16,8 @@ bool is_rigid(const Pose& pose) {
   const Vector3& z = pose.z_axis;
   const Vector3 cross{x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x};
   const auto near = [](double value, double wanted) { return std::abs(value - wanted) < 1e-3; };
-  return near(dot(x, x), 1) && near(dot(y, y), 1) && near(dot(z, z), 1) && near(dot(x, y), 0) &&
-         near(dot(y, z), 0) && near(dot(z, x), 0) && near(dot(cross, z), 1);
+  return near(dot(x, x), 1) && near(dot(y, y), 1) && near(dot(z, z), 1) && near(dot(x, y), 0) && near(dot(y, z), 0) &&
+         near(dot(z, x), 0) && near(dot(cross, z), 1);
 }
 
 // Shepperd's method: the largest of the four parts from the diagonal, the others by division through it.
@@ -52,8 +52,7 @@ Pose to_pose(const double (&position)[3], const double (&rotation)[4]) {
 Vector3 place(const Pose& pose, const double (&point)[3]) {
   const auto [a, b, c] = point;
   const auto& [x, y, z, at] = pose;
-  return {at.x + a * x.x + b * y.x + c * z.x, at.y + a * x.y + b * y.y + c * z.y,
-          at.z + a * x.z + b * y.z + c * z.z};
+  return {at.x + a * x.x + b * y.x + c * z.x, at.y + a * x.y + b * y.y + c * z.y, at.z + a * x.z + b * y.z + c * z.z};
 }
 
 void copy(const Vector3& from, double (&to)[3]) {

@@ -53,8 +53,7 @@ enum class Type { kNil, kBool, kInt, kReal, kString, kVector3, kRecord, kPose };
 inline Type type_of(const Value& value) { return static_cast<Type>(value.index()); }
 
 constexpr const char* type_name(Type type) {
-  constexpr const char* names[] = {"null",   "bool",    "int",        "float",
-                                   "String", "Vector3", "Dictionary", "Transform3D"};
+  constexpr const char* names[] = {"null", "bool", "int", "float", "String", "Vector3", "Dictionary", "Transform3D"};
   static_assert(std::size(names) == std::variant_size_v<Value>);
   return names[static_cast<size_t>(type)];
 }

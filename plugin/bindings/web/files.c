@@ -6,14 +6,11 @@
 struct stat;
 
 /* Returns a descriptor, or an error's negative number. */
-__attribute__((import_module("env"), import_name("hrt_web_open"))) long hrt_web_open(const char* path,
-                                                                                     int writes);
+__attribute__((import_module("env"), import_name("hrt_web_open"))) long hrt_web_open(const char* path, int writes);
 
 /* In place of the C library's, which is weak. */
 long __syscall_open(const char* path, long flags, ...);
-long __syscall_open(const char* path, long flags, ...) {
-  return hrt_web_open(path, (flags & O_ACCMODE) != O_RDONLY);
-}
+long __syscall_open(const char* path, long flags, ...) { return hrt_web_open(path, (flags & O_ACCMODE) != O_RDONLY); }
 
 /* The C library's are for JavaScript to give. */
 #define NOT_THERE(name, ...) \

@@ -62,11 +62,9 @@ typedef struct hrt_plate_options {
 } hrt_plate_options;
 
 /** What a plate is doing. */
-#define HRT_PLATE_STATE_OPENING \
-  1u /**< being greeted: up to 6 s, because boards start when their line is opened */
-#define HRT_PLATE_STATE_READY 2u /**< takes commands */
-#define HRT_PLATE_STATE_FAILED \
-  3u /**< was stopped if it still heard; hrt_plate_report::message has the reason */
+#define HRT_PLATE_STATE_OPENING 1u /**< being greeted: up to 6 s, because boards start when their line is opened */
+#define HRT_PLATE_STATE_READY 2u   /**< takes commands */
+#define HRT_PLATE_STATE_FAILED 3u  /**< was stopped if it still heard; hrt_plate_report::message has the reason */
 
 /** Why a plate has failed. */
 #define HRT_PLATE_FAULT_NONE 0u      /**< it has not failed */
@@ -92,8 +90,8 @@ typedef struct hrt_plate_options {
 #define HRT_PLATE_REPORT_UNHOMED                                                                            \
   32u /**< nobody knows where the plate stands: it has no sensor, and was switched on, reset, or stopped by \
        * its emergency stop since it last knew */
-#define HRT_PLATE_REPORT_FIRST_MOTION \
-  64u /**< it has not yet come to a command since it was opened: keep fingers off */
+#define HRT_PLATE_REPORT_FIRST_MOTION 64u /**< it has not yet come to a command since it was opened: keep fingers off \
+                                           */
 
 #define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are those of the file */
 #define HRT_PLATE_REPORT_DEVIATES                                                                        \
@@ -157,8 +155,7 @@ HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_set(hrt_plate plate, double ori
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_stop(hrt_plate plate) HRT_NOEXCEPT;
 
 /** Fills `*out_report`. Set its `struct_size` before the call. Reads the monotonic clock. [real-time] */
-HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_get(hrt_plate plate,
-                                                     hrt_plate_report* out_report) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_report* out_report) HRT_NOEXCEPT;
 
 /** Stops the plate, restores its line, and ends its thread: within 0.5 s. Null is allowed. [one-thread] */
 HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;

@@ -60,8 +60,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t 
 /** Copies a profile of `length` bytes into the session's configuration. Fields missing in the profile keep
  * their values; unknown fields are refused. Errors: BAD_FORMAT, OUT_OF_RANGE naming the field, WRONG_STATE
  * during a reach. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text,
-                                                  uint64_t length) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

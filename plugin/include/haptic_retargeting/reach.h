@@ -222,8 +222,7 @@ typedef struct hrt_reach_summary {
 /** hrt_contact::flags: how the place is given, at most one. With neither, the finger is at the near side of
  * the reach's real target: its place, less its radius towards the start. */
 #define HRT_CONTACT_PLATE_POSITION UINT32_C(1) /**< position_m, in plate coordinates */
-#define HRT_CONTACT_WORLD_POSITION \
-  UINT32_C(2) /**< position_m, in the engine's world: by the session's pose */
+#define HRT_CONTACT_WORLD_POSITION UINT32_C(2) /**< position_m, in the engine's world: by the session's pose */
 
 /** Where the finger is, since it touches a real object. All zero with `struct_size` is the default. */
 typedef struct hrt_contact {
@@ -240,8 +239,7 @@ typedef struct hrt_contact {
 /** Begins a reach. The targets are copied. Its directions are measured from
  * hrt_session_config::start_position_m, wherever the finger is, unless HRT_REACH_START_AT_FINGER is set.
  * Errors: INVALID_HANDLE or OUT_OF_RANGE naming the target, WRONG_STATE during a reach. [real-time] */
-HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session,
-                                                 const hrt_reach_config* config) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
 /** Processes one sample and returns the command. Samples may come at any rate. A direction changes the
  * command once in a step period, a position at every sample: each one refines the estimate. Under
@@ -272,8 +270,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_tar
  * it is within 10 mm of the start or too far from where the finger was seen: more than a quarter of its
  * distance from the start and 3 deviations; WRONG_STATE without a reach, without HRT_SESSION_REGISTERED, or
  * after a contact; INSUFFICIENT_DATA if the finger was not seen to move. [real-time] */
-HRT_NODISCARD HRT_API hrt_result hrt_reach_touched(hrt_session session,
-                                                   const hrt_contact* contact) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_reach_touched(hrt_session session, const hrt_contact* contact) HRT_NOEXCEPT;
 
 /** Ends the reach without a summary and learns nothing from it, nor from its contact. The plate is where the
  * last command left it. Errors: WRONG_STATE without a reach. [real-time] */
@@ -281,8 +278,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_cancel(hrt_session session) HRT_NOEXC
 
 /** Ends the reach. Errors: WRONG_STATE without a reach; INSUFFICIENT_DATA if it has had no sample: it stays
  * under way, and hrt_reach_cancel() ends it. [real-time] */
-HRT_NODISCARD HRT_API hrt_result hrt_reach_end(hrt_session session,
-                                               hrt_reach_summary* out_summary) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_reach_end(hrt_session session, hrt_reach_summary* out_summary) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

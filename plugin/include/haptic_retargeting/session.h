@@ -222,7 +222,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_
                                                     hrt_session* out_session) HRT_NOEXCEPT;
 
 /** What a session is about: bits of hrt_session_get(). 0: idle, no reach can begin. */
-#define HRT_STATE_READY UINT32_C(1) /**< a real and a virtual target are there, and no reach is under way */
+#define HRT_STATE_READY UINT32_C(1)      /**< a real and a virtual target are there, and no reach is under way */
 #define HRT_STATE_REACHING UINT32_C(2)   /**< a reach is under way */
 #define HRT_STATE_SETTING_UP UINT32_C(4) /**< a set-up is under way: no reach can begin */
 #define HRT_STATE_RECORDING UINT32_C(8)  /**< the calls of the session are recorded */
@@ -235,8 +235,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_get(hrt_session session, hrt_sessio
 
 /** Replaces the configuration; null: by the defaults. Targets stay. Errors: as hrt_session_create(), and
  * WRONG_STATE during a reach. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_session_set(hrt_session session,
-                                                 const hrt_session_config* config) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_session_set(hrt_session session, const hrt_session_config* config) HRT_NOEXCEPT;
 
 /** Destroys the session and its targets; ends its reach and its recording. [one-thread] */
 HRT_API hrt_result hrt_session_destroy(hrt_session session) HRT_NOEXCEPT;

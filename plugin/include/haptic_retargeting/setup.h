@@ -99,18 +99,16 @@ typedef struct hrt_setup_config {
 
 /** What was wrong with the last try, which is repeated. */
 #define HRT_PROBLEM_NONE UINT32_C(0)
-#define HRT_PROBLEM_TOO_FAST UINT32_C(1)   /**< the slide took less than half a second */
-#define HRT_PROBLEM_TOO_SLOW UINT32_C(2)   /**< the slide took more than 8 s */
-#define HRT_PROBLEM_STOPPED UINT32_C(3)    /**< the finger rested before it was half way, or elsewhere */
-#define HRT_PROBLEM_LEFT_PLATE UINT32_C(4) /**< the finger was lifted, or went over the rim */
-#define HRT_PROBLEM_LOST UINT32_C(5)       /**< the tracker lost the finger */
-#define HRT_PROBLEM_MOVED UINT32_C(6)      /**< the plate turned during the slide */
-#define HRT_PROBLEM_PLATE UINT32_C(7)      /**< the plate has not turned as it was asked, for 5 s */
-#define HRT_PROBLEM_DISAGREES UINT32_C(8)  /**< the touches do not fit the marks, or each other */
-#define HRT_PROBLEM_UPSIDE_DOWN \
-  UINT32_C(9) /**< by the touches the plate lies upside down: marks were confused */
-#define HRT_PROBLEM_UNDETERMINED \
-  UINT32_C(10) /**< what was done does not determine the result: more is needed */
+#define HRT_PROBLEM_TOO_FAST UINT32_C(1)      /**< the slide took less than half a second */
+#define HRT_PROBLEM_TOO_SLOW UINT32_C(2)      /**< the slide took more than 8 s */
+#define HRT_PROBLEM_STOPPED UINT32_C(3)       /**< the finger rested before it was half way, or elsewhere */
+#define HRT_PROBLEM_LEFT_PLATE UINT32_C(4)    /**< the finger was lifted, or went over the rim */
+#define HRT_PROBLEM_LOST UINT32_C(5)          /**< the tracker lost the finger */
+#define HRT_PROBLEM_MOVED UINT32_C(6)         /**< the plate turned during the slide */
+#define HRT_PROBLEM_PLATE UINT32_C(7)         /**< the plate has not turned as it was asked, for 5 s */
+#define HRT_PROBLEM_DISAGREES UINT32_C(8)     /**< the touches do not fit the marks, or each other */
+#define HRT_PROBLEM_UPSIDE_DOWN UINT32_C(9)   /**< by the touches the plate lies upside down: marks were confused */
+#define HRT_PROBLEM_UNDETERMINED UINT32_C(10) /**< what was done does not determine the result: more is needed */
 
 /** What to do now. Set `struct_size` before the call. */
 typedef struct hrt_setup_step {
@@ -226,8 +224,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_update(hrt_session session, const hrt
  * that max_slides do not determine, or that has lack of fit, is neither `done` nor left. Takes some 25
  * microseconds a sample of slides, up to a second: too long for a thread that draws frames. Errors:
  * WRONG_STATE without a set-up, or before HRT_STEP_FINISH; OUT_OF_MEMORY. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_setup_finish(hrt_session session,
-                                                  hrt_setup_result* out_result) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_setup_finish(hrt_session session, hrt_setup_result* out_result) HRT_NOEXCEPT;
 
 /** Ends the set-up. What hrt_setup_finish() has applied stays. Errors: WRONG_STATE without a set-up.
  * [one-thread] */

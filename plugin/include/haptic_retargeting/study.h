@@ -87,13 +87,11 @@ HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session
  * `out_sample->struct_size` before the call. The first call after hrt_person_begin() has the rest begin, and
  * the plate stand where it says. Errors: OUT_OF_RANGE naming plate_orientation_deg, TIME_REVERSED,
  * WRONG_STATE before hrt_person_begin(). [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_person_move(hrt_person person, int64_t time_ns,
-                                                 double plate_orientation_deg,
+HRT_NODISCARD HRT_API hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orientation_deg,
                                                  hrt_sample* out_sample) HRT_NOEXCEPT;
 
 /** Returns where the person is. Errors: WRONG_STATE before hrt_person_begin(). [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_person_get_state(hrt_person person,
-                                                      hrt_person_state* out_state) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_person_get_state(hrt_person person, hrt_person_state* out_state) HRT_NOEXCEPT;
 
 /** What became of a slide: hrt_setup_residual::verdict. */
 #define HRT_SLIDE_USED UINT32_C(0)
@@ -142,8 +140,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_recording_get_status(hrt_session session,
 
 /** Writes the remaining rows, closes the file and returns the final state. The call may wait for the disk.
  * Destroying the session also stops its recording. Errors: WRONG_STATE without a recording. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session,
-                                                    hrt_recording_status* out_status) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) HRT_NOEXCEPT;
 
 /** How a recording ends. */
 #define HRT_ENDING_COMPLETE 0  /**< with its end line, and nothing was altered or lost */

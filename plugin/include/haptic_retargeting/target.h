@@ -92,8 +92,8 @@ typedef struct hrt_gap {
 } hrt_gap;
 
 /** Returns the gap of a pair, before a reach. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target real_target,
-                                               hrt_target virtual_target, hrt_gap* out_gap) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target real_target, hrt_target virtual_target,
+                                               hrt_gap* out_gap) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

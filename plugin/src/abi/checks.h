@@ -129,8 +129,7 @@ hrt_result check_fields(const S& values) {
 /// A name that a host gives; what is behind its zero is cleared.
 inline hrt_result check_name(const char* field, char (&name)[HRT_NAME_SIZE]) {
   const auto* end = static_cast<const char*>(std::memchr(name, '\0', sizeof name));
-  if (!end)
-    return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not ended by a zero within ", sizeof name, " bytes");
+  if (!end) return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not ended by a zero within ", sizeof name, " bytes");
   const auto length = static_cast<std::size_t>(end - name);
   std::memset(name + length, 0, sizeof name - length);
   if (!is_utf8({name, length})) return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not UTF-8");

@@ -81,9 +81,7 @@ bool lock(int descriptor) {
 void unlock(int descriptor) { flock(descriptor, LOCK_UN); }
 int truncate(int descriptor) { return ftruncate(descriptor, 0); }
 #endif
-std::ptrdiff_t read_some(int descriptor, char* out, std::size_t size) {
-  return ::read(descriptor, out, size);
-}
+std::ptrdiff_t read_some(int descriptor, char* out, std::size_t size) { return ::read(descriptor, out, size); }
 std::ptrdiff_t write_some(int descriptor, const char* text, std::size_t size) {
   return ::write(descriptor, text, size);
 }
@@ -96,9 +94,7 @@ bool means_taken() { return false; }
 
 constexpr std::size_t max_at_once = INT_MAX;
 
-hrt_result fail_as_not_regular(const char* path) {
-  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": not a regular file");
-}
+hrt_result fail_as_not_regular(const char* path) { return fail(HRT_ERROR_SYSTEM, Shown{path}, ": not a regular file"); }
 
 hrt_result fail_as_taken(const char* path) {
   return fail(HRT_ERROR_SYSTEM, Shown{path}, ": another recording is written to this file");
@@ -106,9 +102,7 @@ hrt_result fail_as_taken(const char* path) {
 
 }  // namespace
 
-hrt_result fail_of_file(const char* path) {
-  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": ", std::strerror(errno));
-}
+hrt_result fail_of_file(const char* path) { return fail(HRT_ERROR_SYSTEM, Shown{path}, ": ", std::strerror(errno)); }
 
 File::~File() {
   if (descriptor_ >= 0) close_descriptor(descriptor_);

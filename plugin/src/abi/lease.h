@@ -15,8 +15,7 @@ inline hrt_result no_lease(hrt_result reason, const char* what, std::uint64_t ha
 
 /// Runs the body of an entry point on the `what` of `table` that the handle stands for.
 template <class Table, class Body>
-hrt_result with_lease(const char* call, const char* what, Table& table, std::uint64_t handle,
-                      Body&& body) noexcept {
+hrt_result with_lease(const char* call, const char* what, Table& table, std::uint64_t handle, Body&& body) noexcept {
   return guarded(call, [&]() -> hrt_result {
     const typename Table::Lease lease = table.lease(handle);
     return lease.result() == HRT_OK ? body(*lease) : no_lease(lease.result(), what, handle);

@@ -70,8 +70,7 @@ class Text {
     } else {
       char digits[32];
       const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
-      return error == std::errc() ? *this << std::string_view(digits, static_cast<std::size_t>(end - digits))
-                                  : *this;
+      return error == std::errc() ? *this << std::string_view(digits, static_cast<std::size_t>(end - digits)) : *this;
     }
   }
 

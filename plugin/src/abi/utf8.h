@@ -9,9 +9,7 @@ namespace hrt::plugin {
 /// Bytes of the character at the beginning of `text`; 0 if that is none. As RFC 3629 has it: shortest forms
 /// only, no surrogates, nothing above U+10FFFF.
 inline std::size_t utf8_character_size(std::string_view text) {
-  const auto byte = [&](std::size_t at) {
-    return static_cast<unsigned char>(at < text.size() ? text[at] : 0);
-  };
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(at < text.size() ? text[at] : 0); };
   if (text.empty()) return 0;
   const unsigned char lead = byte(0), second = byte(1);
   if (lead < 0x80) return 1;

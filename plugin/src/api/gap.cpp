@@ -15,8 +15,8 @@
 namespace hrt::plugin {
 namespace {
 
-hrt_gap gap_of(const Session& session, hrt_target real_target, hrt_target virtual_target,
-               const hrt_target_config& real, const hrt_target_config& virtual_config) {
+hrt_gap gap_of(const Session& session, hrt_target real_target, hrt_target virtual_target, const hrt_target_config& real,
+               const hrt_target_config& virtual_config) {
   const hrt_session_config& config = session.config();
   const RetargeterConfig core = to_core(config);
   const bool arrival = core.mode == ControlMode::reach;
@@ -45,9 +45,8 @@ hrt_gap gap_of(const Session& session, hrt_target real_target, hrt_target virtua
 }
 
 // Of the ids given, none twice.
-hrt_result find_targets(const Targets& targets, const char* argument, const hrt_target* given,
-                        std::uint64_t count, std::uint32_t role,
-                        std::vector<const hrt_target_config*>* out_configs) {
+hrt_result find_targets(const Targets& targets, const char* argument, const hrt_target* given, std::uint64_t count,
+                        std::uint32_t role, std::vector<const hrt_target_config*>* out_configs) {
   if (count == 0 || count > HRT_ASSIGN_TARGETS_MAX)
     return fail(HRT_ERROR_OUT_OF_RANGE, "the count of ", argument, " is ", count, "; allowed: 1 to ",
                 HRT_ASSIGN_TARGETS_MAX);
@@ -90,16 +89,15 @@ hrt_result hrt_gap_query(hrt_session session, hrt_target real_target, hrt_target
 }
 
 hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets, uint64_t virtual_count,
-                             const hrt_target* real_targets, uint64_t real_count, uint32_t flags,
-                             uint64_t capacity, hrt_gap* out_gaps) noexcept {
+                             const hrt_target* real_targets, uint64_t real_count, uint32_t flags, uint64_t capacity,
+                             hrt_gap* out_gaps) noexcept {
   return with_session("hrt_target_assign", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_flags(flags, HRT_ASSIGN_EXCLUSIVE));
     const Targets& targets = s.session().targets;
     std::vector<const hrt_target_config*> virtuals, reals;
-    HRT_RETURN_IF_FAILED(find_targets(targets, "virtual_targets", virtual_targets, virtual_count,
-                                      HRT_TARGET_VIRTUAL, &virtuals));
     HRT_RETURN_IF_FAILED(
-        find_targets(targets, "real_targets", real_targets, real_count, HRT_TARGET_REAL, &reals));
+        find_targets(targets, "virtual_targets", virtual_targets, virtual_count, HRT_TARGET_VIRTUAL, &virtuals));
+    HRT_RETURN_IF_FAILED(find_targets(targets, "real_targets", real_targets, real_count, HRT_TARGET_REAL, &reals));
     HRT_RETURN_IF_FAILED(check_output("out_gaps", out_gaps));
     if (capacity < virtual_count)
       return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; there are ", virtual_count,

@@ -15,8 +15,7 @@ hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) 
   });
 }
 
-hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
-                            hrt_command* out_command) noexcept {
+hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample, hrt_command* out_command) noexcept {
   return with_session("hrt_reach_update", session, [&](RecordedSession& s) -> hrt_result {
     if (const hrt_result result = check_output("out_command", out_command); result != HRT_OK)
       return s.refuse(result, Refused::Argument::out_command, out_command);
@@ -30,8 +29,7 @@ hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
   });
 }
 
-hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
-                              hrt_target virtual_target) noexcept {
+hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target, hrt_target virtual_target) noexcept {
   return with_session("hrt_reach_retarget", session,
                       [&](RecordedSession& s) { return s.retarget(real_target, virtual_target); });
 }

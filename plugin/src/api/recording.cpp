@@ -67,16 +67,14 @@ hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_sta
   });
 }
 
-hrt_result hrt_replay(const char* path, const char* text, uint64_t length,
-                      hrt_replay_report* out_report) noexcept {
+hrt_result hrt_replay(const char* path, const char* text, uint64_t length, hrt_replay_report* out_report) noexcept {
   return guarded("hrt_replay", [&]() -> hrt_result {
     if (!path && !text) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null, and so is text");
     HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
     hrt_replay_report report{};
     std::string read;
     if (!text) HRT_RETURN_IF_FAILED(read_file(path, &read));
-    HRT_RETURN_IF_FAILED(
-        replay(text ? std::string_view(text, static_cast<std::size_t>(length)) : read, &report));
+    HRT_RETURN_IF_FAILED(replay(text ? std::string_view(text, static_cast<std::size_t>(length)) : read, &report));
     write_struct(report, out_report);
     return HRT_OK;
   });

@@ -35,8 +35,7 @@ hrt_result add_scene(hrt_scene* out_scene, std::string_view file, Load&& load) {
                     " bytes; allowed: up to ", HRT_NAME_SIZE - 1);
     }
     const std::uint64_t handle = scenes.insert(std::move(scene));
-    if (handle == 0)
-      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SCENES_MAX, " scenes; destroy one first");
+    if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SCENES_MAX, " scenes; destroy one first");
     out_scene->value = handle;
     return HRT_OK;
   } catch (const SceneError& error) {
@@ -94,8 +93,8 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
   HRT_RETURN_IF_FAILED(session.session().check_no_reach());
   if (capacity > 0 && !out_targets) return fail(HRT_ERROR_NULL_ARGUMENT, "out_targets is null");
   if (out_targets && capacity < scene.targets.size())
-    return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; the scene has ",
-                scene.targets.size(), " targets");
+    return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; the scene has ", scene.targets.size(),
+                " targets");
   const hrt_session_config config = unregistered(with_plate_of(scene, session.session().config()));
   HRT_RETURN_IF_FAILED(check_session_config(config));
   std::vector<hrt_target_config> targets;
@@ -116,13 +115,11 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
 
 using namespace hrt::plugin;
 
-hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length,
-                          hrt_scene* out_scene) noexcept {
+hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length, hrt_scene* out_scene) noexcept {
   return guarded("hrt_scene_load", [&]() -> hrt_result {
     if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
     if (!bytes) return add_scene(out_scene, path, [&] { return hrt::load_scene(path_of(path)); });
-    const std::span<const std::byte> file(static_cast<const std::byte*>(bytes),
-                                          static_cast<std::size_t>(length));
+    const std::span<const std::byte> file(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(length));
     return add_scene(out_scene, path, [&] { return hrt::load_scene(file, path); });
   });
 }
@@ -151,8 +148,7 @@ hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index, hrt_scene_targe
   return with_scene("hrt_scene_get_target", scene, [&](const hrt::Scene& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_target", out_target));
     if (index >= s.targets.size())
-      return fail(HRT_ERROR_OUT_OF_RANGE, "index is ", index, "; the scene has ", s.targets.size(),
-                  " targets");
+      return fail(HRT_ERROR_OUT_OF_RANGE, "index is ", index, "; the scene has ", s.targets.size(), " targets");
     const hrt::SceneTarget& from = s.targets[index];
     hrt_scene_target target{};
     target.role = role_of(from);

@@ -16,9 +16,9 @@ namespace {
 hrt_result check_version(std::uint32_t version) {
   constexpr std::uint32_t patches = 100;
   if (version / patches == HRT_VERSION / patches) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, "version is ", version, ", of other headers; this library is ",
-              HRT_VERSION_MAJOR, ".", HRT_VERSION_MINOR, ".", HRT_VERSION_PATCH,
-              ": build with its headers, and pass HRT_VERSION, ", HRT_VERSION);
+  return fail(HRT_ERROR_OUT_OF_RANGE, "version is ", version, ", of other headers; this library is ", HRT_VERSION_MAJOR,
+              ".", HRT_VERSION_MINOR, ".", HRT_VERSION_PATCH, ": build with its headers, and pass HRT_VERSION, ",
+              HRT_VERSION);
 }
 
 }  // namespace
@@ -26,8 +26,7 @@ hrt_result check_version(std::uint32_t version) {
 
 using namespace hrt::plugin;
 
-hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config,
-                              hrt_session* out_session) noexcept {
+hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config, hrt_session* out_session) noexcept {
   return guarded("hrt_session_create", [&]() -> hrt_result {
     HRT_RETURN_IF_FAILED(check_version(version));
     if (!out_session) return fail(HRT_ERROR_NULL_ARGUMENT, "out_session is null");
@@ -41,8 +40,7 @@ hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config
   });
 }
 
-hrt_result hrt_session_get(hrt_session session, hrt_session_config* out_config,
-                           uint32_t* out_state) noexcept {
+hrt_result hrt_session_get(hrt_session session, hrt_session_config* out_config, uint32_t* out_state) noexcept {
   return with_session("hrt_session_get", session, [&](RecordedSession& s) -> hrt_result {
     if (out_config) {
       HRT_RETURN_IF_FAILED(check_output("out_config", out_config));

@@ -16,8 +16,7 @@ hrt_result hrt_setup_begin(hrt_session session, uint32_t what, const hrt_setup_c
   });
 }
 
-hrt_result hrt_setup_update(hrt_session session, const hrt_sample* sample,
-                            hrt_setup_step* out_step) noexcept {
+hrt_result hrt_setup_update(hrt_session session, const hrt_sample* sample, hrt_setup_step* out_step) noexcept {
   return with_session("hrt_setup_update", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_step", out_step));
     hrt_sample known{};
@@ -43,8 +42,7 @@ hrt_result hrt_setup_cancel(hrt_session session) noexcept {
   return with_session("hrt_setup_cancel", session, [](RecordedSession& s) { return s.cancel_setup(); });
 }
 
-hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide,
-                                  hrt_setup_residual* out_residual) noexcept {
+hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide, hrt_setup_residual* out_residual) noexcept {
   return with_session("hrt_setup_get_residual", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_residual", out_residual));
     hrt_setup_residual known{};

@@ -14,8 +14,7 @@ constinit People people;
 constexpr double default_duration_s = 1.5;
 
 std::unique_ptr<SimulatedHand> made(const hrt_person_config& config, std::uint64_t seed) {
-  auto hand = std::make_unique<SimulatedHand>(
-      config.duration_s != 0.0 ? config.duration_s : default_duration_s, seed);
+  auto hand = std::make_unique<SimulatedHand>(config.duration_s != 0.0 ? config.duration_s : default_duration_s, seed);
   PersonCondition& condition = hand->condition();
   if (config.tactile_weight != 0.0) condition.person.illusion.tactile_weight = config.tactile_weight;
   condition.person.bias_deg = config.bias_deg;
@@ -48,16 +47,14 @@ using hrt::Bearing;
 using hrt::SimulatedHand;
 using namespace hrt::plugin;
 
-hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed,
-                             hrt_person* out_person) noexcept {
+hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed, hrt_person* out_person) noexcept {
   return guarded("hrt_person_create", [&]() -> hrt_result {
     if (!out_person) return fail(HRT_ERROR_NULL_ARGUMENT, "out_person is null");
     hrt_person_config known{};
     if (config) HRT_RETURN_IF_FAILED(read_struct("config", config, &known));
     HRT_RETURN_IF_FAILED(check_fields(known));
     const std::uint64_t handle = people.insert(made(known, seed));
-    if (handle == 0)
-      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_PEOPLE_MAX, " people; destroy one first");
+    if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_PEOPLE_MAX, " people; destroy one first");
     out_person->value = handle;
     return HRT_OK;
   });
@@ -90,8 +87,7 @@ hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orie
     hrt_sample sample{};
     sample.plate_orientation_deg = plate_orientation_deg;
     HRT_RETURN_IF_FAILED(check_field(sample, Fields<hrt_sample>::plate_orientation_deg));
-    if (hand.is_past(time_ns))
-      return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", time_ns, ", before the last call's");
+    if (hand.is_past(time_ns)) return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", time_ns, ", before the last call's");
     sample.flags = HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION;
     sample.time_ns = time_ns;
     write_point(hand.move(time_ns, plate_orientation_deg), sample.finger_position_m);

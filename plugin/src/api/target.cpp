@@ -18,8 +18,7 @@ hrt_result read_target_config(const hrt_session_config& session_config, const hr
 
 using namespace hrt::plugin;
 
-hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
-                          hrt_target* out_target) noexcept {
+hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config, hrt_target* out_target) noexcept {
   return with_session("hrt_target_add", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
     hrt_target_config checked;
@@ -47,8 +46,7 @@ hrt_result hrt_target_get(hrt_session session, hrt_target target, hrt_target_con
 }
 
 hrt_result hrt_target_remove(hrt_session session, hrt_target target) noexcept {
-  return with_session("hrt_target_remove", session,
-                      [&](RecordedSession& s) { return s.remove_target(target.value); });
+  return with_session("hrt_target_remove", session, [&](RecordedSession& s) { return s.remove_target(target.value); });
 }
 
 hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity, hrt_target* out_targets,

@@ -42,8 +42,7 @@ DeviceName parts_of(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) refuse("device has no kind; allowed: " + known_kinds());
   const std::size_t question = std::min(text.find('?', colon), text.size());
-  DeviceName name{
-      std::string(text.substr(0, colon)), std::string(text.substr(colon + 1, question - colon - 1)), {}};
+  DeviceName name{std::string(text.substr(0, colon)), std::string(text.substr(colon + 1, question - colon - 1)), {}};
   if (name.path.empty()) refuse("device names no line behind " + name.kind + ":");
   for (std::string_view rest = text.substr(question); !rest.empty();) {
     rest.remove_prefix(1);
@@ -75,8 +74,7 @@ int DeviceName::number(std::string_view option, int otherwise, int min, int max)
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value < min || value > max)
-      refuse("option " + word + " is \"" + text + "\"; allowed: " + std::to_string(min) + " to " +
-             std::to_string(max));
+      refuse("option " + word + " is \"" + text + "\"; allowed: " + std::to_string(min) + " to " + std::to_string(max));
     return value;
   }
   return otherwise;

@@ -60,8 +60,7 @@ hrt_result check_homed(const PlateDriver& driver) {
 
 }  // namespace
 
-hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
-                          hrt_plate* out_plate) noexcept {
+hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options, hrt_plate* out_plate) noexcept {
   return guarded("hrt_plate_open", [&]() -> hrt_result {
     if (!device) return fail(HRT_ERROR_NULL_ARGUMENT, "device is null");
     if (!out_plate) return fail(HRT_ERROR_NULL_ARGUMENT, "out_plate is null");
@@ -79,11 +78,10 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
       return fail(HRT_ERROR_OUT_OF_RANGE, wrong.what());
     }
     const std::string path = path_of(file ? file->device : name);
-    auto driver = std::make_unique<PlateDriver>(std::move(maker), hrt::plate::open_serial_line, path,
-                                                std::move(file), checked);
+    auto driver =
+        std::make_unique<PlateDriver>(std::move(maker), hrt::plate::open_serial_line, path, std::move(file), checked);
     const std::uint64_t handle = plates.insert(std::move(driver));
-    if (handle == 0)
-      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", max_plates, " plates; close one first");
+    if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are ", max_plates, " plates; close one first");
     out_plate->value = handle;
     return HRT_OK;
   });
@@ -91,8 +89,7 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
 
 hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) noexcept {
   return with_plate("hrt_plate_set", plate, [&](PlateDriver& driver) -> hrt_result {
-    HRT_RETURN_IF_FAILED(
-        check_value("orientation_deg", Fields<hrt_sample>::plate_orientation_deg, orientation_deg));
+    HRT_RETURN_IF_FAILED(check_value("orientation_deg", Fields<hrt_sample>::plate_orientation_deg, orientation_deg));
     HRT_RETURN_IF_FAILED(check_ready(driver));
     HRT_RETURN_IF_FAILED(check_homed(driver));
     driver.set(orientation_deg);

@@ -69,8 +69,8 @@ void write_text(char (&to)[size], const Parts&... parts) {
 
 }  // namespace
 
-PlateDriver::PlateDriver(DeviceMaker maker, LineOpener opener, std::string path,
-                         std::optional<PlateFile> file, const hrt_plate_options& options)
+PlateDriver::PlateDriver(DeviceMaker maker, LineOpener opener, std::string path, std::optional<PlateFile> file,
+                         const hrt_plate_options& options)
     : maker_(std::move(maker)),
       opener_(std::move(opener)),
       path_(std::move(path)),
@@ -134,8 +134,8 @@ void PlateDriver::serve(Device& device) {
   write_text(now_known_.report.description, std::string_view(device.description()));
   host_heard_ = near_ = commanded_ = now();
   if (file_ && file_->description != device.description())
-    throw PlateFailure(Fault::no_answer, "is \"" + device.description() + "\", and its file is of \"" +
-                                             file_->description + "\"");
+    throw PlateFailure(Fault::no_answer,
+                       "is \"" + device.description() + "\", and its file is of \"" + file_->description + "\"");
   while (!ending_) {
     publish(device);
     device.wait(pickup_period);
@@ -188,14 +188,12 @@ void PlateDriver::publish(const Device& device) {
   report.flags = (device.orientation_deg() ? HRT_PLATE_REPORT_ORIENTATION : HRT_PLATE_REPORT_UNHOMED) |
                  (has_arrived_ ? 0U : HRT_PLATE_REPORT_FIRST_MOTION) |
                  (device.is_measured() ? HRT_PLATE_REPORT_MEASURED : 0U) |
-                 (device.round_trip() ? HRT_PLATE_REPORT_ROUND_TRIP : 0U) |
-                 (holds_ ? 0U : HRT_PLATE_REPORT_COMMANDED) | (file_ ? HRT_PLATE_REPORT_COMMISSIONED : 0U) |
-                 (deviates_ ? HRT_PLATE_REPORT_DEVIATES : 0U) |
+                 (device.round_trip() ? HRT_PLATE_REPORT_ROUND_TRIP : 0U) | (holds_ ? 0U : HRT_PLATE_REPORT_COMMANDED) |
+                 (file_ ? HRT_PLATE_REPORT_COMMISSIONED : 0U) | (deviates_ ? HRT_PLATE_REPORT_DEVIATES : 0U) |
                  (host_is_silent_ ? HRT_PLATE_REPORT_HOST_SILENT : 0U);
   report.orientation_deg = device.orientation_deg().value_or(0.0);
   report.latency_ns = limits.latency.count();
-  if (file_)
-    report.latency_ns = std::llround(file_->latency_ms * 1e6) + device.round_trip().value_or(0ns).count() / 2;
+  if (file_) report.latency_ns = std::llround(file_->latency_ms * 1e6) + device.round_trip().value_or(0ns).count() / 2;
   report.round_trip_ns = device.round_trip().value_or(0ns).count();
   report.max_speed_deg_s = file_ ? std::min(limits.speed_deg_s, file_->speed_deg_s) : limits.speed_deg_s;
   report.max_acceleration_deg_s2 = file_ ? file_->acceleration_deg_s2 : 0.0;

@@ -58,9 +58,7 @@ PlateFile read_plate_file(const std::string& path) {
     file.acceleration_deg_s2 = session.at("plate_max_acceleration_deg_s2");
     file.latency_ms = json.at("measured").at("latency_ms").at(0);
     file.error_deg = json.at("max_error_deg");
-    const auto is_within = [](double value, double low, double high) {
-      return value >= low && value <= high;
-    };
+    const auto is_within = [](double value, double low, double high) { return value >= low && value <= high; };
     if (!is_within(file.speed_deg_s, 0.1, 1e5) || !is_within(file.acceleration_deg_s2, 1.0, 1e8) ||
         !is_within(file.latency_ms, 0.0, 1000.0) || !is_within(file.error_deg, 0.0, 360.0))
       refuse(path, "holds a number out of range");

@@ -37,8 +37,7 @@ Words words_of(std::string_view body) {
 std::optional<double> number_of(std::string_view word) {
   double value = 0.0;
   if (word.size() > max_number) return std::nullopt;
-  const auto [end, error] =
-      std::from_chars(word.data(), word.data() + word.size(), value, std::chars_format::fixed);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, std::chars_format::fixed);
   if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }
@@ -48,14 +47,12 @@ std::optional<double> angle_of(std::string_view word) {
   return angle_deg && std::abs(*angle_deg) <= max_angle_deg ? angle_deg : std::nullopt;
 }
 
-bool are_digits(std::string_view text) {
-  return text.find_first_not_of("0123456789") == std::string_view::npos;
-}
+bool are_digits(std::string_view text) { return text.find_first_not_of("0123456789") == std::string_view::npos; }
 
 // Sign, three digits, point, two digits: a lost or doubled character changes the length.
 std::optional<double> fixed_angle_of(std::string_view word) {
-  if (word.size() != 7 || (word[0] != '+' && word[0] != '-') || word[4] != '.' ||
-      !are_digits(word.substr(1, 3)) || !are_digits(word.substr(5)))
+  if (word.size() != 7 || (word[0] != '+' && word[0] != '-') || word[4] != '.' || !are_digits(word.substr(1, 3)) ||
+      !are_digits(word.substr(5)))
     return std::nullopt;
   return angle_of(word[0] == '+' ? word.substr(1) : word);
 }
@@ -71,8 +68,7 @@ std::optional<PlateMessage> parse_greeting(const Words& words) {
   if (words.size() != 7 || words[1] != "2") return std::nullopt;
   const auto min = angle_of(words[2]), max = angle_of(words[3]), speed = number_of(words[4]),
              latency = number_of(words[5]);
-  if (!min || !max || !speed || *min >= *max || *speed <= 0.0 || *speed > max_speed_deg_s)
-    return std::nullopt;
+  if (!min || !max || !speed || *min >= *max || *speed <= 0.0 || *speed > max_speed_deg_s) return std::nullopt;
   if (!latency || *latency < 0.0 || *latency > max_latency_ms) return std::nullopt;
   if (words[6] != "measured" && words[6] != "assumed") return std::nullopt;
   return PlateGreeting{*min, *max, *speed, *latency, words[6] == "measured"};

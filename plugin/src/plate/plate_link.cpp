@@ -49,8 +49,7 @@ void PlateLink::greet() {
   heard_ = began;
   while (!greeting_) {
     const auto passed = now() - began;
-    if (passed > greeting_limit)
-      throw PlateFailure(Fault::no_answer, "does not answer as a plate within 5 s");
+    if (passed > greeting_limit) throw PlateFailure(Fault::no_answer, "does not answer as a plate within 5 s");
     ++unanswered_hellos_;
     say("HELLO 2");
     const Line::Time again = now() + greeting_period;
@@ -84,8 +83,7 @@ void PlateLink::service() {
   try {
     listen();
     const Line::Time time = now();
-    if (time - heard_ > silence_limit)
-      throw PlateFailure(Fault::silent, "has not been heard for half a second");
+    if (time - heard_ > silence_limit) throw PlateFailure(Fault::silent, "has not been heard for half a second");
     watch_->check(time);
     if (time - said_ >= beat_period_) drive("BEAT");
     line_->flush();
@@ -203,8 +201,7 @@ void PlateLink::take_stop(StopReason reason) {
 // Lines are damaged now and then; a plate that does not know its host has lost its memory.
 void PlateLink::take_refusal(const PlateRefusal& refusal) {
   ++refusals_;
-  if (refusal.why == "greeting")
-    throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
+  if (refusal.why == "greeting") throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
 }
 
 void PlateLink::drive(std::string_view word) {
@@ -234,9 +231,7 @@ void PlateLink::stop_if_heard() {
 
 DeviceMaker serial_device(const DeviceName& name) {
   name.allow({});
-  return [path = name.path](const LineOpener& open, Start) {
-    return std::make_unique<PlateLink>(open(path, 115200));
-  };
+  return [path = name.path](const LineOpener& open, Start) { return std::make_unique<PlateLink>(open(path, 115200)); };
 }
 
 }  // namespace hrt::plate

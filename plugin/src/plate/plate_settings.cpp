@@ -84,9 +84,7 @@ void PlateLink::change_setting(const std::string& name, double value) {
 void PlateLink::save_settings() {
   stop();
   serve_for(50ms);
-  ask(
-      "SAVE", [](const PlateMessage& message) { return std::holds_alternative<PlateSaved>(message); },
-      3000ms);
+  ask("SAVE", [](const PlateMessage& message) { return std::holds_alternative<PlateSaved>(message); }, 3000ms);
 }
 
 double PlateLink::pulse_setting(const std::string& name) {
@@ -103,8 +101,7 @@ double PlateLink::zero_deg() { return pulse_setting("zero") / pulse_setting("spa
 void PlateLink::set_zero(double zero_deg) {
   double at_us = pulse_setting("zero");
   const double to_us = std::round(zero_deg * pulse_setting("span") / 180.0);
-  for (int steps = static_cast<int>(std::ceil(std::abs(to_us - at_us) / max_zero_step_us)); steps > 0;
-       --steps) {
+  for (int steps = static_cast<int>(std::ceil(std::abs(to_us - at_us) / max_zero_step_us)); steps > 0; --steps) {
     at_us += std::clamp(to_us - at_us, -max_zero_step_us, max_zero_step_us);
     change_setting("zero", at_us);
     serve_for(50ms);

@@ -35,8 +35,7 @@ void PlateWatch::commanded(double orientation_deg) {
   if (command_deg_ == orientation_deg) return;
   const bool turns_back =
       command_deg_ && !motion_.empty() &&
-      (orientation_deg - motion_.back().orientation_deg) * (*command_deg_ - motion_.back().orientation_deg) <=
-          0.0;
+      (orientation_deg - motion_.back().orientation_deg) * (*command_deg_ - motion_.back().orientation_deg) <= 0.0;
   if (turns_back) motion_.clear();
   command_deg_ = orientation_deg;
 }
@@ -57,11 +56,9 @@ void PlateWatch::reported(Time time, std::optional<double> known_deg) {
   reported_ = time;
   if (!known_deg) return;
   const double orientation_deg = *known_deg;
-  if (orientation_deg < greeting_.min_deg - limit_slack_deg ||
-      orientation_deg > greeting_.max_deg + limit_slack_deg)
+  if (orientation_deg < greeting_.min_deg - limit_slack_deg || orientation_deg > greeting_.max_deg + limit_slack_deg)
     throw PlateFailure(Fault::limits, "reports " + degrees(orientation_deg) + " deg, outside its limits of " +
-                                          degrees(greeting_.min_deg) + " to " + degrees(greeting_.max_deg) +
-                                          " deg");
+                                          degrees(greeting_.min_deg) + " to " + degrees(greeting_.max_deg) + " deg");
   const bool far = command_deg_ && std::abs(*command_deg_ - orientation_deg) > far_deg;
   if (!far) {
     motion_.clear();
@@ -79,9 +76,7 @@ void PlateWatch::check(Time now) const {
 }
 
 void PlateWatch::measure_speed(const Place& now) {
-  const auto way_deg = [&](const Place& from) {
-    return std::abs(now.orientation_deg - from.orientation_deg);
-  };
+  const auto way_deg = [&](const Place& from) { return std::abs(now.orientation_deg - from.orientation_deg); };
   const auto is_seen = [&](const Place& from) {
     const auto time = now.time - from.time;
     return (time >= min_motion && way_deg(from) >= seen_deg) || time >= max_motion;
@@ -98,8 +93,8 @@ void PlateWatch::expect_motion(const Place& now) {
   const double min_deg = std::min(moved_deg, 0.25 * greeting_.speed_deg_s);
   if (!moved_ || std::abs(now.orientation_deg - moved_->orientation_deg) >= min_deg) moved_ = now;
   if (now.time - moved_->time > stuck_limit)
-    throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) +
-                                         " deg; it was commanded to " + degrees(*command_deg_) + " deg");
+    throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) + " deg; it was commanded to " +
+                                         degrees(*command_deg_) + " deg");
 }
 
 void RoundTrips::sent(Time time, std::uint16_t sequence) {

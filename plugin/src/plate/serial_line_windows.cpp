@@ -78,8 +78,8 @@ class Transfer {
 };
 
 HANDLE opened(const std::string& device) {
-  const HANDLE line = CreateFileW(full_name(device).c_str(), GENERIC_READ | GENERIC_WRITE, 0, nullptr,
-                                  OPEN_EXISTING, FILE_FLAG_OVERLAPPED, nullptr);
+  const HANDLE line = CreateFileW(full_name(device).c_str(), GENERIC_READ | GENERIC_WRITE, 0, nullptr, OPEN_EXISTING,
+                                  FILE_FLAG_OVERLAPPED, nullptr);
   if (line != INVALID_HANDLE_VALUE) return line;
   const DWORD error = GetLastError();
   if (error == ERROR_ACCESS_DENIED || error == ERROR_PIPE_BUSY) throw PlateFailure(Fault::line, "is in use");
@@ -140,8 +140,7 @@ class SerialLine : public Line {
 
   void wait(std::chrono::milliseconds limit) override {
     const std::array<HANDLE, 2> events = {reading_.event(), writing_.event()};
-    WaitForMultipleObjects(writing_.is_on_its_way() ? 2 : 1, events.data(), FALSE,
-                           static_cast<DWORD>(limit.count()));
+    WaitForMultipleObjects(writing_.is_on_its_way() ? 2 : 1, events.data(), FALSE, static_cast<DWORD>(limit.count()));
   }
 
  private:

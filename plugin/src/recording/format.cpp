@@ -104,8 +104,7 @@ void write(const ReachCancelled&, hrt_result result, RecordText& out) { Row(out,
 
 void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
   Row row(out, "begin", result);
-  if (begun.flags & HRT_REACH_PLATE_ORIENTATION)
-    row.put(column("measured_plate_deg"), begun.plate_orientation_deg);
+  if (begun.flags & HRT_REACH_PLATE_ORIENTATION) row.put(column("measured_plate_deg"), begun.plate_orientation_deg);
   row.put(column("reach_flags"), begun.flags);
   put_targets(begun.real_number, begun.virtual_number, row);
   row.put(column("duration_s"), begun.duration_s);
@@ -131,8 +130,7 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
 bool is_same_cell(std::string_view cell, std::string_view other) {
   constexpr std::string_view of_doubles = ".e";
   if (cell == other) return true;
-  if (cell.find_first_of(of_doubles) == cell.npos && other.find_first_of(of_doubles) == other.npos)
-    return false;
+  if (cell.find_first_of(of_doubles) == cell.npos && other.find_first_of(of_doubles) == other.npos) return false;
   double number = 0.0, other_number = 0.0;
   return read_number(cell, &number) && read_number(other, &other_number) &&
          std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(other_number);
@@ -177,8 +175,8 @@ hrt_result read_refused(const Cells& cells, Record* out) {
     out->call = refused;
     return HRT_OK;
   }
-  return fail(HRT_ERROR_BAD_FORMAT, "the refused argument is \"", Shown{name}, "\", which \"",
-              Shown{cells[0]}, "\" does not have");
+  return fail(HRT_ERROR_BAD_FORMAT, "the refused argument is \"", Shown{name}, "\", which \"", Shown{cells[0]},
+              "\" does not have");
 }
 
 hrt_result read_update(const Cells& cells, Record* out) {
@@ -256,9 +254,8 @@ hrt_result FileColumns::read_row(std::string_view line, Record* out) const {
     return HRT_OK;
   }
   if (is_setup_call(cells[0])) return read_setup_call(cells, out);
-  return fail(
-      HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
-      "\"; allowed: begin, update, retarget, touched, cancel, end, setup_update, setup_finish, setup_cancel");
+  return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
+              "\"; allowed: begin, update, retarget, touched, cancel, end, setup_update, setup_finish, setup_cancel");
 }
 
 bool FileColumns::is_same_row(std::string_view row, std::string_view written) const {

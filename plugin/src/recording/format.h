@@ -91,8 +91,8 @@ struct Refused {
 /// One call that crossed the boundary.
 struct Record {
   hrt_result result = HRT_OK;
-  std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, Touched,
-               ReachCancelled, ReachEnded, Refused, SetupBegun, SetupUpdated, SetupFinished, SetupCancelled>
+  std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, Touched, ReachCancelled,
+               ReachEnded, Refused, SetupBegun, SetupUpdated, SetupFinished, SetupCancelled>
       call;
 };
 
@@ -133,8 +133,7 @@ class FileColumns {
   bool is_same_row(std::string_view row, std::string_view written) const;
 
  private:
-  std::vector<std::size_t>
-      places_;  // of each column of the file, among ours; beyond the last: not one of ours
+  std::vector<std::size_t> places_;  // of each column of the file, among ours; beyond the last: not one of ours
 };
 
 /// Reads the rest of a comment about a target, the plate or a set-up. Checked except for what depends on

@@ -36,15 +36,12 @@ constexpr std::size_t max_text = 65536;
 constexpr std::size_t max_fields = 64;
 
 // Fields of 0.3, which profiles and recordings may carry: read and dropped.
-bool is_of_the_past(std::string_view key) {
-  return key == "steering_rate_per_s" || key == "steering_delay_s";
-}
+bool is_of_the_past(std::string_view key) { return key == "steering_rate_per_s" || key == "steering_delay_s"; }
 
 // Each field's key and value.
 template <class Values>
 void visit_fields(Values& values, auto&& visit) {
-  for_each_field<std::remove_const_t<Values>>(
-      [&](const auto& field) { visit(field.name, values.*field.member); });
+  for_each_field<std::remove_const_t<Values>>([&](const auto& field) { visit(field.name, values.*field.member); });
 }
 
 void visit_fields(hrt_conditions& conditions, auto&& visit) {
@@ -144,9 +141,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   bool null() override { return false; }
   bool boolean(bool) override { return false; }
   bool binary(binary_t&) override { return false; }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
-    return false;
-  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
 
  private:
   bool number(double value, bool is_whole, std::int64_t whole) {
@@ -167,8 +162,7 @@ hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
     return fail(HRT_ERROR_BAD_FORMAT, "the text has ", text.size(), " bytes; allowed: up to ", max_text);
   FlatObjectReader reader;
   if (!Json::sax_parse(text, &reader))
-    return fail(HRT_ERROR_BAD_FORMAT,
-                "the text is not a JSON object of numbers, arrays of numbers and strings");
+    return fail(HRT_ERROR_BAD_FORMAT, "the text is not a JSON object of numbers, arrays of numbers and strings");
   for (const JsonField& field : reader.fields) {
     const auto same = [&](const JsonField& other) { return other.key == field.key; };
     if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
@@ -304,8 +298,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   // What the profile lacks is not known of its person.
   for_each_field<hrt_session_config>([&](const auto& field) {
     constexpr hrt_session_config unknown = defaults<hrt_session_config>;
-    if (field.optional)
-      std::memcpy(&(known.*field.member), &(unknown.*field.member), sizeof(known.*field.member));
+    if (field.optional) std::memcpy(&(known.*field.member), &(unknown.*field.member), sizeof(known.*field.member));
   });
   hrt_conditions measured{};
   bool has_format = false, has_version = false;

@@ -163,10 +163,9 @@ void RecordedSession::log_findings(std::uint64_t handle) {
   }
   if (!session_.has_failed() || failure_logged_) return;
   Text<240> text;
-  text
-      << "session " << handle
-      << ": a defect of the library made a value of a command or summary not finite; the plate was held, and "
-         "the reach taught nothing";
+  text << "session " << handle
+       << ": a defect of the library made a value of a command or summary not finite; the plate was held, and "
+          "the reach taught nothing";
   write_log(HRT_LOG_ERROR, text.c_str());
   failure_logged_ = true;
 }
@@ -225,8 +224,7 @@ std::uint64_t RecordedSession::number(hrt_target target) const {
 void RecordedSession::record_target(TargetChanged::Change change, std::uint64_t id) const {
   record([&] {
     const hrt_target_config* config = session_.targets.find(id);
-    return Record{
-        .call = TargetChanged{change, session_.targets.number(id), config ? *config : hrt_target_config{}}};
+    return Record{.call = TargetChanged{change, session_.targets.number(id), config ? *config : hrt_target_config{}}};
   });
 }
 

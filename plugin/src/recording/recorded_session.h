@@ -29,8 +29,7 @@ class RecordedSession {
   hrt_result set_target(std::uint64_t id, const hrt_target_config& checked_config);
   hrt_result remove_target(std::uint64_t id);
   /// Replaces the configuration and adds all targets.
-  hrt_result add_scene(const hrt_session_config& checked_config,
-                       std::span<const hrt_target_config> checked_targets,
+  hrt_result add_scene(const hrt_session_config& checked_config, std::span<const hrt_target_config> checked_targets,
                        std::vector<std::uint64_t>* out_ids);
 
   hrt_result begin(const hrt_reach_config& config);

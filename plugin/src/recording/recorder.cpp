@@ -110,8 +110,7 @@ void Recorder::write_all() {
 
 // Hands what the ring holds to the operating system.
 void Recorder::drain() {
-  for (std::uint64_t n = taken_.load(std::memory_order_relaxed);;
-       taken_.store(++n, std::memory_order_release)) {
+  for (std::uint64_t n = taken_.load(std::memory_order_relaxed);; taken_.store(++n, std::memory_order_release)) {
     const std::uint64_t held = pushed_.load(std::memory_order_acquire) - n;
     if (held <= capacity / 2) overrun_.store(false);
     if (held == 0) return;

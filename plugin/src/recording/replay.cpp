@@ -132,8 +132,7 @@ class Replay {
     HRT_RETURN_IF_FAILED(read_target_changed(rest, &changed));
     std::uint64_t& id = target_ids_[changed.number];
     if ((changed.change == TargetChanged::Change::added) != (id == 0))
-      return fail(HRT_ERROR_BAD_FORMAT, "target ", changed.number,
-                  id == 0 ? " is not there" : " is there already");
+      return fail(HRT_ERROR_BAD_FORMAT, "target ", changed.number, id == 0 ? " is not there" : " is there already");
     switch (changed.change) {
       case TargetChanged::Change::added:
         return session_->targets.add(changed.config, &id);
@@ -200,9 +199,7 @@ class Replay {
   void call_again(Touched& call, hrt_result* result) { *result = session_->touched(call.contact); }
   void call_again(ReachCancelled&, hrt_result* result) { *result = session_->cancel(); }
   void call_again(ReachEnded& call, hrt_result* result) { *result = session_->end(&call.summary); }
-  void call_again(SetupUpdated& call, hrt_result* result) {
-    *result = session_->update_setup(call.sample, &call.step);
-  }
+  void call_again(SetupUpdated& call, hrt_result* result) { *result = session_->update_setup(call.sample, &call.step); }
   void call_again(SetupFinished& call, hrt_result* result) { *result = session_->finish_setup(&call.result); }
   void call_again(SetupCancelled&, hrt_result* result) { *result = session_->cancel_setup(); }
   static void call_again(const Refused& call, hrt_result* result) {
@@ -223,8 +220,8 @@ class Replay {
   }
 
   hrt_result at_line(hrt_result result) const {
-    return fail(result == HRT_ERROR_OUT_OF_MEMORY ? result : HRT_ERROR_BAD_FORMAT, "line ", line_number_,
-                ": ", last_failure().view());
+    return fail(result == HRT_ERROR_OUT_OF_MEMORY ? result : HRT_ERROR_BAD_FORMAT, "line ", line_number_, ": ",
+                last_failure().view());
   }
 
   FileColumns columns_;

@@ -28,14 +28,13 @@ bool are_same(const double (&one)[size], const double (&other)[size]) {
 }
 
 bool have_same_pose(const hrt_session_config& one, const hrt_session_config& other) {
-  return are_same(one.plate_position_m, other.plate_position_m) &&
-         are_same(one.plate_rotation, other.plate_rotation) && one.plate_scale == other.plate_scale;
+  return are_same(one.plate_position_m, other.plate_position_m) && are_same(one.plate_rotation, other.plate_rotation) &&
+         one.plate_scale == other.plate_scale;
 }
 
 hrt_target_config placed_at(const hrt_contact& contact) {
   hrt_target_config place = defaults<hrt_target_config>;
-  place.place =
-      (contact.flags & HRT_CONTACT_WORLD_POSITION) != 0 ? HRT_PLACE_WORLD_POSITION : HRT_PLACE_PLATE_POSITION;
+  place.place = (contact.flags & HRT_CONTACT_WORLD_POSITION) != 0 ? HRT_PLACE_WORLD_POSITION : HRT_PLACE_PLATE_POSITION;
   std::copy(std::begin(contact.position_m), std::end(contact.position_m), place.position_m);
   return place;
 }
@@ -82,8 +81,7 @@ void take_contacts_of_profile(const hrt_session_config& session, hrt_session_con
     write_touched(drifted(touched_of(*profile)), profile);
   else
     forget_contacts(profile);
-  std::copy(std::begin(session.plate_position_m), std::end(session.plate_position_m),
-            profile->plate_position_m);
+  std::copy(std::begin(session.plate_position_m), std::end(session.plate_position_m), profile->plate_position_m);
   std::copy(std::begin(session.plate_rotation), std::end(session.plate_rotation), profile->plate_rotation);
   profile->plate_scale = session.plate_scale;
 }
@@ -106,15 +104,14 @@ hrt_result read_contact(const hrt_session_config& config, const hrt_contact& giv
   return HRT_OK;
 }
 
-hrt_result check_contact(const hrt_session_config& config, const TouchedPlace& touched,
-                         const SeenFinger& finger, Contact* out) {
+hrt_result check_contact(const hrt_session_config& config, const TouchedPlace& touched, const SeenFinger& finger,
+                         Contact* out) {
   const double far_m = distance_m(start_of(config), touched.place);
   if (far_m < min_contact_m)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "the place that was touched is ", far_m,
-                " m from start_position_m; at least ", min_contact_m, " is needed");
-  *out = {.finger = finger.place,
-          .place = touched.place,
-          .variance_m2 = touched.sd_m * touched.sd_m + finger.variance_m2};
+    return fail(HRT_ERROR_OUT_OF_RANGE, "the place that was touched is ", far_m, " m from start_position_m; at least ",
+                min_contact_m, " is needed");
+  *out = {
+      .finger = finger.place, .place = touched.place, .variance_m2 = touched.sd_m * touched.sd_m + finger.variance_m2};
   const double off_m = distance_m(finger.place, touched.place);
   const double max_m = max_share * far_m + max_deviations * std::sqrt(out->variance_m2);
   if (off_m <= max_m) return HRT_OK;

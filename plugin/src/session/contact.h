@@ -36,8 +36,8 @@ hrt_result read_contact(const hrt_session_config& config, const hrt_contact& giv
                         const hrt_target_config& real, TouchedPlace* out);
 
 /// A contact that can be believed, or fails.
-hrt_result check_contact(const hrt_session_config& config, const TouchedPlace& touched,
-                         const SeenFinger& finger, Contact* out);
+hrt_result check_contact(const hrt_session_config& config, const TouchedPlace& touched, const SeenFinger& finger,
+                         Contact* out);
 
 /// The configuration after a contact.
 hrt_session_config after_contact(const hrt_session_config& config, const Contact& contact);

@@ -18,8 +18,7 @@ FingerOnPlate locate(const hrt_session_config& config, const hrt_sample& sample)
   FingerOnPlate finger{};
   const Vec3 tip_m = skin_m(config, sample);
   const bool in_plate = (sample.flags & HRT_SAMPLE_PLATE_POSITION) != 0;
-  locate_finger(surface_of(config), plate, in_plate ? tip_m : unscaled(config, plate.position_m, tip_m),
-                finger);
+  locate_finger(surface_of(config), plate, in_plate ? tip_m : unscaled(config, plate.position_m, tip_m), finger);
   return finger;
 }
 
@@ -28,11 +27,9 @@ FingerOnPlate locate(const hrt_session_config& config, const hrt_sample& sample)
 Vec3 skin_m(const hrt_session_config& config, const hrt_sample& sample) {
   const auto& p = sample.finger_position_m;
   const Vec3 tip_m{p[0], p[1], p[2]};
-  if ((sample.flags & HRT_SAMPLE_JOINT_ROTATION) == 0 || !is_not_zero(config.fingertip_offset_m))
-    return tip_m;
+  if ((sample.flags & HRT_SAMPLE_JOINT_ROTATION) == 0 || !is_not_zero(config.fingertip_offset_m)) return tip_m;
   const auto& offset_m = config.fingertip_offset_m;
-  return tip_m + axes_of(to_pose({}, sample.joint_rotation).orientation) *
-                     Vec3{offset_m[0], offset_m[1], offset_m[2]};
+  return tip_m + axes_of(to_pose({}, sample.joint_rotation).orientation) * Vec3{offset_m[0], offset_m[1], offset_m[2]};
 }
 
 hrt_result check_sample(const hrt_sample& sample) {
@@ -58,11 +55,9 @@ hrt_result check_sample(const hrt_sample& sample) {
   return check_rotation("plate_rotation", sample.plate_rotation);
 }
 
-FingerSample observe(const hrt_session_config& config, const hrt_sample& sample,
-                     std::uint32_t* command_flags) {
+FingerSample observe(const hrt_session_config& config, const hrt_sample& sample, std::uint32_t* command_flags) {
   FingerSample observed{.time_ns = sample.time_ns};
-  if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION)
-    observed.plate_orientation_deg = sample.plate_orientation_deg;
+  if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION) observed.plate_orientation_deg = sample.plate_orientation_deg;
   if (sample.flags & HRT_SAMPLE_LIFTED) {
     observed.observation = Observation::lifted;
     *command_flags |= HRT_COMMAND_LIFTED;

@@ -19,7 +19,6 @@ Vec3 skin_m(const hrt_session_config& config, const hrt_sample& checked_sample);
 
 /// What the core makes of a checked sample, positions as contacts correct them; sets those flags of a command
 /// that the sample alone decides.
-FingerSample observe(const hrt_session_config& config, const hrt_sample& checked_sample,
-                     std::uint32_t* command_flags);
+FingerSample observe(const hrt_session_config& config, const hrt_sample& checked_sample, std::uint32_t* command_flags);
 
 }  // namespace hrt::plugin

@@ -76,8 +76,7 @@ void write_calibration(const Calibration& calibration, hrt_session_config* confi
   const auto write_weight = [&] {
     if (!weight.known) return;
     config->tactile_weight = weight.value;
-    config->tactile_weight_sd =
-        std::max(deviation_of_interval(weight.lower, weight.upper), min_carried_weight_sd);
+    config->tactile_weight_sd = std::max(deviation_of_interval(weight.lower, weight.upper), min_carried_weight_sd);
   };
   write_weight();
   if (calibration.bias_deg.known) config->bias_deg = calibration.bias_deg.value;
@@ -104,8 +103,8 @@ std::uint32_t differing_from(const hrt_session_config& believed, const Calibrati
                                   {believed_trait(believed, HRT_PERSON_BIAS), calibration.bias_deg},
                                   {believed_trait(believed, HRT_PERSON_HABIT), calibration.habit_deg}};
   const auto differences = compare(values);
-  return (differences[0].differs ? HRT_RETEST_TACTILE_WEIGHT : 0) |
-         (differences[1].differs ? HRT_RETEST_BIAS : 0) | (differences[2].differs ? HRT_RETEST_HABIT : 0);
+  return (differences[0].differs ? HRT_RETEST_TACTILE_WEIGHT : 0) | (differences[1].differs ? HRT_RETEST_BIAS : 0) |
+         (differences[2].differs ? HRT_RETEST_HABIT : 0);
 }
 
 }  // namespace hrt::plugin

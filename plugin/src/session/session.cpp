@@ -100,8 +100,8 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* out) c
   reach.real_distance_m = real.distance_m;
   const double goal_deg = goal_direction_deg(to_core(config_).participant, reach.virtual_direction_deg);
   if (!is_valid(reach, goal_deg))
-    return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", reach.real_direction_deg,
-                " degrees, the virtual at ", goal_deg, config_.bias_deg != 0.0 ? " with the user's bias" : "",
+    return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", reach.real_direction_deg, " degrees, the virtual at ",
+                goal_deg, config_.bias_deg != 0.0 ? " with the user's bias" : "",
                 "; allowed: less than 90 degrees apart");
   *out = reach;
   return HRT_OK;
@@ -169,9 +169,8 @@ hrt_result Session::touched(const hrt_contact& given) {
     return fail(HRT_ERROR_WRONG_STATE, "no reach is under way, or has ended since the configuration was set");
   if (touched_) return fail(HRT_ERROR_WRONG_STATE, "the contact of this reach is known already");
   if ((config_.flags & HRT_SESSION_REGISTERED) == 0)
-    return fail(
-        HRT_ERROR_WRONG_STATE,
-        "the plate is not registered (HRT_SESSION_REGISTERED), and contacts are about its registration");
+    return fail(HRT_ERROR_WRONG_STATE,
+                "the plate is not registered (HRT_SESSION_REGISTERED), and contacts are about its registration");
   TouchedPlace place{};
   HRT_RETURN_IF_FAILED(read_contact(config_, given, start_, pair_.real, &place));
   const std::optional<SeenFinger> seen = reaching_ ? retargeter_->finger() : finger_;
@@ -206,8 +205,7 @@ hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
                 last_time_ns_);
   std::uint32_t flags = 0;
   const FingerSample finger = observe(config_, sample, &flags);
-  if (awaits_finger_ && finger.observation == Observation::position)
-    HRT_RETURN_IF_FAILED(start_at(finger.position));
+  if (awaits_finger_ && finger.observation == Observation::position) HRT_RETURN_IF_FAILED(start_at(finger.position));
   retargeter_->update(finger);
   sampled_ = true;
   last_time_ns_ = sample.time_ns;
@@ -237,8 +235,7 @@ hrt_command Session::command(std::uint32_t flags) const {
   if (command.held) flags |= HRT_COMMAND_HELD;
   if (command.predicted) flags |= HRT_COMMAND_PREDICTED;
   if (command.unreachable) flags |= HRT_COMMAND_UNREACHABLE;
-  if (command.active == ActiveBound::lower || command.active == ActiveBound::upper)
-    flags |= HRT_COMMAND_SATURATED;
+  if (command.active == ActiveBound::lower || command.active == ActiveBound::upper) flags |= HRT_COMMAND_SATURATED;
   if (command.active == ActiveBound::rate_down || command.active == ActiveBound::rate_up)
     flags |= HRT_COMMAND_RATE_LIMITED;
   if (!command.optimal) flags |= HRT_COMMAND_APPROXIMATE;
@@ -309,8 +306,7 @@ hrt_result Session::get_residual(std::uint32_t slide, hrt_setup_residual* out) c
 
 hrt_result Session::end(hrt_reach_summary* out_summary) {
   HRT_RETURN_IF_FAILED(check_reach());
-  if (!sampled_)
-    return fail(HRT_ERROR_INSUFFICIENT_DATA, "the reach has had no sample; hrt_reach_cancel() ends it");
+  if (!sampled_) return fail(HRT_ERROR_INSUFFICIENT_DATA, "the reach has had no sample; hrt_reach_cancel() ends it");
   reaching_ = false;
   const ReachSummary summary = retargeter_->summary();
   *out_summary = to_c(summary);

@@ -75,11 +75,10 @@ class Session {
   void carry(const FingerEstimate& estimate);
 
   hrt_session_config config_;
-  const std::unique_ptr<Retargeter>
-      retargeter_;                             // apart, so that who calls a session is not built anew with it
-  std::unique_ptr<SessionSetup> setup_;        // null: none is under way
-  std::vector<hrt_setup_residual> residuals_;  // of the last calibration
-  Pair pair_{};                                // as the targets were when the reach was given them
+  const std::unique_ptr<Retargeter> retargeter_;  // apart, so that who calls a session is not built anew with it
+  std::unique_ptr<SessionSetup> setup_;           // null: none is under way
+  std::vector<hrt_setup_residual> residuals_;     // of the last calibration
+  Pair pair_{};                                   // as the targets were when the reach was given them
   PlatePoint start_;
   Reach reach_{};
   bool reaching_ = false;

@@ -17,9 +17,7 @@ namespace {
 using C = hrt_session_config;
 using ConfigFields = Fields<C>;
 
-bool turns_freely(const C& config) {
-  return config.plate_lower_stop_deg == 0.0 && config.plate_upper_stop_deg == 0.0;
-}
+bool turns_freely(const C& config) { return config.plate_lower_stop_deg == 0.0 && config.plate_upper_stop_deg == 0.0; }
 
 // The core squares it; the square of less would lose its digits, or be 0.
 constexpr double min_tracker_noise_m = 1e-9;
@@ -27,12 +25,10 @@ constexpr double min_tracker_noise_m = 1e-9;
 static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_FADING == PersonTrait::fading &&
               HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
 // Not of std::ranges, which emscripten 3.1.6 lacks.
-static_assert(std::equal(std::begin(ConfigFields::person_mean_elements),
-                         std::end(ConfigFields::person_mean_elements), std::begin(person_traits),
-                         std::end(person_traits),
+static_assert(std::equal(std::begin(ConfigFields::person_mean_elements), std::end(ConfigFields::person_mean_elements),
+                         std::begin(person_traits), std::end(person_traits),
                          [](const Element& a, const Trait& b) { return a.low == b.min && a.high == b.max; }));
-static_assert(ConfigFields::horizon.high == max_horizon &&
-              ConfigFields::tactile_weight_sd.high == max_weight_sd);
+static_assert(ConfigFields::horizon.high == max_horizon && ConfigFields::tactile_weight_sd.high == max_weight_sd);
 
 PersonBelief person_of(const C& config) {
   if (config.adaptation == HRT_ADAPTATION_OFF && !knows_person(config))
@@ -56,10 +52,9 @@ hrt_result check_person(const hrt_session_config& config) {
     HRT_RETURN_IF_FAILED(check_range(trait.name, config.person_mean[i], trait.low, trait.high));
   }
   if (holds_belief(config)) return HRT_OK;
-  return fail(
-      HRT_ERROR_OUT_OF_RANGE,
-      "person_covariance is not positive definite; allowed: the lower triangle, row by row, of a positive "
-      "definite matrix, or all 0");
+  return fail(HRT_ERROR_OUT_OF_RANGE,
+              "person_covariance is not positive definite; allowed: the lower triangle, row by row, of a positive "
+              "definite matrix, or all 0");
 }
 
 hrt_result check_plate_covariance(const hrt_session_config& config) {
@@ -95,8 +90,8 @@ bool holds_belief(const hrt_session_config& config) { return is_valid(person_of(
 
 hrt_result check_session_config(const hrt_session_config& config) {
   HRT_RETURN_IF_FAILED(check_fields(config));
-  HRT_RETURN_IF_FAILED(check_range<std::int64_t>("plate_latency_ns", config.plate_latency_ns, 0,
-                                                 max_lead * config.step_period_ns));
+  HRT_RETURN_IF_FAILED(
+      check_range<std::int64_t>("plate_latency_ns", config.plate_latency_ns, 0, max_lead * config.step_period_ns));
   if (!turns_freely(config) && config.plate_upper_stop_deg - config.plate_lower_stop_deg < 180.0)
     return fail(HRT_ERROR_OUT_OF_RANGE, "plate_upper_stop_deg is ", config.plate_upper_stop_deg,
                 "; allowed: at least 180 above plate_lower_stop_deg, ", config.plate_lower_stop_deg);
@@ -129,9 +124,8 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .estimator = {.adapt = config.adaptation != HRT_ADAPTATION_OFF,
                     .tactile_weight_sd = config.tactile_weight_sd,
                     .motor_variance_sd_deg2 = config.motor_variance_sd_deg2,
-                    .tracker_noise_m = config.tracker_noise_m > 0.0
-                                           ? std::max(config.tracker_noise_m, min_tracker_noise_m)
-                                           : 0.0,
+                    .tracker_noise_m =
+                        config.tracker_noise_m > 0.0 ? std::max(config.tracker_noise_m, min_tracker_noise_m) : 0.0,
                     .correlated_noise_m = config.tracker_correlated_noise_m,
                     .correlation_s = config.tracker_correlation_s},
       .plate = {.max_speed_deg_s = limit_or_none(config.plate_max_speed_deg_s),
@@ -165,8 +159,7 @@ Illusion illusion_of(const hrt_session_config& config, double distance_m) {
   return {.weight = config.person_mean[HRT_PERSON_WEIGHT],
           .curve = config.person_mean[HRT_PERSON_CURVE],
           .fading = config.person_mean[HRT_PERSON_FADING],
-          .slowness = ridge_slowness(distance_mm * exponential(config.person_mean[HRT_PERSON_LOG_RATE]),
-                                     distance_mm)};
+          .slowness = ridge_slowness(distance_mm * exponential(config.person_mean[HRT_PERSON_LOG_RATE]), distance_mm)};
 }
 
 PlatePoint start_of(const hrt_session_config& config) {
@@ -177,9 +170,7 @@ PlateSurface surface_of(const hrt_session_config& config) {
   return {.radius_m = config.plate_radius_m, .lift_height_m = config.lift_height_m};
 }
 
-Pose plate_pose_of(const hrt_session_config& config) {
-  return to_pose(config.plate_position_m, config.plate_rotation);
-}
+Pose plate_pose_of(const hrt_session_config& config) { return to_pose(config.plate_position_m, config.plate_rotation); }
 
 Pose to_pose(const double (&position_m)[3], const double (&rotation)[4]) {
   return {.position_m = {position_m[0], position_m[1], position_m[2]},

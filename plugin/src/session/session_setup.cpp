@@ -78,9 +78,8 @@ SetupConfig to_setup(const hrt_session_config& session, std::uint32_t what, cons
   config.parts = config.only_possible ? missing(session) : what;
   set_marks(session, given, &config);
   config.touches_per_mark = static_cast<int>(given.touches_per_mark);
-  config.registration = {.touch_sd_m = given.touch_sd_m,
-                         .fit_scale = given.fit_scale != 0,
-                         .up = {given.up[0], given.up[1], given.up[2]}};
+  config.registration = {
+      .touch_sd_m = given.touch_sd_m, .fit_scale = given.fit_scale != 0, .up = {given.up[0], given.up[1], given.up[2]}};
   config.start = start_of(session);
   config.slide_distance_m = std::min(max_slide_m, room_ahead_m(session));
   if (config.only_possible && config.slide_distance_m < min_slide_room_m)
@@ -136,8 +135,7 @@ bool take(const SetupFit& fit, hrt_session_config* session, hrt_setup_result* re
     write_registration(*fit.registration, fit.touched_ns, session);
     result->registration_residual_m = fit.registration->residual_m;
     constexpr double deg_per_radian = 57.29577951308232;
-    result->registration_turn_sd_deg =
-        deg_per_radian * std::sqrt(std::max(0.0, fit.registration->covariance(1, 1)));
+    result->registration_turn_sd_deg = deg_per_radian * std::sqrt(std::max(0.0, fit.registration->covariance(1, 1)));
   } else if (fit.check) {
     result->check_distance_m = fit.check->distance_m;
     if (fit.check->holds) {
@@ -170,15 +168,15 @@ hrt_result check_setup_config(const hrt_setup_config& config) {
     return fail(HRT_ERROR_OUT_OF_RANGE, "upper_plate_deg is ", config.upper_plate_deg,
                 "; allowed: at least 40 above lower_plate_deg, ", config.lower_plate_deg);
   if (config.mark_count > 0 && config.check_mark >= config.mark_count)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "check_mark is ", config.check_mark,
-                "; allowed: less than mark_count, ", config.mark_count);
+    return fail(HRT_ERROR_OUT_OF_RANGE, "check_mark is ", config.check_mark, "; allowed: less than mark_count, ",
+                config.mark_count);
   return HRT_OK;
 }
 
 hrt_result SessionSetup::check(const hrt_session_config& session, std::uint32_t what) {
   constexpr std::uint32_t either[] = {slide_parts_asked, HRT_SETUP_REGISTRATION | HRT_SETUP_CHECK};
-  const bool both = std::any_of(std::begin(either), std::end(either),
-                                [&](std::uint32_t parts) { return (what & parts) == parts; });
+  const bool both =
+      std::any_of(std::begin(either), std::end(either), [&](std::uint32_t parts) { return (what & parts) == parts; });
   if (what != HRT_SETUP_ALL_MISSING && (what == 0 || (what & ~all_parts) != 0 || both))
     return fail(HRT_ERROR_OUT_OF_RANGE, "what is ", what,
                 "; allowed: bits of HRT_SETUP_*, without CALIBRATION and RETEST or REGISTRATION and CHECK "
@@ -201,8 +199,7 @@ SessionSetup::SessionSetup(const hrt_session_config& session, std::uint32_t what
 
 SetupSample SessionSetup::seen(const hrt_session_config& session, const hrt_sample& sample) const {
   hrt_session_config config = session;
-  if (setup_.part() == setup_fingertip)
-    std::memset(config.fingertip_offset_m, 0, sizeof config.fingertip_offset_m);
+  if (setup_.part() == setup_fingertip) std::memset(config.fingertip_offset_m, 0, sizeof config.fingertip_offset_m);
   std::uint32_t flags = 0;
   SetupSample seen{.time_ns = sample.time_ns,
                    .tracked_m = {},
@@ -225,13 +222,11 @@ hrt_result SessionSetup::check_shown(const hrt_sample& sample, const SetupSample
   if (sample.flags & HRT_SAMPLE_DIRECTION)
     return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
                 "; allowed: PLATE_POSITION or WORLD_POSITION, or none");
-  if (setup_.config().only_possible || setup_.left() == 0 || !seen.tracked_m || setup_.can_show(seen))
-    return HRT_OK;
+  if (setup_.config().only_possible || setup_.left() == 0 || !seen.tracked_m || setup_.can_show(seen)) return HRT_OK;
   const char* needed = setup_.part() == setup_fingertip ? "WORLD_POSITION with JOINT_ROTATION"
                        : setup_.part() == setup_latency ? "a position with PLATE_ORIENTATION"
                                                         : "WORLD_POSITION";
-  return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
-              "; allowed in this part of the set-up: ", needed);
+  return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags, "; allowed in this part of the set-up: ", needed);
 }
 
 hrt_setup_step SessionSetup::to_c(const SetupStep& step, const hrt_session_config& session) {
@@ -241,8 +236,7 @@ hrt_setup_step SessionSetup::to_c(const SetupStep& step, const hrt_session_confi
     const double turns = half_turns_between_stops(-20.0, 20.0, 0.0, stops);
     plate_orientation_deg_ = clamped(step.plate_orientation_deg + 180.0 * turns, stops);
   } else {
-    plate_orientation_deg_ =
-        nearest_equivalent_deg(step.plate_orientation_deg, plate_orientation_deg_, stops);
+    plate_orientation_deg_ = nearest_equivalent_deg(step.plate_orientation_deg, plate_orientation_deg_, stops);
   }
   hrt_setup_step out{.struct_size = sizeof(hrt_setup_step),
                      .instruction = static_cast<std::uint32_t>(step.instruction),
@@ -259,8 +253,7 @@ hrt_setup_step SessionSetup::to_c(const SetupStep& step, const hrt_session_confi
   return out;
 }
 
-hrt_result SessionSetup::update(const hrt_session_config& session, const hrt_sample& sample,
-                                hrt_setup_step* out) {
+hrt_result SessionSetup::update(const hrt_session_config& session, const hrt_sample& sample, hrt_setup_step* out) {
   HRT_RETURN_IF_FAILED(check_sample(sample));
   if (sampled_ && sample.time_ns < last_time_ns_)
     return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: from the last sample's, ",
@@ -282,8 +275,7 @@ hrt_result SessionSetup::finish(hrt_session_config* session, std::vector<hrt_set
                 " are done; allowed once a step says HRT_STEP_FINISH");
   if (setup_.left() != 0) {
     std::vector<hrt_setup_residual> slides;  // memory is taken before anything changes
-    if (setup_.part() & slide_parts_asked)
-      slides.reserve(static_cast<std::size_t>(setup_.config().max_slides));
+    if (setup_.part() & slide_parts_asked) slides.reserve(static_cast<std::size_t>(setup_.config().max_slides));
     const SetupFit fit = finish_part(&setup_, registration_of(*session, touch_sd_m_));
     if (fit.calibration) {
       write_residuals(*fit.calibration, &slides);

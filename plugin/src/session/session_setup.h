@@ -24,8 +24,7 @@ class SessionSetup {
   /// Real-time.
   hrt_result update(const hrt_session_config& session, const hrt_sample& sample, hrt_setup_step* out);
   /// Fits and writes what is found into `*session`, and the slides of a calibration to `*residuals`.
-  hrt_result finish(hrt_session_config* session, std::vector<hrt_setup_residual>* residuals,
-                    hrt_setup_result* out);
+  hrt_result finish(hrt_session_config* session, std::vector<hrt_setup_residual>* residuals, hrt_setup_result* out);
   bool is_over() const { return setup_.left() == 0; }
 
  private:

@@ -108,8 +108,7 @@ std::uint64_t Targets::find(std::string_view name) const {
   return found == by_name_.end() ? 0 : found->second;
 }
 
-Bearing view_from(const PlatePoint& start, const hrt_session_config& config,
-                  const hrt_target_config& target) {
+Bearing view_from(const PlatePoint& start, const hrt_session_config& config, const hrt_target_config& target) {
   if (target.place == HRT_PLACE_DIRECTION)
     return {.direction_deg = target.direction_deg, .distance_m = target.distance_m, .at_start = false};
   const auto& p = target.position_m;
@@ -117,8 +116,7 @@ Bearing view_from(const PlatePoint& start, const hrt_session_config& config,
   const Pose plate = in_world ? plate_pose_of(config) : Pose{};
   const Vec3 given_m{p[0], p[1], p[2]};
   FingerOnPlate place{};
-  locate_finger(surface_of(config), plate, in_world ? unscaled(config, plate.position_m, given_m) : given_m,
-                place);
+  locate_finger(surface_of(config), plate, in_world ? unscaled(config, plate.position_m, given_m) : given_m, place);
   return bearing_from({start.right_m, 0.0, -start.away_m}, place.position_m);
 }
 
@@ -130,12 +128,10 @@ hrt_result find_target(const Targets& targets, const char* argument, hrt_target 
                        const hrt_target_config** out_config) {
   const hrt_target_config* found = targets.find(target.value);
   if (!found)
-    return fail(HRT_ERROR_INVALID_HANDLE, argument, ": target ", target.value,
-                " is not one of this session's");
+    return fail(HRT_ERROR_INVALID_HANDLE, argument, ": target ", target.value, " is not one of this session's");
   if (role != 0 && found->role != role)
-    return fail(
-        HRT_ERROR_OUT_OF_RANGE, argument, ": target ", target.value, " is a ",
-        role == HRT_TARGET_REAL ? "virtual one; a real one is needed" : "real one; a virtual one is needed");
+    return fail(HRT_ERROR_OUT_OF_RANGE, argument, ": target ", target.value, " is a ",
+                role == HRT_TARGET_REAL ? "virtual one; a real one is needed" : "real one; a virtual one is needed");
   *out_config = found;
   return HRT_OK;
 }
@@ -144,8 +140,7 @@ hrt_result find_pair(const Targets& targets, hrt_target real_target, hrt_target 
   const hrt_target_config* real = nullptr;
   const hrt_target_config* virtual_config = nullptr;
   HRT_RETURN_IF_FAILED(find_target(targets, "real_target", real_target, HRT_TARGET_REAL, &real));
-  HRT_RETURN_IF_FAILED(
-      find_target(targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_config));
+  HRT_RETURN_IF_FAILED(find_target(targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_config));
   *out = {*real, *virtual_config};
   return HRT_OK;
 }

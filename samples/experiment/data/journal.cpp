@@ -23,8 +23,8 @@ constexpr std::int64_t ms_per_s = 1000;
 std::int64_t utc_from(const std::string& text) {
   std::tm time{};
   int ms = 0;
-  if (std::sscanf(text.c_str(), "%d-%d-%dT%d:%d:%d.%dZ", &time.tm_year, &time.tm_mon, &time.tm_mday,
-                  &time.tm_hour, &time.tm_min, &time.tm_sec,
+  if (std::sscanf(text.c_str(), "%d-%d-%dT%d:%d:%d.%dZ", &time.tm_year, &time.tm_mon, &time.tm_mday, &time.tm_hour,
+                  &time.tm_min, &time.tm_sec,
                   &ms) != 7)  // NOLINT(cert-err34-c): the line's CRC was right
     return 0;
   time.tm_year -= 1900;
@@ -35,8 +35,7 @@ std::int64_t utc_from(const std::string& text) {
 // Nothing unless the line is whole.
 std::optional<Event> parse(const std::string& line) {
   const std::size_t end = line.rfind(",\"crc\":\"");
-  if (end == std::string::npos ||
-      line.substr(end) != format(",\"crc\":\"%08x\"}", crc32(line.substr(0, end))))
+  if (end == std::string::npos || line.substr(end) != format(",\"crc\":\"%08x\"}", crc32(line.substr(0, end))))
     return std::nullopt;
   const json value = json::parse(line, nullptr, false);
   if (!value.is_object()) return std::nullopt;

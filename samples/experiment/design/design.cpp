@@ -32,8 +32,7 @@ void read_conditions(Fields& f, Design& design) {
     const std::string controller = c.word("controller", names, nullptr,
                                           "people: the default controller; paper: the paper's; fixed: a "
                                           "plate at plate_deg; none: a plate at 0");
-    condition.controller =
-        static_cast<Controller>(std::find(names.begin(), names.end(), controller) - names.begin());
+    condition.controller = static_cast<Controller>(std::find(names.begin(), names.end(), controller) - names.begin());
     condition.plate_deg = c.number("plate_deg", {-90, 90}, 0.0, "Plate orientation under fixed, degrees");
     for (const Condition& other : design.conditions)
       if (other.name == condition.name) c.refuse("name", "\"" + other.name + "\" is another condition's");
@@ -56,10 +55,9 @@ void read_pairs(Fields& f, Design& design) {
 
 void read_order(Fields& f, Design& design) {
   const std::vector<std::string> orders{"williams", "random_in_blocks", "listed"};
-  const std::string order =
-      f.word("order", orders, "williams",
-             "williams: a block a condition, balanced for what precedes; random_in_blocks: "
-             "all conditions in each block; listed: as in listed_orders");
+  const std::string order = f.word("order", orders, "williams",
+                                   "williams: a block a condition, balanced for what precedes; random_in_blocks: "
+                                   "all conditions in each block; listed: as in listed_orders");
   design.order = static_cast<Order>(std::find(orders.begin(), orders.end(), order) - orders.begin());
   const auto lists = f.lists("listed_orders", "Conditions of the participants, by name, in turn");
   if (!f.describes() && lists.empty() == (design.order == Order::listed))
@@ -84,11 +82,9 @@ void read_blocks(Fields& f, Design& design) {
   design.rounds = f.whole("rounds", {1, 50}, 1, "Blocks of each condition; of random_in_blocks: blocks");
   design.repeats = f.whole("repeats", {1, 100}, std::nullopt, "Trials of each pair in a block");
   design.max_run = f.whole("max_run", {1, 100}, 2, "Most trials of one pair in a row");
-  design.catch_share =
-      f.number("catch_share", {0, 0.5}, 0.0,
-               "Trials without a gap, with the plate at rest, added to each block; a share of it");
-  design.practice_trials =
-      f.whole("practice_trials", {0, 100}, 4, "Before the first block, without a controller");
+  design.catch_share = f.number("catch_share", {0, 0.5}, 0.0,
+                                "Trials without a gap, with the plate at rest, added to each block; a share of it");
+  design.practice_trials = f.whole("practice_trials", {0, 100}, 4, "Before the first block, without a controller");
   design.trial_s = f.number("trial_s", {1, 120}, 12.0, "Expected duration of a trial");
   design.calibrates = f.word("set_up", {"calibration", "none"}, "calibration",
                              "calibration: the plugin's set-up finds the illusion") == "calibration";
@@ -104,8 +100,8 @@ void read_rules(Fields& f, Design& design) {
     rules.min_s = v.number("min_s", {0.1, 5}, rules.min_s, "Shortest duration");
     rules.max_s = v.number("max_s", {0.5, 30}, rules.max_s, "Longest duration");
     if (rules.max_s <= rules.min_s) v.refuse("max_s", "is not above min_s");
-    rules.max_dropped_share = v.number("max_dropped_share", {0, 1}, rules.max_dropped_share,
-                                       "Largest share of samples without a finger");
+    rules.max_dropped_share =
+        v.number("max_dropped_share", {0, 1}, rules.max_dropped_share, "Largest share of samples without a finger");
     rules.max_attempts = v.whole("max_attempts", {1, 20}, rules.max_attempts, "Then the trial is missing");
   });
   design.break_minutes = 1.0;
@@ -159,16 +155,13 @@ void read_analysis(Fields& f, Design& design) {
   design.test = "sign_flip";
   design.alpha = 0.05;
   const bool there = f.object("analysis", "Registered before the first participant", [&](Fields& a) {
-    design.measure = a.word("measure", {"abs_miss_deg", "miss_mm", "peak_felt_error_deg"}, "abs_miss_deg",
-                            "Of trials.csv");
-    design.test =
-        a.word("test", {"sign_flip", "mixed_model"}, "sign_flip",
-               "sign_flip: of people's differences; mixed_model: condition, intercept and slope by person");
-    const std::string reference =
-        a.text("reference", std::nullopt, "Condition with which the others are compared");
+    design.measure =
+        a.word("measure", {"abs_miss_deg", "miss_mm", "peak_felt_error_deg"}, "abs_miss_deg", "Of trials.csv");
+    design.test = a.word("test", {"sign_flip", "mixed_model"}, "sign_flip",
+                         "sign_flip: of people's differences; mixed_model: condition, intercept and slope by person");
+    const std::string reference = a.text("reference", std::nullopt, "Condition with which the others are compared");
     if (!a.describes()) design.reference = index_of(design.conditions, a, "reference", reference);
-    design.alpha =
-        a.number("alpha", {0.001, 0.2}, 0.05, "Level of the test, of all comparisons together (Holm)");
+    design.alpha = a.number("alpha", {0.001, 0.2}, 0.05, "Level of the test, of all comparisons together (Holm)");
   });
   if (!there) design.reference = static_cast<unsigned>(design.conditions.size()) - 1;
 }
@@ -181,8 +174,8 @@ void check_whole(const Fields& f, const Design& design) {
   if (conditions == 1) rows = 1;
   const unsigned set = rows * std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
   if (design.participants % set != 0)
-    f.refuse("participants", format("%u is not a multiple of %u: orders%s would not be balanced",
-                                    design.participants, set, design.levels.empty() ? "" : " times levels"));
+    f.refuse("participants", format("%u is not a multiple of %u: orders%s would not be balanced", design.participants,
+                                    set, design.levels.empty() ? "" : " times levels"));
   if (design.pairs.size() == 1 && design.order != Order::random_in_blocks && design.repeats > design.max_run)
     f.refuse("max_run", format("%u is below repeats, and there is only one pair", design.max_run));
 }
@@ -201,8 +194,7 @@ Design read_all(Fields& f) {
   read_questionnaires(f, design);
   read_analysis(f, design);
   f.object("simulated", "Of simulated participants alone", [&](Fields& s) {
-    design.simulated.invalid_share =
-        s.number("invalid_share", {0, 0.5}, 0.0, "Reaches in which tracking is lost");
+    design.simulated.invalid_share = s.number("invalid_share", {0, 0.5}, 0.0, "Reaches in which tracking is lost");
     design.simulated.lapse_share = s.number("lapse_share", {0, 0.5}, 0.02, "Answers that are guesses");
   });
   return design;

@@ -12,9 +12,7 @@ using nlohmann::json;
 
 constexpr std::size_t max_text = 2000;
 
-json schema_of_number(Range range) {
-  return {{"type", "number"}, {"minimum", range.low}, {"maximum", range.high}};
-}
+json schema_of_number(Range range) { return {{"type", "number"}, {"minimum", range.low}, {"maximum", range.high}}; }
 
 json schema_of_texts(Range count) {
   return {{"type", "array"},
@@ -77,8 +75,7 @@ unsigned Fields::whole(const char* name, Range range, std::optional<unsigned> ot
 }
 
 std::string Fields::text(const char* name, const std::optional<std::string>& otherwise, const char* what) {
-  const json* value =
-      find(name, !otherwise, {{"type", "string"}, {"minLength", 1}, {"maxLength", max_text}}, what);
+  const json* value = find(name, !otherwise, {{"type", "string"}, {"minLength", 1}, {"maxLength", max_text}}, what);
   if (value == nullptr) return otherwise.value_or("");
   if (!is_text(*value)) refuse(name, "is not a text of one line of 1 to 2000 bytes");
   return value->get<std::string>();
@@ -90,8 +87,7 @@ std::string Fields::word(const char* name, const std::vector<std::string>& allow
   if (otherwise != nullptr) schema["default"] = otherwise;
   const json* value = find(name, otherwise == nullptr, std::move(schema), what);
   if (value == nullptr) return otherwise != nullptr ? otherwise : allowed.front();
-  if (!value->is_string() ||
-      std::find(allowed.begin(), allowed.end(), value->get<std::string>()) == allowed.end())
+  if (!value->is_string() || std::find(allowed.begin(), allowed.end(), value->get<std::string>()) == allowed.end())
     refuse(name, value->dump() + " is none of " + joined(allowed));
   return value->get<std::string>();
 }
@@ -100,8 +96,7 @@ std::vector<std::string> Fields::texts(const char* name, Range count, bool requi
   const json* value = find(name, required, schema_of_texts(count), what);
   if (value == nullptr) return {};
   const bool is_list = value->is_array() && std::all_of(value->begin(), value->end(), is_text);
-  if (!is_list || static_cast<double>(value->size()) < count.low ||
-      static_cast<double>(value->size()) > count.high)
+  if (!is_list || static_cast<double>(value->size()) < count.low || static_cast<double>(value->size()) > count.high)
     refuse(name, format("is not a list of %.0f to %.0f texts of one line", count.low, count.high));
   return value->get<std::vector<std::string>>();
 }

@@ -34,8 +34,7 @@ class Fields {
   double number(const char* name, Range range, std::optional<double> otherwise, const char* what);
   unsigned whole(const char* name, Range range, std::optional<unsigned> otherwise, const char* what);
   std::string text(const char* name, const std::optional<std::string>& otherwise, const char* what);
-  std::string word(const char* name, const std::vector<std::string>& allowed, const char* otherwise,
-                   const char* what);
+  std::string word(const char* name, const std::vector<std::string>& allowed, const char* otherwise, const char* what);
   std::vector<std::string> texts(const char* name, Range count, bool required, const char* what);
   std::vector<std::vector<std::string>> lists(const char* name, const char* what);
   /// True if the object is there, and then `read`.

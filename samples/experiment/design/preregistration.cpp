@@ -30,8 +30,8 @@ std::string fields_text(const json& schema, const json& given, const std::string
     } else if (is_given && field.contains("items") && field["items"].contains("properties")) {
       text += "\n";
       for (std::size_t i = 0; i < given[name].size(); ++i)
-        text += indent + format("  - number %zu\n", i + 1) +
-                fields_text(field["items"], given[name][i], indent + "    ");
+        text +=
+            indent + format("  - number %zu\n", i + 1) + fields_text(field["items"], given[name][i], indent + "    ");
     } else {
       text += ": " +
               (is_given                    ? in_words(given[name])

@@ -48,8 +48,7 @@ std::vector<PlannedTrial> trials_of(const Design& design, const std::vector<unsi
       for (unsigned i = 0; i < design.repeats; ++i) trials.push_back({0, condition, pair, false});
   const auto catches = std::lround(design.catch_share * static_cast<double>(trials.size()));
   for (unsigned i = 0; i < catches; ++i)
-    trials.push_back(
-        {0, conditions[i % conditions.size()], i % static_cast<unsigned>(design.pairs.size()), true});
+    trials.push_back({0, conditions[i % conditions.size()], i % static_cast<unsigned>(design.pairs.size()), true});
   return trials;
 }
 
@@ -68,9 +67,8 @@ unsigned order_count(const Design& design) {
 // Orders come in sets of all; within each set they are dealt at random.
 std::vector<unsigned> order_for(const Design& design, unsigned participant) {
   if (design.order == Order::random_in_blocks) return {};
-  const auto orders = design.order == Order::listed
-                          ? design.listed
-                          : williams_orders(static_cast<unsigned>(design.conditions.size()));
+  const auto orders =
+      design.order == Order::listed ? design.listed : williams_orders(static_cast<unsigned>(design.conditions.size()));
   const auto count = static_cast<unsigned>(orders.size());
   const unsigned set = (participant - 1) / count;
   std::vector<unsigned> rows(count);
@@ -147,8 +145,7 @@ Schedule schedule_of(const Design& design, unsigned participant) {
                                      static_cast<unsigned>(schedule.blocks.size())));
   }
   if (design.noticeability)
-    schedule.blocks.push_back(
-        noticeability_block(design, participant, static_cast<unsigned>(schedule.blocks.size())));
+    schedule.blocks.push_back(noticeability_block(design, participant, static_cast<unsigned>(schedule.blocks.size())));
   return schedule;
 }
 
@@ -162,8 +159,7 @@ std::string plan_text(const Design& design, const Schedule& schedule) {
   };
   const auto add_questionnaires = [&](bool Questionnaire::* asked) {
     for (const Questionnaire& paper : design.questionnaires)
-      if (paper.*asked)
-        add("questionnaire " + paper.name, item_min * static_cast<double>(paper.items.size()));
+      if (paper.*asked) add("questionnaire " + paper.name, item_min * static_cast<double>(paper.items.size()));
   };
   add("information, consent, hand and finger, questions", consent_min);
   if (design.calibrates) add("set-up, 16 to 40 slides straight ahead", calibration_min);
@@ -189,8 +185,8 @@ std::string name_of(BlockKind kind) {
 
 std::string design_text(const Design& design) {
   const Schedule first = schedule_of(design, 1);
-  std::string text = design.title + "\nSHA-256 " + design.sha256 + "\n\nMinute, and what begins:\n" +
-                     plan_text(design, first);
+  std::string text =
+      design.title + "\nSHA-256 " + design.sha256 + "\n\nMinute, and what begins:\n" + plan_text(design, first);
   std::size_t trials = 0;
   for (std::size_t b = 1; b < first.blocks.size(); ++b) trials += first.blocks[b].trials.size();
   text += format("%u participants, each %zu trials beside %u of practice\n", design.participants, trials,
@@ -201,8 +197,7 @@ std::string design_text(const Design& design) {
     text += format("sub-%02u  ", p) + (design.levels.empty() ? "" : design.levels[schedule.level] + "  ") +
             (schedule.order.empty() ? "all in each block" : letters_of(design, schedule.order)) + "\n";
   }
-  return text +
-         "\nConditions are letters until they are unblinded. No person has been led by this program.\n";
+  return text + "\nConditions are letters until they are unblinded. No person has been led by this program.\n";
 }
 
 }  // namespace hrt::experiment

@@ -23,13 +23,12 @@ void Live::frame(reach::Stage& stage, XrTime time, std::optional<Clock::time_poi
   facts["plate"] = nlohmann::json::array();
   facts["plate"].push_back(at_deg ? format("orientation %.1f°", *at_deg) : "orientation unknown");
   if (const hrt_plate_report* report = stage.plate.report())
-    for (const std::string& text :
-         {format("command %.1f°", report->command_deg),
-          format("latency %.1f ms", 1e-6 * static_cast<double>(report->latency_ns)),
-          format("at most %.0f°/s", report->max_speed_deg_s),
-          format("heard %.0f ms ago", 1e-6 * static_cast<double>(report->age_ns)),
-          format("%.0f messages refused", static_cast<double>(report->refused_messages)),
-          std::string(report->description)})
+    for (const std::string& text : {format("command %.1f°", report->command_deg),
+                                    format("latency %.1f ms", 1e-6 * static_cast<double>(report->latency_ns)),
+                                    format("at most %.0f°/s", report->max_speed_deg_s),
+                                    format("heard %.0f ms ago", 1e-6 * static_cast<double>(report->age_ns)),
+                                    format("%.0f messages refused", static_cast<double>(report->refused_messages)),
+                                    std::string(report->description)})
       facts["plate"].push_back(text);
   check(stage, registered);
   show();
@@ -56,9 +55,8 @@ void Live::check(reach::Stage& stage, std::optional<Clock::time_point> registere
         format("Registration: a touch checked it %lld min ago",
                static_cast<long long>((Clock::now() - *registered) / std::chrono::minutes(1))));
   const double noise_mm = facts.value("noise_mm", 0.0);
-  add(noise_mm > 0.0 && noise_mm <= max_noise_mm, noise_mm > 0.0
-                                                      ? format("Tracker: noise of %.2f mm", noise_mm)
-                                                      : "Tracker: noise unknown until a set-up or a reach");
+  add(noise_mm > 0.0 && noise_mm <= max_noise_mm, noise_mm > 0.0 ? format("Tracker: noise of %.2f mm", noise_mm)
+                                                                 : "Tracker: noise unknown until a set-up or a reach");
   add(period_s_ <= max_period_s, format("Frames: %.0f a second", 1.0 / period_s_));
 }
 

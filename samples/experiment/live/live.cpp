@@ -84,11 +84,10 @@ void Live::route() {
                    page.replace(at, 5, nonce);
                  response.set_content(page, "text/html; charset=utf-8");
                  response.set_header("Referrer-Policy", "no-referrer");
-                 response.set_header(
-                     "Content-Security-Policy",
-                     "default-src 'none'; connect-src 'self'; img-src data:; script-src 'nonce-" + nonce +
-                         "'; style-src 'nonce-" + nonce +
-                         "'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
+                 response.set_header("Content-Security-Policy",
+                                     "default-src 'none'; connect-src 'self'; img-src data:; script-src 'nonce-" +
+                                         nonce + "'; style-src 'nonce-" + nonce +
+                                         "'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
                }));
   server_->Get("/([0-9a-f]+)/events", handler([this](const Request&, Response& response, bool has_keys) {
                  const auto stream = std::shared_ptr<void>(nullptr, [this](void*) { --streams_; });
@@ -104,8 +103,7 @@ void Live::route() {
                  };
                  response.set_chunked_content_provider("text/event-stream", send);
                }));
-  server_->Post("/([0-9a-f]+)/keys",
-                handler([this](const Request& request, Response& response, bool has_keys) {
+  server_->Post("/([0-9a-f]+)/keys", handler([this](const Request& request, Response& response, bool has_keys) {
                   if (!has_keys) return void(response.status = refused);
                   // Letters of a text are keys unless a text is awaited: 's' stops the plate.
                   if (request.body.size() > 1 && !shown_.load()->value("is_typing", false))

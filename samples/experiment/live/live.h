@@ -39,8 +39,7 @@ class Live {
   /// Of every frame. `registered`: when a touch checked the plate's place.
   void frame(reach::Stage& stage, XrTime time, std::optional<Clock::time_point> registered);
   /// Of every frame of a reach.
-  void moment(const reach::Stage& stage, const reach::TargetPair& pair, const reach::Moment& moment,
-              bool is_first);
+  void moment(const reach::Stage& stage, const reach::TargetPair& pair, const reach::Moment& moment, bool is_first);
   /// The next key that has been pressed on a page, if any.
   std::optional<char> key();
 

@@ -81,13 +81,11 @@ json row_of(const Design& design, const State& state, unsigned block, std::size_
   row["pass"] = state.passes[block];
   row["trial"] = planned.number;
   if (record.presented > 0) row["presented"] = record.presented;
-  row["condition"] =
-      unblinds ? design.conditions[planned.condition].name : letter_of(design, planned.condition);
+  row["condition"] = unblinds ? design.conditions[planned.condition].name : letter_of(design, planned.condition);
   row["is_catch"] = int{planned.is_catch};
   row["end"] = std::array{"open", "counted", "missing"}[static_cast<std::size_t>(record.end)];
   if (is_choice) row["bent"] = bent + 1;
-  if (record.answer)
-    row["answer"] = is_choice ? json(*record.answer + 1) : json(design.answers[*record.answer]);
+  if (record.answer) row["answer"] = is_choice ? json(*record.answer + 1) : json(design.answers[*record.answer]);
   if (record.answer && is_choice && !planned.is_catch) row["is_right"] = int{*record.answer == bent};
   if (record.attempts > 0) row["began_utc"] = utc_text(record.began_utc_ms);
   return row;
@@ -97,10 +95,9 @@ constexpr const char* people_columns =
     "participant,session,subject,end,set_up_known,tactile_weight,tactile_weight_low,tactile_weight_high,"
     "threshold_deg,threshold_low_deg,threshold_high_deg\n";
 
-std::string person_row(const Design& design, const State& state, unsigned session,
-                       const std::string& subject) {
-  std::string text = format("%u,%u,", state.participant, session) + quoted(subject) + "," +
-                     (state.end.empty() ? "open" : state.end);
+std::string person_row(const Design& design, const State& state, unsigned session, const std::string& subject) {
+  std::string text =
+      format("%u,%u,", state.participant, session) + quoted(subject) + "," + (state.end.empty() ? "open" : state.end);
   for (const char* name : {"is_known", "tactile_weight", "tactile_weight_low", "tactile_weight_high"})
     text += "," + (state.set_up ? text_of(state.set_up->at(name)) : "");
   const QuestPlus::Threshold found = state.quest.threshold();
@@ -111,10 +108,9 @@ std::string person_row(const Design& design, const State& state, unsigned sessio
 
 std::string dictionary_of(const Design& design) {
   std::string text =
-      "# Columns of trials.csv\n\nOne row a trial, the last attempt; empty: not known. Study: " +
-      design.title + ", SHA-256 " + design.sha256 + "\n\n| column | |\n|---|---|\n";
-  for (const Column& column : columns)
-    text += std::string("| `") + column.name + "` | " + column.what + " |\n";
+      "# Columns of trials.csv\n\nOne row a trial, the last attempt; empty: not known. Study: " + design.title +
+      ", SHA-256 " + design.sha256 + "\n\n| column | |\n|---|---|\n";
+  for (const Column& column : columns) text += std::string("| `") + column.name + "` | " + column.what + " |\n";
   return text +
          "\n# Columns of people.csv\n\nOne row a session. Weights with a 95 % interval, by the set-up; "
          "thresholds of "
@@ -125,8 +121,7 @@ std::string dictionary_of(const Design& design) {
 
 Tables export_study(const Design& design, const std::filesystem::path& study, bool unblinds) {
   Tables tables;
-  for (const Column& column : columns)
-    tables.trials += (tables.trials.empty() ? "" : ",") + std::string(column.name);
+  for (const Column& column : columns) tables.trials += (tables.trials.empty() ? "" : ",") + std::string(column.name);
   tables.trials += "\n";
   tables.people = people_columns;
   tables.dictionary = dictionary_of(design);
@@ -137,8 +132,7 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
       if (!std::filesystem::exists(file)) break;
       const std::vector<Event> events = read_journal(content_of(file), file.string());
       if (events.empty()) continue;
-      if (events.front().data.at("sha256") != design.sha256)
-        throw Refusal(file.string() + ": is of another design");
+      if (events.front().data.at("sha256") != design.sha256) throw Refusal(file.string() + ": is of another design");
       const Schedule schedule = schedule_of(design, participant);
       const State state = state_of(design, schedule, participant, events);
       const std::string subject = events.front().data.at("subject");
@@ -150,8 +144,7 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
           row.update({{"participant", participant}, {"session", session}, {"subject", subject}});
           if (!design.levels.empty()) row["level"] = design.levels[schedule.level];
           std::string line;
-          for (const Column& column : columns)
-            line += (line.empty() ? "" : ",") + quoted(text_of(row[column.name]));
+          for (const Column& column : columns) line += (line.empty() ? "" : ",") + quoted(text_of(row[column.name]));
           tables.trials += line + "\n";
         }
     }

@@ -50,10 +50,8 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const reach::
              .session = session_,
              .simulation = nullptr,
              .plate = *[&]() -> reach::Plate* {
-               if (runtime_.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME))
-                 simulation_.emplace(runtime_, session_);
-               plate_ = make_plate(options_.plate, simulation_ ? &*simulation_ : nullptr, session_,
-                                   runtime_.name());
+               if (runtime_.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation_.emplace(runtime_, session_);
+               plate_ = make_plate(options_.plate, simulation_ ? &*simulation_ : nullptr, session_, runtime_.name());
                return plate_.get();
              }(),
              .hands = options.hands,
@@ -261,8 +259,8 @@ void LedSubject::rest(double minutes) {
   while (await_key(" ") == ' ' && now().monotonic_ns < until_ns) prompt_.say("Not yet.");
 }
 
-unsigned LedSubject::answer(const std::string& question, const std::vector<std::string>& answers,
-                            unsigned right, double gap_deg, unsigned number) {
+unsigned LedSubject::answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
+                            double gap_deg, unsigned number) {
   if (stand_in_) return stand_in_->answer(question, answers, right, gap_deg, number);
   std::string text = question, keys;
   for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -330,8 +328,7 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
     stage_.on_frame = [&](const reach::TargetPair&, const reach::Moment& moment) {
       if (live_ != nullptr) live_->moment(stage_, pair, moment, !last);
       last = moment;
-      if (!moved &&
-          reach::distance_along_plate_m(moment.position_m, targets_.start_m) > reach::start_radius_m / 2)
+      if (!moved && reach::distance_along_plate_m(moment.position_m, targets_.start_m) > reach::start_radius_m / 2)
         moved = moment.time;
     };
     const reach::ReachResult result = run_reach(stage_, pair);

@@ -50,16 +50,14 @@ hrt_sample sample_of(const json& row) {
   return sample;
 }
 
-LibrarySession::LibrarySession(const Condition& condition, const std::string& profile,
-                               const Subject& subject) {
+LibrarySession::LibrarySession(const Condition& condition, const std::string& profile, const Subject& subject) {
   hrt_session_config config = hrt_session_config_init();
   const bool learns = condition.controller == Controller::people;
   config.adaptation = learns ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
   if (condition.controller == Controller::paper) config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
   if (condition.controller == Controller::fixed || condition.controller == Controller::none) {
     config.control = HRT_CONTROL_FIXED_PLATE;
-    config.fixed_plate_orientation_deg =
-        condition.controller == Controller::fixed ? condition.plate_deg : 0.0;
+    config.fixed_plate_orientation_deg = condition.controller == Controller::fixed ? condition.plate_deg : 0.0;
   }
   subject.plan(config);
   check(hrt_session_create(HRT_VERSION, &config, &session_));
@@ -101,8 +99,7 @@ void LibrarySession::finish_recording(const std::filesystem::path& file) const {
   hrt_recording_status status = hrt_recording_status_init();
   check(hrt_recording_stop(session_, &status));
   if (status.system_error != 0 || status.rows_lost != 0)
-    throw Refusal(file.string() +
-                  format(": %llu rows were lost: ", static_cast<unsigned long long>(status.rows_lost)) +
+    throw Refusal(file.string() + format(": %llu rows were lost: ", static_cast<unsigned long long>(status.rows_lost)) +
                   std::strerror(status.system_error));
 }
 

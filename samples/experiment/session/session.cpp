@@ -31,8 +31,8 @@ json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&st
   const double right_m = outcome.end_m[0] - start_m[0], away_m = start_m[2] - outcome.end_m[2];
   const double real_rad = part.real_deg / deg_per_rad;
   const double miss_deg = std::remainder(std::atan2(-right_m, away_m) * deg_per_rad - part.real_deg, 360.0);
-  const double miss_m = std::hypot(right_m + part.distance_m * std::sin(real_rad),
-                                   away_m - part.distance_m * std::cos(real_rad));
+  const double miss_m =
+      std::hypot(right_m + part.distance_m * std::sin(real_rad), away_m - part.distance_m * std::cos(real_rad));
   const hrt_reach_summary& summary = outcome.summary;
   return {{"real_deg", part.real_deg},
           {"virtual_deg", part.virtual_deg},
@@ -54,8 +54,7 @@ std::string judged(const Validity& rules, const ReachOutcome& outcome) {
   if (!outcome.problem.empty()) return outcome.problem;
   if (!outcome.has_ended) return "did not end";
   const auto samples = static_cast<double>(std::max<std::int64_t>(1, outcome.summary.samples));
-  if (static_cast<double>(outcome.summary.dropped_samples) > rules.max_dropped_share * samples)
-    return "finger lost";
+  if (static_cast<double>(outcome.summary.dropped_samples) > rules.max_dropped_share * samples) return "finger lost";
   if (outcome.duration_s < rules.min_s) return "too fast";
   return outcome.duration_s > rules.max_s ? "too slow" : "";
 }
@@ -104,11 +103,10 @@ class SessionRun {
     if (!events.empty()) {
       const json& first = events.front().data;
       if (first.at("sha256") != design_.sha256)
-        throw Refusal(folder_.string() + ": began with a design of SHA-256 " +
-                      first.at("sha256").get<std::string>());
+        throw Refusal(folder_.string() + ": began with a design of SHA-256 " + first.at("sha256").get<std::string>());
       if (first.at("subject") != subject_.description())
-        throw Refusal(folder_.string() + ": began with " + first.at("subject").get<std::string>() +
-                      ", not with " + subject_.description());
+        throw Refusal(folder_.string() + ": began with " + first.at("subject").get<std::string>() + ", not with " +
+                      subject_.description());
       if (!state_.end.empty()) return;
       subject_.continue_after(*state_.last);
       is_long = is_long_pause();
@@ -121,8 +119,8 @@ class SessionRun {
                    {"boot", subject_.boot()}});
     const auto& records =
         state_.block < state_.trials.size() ? state_.trials[state_.block] : std::vector<TrialRecord>{};
-    const bool is_in_block = std::any_of(records.begin(), records.end(),
-                                         [](const TrialRecord& record) { return record.presented > 0; });
+    const bool is_in_block =
+        std::any_of(records.begin(), records.end(), [](const TrialRecord& record) { return record.presented > 0; });
     if (is_long && is_in_block) log("block_again", {{"block", state_.block}});
   }
 
@@ -148,8 +146,8 @@ class SessionRun {
   }
 
   void stop_if_due() {
-    const double minutes = static_cast<double>(subject_.now().monotonic_ns - state_.consent_ns) /
-                           static_cast<double>(ns_per_minute);
+    const double minutes =
+        static_cast<double>(subject_.now().monotonic_ns - state_.consent_ns) / static_cast<double>(ns_per_minute);
     if (state_.refused_in_a_row >= design_.max_invalid_in_a_row)
       log("end", {{"how", "stopped"}, {"reason", "too many reaches in a row did not count"}});
     else if (state_.has_consent && minutes > design_.max_minutes)
@@ -197,13 +195,12 @@ class SessionRun {
       } else {
         json samples = json::array();
         const unsigned before = step.done;
-        subject_.slide(session.handle(), step, static_cast<unsigned>(done), last_ns,
-                       [&](const hrt_sample& sample) {
-                         samples.push_back(row_of(sample));
-                         use(sample);
-                         const bool ends = step.done > before || step.instruction == HRT_STEP_FINISH;
-                         return ends ? std::nullopt : std::optional(step);
-                       });
+        subject_.slide(session.handle(), step, static_cast<unsigned>(done), last_ns, [&](const hrt_sample& sample) {
+          samples.push_back(row_of(sample));
+          use(sample);
+          const bool ends = step.done > before || step.instruction == HRT_STEP_FINISH;
+          return ends ? std::nullopt : std::optional(step);
+        });
         log("slide", {{"number", done}, {"samples", std::move(samples)}});
       }
       if (step.instruction != HRT_STEP_FINISH) continue;
@@ -244,8 +241,7 @@ class SessionRun {
       return {{pair.real_deg, pair.virtual_deg, pair.distance_m, condition}};
     }
     const Noticeability& notice = *design_.noticeability;
-    Stream draw(Use::intervals,
-                {design_.seed, state_.participant, task.block, planned.number, record(task).refused});
+    Stream draw(Use::intervals, {design_.seed, state_.participant, task.block, planned.number, record(task).refused});
     const unsigned bent = draw.below(2);
     const double gap_deg = planned.is_catch ? 0.0 : state_.quest.next_gap_deg();
     const double sign = draw.below(2) == 0 ? 1.0 : -1.0;
@@ -317,21 +313,18 @@ class SessionRun {
     about["library"] = library_version();
     about["utc"] = utc_text(subject_.now().utc_ms);
     for (const char* name : {"profile.json", "registration.json", "plate.json"})
-      if (std::filesystem::exists(folder_ / name))
-        about["sha256"][name] = sha256_of(content_of(folder_ / name));
+      if (std::filesystem::exists(folder_ / name)) about["sha256"][name] = sha256_of(content_of(folder_ / name));
     disk_.create(folder_ / "recordings" / (stem + ".json"), about.dump(1) + "\n");
   }
 
-  void make(const Part& part, unsigned condition, unsigned index, const std::filesystem::path& file,
-            json& reach) {
+  void make(const Part& part, unsigned condition, unsigned index, const std::filesystem::path& file, json& reach) {
     const std::string& learnt = state_.beliefs[condition];
     const std::string first = state_.set_up ? state_.set_up->at("profile").get<std::string>() : "";
     const LibrarySession session(part.condition, learnt.empty() ? first : learnt, subject_);
     const auto [real, seen] = session.add_targets(part.real_deg, part.virtual_deg, part.distance_m);
     session.record(file);
-    const ReachOutcome outcome =
-        subject_.reach({session.handle(), real, seen, part.real_deg, part.virtual_deg, part.distance_m,
-                        first_reach + state_.reaches + index});
+    const ReachOutcome outcome = subject_.reach({session.handle(), real, seen, part.real_deg, part.virtual_deg,
+                                                 part.distance_m, first_reach + state_.reaches + index});
     const std::int64_t ended_ns = subject_.now().monotonic_ns;
     session.finish_recording(file);
     disk_.sync(file);
@@ -345,8 +338,7 @@ class SessionRun {
                      format("largest felt error %.1f°", outcome.peak_felt_error_deg),
                      format("misfit %.1f: the model fits below 4.5", outcome.summary.misfit),
                      reach["counts"] ? "counts" : "does not count: " + reach["reason"].get<std::string>()}}});
-    if (part.condition.controller == Controller::people && reach["counts"])
-      reach["belief"] = session.profile();
+    if (part.condition.controller == Controller::people && reach["counts"]) reach["belief"] = session.profile();
   }
 
   void ask(const Task& task) {
@@ -390,8 +382,8 @@ void freeze(const Design& design, const std::filesystem::path& study, const Disk
 
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk) {
   if (place.participant < 1 || place.participant > design.participants)
-    throw Refusal(format("--participant: %u is not from 1 to %u, the design's number", place.participant,
-                         design.participants));
+    throw Refusal(
+        format("--participant: %u is not from 1 to %u, the design's number", place.participant, design.participants));
   freeze(design, place.study, disk);
   return SessionRun(design, place, subject, disk).run();
 }

@@ -19,8 +19,7 @@ constexpr double notice_slope = 2.0;
 // The library's person, at its reach of a number.
 class Person {
  public:
-  Person(const hrt_person_config& config, std::uint64_t seed, hrt_session session, hrt_target seen,
-         unsigned number) {
+  Person(const hrt_person_config& config, std::uint64_t seed, hrt_session session, hrt_target seen, unsigned number) {
     check(hrt_person_create(&config, seed, &person_));
     for (unsigned i = 0; i <= number; ++i) check(hrt_person_begin(person_, session, seen));
   }
@@ -80,8 +79,7 @@ bool SimulatedSubject::consents() {
   return true;
 }
 
-void SimulatedSubject::slide(hrt_session session, const hrt_setup_step& first, unsigned number,
-                             std::int64_t from_ns,
+void SimulatedSubject::slide(hrt_session session, const hrt_setup_step& first, unsigned number, std::int64_t from_ns,
                              const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) {
   hrt_target_config config = hrt_target_config_init();
   config.role = HRT_TARGET_VIRTUAL;
@@ -91,8 +89,7 @@ void SimulatedSubject::slide(hrt_session session, const hrt_setup_step& first, u
   hrt_setup_step step = first;
   std::int64_t time_ns = from_ns;
   bool rested = false;
-  for (std::optional<hrt_setup_step> next = first; next;
-       rested = step.instruction == HRT_STEP_REST_AT_START) {
+  for (std::optional<hrt_setup_step> next = first; next; rested = step.instruction == HRT_STEP_REST_AT_START) {
     step = *next;
     if (step.instruction == HRT_STEP_REST_AT_START && !rested) person.begin(session, ahead);
     time_ns += frame_ns;
@@ -114,8 +111,7 @@ std::vector<unsigned> SimulatedSubject::fill_in(const Questionnaire& paper) {
 void SimulatedSubject::rest(double minutes) { pass(60.0 * minutes); }
 
 ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
-  const Person person(config_, seed_ * 1000 + participant_, order.session, order.virtual_target,
-                      order.number);
+  const Person person(config_, seed_ * 1000 + participant_, order.session, order.virtual_target, order.number);
   Stream draw(Use::noise, place(order.number));
   const bool loses_finger = draw.uniform() < design_.simulated.invalid_share;
   hrt_reach_config config = hrt_reach_config_init();
@@ -152,8 +148,8 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
 
 // A choice between intervals is right by the psychometric function; "did something bend it" is the first
 // answer if what was felt was beyond the threshold.
-unsigned SimulatedSubject::answer(const std::string& question, const std::vector<std::string>& answers,
-                                  unsigned right, double gap_deg, unsigned number) {
+unsigned SimulatedSubject::answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
+                                  double gap_deg, unsigned number) {
   Stream draw(Use::answers, place(number));
   const auto count = static_cast<unsigned>(answers.size());
   pass(2.0);

@@ -26,8 +26,8 @@ class SimulatedSubject : public Subject {
   std::vector<unsigned> fill_in(const Questionnaire& paper) override;
   void rest(double minutes) override;
   ReachOutcome reach(const ReachOrder& order) override;
-  unsigned answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
-                  double gap_deg, unsigned number) override;
+  unsigned answer(const std::string& question, const std::vector<std::string>& answers, unsigned right, double gap_deg,
+                  unsigned number) override;
 
   /// Time passes.
   void pass(double seconds);

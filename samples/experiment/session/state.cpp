@@ -118,8 +118,7 @@ Task State::next() const {
   const bool after = block == schedule.blocks.size();
   for (unsigned i = 0; i < design.questionnaires.size(); ++i) {
     const Questionnaire& paper = design.questionnaires[i];
-    if ((after ? paper.after : paper.before) &&
-        !questionnaires.contains((after ? "after " : "before ") + paper.name))
+    if ((after ? paper.after : paper.before) && !questionnaires.contains((after ? "after " : "before ") + paper.name))
       return {Task::Kind::questionnaire, block, i, after};
   }
   if (after) return {Task::Kind::end};
@@ -128,8 +127,7 @@ Task State::next() const {
   return {Task::Kind::trial, block, pending.front()};
 }
 
-State state_of(const Design& design, const Schedule& schedule, unsigned participant,
-               const std::vector<Event>& events) {
+State state_of(const Design& design, const Schedule& schedule, unsigned participant, const std::vector<Event>& events) {
   State state(design, schedule, participant);
   for (const Event& event : events) state.apply(event);
   return state;

@@ -47,7 +47,7 @@ struct State {
   std::vector<nlohmann::json> slides;            ///< of a set-up that is not
   std::set<std::string> questionnaires;          ///< "before SSQ"
   std::vector<std::vector<TrialRecord>> trials;  ///< of each block
-  std::vector<unsigned> passes;  ///< of each block, from 1: it starts again after a long pause
+  std::vector<unsigned> passes;                  ///< of each block, from 1: it starts again after a long pause
   unsigned block = 0;
   std::vector<unsigned> pending;  ///< indices of the block's trials, the next one first
   bool rest_due = false;
@@ -71,7 +71,6 @@ struct State {
 };
 
 /// The fold of a journal.
-State state_of(const Design& design, const Schedule& schedule, unsigned participant,
-               const std::vector<Event>& events);
+State state_of(const Design& design, const Schedule& schedule, unsigned participant, const std::vector<Event>& events);
 
 }  // namespace hrt::experiment

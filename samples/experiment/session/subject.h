@@ -72,8 +72,8 @@ class Subject {
   virtual ReachOutcome reach(const ReachOrder& order) = 0;
   /// Index of the answer. `right`: that of a choice between intervals, which a simulated person may find;
   /// `gap_deg`: of the trial. `place`: of the trial, for draws.
-  virtual unsigned answer(const std::string& question, const std::vector<std::string>& answers,
-                          unsigned right, double gap_deg, unsigned number) = 0;
+  virtual unsigned answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
+                          double gap_deg, unsigned number) = 0;
 };
 
 }  // namespace hrt::experiment

@@ -13,9 +13,8 @@ namespace hrt::mock {
 inline constexpr std::uint32_t loader_info_type = 1;        // XR_LOADER_INTERFACE_STRUCT_LOADER_INFO
 inline constexpr std::uint32_t api_layer_request_type = 2;  // XR_LOADER_INTERFACE_STRUCT_API_LAYER_REQUEST
 inline constexpr std::uint32_t runtime_request_type = 3;    // XR_LOADER_INTERFACE_STRUCT_RUNTIME_REQUEST
-inline constexpr std::uint32_t interface_version =
-    1;  // XR_CURRENT_LOADER_RUNTIME_VERSION, ..._API_LAYER_VERSION
-inline constexpr std::uint32_t struct_version = 1;  // of every structure
+inline constexpr std::uint32_t interface_version = 1;       // XR_CURRENT_LOADER_RUNTIME_VERSION, ..._API_LAYER_VERSION
+inline constexpr std::uint32_t struct_version = 1;          // of every structure
 /// Of OpenXR itself, whatever the headers that this is built with.
 inline constexpr XrVersion min_api_version = XR_MAKE_VERSION(1, 0, 0);
 inline constexpr XrVersion max_api_version = XR_MAKE_VERSION(1, 1, 47);
@@ -42,8 +41,7 @@ struct NegotiateRuntimeRequest {
 /// An API layer, or the runtime, behind a layer.
 struct ApiLayerCreateInfo;
 using PFN_create_api_layer_instance = XrResult(XRAPI_PTR*)(const XrInstanceCreateInfo* info,
-                                                           const ApiLayerCreateInfo* layers,
-                                                           XrInstance* instance);
+                                                           const ApiLayerCreateInfo* layers, XrInstance* instance);
 struct ApiLayerNextInfo {
   std::uint32_t struct_type;
   std::uint32_t struct_version;

@@ -15,8 +15,7 @@ namespace hrt::mock {
 /// a capacity of 0 asks for nothing else; a smaller one than needed is XR_ERROR_SIZE_INSUFFICIENT and
 /// leaves the buffer unwritten. `copy(element, source)` fills one element.
 template <typename Source, typename Element, typename Copy>
-void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Element* elements,
-              Copy copy) {
+void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Element* elements, Copy copy) {
   require_pointer(count, "the count output");
   if (capacity > 0) require_pointer(elements, "the buffer of a capacity above 0");
   const auto needed = static_cast<std::uint32_t>(source.size());
@@ -29,8 +28,8 @@ void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count
 
 /// The same for structures, whose type the application sets.
 template <typename Source, typename Struct, typename Copy>
-void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Struct* structs,
-              XrStructureType type, const char* name, Copy copy) {
+void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Struct* structs, XrStructureType type,
+              const char* name, Copy copy) {
   for (std::uint32_t i = 0; i < capacity && structs != nullptr; ++i) require_struct(&structs[i], type, name);
   two_call(source, capacity, count, structs, copy);
 }

@@ -14,8 +14,7 @@ Action& attached_action(const Session& session, XrAction handle, XrPath subactio
   auto& action = runtime().registry.get<Action>(handle);
   if (subaction != XR_NULL_PATH) {
     session.instance().paths.text(subaction);
-    require(action.has_subaction(subaction), XR_ERROR_PATH_UNSUPPORTED,
-            "the action has no such subaction path");
+    require(action.has_subaction(subaction), XR_ERROR_PATH_UNSUPPORTED, "the action has no such subaction path");
   }
   require(session.input.is_attached(action.action_set()), XR_ERROR_ACTIONSET_NOT_ATTACHED,
           "the action's set is not attached to the session");
@@ -24,8 +23,8 @@ Action& attached_action(const Session& session, XrAction handle, XrPath subactio
 
 // The state of the action in getInfo, which must have this type.
 template <typename State>
-ActionState state_of(XrSession handle, const XrActionStateGetInfo* info, State* state,
-                     XrStructureType state_type, XrActionType type) {
+ActionState state_of(XrSession handle, const XrActionStateGetInfo* info, State* state, XrStructureType state_type,
+                     XrActionType type) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_ACTION_STATE_GET_INFO, "getInfo");
   require_struct(state, state_type, "state");
@@ -65,12 +64,10 @@ Device& device_at(Session& session, XrPath top_level) {
 }
 
 // The path of a source of this kind on the device.
-std::string source_at(Session& session, XrPath top_level, XrPath path, const std::string& suffix,
-                      SourceKind kind) {
+std::string source_at(Session& session, XrPath top_level, XrPath path, const std::string& suffix, SourceKind kind) {
   const std::string& text = session.instance().paths.text(path);
   const Source* source = find_source(text + suffix);
-  require(source != nullptr && source->kind == kind &&
-              top_level_of(text) == session.instance().paths.text(top_level),
+  require(source != nullptr && source->kind == kind && top_level_of(text) == session.instance().paths.text(top_level),
           XR_ERROR_PATH_UNSUPPORTED, "the device has no such source of this type");
   return text;
 }
@@ -90,10 +87,9 @@ XrResult sync_actions(XrSession handle, const XrActionsSyncInfo* info) {
     if (set_info.subactionPath != XR_NULL_PATH) {
       session.instance().paths.text(set_info.subactionPath);
       const auto actions = runtime().registry.children<Action>(set);
-      require(
-          std::any_of(actions.begin(), actions.end(),
-                      [&](const Action* action) { return action->has_subaction(set_info.subactionPath); }),
-          XR_ERROR_PATH_UNSUPPORTED, "no action of the set has this subaction path");
+      require(std::any_of(actions.begin(), actions.end(),
+                          [&](const Action* action) { return action->has_subaction(set_info.subactionPath); }),
+              XR_ERROR_PATH_UNSUPPORTED, "no action of the set has this subaction path");
     }
     active.emplace_back(&set, set_info.subactionPath);
   }
@@ -111,23 +107,19 @@ XrResult sync_actions(XrSession handle, const XrActionsSyncInfo* info) {
 }
 
 void get_action_state_boolean(XrSession handle, const XrActionStateGetInfo* info, XrActionStateBoolean* out) {
-  const ActionState state =
-      state_of(handle, info, out, XR_TYPE_ACTION_STATE_BOOLEAN, XR_ACTION_TYPE_BOOLEAN_INPUT);
+  const ActionState state = state_of(handle, info, out, XR_TYPE_ACTION_STATE_BOOLEAN, XR_ACTION_TYPE_BOOLEAN_INPUT);
   copy_common(*out, state);
   out->currentState = state.value.x > 0.0F ? XR_TRUE : XR_FALSE;
 }
 
 void get_action_state_float(XrSession handle, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
-  const ActionState state =
-      state_of(handle, info, out, XR_TYPE_ACTION_STATE_FLOAT, XR_ACTION_TYPE_FLOAT_INPUT);
+  const ActionState state = state_of(handle, info, out, XR_TYPE_ACTION_STATE_FLOAT, XR_ACTION_TYPE_FLOAT_INPUT);
   copy_common(*out, state);
   out->currentState = state.value.x;
 }
 
-void get_action_state_vector2f(XrSession handle, const XrActionStateGetInfo* info,
-                               XrActionStateVector2f* out) {
-  const ActionState state =
-      state_of(handle, info, out, XR_TYPE_ACTION_STATE_VECTOR2F, XR_ACTION_TYPE_VECTOR2F_INPUT);
+void get_action_state_vector2f(XrSession handle, const XrActionStateGetInfo* info, XrActionStateVector2f* out) {
+  const ActionState state = state_of(handle, info, out, XR_TYPE_ACTION_STATE_VECTOR2F, XR_ACTION_TYPE_VECTOR2F_INPUT);
   copy_common(*out, state);
   out->currentState = state.value;
 }
@@ -191,14 +183,13 @@ void get_input_source_localized_name(XrSession handle, const XrInputSourceLocali
   two_call(name, capacity, count, buffer);
 }
 
-XrResult apply_haptic_feedback(XrSession handle, const XrHapticActionInfo* info,
-                               const XrHapticBaseHeader* haptic) {
+XrResult apply_haptic_feedback(XrSession handle, const XrHapticActionInfo* info, const XrHapticBaseHeader* haptic) {
   const auto& session = runtime().registry.get<Session>(handle);
   require_vibration(session, info);
   require_struct(haptic, XR_TYPE_HAPTIC_VIBRATION, "hapticFeedback");
   const auto& vibration = *reinterpret_cast<const XrHapticVibration*>(haptic);
-  require(vibration.duration >= XR_MIN_HAPTIC_DURATION && vibration.frequency >= 0.0F &&
-              vibration.amplitude >= 0.0F && vibration.amplitude <= 1.0F,
+  require(vibration.duration >= XR_MIN_HAPTIC_DURATION && vibration.frequency >= 0.0F && vibration.amplitude >= 0.0F &&
+              vibration.amplitude <= 1.0F,
           XR_ERROR_VALIDATION_FAILURE, "duration, frequency or amplitude is out of range");
   return session.state() == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
@@ -225,8 +216,7 @@ void set_input_device_active(XrSession handle, XrPath profile, XrPath top_level,
 void set_input_device_state_bool(XrSession handle, XrPath top_level, XrPath source, XrBool32 state) {
   auto& session = runtime().registry.get<Session>(handle);
   Device& device = device_at(session, top_level);
-  device.values[source_at(session, top_level, source, "", SourceKind::boolean)] =
-      state != XR_FALSE ? 1.0F : 0.0F;
+  device.values[source_at(session, top_level, source, "", SourceKind::boolean)] = state != XR_FALSE ? 1.0F : 0.0F;
 }
 
 void set_input_device_state_float(XrSession handle, XrPath top_level, XrPath source, float state) {
@@ -243,8 +233,7 @@ void set_input_device_state_vector2f(XrSession handle, XrPath top_level, XrPath 
   device.values[text + "/y"] = state.y;
 }
 
-void set_input_device_location(XrSession handle, XrPath top_level, XrPath source, XrSpace space_handle,
-                               XrPosef pose) {
+void set_input_device_location(XrSession handle, XrPath top_level, XrPath source, XrSpace space_handle, XrPosef pose) {
   auto& session = runtime().registry.get<Session>(handle);
   const auto& space = runtime().registry.get<Space>(space_handle);
   Device& device = device_at(session, top_level);

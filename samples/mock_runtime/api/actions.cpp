@@ -19,15 +19,13 @@ void require_names(const Object& parent, const char (&name_array)[name_size],
                    const char (&localized_array)[localized_size]) {
   const std::string name = text_of(name_array);
   const std::string localized = text_of(localized_array);
-  require(!name.empty() && name.size() < name_size, XR_ERROR_NAME_INVALID,
-          "the name is empty or not terminated");
+  require(!name.empty() && name.size() < name_size, XR_ERROR_NAME_INVALID, "the name is empty or not terminated");
   require(is_path_component(name), XR_ERROR_PATH_FORMAT_INVALID, "a name is of a-z, 0-9, '-', '_' and '.'");
   require(!localized.empty() && localized.size() < localized_size, XR_ERROR_LOCALIZED_NAME_INVALID,
           "the localized name is empty or not terminated");
   for (const T* sibling : runtime().registry.children<T>(parent)) {
     require(sibling->name != name, XR_ERROR_NAME_DUPLICATED, "the name is taken");
-    require(sibling->localized_name != localized, XR_ERROR_LOCALIZED_NAME_DUPLICATED,
-            "the localized name is taken");
+    require(sibling->localized_name != localized, XR_ERROR_LOCALIZED_NAME_DUPLICATED, "the localized name is taken");
   }
 }
 
@@ -78,8 +76,7 @@ void create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAction*
   auto& set = runtime().registry.get<ActionSet>(handle);
   require_struct(info, XR_TYPE_ACTION_CREATE_INFO, "createInfo");
   require_pointer(action, "action");
-  require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
-          "the action set is attached: it cannot change");
+  require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set is attached: it cannot change");
   switch (info->actionType) {
     case XR_ACTION_TYPE_BOOLEAN_INPUT:
     case XR_ACTION_TYPE_FLOAT_INPUT:
@@ -101,8 +98,7 @@ void destroy_action(XrAction handle) {
   action.action_set().attached ? runtime().registry.retire(action) : runtime().registry.destroy(action);
 }
 
-void suggest_interaction_profile_bindings(XrInstance handle,
-                                          const XrInteractionProfileSuggestedBinding* info) {
+void suggest_interaction_profile_bindings(XrInstance handle, const XrInteractionProfileSuggestedBinding* info) {
   auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, "suggestedBindings");
   require(info->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings are suggested");
@@ -116,8 +112,7 @@ void suggest_interaction_profile_bindings(XrInstance handle,
     require(!action.action_set().attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
             "the action's set is attached: its bindings cannot change");
     require(resolve_binding(*profile, instance.paths.text(binding.binding), action.action_type).has_value(),
-            XR_ERROR_PATH_UNSUPPORTED,
-            "the interaction profile has no such binding path in this version of OpenXR");
+            XR_ERROR_PATH_UNSUPPORTED, "the interaction profile has no such binding path in this version of OpenXR");
     bindings.push_back({action.id(), binding.binding});
   }
   instance.suggestions[info->interactionProfile] = std::move(bindings);
@@ -131,8 +126,7 @@ void attach_session_action_sets(XrSession handle, const XrSessionActionSetsAttac
   std::vector<ActionSet*> sets;
   for (std::uint32_t i = 0; i < info->countActionSets; ++i)
     sets.push_back(&runtime().registry.get<ActionSet>(info->actionSets[i]));
-  require(!session.input.is_attached(), XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
-          "action sets are attached already");
+  require(!session.input.is_attached(), XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "action sets are attached already");
   session.input.attach(sets, session.instance().suggestions);
 }
 

@@ -20,10 +20,8 @@ void apply_script(XrInstance handle, const char* json) {
 void advance_time(XrInstance handle, XrDuration duration) {
   constexpr XrDuration hour = 3'600'000'000'000;
   auto& instance = runtime().registry.get<Instance>(handle);
-  require(duration >= 0 && duration <= hour, XR_ERROR_VALIDATION_FAILURE,
-          "duration must be from 0 to an hour");
-  require(instance.clock.kind() == Clock::Kind::manual, XR_ERROR_CALL_ORDER_INVALID,
-          "the clock is the real-time one");
+  require(duration >= 0 && duration <= hour, XR_ERROR_VALIDATION_FAILURE, "duration must be from 0 to an hour");
+  require(instance.clock.kind() == Clock::Kind::manual, XR_ERROR_CALL_ORDER_INVALID, "the clock is the real-time one");
   instance.clock.advance_to(instance.clock.now() + duration);
   fire_due_events();
 }
@@ -58,8 +56,7 @@ std::string obey(Session& session, const std::string& line) {
   return reply.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
-                  XrCallRecordHRTX* records) {
+void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count, XrCallRecordHRTX* records) {
   runtime().registry.get_even_lost<Instance>(handle);
   two_call(runtime().log.records(), capacity, count, records, XR_TYPE_CALL_RECORD_HRTX, "records",
            [](XrCallRecordHRTX& to, const CallRecord& from) {

@@ -70,9 +70,8 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
   state->predictedDisplayTime = runtime().script.frame_times ? frames.last_display : 0;
   state->predictedDisplayPeriod = frame_period;
   state->shouldRender =
-      draws && session.state() >= XR_SESSION_STATE_VISIBLE && session.state() <= XR_SESSION_STATE_FOCUSED
-          ? XR_TRUE
-          : XR_FALSE;
+      draws && session.state() >= XR_SESSION_STATE_VISIBLE && session.state() <= XR_SESSION_STATE_FOCUSED ? XR_TRUE
+                                                                                                          : XR_FALSE;
 }
 
 XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
@@ -92,8 +91,8 @@ void end_frame(XrSession handle, const XrFrameEndInfo* info) {
   require_struct(info, XR_TYPE_FRAME_END_INFO, "frameEndInfo");
   require(session.frames.begun, XR_ERROR_CALL_ORDER_INVALID, "no xrBeginFrame goes with this xrEndFrame");
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  require(info->environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
-          XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED, "the blend mode is opaque");
+  require(info->environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED,
+          "the blend mode is opaque");
   require_layers(*info, session);
   keep_pictures(*info, session);
   session.frames.begun = false;

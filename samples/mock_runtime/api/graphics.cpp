@@ -22,12 +22,11 @@ VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   GraphicsSetup& setup = instance.graphics;
   if (setup.get_vulkan == nullptr) setup.get_vulkan = loaded_vulkan();
   require(setup.get_vulkan != nullptr, XR_ERROR_RUNTIME_FAILURE, "the process has no Vulkan loader");
-  const auto enumerate = reinterpret_cast<PFN_vkEnumeratePhysicalDevices>(
-      setup.get_vulkan(vulkan, "vkEnumeratePhysicalDevices"));
+  const auto enumerate =
+      reinterpret_cast<PFN_vkEnumeratePhysicalDevices>(setup.get_vulkan(vulkan, "vkEnumeratePhysicalDevices"));
   std::uint32_t count = 1;
   VkPhysicalDevice device = nullptr;
-  const VkResult result =
-      enumerate == nullptr ? VK_ERROR_INITIALIZATION_FAILED : enumerate(vulkan, &count, &device);
+  const VkResult result = enumerate == nullptr ? VK_ERROR_INITIALIZATION_FAILED : enumerate(vulkan, &count, &device);
   require((result == VK_SUCCESS || result == VK_INCOMPLETE) && count == 1, XR_ERROR_RUNTIME_FAILURE,
           "Vulkan has no physical device");
   return setup.vulkan_device = device;
@@ -41,16 +40,13 @@ void no_extension_names(std::uint32_t capacity, std::uint32_t* count, char* buff
 
 std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info) {
   const GraphicsSetup& setup = instance.graphics;
-  const bool vulkan =
-      instance.enabled(Extension::vulkan_enable2) || instance.enabled(Extension::vulkan_enable);
-  if (const auto* binding =
-          chained<XrGraphicsBindingVulkanKHR>(info.next, XR_TYPE_GRAPHICS_BINDING_VULKAN_KHR);
+  const bool vulkan = instance.enabled(Extension::vulkan_enable2) || instance.enabled(Extension::vulkan_enable);
+  if (const auto* binding = chained<XrGraphicsBindingVulkanKHR>(info.next, XR_TYPE_GRAPHICS_BINDING_VULKAN_KHR);
       binding != nullptr && vulkan) {
     require(setup.vulkan_asked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
             "xrGetVulkanGraphicsRequirements(2)KHR has not been called");
     require(binding->physicalDevice != nullptr && binding->physicalDevice == setup.vulkan_device,
-            XR_ERROR_GRAPHICS_DEVICE_INVALID,
-            "physicalDevice is not that of xrGetVulkanGraphicsDevice(2)KHR");
+            XR_ERROR_GRAPHICS_DEVICE_INVALID, "physicalDevice is not that of xrGetVulkanGraphicsDevice(2)KHR");
     return make_vulkan_device(*binding, setup.get_vulkan);
   }
   if (const auto* binding =
@@ -80,8 +76,7 @@ void get_vulkan_extensions(XrInstance handle, XrSystemId system, std::uint32_t c
   no_extension_names(capacity, count, buffer);
 }
 
-void get_vulkan_graphics_device(XrInstance handle, XrSystemId system, VkInstance vulkan,
-                                VkPhysicalDevice* device) {
+void get_vulkan_graphics_device(XrInstance handle, XrSystemId system, VkInstance vulkan, VkPhysicalDevice* device) {
   Instance& instance = instance_with_system(handle, system);
   require_pointer(device, "vkPhysicalDevice");
   *device = first_physical_device(instance, vulkan);
@@ -92,13 +87,11 @@ void create_vulkan_instance(XrInstance handle, const XrVulkanInstanceCreateInfoK
   auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_VULKAN_INSTANCE_CREATE_INFO_KHR, "createInfo");
   require_system(info->systemId);
-  require(
-      info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
-      XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
+  require(info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
+          XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
   require_pointer(vulkan, "vulkanInstance");
   require_pointer(result, "vulkanResult");
-  const auto create =
-      reinterpret_cast<PFN_vkCreateInstance>(info->pfnGetInstanceProcAddr(nullptr, "vkCreateInstance"));
+  const auto create = reinterpret_cast<PFN_vkCreateInstance>(info->pfnGetInstanceProcAddr(nullptr, "vkCreateInstance"));
   require(create != nullptr, XR_ERROR_RUNTIME_FAILURE, "pfnGetInstanceProcAddr has no vkCreateInstance");
   *result = create(info->vulkanCreateInfo, info->vulkanAllocator, vulkan);
   instance.graphics.get_vulkan = info->pfnGetInstanceProcAddr;
@@ -119,14 +112,12 @@ void create_vulkan_device(XrInstance handle, const XrVulkanDeviceCreateInfoKHR* 
   const auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR, "createInfo");
   require_system(info->systemId);
-  require(
-      info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
-      XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
+  require(info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
+          XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
   require_pointer(device, "vulkanDevice");
   require_pointer(result, "vulkanResult");
-  require(
-      info->vulkanPhysicalDevice != nullptr && info->vulkanPhysicalDevice == instance.graphics.vulkan_device,
-      XR_ERROR_VALIDATION_FAILURE, "vulkanPhysicalDevice is not that of xrGetVulkanGraphicsDevice2KHR");
+  require(info->vulkanPhysicalDevice != nullptr && info->vulkanPhysicalDevice == instance.graphics.vulkan_device,
+          XR_ERROR_VALIDATION_FAILURE, "vulkanPhysicalDevice is not that of xrGetVulkanGraphicsDevice2KHR");
   const auto create = reinterpret_cast<PFN_vkCreateDevice>(
       info->pfnGetInstanceProcAddr(instance.graphics.vulkan_instance, "vkCreateDevice"));
   require(create != nullptr, XR_ERROR_RUNTIME_FAILURE, "pfnGetInstanceProcAddr has no vkCreateDevice");

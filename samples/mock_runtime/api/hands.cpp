@@ -27,13 +27,11 @@ void write_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& locatio
     locations.jointLocations[i] =
         i < joints.locations.size() ? joints.locations[i] : XrHandJointLocationEXT{0, to_xr(Pose{}), 0.0F};
     if (velocities != nullptr)
-      velocities->jointVelocities[i] =
-          i < joints.velocities.size() ? joints.velocities[i] : XrHandJointVelocityEXT{};
+      velocities->jointVelocities[i] = i < joints.velocities.size() ? joints.velocities[i] : XrHandJointVelocityEXT{};
   }
 }
 
-RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base,
-                                const XrHandJointsLocateInfoEXT& info) {
+RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base, const XrHandJointsLocateInfoEXT& info) {
   Session& session = tracker.session();
   World& world = session.world();
   // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
@@ -51,8 +49,7 @@ RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base,
       base.stands_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   const Velocities kind = world.velocities();
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    given.locations.push_back({XR_SPACE_LOCATION_ORIENTATION_VALID_BIT |
-                                   XR_SPACE_LOCATION_POSITION_VALID_BIT |
+    given.locations.push_back({XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
                                    XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
                                to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)});
     if (kind == Velocities::none) continue;
@@ -66,23 +63,20 @@ RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base,
         (soon[i].pose.position_m - joints[i].pose.position_m) / soon_s;
     velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
     if (kind == Velocities::full)
-      velocity.angularVelocity =
-          to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
+      velocity.angularVelocity = to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
   }
   return given;
 }
 
 }  // namespace
 
-void create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* info,
-                         XrHandTrackerEXT* tracker) {
+void create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* tracker) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, "createInfo");
   require_pointer(tracker, "handTracker");
   require(info->hand == XR_HAND_LEFT_EXT || info->hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE,
           "no such hand");
-  require(info->handJointSet == XR_HAND_JOINT_SET_DEFAULT_EXT, XR_ERROR_VALIDATION_FAILURE,
-          "no such joint set");
+  require(info->handJointSet == XR_HAND_JOINT_SET_DEFAULT_EXT, XR_ERROR_VALIDATION_FAILURE, "no such joint set");
   require(runtime().script.hand_tracking, XR_ERROR_FEATURE_UNSUPPORTED, "the system has no hand tracking");
   *tracker = handle_of<XrHandTrackerEXT>(runtime().registry.create<HandTracker>(&session, info->hand));
 }

@@ -39,8 +39,7 @@ Pose source_in_grip(const std::string& source) {
   constexpr double palm_deg = -60.0;
   const auto is = [&](const char* kind) { return source.find(kind) != std::string::npos; };
   if (is("/aim/")) return {.position_m = {0.0, 0.0, -0.05}};
-  if (is("/palm_ext/") || is("/grip_surface/"))
-    return {.orientation = turn(palm_deg, Eigen::Vector3d::UnitX())};
+  if (is("/palm_ext/") || is("/grip_surface/")) return {.orientation = turn(palm_deg, Eigen::Vector3d::UnitX())};
   return {};
 }
 
@@ -133,10 +132,8 @@ bool Input::sync(const std::vector<ActiveSet>& active) {
           state.active = true;
           if (driver.sources[0].kind != SourceKind::pose) continue;
           // Of several devices that may give a pose the first one does, also while it is off.
-          const auto& giver =
-              pose_givers_.try_emplace({action->id(), subaction}, driver.top_level).first->second;
-          if (giver == driver.top_level)
-            pose_sources_.try_emplace({action->id(), subaction}, driver.sources[0].path);
+          const auto& giver = pose_givers_.try_emplace({action->id(), subaction}, driver.top_level).first->second;
+          if (giver == driver.top_level) pose_sources_.try_emplace({action->id(), subaction}, driver.sources[0].path);
         }
       }
     }
@@ -144,8 +141,7 @@ bool Input::sync(const std::vector<ActiveSet>& active) {
   for (auto& [key, state] : states_) {
     const auto before = previous.find(key);
     const bool was_active = before != previous.end() && before->second.active;
-    state.changed =
-        was_active && (before->second.value.x != state.value.x || before->second.value.y != state.value.y);
+    state.changed = was_active && (before->second.value.x != state.value.x || before->second.value.y != state.value.y);
     state.last_change = state.changed || !was_active ? now : before->second.last_change;
   }
   return profiles_changed;

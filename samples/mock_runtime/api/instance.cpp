@@ -30,8 +30,7 @@ void Instance::enable(const char* name) {
   throw Error{XR_ERROR_EXTENSION_NOT_PRESENT, name};
 }
 
-void enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* count,
-                                    XrApiLayerProperties* layers) {
+void enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* count, XrApiLayerProperties* layers) {
   two_call(std::array<XrApiLayerProperties, 0>{}, capacity, count, layers);
 }
 
@@ -57,14 +56,12 @@ void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   require(XR_VERSION_MAJOR(version) == 1 && XR_VERSION_MINOR(version) <= 1, XR_ERROR_API_VERSION_UNSUPPORTED,
           "apiVersion must be 1.0 or 1.1");
   if (info->enabledExtensionCount > 0) require_pointer(info->enabledExtensionNames, "enabledExtensionNames");
-  require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED,
-          "an instance exists already; one is allowed");
+  require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED, "an instance exists already; one is allowed");
   if (!runtime().script_error.empty()) throw Error{XR_ERROR_INITIALIZATION_FAILED, runtime().script_error};
   auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock);
   if (XR_VERSION_MINOR(version) >= 1) instance.enable_version_1_1();
   try {
-    for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
-      instance.enable(info->enabledExtensionNames[i]);
+    for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i) instance.enable(info->enabledExtensionNames[i]);
   } catch (...) {
     runtime().registry.destroy(instance);
     throw;
@@ -87,9 +84,8 @@ void get_instance_properties(XrInstance handle, XrInstanceProperties* properties
   runtime().registry.get<Instance>(handle);
   require_struct(properties, XR_TYPE_INSTANCE_PROPERTIES, "instanceProperties");
   const Recording* played = runtime().script.playback.get();
-  properties->runtimeVersion = played != nullptr
-                                   ? played->version
-                                   : XR_MAKE_VERSION(HRT_VERSION_MAJOR, HRT_VERSION_MINOR, HRT_VERSION_PATCH);
+  properties->runtimeVersion =
+      played != nullptr ? played->version : XR_MAKE_VERSION(HRT_VERSION_MAJOR, HRT_VERSION_MINOR, HRT_VERSION_PATCH);
   std::snprintf(properties->runtimeName, sizeof(properties->runtimeName), "%s",
                 played != nullptr ? played->runtime.c_str() : "HRTX mock runtime");
 }
@@ -110,18 +106,14 @@ void result_to_string(XrInstance handle, XrResult value, char buffer[XR_MAX_RESU
   if (name.starts_with("XR_"))
     std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "%s", name.c_str());
   else
-    std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "XR_UNKNOWN_%s_%d", value < 0 ? "FAILURE" : "SUCCESS",
-                  value);
+    std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "XR_UNKNOWN_%s_%d", value < 0 ? "FAILURE" : "SUCCESS", value);
 }
 
-void structure_type_to_string(XrInstance handle, XrStructureType value,
-                              char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
+void structure_type_to_string(XrInstance handle, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
   runtime().registry.get<Instance>(handle);
   require_pointer(buffer, "buffer");
   // Newer headers have names that are longer than what there is room for.
-  const auto write = [&](std::string_view name) {
-    buffer[name.copy(buffer, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0';
-  };
+  const auto write = [&](std::string_view name) { buffer[name.copy(buffer, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0'; };
 #define HRT_MOCK_NAME(name, number) \
   if (value == name) return write(#name);
   HRT_STRUCTURE_TYPES_OF_1_1(HRT_MOCK_NAME)
@@ -144,8 +136,7 @@ void string_to_path(XrInstance handle, const char* text, XrPath* path) {
   *path = instance.paths.intern(text);
 }
 
-void path_to_string(XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count,
-                    char* buffer) {
+void path_to_string(XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count, char* buffer) {
   const auto& instance = runtime().registry.get<Instance>(handle);
   std::string text = instance.paths.text(path);
   text.push_back('\0');

@@ -18,8 +18,7 @@ void require_image(const XrSwapchainSubImage& image, const Session& session) {
   const auto& swapchain = runtime().registry.get<Swapchain>(image.swapchain);
   require(swapchain.parent() == &session, XR_ERROR_VALIDATION_FAILURE,
           "the swapchain of a layer is of another session");
-  require(swapchain.released.has_value(), XR_ERROR_LAYER_INVALID,
-          "no image of a layer's swapchain has been released");
+  require(swapchain.released.has_value(), XR_ERROR_LAYER_INVALID, "no image of a layer's swapchain has been released");
   const XrRect2Di& part = image.imageRect;
   const auto inside = [](std::int32_t offset, std::int32_t extent, std::uint32_t size) {
     return offset >= 0 && extent > 0 && std::int64_t{offset} + extent <= std::int64_t{size};
@@ -39,8 +38,7 @@ void require_projection(const XrCompositionLayerProjection& layer, const Session
     require_struct(&view, XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW, "views");
     checked_pose(view.pose);
     require_image(view.subImage, session);
-    const auto* depth =
-        chained<XrCompositionLayerDepthInfoKHR>(view.next, XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR);
+    const auto* depth = chained<XrCompositionLayerDepthInfoKHR>(view.next, XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR);
     if (depth == nullptr || !session.instance().enabled(Extension::layer_depth)) continue;
     require(depth->minDepth >= 0.0F && depth->maxDepth <= 1.0F && depth->minDepth <= depth->maxDepth,
             XR_ERROR_VALIDATION_FAILURE, "minDepth and maxDepth are from 0 to 1");
@@ -70,24 +68,21 @@ std::optional<Camera> camera_of(const XrCompositionLayerProjection& layer, std::
   const auto pose = in_world(layer.space, view.pose, time);
   if (!pose) return std::nullopt;
   const XrExtent2Di& size = view.subImage.imageRect.extent;
-  return Camera{*pose, view.fov, static_cast<std::uint32_t>(size.width),
-                static_cast<std::uint32_t>(size.height)};
+  return Camera{*pose, view.fov, static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
 }
 
 // That of the first projection; without one, where the eye is.
 Camera camera_of(const XrFrameEndInfo& info, Session& session, std::uint32_t eye) {
   for (std::uint32_t i = 0; i < info.layerCount; ++i)
     if (info.layers[i]->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION)
-      if (const auto camera = camera_of(as_projection(*info.layers[i]), eye, info.displayTime))
-        return *camera;
+      if (const auto camera = camera_of(as_projection(*info.layers[i]), eye, info.displayTime)) return *camera;
   return {eye_in_world(session, eye, info.displayTime), field_of_view, view_image_size, view_image_size};
 }
 
 }  // namespace
 
 void require_layers(const XrFrameEndInfo& info, const Session& session) {
-  require(info.layerCount <= XR_MIN_COMPOSITION_LAYERS_SUPPORTED, XR_ERROR_LAYER_LIMIT_EXCEEDED,
-          "too many layers");
+  require(info.layerCount <= XR_MIN_COMPOSITION_LAYERS_SUPPORTED, XR_ERROR_LAYER_LIMIT_EXCEEDED, "too many layers");
   require(info.layerCount == 0 || info.layers != nullptr, XR_ERROR_LAYER_INVALID, "layers is null");
   for (std::uint32_t i = 0; i < info.layerCount; ++i) {
     const XrCompositionLayerBaseHeader* layer = info.layers[i];
@@ -96,8 +91,7 @@ void require_layers(const XrFrameEndInfo& info, const Session& session) {
     require(projects || layer->type == XR_TYPE_COMPOSITION_LAYER_QUAD, XR_ERROR_LAYER_INVALID,
             "layers are projections and quads");
     const auto& space = runtime().registry.get<Space>(layer->space);
-    require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE,
-            "the space of a layer is of another session");
+    require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space of a layer is of another session");
     if (session.graphics == nullptr) continue;
     if (projects)
       require_projection(as_projection(*layer), session);

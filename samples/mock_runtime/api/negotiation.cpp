@@ -63,8 +63,8 @@ const Row function_table[] = {
 
 bool needs_no_instance(const char* name) {
   return std::strcmp(name, "xrEnumerateInstanceExtensionProperties") == 0 ||
-         std::strcmp(name, "xrEnumerateApiLayerProperties") == 0 ||
-         std::strcmp(name, "xrCreateInstance") == 0 || std::strcmp(name, "xrGetInstanceProcAddr") == 0;
+         std::strcmp(name, "xrEnumerateApiLayerProperties") == 0 || std::strcmp(name, "xrCreateInstance") == 0 ||
+         std::strcmp(name, "xrGetInstanceProcAddr") == 0;
 }
 
 }  // namespace
@@ -92,9 +92,8 @@ void get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidFunct
 }  // namespace hrt::mock
 
 /// The only exported symbol, where a loader starts.
-extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL
-xrNegotiateLoaderRuntimeInterface(const hrt::mock::NegotiateLoaderInfo* loader,
-                                  hrt::mock::NegotiateRuntimeRequest* request) {
+extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL xrNegotiateLoaderRuntimeInterface(
+    const hrt::mock::NegotiateLoaderInfo* loader, hrt::mock::NegotiateRuntimeRequest* request) {
   try {
     return hrt::mock::negotiate(loader, request);
   } catch (...) {

@@ -50,14 +50,12 @@ void keep_pictures(const XrFrameEndInfo& info, Session& session) {
   std::string& remark = runtime().remark;
   for (const Script::View view : runtime().script.views) {
     if (view != Script::View::world && session.graphics == nullptr) continue;
-    const std::string name = view == Script::View::left    ? "left"
-                             : view == Script::View::right ? "right"
-                                                           : "world";
+    const std::string name = view == Script::View::left ? "left" : view == Script::View::right ? "right" : "world";
     const Picture picture = view == Script::View::world
                                 ? picture_of_world(session.world(), runtime().now())
                                 : picture_of_eye(info, session, view == Script::View::left ? 0 : 1);
-    const std::string what = name + " " + std::to_string(picture.width) + "x" +
-                             std::to_string(picture.height) + " " + hash_of(picture);
+    const std::string what =
+        name + " " + std::to_string(picture.width) + "x" + std::to_string(picture.height) + " " + hash_of(picture);
     remark += (remark.empty() ? std::string("picture of frame ") + frame + ": " : ", ") + what;
     write_files(picture, std::string(frame) + "_" + name + ".png",
                 std::string(frame) + " " + std::to_string(info.displayTime) + " " + what);

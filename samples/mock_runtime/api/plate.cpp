@@ -26,11 +26,10 @@ RecordedTruth truth_of(Session& session, XrHandEXT hand) {
   World& world = session.world();
   const Reach* reach = world.reach(hand);
   require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");
-  return {
-      {reach->true_direction_deg(), reach->perceived_direction_deg(), reach->peak_felt_error_deg(),
-       reach->outermost_direction_deg(1.0), reach->outermost_direction_deg(-1.0), reach->tactile_weight()},
-      to_xr(world.true_index_tip_m(hand)),
-      reach->done()};
+  return {{reach->true_direction_deg(), reach->perceived_direction_deg(), reach->peak_felt_error_deg(),
+           reach->outermost_direction_deg(1.0), reach->outermost_direction_deg(-1.0), reach->tactile_weight()},
+          to_xr(world.true_index_tip_m(hand)),
+          reach->done()};
 }
 
 }  // namespace
@@ -53,8 +52,7 @@ void set_simulation_seed(XrSession handle, std::uint64_t seed, std::uint32_t nex
 
 void set_plate_orientation(XrSession handle, double orientation_deg) {
   auto& session = runtime().registry.get<Session>(handle);
-  require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE,
-          "orientation must be within 360 degrees");
+  require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE, "orientation must be within 360 degrees");
   if (!session.player) session.world().command_plate(orientation_deg);
 }
 
@@ -81,8 +79,7 @@ void instruct_reach(XrSession handle, const XrReachInstructionHRTX* instruction)
   if (session.player) return;  // what the person did then is played back
   World& world = session.world();
   require(world.plate_is_placed(), XR_ERROR_CALL_ORDER_INVALID, "the plate has not been placed");
-  world.instruct(instruction->hand,
-                 {{start_m.x(), start_m.z()}, instruction->goalDirection, instruction->pathLength},
+  world.instruct(instruction->hand, {{start_m.x(), start_m.z()}, instruction->goalDirection, instruction->pathLength},
                  start_m.y(), session.instance().clock.now());
 }
 

@@ -19,8 +19,7 @@ Session::Session(Instance* instance, const Script& script, std::shared_ptr<Graph
   if (script.playback != nullptr) player.emplace(script.playback, here.session);
   for (const XrHandEXT hand : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
     if (const auto& controller = world_.controller_settings(hand); !controller.profile.empty())
-      happen(
-          DeviceEvent{hand == XR_HAND_LEFT_EXT ? "/user/hand/left" : "/user/hand/right", controller.profile});
+      happen(DeviceEvent{hand == XR_HAND_LEFT_EXT ? "/user/hand/left" : "/user/hand/right", controller.profile});
   open_to_outside(script);
 }
 
@@ -76,8 +75,7 @@ void Session::go_to(XrSessionState state) {
     enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (!running || !in_frame_loop(state_)) return;
   const XrSessionState by_way_of = state == XR_SESSION_STATE_STOPPING ? XR_SESSION_STATE_SYNCHRONIZED : state;
-  while (state_ != by_way_of)
-    enter(static_cast<XrSessionState>(state_ < by_way_of ? state_ + 1 : state_ - 1));
+  while (state_ != by_way_of) enter(static_cast<XrSessionState>(state_ < by_way_of ? state_ + 1 : state_ - 1));
   enter(state);
 }
 
@@ -104,8 +102,7 @@ void Session::fire_due_events() {
 
 void fire_due_events() {
   if (runtime().instance == nullptr) return;
-  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
-    session->fire_due_events();
+  for (Session* session : runtime().registry.children<Session>(*runtime().instance)) session->fire_due_events();
 }
 
 void Session::happen(const Happening& what) {
@@ -119,14 +116,13 @@ void Session::happen(const Happening& what) {
   if (const auto* recenter = std::get_if<Recenter>(&what)) happen(*recenter);
   if (const auto* device = std::get_if<DeviceEvent>(&what)) happen(*device);
   if (const auto* input_event = std::get_if<InputEvent>(&what))
-    for (const auto& [source, value] : input_event->values)
-      input.devices[input_event->device].values[source] = value;
+    for (const auto& [source, value] : input_event->values) input.devices[input_event->device].values[source] = value;
   if (std::holds_alternative<RepeatState>(what)) report_state();
   if (std::holds_alternative<LoseSession>(what)) lost = XR_ERROR_SESSION_LOST;
   if (std::holds_alternative<LoseInstance>(what)) instance().lost = XR_ERROR_INSTANCE_LOST;
   if (std::holds_alternative<InstanceLossPending>(what))
-    instance().push_event(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr,
-                                                         instance().clock.now()});
+    instance().push_event(
+        XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, instance().clock.now()});
   if (const auto* head = std::get_if<HeadEvent>(&what)) world().lose_head(head->lost);
   if (const auto* hand = std::get_if<HandEvent>(&what)) happen(*hand);
   if (const auto* put = std::get_if<Put>(&what))
@@ -235,8 +231,7 @@ void request_exit_session(XrSession handle) {
 void end_session(XrSession handle) {
   auto& session = runtime().registry.get<Session>(handle);
   require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
-  require(session.state() == XR_SESSION_STATE_STOPPING, XR_ERROR_SESSION_NOT_STOPPING,
-          "the session is not stopping");
+  require(session.state() == XR_SESSION_STATE_STOPPING, XR_ERROR_SESSION_NOT_STOPPING, "the session is not stopping");
   session.running = false;
   if (!session.player || !session.player->follow(StateCall::end)) {
     session.enter(XR_SESSION_STATE_IDLE);

@@ -40,8 +40,8 @@ RecordedLocation location_of(const Space& space, const Space& base, XrTime time)
   const auto motion = locate(space, base, time);
   if (!motion) return location;
   return {flags_of(space, base), to_xr(motion->pose),
-          XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT,
-          to_xr(motion->velocity_m_per_s), to_xr(motion->angular_velocity_rad_per_s)};
+          XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT, to_xr(motion->velocity_m_per_s),
+          to_xr(motion->angular_velocity_rad_per_s)};
 }
 
 // As far as it is asked for.
@@ -69,8 +69,8 @@ RecordedViews views_of(const Space& space, XrTime time) {
     result.views.push_back(view);
   }
   if (!in_world) return result;
-  result.flags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
-                 XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
+  result.flags =
+      XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
   if (!space.stands_in_room() || space.can_see_room()) result.flags |= XR_VIEW_STATE_POSITION_TRACKED_BIT;
   return result;
 }
@@ -133,8 +133,7 @@ void create_action_space(XrSession handle, const XrActionSpaceCreateInfo* info, 
   require_struct(info, XR_TYPE_ACTION_SPACE_CREATE_INFO, "createInfo");
   require_pointer(space, "space");
   const auto& action = runtime().registry.get<Action>(info->action);
-  require(action.action_type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
-          "not a pose action");
+  require(action.action_type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH, "not a pose action");
   SpaceName name{.action = action.full_name(), .pose = info->poseInActionSpace};
   if (info->subactionPath != XR_NULL_PATH) {
     name.subaction = session.instance().paths.text(info->subactionPath);
@@ -163,8 +162,7 @@ void locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceLocat
   auto& space = runtime().registry.get<Space>(handle);
   auto& base = runtime().registry.get<Space>(base_handle);
   require_struct(location, XR_TYPE_SPACE_LOCATION, "location");
-  require(space.parent() == base.parent(), XR_ERROR_VALIDATION_FAILURE,
-          "the spaces are of different sessions");
+  require(space.parent() == base.parent(), XR_ERROR_VALIDATION_FAILURE, "the spaces are of different sessions");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   auto* velocity = chained<XrSpaceVelocity>(location->next, XR_TYPE_SPACE_VELOCITY);
   write_location(location_of(space, base, time), *location, velocity);
@@ -176,8 +174,7 @@ void locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLoca
   require_struct(locations, XR_TYPE_SPACE_LOCATIONS, "spaceLocations");
   require(info->spaceCount > 0, XR_ERROR_VALIDATION_FAILURE, "spaceCount is 0");
   require_pointer(info->spaces, "spaces");
-  require(locations->locationCount == info->spaceCount, XR_ERROR_VALIDATION_FAILURE,
-          "locationCount is not spaceCount");
+  require(locations->locationCount == info->spaceCount, XR_ERROR_VALIDATION_FAILURE, "locationCount is not spaceCount");
   require_pointer(locations->locations, "locations");
   auto* velocities = chained<XrSpaceVelocities>(locations->next, XR_TYPE_SPACE_VELOCITIES);
   if (velocities != nullptr) {
@@ -199,9 +196,7 @@ void locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLoca
                    velocities == nullptr ? nullptr : &velocities->velocities[i]);
 }
 
-void destroy_space(XrSpace handle) {
-  runtime().registry.destroy(runtime().registry.get_even_lost<Space>(handle));
-}
+void destroy_space(XrSpace handle) { runtime().registry.destroy(runtime().registry.get_even_lost<Space>(handle)); }
 
 void locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
                   std::uint32_t* count, XrView* views) {
@@ -212,17 +207,15 @@ void locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewState* s
   require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
   require_view_configuration(info->viewConfigurationType);
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  for (std::uint32_t i = 0; i < capacity && views != nullptr; ++i)
-    require_struct(&views[i], XR_TYPE_VIEW, "views");
+  for (std::uint32_t i = 0; i < capacity && views != nullptr; ++i) require_struct(&views[i], XR_TYPE_VIEW, "views");
   // The count alone is no sample of a recording.
   const bool counts = session.player && capacity == 0;
   const RecordedViews given = counts ? RecordedViews{} : views_of(space, info->displayTime);
-  two_call(std::array{std::size_t{0}, std::size_t{1}}, capacity, count, views,
-           [&](XrView& view, std::size_t eye) {
-             const bool has_eye = eye < given.views.size();
-             view.pose = has_eye ? given.views[eye].pose : to_xr(Pose{});
-             view.fov = has_eye ? given.views[eye].fov : field_of_view;
-           });
+  two_call(std::array{std::size_t{0}, std::size_t{1}}, capacity, count, views, [&](XrView& view, std::size_t eye) {
+    const bool has_eye = eye < given.views.size();
+    view.pose = has_eye ? given.views[eye].pose : to_xr(Pose{});
+    view.fov = has_eye ? given.views[eye].fov : field_of_view;
+  });
   state->viewStateFlags = given.flags;
 }
 

@@ -14,12 +14,12 @@ constexpr XrSwapchainUsageFlags known_usages = 0xFF;
 void require_possible(const XrSwapchainCreateInfo& info, const Session& session) {
   require(session.graphics != nullptr, XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED,
           "a headless session has no swapchain formats");
-  require((info.createFlags &
-           ~(XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT | XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT)) == 0 &&
-              (info.usageFlags & ~known_usages) == 0,
-          XR_ERROR_VALIDATION_FAILURE, "createFlags or usageFlags have unknown bits");
-  require(info.width > 0 && info.height > 0 && info.sampleCount > 0 && info.arraySize > 0 &&
-              info.mipCount > 0 && (info.faceCount == 1 || info.faceCount == 6),
+  require(
+      (info.createFlags & ~(XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT | XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT)) == 0 &&
+          (info.usageFlags & ~known_usages) == 0,
+      XR_ERROR_VALIDATION_FAILURE, "createFlags or usageFlags have unknown bits");
+  require(info.width > 0 && info.height > 0 && info.sampleCount > 0 && info.arraySize > 0 && info.mipCount > 0 &&
+              (info.faceCount == 1 || info.faceCount == 6),
           XR_ERROR_VALIDATION_FAILURE, "sizes and counts are above 0, faceCount is 1 or 6");
   require(info.width <= max_image_size && info.height <= max_image_size, XR_ERROR_VALIDATION_FAILURE,
           "width or height is above that of XrSystemGraphicsProperties");
@@ -44,8 +44,7 @@ Swapchain::Swapchain(Session* session, const XrSwapchainCreateInfo& of)
 
 std::uint32_t Swapchain::acquire() {
   require(acquired_.size() < count_, XR_ERROR_CALL_ORDER_INVALID, "all images are acquired");
-  require(count_ > 1 || acquisitions_ == 0, XR_ERROR_CALL_ORDER_INVALID,
-          "a static image is acquired only once");
+  require(count_ > 1 || acquisitions_ == 0, XR_ERROR_CALL_ORDER_INVALID, "a static image is acquired only once");
   const std::uint32_t index = acquisitions_ % count_;
   if (acquisitions_ < count_) images->prepare(index);
   ++acquisitions_;
@@ -69,8 +68,8 @@ void Swapchain::release() {
 void enumerate_swapchain_formats(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
                                  std::int64_t* formats) {
   const auto& session = runtime().registry.get<Session>(handle);
-  two_call(session.graphics == nullptr ? std::vector<std::int64_t>{} : session.graphics->formats(), capacity,
-           count, formats);
+  two_call(session.graphics == nullptr ? std::vector<std::int64_t>{} : session.graphics->formats(), capacity, count,
+           formats);
 }
 
 void create_swapchain(XrSession handle, const XrSwapchainCreateInfo* info, XrSwapchain* swapchain) {
@@ -90,8 +89,7 @@ void enumerate_swapchain_images(XrSwapchain handle, std::uint32_t capacity, std:
   runtime().registry.get<Swapchain>(handle).images->enumerate(capacity, count, images);
 }
 
-void acquire_swapchain_image(XrSwapchain handle, const XrSwapchainImageAcquireInfo* info,
-                             std::uint32_t* index) {
+void acquire_swapchain_image(XrSwapchain handle, const XrSwapchainImageAcquireInfo* info, std::uint32_t* index) {
   auto& swapchain = runtime().registry.get<Swapchain>(handle);
   if (info != nullptr) require_struct(info, XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO, "acquireInfo");
   require_pointer(index, "index");

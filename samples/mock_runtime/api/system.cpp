@@ -5,9 +5,7 @@
 #include "samples/mock_runtime/api/instance.h"
 
 namespace hrt::mock {
-void require_system(XrSystemId system) {
-  require(system == the_system, XR_ERROR_SYSTEM_INVALID, "no such system");
-}
+void require_system(XrSystemId system) { require(system == the_system, XR_ERROR_SYSTEM_INVALID, "no such system"); }
 
 void require_view_configuration(XrViewConfigurationType type) {
   require(type == XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED,
@@ -29,28 +27,26 @@ void get_system_properties(XrInstance handle, XrSystemId system, XrSystemPropert
   require_system(system);
   properties->systemId = system;
   properties->vendorId = 0;
-  std::snprintf(
-      properties->systemName, sizeof(properties->systemName), "%s",
-      runtime().script.playback ? runtime().script.playback->system.c_str() : "HRTX ridged plate, simulated");
+  std::snprintf(properties->systemName, sizeof(properties->systemName), "%s",
+                runtime().script.playback ? runtime().script.playback->system.c_str() : "HRTX ridged plate, simulated");
   properties->graphicsProperties = {max_image_size, max_image_size, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
   properties->trackingProperties = {XR_TRUE, XR_TRUE};
-  if (auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next,
-                                                               XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
+  if (auto* hands =
+          chained<XrSystemHandTrackingPropertiesEXT>(properties->next, XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
       hands != nullptr && instance.enabled(Extension::hand_tracking))
     hands->supportsHandTracking = runtime().script.hand_tracking ? XR_TRUE : XR_FALSE;
 }
 
 void enumerate_environment_blend_modes(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
-                                       std::uint32_t capacity, std::uint32_t* count,
-                                       XrEnvironmentBlendMode* modes) {
+                                       std::uint32_t capacity, std::uint32_t* count, XrEnvironmentBlendMode* modes) {
   runtime().registry.get<Instance>(handle);
   require_system(system);
   require_view_configuration(type);
   two_call(std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE}, capacity, count, modes);
 }
 
-void enumerate_view_configurations(XrInstance handle, XrSystemId system, std::uint32_t capacity,
-                                   std::uint32_t* count, XrViewConfigurationType* types) {
+void enumerate_view_configurations(XrInstance handle, XrSystemId system, std::uint32_t capacity, std::uint32_t* count,
+                                   XrViewConfigurationType* types) {
   runtime().registry.get<Instance>(handle);
   require_system(system);
   two_call(std::array{XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO}, capacity, count, types);
@@ -67,8 +63,7 @@ void get_view_configuration_properties(XrInstance handle, XrSystemId system, XrV
 }
 
 void enumerate_view_configuration_views(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
-                                        std::uint32_t capacity, std::uint32_t* count,
-                                        XrViewConfigurationView* views) {
+                                        std::uint32_t capacity, std::uint32_t* count, XrViewConfigurationView* views) {
   runtime().registry.get<Instance>(handle);
   require_system(system);
   require_view_configuration(type);

@@ -56,10 +56,9 @@ void CallLog::write(const CallRecord& record) {
     open_file();
     if (file_ == nullptr) return;
   }
-  bytes_ +=
-      std::fprintf(file_.get(), "%lld thread %u %s%s %s%s%s\n", static_cast<long long>(record.time),
-                   record.thread, record.function, record.arguments.c_str(),
-                   result_name(record.result).c_str(), record.why.empty() ? "" : ": ", record.why.c_str());
+  bytes_ += std::fprintf(file_.get(), "%lld thread %u %s%s %s%s%s\n", static_cast<long long>(record.time),
+                         record.thread, record.function, record.arguments.c_str(), result_name(record.result).c_str(),
+                         record.why.empty() ? "" : ": ", record.why.c_str());
 }
 
 void CallLog::append(CallRecord record) {

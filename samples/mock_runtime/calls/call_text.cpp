@@ -3,9 +3,7 @@
 namespace hrt::mock {
 namespace {
 
-bool is_header(const char* member) {
-  return std::string_view(member) == "type" || std::string_view(member) == "next";
-}
+bool is_header(const char* member) { return std::string_view(member) == "type" || std::string_view(member) == "next"; }
 
 template <typename T>
 void put_member(std::string& out, const char* name, const T& value) {

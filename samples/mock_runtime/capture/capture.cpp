@@ -89,8 +89,8 @@ void Capture::called(const char* function, std::uint64_t session, XrResult resul
 }
 
 void Capture::system_properties(XrResult, XrInstance, XrSystemId, const XrSystemProperties* properties) {
-  const auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next,
-                                                                 XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
+  const auto* hands =
+      chained<XrSystemHandTrackingPropertiesEXT>(properties->next, XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
   note(Record("system")
            .add(text_in(properties->systemName))
            .add(hands == nullptr || hands->supportsHandTracking == XR_TRUE));
@@ -194,11 +194,9 @@ void Capture::define_space(XrSpace handle, const Record& description) {
   if (is_new) note(description);
 }
 
-void Capture::reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo* info,
-                              const XrSpace* space) {
-  define_space(
-      *space,
-      Record("reference_space").add(info->referenceSpaceType).open().add(info->poseInReferenceSpace).close());
+void Capture::reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo* info, const XrSpace* space) {
+  define_space(*space,
+               Record("reference_space").add(info->referenceSpaceType).open().add(info->poseInReferenceSpace).close());
 }
 
 void Capture::action_space(XrResult, XrSession, const XrActionSpaceCreateInfo* info, const XrSpace* space) {
@@ -222,22 +220,16 @@ void Capture::note_location(XrSpace space, XrSpace base, XrTime time, const XrSp
   record.add(time).add(what->second).add(in->second).add(location.locationFlags);
   record.open().add(location.pose).close();
   if (velocity != nullptr)
-    record.add(velocity->velocityFlags)
-        .open()
-        .add(velocity->linearVelocity)
-        .add(velocity->angularVelocity)
-        .close();
+    record.add(velocity->velocityFlags).open().add(velocity->linearVelocity).add(velocity->angularVelocity).close();
   note(record);
 }
 
 void Capture::located(XrResult, XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation* location) {
-  note_location(
-      space, base, time, *location,
-      chained<const XrSpaceVelocity>(static_cast<const void*>(location->next), XR_TYPE_SPACE_VELOCITY));
+  note_location(space, base, time, *location,
+                chained<const XrSpaceVelocity>(static_cast<const void*>(location->next), XR_TYPE_SPACE_VELOCITY));
 }
 
-void Capture::located_several(XrResult, XrSession, const XrSpacesLocateInfo* info,
-                              const XrSpaceLocations* locations) {
+void Capture::located_several(XrResult, XrSession, const XrSpacesLocateInfo* info, const XrSpaceLocations* locations) {
   const auto* velocities =
       chained<const XrSpaceVelocities>(static_cast<const void*>(locations->next), XR_TYPE_SPACE_VELOCITIES);
   for (std::uint32_t i = 0; i < info->spaceCount; ++i) {
@@ -254,8 +246,8 @@ void Capture::located_several(XrResult, XrSession, const XrSpacesLocateInfo* inf
   }
 }
 
-void Capture::views(XrResult, XrSession, const XrViewLocateInfo* info, const XrViewState* state,
-                    std::uint32_t capacity, const std::uint32_t* count, const XrView* views) {
+void Capture::views(XrResult, XrSession, const XrViewLocateInfo* info, const XrViewState* state, std::uint32_t capacity,
+                    const std::uint32_t* count, const XrView* views) {
   const auto in = spaces_.find(info->space);
   if (capacity == 0 || in == spaces_.end()) return;
   Record record = of_session("views");
@@ -290,8 +282,8 @@ void Capture::joints(XrResult, XrHandTrackerEXT tracker, const XrHandJointsLocat
       record.add(joint.locationFlags).add(joint.pose).add(joint.radius);
     }
     record.close();
-    if (const auto* velocities = chained<const XrHandJointVelocitiesEXT>(
-            static_cast<const void*>(locations->next), XR_TYPE_HAND_JOINT_VELOCITIES_EXT)) {
+    if (const auto* velocities = chained<const XrHandJointVelocitiesEXT>(static_cast<const void*>(locations->next),
+                                                                         XR_TYPE_HAND_JOINT_VELOCITIES_EXT)) {
       record.open();
       for (std::uint32_t i = 0; i < velocities->jointCount; ++i) {
         const XrHandJointVelocityEXT& joint = velocities->jointVelocities[i];
@@ -335,32 +327,25 @@ void Capture::note_state(const XrActionStateGetInfo& info, const State& state, X
   note(record.add(value.x).add(value.y));
 }
 
-void Capture::boolean_state(XrResult, XrSession, const XrActionStateGetInfo* info,
-                            const XrActionStateBoolean* state) {
+void Capture::boolean_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateBoolean* state) {
   note_state(*info, *state, {state->currentState == XR_TRUE ? 1.0F : 0.0F, 0.0F});
 }
 
-void Capture::float_state(XrResult, XrSession, const XrActionStateGetInfo* info,
-                          const XrActionStateFloat* state) {
+void Capture::float_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateFloat* state) {
   note_state(*info, *state, {state->currentState, 0.0F});
 }
 
-void Capture::vector_state(XrResult, XrSession, const XrActionStateGetInfo* info,
-                           const XrActionStateVector2f* state) {
+void Capture::vector_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateVector2f* state) {
   note_state(*info, *state, state->currentState);
 }
 
-void Capture::pose_state(XrResult, XrSession, const XrActionStateGetInfo* info,
-                         const XrActionStatePose* state) {
+void Capture::pose_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStatePose* state) {
   const XrActionStateFloat without_value{.isActive = state->isActive};
   note_state(*info, without_value, {0.0F, 0.0F});
 }
 
 void Capture::profile(XrResult, XrSession, XrPath top_level, const XrInteractionProfileState* state) {
-  note(of_session("profile")
-           .add(present_)
-           .add(path_text(top_level))
-           .add(path_text(state->interactionProfile)));
+  note(of_session("profile").add(present_).add(path_text(top_level)).add(path_text(state->interactionProfile)));
 }
 
 // XR_HRTX_ridged_plate.

@@ -64,9 +64,7 @@ XRAPI_ATTR XrResult XRAPI_CALL get_instance_proc_addr(XrInstance instance, const
   if (std::strcmp(name, #function_name) == 0)                                              \
     *function = reinterpret_cast<PFN_xrVoidFunction>(                                      \
         &Wrapper<PFN_##function_name>::call<name_of_##function_name, &Next::function_name, \
-                                            [](Capture& the, const auto&... given) {       \
-                                              the.member(given...);                        \
-                                            }>);
+                                            [](Capture& the, const auto&... given) { the.member(given...); }>);
   HRT_CAPTURE_FUNCTIONS(HRT_CAPTURE_WRAP)
 #undef HRT_CAPTURE_WRAP
   return result;
@@ -92,12 +90,10 @@ XrResult refuse(XrResult result, const std::string& why) {
   return result;
 }
 
-XRAPI_ATTR XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info,
-                                               const ApiLayerCreateInfo* layers,
+XRAPI_ATTR XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info, const ApiLayerCreateInfo* layers,
                                                XrInstance* instance) noexcept {
   if (info == nullptr || instance == nullptr || layers == nullptr || layers->next_info == nullptr ||
-      layers->struct_size != sizeof(ApiLayerCreateInfo) ||
-      layers->next_info->struct_size != sizeof(ApiLayerNextInfo))
+      layers->struct_size != sizeof(ApiLayerCreateInfo) || layers->next_info->struct_size != sizeof(ApiLayerNextInfo))
     return XR_ERROR_INITIALIZATION_FAILED;
   const char* path = std::getenv("HRT_CAPTURE_FILE");
   if (path == nullptr || *path == '\0')
@@ -129,15 +125,14 @@ XRAPI_ATTR XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info,
 }  // namespace hrt::capture
 
 /// The only exported symbol, where a loader starts.
-extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL
-xrNegotiateLoaderApiLayerInterface(const hrt::mock::NegotiateLoaderInfo* loader, const char*,
-                                   hrt::mock::NegotiateApiLayerRequest* request) {
+extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL xrNegotiateLoaderApiLayerInterface(
+    const hrt::mock::NegotiateLoaderInfo* loader, const char*, hrt::mock::NegotiateApiLayerRequest* request) {
   using namespace hrt::mock;
   if (loader == nullptr || request == nullptr || loader->struct_type != loader_info_type ||
       loader->struct_version != struct_version || loader->struct_size != sizeof(NegotiateLoaderInfo) ||
       request->struct_type != api_layer_request_type || request->struct_version != struct_version ||
-      request->struct_size != sizeof(NegotiateApiLayerRequest) ||
-      loader->min_interface_version > interface_version || loader->max_interface_version < interface_version)
+      request->struct_size != sizeof(NegotiateApiLayerRequest) || loader->min_interface_version > interface_version ||
+      loader->max_interface_version < interface_version)
     return XR_ERROR_INITIALIZATION_FAILED;
   request->layer_interface_version = interface_version;
   request->layer_api_version = max_api_version;

@@ -96,8 +96,7 @@ bool ScriptFile::write_out(const std::string& records) {
     end_ += static_cast<std::int64_t>(records.size());
     return true;
   }
-  std::fprintf(stderr, "OpenXR capture: %s: %s; what follows is not captured\n", path_.c_str(),
-               std::strerror(errno));
+  std::fprintf(stderr, "OpenXR capture: %s: %s; what follows is not captured\n", path_.c_str(), std::strerror(errno));
   // What was written before is a script all the same.
   if (ftruncate(file_, end_) == 0) write_at(file_, ending, end_);
   return false;

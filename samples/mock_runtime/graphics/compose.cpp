@@ -27,10 +27,10 @@ void draw(Picture& onto, const Picture& image, XrCompositionLayerFlags flags, Pl
     for (std::uint32_t x = 0; x < onto.width; ++x) {
       const Eigen::Vector2d at = place(x + 0.5, y + 0.5);
       if (!(at.x() >= 0.0 && at.x() < 1.0 && at.y() >= 0.0 && at.y() < 1.0)) continue;
-      blend(onto.at(x, y),
-            image.at(static_cast<std::uint32_t>(at.x() * image.width),
-                     static_cast<std::uint32_t>(at.y() * image.height)),
-            flags);
+      blend(
+          onto.at(x, y),
+          image.at(static_cast<std::uint32_t>(at.x() * image.width), static_cast<std::uint32_t>(at.y() * image.height)),
+          flags);
     }
 }
 
@@ -38,8 +38,8 @@ const Eigen::Vector2d nowhere(-1.0, -1.0);
 
 bool same_view(const Camera& a, const Camera& b) {
   return a.width == b.width && a.height == b.height && a.fov.angleLeft == b.fov.angleLeft &&
-         a.fov.angleRight == b.fov.angleRight && a.fov.angleUp == b.fov.angleUp &&
-         a.fov.angleDown == b.fov.angleDown && a.pose.orientation.coeffs() == b.pose.orientation.coeffs();
+         a.fov.angleRight == b.fov.angleRight && a.fov.angleUp == b.fov.angleUp && a.fov.angleDown == b.fov.angleDown &&
+         a.pose.orientation.coeffs() == b.pose.orientation.coeffs();
 }
 
 // Of the view's sides: where they cut the plane at distance 1.
@@ -74,8 +74,7 @@ void draw_projection(Picture& onto, const Camera& camera, const Picture& image, 
       for (std::uint32_t x = 0; x < onto.width; ++x) blend(onto.at(x, y), image.at(x, y), flags);
     return;
   }
-  const Eigen::Matrix3d turned =
-      (of.pose.orientation.conjugate() * camera.pose.orientation).toRotationMatrix();
+  const Eigen::Matrix3d turned = (of.pose.orientation.conjugate() * camera.pose.orientation).toRotationMatrix();
   draw(onto, image, flags, [&](double x, double y) -> Eigen::Vector2d {
     const Eigen::Vector3d seen = turned * camera.ray(x, y);
     if (seen.z() >= 0.0) return nowhere;
@@ -92,8 +91,7 @@ void draw_quad(Picture& onto, const Camera& camera, const Picture& image, const 
     const double distance = -eye.position_m.z() / along.z();
     if (!(eye.position_m.z() > 0.0) || !(distance > 0.0)) return nowhere;  // it is seen from before only
     const Eigen::Vector3d hit = eye.position_m + distance * along;
-    return {hit.x() / static_cast<double>(size_m.width) + 0.5,
-            0.5 - hit.y() / static_cast<double>(size_m.height)};
+    return {hit.x() / static_cast<double>(size_m.width) + 0.5, 0.5 - hit.y() / static_cast<double>(size_m.height)};
   });
 }
 
@@ -125,9 +123,7 @@ class Drawing {
     const int steps = static_cast<int>(std::ceil(length)) + 1;
     for (int i = 0; i <= steps; ++i) dot(start + way * (i / static_cast<double>(steps)), colour, radius_px);
   }
-  void point(const Eigen::Vector3d& at, const Colour& colour, double radius_px) {
-    line(at, at, colour, radius_px);
-  }
+  void point(const Eigen::Vector3d& at, const Colour& colour, double radius_px) { line(at, at, colour, radius_px); }
 
   Picture picture;
 
@@ -148,9 +144,7 @@ class Drawing {
 };
 
 // A direction on the plate, in its axes: d is (-sin d, 0, -cos d).
-Eigen::Vector3d towards(double direction_deg) {
-  return {-sin_deg(direction_deg), 0.0, -cos_deg(direction_deg)};
-}
+Eigen::Vector3d towards(double direction_deg) { return {-sin_deg(direction_deg), 0.0, -cos_deg(direction_deg)}; }
 
 void draw_plate(Drawing& drawing, const World& world, double orientation_deg) {
   const Pose& plate = world.plate();
@@ -159,20 +153,18 @@ void draw_plate(Drawing& drawing, const World& world, double orientation_deg) {
   for (double at_m = ridge_spacing_m * std::ceil(-radius_m / ridge_spacing_m); at_m < radius_m;
        at_m += ridge_spacing_m) {
     const double half_m = std::sqrt(std::max(0.0, radius_m * radius_m - at_m * at_m));
-    drawing.line(plate * (at_m * normal - half_m * along), plate * (at_m * normal + half_m * along),
-                 ridge_colour, 0.8);
+    drawing.line(plate * (at_m * normal - half_m * along), plate * (at_m * normal + half_m * along), ridge_colour, 0.8);
   }
   for (int angle_deg = 0; angle_deg < 360; angle_deg += 5)
-    drawing.line(plate * (radius_m * towards(angle_deg)), plate * (radius_m * towards(angle_deg + 5.0)),
-                 plate_colour, 1.6);
+    drawing.line(plate * (radius_m * towards(angle_deg)), plate * (radius_m * towards(angle_deg + 5.0)), plate_colour,
+                 1.6);
 }
 
 void draw_hand(Drawing& drawing, const HandJoints& joints, const Colour& colour) {
   for (int joint = XR_HAND_JOINT_THUMB_METACARPAL_EXT; joint < XR_HAND_JOINT_COUNT_EXT; ++joint) {
     const bool first = joint == XR_HAND_JOINT_THUMB_METACARPAL_EXT || (joint - 1) % 5 == 0;
     const auto from = static_cast<std::size_t>(first ? int{XR_HAND_JOINT_WRIST_EXT} : joint - 1);
-    drawing.line(joints[from].pose.position_m, joints[static_cast<std::size_t>(joint)].pose.position_m,
-                 colour, 2.2);
+    drawing.line(joints[from].pose.position_m, joints[static_cast<std::size_t>(joint)].pose.position_m, colour, 2.2);
   }
   drawing.point(joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position_m, colour, 5.0);
 }
@@ -202,13 +194,11 @@ Picture picture_of_world(const World& world, XrTime now) {
   for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) {
     const auto hand = world.true_hand(side, now);
     if (!hand) continue;
-    const HandJoints joints =
-        place_hand(shape_hand(side, hand->fingers), hand->index_tip_m, hand->orientation);
+    const HandJoints joints = place_hand(shape_hand(side, hand->fingers), hand->index_tip_m, hand->orientation);
     if (const Reach* reach = world.reach(side); reach != nullptr && world.plate_is_placed()) {
-      const Eigen::Vector3d start_m(reach->start_m().x(), world.true_index_tip_m(side).y(),
-                                    reach->start_m().y());
-      drawing.line(world.plate() * start_m,
-                   world.plate() * (start_m + 0.12 * towards(reach->goal_direction_deg())), goal_colour, 1.2);
+      const Eigen::Vector3d start_m(reach->start_m().x(), world.true_index_tip_m(side).y(), reach->start_m().y());
+      drawing.line(world.plate() * start_m, world.plate() * (start_m + 0.12 * towards(reach->goal_direction_deg())),
+                   goal_colour, 1.2);
       HandJoints felt = joints;
       for (HandJoint& joint : felt) joint.pose.position_m += felt_shift(world, side, *reach);
       draw_hand(drawing, felt, felt_colour);

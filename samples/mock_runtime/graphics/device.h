@@ -16,8 +16,7 @@ class SwapchainImages {
  public:
   virtual ~SwapchainImages() = default;
   /// xrEnumerateSwapchainImages.
-  virtual void enumerate(std::uint32_t capacity, std::uint32_t* count,
-                         XrSwapchainImageBaseHeader* images) = 0;
+  virtual void enumerate(std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader* images) = 0;
   /// Brings an image into the state in which the application is given it first.
   virtual void prepare(std::uint32_t index) = 0;
   /// The pixels of a part of an image, top row first; of a format with colours.
@@ -30,8 +29,7 @@ class GraphicsDevice {
   /// Formats of swapchains, best first.
   virtual std::vector<std::int64_t> formats() const = 0;
   /// Throws an Error for what the device cannot make. The images keep the device.
-  virtual std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info,
-                                                         std::uint32_t count) = 0;
+  virtual std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info, std::uint32_t count) = 0;
 };
 
 /// The devices of a session's bindings. They throw XR_ERROR_GRAPHICS_DEVICE_INVALID.

@@ -55,8 +55,7 @@ class OpenGlDevice : public GraphicsDevice, public std::enable_shared_from_this<
     dlclose(library);
     const auto fetch = [&](auto& function, const char* name) {
       using Function = std::remove_reference_t<decltype(function)>;
-      function =
-          get == nullptr ? nullptr : reinterpret_cast<Function>(get(reinterpret_cast<const GLubyte*>(name)));
+      function = get == nullptr ? nullptr : reinterpret_cast<Function>(get(reinterpret_cast<const GLubyte*>(name)));
       if (function == nullptr) throw Error{XR_ERROR_GRAPHICS_DEVICE_INVALID, std::string("no ") + name};
     };
 #define HRT_GLX_FETCH(name, returned, arguments) fetch(name, #name);
@@ -72,8 +71,7 @@ class OpenGlDevice : public GraphicsDevice, public std::enable_shared_from_this<
     for (const OpenGlFormat& each : opengl_formats) all.push_back(each.format);
     return all;
   }
-  std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info,
-                                                 std::uint32_t count) override;
+  std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info, std::uint32_t count) override;
 
   int number(GLenum name) const {
     GLint value = 0;
@@ -101,8 +99,8 @@ class CurrentContext {
         changes_(context_ != device.binding.glxContext) {
     const XrGraphicsBindingOpenGLXlibKHR& ours = device.binding;
     if (changes_)
-      require(device.glXMakeCurrent(ours.xDisplay, ours.glxDrawable, ours.glxContext) != 0,
-              XR_ERROR_RUNTIME_FAILURE, "the application's OpenGL context cannot be made current");
+      require(device.glXMakeCurrent(ours.xDisplay, ours.glxDrawable, ours.glxContext) != 0, XR_ERROR_RUNTIME_FAILURE,
+              "the application's OpenGL context cannot be made current");
   }
   ~CurrentContext() {
     if (!changes_) return;
@@ -153,8 +151,7 @@ class ReadState {
 
 class OpenGlImages : public SwapchainImages {
  public:
-  OpenGlImages(std::shared_ptr<const OpenGlDevice> device, const XrSwapchainCreateInfo& info,
-               std::uint32_t count)
+  OpenGlImages(std::shared_ptr<const OpenGlDevice> device, const XrSwapchainCreateInfo& info, std::uint32_t count)
       : gl_(std::move(device)),
         info_(info),
         kind_(std::find_if(opengl_formats.begin(), opengl_formats.end(),
@@ -239,8 +236,7 @@ class OpenGlImages : public SwapchainImages {
       gl_->glFramebufferTextureLayer(target, GL_COLOR_ATTACHMENT0, texture, 0, static_cast<GLint>(layer));
     else
       gl_->glFramebufferTexture2D(target, GL_COLOR_ATTACHMENT0,
-                                  info_.sampleCount > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, texture,
-                                  0);
+                                  info_.sampleCount > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, texture, 0);
   }
   // A texture of one sample in place of what is attached for reading.
   GLuint resolve(GLuint frame) const {
@@ -264,8 +260,7 @@ class OpenGlImages : public SwapchainImages {
   std::vector<GLuint> names_;
 };
 
-std::unique_ptr<SwapchainImages> OpenGlDevice::create_images(const XrSwapchainCreateInfo& info,
-                                                             std::uint32_t count) {
+std::unique_ptr<SwapchainImages> OpenGlDevice::create_images(const XrSwapchainCreateInfo& info, std::uint32_t count) {
   return std::make_unique<OpenGlImages>(shared_from_this(), info, count);
 }
 

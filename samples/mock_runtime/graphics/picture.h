@@ -16,9 +16,7 @@ struct Picture {
   Picture() = default;
   Picture(std::uint32_t w, std::uint32_t h) : width(w), height(h), rgba(std::size_t{4} * w * h) {}
   std::uint8_t* at(std::uint32_t x, std::uint32_t y) { return &rgba[4 * (std::size_t{y} * width + x)]; }
-  const std::uint8_t* at(std::uint32_t x, std::uint32_t y) const {
-    return &rgba[4 * (std::size_t{y} * width + x)];
-  }
+  const std::uint8_t* at(std::uint32_t x, std::uint32_t y) const { return &rgba[4 * (std::size_t{y} * width + x)]; }
 };
 
 /// How a swapchain's format stores a pixel.

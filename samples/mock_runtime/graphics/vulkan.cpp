@@ -110,8 +110,7 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
     }
     return found;
   }
-  std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info,
-                                                 std::uint32_t count) override;
+  std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info, std::uint32_t count) override;
 
   VkDevice handle() const { return device_; }
 
@@ -119,8 +118,7 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
     VkPhysicalDeviceMemoryProperties all{};
     vk.vkGetPhysicalDeviceMemoryProperties(physical_, &all);
     for (std::uint32_t i = 0; i < all.memoryTypeCount; ++i) {
-      if ((needed.memoryTypeBits >> i & 1U) == 0 || (all.memoryTypes[i].propertyFlags & wanted) != wanted)
-        continue;
+      if ((needed.memoryTypeBits >> i & 1U) == 0 || (all.memoryTypes[i].propertyFlags & wanted) != wanted) continue;
       const VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, nullptr, needed.size, i};
       VkDeviceMemory memory = VK_NULL_HANDLE;
       check_vulkan(vk.vkAllocateMemory(device_, &info, nullptr, &memory), "vkAllocateMemory");
@@ -132,8 +130,8 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
   // Commands that have been carried out when this returns.
   template <typename Commands>
   void run(Commands commands) const {
-    const VkCommandBufferAllocateInfo allocate_info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr,
-                                                    pool_, VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
+    const VkCommandBufferAllocateInfo allocate_info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool_,
+                                                    VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
     VkCommandBuffer buffer = VK_NULL_HANDLE;
     check_vulkan(vk.vkAllocateCommandBuffers(device_, &allocate_info, &buffer), "vkAllocateCommandBuffers");
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
@@ -162,8 +160,8 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
                                     VK_QUEUE_FAMILY_IGNORED,
                                     image,
                                     range};
-    vk.vkCmdPipelineBarrier(buffer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0,
-                            0, nullptr, 0, nullptr, 1, &what);
+    vk.vkCmdPipelineBarrier(buffer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
+                            nullptr, 0, nullptr, 1, &what);
   }
 
   VulkanFunctions vk;
@@ -204,8 +202,7 @@ struct ReadBuffer {
     check_vulkan(device->vk.vkCreateBuffer(device->handle(), &info, nullptr, &buffer), "vkCreateBuffer");
     VkMemoryRequirements needed{};
     device->vk.vkGetBufferMemoryRequirements(device->handle(), buffer, &needed);
-    memory =
-        device->allocate(needed, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+    memory = device->allocate(needed, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
     check_vulkan(device->vk.vkBindBufferMemory(device->handle(), buffer, memory, 0), "vkBindBufferMemory");
   }
   ~ReadBuffer() {
@@ -232,11 +229,9 @@ class VulkanImages : public SwapchainImages {
       : device_(std::move(device)),
         info_(info),
         format_(format_of(info.format)),
-        layout_(format_.aspects == VK_IMAGE_ASPECT_COLOR_BIT
-                    ? VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL
-                    : VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL) {
-    for (std::uint32_t i = 0; i < count; ++i)
-      images_.push_back(std::make_unique<DeviceImage>(device_, info_));
+        layout_(format_.aspects == VK_IMAGE_ASPECT_COLOR_BIT ? VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL
+                                                             : VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL) {
+    for (std::uint32_t i = 0; i < count; ++i) images_.push_back(std::make_unique<DeviceImage>(device_, info_));
   }
   ~VulkanImages() override { device_->vk.vkDeviceWaitIdle(device_->handle()); }
   VulkanImages(const VulkanImages&) = delete;
@@ -256,8 +251,7 @@ class VulkanImages : public SwapchainImages {
   }
 
   Picture read(std::uint32_t index, const XrRect2Di& part, std::uint32_t layer) override {
-    Picture picture(static_cast<std::uint32_t>(part.extent.width),
-                    static_cast<std::uint32_t>(part.extent.height));
+    Picture picture(static_cast<std::uint32_t>(part.extent.width), static_cast<std::uint32_t>(part.extent.height));
     const std::size_t pixels = std::size_t{picture.width} * picture.height;
     const ReadBuffer buffer(device_, pixels * bytes_of(format_.kind));
     const std::unique_ptr<DeviceImage> single = info_.samples == VK_SAMPLE_COUNT_1_BIT ? nullptr : resolved();
@@ -299,8 +293,7 @@ class VulkanImages : public SwapchainImages {
     all.extent = info_.extent;
     device_->vk.vkCmdResolveImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
                                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &all);
-    device_->barrier(commands, to, range, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                     VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    device_->barrier(commands, to, range, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   }
 
   std::shared_ptr<const VulkanDevice> device_;
@@ -310,11 +303,9 @@ class VulkanImages : public SwapchainImages {
   std::vector<std::unique_ptr<DeviceImage>> images_;
 };
 
-std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCreateInfo& info,
-                                                             std::uint32_t count) {
+std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCreateInfo& info, std::uint32_t count) {
   VkImageCreateInfo image{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
-  if ((info.usageFlags & XR_SWAPCHAIN_USAGE_MUTABLE_FORMAT_BIT) != 0)
-    image.flags |= VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
+  if ((info.usageFlags & XR_SWAPCHAIN_USAGE_MUTABLE_FORMAT_BIT) != 0) image.flags |= VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
   image.imageType = VK_IMAGE_TYPE_2D;
   image.format = static_cast<VkFormat>(info.format);
   image.extent = {info.width, info.height, 1};
@@ -328,9 +319,8 @@ std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCr
   VkImageFormatProperties limits{};
   const VkResult possible = vk.vkGetPhysicalDeviceImageFormatProperties(
       physical_, image.format, image.imageType, image.tiling, image.usage, image.flags, &limits);
-  require(possible == VK_SUCCESS && info.mipCount <= limits.maxMipLevels &&
-              info.arraySize <= limits.maxArrayLayers && std::has_single_bit(info.sampleCount) &&
-              (limits.sampleCounts & info.sampleCount) != 0,
+  require(possible == VK_SUCCESS && info.mipCount <= limits.maxMipLevels && info.arraySize <= limits.maxArrayLayers &&
+              std::has_single_bit(info.sampleCount) && (limits.sampleCounts & info.sampleCount) != 0,
           XR_ERROR_FEATURE_UNSUPPORTED,
           "the device has no images of this format with these usages, mips, layers and samples");
   return std::make_unique<VulkanImages>(shared_from_this(), image, count);

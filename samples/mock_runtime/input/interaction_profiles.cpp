@@ -120,8 +120,7 @@ const std::vector<Profile>& profile_table() {
       {"/interaction_profiles/meta/touch_controller_quest_1_rift_s", touch(true, {})},
       {"/interaction_profiles/meta/touch_controller_quest_2", touch(true, {{hands, thumbrest, true}})},
       {"/interaction_profiles/meta/touch_plus_controller",
-       touch(true, {{hands, thumbrest, true},
-                    {hands, "trigger/force trigger_slide/value trigger_curl/value", true}})},
+       touch(true, {{hands, thumbrest, true}, {hands, "trigger/force trigger_slide/value trigger_curl/value", true}})},
       {"/interaction_profiles/meta/touch_pro_controller",
        touch(true, {{hands, thumbrest, true},
                     {hands,
@@ -153,8 +152,7 @@ std::string user_path(std::string_view device) {
 }
 
 Source make_source(std::string_view device, std::string_view component) {
-  if (component.starts_with("output/"))
-    return {user_path(device) + '/' + std::string(component), SourceKind::haptic};
+  if (component.starts_with("output/")) return {user_path(device) + '/' + std::string(component), SourceKind::haptic};
   const std::string_view leaf = component.substr(component.find('/') + 1);
   const SourceKind kind = leaf == "click" || leaf == "touch" || leaf == "proximity" ? SourceKind::boolean
                           : leaf == "pose"                                          ? SourceKind::pose
@@ -185,8 +183,7 @@ ProfileSources make_profiles(const SourceSet& set) {
 const ProfileSources& profiles_of(SourceSet set) {
   static const auto all = [] {
     std::array<ProfileSources, 8> made;
-    for (unsigned i = 0; i < made.size(); ++i)
-      made[i] = make_profiles({(i & 1U) != 0, (i & 2U) != 0, (i & 4U) != 0});
+    for (unsigned i = 0; i < made.size(); ++i) made[i] = make_profiles({(i & 1U) != 0, (i & 2U) != 0, (i & 4U) != 0});
     return made;
   }();
   return all[(set.version_1_1 ? 1U : 0U) + (set.palm_pose ? 2U : 0U) + (set.grip_surface ? 4U : 0U)];
@@ -224,8 +221,8 @@ std::vector<std::string_view> preferred_components(XrActionType type) {
 }  // namespace
 
 const std::vector<std::string>& top_level_paths() {
-  static const std::vector<std::string> paths{"/user/hand/left", "/user/hand/right", "/user/head",
-                                              "/user/gamepad", "/user/treadmill"};
+  static const std::vector<std::string> paths{"/user/hand/left", "/user/hand/right", "/user/head", "/user/gamepad",
+                                              "/user/treadmill"};
   return paths;
 }
 
@@ -251,15 +248,13 @@ const Source* find_source(std::string_view path) {
 std::optional<std::vector<Source>> resolve_binding(const std::vector<Source>& profile, std::string_view path,
                                                    XrActionType type) {
   const auto find = [&](const std::string& wanted) {
-    return std::find_if(profile.begin(), profile.end(),
-                        [&](const Source& source) { return source.path == wanted; });
+    return std::find_if(profile.begin(), profile.end(), [&](const Source& source) { return source.path == wanted; });
   };
   const std::string text(path);
   if (const auto leaf = find(text); leaf != profile.end())
     return can_drive(leaf->kind, type) ? std::vector{*leaf} : std::vector<Source>{};
   const bool is_parent = std::any_of(profile.begin(), profile.end(), [&](const Source& source) {
-    return source.path.rfind('/') == text.size() && source.path.starts_with(text) &&
-           source.kind != SourceKind::haptic;
+    return source.path.rfind('/') == text.size() && source.path.starts_with(text) && source.kind != SourceKind::haptic;
   });
   if (!is_parent) return std::nullopt;
   if (type == XR_ACTION_TYPE_VECTOR2F_INPUT) {

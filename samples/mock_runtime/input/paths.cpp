@@ -13,8 +13,7 @@ void require_well_formed(std::string_view path) {
   if (path.size() >= XR_MAX_PATH_LENGTH) refuse("a path is at most 255 characters long");
   for (std::size_t begin = 1; begin <= path.size();) {
     const std::size_t end = std::min(path.find('/', begin), path.size());
-    if (!is_path_component(path.substr(begin, end - begin)))
-      refuse("a component is empty or has other characters");
+    if (!is_path_component(path.substr(begin, end - begin))) refuse("a component is empty or has other characters");
     begin = end + 1;
   }
   if (path.back() == '/') refuse("a path does not end with a slash");

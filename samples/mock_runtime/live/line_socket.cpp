@@ -49,8 +49,7 @@ void LineSocket::serve(const std::function<std::string(const std::string&)>& ans
   ssize_t count = 0;
   while ((count = recv(client_.get(), bytes.data(), bytes.size(), 0)) > 0) {
     received_.append(bytes.data(), static_cast<std::size_t>(count));
-    for (std::size_t end = 0; (end = received_.find('\n')) != std::string::npos;
-         received_.erase(0, end + 1)) {
+    for (std::size_t end = 0; (end = received_.find('\n')) != std::string::npos; received_.erase(0, end + 1)) {
       const std::string reply = answer(received_.substr(0, end)) + "\n";
       // One reply a line fits the socket's buffer for who reads them.
       if (send(client_.get(), reply.data(), reply.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(reply.size()))

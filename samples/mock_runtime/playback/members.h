@@ -62,8 +62,7 @@ class Members {
   double number(const std::string& key, double otherwise, double min, double max) {
     return has(key) ? checked_number(object_[key], where(key), min, max) : otherwise;
   }
-  std::int64_t nanoseconds(const std::string& key, double otherwise_ms, double min_ms = 0.0,
-                           double max_ms = hour_ms) {
+  std::int64_t nanoseconds(const std::string& key, double otherwise_ms, double min_ms = 0.0, double max_ms = hour_ms) {
     return std::llround(number(key, otherwise_ms, min_ms, max_ms) * 1e6);
   }
   std::uint64_t count(const std::string& key, std::uint64_t otherwise, std::uint64_t min) {

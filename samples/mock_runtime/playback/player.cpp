@@ -191,8 +191,7 @@ const std::optional<XrExtent2Df>* Player::next_bounds(XrReferenceSpaceType type)
 RecordedJoints Player::joints(XrHandEXT hand, const SpaceName& base, XrTime time) {
   const auto& spaces = recording_->spaces;
   const auto found = choose(
-      session_.joints, time,
-      [&](const auto& key) { return key.first == hand && spaces[key.second].same_origin(base); },
+      session_.joints, time, [&](const auto& key) { return key.first == hand && spaces[key.second].same_origin(base); },
       [&](const auto& key) { return same(spaces[key.second].pose, base.pose); });
   if (found == session_.joints.end()) return {false, {}, {}};
   RecordedJoints joints = read(found->second, time);
@@ -215,9 +214,7 @@ RecordedLocation Player::location(const SpaceName& space, const SpaceName& base,
   };
   const auto found = choose(
       session_.locations, time,
-      [&](const auto& key) {
-        return spaces[key.first].same_origin(space) && spaces[key.second].same_origin(base);
-      },
+      [&](const auto& key) { return spaces[key.first].same_origin(space) && spaces[key.second].same_origin(base); },
       is);
   if (found == session_.locations.end()) {
     RecordedLocation unknown{};
@@ -228,8 +225,7 @@ RecordedLocation Player::location(const SpaceName& space, const SpaceName& base,
   if (location.flags == 0 || is(found->first)) return location;
   const Pose by = between_bases(spaces[found->first.second], base);
   const Pose offset = inverse(pose_of(spaces[found->first.first].pose)) * pose_of(space.pose);
-  const Motion motion =
-      Motion{pose_of(location.pose), from_xr(location.linear), from_xr(location.angular)} * offset;
+  const Motion motion = Motion{pose_of(location.pose), from_xr(location.linear), from_xr(location.angular)} * offset;
   location.pose = to_xr(by * motion.pose);
   location.linear = to_xr(Eigen::Vector3d(by.orientation * motion.velocity_m_per_s));
   location.angular = to_xr(Eigen::Vector3d(by.orientation * motion.angular_velocity_rad_per_s));
@@ -249,9 +245,7 @@ RecordedViews Player::views(const SpaceName& base, XrTime time) {
   return views;
 }
 
-bool Player::synced(bool otherwise) {
-  return session_.synced.empty() ? otherwise : read(session_.synced, present_);
-}
+bool Player::synced(bool otherwise) { return session_.synced.empty() ? otherwise : read(session_.synced, present_); }
 
 ActionState Player::state(const std::string& action, const std::string& subaction) {
   return read_of(session_.states, std::pair(action, subaction), present_).value_or(ActionState{});
@@ -266,8 +260,6 @@ std::optional<double> Player::plate_deg(XrTime time) {
   return read(session_.plate_deg, time);
 }
 
-std::optional<RecordedTruth> Player::truth(XrHandEXT hand) {
-  return read_of(session_.truths, int{hand}, present_);
-}
+std::optional<RecordedTruth> Player::truth(XrHandEXT hand) { return read_of(session_.truths, int{hand}, present_); }
 
 }  // namespace hrt::mock

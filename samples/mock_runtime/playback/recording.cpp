@@ -25,8 +25,7 @@ std::optional<Bits> bits_of(const Json& value) {
   const auto& text = value.get_ref<const std::string&>();
   Bits bits = 0;
   const char* end = text.data() + text.size();
-  if (text.size() != 2 * sizeof bits || std::from_chars(text.data(), end, bits, 16).ptr != end)
-    return std::nullopt;
+  if (text.size() != 2 * sizeof bits || std::from_chars(text.data(), end, bits, 16).ptr != end) return std::nullopt;
   return bits;
 }
 
@@ -49,12 +48,10 @@ class Fields {
   Integer whole(Integer min, Integer max) {
     const Json& value = next();
     // Beyond the signed range there are only unsigned ones.
-    const bool fits = value.is_number_unsigned()
-                          ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(max)
-                          : value.is_number_integer() && std::is_signed_v<Integer> &&
-                                value.get<std::int64_t>() >= static_cast<std::int64_t>(min);
-    if (!fits || value.get<Integer>() < min || value.get<Integer>() > max)
-      wrong("a whole number in its range");
+    const bool fits = value.is_number_unsigned() ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(max)
+                                                 : value.is_number_integer() && std::is_signed_v<Integer> &&
+                                                       value.get<std::int64_t>() >= static_cast<std::int64_t>(min);
+    if (!fits || value.get<Integer>() < min || value.get<Integer>() > max) wrong("a whole number in its range");
     return value.get<Integer>();
   }
   template <typename Integer>
@@ -82,8 +79,7 @@ class Fields {
   float single() {
     const Json& value = next();
     if (const auto bits = bits_of<std::uint32_t>(value)) return std::bit_cast<float>(*bits);
-    if (!value.is_number() ||
-        std::abs(value.get<double>()) > static_cast<double>(std::numeric_limits<float>::max()))
+    if (!value.is_number() || std::abs(value.get<double>()) > static_cast<double>(std::numeric_limits<float>::max()))
       wrong("a number");
     return static_cast<float>(value.get<double>());
   }
@@ -191,23 +187,20 @@ XrEventDataBuffer as_buffer(const Event& event) {
 std::optional<XrEventDataBuffer> read_event(Fields& fields) {
   const std::string kind = fields.text();
   if (kind == "state")
-    return as_buffer(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr,
-                                                    nullptr, read_enum<XrSessionState>(fields),
-                                                    fields.whole<XrTime>()});
+    return as_buffer(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, nullptr,
+                                                    read_enum<XrSessionState>(fields), fields.whole<XrTime>()});
   if (kind == "space_change")
     return as_buffer(XrEventDataReferenceSpaceChangePending{
-        XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING, nullptr, nullptr,
-        read_enum<XrReferenceSpaceType>(fields), fields.whole<XrTime>(), XrBool32{fields.boolean()},
-        fields.nested_pose()});
+        XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING, nullptr, nullptr, read_enum<XrReferenceSpaceType>(fields),
+        fields.whole<XrTime>(), XrBool32{fields.boolean()}, fields.nested_pose()});
   if (kind == "profile_change")
-    return as_buffer(XrEventDataInteractionProfileChanged{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED,
-                                                          nullptr, nullptr});
-  if (kind == "instance_loss")
-    return as_buffer(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr,
-                                                    fields.whole<XrTime>()});
-  if (kind == "events_lost")
     return as_buffer(
-        XrEventDataEventsLost{XR_TYPE_EVENT_DATA_EVENTS_LOST, nullptr, fields.whole<std::uint32_t>()});
+        XrEventDataInteractionProfileChanged{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED, nullptr, nullptr});
+  if (kind == "instance_loss")
+    return as_buffer(
+        XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, fields.whole<XrTime>()});
+  if (kind == "events_lost")
+    return as_buffer(XrEventDataEventsLost{XR_TYPE_EVENT_DATA_EVENTS_LOST, nullptr, fields.whole<std::uint32_t>()});
   if (kind != "other") refuse(fields.where(), "is an event of no known kind");
   fields.whole<std::int32_t>();
   return std::nullopt;
@@ -229,15 +222,13 @@ CallFault read_failure(Fields& fields) {
   fault.function = *function;
   fault.call = fields.whole<std::uint64_t>(1, std::numeric_limits<std::uint64_t>::max());
   fault.count = 1;
-  fault.result =
-      static_cast<XrResult>(fields.whole<std::int32_t>(std::numeric_limits<std::int32_t>::min(), -1));
+  fault.result = static_cast<XrResult>(fields.whole<std::int32_t>(std::numeric_limits<std::int32_t>::min(), -1));
   return fault;
 }
 
 template <typename Value>
 void sort_by_time(Stream<Value>& stream) {
-  std::stable_sort(stream.begin(), stream.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(stream.begin(), stream.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
 template <typename Key, typename Value>
@@ -271,9 +262,7 @@ constexpr auto hand_and_space = [](Fields& fields, const Recording& names) {
 constexpr auto two_spaces = [](Fields& fields, const Recording& names) {
   return std::pair{read_space(fields, names), read_space(fields, names)};
 };
-constexpr auto two_texts = [](Fields& fields, const Recording&) {
-  return std::pair{fields.text(), fields.text()};
-};
+constexpr auto two_texts = [](Fields& fields, const Recording&) { return std::pair{fields.text(), fields.text()}; };
 
 constexpr std::pair<std::string_view, Reader> session_readers[] = {
     {"spaces",
@@ -290,14 +279,12 @@ constexpr std::pair<std::string_view, Reader> session_readers[] = {
        const XrExtent2Df extent{fields.single(), fields.single()};
        in.bounds[type].push_back(available ? std::optional(extent) : std::nullopt);
      }},
-    {"call", [](Fields& fields, RecordedSession& in,
-                const Recording&) { in.calls.push_back(read_call_kind(fields)); }},
+    {"call", [](Fields& fields, RecordedSession& in, const Recording&) { in.calls.push_back(read_call_kind(fields)); }},
     {"frame",
      [](Fields& fields, RecordedSession& in, const Recording&) {
        in.frames.push_back({fields.time(), fields.whole<XrDuration>(), fields.boolean()});
      }},
-    {"converted",
-     [](Fields& fields, RecordedSession& in, const Recording&) { in.converted.push_back(fields.time()); }},
+    {"converted", [](Fields& fields, RecordedSession& in, const Recording&) { in.converted.push_back(fields.time()); }},
     {"event",
      [](Fields& fields, RecordedSession& in, const Recording&) {
        RecordedEvent event{fields.whole<std::size_t>(), fields.whole<std::size_t>(), {}};
@@ -306,8 +293,7 @@ constexpr std::pair<std::string_view, Reader> session_readers[] = {
        event.buffer = *buffer;
        in.events.push_back(event);
      }},
-    {"timespec",
-     timed<&RecordedSession::clock_ns, [](Fields& fields) { return fields.whole<std::int64_t>(); }>},
+    {"timespec", timed<&RecordedSession::clock_ns, [](Fields& fields) { return fields.whole<std::int64_t>(); }>},
     {"synced", timed<&RecordedSession::synced, [](Fields& fields) { return fields.boolean(); }>},
     {"plate", timed<&RecordedSession::plate_deg, [](Fields& fields) { return fields.real(); }>},
     {"joints", keyed<&RecordedSession::joints, hand_and_space, read_joints>},

@@ -51,7 +51,7 @@ struct SpaceName {
   XrReferenceSpaceType reference = XR_REFERENCE_SPACE_TYPE_MAX_ENUM;  ///< else it is an action's
   std::string action;                                                 ///< "set/action"
   std::string subaction;                                              ///< empty: none
-  XrPosef pose{};  ///< in the reference space or the action's
+  XrPosef pose{};                                                     ///< in the reference space or the action's
 
   bool same_origin(const SpaceName& other) const {
     return reference == other.reference && action == other.action && subaction == other.subaction;

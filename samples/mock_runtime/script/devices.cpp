@@ -9,8 +9,7 @@ TrackerSettings read_tracker(Members& members) {
   TrackerSettings settings;
   settings.noise_m = members.number("noise_mm", 0.0, 0.0, 1000.0) * 1e-3;
   settings.latency_ns = members.nanoseconds("latency_ms", 0.0);
-  if (members.has("rate_hz"))
-    settings.period_ns = std::llround(1e9 / members.number("rate_hz", 0.0, 0.1, 10'000.0));
+  if (members.has("rate_hz")) settings.period_ns = std::llround(1e9 / members.number("rate_hz", 0.0, 0.1, 10'000.0));
   if (members.has("velocities"))
     settings.velocities = members.choice<Velocities>("velocities", {{"none", Velocities::none},
                                                                     {"zero", Velocities::zero},
@@ -56,8 +55,7 @@ namespace {
 
 // `further(point)` reads what else a keyframe has.
 template <typename Further>
-void read_path(Members& members, const Eigen::Quaterniond& orientation, std::vector<Keyframe>& path,
-               Further further) {
+void read_path(Members& members, const Eigen::Quaterniond& orientation, std::vector<Keyframe>& path, Further further) {
   members.each("path", [&](Members& point) {
     path.push_back({point.nanoseconds("time_ms", 0.0), read_pose(point, orientation)});
     if (path.size() > 1 && path.back().time_ns <= path[path.size() - 2].time_ns)

@@ -61,9 +61,8 @@ struct Put {
 /// The cable of the plate's terminal is pulled out.
 struct UnplugPlate {};
 
-using Happening =
-    std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, Put, UnplugPlate,
-                 TakePicture, RepeatState, LoseSession, LoseInstance, InstanceLossPending>;
+using Happening = std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, Put, UnplugPlate,
+                               TakePicture, RepeatState, LoseSession, LoseInstance, InstanceLossPending>;
 
 /// An event in a session.
 struct ScriptEvent {

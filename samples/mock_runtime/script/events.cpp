@@ -8,9 +8,7 @@ namespace hrt::mock {
 
 namespace {
 
-Scope read_scope(Members& members) {
-  return {members.count("instance", 0, 1), members.count("session", 0, 1)};
-}
+Scope read_scope(Members& members) { return {members.count("instance", 0, 1), members.count("session", 0, 1)}; }
 
 // Spaces are upright: of rotations there is the yaw alone.
 Recenter read_recenter(Members& members) {

@@ -18,8 +18,7 @@ ExtensionSet read_withheld(Members& members) {
   std::vector<std::string> known;
   for (std::size_t i = first_extension; i < extensions.size(); ++i) known.emplace_back(extensions[i].name);
   for (const Json& name : names) {
-    const auto found =
-        name.is_string() ? std::find(known.begin(), known.end(), name.get<std::string>()) : known.end();
+    const auto found = name.is_string() ? std::find(known.begin(), known.end(), name.get<std::string>()) : known.end();
     if (found == known.end()) refuse(where, "must hold names out of " + quoted_list(known));
     withheld.set(static_cast<std::size_t>(found - known.begin()) + first_extension);
   }
@@ -73,16 +72,14 @@ void read_playback(Members& members, const Json& script, Recording& recording) {
 }  // namespace
 
 bool Script::hides(std::size_t extension) const {
-  if (playback != nullptr)
-    return withheld[extension] || !playback->extensions.contains(extensions[extension].name);
+  if (playback != nullptr) return withheld[extension] || !playback->extensions.contains(extensions[extension].name);
   return withheld[extension] ||
          (clock == Clock::Kind::manual && extension == static_cast<std::size_t>(Extension::timespec));
 }
 
 bool Script::has_picture_events() const {
-  return std::any_of(events.begin(), events.end(), [](const ScriptEvent& event) {
-    return std::holds_alternative<TakePicture>(event.what);
-  });
+  return std::any_of(events.begin(), events.end(),
+                     [](const ScriptEvent& event) { return std::holds_alternative<TakePicture>(event.what); });
 }
 
 Script parse_script(std::string_view text) {
@@ -91,15 +88,14 @@ Script parse_script(std::string_view text) {
   Script script;
   Members members(json, "script");
   if (members.has("clock"))
-    script.clock = members.choice<Clock::Kind>(
-        "clock", {{"manual", Clock::Kind::manual}, {"real-time", Clock::Kind::real_time}});
+    script.clock =
+        members.choice<Clock::Kind>("clock", {{"manual", Clock::Kind::manual}, {"real-time", Clock::Kind::real_time}});
   if (members.has("frame_rate_hz"))
     script.frame_period = std::llround(1e9 / members.number("frame_rate_hz", 90.0, 1.0, 1000.0));
   script.frame_times = members.boolean("frame_times", script.frame_times);
   script.focus_frame = static_cast<std::int64_t>(members.count("focus_frame", 0, 0));
-  members.one_of(
-      "picture_views", script.views,
-      {{"left", Script::View::left}, {"right", Script::View::right}, {"world", Script::View::world}});
+  members.one_of("picture_views", script.views,
+                 {{"left", Script::View::left}, {"right", Script::View::right}, {"world", Script::View::world}});
   script.pictures = static_cast<std::int64_t>(members.count("picture_every_frames", 0, 1));
   script.stage = members.boolean("stage", script.stage);
   script.hand_tracking = members.boolean("hand_tracking", script.hand_tracking);
@@ -107,16 +103,14 @@ Script parse_script(std::string_view text) {
   script.world.seed = members.count("seed", script.world.seed, 0);
   if (members.has("participants")) {
     script.world.participants.clear();
-    members.each("participants",
-                 [&](Members& each) { script.world.participants.push_back(read_person(each)); });
+    members.each("participants", [&](Members& each) { script.world.participants.push_back(read_person(each)); });
     if (script.world.participants.empty()) refuse(members.where("participants"), "must have one at least");
   }
   members.object("tracker", [&](Members& tracker) { script.world.tracker = read_tracker(tracker); });
   members.object("servo", [&](Members& servo) { script.world.servo = read_servo(servo); });
   members.object("plate", [&](Members& plate) { script.world.plate = read_plate(plate); });
   if (script.world.plate && !script.world.plate->terminal.empty() && script.clock != Clock::Kind::real_time)
-    refuse(members.where("plate") + ".terminal",
-           "needs \"clock\": \"real-time\": who opens it waits in real time");
+    refuse(members.where("plate") + ".terminal", "needs \"clock\": \"real-time\": who opens it waits in real time");
   members.object("hands", [&](Members& hands) {
     hands.object("left", [&](Members& hand) { read_hand(hand, script.world.hands[0]); });
     hands.object("right", [&](Members& hand) { read_hand(hand, script.world.hands[1]); });

@@ -108,10 +108,8 @@ HandJoints shape_hand(XrHandEXT hand, const Fingers& fingers) {
   return hand == XR_HAND_LEFT_EXT ? mirrored(right) : right;
 }
 
-HandJoints place_hand(HandJoints shape, const Eigen::Vector3d& index_tip_m,
-                      const Eigen::Quaterniond& orientation) {
-  const Eigen::Vector3d wrist_m =
-      index_tip_m - orientation * shape[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position_m;
+HandJoints place_hand(HandJoints shape, const Eigen::Vector3d& index_tip_m, const Eigen::Quaterniond& orientation) {
+  const Eigen::Vector3d wrist_m = index_tip_m - orientation * shape[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position_m;
   for (HandJoint& joint : shape) joint.pose = Pose{orientation, wrist_m} * joint.pose;
   return shape;
 }

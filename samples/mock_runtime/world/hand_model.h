@@ -40,7 +40,6 @@ using HandJoints = std::array<HandJoint, XR_HAND_JOINT_COUNT_EXT>;
 HandJoints shape_hand(XrHandEXT hand, const Fingers& fingers);
 
 /// `shape`, with the wrist's axes as given and the index tip in a place.
-HandJoints place_hand(HandJoints shape, const Eigen::Vector3d& index_tip_m,
-                      const Eigen::Quaterniond& orientation);
+HandJoints place_hand(HandJoints shape, const Eigen::Vector3d& index_tip_m, const Eigen::Quaterniond& orientation);
 
 }  // namespace hrt::mock

@@ -21,9 +21,7 @@ Range usual_scale_deg(IllusionFamily family) {
   }
 }
 
-double within(const Range& range, Draws& draws) {
-  return range.min + draws.uniform() * (range.max - range.min);
-}
+double within(const Range& range, Draws& draws) { return range.min + draws.uniform() * (range.max - range.min); }
 
 template <typename Value>
 Value one_of(const std::vector<Value>& values, Draws& draws) {

@@ -16,8 +16,8 @@ struct Range {
 
 /// Ranges that a person is drawn from. The defaults are people at a natural pace.
 struct PersonSettings {
-  std::vector<IllusionFamily> illusions = {IllusionFamily::linear, IllusionFamily::saturating,
-                                           IllusionFamily::sine, IllusionFamily::tanh};
+  std::vector<IllusionFamily> illusions = {IllusionFamily::linear, IllusionFamily::saturating, IllusionFamily::sine,
+                                           IllusionFamily::tanh};
   std::optional<Range> illusion_scale_deg;  ///< none: by family
   Range tactile_weight = {0.12, 0.30};      ///< in (0, 0.5)
   Range weight_drift = {0.0, 0.0};

@@ -19,8 +19,7 @@ Pose checked_pose(const XrPosef& pose) {
   const Eigen::Quaterniond orientation = from_xr(pose.orientation);
   const Eigen::Vector3d position_m = from_xr(pose.position);
   require(position_m.allFinite(), XR_ERROR_POSE_INVALID, "a position is not finite");
-  require(std::abs(orientation.norm() - 1.0) <= 0.01, XR_ERROR_POSE_INVALID,
-          "a quaternion is not of unit length");
+  require(std::abs(orientation.norm() - 1.0) <= 0.01, XR_ERROR_POSE_INVALID, "a quaternion is not of unit length");
   return {orientation.normalized(), position_m};
 }
 
@@ -33,9 +32,7 @@ XrVector3f to_xr(const Eigen::Vector3d& vector) {
   return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z())};
 }
 
-Eigen::Quaterniond from_xr(const XrQuaternionf& q) {
-  return Eigen::Quaternionf(q.w, q.x, q.y, q.z).cast<double>();
-}
+Eigen::Quaterniond from_xr(const XrQuaternionf& q) { return Eigen::Quaternionf(q.w, q.x, q.y, q.z).cast<double>(); }
 
 Eigen::Vector3d from_xr(const XrVector3f& v) { return Eigen::Vector3f(v.x, v.y, v.z).cast<double>(); }
 
@@ -83,8 +80,7 @@ Motion motion_at(const std::vector<Keyframe>& path, std::int64_t time_ns) {
   const double share = static_cast<double>(time_ns - from.time_ns) * 1e-9 / duration_s;
   const Eigen::Vector3d way_m = to.pose.position_m - from.pose.position_m;
   const TurnBetween turned = turn_between(from.pose.orientation, to.pose.orientation);
-  return {{turn(share * turned.angle_deg, turned.axis) * from.pose.orientation,
-           from.pose.position_m + share * way_m},
+  return {{turn(share * turned.angle_deg, turned.axis) * from.pose.orientation, from.pose.position_m + share * way_m},
           way_m / duration_s,
           turned.axis * (turned.angle_deg * (std::numbers::pi / 180.0) / duration_s)};
 }

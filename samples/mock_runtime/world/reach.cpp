@@ -16,8 +16,8 @@ Eigen::Vector2d on_plate(const PlatePoint& point) { return {point.right_m, -poin
 
 }  // namespace
 
-Reach::Reach(const DrawnPerson& drawn, const ReachInstruction& instruction, std::uint64_t seed,
-             std::uint32_t number, XrTime start)
+Reach::Reach(const DrawnPerson& drawn, const ReachInstruction& instruction, std::uint64_t seed, std::uint32_t number,
+             XrTime start)
     : simulated_(drawn.towards(instruction.goal_direction_deg)),
       person_(simulated_, {instruction.start_m.x(), -instruction.start_m.y()}, instruction.goal_direction_deg,
               instruction.path_length_m, noise_of_reach(seed, number)),

@@ -30,8 +30,8 @@ struct FingerMotion {
 class Reach {
  public:
   /// Instructed at `start`. `number` counts the reaches of a session and, with the seed, fixes the noise.
-  Reach(const DrawnPerson& person, const ReachInstruction& instruction, std::uint64_t seed,
-        std::uint32_t number, XrTime start);
+  Reach(const DrawnPerson& person, const ReachInstruction& instruction, std::uint64_t seed, std::uint32_t number,
+        XrTime start);
 
   /// Simulates the milliseconds that end up to `time`; the person feels the plate at the end of each. `plate`
   /// is as of the last call.

@@ -43,7 +43,7 @@ struct SlideSettings {
 
 struct HandSettings {
   bool tracked = false;
-  std::vector<Keyframe> path;  ///< of the index fingertip, and of the wrist's axes, in LOCAL; empty: at rest
+  std::vector<Keyframe> path;           ///< of the index fingertip, and of the wrist's axes, in LOCAL; empty: at rest
   std::vector<FingerKeyframe> fingers;  ///< at the times of the path; empty: it points
   std::optional<SlideSettings> slides;
 };

@@ -36,12 +36,10 @@ Eigen::Quaterniond resting_hand_orientation() { return hand_orientation(0.0); }
 World::World(const WorldSettings& settings, XrTime start)
     : settings_(settings), servo_(settings.servo, 0.0), start_(start), now_(start) {
   servo_.advance(start);
-  for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
-    at(side).tracked = settings_of(side).tracked;
+  for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) at(side).tracked = settings_of(side).tracked;
   if (settings_.plate)
-    place_plate(
-        {settings_.plate->pose.orientation, local_space_in_world() * settings_.plate->pose.position_m},
-        settings_.plate->radius_m);
+    place_plate({settings_.plate->pose.orientation, local_space_in_world() * settings_.plate->pose.position_m},
+                settings_.plate->radius_m);
 }
 
 void World::place_plate(const Pose& plate, double radius_m) {
@@ -59,8 +57,8 @@ void World::instruct(XrHandEXT side, const ReachInstruction& instruction, double
   Hand& hand = at(side);
   hand.tracked = true;
   hand.height_m = height_m;
-  hand.reach.emplace(draw(settings_.participants[number], settings_.seed, number), instruction,
-                     settings_.seed, reaches_, now);
+  hand.reach.emplace(draw(settings_.participants[number], settings_.seed, number), instruction, settings_.seed,
+                     reaches_, now);
   ++reaches_;
 }
 
@@ -75,9 +73,7 @@ Eigen::Vector3d World::true_index_tip_m(XrHandEXT side) const {
   return {tip_m.x(), hand.height_m, tip_m.y()};
 }
 
-void World::freeze(XrHandEXT side, bool frozen) {
-  at(side).frozen_at = frozen ? std::optional(now_) : std::nullopt;
-}
+void World::freeze(XrHandEXT side, bool frozen) { at(side).frozen_at = frozen ? std::optional(now_) : std::nullopt; }
 
 void World::put_hand(XrHandEXT side, const Pose& pose) {
   HandSettings& settings = settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1];
@@ -139,9 +135,8 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
                   {},
                   {}};
   const auto& keys = settings.fingers;
-  const auto after =
-      std::upper_bound(keys.begin(), keys.end(), time - start_,
-                       [](XrDuration t, const FingerKeyframe& key) { return t < key.time_ns; });
+  const auto after = std::upper_bound(keys.begin(), keys.end(), time - start_,
+                                      [](XrDuration t, const FingerKeyframe& key) { return t < key.time_ns; });
   if (after == keys.begin()) {
     state.fingers = state.fingers_soon = keys.front().fingers;
   } else if (after == keys.end()) {

@@ -65,9 +65,7 @@ class World {
 
   /// The headset loses track of the room: it stays where it was for the application, and what it sees is
   /// known from there alone.
-  void lose_head(bool lost) {
-    head_lost_at_ = lost ? std::optional(head_lost_at_.value_or(now_)) : std::nullopt;
-  }
+  void lose_head(bool lost) { head_lost_at_ = lost ? std::optional(head_lost_at_.value_or(now_)) : std::nullopt; }
   bool head_is_lost() const { return head_lost_at_.has_value(); }
 
   /// The head; a controller's grip, if it has a path.
@@ -103,9 +101,7 @@ class World {
 
   Hand& at(XrHandEXT hand) { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
   const Hand& at(XrHandEXT hand) const { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
-  const HandSettings& settings_of(XrHandEXT side) const {
-    return settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1];
-  }
+  const HandSettings& settings_of(XrHandEXT side) const { return settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1]; }
   /// Lets a hand slide that nobody instructs, if it is time to.
   void slide_again(XrHandEXT side);
   HandState hand_on_path(XrHandEXT side, XrTime time) const;

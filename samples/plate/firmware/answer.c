@@ -99,8 +99,7 @@ void answer(Plate* plate) {
     plate->due &= (uint16_t)~DUE_BOOT;
   }
   if (plate->error_ms > 0) --plate->error_ms;
-  if (plate->error != LINE_OK && plate->error_ms == 0 &&
-      send_words(plate, "ERROR", line_error_word(plate->error))) {
+  if (plate->error != LINE_OK && plate->error_ms == 0 && send_words(plate, "ERROR", line_error_word(plate->error))) {
     plate->error = LINE_OK;
     plate->error_ms = ERROR_MS;
   }
@@ -121,7 +120,6 @@ void answer(Plate* plate) {
   }
   if ((plate->due & DUE_INFO) != 0 && send_info(plate)) plate->due &= (uint16_t)~DUE_INFO;
   if ((plate->due & DUE_SAVED) != 0 && send(plate, "SAVED")) plate->due &= (uint16_t)~DUE_SAVED;
-  if (plate->conf_next < plate->conf_end && send_setting(plate, (Setting)plate->conf_next))
-    ++plate->conf_next;
+  if (plate->conf_next < plate->conf_end && send_setting(plate, (Setting)plate->conf_next)) ++plate->conf_next;
   if (plate->test_next < TEST_LINES && send_test(plate, plate->test_next)) ++plate->test_next;
 }

@@ -140,9 +140,7 @@ bool line_fixed_angle(const char* word, int32_t* out) {
   static const char pattern[] = "+000.00";
   for (size_t i = 0; i < sizeof pattern; ++i) {
     const char c = word[i];
-    const bool fits = pattern[i] == '0'   ? is_digit(c)
-                      : pattern[i] == '+' ? c == '+' || c == '-'
-                                          : c == pattern[i];
+    const bool fits = pattern[i] == '0' ? is_digit(c) : pattern[i] == '+' ? c == '+' || c == '-' : c == pattern[i];
     if (!fits) return false;
   }
   int32_t value = 0;

@@ -19,9 +19,7 @@ enum {
   TRIM_TICKS = 40             /* largest jump of the pulse by a changed setting, in half microseconds */
 };
 
-static int32_t clamp(int32_t value, int32_t min, int32_t max) {
-  return value < min ? min : value > max ? max : value;
-}
+static int32_t clamp(int32_t value, int32_t min, int32_t max) { return value < min ? min : value > max ? max : value; }
 
 static int32_t apart(int32_t a, int32_t b) { return a < b ? b - a : a - b; }
 
@@ -71,8 +69,7 @@ static void start_pulses(Plate* plate, int32_t home_microdeg) {
 static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   if (plate->state == PLATE_LATCHED) {
     stop(plate, plate->latched_by);
-  } else if (orientation < settings_least(&plate->settings) ||
-             orientation > settings_most(&plate->settings)) {
+  } else if (orientation < settings_least(&plate->settings) || orientation > settings_most(&plate->settings)) {
     stop(plate, PLATE_STOP_LIMIT);
   } else if (!plate_knows_place(plate) && !plate->pulses && !may_home) {
     stop(plate, PLATE_STOP_UNHOMED);
@@ -228,8 +225,7 @@ static bool is_word(const char* word, const char* wanted) {
 
 /* SET, HOME, BEAT, FAST and STOP; each ends with a sequence number. */
 static LineError hear_drive(Plate* plate, const char* verb, char* rest) {
-  const bool homes = is_word(verb, "HOME"), sets = homes || is_word(verb, "SET"),
-             stops = is_word(verb, "STOP");
+  const bool homes = is_word(verb, "HOME"), sets = homes || is_word(verb, "SET"), stops = is_word(verb, "STOP");
   const bool hurries = is_word(verb, "FAST");
   if (!sets && !stops && !hurries && !is_word(verb, "BEAT")) return LINE_BAD_WORD;
   int32_t angle = 0;

@@ -112,15 +112,13 @@ static int32_t reach_of(const Settings* settings, int32_t pulse_us) {
 
 int32_t settings_least(const Settings* settings) {
   const int32_t set = settings->value[SETTING_MIN_DEG];
-  const int32_t reach =
-      reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_LEAST_US : PULSE_MOST_US);
+  const int32_t reach = reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_LEAST_US : PULSE_MOST_US);
   return reach > set ? reach : set;
 }
 
 int32_t settings_most(const Settings* settings) {
   const int32_t set = settings->value[SETTING_MAX_DEG];
-  const int32_t reach =
-      reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_MOST_US : PULSE_LEAST_US);
+  const int32_t reach = reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_MOST_US : PULSE_LEAST_US);
   return reach < set ? reach : set;
 }
 

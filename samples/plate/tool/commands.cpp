@@ -39,9 +39,7 @@ struct Options {
 };
 
 // Opens what a command names: a device's name, or the path of a plate's serial line.
-std::string full_name(const std::string& name) {
-  return name.find(':') == std::string::npos ? "serial:" + name : name;
-}
+std::string full_name(const std::string& name) { return name.find(':') == std::string::npos ? "serial:" + name : name; }
 
 std::unique_ptr<Device> open(const std::string& name, const Surroundings& around, Start start) {
   return device_named(full_name(name))(around.open, start);
@@ -83,8 +81,8 @@ std::vector<Found> find_all(const std::vector<std::string>& places, const Surrou
     found.push_back(*device);
   }
   if (found.empty())
-    around.err << "hrt-plate: no plate was found"
-               << (tried.empty() ? "; this computer has no serial device" : tried) << "\n";
+    around.err << "hrt-plate: no plate was found" << (tried.empty() ? "; this computer has no serial device" : tried)
+               << "\n";
   return found;
 }
 
@@ -99,8 +97,7 @@ int show(const Options& options, const Surroundings& around) {
   around.out << device->description() << "\nrange " << limits.min_deg << " to " << limits.max_deg << " deg, "
              << limits.speed_deg_s << " deg/s, latency "
              << std::chrono::duration_cast<std::chrono::milliseconds>(limits.latency).count()
-             << " ms with half of the line, orientation " << (device->is_measured() ? "measured" : "assumed")
-             << "\n";
+             << " ms with half of the line, orientation " << (device->is_measured() ? "measured" : "assumed") << "\n";
   for (const std::string& line : device->details()) around.out << line << "\n";
   return success;
 }
@@ -160,8 +157,7 @@ int run_set(const Options& options, const Surroundings& around) {
 }
 
 std::string today() {
-  const std::chrono::year_month_day date(
-      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  const std::chrono::year_month_day date(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
   return format("%04d-%02u-%02u", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
                 static_cast<unsigned>(date.day()));
 }
@@ -173,8 +169,7 @@ int run_commission(Options& options, const Surroundings& around) {
     if (found.size() != 1) return not_done;
     options.device = found.front().name;
   }
-  const Measurements found =
-      commission([&] { return open(options.device, around, Start::hold); }, person_at(around));
+  const Measurements found = commission([&] { return open(options.device, around, Start::hold); }, person_at(around));
   around.out << text_of(found);
   write_file(options.out, file_of(found, full_name(options.device), today()));
   std::filesystem::path plot = options.plot;
@@ -193,8 +188,7 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
   app.require_subcommand(1);
   const auto command = [&](const char* name, const char* text, bool must_name = true) {
     CLI::App* added = app.add_subcommand(name, text);
-    added
-        ->add_option("device", options.device, "Serial device of the plate, or a name as of hrt_plate_open()")
+    added->add_option("device", options.device, "Serial device of the plate, or a name as of hrt_plate_open()")
         ->required(must_name);
     return added;
   };
@@ -206,8 +200,8 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
   CLI::App* turner = command("turn", "Turn to an angle, and hold it until Enter");
   turner->add_option("angle", options.angle_deg, "Degrees, counter-clockwise positive")->required();
   CLI::App* trimmer = command("trim", "Trim 0 against the base's mark, and save it in the plate");
-  CLI::App* commissioner = command(
-      "commission", "Find the plate and all of it, and write the file that hrt-reach --plate takes", false);
+  CLI::App* commissioner =
+      command("commission", "Find the plate and all of it, and write the file that hrt-reach --plate takes", false);
   commissioner->add_option("--out", options.out, "The file")->capture_default_str();
   commissioner->add_option("--plot", options.plot, "The sweep's picture [the file's name with .svg]");
   try {

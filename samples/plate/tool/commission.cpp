@@ -26,9 +26,7 @@ constexpr double stop_margin_deg = 2.0;  // to stay away from them
 struct Scale {
   double at_zero;
   double per_deg;
-  double at(double orientation_deg) const {
-    return std::clamp(at_zero + per_deg * orientation_deg, 0.0, 1023.0);
-  }
+  double at(double orientation_deg) const { return std::clamp(at_zero + per_deg * orientation_deg, 0.0, 1023.0); }
 };
 
 // Limits, and the readings there. A reading between the two that are set is within the limits at each step.
@@ -38,14 +36,13 @@ void set_limits(PlateLink& link, const Scale& sensor, double min_deg, double max
   const std::pair<const char*, double> least = {"adc_least", sensor.at(std::ceil(min_deg))},
                                        most = {"adc_most", sensor.at(std::floor(max_deg))};
   const bool rises = sensor.per_deg > 0.0;
-  for (const auto& [name, value] : {rises ? most : least, rises ? least : most})
-    link.change_setting(name, value);
+  for (const auto& [name, value] : {rises ? most : least, rises ? least : most}) link.change_setting(name, value);
 }
 
 double place_read(PlateLink& link, const Person& person, double orientation_deg) {
   turn_and_wait(link, orientation_deg);
-  const auto read_deg = ask_number(
-      link, person, "Which angle does the scale show at the notch? Left, towards +, is positive.", -90, 90);
+  const auto read_deg =
+      ask_number(link, person, "Which angle does the scale show at the notch? Left, towards +, is positive.", -90, 90);
   if (!read_deg) throw PlateFailure(Fault::device, "was not read: an angle is needed");
   return *read_deg;
 }
@@ -65,14 +62,12 @@ Scale find_scale(PlateLink& link, const Person& person) {
   turn_and_wait(link, -asked_deg - 10.0);  // both from the same side, so that loose gears do not count
   const double below_deg = place_read(link, person, -asked_deg), reading_below = link.sensor_reading();
   if (std::abs(reading_above - reading_below) < min_readings)
-    throw PlateFailure(
-        Fault::device,
-        "has no sensor at A0: nothing of it can be measured, and it serves for demonstrations only");
+    throw PlateFailure(Fault::device,
+                       "has no sensor at A0: nothing of it can be measured, and it serves for demonstrations only");
   const double turn = (above_deg - below_deg) / (2.0 * asked_deg);
   const double span_us = turn == 0.0 ? 1e9 : std::round(first_span_us / turn);
   if (std::abs(span_us) < 500.0 || std::abs(span_us) > 2500.0)
-    throw PlateFailure(Fault::device,
-                       format("turned by %g degrees where 60 were asked of a usual servo", turn * 60.0));
+    throw PlateFailure(Fault::device, format("turned by %g degrees where 60 were asked of a usual servo", turn * 60.0));
   turn_and_wait(link, 0.0);
   link.change_setting("span", span_us);  // does not matter at 0
   const double middle_deg = 0.5 * (above_deg + below_deg);
@@ -145,8 +140,7 @@ Measurements commission(const Opener& open, const Person& person) {
   const bool has_settings = dynamic_cast<PlateLink*>(open().get()) != nullptr;
   if (has_settings) set_up_servo(open, person);
   const auto device = open();
-  if (!has_settings)
-    ask(*device, person, "Hands off the plate: it turns through its whole range. Enter starts it.");
+  if (!has_settings) ask(*device, person, "Hands off the plate: it turns through its whole range. Enter starts it.");
   Measurements found = measure(*device, person.say);
   if (auto* link = dynamic_cast<PlateLink*>(device.get())) {
     for (Measured* angle : {&found.speed_deg_s, &found.acceleration_deg_s2, &found.backlash_deg})

@@ -73,8 +73,7 @@ int main(int argc, char** argv) {
   constexpr int output_failed = 10;
   static Input& input = *new Input;  // its thread outlives main()
   try {
-    return run_tool(argc, argv,
-                    {serial_devices, open_serial_line, [] { return input.read(); }, std::cout, std::cerr});
+    return run_tool(argc, argv, {serial_devices, open_serial_line, [] { return input.read(); }, std::cout, std::cerr});
   } catch (const std::exception& error) {
     std::cerr << "hrt-plate: " << error.what() << "\n";
     return output_failed;

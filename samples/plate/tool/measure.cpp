@@ -90,8 +90,7 @@ Step step_to(Device& device, double from_deg, double orientation_deg) {
     device.wait(5ms);
     if (device.reported() == last) continue;
     last = device.reported();
-    step.samples.push_back(
-        {std::chrono::duration<double>(last - began).count(), sign * (place_of(device) - from_deg)});
+    step.samples.push_back({std::chrono::duration<double>(last - began).count(), sign * (place_of(device) - from_deg)});
     if (std::abs(place_of(device) - orientation_deg) < near_deg) break;
   }
   return step;
@@ -99,8 +98,7 @@ Step step_to(Device& device, double from_deg, double orientation_deg) {
 
 // Each begins from a rest in its own direction, so that no gear is loose, and at another phase of the pulses.
 void time_steps(Device& device, Measurements& found) {
-  const double half_deg =
-      std::min(max_step_deg / 2.0, 0.9 * std::min(found.limits.max_deg, -found.limits.min_deg));
+  const double half_deg = std::min(max_step_deg / 2.0, 0.9 * std::min(found.limits.max_deg, -found.limits.min_deg));
   const double filter_s = std::chrono::duration<double>(device.sensor_filter()).count();
   const double line_ms = std::chrono::duration<double, std::milli>(found.round_trip).count();
   std::vector<Step> timed;
@@ -126,9 +124,7 @@ void time_steps(Device& device, Measurements& found) {
 void turn_and_wait(Device& device, double orientation_deg) {
   // Nobody sees a plate without a sensor arrive; the first turn of all homes it, in 8 s.
   const bool is_lost = !device.orientation_deg();
-  const auto time = is_lost                ? 9000ms
-                    : device.is_measured() ? limit_of_turn(device, orientation_deg) / 2
-                                           : 1500ms;
+  const auto time = is_lost ? 9000ms : device.is_measured() ? limit_of_turn(device, orientation_deg) / 2 : 1500ms;
   device.turn_to(orientation_deg);
   for (const auto end = device.now() + time; device.now() < end;) device.wait(10ms);
 }
@@ -142,8 +138,7 @@ double settle_at(Device& device, double orientation_deg) {
     device.turn_to(orientation_deg);  // again, if this program was paused and the plate stopped
     device.wait(20ms);
     const double place_deg = place_of(device);
-    const bool still =
-        std::abs(place_deg - rest_deg) <= still_deg && std::abs(place_deg - orientation_deg) <= near_deg;
+    const bool still = std::abs(place_deg - rest_deg) <= still_deg && std::abs(place_deg - orientation_deg) <= near_deg;
     if (!still) {
       rest_deg = place_deg;
       still_since = device.now();
@@ -154,8 +149,8 @@ double settle_at(Device& device, double orientation_deg) {
       ++count;
     }
     if (device.now() > give_up) {
-      throw PlateFailure(Fault::device, format("does not come to rest at %.1f deg; it is at %.1f deg",
-                                               orientation_deg, place_deg));
+      throw PlateFailure(Fault::device,
+                         format("does not come to rest at %.1f deg; it is at %.1f deg", orientation_deg, place_deg));
     }
   }
   return sum_deg / count;

@@ -14,8 +14,8 @@ std::string ask(Device& device, const Person& person, const std::string& questio
   }
 }
 
-std::optional<double> ask_number(Device& device, const Person& person, const std::string& question,
-                                 double low, double high) {
+std::optional<double> ask_number(Device& device, const Person& person, const std::string& question, double low,
+                                 double high) {
   for (std::string text = question;;) {
     const std::string answer = ask(device, person, text);
     if (answer.empty()) return std::nullopt;

@@ -29,7 +29,7 @@ struct Abandoned : std::runtime_error {
 /// Asks, and serves the device until there is an answer: one line. Throws Abandoned.
 std::string ask(Device& device, const Person& person, const std::string& question);
 /// Again, until the answer is a number in this range; nothing for an empty line.
-std::optional<double> ask_number(Device& device, const Person& person, const std::string& question,
-                                 double low, double high);
+std::optional<double> ask_number(Device& device, const Person& person, const std::string& question, double low,
+                                 double high);
 
 }  // namespace hrt::plate

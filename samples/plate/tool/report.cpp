@@ -12,9 +12,7 @@
 namespace hrt::plate {
 namespace {
 
-double milliseconds(std::chrono::nanoseconds time) {
-  return std::chrono::duration<double, std::milli>(time).count();
-}
+double milliseconds(std::chrono::nanoseconds time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
 // The controller plans with the motion's own limit, or with the servo's if that is lower.
 double plan_speed_deg_s(const Measurements& found) {
@@ -42,8 +40,8 @@ std::string polyline(const Measurements& found, bool upwards, double scale) {
     if (point.upwards == upwards)
       points += format("%.1f,%.1f ", 60.0 + 520.0 * (point.commanded_deg - min_deg) / width_deg,
                        150.0 - scale * (point.reported_deg - point.commanded_deg));
-  return std::string(R"(<polyline fill="none" stroke-width="2" stroke=")") +
-         (upwards ? "#0072b2" : "#d55e00") + R"(" points=")" + points + "\"/>\n";
+  return std::string(R"(<polyline fill="none" stroke-width="2" stroke=")") + (upwards ? "#0072b2" : "#d55e00") +
+         R"(" points=")" + points + "\"/>\n";
 }
 
 std::string label(double x, double y, const char* anchor, const std::string& text) {
@@ -53,13 +51,11 @@ std::string label(double x, double y, const char* anchor, const std::string& tex
 }  // namespace
 
 std::string text_of(const Measurements& found) {
-  std::string text =
-      found.device + "\n" +
-      format("range                %g to %g deg\n", found.limits.min_deg, found.limits.max_deg) +
-      format("line there and back  %.1f ms\n", milliseconds(found.round_trip));
+  std::string text = found.device + "\n" +
+                     format("range                %g to %g deg\n", found.limits.min_deg, found.limits.max_deg) +
+                     format("line there and back  %.1f ms\n", milliseconds(found.round_trip));
   for (const Row& row : rows)
-    text += format("%-20s %.4g, give or take %.2g\n", row.name, (found.*row.value).value,
-                   (found.*row.value).deviation);
+    text += format("%-20s %.4g, give or take %.2g\n", row.name, (found.*row.value).value, (found.*row.value).deviation);
   return text + format("The controller plans with %.4g deg/s", plan_speed_deg_s(found)) +
          format(" and %.1f ms.\n", found.latency_ms.value + milliseconds(found.round_trip) / 2.0);
 }
@@ -72,8 +68,7 @@ std::string file_of(const Measurements& found, const std::string& device, const 
   file["description"] = found.device;
   file["details"] = found.details;
   file["round_trip_ms"] = milliseconds(found.round_trip);
-  for (const Row& row : rows)
-    file["measured"][row.name] = {(found.*row.value).value, (found.*row.value).deviation};
+  for (const Row& row : rows) file["measured"][row.name] = {(found.*row.value).value, (found.*row.value).deviation};
   file["max_error_deg"] = std::abs(found.error_deg.value) + 3.0 * found.error_deg.deviation + 0.5;
   const double latency_ms = found.latency_ms.value + milliseconds(found.round_trip) / 2.0;
   const bool has_stops = found.limits.max_deg - found.limits.min_deg >= 180.0;
@@ -104,8 +99,7 @@ std::string svg_of(const Measurements& found) {
   svg += label(60.0, 280.0, "start", format("%g", found.sweep.front().commanded_deg)) +
          label(580.0, 280.0, "end", format("%g", max_deg_of(found))) +
          label(320.0, 300.0, "middle", "commanded orientation, deg");
-  svg += label(60.0, 24.0, "start",
-               "reported less commanded orientation, deg: from below (blue), from above (red)");
+  svg += label(60.0, 24.0, "start", "reported less commanded orientation, deg: from below (blue), from above (red)");
   return svg + polyline(found, true, scale) + polyline(found, false, scale) + "</svg>\n";
 }
 

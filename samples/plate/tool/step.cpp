@@ -44,8 +44,7 @@ std::optional<Ramp> ramp_of(const Step& step) {
 // The log of the likelihood that the ramp began so, where the noise of its samples is not known: a motion
 // that accelerates evenly, and one that ends it at full speed. Neighbours that a filter has smoothed say the
 // same once more.
-double likelihood(const Step& step, const Ramp& ramp, double onset_s, double acceleration_deg_s2,
-                  double filter_s) {
+double likelihood(const Step& step, const Ramp& ramp, double onset_s, double acceleration_deg_s2, double filter_s) {
   const double full_s = ramp.speed_deg_s / acceleration_deg_s2;
   double n = 0.0, squares = 0.0, last_s = 0.0;
   for (const auto& [sample_s, part_deg] : step.samples) {

@@ -15,8 +15,8 @@ void load_profile(const Plugin& plugin, hrt_session session, const std::filesyst
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream || plugin.hrt_profile_load(session, text.data(), text.size()) != HRT_OK)
-    throw Failure(ExitCode::plugin, file.string() + " is not a profile" +
-                                        (stream ? std::string(": ") + plugin.hrt_last_error() : ""));
+    throw Failure(ExitCode::plugin,
+                  file.string() + " is not a profile" + (stream ? std::string(": ") + plugin.hrt_last_error() : ""));
 }
 
 void save_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file) {

@@ -22,8 +22,7 @@ void load(void* library, const char* name, Function& function) {
 // it stays loaded.
 Plugin::Plugin(const std::filesystem::path& library)
     : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
-  if (library_ == nullptr)
-    throw Failure(ExitCode::plugin, std::string("the plugin cannot be opened: ") + dlerror());
+  if (library_ == nullptr) throw Failure(ExitCode::plugin, std::string("the plugin cannot be opened: ") + dlerror());
   try {
 #define HRT_LOAD(name) load(library_, #name, this->name);
     HRT_REACH_PLUGIN_FUNCTIONS(HRT_LOAD)
@@ -32,9 +31,8 @@ Plugin::Plugin(const std::filesystem::path& library)
     hrt_get_version(&major, &minor, nullptr);
     // While the major version is 0, every minor version may change everything (base.h).
     if (major != HRT_VERSION_MAJOR || (major == 0 ? minor != HRT_VERSION_MINOR : minor < HRT_VERSION_MINOR))
-      throw Failure(ExitCode::plugin, "the plugin has version " + std::to_string(major) + "." +
-                                          std::to_string(minor) + ", and hrt-reach needs " +
-                                          std::to_string(HRT_VERSION_MAJOR) + "." +
+      throw Failure(ExitCode::plugin, "the plugin has version " + std::to_string(major) + "." + std::to_string(minor) +
+                                          ", and hrt-reach needs " + std::to_string(HRT_VERSION_MAJOR) + "." +
                                           std::to_string(HRT_VERSION_MINOR));
   } catch (...) {
     dlclose(library_);

@@ -18,8 +18,7 @@ constexpr auto say_limit = std::chrono::milliseconds(100);
 // where it never blocks: a file opened anew would be written from its start.
 int open_without_blocking() {
   struct stat status{};
-  if (fstat(STDERR_FILENO, &status) != 0 || S_ISREG(status.st_mode) || S_ISSOCK(status.st_mode))
-    return STDERR_FILENO;
+  if (fstat(STDERR_FILENO, &status) != 0 || S_ISREG(status.st_mode) || S_ISSOCK(status.st_mode)) return STDERR_FILENO;
   const int own = open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   return own >= 0 ? own : STDERR_FILENO;
 }

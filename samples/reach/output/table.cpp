@@ -67,8 +67,8 @@ Table::Table(const std::vector<TargetPair>& pairs)
 
 void Table::print_header(std::ostream& out) const {
   out << left("virtual", virtual_width_) << format(" %6s  ", "deg") << left("real", real_width_)
-      << format(" %6s  %9s %8s %8s %7s  %5s %7s %7s %7s %5s %6s\n", "deg", "final deg", "peak deg",
-                "miss deg", "miss mm", "touch", "assumed", "holds", "frames", "lost", "bound");
+      << format(" %6s  %9s %8s %8s %7s  %5s %7s %7s %7s %5s %6s\n", "deg", "final deg", "peak deg", "miss deg",
+                "miss mm", "touch", "assumed", "holds", "frames", "lost", "bound");
 }
 
 std::string Table::names(const TargetPair& pair) const {
@@ -87,11 +87,9 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
       << format("%+9.2f %8s %+8.2f %7.1f  %5s %7.3f %7s %7d %5d %5.0f%%  %s", result.final_direction_deg,
                 result.peak_felt_error_deg > 0.0 ? format("%.1f", result.peak_felt_error_deg).c_str() : "-",
                 result.miss_deg, result.miss_m * 1e3,
-                result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-",
-                result.summary.tactile_weight,
-                result.is_truth ? format("%.1f", result.holdable_gap_deg).c_str() : "-", result.frames,
-                result.dropouts, result.saturated_share * 100.0,
-                is_reached(pair, result) ? "reached" : "missed");
+                result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-", result.summary.tactile_weight,
+                result.is_truth ? format("%.1f", result.holdable_gap_deg).c_str() : "-", result.frames, result.dropouts,
+                result.saturated_share * 100.0, is_reached(pair, result) ? "reached" : "missed");
   if (result.changed_hands) out << " (hands changed)";
   if (!result.can_be_held) out << " (flag: cannot be held)";
   if (result.summary.flags & HRT_COMMAND_OFF_TARGET) out << " (flag: off target)";
@@ -119,10 +117,8 @@ void Tally::add(const TargetPair& pair, const ReachResult& result) {
 
 void print_summary(std::ostream& out, const Tally& tally) {
   out << format("%d of %d targets that can be held were reached; %d of %d reaches ended within %.1f deg",
-                tally.holdable_reached, tally.holdable, tally.holdable_within_tolerance, tally.holdable,
-                tolerance_deg);
-  if (tally.holdable < tally.reaches)
-    out << format("; %d more cannot be held", tally.reaches - tally.holdable);
+                tally.holdable_reached, tally.holdable, tally.holdable_within_tolerance, tally.holdable, tolerance_deg);
+  if (tally.holdable < tally.reaches) out << format("; %d more cannot be held", tally.reaches - tally.holdable);
   if (tally.unfinished > 0) out << format("; %d more did not begin or end in time", tally.unfinished);
   if (tally.skipped > 0) out << format("; %d more were skipped", tally.skipped);
   out << ".\n";

@@ -42,8 +42,8 @@ struct Tally {
   int holdable = 0;                   ///< of these, the ones whose gap the plate can hold
   int holdable_reached = 0;           ///< of these, the ones that were reached
   int holdable_within_tolerance = 0;  ///< of the holdable ones
-  int unfinished = 0;  ///< not among the reaches: without a finger at the start, or without an end
-  int skipped = 0;     ///< not among the reaches, by the person's wish
+  int unfinished = 0;                 ///< not among the reaches: without a finger at the start, or without an end
+  int skipped = 0;                    ///< not among the reaches, by the person's wish
 
   void add(const TargetPair& pair, const ReachResult& result);
 };

@@ -52,8 +52,7 @@ void Prompt::speak(const std::string& text) {
   const std::optional<std::string> failure = speech_->take_failure();
   if (!failure || std::exchange(failure_reported_, true)) return;
   before_print_(*failure);
-  std::cerr << "hrt-reach: the speech program failed: " << *failure
-            << "; texts are printed only where it fails\n";
+  std::cerr << "hrt-reach: the speech program failed: " << *failure << "; texts are printed only where it fails\n";
 }
 
 void Prompt::hint(const std::string& text) {

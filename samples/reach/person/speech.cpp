@@ -85,10 +85,9 @@ int spawn(std::vector<std::string> words, const std::string& line, pid_t& child)
 
 Speech::Speech(const std::string& command) : words_(words_of(command)) {
   if (words_.empty() || !is_program(words_[0]))
-    throw Failure(ExitCode::usage,
-                  "\"" + (words_.empty() ? command : words_[0]) +
-                      "\", which is to speak, is not a program that can be run here; install "
-                      "espeak-ng, or name another one with --speak-with");
+    throw Failure(ExitCode::usage, "\"" + (words_.empty() ? command : words_[0]) +
+                                       "\", which is to speak, is not a program that can be run here; install "
+                                       "espeak-ng, or name another one with --speak-with");
   thread_ = std::thread([this] { speak(); });
 }
 

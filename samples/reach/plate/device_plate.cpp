@@ -14,8 +14,7 @@ DevicePlate::DevicePlate(const std::string& device) : device_(device) {
       .struct_size = sizeof options, .homing = HRT_PLATE_HOMING_SLOW, .host_timeout_ns = 300'000'000};
   const hrt_result opened = hrt_plate_open(device.c_str(), &options, &plate_);
   if (opened != HRT_OK)
-    throw Failure(opened == HRT_ERROR_OUT_OF_RANGE ? ExitCode::usage : ExitCode::plate,
-                  hrt_plate_last_error());
+    throw Failure(opened == HRT_ERROR_OUT_OF_RANGE ? ExitCode::usage : ExitCode::plate, hrt_plate_last_error());
   report_.struct_size = sizeof report_;
   try {
     for (service(0); report_.state == HRT_PLATE_STATE_OPENING; service(0))
@@ -67,8 +66,7 @@ std::string DevicePlate::description() const {
   if ((report_.flags & HRT_PLATE_REPORT_ROUND_TRIP) != 0)
     text += format(", line there and back %.1f ms", static_cast<double>(report_.round_trip_ns) * 1e-6) +
             format(", latency %.1f ms", static_cast<double>(report_.latency_ns) * 1e-6) +
-            ((report_.flags & HRT_PLATE_REPORT_MEASURED) != 0 ? ", orientation measured"
-                                                              : ", orientation assumed");
+            ((report_.flags & HRT_PLATE_REPORT_MEASURED) != 0 ? ", orientation measured" : ", orientation assumed");
   return text + ".";
 }
 

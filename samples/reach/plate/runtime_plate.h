@@ -18,9 +18,7 @@ class RuntimePlate : public Plate {
     const double from_deg = simulation_.plate_orientation_deg(time);
     simulation_.set_plate_orientation(orientation_within(-360.0, 360.0, orientation_deg, from_deg));
   }
-  std::optional<double> orientation_deg(XrTime time) override {
-    return simulation_.plate_orientation_deg(time);
-  }
+  std::optional<double> orientation_deg(XrTime time) override { return simulation_.plate_orientation_deg(time); }
   void stop(XrTime time) override {
     if (is_runtime_blocked()) return;
     simulation_.set_plate_orientation(simulation_.plate_orientation_deg(time));

@@ -33,8 +33,7 @@ class SimulatedServo : public Plate {
  private:
   void turn_until(XrTime time) {
     if (time <= time_) return;
-    const double max_deg =
-        time_ == 0 ? 0.0 : report_.max_speed_deg_s * static_cast<double>(time - time_) * 1e-9;
+    const double max_deg = time_ == 0 ? 0.0 : report_.max_speed_deg_s * static_cast<double>(time - time_) * 1e-9;
     orientation_deg_ += std::clamp(goal_deg_ - orientation_deg_, -max_deg, max_deg);
     time_ = time;
   }

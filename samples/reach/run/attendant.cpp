@@ -8,8 +8,7 @@ namespace hrt::reach {
 void Attendant::attend(XrTime time) {
   if (stage_.session.recentrings() != recentrings_) {
     recentrings_ = stage_.session.recentrings();
-    prompt_.say(
-        "The runtime moved its space, as when the view is recentred. The plate keeps its place in the room.");
+    prompt_.say("The runtime moved its space, as when the view is recentred. The plate keeps its place in the room.");
   }
   while (const std::optional<char> key = prompt_.key()) obey(*key, time);
 }

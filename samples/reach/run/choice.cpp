@@ -14,8 +14,7 @@ namespace {
 // What is not printable ASCII becomes '?': the plugin refuses text that is not UTF-8.
 void copy_name(const std::string& name, char (&out)[HRT_NAME_SIZE]) {
   std::memset(out, 0, sizeof out);
-  std::transform(name.begin(),
-                 name.begin() + static_cast<std::ptrdiff_t>(std::min(name.size(), sizeof out - 1)), out,
+  std::transform(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(std::min(name.size(), sizeof out - 1)), out,
                  [](char c) { return c >= ' ' && c <= '~' ? c : '?'; });
 }
 
@@ -63,8 +62,7 @@ void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report
   if (plate_of(config) != plate_of(before)) plugin.check(plugin.hrt_session_set(session, &config));
 }
 
-void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate,
-                     const std::string& tracker) {
+void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate, const std::string& tracker) {
   hrt_conditions now{.struct_size = sizeof now};
   now.time_s = std::time(nullptr);
   copy_name(plate.name, now.plate);

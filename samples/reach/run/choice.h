@@ -20,7 +20,6 @@ void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report
 
 /// Names the plate and the tracker of now to the plugin; warns on standard error if the session's profile was
 /// measured with others.
-void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate,
-                     const std::string& tracker);
+void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate, const std::string& tracker);
 
 }  // namespace hrt::reach

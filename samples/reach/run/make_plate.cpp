@@ -27,8 +27,8 @@ void require_real_time(XrHeadlessSession& session, const std::string& runtime_na
                                      "; the mock runtime takes the script {\"clock\": \"real-time\"}");
 }
 
-std::unique_ptr<Plate> make_chosen(const PlateChoice& choice, Simulation* simulation,
-                                   XrHeadlessSession& session, const std::string& runtime_name) {
+std::unique_ptr<Plate> make_chosen(const PlateChoice& choice, Simulation* simulation, XrHeadlessSession& session,
+                                   const std::string& runtime_name) {
   switch (choice.kind) {
     case PlateChoice::Kind::servo:
       return std::make_unique<SimulatedServo>(choice.servo_speed_deg_per_s);
@@ -46,8 +46,8 @@ std::unique_ptr<Plate> make_chosen(const PlateChoice& choice, Simulation* simula
 
 }  // namespace
 
-std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation,
-                                  XrHeadlessSession& session, const std::string& runtime_name) {
+std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation, XrHeadlessSession& session,
+                                  const std::string& runtime_name) {
   std::unique_ptr<Plate> plate = make_chosen(choice, simulation, session, runtime_name);
   if (simulation == nullptr || choice.kind == PlateChoice::Kind::runtime) return plate;
   return std::make_unique<FollowedPlate>(std::move(plate), *simulation);

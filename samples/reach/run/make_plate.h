@@ -12,7 +12,7 @@ namespace hrt::reach {
 
 /// A simulated user feels it (`simulation`; null: a person). Throws Failure (ExitCode::plate) if there is
 /// none, or if the runtime's clock does not suit a device.
-std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation,
-                                  XrHeadlessSession& session, const std::string& runtime_name);
+std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation, XrHeadlessSession& session,
+                                  const std::string& runtime_name);
 
 }  // namespace hrt::reach

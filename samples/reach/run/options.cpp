@@ -55,8 +55,7 @@ struct Words {
 
 void add_reaches(CLI::App& app, Options& options, Words& words) {
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
-  app.add_option("--plugin", options.plugin,
-                 "Library to open [../lib/libhaptic_retargeting.so, or the system's]");
+  app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so, or the system's]");
   app.add_option("--target", options.targets, "Reach for this virtual target; may be given again [all]");
   app.add_option("--repeat", options.repeat, "Number of rounds through the targets [1]")
       ->check(CLI::Range(1, 1'000'000));
@@ -69,11 +68,10 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
           "a whole number from 0"));
   app.add_option("--hand", words.hand, "left, right, or either: the first at the start [right]")
       ->check(CLI::IsMember({"left", "right", "either"}));
-  app.add_option(
-         "--plate", words.plate,
-         "What turns the plate: runtime (the one that a runtime simulates), servo[:SPEED] (one that this\n"
-         "program simulates, degrees a second, [400]), serial:LINE, dynamixel:LINE or\n"
-         "plate.json, as hrt_plate_open() of haptic_retargeting/plate.h takes them [runtime]")
+  app.add_option("--plate", words.plate,
+                 "What turns the plate: runtime (the one that a runtime simulates), servo[:SPEED] (one that this\n"
+                 "program simulates, degrees a second, [400]), serial:LINE, dynamixel:LINE or\n"
+                 "plate.json, as hrt_plate_open() of haptic_retargeting/plate.h takes them [runtime]")
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
             if (parse_plate(text)) return "";
@@ -82,8 +80,7 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
                    "file *.json";
           },
           "PLATE"));
-  app.add_option("--time-limit", options.time_limit_s,
-                 "Longest reach, and longest wait for its start, seconds [30]")
+  app.add_option("--time-limit", options.time_limit_s, "Longest reach, and longest wait for its start, seconds [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option("--runtime-limit", words.runtime_limit_s,
                  "Longest call into the runtime, and longest wait for it, seconds [10]")
@@ -91,10 +88,9 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
 }
 
 void add_controller(CLI::App& app, Options& options, Words& words) {
-  app.add_option(
-         "--controller", words.controller,
-         "people: learns how the user feels and moves, and aims at the target's place at arrival; or paper:\n"
-         "takes the share of touch as known and aims in a fixed direction [people]")
+  app.add_option("--controller", words.controller,
+                 "people: learns how the user feels and moves, and aims at the target's place at arrival; or paper:\n"
+                 "takes the share of touch as known and aims in a fixed direction [people]")
       ->check(CLI::IsMember({"people", "paper"}));
   app.add_option("--tactile-weight", options.tactile_weight,
                  "Share of touch that the controller assumes, at first [people: 0.2, paper: 0.15]")
@@ -120,10 +116,9 @@ void add_place(CLI::App& app, Options& options) {
   app.add_option("--marks", options.marks,
                  "CSV file of the marks to touch: name,x_m,y_m,z_m [the scene's start and five on the rim]")
       ->needs(anew);
-  app.add_option(
-         "--eye-height", options.eye_height_m,
-         "How high the eyes are above the floor, metres, for a runtime that knows no floor, whose LOCAL\n"
-         "space begins at the eyes [asked on the terminal]")
+  app.add_option("--eye-height", options.eye_height_m,
+                 "How high the eyes are above the floor, metres, for a runtime that knows no floor, whose LOCAL\n"
+                 "space begins at the eyes [asked on the terminal]")
       ->check(between(0.3, 2.5, "a number from 0.3 to 2.5"));
 }
 
@@ -131,18 +126,15 @@ void add_files(CLI::App& app, Options& options) {
   app.add_option("--record", options.record, "Record the plugin's inputs and outputs into this CSV file");
   app.add_option("--profile", options.profile, "Start from this user's profile, which --calibrate wrote")
       ->check(CLI::ExistingFile);
-  app.add_option(
-         "--calibrate", options.calibrate,
-         "Guide the user through slides that show how they feel the ridges, in place of reaches, and\n"
-         "write their profile into this file")
+  app.add_option("--calibrate", options.calibrate,
+                 "Guide the user through slides that show how they feel the ridges, in place of reaches, and\n"
+                 "write their profile into this file")
       ->excludes("--target", "--repeat", "--profile", "--tactile-weight");
-  app.add_option("--max-slides", options.max_slides, "Most slides of a calibration [40]")
-      ->check(CLI::Range(16, 200));
+  app.add_option("--max-slides", options.max_slides, "Most slides of a calibration [40]")->check(CLI::Range(16, 200));
 }
 
 void add_person(CLI::App& app, Options& options, Words& words) {
-  app.add_flag("--person", options.person,
-               "Instruct a person on the terminal, even if the runtime simulates a user");
+  app.add_flag("--person", options.person, "Instruct a person on the terminal, even if the runtime simulates a user");
   CLI::Option* aloud = app.add_flag("--speak", words.speak, "Speak what a person is asked, with espeak-ng");
   app.add_option("--speak-with", options.speak_with,
                  "Speak with this program: its name and arguments, separated by spaces; each text is a line\n"

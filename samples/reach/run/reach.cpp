@@ -106,19 +106,17 @@ class FingerInUse {
 // the number of moments.
 std::size_t lifted_at(const Stage& stage, const std::vector<Moment>& moments) {
   std::size_t first = moments.size();
-  while (first > 0 && moments[first - 1].tracked && moments[first - 1].position_m[1] > lifted_height_m)
-    --first;
+  while (first > 0 && moments[first - 1].tracked && moments[first - 1].position_m[1] > lifted_height_m) --first;
   if (first == 0 || first == moments.size() || moments.back().time - moments[first].time < lift_ns)
     return moments.size();
-  const bool has_slid =
-      distance_along_plate_m(moments[first - 1].position_m, stage.targets.start_m) > start_radius_m;
+  const bool has_slid = distance_along_plate_m(moments[first - 1].position_m, stage.targets.start_m) > start_radius_m;
   return has_slid ? first : moments.size();
 }
 
 // A simulated person has moved, and rested for settle_ns; a person's finger touches the real target, rests,
 // as the plugin reports, or is lifted.
-bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& finger,
-                 std::vector<Moment>& moments, std::optional<XrTime>& done_since) {
+bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& finger, std::vector<Moment>& moments,
+                 std::optional<XrTime>& done_since) {
   if (stage.simulation != nullptr) {
     if (!stage.simulation->truth(finger.hand()).done) return false;
     if (!done_since) done_since = moments.back().time;
@@ -129,8 +127,8 @@ bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& 
     return true;
   }
   const Moment& last = moments.back();
-  return last.arrived || (last.tracked && distance_along_plate_m(last.position_m, pair.real_position_m) <=
-                                              pair.real_radius_m);
+  return last.arrived ||
+         (last.tracked && distance_along_plate_m(last.position_m, pair.real_position_m) <= pair.real_radius_m);
 }
 
 // What the plugin is given: a lifted finger does not slide.
@@ -146,8 +144,8 @@ std::string request_for(const Stage& stage, const TargetPair& pair) {
     way = format("%.0f degrees to the %s of straight ahead", std::abs(direction_deg),
                  direction_deg > 0.0 ? "left" : "right");
   return "Put your index finger on the start. Then slide it to \"" + pair.virtual_name + "\", " +
-         format("%.0f mm, ", 1e3 * distance_along_plate_m(pair.virtual_position_m, stage.targets.start_m)) +
-         way + ", and rest there.";
+         format("%.0f mm, ", 1e3 * distance_along_plate_m(pair.virtual_position_m, stage.targets.start_m)) + way +
+         ", and rest there.";
 }
 
 ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, const hrt_reach_summary& summary,
@@ -175,8 +173,8 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
   result.dropouts = static_cast<int>(
       std::count_if(moments.begin(), moments.end(), [](const Moment& moment) { return !moment.tracked; }));
   if (summary.steps > 0)
-    result.saturated_share = static_cast<double>(summary.saturated_steps + summary.rate_limited_steps) /
-                             static_cast<double>(summary.steps);
+    result.saturated_share =
+        static_cast<double>(summary.saturated_steps + summary.rate_limited_steps) / static_cast<double>(summary.steps);
   return result;
 }
 
@@ -186,8 +184,7 @@ void take_contact(Stage& stage, const TargetPair& pair, const ReachResult& resul
   const bool registered = (config_of(stage).flags & HRT_SESSION_REGISTERED) != 0;
   if (!registered || result.miss_m > pair.real_radius_m) return;
   const hrt_session session = stage.targets.session;
-  if (stage.plugin.hrt_reach_touched(session, nullptr) != HRT_OK)
-    stage.tell_user(stage.plugin.hrt_last_error());
+  if (stage.plugin.hrt_reach_touched(session, nullptr) != HRT_OK) stage.tell_user(stage.plugin.hrt_last_error());
 }
 
 }  // namespace
@@ -212,8 +209,7 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
        time = next_frame(stage)) {
     if (time - began > stage.time_limit_ns)
       throw Failure(ExitCode::no_hand, "the reach to \"" + pair.virtual_name + "\" did not end " +
-                                           within_s(stage.time_limit_ns) + ". " +
-                                           sightings.why_not_ended(stage, pair));
+                                           within_s(stage.time_limit_ns) + ". " + sightings.why_not_ended(stage, pair));
     const Fingertip tip = finger.locate(time);
     sightings.see(finger.hand(), tip);
     const std::optional<double> measured_deg = stage.plate.orientation_deg(time);
@@ -232,8 +228,7 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
                   .saturated = (command.flags & (HRT_COMMAND_SATURATED | HRT_COMMAND_RATE_LIMITED)) != 0,
                   .arrived = (command.flags & HRT_COMMAND_ARRIVED) != 0,
                   .can_be_held = (command.flags & HRT_COMMAND_UNREACHABLE) == 0};
-    if (stage.simulation != nullptr)
-      moment.felt_direction_deg = stage.simulation->truth(first).perceived_direction_deg;
+    if (stage.simulation != nullptr) moment.felt_direction_deg = stage.simulation->truth(first).perceived_direction_deg;
     moments.push_back(moment);
     stage.on_frame(pair, moment);
   }

@@ -13,10 +13,10 @@ struct ReachResult {
   double miss_m;               ///< from where the fingertip ended to the real target's place, along the plate
   bool is_truth;               ///< the fields above and the next two are the simulation's truth
   double tactile_weight;       ///< share of touch in the felt direction; 0 if unknown
-  double holdable_gap_deg;    ///< largest one, to the real target's side, that a plate can hold; 0 if unknown
-  bool can_be_held;           ///< as the controller reports (HRT_COMMAND_UNREACHABLE)
-  hrt_reach_summary summary;  ///< the plugin's
-  bool changed_hands;         ///< within the reach, so that two fingers made it
+  double holdable_gap_deg;     ///< largest one, to the real target's side, that a plate can hold; 0 if unknown
+  bool can_be_held;            ///< as the controller reports (HRT_COMMAND_UNREACHABLE)
+  hrt_reach_summary summary;   ///< the plugin's
+  bool changed_hands;          ///< within the reach, so that two fingers made it
   int frames;
   int dropouts;            ///< frames without a tracked fingertip
   double saturated_share;  ///< of the controller's steps, those held by the plate's bound or rate

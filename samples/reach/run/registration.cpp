@@ -75,8 +75,7 @@ void take_numbers(const std::vector<Numbers>& all, const Json& json) {
   for (const auto& [name, values] : all) {
     const auto numbers = json.at(name).get<std::vector<double>>();
     if (numbers.size() != values.size())
-      throw std::invalid_argument(std::string(name) + " must have " + std::to_string(values.size()) +
-                                  " numbers");
+      throw std::invalid_argument(std::string(name) + " must have " + std::to_string(values.size()) + " numbers");
     std::copy(numbers.begin(), numbers.end(), values.begin());
   }
 }
@@ -106,8 +105,7 @@ RegisteredPlate plate_of(const Json& json) {
 RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertip) {
   RegisteredPlate plate{.space = stage.session.steady_space(), .check = marks.front()};
   stage.session.place_plate(plate.space, world);
-  const hrt_setup_result found =
-      touch(stage, HRT_SETUP_REGISTRATION | (fingertip ? HRT_SETUP_FINGERTIP : 0), marks);
+  const hrt_setup_result found = touch(stage, HRT_SETUP_REGISTRATION | (fingertip ? HRT_SETUP_FINGERTIP : 0), marks);
   const hrt_session_config config = config_of(stage);
   std::copy(std::begin(config.plate_position_m), std::end(config.plate_position_m), plate.position_m);
   std::copy(std::begin(config.plate_rotation), std::end(config.plate_rotation), plate.rotation);
@@ -116,9 +114,8 @@ RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool f
     const double(&o)[3] = config.fingertip_offset_m;
     plate.hand = stage.hands.front();
     plate.skin_m = {o[0], o[1], o[2]};
-    stage.tell_user(
-        format("The skin is %.1f mm from the joint, ", millimetres * std::hypot(o[0], o[1], o[2])) +
-        format("known to %.1f mm.", millimetres * found.fingertip_sd_m));
+    stage.tell_user(format("The skin is %.1f mm from the joint, ", millimetres * std::hypot(o[0], o[1], o[2])) +
+                    format("known to %.1f mm.", millimetres * found.fingertip_sd_m));
   }
   stage.tell_user(format("The plate is registered: residual %.1f mm, its turn known to %.2f degrees.",
                          millimetres * found.registration_residual_m, found.registration_turn_sd_deg));
@@ -139,9 +136,8 @@ void check_plate(Stage& stage, const RegisteredPlate& plate) {
     throw Failure(
         ExitCode::registration,
         "the mark \"" + plate.check.name +
-            format(
-                "\" was touched %.0f mm from where it was registered: register the plate anew (--register)",
-                millimetres * found.check_distance_m));
+            format("\" was touched %.0f mm from where it was registered: register the plate anew (--register)",
+                   millimetres * found.check_distance_m));
   stage.tell_user(format("It is: the touch was %.0f mm off.", millimetres * found.check_distance_m));
   place_plate(stage, plate);
 }

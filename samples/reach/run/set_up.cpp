@@ -57,8 +57,7 @@ void SetUp::count_failure(const hrt_setup_step& step) {
   if ((step.part & world_parts) != 0 && asked_.instruction == HRT_STEP_FINISH && ++refused_ == max_refused)
     throw Failure(ExitCode::registration, format("three times: %s", step.text));
   if (step.instruction == HRT_STEP_WAIT && ++failed_ > failures_allowed)
-    throw Failure(ExitCode::no_hand,
-                  format("%d slides in a row did not count; the last one: %s", failed_, step.text));
+    throw Failure(ExitCode::no_hand, format("%d slides in a row did not count; the last one: %s", failed_, step.text));
 }
 
 void SetUp::ask(Stage& stage, const hrt_setup_step& step) {
@@ -118,10 +117,9 @@ void SetUp::lead(Stage& stage, XrTime* now, std::ostream* slides) {
     if (step.instruction == HRT_STEP_REST_AT_START && stage.hint && *now - asked_at_ > settle_ns)
       stage.hint(sightings_->where(stage));
     if (*now - asked_at_ > stage.time_limit_ns)
-      throw Failure(ExitCode::no_hand,
-                    "it was not done " + within_s(stage.time_limit_ns) + ": " + request_ + " " +
-                        ((step.part & world_parts) != 0 ? sightings_->why_no_touch(stage)
-                                                        : sightings_->why_not_begun(stage)));
+      throw Failure(ExitCode::no_hand, "it was not done " + within_s(stage.time_limit_ns) + ": " + request_ + " " +
+                                           ((step.part & world_parts) != 0 ? sightings_->why_no_touch(stage)
+                                                                           : sightings_->why_not_begun(stage)));
   }
 }
 

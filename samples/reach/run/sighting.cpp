@@ -46,8 +46,8 @@ std::string Sightings::not_tracked(const Stage& stage) const {
   const Hand other = hand == Hand::left ? Hand::right : Hand::left;
   if (stage.hands.size() > 1) return "No hand was tracked. Hold one where the headset's cameras see it.";
   if (of(other).tracked > 0)
-    return format("The %s hand was not tracked, but the %s one was. Use the %s one, or --hand %s.",
-                  name_of(hand), name_of(other), name_of(hand), name_of(other));
+    return format("The %s hand was not tracked, but the %s one was. Use the %s one, or --hand %s.", name_of(hand),
+                  name_of(other), name_of(hand), name_of(other));
   return format("The %s hand was not tracked. Hold it where the headset's cameras see it.", name_of(hand));
 }
 
@@ -57,8 +57,7 @@ std::string Sightings::place_in_words(const Stage& stage, const Point& tip_m) co
   const double nearer_m = tip_m[2] - start_m_[2];
   const double above_m = tip_m[1] - tip_height_m;
   const bool is_beside = std::abs(right_m) >= named_m;
-  std::string text =
-      is_beside ? mm(std::abs(right_m)) + (right_m > 0.0 ? " right" : " left") + " of the start" : "";
+  std::string text = is_beside ? mm(std::abs(right_m)) + (right_m > 0.0 ? " right" : " left") + " of the start" : "";
   if (std::abs(nearer_m) >= named_m)
     text += (is_beside ? " and " : "") + mm(std::abs(nearer_m)) +
             (nearer_m > 0.0 ? " nearer to you than " : " beyond ") + (is_beside ? "it" : "the start");
@@ -82,27 +81,23 @@ std::string Sightings::why_not_begun(const Stage& stage) const {
   const Hand hand = best_of(stage);
   const Seen& seen = of(hand);
   if (seen.tracked == 0) return not_tracked(stage);
-  std::string text = tracked_in_words(hand) + "; its index finger was last " +
-                     place_in_words(stage, seen.last_m) + "; at best it was " + mm(seen.nearest_m) +
-                     " from the start. ";
+  std::string text = tracked_in_words(hand) + "; its index finger was last " + place_in_words(stage, seen.last_m) +
+                     "; at best it was " + mm(seen.nearest_m) + " from the start. ";
   if (4 * seen.tracked < seen.frames) return text + "Hold the hand where the headset's cameras see it.";
   if (seen.nearest_m > far_m)
     return text +
            "If the finger was at the plate, the plate is elsewhere than assumed: register it (--register "
            "FILE).";
-  if (seen.nearest_m > start_radius_m)
-    return text + "Put the finger within " + mm(start_radius_m) + " of the start.";
-  return text +
-         "Lay the finger on the start and let it rest; if it did, register the plate (--register FILE).";
+  if (seen.nearest_m > start_radius_m) return text + "Put the finger within " + mm(start_radius_m) + " of the start.";
+  return text + "Lay the finger on the start and let it rest; if it did, register the plate (--register FILE).";
 }
 
 std::string Sightings::why_not_ended(const Stage& stage, const TargetPair& pair) const {
   const Hand hand = best_of(stage);
   const Seen& seen = of(hand);
   if (seen.tracked == 0) return not_tracked(stage);
-  std::string text = tracked_in_words(hand) + "; its index finger was last " +
-                     place_in_words(stage, seen.last_m) + ", " +
-                     mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target. ";
+  std::string text = tracked_in_words(hand) + "; its index finger was last " + place_in_words(stage, seen.last_m) +
+                     ", " + mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target. ";
   if (!seen.tracked_now) return text + "Keep the hand where the headset's cameras see it.";
   if (seen.farthest_m <= start_radius_m) return text + "It stayed at the start: slide it to the target.";
   return text +
@@ -140,8 +135,8 @@ Hand await_finger_at_start(Stage& stage) {
     }
     if (stage.hint && time - began > settle_ns) stage.hint(sightings.where(stage));
   }
-  throw Failure(ExitCode::no_hand, "no index finger came to the start " + within_s(stage.time_limit_ns) +
-                                       ". " + sightings.why_not_begun(stage));
+  throw Failure(ExitCode::no_hand, "no index finger came to the start " + within_s(stage.time_limit_ns) + ". " +
+                                       sightings.why_not_begun(stage));
 }
 
 }  // namespace hrt::reach

@@ -8,9 +8,7 @@
 
 namespace hrt::reach {
 
-std::string within_s(XrDuration limit_ns) {
-  return format("within %g s", static_cast<double>(limit_ns) * 1e-9);
-}
+std::string within_s(XrDuration limit_ns) { return format("within %g s", static_cast<double>(limit_ns) * 1e-9); }
 
 double distance_along_plate_m(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[2] - b[2]); }
 

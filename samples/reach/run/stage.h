@@ -37,8 +37,8 @@ struct Stage {
   XrHeadlessSession& session;
   Simulation* simulation;  ///< null: a person, instructed on the terminal
   Plate& plate;
-  std::vector<Hand> hands;   ///< any of which may reach
-  XrDuration time_limit_ns;  ///< for coming to the start, and for the reach
+  std::vector<Hand> hands;                                         ///< any of which may reach
+  XrDuration time_limit_ns;                                        ///< for coming to the start, and for the reach
   std::function<void(const TargetPair&, const Moment&)> on_frame;  ///< of a reach
   std::function<void(const std::string&)> tell_user;
   /// Help while something is awaited; may be left unsaid.

@@ -18,7 +18,7 @@ struct ScenePlace {
 /// The scene's heights are above the floor. In a runtime without a floor they need the height of the eyes, at
 /// which its LOCAL space begins: `eye_height_m`, or else the person's answer on the terminal. Throws Failure
 /// (ExitCode::usage) without either.
-ScenePlace place_of(const TargetSet& targets, const XrHeadlessSession& session,
-                    std::optional<double> eye_height_m, Prompt& prompt);
+ScenePlace place_of(const TargetSet& targets, const XrHeadlessSession& session, std::optional<double> eye_height_m,
+                    Prompt& prompt);
 
 }  // namespace hrt::reach

@@ -42,8 +42,7 @@ XrPosef to_xr(const double (&position_m)[3], const double (&rotation)[4]);
 
 /// Loads the scene and makes the session from `config`, in which the scene sets the start and the plate.
 /// Throws Failure: ExitCode::scene, ExitCode::plugin.
-TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_file,
-                       const hrt_session_config& config);
+TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_file, const hrt_session_config& config);
 
 struct Mark {
   std::string name;                  ///< as a person knows it

@@ -37,8 +37,7 @@ XrResult check_xr(XrResult result, const char* expression, const char* file, int
 #define CHECK_XR(command) ::hrt::reach::check_xr(CALL_XR(command), #command, __FILE__, __LINE__)
 
 /// For a function of an extension, called through a pointer: `name` is its name in the API.
-#define CHECK_XR_NAMED(name, command) \
-  ::hrt::reach::check_xr(CALL_XR_NAMED(name, command), name, __FILE__, __LINE__)
+#define CHECK_XR_NAMED(name, command) ::hrt::reach::check_xr(CALL_XR_NAMED(name, command), name, __FILE__, __LINE__)
 
 /// For the result of a call that has been made (CALL_XR).
 #define CHECK_XR_RESULT(name, result) ::hrt::reach::check_xr((result), name, __FILE__, __LINE__)

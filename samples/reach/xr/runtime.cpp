@@ -92,26 +92,24 @@ void XrRuntime::create_instance(const std::vector<std::string>& optional_extensi
 void XrRuntime::find_system() {
   XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
   CHECK_XR(xrGetInstanceProperties(instance_, &properties));
-  name_ = std::string(properties.runtimeName) + " " +
-          std::to_string(XR_VERSION_MAJOR(properties.runtimeVersion)) + "." +
-          std::to_string(XR_VERSION_MINOR(properties.runtimeVersion)) + "." +
+  name_ = std::string(properties.runtimeName) + " " + std::to_string(XR_VERSION_MAJOR(properties.runtimeVersion)) +
+          "." + std::to_string(XR_VERSION_MINOR(properties.runtimeVersion)) + "." +
           std::to_string(XR_VERSION_PATCH(properties.runtimeVersion));
 
   XrSystemGetInfo get_info{XR_TYPE_SYSTEM_GET_INFO};
   get_info.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
   const XrResult result = CALL_XR(xrGetSystem(instance_, &get_info, &system_));
   if (result == XR_ERROR_FORM_FACTOR_UNAVAILABLE || result == XR_ERROR_FORM_FACTOR_UNSUPPORTED)
-    throw Failure(ExitCode::runtime_lacks, "the OpenXR runtime " + name_ +
-                                               " has no head-mounted display to track hands with (" +
-                                               to_string(result) + ")");
+    throw Failure(
+        ExitCode::runtime_lacks,
+        "the OpenXR runtime " + name_ + " has no head-mounted display to track hands with (" + to_string(result) + ")");
   CHECK_XR_RESULT("xrGetSystem", result);
 
   XrSystemHandTrackingPropertiesEXT hand_tracking{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
   XrSystemProperties system_properties{XR_TYPE_SYSTEM_PROPERTIES, &hand_tracking};
   CHECK_XR(xrGetSystemProperties(instance_, system_, &system_properties));
   if (hand_tracking.supportsHandTracking != XR_TRUE)
-    throw Failure(ExitCode::runtime_lacks,
-                  "the OpenXR runtime " + name_ + " has no hand tracking on this system");
+    throw Failure(ExitCode::runtime_lacks, "the OpenXR runtime " + name_ + " has no hand tracking on this system");
 }
 
 }  // namespace hrt::reach

@@ -27,8 +27,7 @@ std::string within(std::chrono::milliseconds limit) {
 }
 
 bool can_be_observed(const XrHandJointLocationEXT& joint) {
-  constexpr XrSpaceLocationFlags needed =
-      XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  constexpr XrSpaceLocationFlags needed = XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   const XrVector3f& position = joint.pose.position;
   return (joint.locationFlags & needed) == needed && std::isfinite(position.x) && std::isfinite(position.y) &&
          std::isfinite(position.z);
@@ -58,8 +57,7 @@ void XrHeadlessSession::create() {
   destroy_hand_tracker_ = runtime_.function<PFN_xrDestroyHandTrackerEXT>("xrDestroyHandTrackerEXT");
   locate_hand_joints_ = runtime_.function<PFN_xrLocateHandJointsEXT>("xrLocateHandJointsEXT");
   if (runtime_.enabled(XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME))
-    convert_timespec_ =
-        runtime_.function<PFN_xrConvertTimespecTimeToTimeKHR>("xrConvertTimespecTimeToTimeKHR");
+    convert_timespec_ = runtime_.function<PFN_xrConvertTimespecTimeToTimeKHR>("xrConvertTimespecTimeToTimeKHR");
 
   // No graphics binding: a headless session (XR_MND_headless).
   XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO};
@@ -135,11 +133,10 @@ void XrHeadlessSession::follow_spaces(XrTime time) {
   const SpaceMotion::Change change = motion_.advance(plate_base_, time);
   if (change == SpaceMotion::Change::none) return;
   if (change == SpaceMotion::Change::unknown)
-    throw Failure(
-        ExitCode::registration,
-        std::string("the OpenXR runtime moved its ") + name_of(plate_base_) +
-            " space, as when its user recentres the view, and did not report where to: where the plate is "
-            "is no longer known; start again, and register it (--register FILE)");
+    throw Failure(ExitCode::registration,
+                  std::string("the OpenXR runtime moved its ") + name_of(plate_base_) +
+                      " space, as when its user recentres the view, and did not report where to: where the plate is "
+                      "is no longer known; start again, and register it (--register FILE)");
   make_plate_space();
   ++recentrings_;
 }
@@ -271,8 +268,7 @@ Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
   const auto d = [](float value) { return static_cast<double>(value); };
   const XrVector3f& position = tip.pose.position;
   const XrQuaternionf& turn = tip.pose.orientation;
-  Fingertip seen{
-      .tracked = true, .position_m = {d(position.x), d(position.y), d(position.z)}, .rotation = {}};
+  Fingertip seen{.tracked = true, .position_m = {d(position.x), d(position.y), d(position.z)}, .rotation = {}};
   const std::array<double, 4> rotation = {d(turn.x), d(turn.y), d(turn.z), d(turn.w)};
   const double square = std::inner_product(rotation.begin(), rotation.end(), rotation.begin(), 0.0);
   if ((tip.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) && std::abs(square - 1.0) < 0.001)

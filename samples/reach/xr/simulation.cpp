@@ -36,8 +36,7 @@ void Simulation::instruct(Hand hand, const std::array<double, 3>& start_m, doubl
                           double path_length_m) {
   XrReachInstructionHRTX instruction{XR_TYPE_REACH_INSTRUCTION_HRTX};
   instruction.hand = to_xr(hand);
-  instruction.start = {static_cast<float>(start_m[0]), static_cast<float>(start_m[1]),
-                       static_cast<float>(start_m[2])};
+  instruction.start = {static_cast<float>(start_m[0]), static_cast<float>(start_m[1]), static_cast<float>(start_m[2])};
   instruction.goalDirection = goal_direction_deg;
   instruction.pathLength = path_length_m;
   CHECK_XR_NAMED("xrInstructReachHRTX", instruct_reach_(session_, &instruction));
@@ -46,9 +45,8 @@ void Simulation::instruct(Hand hand, const std::array<double, 3>& start_m, doubl
 Simulation::Truth Simulation::truth(Hand hand) const {
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
   CHECK_XR_NAMED("xrGetReachTruthHRTX", get_reach_truth_(session_, to_xr(hand), &truth));
-  return {truth.trueDirection,      truth.perceivedDirection, truth.peakFeltError,
-          truth.leftmostDirection,  truth.rightmostDirection, truth.tactileWeight,
-          to_array(truth.indexTip), truth.isDone == XR_TRUE};
+  return {truth.trueDirection,      truth.perceivedDirection, truth.peakFeltError,      truth.leftmostDirection,
+          truth.rightmostDirection, truth.tactileWeight,      to_array(truth.indexTip), truth.isDone == XR_TRUE};
 }
 
 void Simulation::set_plate_orientation(double orientation_deg) {

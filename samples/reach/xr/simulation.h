@@ -24,8 +24,7 @@ class Simulation {
   void seed(std::uint64_t seed, std::uint32_t next_reach);
 
   /// The person is instructed now to slide from `start_m` in plate coordinates.
-  void instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg,
-                double path_length_m);
+  void instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg, double path_length_m);
 
   struct Truth {
     double finger_direction_deg;     ///< P now

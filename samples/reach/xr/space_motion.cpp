@@ -37,9 +37,7 @@ bool is_pose(const XrPosef& pose) {
 
 }  // namespace
 
-void SpaceMotion::announce(const XrEventDataReferenceSpaceChangePending& change) {
-  pending_.push_back(change);
-}
+void SpaceMotion::announce(const XrEventDataReferenceSpaceChangePending& change) { pending_.push_back(change); }
 
 SpaceMotion::Change SpaceMotion::advance(XrReferenceSpaceType space, XrTime time) {
   Change made = Change::none;

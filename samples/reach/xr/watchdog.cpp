@@ -123,8 +123,7 @@ class Watchdog {
       const auto passed = now - *interrupted_at;
       if (passed > call_after_signal) closed_ = true;
       if (passed > call_after_signal && in_call)
-        end_program(lock, ExitCode::interrupted,
-                    "interrupted while the OpenXR runtime was in " + std::string(call_));
+        end_program(lock, ExitCode::interrupted, "interrupted while the OpenXR runtime was in " + std::string(call_));
       // The other thread runs: its streams and files are out of reach.
       if (passed > (ending_ ? files_after_signal : program_after_signal)) {
         say("hrt-reach: interrupted; files may be incomplete\n");
@@ -218,9 +217,7 @@ class Watchdog {
 
 void watch_runtime(std::chrono::milliseconds limit) { Watchdog::the().start(limit); }
 
-LastWill::LastWill(std::function<void()> put_in_order) {
-  Watchdog::the().set_last_will(std::move(put_in_order));
-}
+LastWill::LastWill(std::function<void()> put_in_order) { Watchdog::the().set_last_will(std::move(put_in_order)); }
 
 LastWill::~LastWill() { Watchdog::the().set_last_will(nullptr); }
 

@@ -65,9 +65,7 @@ bool takes_value(const CLI::Option* option) { return option->get_items_expected_
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter() { column_width(34); }
-  std::string make_option_opts(const CLI::Option* option) const override {
-    return takes_value(option) ? " VALUE" : "";
-  }
+  std::string make_option_opts(const CLI::Option* option) const override { return takes_value(option) ? " VALUE" : ""; }
   std::string make_option_desc(const CLI::Option* option) const override;
   std::string make_description(const CLI::App* app) const override { return app->get_description() + "\n\n"; }
 };
@@ -78,8 +76,7 @@ std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   text += "\nMust be " + option->get_type_name() + '.';
   const std::string standard = option->get_default_str();
   if (!standard.empty())
-    text += (option->get_type_name().size() + standard.size() < 60 ? " Default: " : "\nDefault: ") +
-            standard + '.';
+    text += (option->get_type_name().size() + standard.size() < 60 ? " Default: " : "\nDefault: ") + standard + '.';
   if (option->get_required()) text += " Required.";
   return text;
 }
@@ -113,8 +110,8 @@ std::string NumberRange::text() const {
          (high_allowed ? "]" : ")") + (infinity_allowed ? ", or inf" : "");
 }
 
-CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& help,
-                      const std::string& footer, const std::function<void()>& run) {
+CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& help, const std::string& footer,
+                      const std::function<void()>& run) {
   CLI::App* command = app.add_subcommand(name, help);
   command->footer(footer);
   command->callback(run);
@@ -157,8 +154,8 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, std::uint64_t* 
                    });
 }
 
-CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>* values,
-                         NumberRange range, const std::string& help) {
+CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>* values, NumberRange range,
+                         const std::string& help) {
   return add_value(app, name, "a list a,b,c or first:last:count, each " + range.text(), joined(*values), help,
                    [values, range](const std::string& text) {
                      const auto list = parse_list(text);
@@ -194,11 +191,10 @@ CLI::Option* add_out(CLI::App& app, std::string* path) {
 }
 
 CLI::Option* add_plot(CLI::App& app, std::string* path, const std::string& help) {
-  return add_value(app, "--plot", "a file whose name ends with .svg", *path, help,
-                   [path](const std::string& text) {
-                     *path = text;
-                     return text.ends_with(".svg") && text.find('\0') == std::string::npos;
-                   });
+  return add_value(app, "--plot", "a file whose name ends with .svg", *path, help, [path](const std::string& text) {
+    *path = text;
+    return text.ends_with(".svg") && text.find('\0') == std::string::npos;
+  });
 }
 
 CLI::Option* add_threads(CLI::App& app, std::uint64_t* threads) {
@@ -216,15 +212,14 @@ CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string&
   return add_integer(app, "--trials", trials, 1, 100'000'000, help);
 }
 
-CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* families,
-                          const std::string& standard, const std::string& help) {
-  return add_value(app, "--family", "different families, separated by commas (robustness --help shows them)",
-                   standard, help, [families](const std::string& names) {
+CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* families, const std::string& standard,
+                          const std::string& help) {
+  return add_value(app, "--family", "different families, separated by commas (robustness --help shows them)", standard,
+                   help, [families](const std::string& names) {
                      std::vector<const PeopleFamily*> taken;
                      for (const std::string_view name : split(names, ',')) {
                        const PeopleFamily* family = people_family(std::string(name).c_str());
-                       if (!family || std::find(taken.begin(), taken.end(), family) != taken.end())
-                         return false;
+                       if (!family || std::find(taken.begin(), taken.end(), family) != taken.end()) return false;
                        taken.push_back(family);
                      }
                      *families = taken;

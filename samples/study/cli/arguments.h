@@ -49,8 +49,8 @@ inline constexpr NumberRange plate_bound_range{0.0, 90.0, false};
 inline constexpr NumberRange plate_rate_bound_range{0.0, 360.0, false, true, true};
 
 /// Adds a subcommand whose help ends with `footer`; `run` is called once all arguments are read.
-CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& help,
-                      const std::string& footer, const std::function<void()>& run);
+CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& help, const std::string& footer,
+                      const std::function<void()>& run);
 
 /// Adds `name VALUE`. `take` stores the text's value, or returns false if it is not `allowed`: that, and the
 /// default, are what the help and the error message say.
@@ -68,8 +68,8 @@ CLI::Option* add_integer(CLI::App& app, const std::string& name, std::uint64_t* 
 
 /// Adds `name LIST` for one or several numbers of `range`: "0.1,0.15" or "0.05:0.45:9", the latter being
 /// nine values evenly spaced from the first to the last.
-CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>* values,
-                         NumberRange range, const std::string& help);
+CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>* values, NumberRange range,
+                         const std::string& help);
 
 /// Adds `name WORD` for one of `allowed`.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string* value,
@@ -95,8 +95,8 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t* seed);
 CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string& help);
 
 /// Adds --family, names of people_families(), each once; `standard` is what the help shows as the default.
-CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* families,
-                          const std::string& standard, const std::string& help);
+CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* families, const std::string& standard,
+                          const std::string& help);
 
 /// The parts of `text` between separators, empty ones too; at least one.
 std::vector<std::string_view> split(std::string_view text, char separator);

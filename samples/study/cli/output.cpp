@@ -50,8 +50,7 @@ std::string between(double low, double high, int decimals, const std::string& da
   return bound(low) + dash + bound(high);
 }
 
-std::string wrapped(const std::string& words, std::size_t width, const std::string& first,
-                    const std::string& indent) {
+std::string wrapped(const std::string& words, std::size_t width, const std::string& first, const std::string& indent) {
   std::string page;
   std::string line = first;
   std::string space;  // before every word of a line except the first one
@@ -102,8 +101,7 @@ Output::Output(const std::string& argument, const std::string& path) {
 
 void Output::write(std::string_view content) const {
   if (!path_.empty()) return replace_file(path_, content);
-  if (const int error = write_all(STDOUT_FILENO, content); error != 0)
-    throw cannot_write("standard output", error);
+  if (const int error = write_all(STDOUT_FILENO, content); error != 0) throw cannot_write("standard output", error);
 }
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0), started_(Clock::now()), last_drawn_(started_) {}
@@ -143,8 +141,7 @@ std::string read_input(const std::string& argument, const std::string& path, std
   do {
     file.read(block.data(), static_cast<std::streamsize>(block.size()));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > max_bytes)
-      throw refuse("this one is larger than " + std::to_string(max_bytes >> 20) + " MiB");
+    if (text.size() > max_bytes) throw refuse("this one is larger than " + std::to_string(max_bytes >> 20) + " MiB");
   } while (file);
   if (file.bad()) throw refuse("reading fails");
   return text;

@@ -55,11 +55,9 @@ ParameterValues default_values() {
   return values;
 }
 
-Condition make_condition(const ParameterValues& values, double real_direction_deg,
-                         double virtual_direction_deg) {
-  const auto [tactile_weight, assumed_tactile_weight, motor_variance_deg2, sensory_variance_deg2,
-              initial_variance_deg2, horizon, perceived_weight, actual_weight, plate_bound_deg,
-              plate_rate_bound_deg, steps] = values;
+Condition make_condition(const ParameterValues& values, double real_direction_deg, double virtual_direction_deg) {
+  const auto [tactile_weight, assumed_tactile_weight, motor_variance_deg2, sensory_variance_deg2, initial_variance_deg2,
+              horizon, perceived_weight, actual_weight, plate_bound_deg, plate_rate_bound_deg, steps] = values;
   Condition condition{
       .participant = {.tactile_weight = tactile_weight,
                       .motor_variance_deg2 = motor_variance_deg2,
@@ -75,8 +73,7 @@ Condition make_condition(const ParameterValues& values, double real_direction_de
       .steps = static_cast<int>(steps),
   };
   condition.controller.participant = condition.participant;
-  if (!std::isnan(assumed_tactile_weight))
-    condition.controller.participant.tactile_weight = assumed_tactile_weight;
+  if (!std::isnan(assumed_tactile_weight)) condition.controller.participant.tactile_weight = assumed_tactile_weight;
   return condition;
 }
 

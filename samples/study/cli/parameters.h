@@ -29,8 +29,7 @@ void add_parameter(CLI::App& app, const Parameter& parameter, std::vector<double
 ParameterValues default_values();
 
 /// The reach of these values. The assumed tactile weight may be NaN: the participant's own is assumed.
-Condition make_condition(const ParameterValues& values, double real_direction_deg,
-                         double virtual_direction_deg);
+Condition make_condition(const ParameterValues& values, double real_direction_deg, double virtual_direction_deg);
 
 /// As condition 1 of Table I, except for the person's motor variance and tactile weight, which the controller
 /// knows.

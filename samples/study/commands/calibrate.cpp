@@ -76,10 +76,9 @@ void run(const CalibrateOptions& options) {
 
 void add_calibrate(CLI::App& app) {
   const auto options = std::make_shared<CalibrateOptions>();
-  CLI::App& command =
-      add_command(app, "calibrate", "A participant's parameters from slides over a plate at rest.",
-                  "FILE is CSV with a header that names " + std::string(calibration_header) +
-                      R"(:
+  CLI::App& command = add_command(app, "calibrate", "A participant's parameters from slides over a plate at rest.",
+                                  "FILE is CSV with a header that names " + std::string(calibration_header) +
+                                      R"(:
 a row a tracked position of the fingertip (right of and away along the mid-line), the rows of a trial
 together, its time increasing. Lines that start with # and other columns are ignored.
 
@@ -94,7 +93,7 @@ Examples:
   hrt-study calibrate me.csv --plot me.svg --profile me.json
   hrt-study calibrate me.csv --retest me-a-week-later.csv
   hrt-study participants --out me.csv && hrt-study calibrate me.csv --format json)",
-                  [options] { run(*options); });
+                                  [options] { run(*options); });
   require(add_path(command, "FILE", &options->data, "a file that can be read", "The data, CSV."));
   add_path(command, "--retest", &options->retest, "a file that can be read",
            "A second calibration's data: whether the two differ, and by how much. --plot and --profile are\n"

@@ -51,15 +51,13 @@ std::string text(const CoverageStudy& study) {
   std::string page =
       "Calibrations of simulated people; there was no human trial. " + std::to_string(options.people) +
       " people a kind, " + std::to_string(options.session.plate_angles_deg.size() * options.slides_an_angle) +
-      (options.session.planned ? " slides, angles as the plan chooses them, "
-                               : " slides over -75 to 75 deg, ") +
+      (options.session.planned ? " slides, angles as the plan chooses them, " : " slides over -75 to 75 deg, ") +
       number(options.session.duration_s) +
       " s each.\nknown: % of people of whom the calibration says that it knows the value; cover: % of those "
       "whose 95 %\ninterval holds the truth, and the 95 % interval of that share; error: mean of estimate "
       "less truth; width: mean of\nthe interval's.\n\n";
   page += left("", 14);
-  for (const char* name : {"w_T", "bias, deg", "habit, deg", "largest gap, deg"})
-    page += "  " + left(name, 34);
+  for (const char* name : {"w_T", "bias, deg", "habit, deg", "largest gap, deg"}) page += "  " + left(name, 34);
   page += '\n' + left("", 14);
   for (int i = 0; i < quantities; ++i) page += "  known cover           error  width ";
   page += '\n';
@@ -68,8 +66,8 @@ std::string text(const CoverageStudy& study) {
     for (int i = 0; i < quantities; ++i) {
       const Tally& tally = row.coverage.of[static_cast<std::size_t>(i)];
       const int decimals = i == weight ? 4 : 2;
-      page += cell(tally.known.percent(), 0, 7) + tally.covered_text(5) +
-              cell(tally.mean_error(), decimals, 8) + cell(tally.mean_width(), decimals, 7);
+      page += cell(tally.known.percent(), 0, 7) + tally.covered_text(5) + cell(tally.mean_error(), decimals, 8) +
+              cell(tally.mean_width(), decimals, 7);
     }
     page += '\n';
   }
@@ -93,9 +91,8 @@ Results results(const CoverageStudy& study) {
                 .rows = {}};
   for (const KindRow& kind : study.rows) {
     const Coverage& coverage = kind.coverage;
-    Row row{{"kind", kind.kind->name},          {"description", kind.kind->says},
-            {"refused", coverage.refused.hits}, {"angle", coverage.angle.hits},
-            {"order", coverage.order.hits},     {"path", coverage.path.hits}};
+    Row row{{"kind", kind.kind->name},      {"description", kind.kind->says}, {"refused", coverage.refused.hits},
+            {"angle", coverage.angle.hits}, {"order", coverage.order.hits},   {"path", coverage.path.hits}};
     for (std::size_t i = 0; i < quantities; ++i) {
       const Tally& tally = coverage.of[i];
       const std::string name = quantity_name[i];
@@ -129,16 +126,16 @@ CoverageStudy simulate(CoverageOptions options) {
 
 void add_coverage(CLI::App& app) {
   const auto options = std::make_shared<CoverageOptions>();
-  CLI::App& command = add_command(
-      app, "coverage", "How often the calibration's 95 % intervals hold the truth, over simulated people.",
-      R"(People as 'robustness' has them, and three more kinds: slides that slip, people who change over the
+  CLI::App& command =
+      add_command(app, "coverage", "How often the calibration's 95 % intervals hold the truth, over simulated people.",
+                  R"(People as 'robustness' has them, and three more kinds: slides that slip, people who change over the
 session. 50 people of all kinds take some ten minutes.
 )" + part_words("kinds") +
-          R"(
+                      R"(
 Examples:
   hrt-study coverage --kind habit-5
   hrt-study coverage --angles planned --trials 2 --people 200)",
-      [options] { options->writing.write([options] { return simulate(*options); }, results, text); });
+                  [options] { options->writing.write([options] { return simulate(*options); }, results, text); });
   std::vector<std::string> kinds{"all"};
   for (const CoverageKind& kind : coverage_kinds()) kinds.emplace_back(kind.name);
   add_choice(command, "--kind", &options->kind, kinds, "Kind of people.");

@@ -31,8 +31,7 @@ void check_size(const ParticipantsOptions& options) {
   if (rows > max_rows)
     throw UsageError(not_allowed("--trials", std::to_string(options.session.trials_per_angle),
                                  "few enough for " + fixed(max_rows, 0) +
-                                     " rows with these angles, rate and times; this makes " +
-                                     fixed(rows, 0)));
+                                     " rows with these angles, rate and times; this makes " + fixed(rows, 0)));
 }
 
 bool is_folder(const std::string& path) {
@@ -55,11 +54,9 @@ void run(ParticipantsOptions options) {
     std::error_code error;
     fs::create_directories(options.out, error);
     if (error)
-      throw UsageError(
-          not_allowed("--out", options.out, "a folder that can be written (" + error.message() + ")"));
+      throw UsageError(not_allowed("--out", options.out, "a folder that can be written (" + error.message() + ")"));
     for (std::size_t i = 0; i < options.tactile_weights.size(); ++i)
-      outputs.emplace_back("--out",
-                           fs::path(options.out) / ("participant_" + std::to_string(i + 1) + ".csv"));
+      outputs.emplace_back("--out", fs::path(options.out) / ("participant_" + std::to_string(i + 1) + ".csv"));
   }
   Progress progress;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -74,17 +71,17 @@ void run(ParticipantsOptions options) {
 
 void add_participants(CLI::App& app) {
   const auto options = std::make_shared<ParticipantsOptions>();
-  CLI::App& command = add_command(
-      app, "participants", "Simulated calibration data as CSV: slides over a plate at rest, for 'calibrate'.",
-      "Each row is a tracked position: " + std::string(calibration_header) +
-          R"(.
+  CLI::App& command = add_command(app, "participants",
+                                  "Simulated calibration data as CSV: slides over a plate at rest, for 'calibrate'.",
+                                  "Each row is a tracked position: " + std::string(calibration_header) +
+                                      R"(.
 Time 0 is when the finger starts to move; before it the finger rests on the plate.
 Each of several tactile weights makes a participant, a file participant_N.csv in the folder.
 
 Examples:
   hrt-study participants --tactile-weight 0.2 --bias 2 --out me.csv && hrt-study calibrate me.csv
   hrt-study participants --tactile-weight 0.1:0.3:9 --trials 4 --out people/)",
-      [options] { run(*options); });
+                                  [options] { run(*options); });
   CalibrationCondition& condition = options->session.condition;
   add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
               "Share of touch in the felt direction (w_T); a participant each.");
@@ -92,17 +89,15 @@ Examples:
              "Perceptual bias: perceived minus true goal direction, deg.");
   add_number(command, "--motor-variance", &condition.participant.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");
-  add_number(command, "--sensory-variance", &condition.participant.sensory_variance_deg2,
-             positive_variance_range, "Variance of what is felt (sigma_h^2), deg^2.");
+  add_number(command, "--sensory-variance", &condition.participant.sensory_variance_deg2, positive_variance_range,
+             "Variance of what is felt (sigma_h^2), deg^2.");
   add_number(command, "--goal", &condition.goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
-  add_numbers(command, "--angles", &options->session.plate_angles_deg, {-360.0, 360.0},
-              "Plate orientations, deg.");
+  add_numbers(command, "--angles", &options->session.plate_angles_deg, {-360.0, 360.0}, "Plate orientations, deg.");
   add_integer(command, "--trials", &options->session.trials_per_angle, 1, 1'000, "Slides at each angle.");
   add_number(command, "--distance", &options->distance_mm, {1.0, 1'000.0}, "Length of a slide, mm.");
   add_number(command, "--duration", &condition.duration_s, {0.1, 60.0}, "Time of a slide, s.");
   add_number(command, "--rest", &condition.rest_s, {0.0, 60.0}, "Time at rest before a slide, s.");
-  add_number(command, "--step-period", &condition.step_period_s, {0.001, 10.0},
-             "Of the participant's steps, s.");
+  add_number(command, "--step-period", &condition.step_period_s, {0.001, 10.0}, "Of the participant's steps, s.");
   add_number(command, "--tracker-noise", &options->tracker_noise_mm, {0.0, 100.0},
              "Standard deviation of each tracked coordinate, mm.");
   add_number(command, "--rate", &condition.tracker_rate_hz, {1.0, 10'000.0}, "Of the tracker, Hz.");

@@ -38,15 +38,15 @@ void run(const ReportOptions& options) {
 
 void add_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
-  CLI::App& command = add_command(
-      app, "report", "Figs. 1c and 4 to 8 and Table I as SVG, and a page of them.",
-      R"(Makes fig1c, fig4 to fig8 and table1 (.svg) and report.html, which shows them. Needs gnuplot. Files
+  CLI::App& command =
+      add_command(app, "report", "Figs. 1c and 4 to 8 and Table I as SVG, and a page of them.",
+                  R"(Makes fig1c, fig4 to fig8 and table1 (.svg) and report.html, which shows them. Needs gnuplot. Files
 of these names are replaced.
 
 Examples:
   hrt-study report --out report
   hrt-study report --out quick --trials 1000)",
-      [options] { run(*options); });
+                  [options] { run(*options); });
   require(add_path(command, "--out", &options->out, "a folder that can be written",
                    "Folder for the files; made if missing."));
   add_trials(command, &options->table.trials, "Trials of each cell of Table I.");

@@ -34,9 +34,7 @@ void add_ridges(CLI::App& app) {
 Examples:
   hrt-study ridges --plot fig1c.svg
   hrt-study ridges --tactile-weight 0.3 --angles -60:60:9 --format csv)",
-      [options] {
-        options->writing.write([options] { return simulated(*options); }, ridges_results, ridges_text);
-      });
+      [options] { options->writing.write([options] { return simulated(*options); }, ridges_results, ridges_text); });
   RidgeOptions& ridges = options->ridges;
   add_numbers(command, "--angles", &ridges.plate_angles_deg, {-90.0, 90.0, false, false},
               "Angles of the ridges' normal, deg.");

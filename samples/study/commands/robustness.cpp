@@ -40,9 +40,8 @@ void check_durations(const RobustnessOptions& options) {
 
 void simulate(RobustnessStudy& study) {
   Progress progress;
-  study.rows = simulate_robustness(study.people, study.options, [&](std::uint64_t done, std::uint64_t total) {
-    progress.update(done, total);
-  });
+  study.rows = simulate_robustness(study.people, study.options,
+                                   [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); });
 }
 
 // A file's name, as far as tables and CSV can hold it.
@@ -58,8 +57,7 @@ std::string table_name(const std::string& path) {
 // The person of the file. Each repetition draws another noise.
 SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
   const PersonFile file = read_person("--person", options.person);
-  if (file.has_duration && options.durations_s.empty())
-    study.options.durations_s = {file.condition.person.duration_s};
+  if (file.has_duration && options.durations_s.empty()) study.options.durations_s = {file.condition.person.duration_s};
   const auto draw = [condition = file.condition](double duration_s, std::uint64_t, std::uint32_t) {
     PersonCondition person = condition;
     person.person.duration_s = duration_s;
@@ -72,12 +70,9 @@ SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
 
 // Recorded paths in an open loop.
 void run_replay(const Options& options) {
-  if (!options.person.empty() || !options.families.empty() || !options.csv.empty() ||
-      !options.writing.part.whole())
-    throw UsageError(
-        not_allowed("--replay", options.replay, "given without --person, --family, --csv and --part"));
-  options.writing.write([&] { return replay_folder("--replay", options.replay); }, replay_results,
-                        replay_text);
+  if (!options.person.empty() || !options.families.empty() || !options.csv.empty() || !options.writing.part.whole())
+    throw UsageError(not_allowed("--replay", options.replay, "given without --person, --family, --csv and --part"));
+  options.writing.write([&] { return replay_folder("--replay", options.replay); }, replay_results, replay_text);
 }
 
 RobustnessStudy simulated(const Options& options) {

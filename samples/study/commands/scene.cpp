@@ -44,8 +44,8 @@ std::string text(const Scene& scene, const SceneOptions& options) {
   const ScenePlate& plate = scene.plate;
   std::string page = "Plate " + plate.node_path + ": radius " + millimetres(plate.radius_m) + " mm";
   page += plate.max_speed_deg_s ? ", at most " + number(*plate.max_speed_deg_s) + " deg/s\n" : "\n";
-  page += "Start " + scene.start_path.value_or("(default)") + ": x " + millimetres(scene.start_m.x) +
-          " mm, z " + millimetres(scene.start_m.z) + " mm from the plate's centre\n\n";
+  page += "Start " + scene.start_path.value_or("(default)") + ": x " + millimetres(scene.start_m.x) + " mm, z " +
+          millimetres(scene.start_m.z) + " mm from the plate's centre\n\n";
 
   std::size_t widest = 6;
   for (const SceneTarget& target : scene.targets) widest = std::max(widest, length_of(target.name));
@@ -70,8 +70,7 @@ std::string text(const Scene& scene, const SceneOptions& options) {
     if (!target.served_by) continue;
     const double first_weight = options.tactile_weights.front();
     const double gap_deg = authority_over(scene, target, first_weight, options.plate_bound_deg).gap_deg;
-    page += left(target.name, widest) + "  " + left(real_of(scene, target).name, widest) +
-            right(degrees(gap_deg), 8);
+    page += left(target.name, widest) + "  " + left(real_of(scene, target).name, widest) + right(degrees(gap_deg), 8);
     for (const double tactile_weight : options.tactile_weights) {
       const Authority authority = authority_over(scene, target, tactile_weight, options.plate_bound_deg);
       page += right(authority.reachable ? fixed(authority.plate_orientation_deg, 1) : "-", 8);

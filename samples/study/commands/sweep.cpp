@@ -71,25 +71,23 @@ void run(const SweepOptions& options) {
 
 void add_sweep(CLI::App& app) {
   const auto options = std::make_shared<SweepOptions>();
-  CLI::App& command = add_command(
-      app, "sweep", "Every combination of lists of values, as CSV; in parts.",
-      R"(The grid has every combination of the listed values. A row of the CSV is one point: its parameters,
+  CLI::App& command =
+      add_command(app, "sweep", "Every combination of lists of values, as CSV; in parts.",
+                  R"(The grid has every combination of the listed values. A row of the CSV is one point: its parameters,
 then the results of its trials. Point i takes the random numbers of condition i, so the rows do not
 depend on threads or parts.
 )" + part_words("points") +
-          R"(
+                      R"(
 Examples:
   hrt-study sweep --gap 2:20:10 --tactile-weight 0.05:0.45:9 --out gaps.csv
   hrt-study sweep --perceived-weight 0.01,0.1,1,10 --trials 100000
   hrt-study sweep --horizon 1:50:50 --part $SLURM_ARRAY_TASK_ID/8 --out part$SLURM_ARRAY_TASK_ID.csv
   cat part1.csv part2.csv part3.csv > whole.csv)",
-      [options] { run(*options); });
-  add_numbers(command, "--gap", &options->grid.gaps_deg, gap_range,
-              "Gap: virtual minus real direction, deg.");
+                  [options] { run(*options); });
+  add_numbers(command, "--gap", &options->grid.gaps_deg, gap_range, "Gap: virtual minus real direction, deg.");
   add_numbers(command, "--virtual", &options->grid.virtual_directions_deg, direction_range,
               "Direction of the virtual target, deg.");
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    add_parameter(command, parameters[i], &options->grid.values[i]);
+  for (std::size_t i = 0; i < parameters.size(); ++i) add_parameter(command, parameters[i], &options->grid.values[i]);
   add_trials(command, &options->trials, "Trials of each point.");
   add_seed(command, &options->seed);
   add_threads(command, &options->threads);

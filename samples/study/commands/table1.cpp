@@ -25,13 +25,11 @@ Examples:
   hrt-study table1 --trials 50 --seed 7
   hrt-study table1 --trials 1000000 --format json --out table1.json)",
       [options] {
-        options->writing.write([options] { return simulate_table1(options->table); }, table1_results,
-                               table1_text);
+        options->writing.write([options] { return simulate_table1(options->table); }, table1_results, table1_text);
       });
   add_trials(command, &options->table.trials, "Trials of each cell.");
   add_seed(command, &options->table.seed);
-  add_integer(command, "--horizon", &options->table.horizon, 1, max_horizon,
-              "Steps that the controller looks ahead.");
+  add_integer(command, "--horizon", &options->table.horizon, 1, max_horizon, "Steps that the controller looks ahead.");
   add_threads(command, &options->table.threads);
   options->writing.add_options(command);
 }

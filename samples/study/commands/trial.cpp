@@ -42,9 +42,9 @@ std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome
       "variance_deg2,motor_command_deg,noise_deg,active_bound\n";
   for (const TrialStep& step : steps) {
     page += std::to_string(step.step);
-    for (const double value : {step.finger_direction_deg, step.plate_orientation_deg, step.felt_direction_deg,
-                               step.perceived_direction_deg, step.gain, step.variance_deg2,
-                               step.motor_command_deg, step.noise_deg})
+    for (const double value :
+         {step.finger_direction_deg, step.plate_orientation_deg, step.felt_direction_deg, step.perceived_direction_deg,
+          step.gain, step.variance_deg2, step.motor_command_deg, step.noise_deg})
       page += ',' + number(value);
     page += std::string(",") + name(step.active) + '\n';
   }
@@ -70,17 +70,15 @@ void run_trace(const TrialOptions& options) {
 }
 
 void run(const TrialOptions& options) {
-  Condition condition =
-      make_condition(options.values, options.real_direction_deg, options.virtual_direction_deg);
+  Condition condition = make_condition(options.values, options.real_direction_deg, options.virtual_direction_deg);
   condition.plate_orientation_deg = options.plate_start_deg;
   if (!std::isnan(options.fixed_plate_deg)) {
     condition.controller.mode = ControlMode::fixed_plate;
     condition.controller.fixed_plate_orientation_deg = options.fixed_plate_deg;
   }
   if (std::abs(options.virtual_direction_deg - options.real_direction_deg) >= gap_range.high)
-    throw UsageError(
-        not_allowed("--real", number(options.real_direction_deg),
-                    "less than 90 deg from --virtual (" + number(options.virtual_direction_deg) + ")"));
+    throw UsageError(not_allowed("--real", number(options.real_direction_deg),
+                                 "less than 90 deg from --virtual (" + number(options.virtual_direction_deg) + ")"));
   if (!options.trace.empty()) return run_trace(options);
   const Output output("--out", options.out);
   std::vector<TrialStep> steps;
@@ -96,9 +94,9 @@ void run(const TrialOptions& options) {
 
 void add_trial(CLI::App& app) {
   const auto options = std::make_shared<TrialOptions>();
-  CLI::App& command = add_command(
-      app, "trial", "One simulated reach as CSV, a row a step.",
-      R"(Row k holds what happened in step k. The last row holds only the direction in which the finger
+  CLI::App& command =
+      add_command(app, "trial", "One simulated reach as CSV, a row a step.",
+                  R"(Row k holds what happened in step k. The last row holds only the direction in which the finger
 moves after the last step. Numbers have full precision. The same seed, condition and trial
 number give the random numbers of that trial in a batch.
 
@@ -110,13 +108,11 @@ Examples:
   hrt-study trial --trace reach --family bias-3 --reach 5
   hrt-study trial --real 0 --virtual 10 --out reach.csv
   hrt-study trial --real 5 --virtual -5 --motor-variance 0.1 --fixed-plate 0)",
-      [options] { run(*options); });
-  add_number(command, "--real", &options->real_direction_deg, direction_range,
-             "Direction of the real target, deg.");
+                  [options] { run(*options); });
+  add_number(command, "--real", &options->real_direction_deg, direction_range, "Direction of the real target, deg.");
   add_number(command, "--virtual", &options->virtual_direction_deg, direction_range,
              "Direction of the virtual target, deg; less than 90 from the real one.");
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    add_parameter(command, parameters[i], &options->values[i]);
+  for (std::size_t i = 0; i < parameters.size(); ++i) add_parameter(command, parameters[i], &options->values[i]);
   add_number(command, "--plate-start", &options->plate_start_deg, direction_range,
              "Where the plate stands before the first step, deg; matters with a rate bound.");
   show_default(add_number(command, "--fixed-plate", &options->fixed_plate_deg, direction_range,
@@ -124,8 +120,7 @@ Examples:
                "");
   add_seed(command, &options->seed);
   const auto max = std::numeric_limits<std::uint32_t>::max();
-  add_integer(command, "--condition", &options->condition, 0, max,
-              "Which condition's random numbers to take.");
+  add_integer(command, "--condition", &options->condition, 0, max, "Which condition's random numbers to take.");
   add_integer(command, "--trial", &options->trial, 0, max, "Which trial's random numbers to take.");
   add_out(command, &options->out);
   add_path(command, "--trace", &options->trace, "a folder", "Traces a reach of a person there.");

@@ -42,20 +42,18 @@ std::string fit_text(const Calibration& calibration) {
     return row(std::string("  ") + over, fixed(p, 3), p < min_fit_p ? "a pattern" : "none");
   };
   std::string text = "\nPatterns in what the fit leaves, probability by chance\n" +
-                     line("over the plate's angle", lack.angle_p) +
-                     line("over the order of the slides", lack.order_p) +
+                     line("over the plate's angle", lack.angle_p) + line("over the order of the slides", lack.order_p) +
                      line("along the paths", lack.path_p);
   for (const CalibratedSlide& slide : calibration.slides) {
     if (slide.verdict != SlideVerdict::outlying) continue;
     Eigen::Index part = 0;
     (slide.parts_deg - slide.fitted_deg).cwiseAbs().maxCoeff(&part);
-    text += "  left out: trial " + std::to_string(slide.trial + 1) + ", an outlier: part " +
-            std::to_string(part + 1) + " of its path goes to " + fixed(slide.parts_deg(part), 1) +
-            " deg, the fit to " + fixed(slide.fitted_deg(part), 1) + '\n';
+    text += "  left out: trial " + std::to_string(slide.trial + 1) + ", an outlier: part " + std::to_string(part + 1) +
+            " of its path goes to " + fixed(slide.parts_deg(part), 1) + " deg, the fit to " +
+            fixed(slide.fitted_deg(part), 1) + '\n';
   }
   if (const std::size_t along = calibration.count(SlideVerdict::along_ridges); along > 0)
-    text += "  left out: " + std::to_string(along) +
-            " slides nearly along the ridges, where the illusion flips\n";
+    text += "  left out: " + std::to_string(along) + " slides nearly along the ridges, where the illusion flips\n";
   if (calibration.max_plate_deg > 60.0)
     text += "  slides used reach plate angles of " + fixed(calibration.max_plate_deg, 0) +
             " deg; published human data cover 60\n";
@@ -73,16 +71,14 @@ std::vector<EstimatedTrait> estimated_traits(const Calibration& calibration) {
           {"person_weight", "slope w of the controller's curve", calibration.slope, 3},
           {"person_curve", "curve b of it", calibration.curve, 3},
           {"tracker_noise_mm", "tracker noise, white, mm", in_thousandths(calibration.noise.white_m), 3},
-          {"correlated_noise_mm", "tracker noise, correlated, mm",
-           in_thousandths(calibration.noise.correlated_m), 3},
+          {"correlated_noise_mm", "tracker noise, correlated, mm", in_thousandths(calibration.noise.correlated_m), 3},
           {"noise_correlation_s", "its correlation time, s", calibration.noise.correlation_s, 3}};
 }
 
 std::string calibration_text(const CalibrationReport& report) {
   const Calibration& calibration = report.calibration;
-  std::string text = "Calibration of " + report.name + ": " +
-                     std::to_string(calibration.count(SlideVerdict::used)) + " of " +
-                     std::to_string(report.trials) + " trials have a slide that can be used\n\n";
+  std::string text = "Calibration of " + report.name + ": " + std::to_string(calibration.count(SlideVerdict::used)) +
+                     " of " + std::to_string(report.trials) + " trials have a slide that can be used\n\n";
   text += row("", "estimate", "95 % interval");
   for (const EstimatedTrait& trait : estimated_traits(calibration)) {
     const std::string value = fixed(trait.interval.value, trait.decimals);
@@ -135,8 +131,7 @@ std::string calibration_profile(const Calibration& calibration) {
   const Interval& weight = calibration.tactile_weight;
   if (weight.known) {
     profile["tactile_weight"] = weight.value;
-    profile["tactile_weight_sd"] =
-        std::max(deviation_of_interval(weight.lower, weight.upper), min_carried_weight_sd);
+    profile["tactile_weight_sd"] = std::max(deviation_of_interval(weight.lower, weight.upper), min_carried_weight_sd);
   }
   if (calibration.bias_deg.known) profile["bias_deg"] = calibration.bias_deg.value;
   if (const auto noise = known_noise(calibration.noise)) {
@@ -146,14 +141,12 @@ std::string calibration_profile(const Calibration& calibration) {
       profile["tracker_correlation_s"] = noise->correlation_s;
     }
   }
-  if (calibration.slope.known && calibration.curve.known && calibration.bias_deg.known &&
-      calibration.habit_deg.known) {
-    const PersonBelief belief =
-        calibrated_person({.weight = calibration.slope,
-                           .curve = calibration.curve,
-                           .weight_curve_correlation = calibration.slope_curve_correlation,
-                           .bias_deg = calibration.bias_deg,
-                           .habit_deg = calibration.habit_deg});
+  if (calibration.slope.known && calibration.curve.known && calibration.bias_deg.known && calibration.habit_deg.known) {
+    const PersonBelief belief = calibrated_person({.weight = calibration.slope,
+                                                   .curve = calibration.curve,
+                                                   .weight_curve_correlation = calibration.slope_curve_correlation,
+                                                   .bias_deg = calibration.bias_deg,
+                                                   .habit_deg = calibration.habit_deg});
     for (int i = 0; i < PersonTrait::count; ++i) {
       profile["person_mean"].push_back(belief.mean(i));
       for (int j = 0; j <= i; ++j) profile["person_covariance"].push_back(belief.covariance(i, j));
@@ -174,9 +167,8 @@ std::string data_blocks(const Calibration& calibration) {
     script += std::string("$") + name + " << EOD\n";
     for (const CalibratedSlide& slide : calibration.slides)
       if (slide.verdict == verdict)
-        script += number(slide.plate_deg) + ' ' + number(direction_deg(slide)) + ' ' +
-                  number(fitted_deg(slide)) + ' ' + std::to_string(slide.trial + 1) + ' ' +
-                  number(slide.plate_deg - fitted_deg(slide)) + '\n';
+        script += number(slide.plate_deg) + ' ' + number(direction_deg(slide)) + ' ' + number(fitted_deg(slide)) + ' ' +
+                  std::to_string(slide.trial + 1) + ' ' + number(slide.plate_deg - fitted_deg(slide)) + '\n';
     script += "EOD\n";
   };
   block("used", SlideVerdict::used);
@@ -184,8 +176,8 @@ std::string data_blocks(const Calibration& calibration) {
   block("along", SlideVerdict::along_ridges);
   script += "$band << EOD\n";
   for (const CurvePoint& point : calibration.band)
-    script += number(point.offset_deg) + ' ' + number(point.shift_deg.value) + ' ' +
-              number(point.shift_deg.lower) + ' ' + number(point.shift_deg.upper) + '\n';
+    script += number(point.offset_deg) + ' ' + number(point.shift_deg.value) + ' ' + number(point.shift_deg.lower) +
+              ' ' + number(point.shift_deg.upper) + '\n';
   return script + "EOD\n";
 }
 
@@ -217,9 +209,8 @@ std::string curve_and_directions(const Calibration& calibration) {
   return "set grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset offsets graph 0.03, graph 0.03, graph 0.05, "
          "graph 0.05\nset lmargin 10\nset rmargin 3\nset multiplot\n"
          "set origin 0,0.66\nset size 1,0.34\nset title \"Illusion: " +
-         family_text(calibration) + "\\nw_T = " + fixed(all[0].interval.value, 3) + " (" +
-         interval_text(all[0]) + "), largest gap " + fixed(all[3].interval.value, 1) + "° (" +
-         interval_text(all[3]) +
+         family_text(calibration) + "\\nw_T = " + fixed(all[0].interval.value, 3) + " (" + interval_text(all[0]) +
+         "), largest gap " + fixed(all[3].interval.value, 1) + "° (" + interval_text(all[3]) +
          ")\" font ',12'\nset key top left\nset xrange "
          "[-80:80]\nset xtics 15\n"
          "set xlabel 'ridge normal less motion, °'\nset ylabel 'felt shift, °'\n"
@@ -227,30 +218,26 @@ std::string curve_and_directions(const Calibration& calibration) {
          "lw 2 lc rgb '#08306b' title 'curve'\n"
          "set key top right\nset origin 0,0.33\nset size 1,0.33\nset title \"Directions of " +
          std::to_string(calibration.slides.size()) + " slides\\n" +
-         with_minus_signs("bias " + fixed(all[1].interval.value, 2) + "° (" + interval_text(all[1]) +
-                          "), habit " + fixed(all[2].interval.value, 2) + "° (" + interval_text(all[2]) +
-                          ")") +
+         with_minus_signs("bias " + fixed(all[1].interval.value, 2) + "° (" + interval_text(all[1]) + "), habit " +
+                          fixed(all[2].interval.value, 2) + "° (" + interval_text(all[2]) + ")") +
          "\" font ',12'\nset xlabel 'plate orientation (normal of the ridges) less goal, °'\n"
          "set ylabel 'direction less goal, °'\nset xrange [-92:92]\n"
          "plot $used using 1:3 with points pt 9 ps 0.8 lc rgb '#08306b' title 'fit', $used using 1:2" +
-         points + "title 'slide', $outlying using 1:2" + crosses + "title 'outlier', $along using 1:2" +
-         rings + "title 'along ridges'\nunset key\n";
+         points + "title 'slide', $outlying using 1:2" + crosses + "title 'outlier', $along using 1:2" + rings +
+         "title 'along ridges'\nunset key\n";
 }
 
 // What is left over the plate's angle, over the order and along the path.
 std::string residual_panels(const LackOfFit& lack) {
   const std::string line = "0 with lines lw 1.5 lc rgb '#08306b' notitle, ";
   const auto residuals = [&](const char* x) {
-    return "plot " + line + "$used using " + x + ":($2-$3)" + points + "notitle, $outlying using " + x +
-           ":($2-$3)" + crosses + "notitle\n";
+    return "plot " + line + "$used using " + x + ":($2-$3)" + points + "notitle, $outlying using " + x + ":($2-$3)" +
+           crosses + "notitle\n";
   };
-  const auto said = [](double p) {
-    return std::string("p = ") + fixed(p, 3) + (p < min_fit_p ? ": a pattern" : "");
-  };
+  const auto said = [](double p) { return std::string("p = ") + fixed(p, 3) + (p < min_fit_p ? ": a pattern" : ""); };
   return "set lmargin 9\nset rmargin 1\nset origin 0,0\nset size 0.38,0.33\nset title \"Residuals over the "
          "angle\\n" +
-         said(lack.angle_p) +
-         "\" font ',11'\nset xtics 60\nset xlabel 'plate, °'\nset ylabel 'slide less fit, °'\n" +
+         said(lack.angle_p) + "\" font ',11'\nset xtics 60\nset xlabel 'plate, °'\nset ylabel 'slide less fit, °'\n" +
          residuals("1") +
          "set xrange [0:*]\nset xtics auto\nset origin 0.38,0\nset size 0.33,0.33\nset title \"over the "
          "order\\n" +

@@ -11,10 +11,9 @@ std::string with_minus_signs(std::string text) {
 }
 
 std::string drawing(const Figure& figure) {
-  return "reset\nset encoding utf8\nset minussign\nset terminal svg size " + std::to_string(figure.width_px) +
-         ',' + std::to_string(figure.height_px) +
-         " enhanced font 'DejaVu Sans,13' background rgb 'white'\nset output '" + figure.name + ".svg'\n" +
-         figure.script + "unset output\n";
+  return "reset\nset encoding utf8\nset minussign\nset terminal svg size " + std::to_string(figure.width_px) + ',' +
+         std::to_string(figure.height_px) + " enhanced font 'DejaVu Sans,13' background rgb 'white'\nset output '" +
+         figure.name + ".svg'\n" + figure.script + "unset output\n";
 }
 
 std::string html_page(const std::string& text, const std::vector<Figure>& figures) {
@@ -30,9 +29,8 @@ std::string html_page(const std::string& text, const std::vector<Figure>& figure
       "above.</p>\n<pre>" +
       escaped(text) + "</pre>\n";
   for (const Figure& figure : figures)
-    page += "<figure><img src=\"" + figure.name + ".svg\" alt=\"" + escaped(figure.title) +
-            "\"><figcaption><b>" + escaped(figure.title) + ".</b> " + escaped(figure.caption) +
-            " Simulation.</figcaption></figure>\n";
+    page += "<figure><img src=\"" + figure.name + ".svg\" alt=\"" + escaped(figure.title) + "\"><figcaption><b>" +
+            escaped(figure.title) + ".</b> " + escaped(figure.caption) + " Simulation.</figcaption></figure>\n";
   return page + "</body>\n</html>\n";
 }
 

@@ -16,15 +16,13 @@ std::string data(const Path& path) {
 }  // namespace
 
 PathPoint ahead(PathPoint from, double direction_deg, double distance_mm) {
-  return {from.right_mm - distance_mm * sin_deg(direction_deg),
-          from.forward_mm + distance_mm * cos_deg(direction_deg)};
+  return {from.right_mm - distance_mm * sin_deg(direction_deg), from.forward_mm + distance_mm * cos_deg(direction_deg)};
 }
 
 Path path_of(const std::vector<TrialStep>& steps, double TrialStep::* direction_deg) {
   Path path{{0.0, 0.0}};
   for (const TrialStep& step : steps)
-    path.push_back(
-        ahead(path.back(), step.*direction_deg, path_length_mm / static_cast<double>(steps.size())));
+    path.push_back(ahead(path.back(), step.*direction_deg, path_length_mm / static_cast<double>(steps.size())));
   return path;
 }
 

@@ -36,8 +36,7 @@ std::string directions_block(const std::vector<std::vector<double>>& directions_
   std::string trials = "$directions << EOD\n";
   std::string medians = "$directions_median << EOD\n";
   for (const auto& trial : directions_deg) {
-    for (std::size_t k = 0; k < trial.size(); ++k)
-      trials += std::to_string(k) + ' ' + number(trial[k]) + '\n';
+    for (std::size_t k = 0; k < trial.size(); ++k) trials += std::to_string(k) + ' ' + number(trial[k]) + '\n';
     trials += '\n';
   }
   for (std::size_t k = 0; k < directions_deg.front().size(); ++k) {
@@ -106,8 +105,7 @@ PaperTrials simulate(const PaperFigure& paper, const Condition& condition, std::
   for (std::uint32_t trial = 0; trial < static_cast<std::uint32_t>(paper_trials); ++trial) {
     std::vector<TrialStep> steps;
     const TrialOutcome outcome = simulate_trial(
-        condition, {.seed = seed, .condition = static_cast<std::uint32_t>(paper.number), .trial = trial},
-        &steps);
+        condition, {.seed = seed, .condition = static_cast<std::uint32_t>(paper.number), .trial = trial}, &steps);
     trials.hits += outcome.hit ? 1 : 0;
     trials.true_paths.push_back(path_of(steps, &TrialStep::finger_direction_deg));
     trials.perceived_paths.push_back(path_of(steps, &TrialStep::perceived_direction_deg));
@@ -122,11 +120,10 @@ PaperTrials simulate(const PaperFigure& paper, const Condition& condition, std::
   return trials;
 }
 
-std::string paths_panel(int panel, const std::string& title, const std::string& paths,
-                        const std::string& thin, const std::string& thick) {
-  return panel_place(panel) + "set title '" + title + "'\nplot $" + paths +
-         " using 1:2 with lines lw 0.7 lc rgb '" + thin + "' title 'one trial', $" + paths +
-         "_median using 1:2 with lines " + thick +
+std::string paths_panel(int panel, const std::string& title, const std::string& paths, const std::string& thin,
+                        const std::string& thick) {
+  return panel_place(panel) + "set title '" + title + "'\nplot $" + paths + " using 1:2 with lines lw 0.7 lc rgb '" +
+         thin + "' title 'one trial', $" + paths + "_median using 1:2 with lines " + thick +
          " title 'median', $real using 1:2 with points pt 7 ps 1.2 lc rgb '#1b7837' title 'real target', "
          "$virtual using 1:2 with points pt 12 ps 1.4 lw 2 lc rgb '#b35806' title 'virtual target'\n";
 }
@@ -136,12 +133,11 @@ std::string level(double value_deg, const std::string& look) {
 }
 
 std::string plate_panel(const PaperFigure& paper, double bound_deg) {
-  std::string script =
-      panel_place(2) +
-      "set title 'c: plate orientation in one trial'\nset xrange [0:31]\nset yrange [-110:110]\n"
-      "set ytics 30\nset xlabel 'model step (0.1 s)'\nset ylabel 'plate orientation, °'\nplot ";
-  const Authority authority = steering_authority(paper.real_direction_deg, paper.virtual_direction_deg,
-                                                 paper.tactile_weight, bound_deg);
+  std::string script = panel_place(2) +
+                       "set title 'c: plate orientation in one trial'\nset xrange [0:31]\nset yrange [-110:110]\n"
+                       "set ytics 30\nset xlabel 'model step (0.1 s)'\nset ylabel 'plate orientation, °'\nplot ";
+  const Authority authority =
+      steering_authority(paper.real_direction_deg, paper.virtual_direction_deg, paper.tactile_weight, bound_deg);
   if (!paper.is_plate_fixed)
     script += level(paper.virtual_direction_deg - bound_deg, "dt 3 lw 1.5 title 'bound'") +
               level(paper.virtual_direction_deg + bound_deg, "dt 3 lw 1.5 notitle");
@@ -158,8 +154,7 @@ std::string directions_panel(const PaperFigure& paper, double tolerance_deg) {
          "'#9ecae1' title 'one trial', $directions_median using 1:2 with lines lw 3 lc rgb '#a50f15' title "
          "'median', " +
          level(paper.real_direction_deg - tolerance_deg, "lw 1.5 title 'real ± 1.5°'") +
-         level(paper.real_direction_deg + tolerance_deg, "lw 1.5 notitle") +
-         number(paper.virtual_direction_deg) +
+         level(paper.real_direction_deg + tolerance_deg, "lw 1.5 notitle") + number(paper.virtual_direction_deg) +
          " with lines dt 2 lw 1.5 lc rgb '#b35806' title 'virtual'\nunset multiplot\n";
 }
 
@@ -167,24 +162,22 @@ std::string directions_panel(const PaperFigure& paper, double tolerance_deg) {
 Figure described(const PaperFigure& paper, int hits) {
   const std::string number_text = std::to_string(paper.number);
   return {.name = "fig" + number_text,
-          .title = "Fig. " + number_text + ": real target at " + number(paper.real_direction_deg) +
-                   "°, virtual at " + number(paper.virtual_direction_deg) + "°" +
-                   (paper.is_plate_fixed ? ", no controller" : ""),
-          .caption =
-              "a: " + number(paper_trials) +
-              " simulated paths and their median. b: the paths that the "
-              "participant perceives. c: the plate in the first of these trials. d: the direction of motion, "
-              "which the last step judges. Motor variance " +
-              number(paper.motor_variance_deg2) + " (°)², tactile weight " + number(paper.tactile_weight) +
-              ". " + number(100.0 * hits / paper_trials) +
-              " % of these trials end within 1.5° of the real direction; the paper: " + paper.paper + ".",
+          .title = "Fig. " + number_text + ": real target at " + number(paper.real_direction_deg) + "°, virtual at " +
+                   number(paper.virtual_direction_deg) + "°" + (paper.is_plate_fixed ? ", no controller" : ""),
+          .caption = "a: " + number(paper_trials) +
+                     " simulated paths and their median. b: the paths that the "
+                     "participant perceives. c: the plate in the first of these trials. d: the direction of motion, "
+                     "which the last step judges. Motor variance " +
+                     number(paper.motor_variance_deg2) + " (°)², tactile weight " + number(paper.tactile_weight) +
+                     ". " + number(100.0 * hits / paper_trials) +
+                     " % of these trials end within 1.5° of the real direction; the paper: " + paper.paper + ".",
           .width_px = width_px,
           .height_px = height_px};
 }
 
 Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
-  Condition condition = make_condition(paper.motor_variance_deg2, paper.tactile_weight,
-                                       paper.real_direction_deg, paper.virtual_direction_deg);
+  Condition condition = make_condition(paper.motor_variance_deg2, paper.tactile_weight, paper.real_direction_deg,
+                                       paper.virtual_direction_deg);
   if (paper.is_plate_fixed) condition.controller.mode = ControlMode::fixed_plate;
   const PaperTrials trials = simulate(paper, condition, seed);
 
@@ -210,8 +203,7 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
       "set ylabel 'away from the participant, mm'\n" +
       paths_panel(0, "a: true paths" + enlarged, "true", "#9ecae1", "lw 3 lc rgb '#a50f15'") +
       paths_panel(1, "b: perceived paths" + enlarged, "perceived", "#bdbdbd", "dt 2 lw 3 lc rgb '#00441b'") +
-      plate_panel(paper, condition.controller.mpc.plate_bound_deg) +
-      directions_panel(paper, condition.tolerance_deg);
+      plate_panel(paper, condition.controller.mpc.plate_bound_deg) + directions_panel(paper, condition.tolerance_deg);
   return figure;
 }
 

@@ -21,8 +21,7 @@ std::string conclusion(const RetestReport& report) {
   std::size_t known = 0;
   for (const ComparedValue& value : report.values) {
     known += value.difference.difference.known ? 1 : 0;
-    if (value.difference.differs)
-      differing += (differing.empty() ? "" : "; ") + std::string(value.trait.words);
+    if (value.difference.differs) differing += (differing.empty() ? "" : "; ") + std::string(value.trait.words);
   }
   if (known == 0) return "No value is known from both calibrations: nothing can be compared";
   if (differing.empty())
@@ -38,8 +37,7 @@ RetestReport compare_calibrations(CalibrationReport first, CalibrationReport sec
   const Calibration& a = report.first.calibration;
   const Calibration& b = report.second.calibration;
   std::vector<RepeatedValue> values;
-  for (const char* const name :
-       {"tactile_weight", "max_gap_deg", "bias_deg", "habit_deg", "tracker_noise_mm"}) {
+  for (const char* const name : {"tactile_weight", "max_gap_deg", "bias_deg", "habit_deg", "tracker_noise_mm"}) {
     const EstimatedTrait first_value = trait_of(a, name);
     report.values.push_back({first_value, {}});
     values.push_back({first_value.interval, trait_of(b, name).interval});
@@ -50,8 +48,8 @@ RetestReport compare_calibrations(CalibrationReport first, CalibrationReport sec
 }
 
 std::string retest_text(const RetestReport& report) {
-  std::string text = "\nRetest " + report.second.name + " less test " + report.first.name + "\n  " +
-                     left("", 36) + right("difference", 15) + "   95 % interval\n";
+  std::string text = "\nRetest " + report.second.name + " less test " + report.first.name + "\n  " + left("", 36) +
+                     right("difference", 15) + "   95 % interval\n";
   for (const ComparedValue& value : report.values) {
     const Interval& difference = value.difference.difference;
     text += "  " + left(value.trait.words, 36);
@@ -70,12 +68,11 @@ nlohmann::ordered_json retest_json(const RetestReport& report) {
   for (const ComparedValue& value : report.values) {
     const RetestDifference& difference = value.difference;
     differs = differs || difference.differs;
-    page["values"][value.trait.name] = {
-        {"difference", difference.difference.value},
-        {"interval", {difference.difference.lower, difference.difference.upper}},
-        {"known", difference.difference.known},
-        {"p", difference.p},
-        {"differs", difference.differs}};
+    page["values"][value.trait.name] = {{"difference", difference.difference.value},
+                                        {"interval", {difference.difference.lower, difference.difference.upper}},
+                                        {"known", difference.difference.known},
+                                        {"p", difference.p},
+                                        {"differs", difference.differs}};
   }
   page["differs"] = differs;
   return page;

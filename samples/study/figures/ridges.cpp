@@ -48,13 +48,11 @@ Ridges simulate_ridges(const RidgeOptions& options) {
 
 std::string ridges_text(const Ridges& ridges) {
   std::string page =
-      wrapped(
-          "The paper's Fig. 1c: " + std::to_string(ridges.options.trials) +
-          " simulated slides straight ahead over a plate that rests at each angle, weight of touch " +
-          number(ridges.options.tactile_weight) + ", motor variance " +
-          number(ridges.options.motor_variance_deg2) +
-          " deg^2. Ridges that lead to the left by touch (positive) bend the path to the right. There was "
-          "no human trial here.") +
+      wrapped("The paper's Fig. 1c: " + std::to_string(ridges.options.trials) +
+              " simulated slides straight ahead over a plate that rests at each angle, weight of touch " +
+              number(ridges.options.tactile_weight) + ", motor variance " + number(ridges.options.motor_variance_deg2) +
+              " deg^2. Ridges that lead to the left by touch (positive) bend the path to the right. There was "
+              "no human trial here.") +
       "\nplate, deg  final direction, deg: mean      SD  at rest\n";
   for (const RidgeAngle& angle : ridges.angles)
     page += right(number(angle.plate_deg), 10) + right(fixed(angle.mean_deg, 1), 29) +
@@ -92,16 +90,15 @@ Figure ridges_figure(const Ridges& ridges) {
     const std::string name = "plate" + std::to_string(i);
     const std::string color = std::string("lc rgb '") + colors[i % std::size(colors)] + "'";
     figure.script += path_block(name, angle.paths) + path_block(name + "_median", {median_path(angle.paths)});
-    plots += (i == 0 ? "plot $" : ", $") + name + " using 1:2 with lines lw 0.4 " + color + " notitle, $" +
-             name + "_median using 1:2 with lines lw 3 " + color + " title 'plate at " +
+    plots += (i == 0 ? "plot $" : ", $") + name + " using 1:2 with lines lw 0.4 " + color + " notitle, $" + name +
+             "_median using 1:2 with lines lw 3 " + color + " title 'plate at " +
              with_minus_signs(number(angle.plate_deg)) + "°'";
   }
-  figure.script +=
-      "set title \"" + figure.title +
-      " (simulation)\" font ',13'\nset key outside right\nset grid back lt 1 lw 0.6 lc rgb "
-      "'#dddddd'\nset size ratio -1\nset xrange [-35:35]\nset yrange [0:105]\n"
-      "set xlabel 'to the right of the mid-line, mm'\nset ylabel 'away from the participant, mm'\n" +
-      plots + '\n';
+  figure.script += "set title \"" + figure.title +
+                   " (simulation)\" font ',13'\nset key outside right\nset grid back lt 1 lw 0.6 lc rgb "
+                   "'#dddddd'\nset size ratio -1\nset xrange [-35:35]\nset yrange [0:105]\n"
+                   "set xlabel 'to the right of the mid-line, mm'\nset ylabel 'away from the participant, mm'\n" +
+                   plots + '\n';
   return figure;
 }
 

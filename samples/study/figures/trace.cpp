@@ -55,8 +55,8 @@ std::string animation(const std::string& opening, const std::vector<std::string>
     list += values[i] + ';';
     times += fixed(static_cast<double>(i) / frames_a_second / total_s, 4) + ';';
   }
-  return opening + " dur=\"" + fixed(total_s, 2) + "s\" repeatCount=\"indefinite\" values=\"" + list +
-         values.back() + "\" keyTimes=\"" + times + "1\"/>";
+  return opening + " dur=\"" + fixed(total_s, 2) + "s\" repeatCount=\"indefinite\" values=\"" + list + values.back() +
+         "\" keyTimes=\"" + times + "1\"/>";
 }
 
 std::string attribute(const std::string& name, const std::vector<std::string>& values) {
@@ -78,10 +78,9 @@ std::string moving(const std::vector<Spot>& spots, const std::string& line, cons
     left_mm.push_back(fixed(length_mm - done_mm, 1));
     points += xs.back() + ',' + ys.back() + ' ';
   }
-  return "<polyline fill=\"none\" stroke-width=\"1.4\" " + line + " stroke-dasharray=\"" +
-         fixed(length_mm, 1) + " 999\" points=\"" + points + "\">" + attribute("stroke-dashoffset", left_mm) +
-         "</polyline>\n<circle r=\"3.2\" " + dot + '>' + attribute("cx", xs) + attribute("cy", ys) +
-         "</circle>\n";
+  return "<polyline fill=\"none\" stroke-width=\"1.4\" " + line + " stroke-dasharray=\"" + fixed(length_mm, 1) +
+         " 999\" points=\"" + points + "\">" + attribute("stroke-dashoffset", left_mm) +
+         "</polyline>\n<circle r=\"3.2\" " + dot + '>' + attribute("cx", xs) + attribute("cy", ys) + "</circle>\n";
 }
 
 std::string ridges(const std::vector<TracedSample>& samples) {
@@ -93,25 +92,24 @@ std::string ridges(const std::vector<TracedSample>& samples) {
   std::vector<std::string> turns;
   for (const TracedSample& sample : samples) turns.push_back(fixed(-sample.plate_deg, 1));
   return "<g stroke=\"#b9c4d0\" stroke-width=\"1.1\">" +
-         animation("<animateTransform attributeName=\"transform\" type=\"rotate\"", turns) + "<path d=\"" +
-         lines + "\"/></g>\n";
+         animation("<animateTransform attributeName=\"transform\" type=\"rotate\"", turns) + "<path d=\"" + lines +
+         "\"/></g>\n";
 }
 
 std::string label(const Spot& at, const char* anchor, const std::string& color, const std::string& text) {
-  return "<text x=\"" + fixed(at.x, 1) + "\" y=\"" + fixed(at.y, 1) + "\" text-anchor=\"" + anchor +
-         "\" fill=\"" + color + "\">" + text + "</text>\n";
+  return "<text x=\"" + fixed(at.x, 1) + "\" y=\"" + fixed(at.y, 1) + "\" text-anchor=\"" + anchor + "\" fill=\"" +
+         color + "\">" + text + "</text>\n";
 }
 
 }  // namespace
 
 Figure trace_figure(const Trace& trace) {
-  Figure figure{
-      .name = "trace",
-      .title = "What the filter knows of finger and person",
-      .caption = "Every state over the time of a simulated reach, with two deviations to both sides.",
-      .width_px = 1200,
-      .height_px = 900,
-      .script = "$trace << EOD\n"};
+  Figure figure{.name = "trace",
+                .title = "What the filter knows of finger and person",
+                .caption = "Every state over the time of a simulated reach, with two deviations to both sides.",
+                .width_px = 1200,
+                .height_px = 900,
+                .script = "$trace << EOD\n"};
   for (const TracedSample& sample : trace.samples) {
     figure.script += number(sample.time_s);
     for (std::size_t i = 0; i < sample.mean.size(); ++i)
@@ -127,8 +125,8 @@ Figure trace_figure(const Trace& trace) {
     const std::string mean = std::to_string(2 + 2 * i), band = std::to_string(3 + 2 * i);
     std::string title = person_state_names[i];
     std::replace(title.begin(), title.end(), '_', ' ');
-    figure.script += "set title '" + title + "'\nplot $trace using 1:($" + mean + "-$" + band + "):($" +
-                     mean + "+$" + band + ") with filledcurves fc rgb '#d5e2f0', $trace using 1:" + mean +
+    figure.script += "set title '" + title + "'\nplot $trace using 1:($" + mean + "-$" + band + "):($" + mean + "+$" +
+                     band + ") with filledcurves fc rgb '#d5e2f0', $trace using 1:" + mean +
                      " with lines lw 2 lc rgb '#08306b'\n";
   }
   figure.script += "unset multiplot\n";
@@ -163,8 +161,7 @@ std::string moving_picture(const Trace& trace) {
          moving(finger, "stroke=\"#08306b\"", "fill=\"#08306b\" stroke=\"#ffffff\" stroke-width=\"0.6\"") +
          label({real.x + side, real.y}, real_is_left ? "end" : "start", "#08306b", "real target") +
          label({felt.x - side, felt.y}, real_is_left ? "start" : "end", "#c45a00", "virtual target") +
-         label({0.0, 85.0}, "middle", "#56616e",
-               "simulated: where the finger is (blue), where it is felt (orange)") +
+         label({0.0, 85.0}, "middle", "#56616e", "simulated: where the finger is (blue), where it is felt (orange)") +
          "</svg>\n";
 }
 

@@ -18,15 +18,13 @@ namespace hrt::study {
 
 namespace fs = std::filesystem;
 
-Workshop::Workshop(const std::string& argument, const std::string& out)
-    : out_(out), was_made_(!fs::exists(out)) {
+Workshop::Workshop(const std::string& argument, const std::string& out) : out_(out), was_made_(!fs::exists(out)) {
   run_gnuplot("", ".");  // missing: said before the work, not after it
   std::error_code error;
   fs::create_directories(out_, error);
   folder_ = out_ / (".hrt-study." + std::to_string(getpid()) + ".tmp");
   if (!error) fs::create_directory(folder_, error);
-  if (error)
-    throw UsageError(not_allowed(argument, out, "a folder that can be written (" + error.message() + ")"));
+  if (error) throw UsageError(not_allowed(argument, out, "a folder that can be written (" + error.message() + ")"));
 }
 
 Workshop::~Workshop() {
@@ -75,8 +73,7 @@ std::string in_one_line(std::FILE* file) {
   std::fseek(file, 0, SEEK_SET);
   std::string text;
   char buffer[4096];
-  for (std::size_t size = 0; (size = std::fread(buffer, 1, sizeof buffer, file)) > 0;)
-    text.append(buffer, size);
+  for (std::size_t size = 0; (size = std::fread(buffer, 1, sizeof buffer, file)) > 0;) text.append(buffer, size);
   std::string line;
   std::istringstream words(text);
   for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
@@ -96,8 +93,7 @@ int status_of(pid_t child) {
 void run_gnuplot(const std::string& script, const std::filesystem::path& folder) {
   const File input = anonymous_file();
   const File errors = anonymous_file();
-  if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() ||
-      std::fflush(input.get()) != 0)
+  if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() || std::fflush(input.get()) != 0)
     throw std::runtime_error(std::string("cannot write a temporary file: ") + std::strerror(errno));
   std::fseek(input.get(), 0, SEEK_SET);
 
@@ -114,8 +110,7 @@ void run_gnuplot(const std::string& script, const std::filesystem::path& folder)
   const int error = posix_spawnp(&child, program, &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT)
-    throw std::runtime_error(
-        "gnuplot draws the figures and is not in PATH; on Debian: apt-get install gnuplot-nox");
+    throw std::runtime_error("gnuplot draws the figures and is not in PATH; on Debian: apt-get install gnuplot-nox");
   if (error != 0) throw std::runtime_error(std::string("cannot start gnuplot: ") + std::strerror(error));
   if (status_of(child) != 0) throw std::runtime_error("gnuplot failed: " + in_one_line(errors.get()));
 }

@@ -16,9 +16,7 @@ std::string words_for(std::string_view column) { return "column " + std::string(
 
 }  // namespace
 
-std::string line_of_file(const std::string& name, std::size_t line) {
-  return name + ", line " + std::to_string(line);
-}
+std::string line_of_file(const std::string& name, std::size_t line) { return name + ", line " + std::to_string(line); }
 
 std::string shown(std::string_view text) {
   constexpr std::size_t max = 40;
@@ -60,8 +58,7 @@ void CsvReader::take_header(std::string_view columns, const std::string& allowed
 
 void CsvReader::take_row() const {
   if (fields_.size() != width_)
-    throw wrong("columns", std::to_string(fields_.size()),
-                "as many as the header has, " + std::to_string(width_));
+    throw wrong("columns", std::to_string(fields_.size()), "as many as the header has, " + std::to_string(width_));
 }
 
 std::string_view CsvReader::text(std::string_view column) const {
@@ -76,8 +73,7 @@ double CsvReader::number(std::string_view column, const NumberRange& range) cons
   return *value;
 }
 
-UsageError CsvReader::wrong(const std::string& what, std::string_view text,
-                            const std::string& allowed) const {
+UsageError CsvReader::wrong(const std::string& what, std::string_view text, const std::string& allowed) const {
   return UsageError(not_allowed(where() + ", " + what, shown(text), allowed));
 }
 

@@ -37,8 +37,7 @@ void put(Row& row, const std::string& name, const std::string& unit, const Quant
 std::string csv_of(const Results& results, const Part& part) {
   std::string page;
   const auto add = [&](const Row& row, const auto& text) {
-    for (auto item = row.begin(); item != row.end(); ++item)
-      page += (item == row.begin() ? "" : ",") + text(item);
+    for (auto item = row.begin(); item != row.end(); ++item) page += (item == row.begin() ? "" : ",") + text(item);
     page += '\n';
   };
   if (part.has_header() && !results.rows.empty())

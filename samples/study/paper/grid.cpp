@@ -20,8 +20,7 @@ std::uint64_t Grid::size() const {
     if (size <= max) size *= list.size();
   }
   if (size > max)
-    throw UsageError("--gap and the other lists: at most " + std::to_string(max) +
-                     " combinations are allowed");
+    throw UsageError("--gap and the other lists: at most " + std::to_string(max) + " combinations are allowed");
   return size;
 }
 
@@ -46,8 +45,7 @@ std::string grid_header() {
          "rms_perceived_error_deg,saturated_share,max_gap_deg,reachable\n";
 }
 
-std::string grid_row(std::uint64_t index, const Condition& condition, std::uint64_t seed,
-                     const BatchResult& result) {
+std::string grid_row(std::uint64_t index, const Condition& condition, std::uint64_t seed, const BatchResult& result) {
   const PercentInterval interval = wilson_interval(result.hit_percent(), static_cast<double>(result.trials));
   const Authority authority =
       steering_authority(condition.real_direction_deg, condition.virtual_direction_deg,

@@ -31,7 +31,6 @@ class Grid {
 std::string grid_header();
 
 /// A row, with its line end.
-std::string grid_row(std::uint64_t index, const Condition& condition, std::uint64_t seed,
-                     const BatchResult& result);
+std::string grid_row(std::uint64_t index, const Condition& condition, std::uint64_t seed, const BatchResult& result);
 
 }  // namespace hrt::study

@@ -17,8 +17,7 @@ constexpr double significant = 3.841458820694124;
 
 Condition condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
                     double virtual_direction_deg, std::uint64_t horizon) {
-  Condition condition =
-      make_condition(motor_variance_deg2, tactile_weight, real_direction_deg, virtual_direction_deg);
+  Condition condition = make_condition(motor_variance_deg2, tactile_weight, real_direction_deg, virtual_direction_deg);
   condition.controller.mpc.horizon = static_cast<int>(horizon);
   return condition;
 }
@@ -27,19 +26,18 @@ CellGroup six_pairs(const std::string& name, const std::string& title, double mo
                     double tactile_weight, std::uint64_t horizon) {
   CellGroup group{.name = name, .title = title};
   for (const PaperCell& cell : paper_table1[0].cells)
-    group.cells.push_back(
-        {.condition = condition(motor_variance_deg2, tactile_weight, cell.real_direction_deg,
-                                cell.virtual_direction_deg, horizon)});
+    group.cells.push_back({.condition = condition(motor_variance_deg2, tactile_weight, cell.real_direction_deg,
+                                                  cell.virtual_direction_deg, horizon)});
   return group;
 }
 
 CellGroup paper_condition(std::size_t index, std::uint64_t horizon) {
   const PaperCondition& paper = paper_table1[index];
-  CellGroup group = six_pairs("condition_" + std::to_string(index + 1),
-                              "Condition " + std::to_string(index + 1) + ": motor variance " +
-                                  number(paper.motor_variance_deg2) + " deg^2, tactile weight " +
-                                  number(paper.tactile_weight),
-                              paper.motor_variance_deg2, paper.tactile_weight, horizon);
+  CellGroup group =
+      six_pairs("condition_" + std::to_string(index + 1),
+                "Condition " + std::to_string(index + 1) + ": motor variance " + number(paper.motor_variance_deg2) +
+                    " deg^2, tactile weight " + number(paper.tactile_weight),
+                paper.motor_variance_deg2, paper.tactile_weight, horizon);
   for (std::size_t i = 0; i < paper.cells.size(); ++i) group.cells[i].paper_percent = paper.cells[i].percent;
   group.paper_percent = paper.mean_percent;
   group.paper_sd = paper.sd_percent;
@@ -51,8 +49,8 @@ std::vector<CellGroup> paper_claims(std::uint64_t horizon) {
   claims.push_back(six_pairs("tactile_weight_0.05", "Tactile weight 0.05", 0.5, 0.05, horizon));
   claims.back().paper_percent = paper_impaired_touch_percent;
   for (const double tactile_weight : {0.2, 0.3, 0.45}) {
-    claims.push_back(six_pairs("tactile_weight_" + number(tactile_weight),
-                               "Tactile weight " + number(tactile_weight), 0.5, tactile_weight, horizon));
+    claims.push_back(six_pairs("tactile_weight_" + number(tactile_weight), "Tactile weight " + number(tactile_weight),
+                               0.5, tactile_weight, horizon));
     claims.back().paper_percent = paper_table1[0].mean_percent;
   }
 
@@ -91,9 +89,8 @@ std::vector<CellGroup> amplitude_groups(std::uint64_t horizon) {
   std::vector<CellGroup> groups;
   for (std::size_t i = 0; i < paper_table1.size(); ++i)
     for (const double gap_deg : amplitudes_deg) {
-      CellGroup group =
-          six_pairs("amplitude_" + number(gap_deg) + "_condition_" + std::to_string(i + 1), "",
-                    paper_table1[i].motor_variance_deg2, paper_table1[i].tactile_weight, horizon);
+      CellGroup group = six_pairs("amplitude_" + number(gap_deg) + "_condition_" + std::to_string(i + 1), "",
+                                  paper_table1[i].motor_variance_deg2, paper_table1[i].tactile_weight, horizon);
       for (Cell& cell : group.cells) {
         cell.condition.real_direction_deg *= gap_deg / 10.0;
         cell.condition.virtual_direction_deg *= gap_deg / 10.0;
@@ -115,8 +112,8 @@ void judge(CellGroup& group, const std::string& reason = {}) {
 // "reproduced: 1.2 percentage points below", for a group that has been judged.
 std::string compared_words(const CellGroup& group, const CellGroup& other) {
   const double gain_percent = group.mean_percent() - other.mean_percent();
-  return std::string(group.reproduced ? "reproduced" : "NOT reproduced") + ": " +
-         fixed(std::abs(gain_percent), 1) + " percentage points " + (gain_percent < 0.0 ? "below" : "above");
+  return std::string(group.reproduced ? "reproduced" : "NOT reproduced") + ": " + fixed(std::abs(gain_percent), 1) +
+         " percentage points " + (gain_percent < 0.0 ? "below" : "above");
 }
 
 // A window of three steps is the shortest that does as well as any.
@@ -142,12 +139,11 @@ void judge_uncontrolled(CellGroup& claim) {
   const Condition& first = claim.cells.front().condition;
   const BatchResult& result = claim.cells.front().result;
   const double final_deg = first.real_direction_deg + result.mean_miss_deg();
-  claim.reproduced = result.hit_percent() < 5.0 && std::abs(final_deg - first.virtual_direction_deg) <
-                                                       std::abs(final_deg - first.real_direction_deg);
+  claim.reproduced = result.hit_percent() < 5.0 &&
+                     std::abs(final_deg - first.virtual_direction_deg) < std::abs(final_deg - first.real_direction_deg);
   claim.verdict = std::string(claim.reproduced ? "reproduced" : "NOT reproduced") + ": the finger ends at " +
-                  fixed(final_deg, 1) + " deg on average, the real target at " +
-                  number(first.real_direction_deg) + ", the virtual one at " +
-                  number(first.virtual_direction_deg);
+                  fixed(final_deg, 1) + " deg on average, the real target at " + number(first.real_direction_deg) +
+                  ", the virtual one at " + number(first.virtual_direction_deg);
 }
 
 void judge_claims(std::vector<CellGroup>& claims) {
@@ -190,10 +186,9 @@ void judge_claims(std::vector<CellGroup>& claims) {
 std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, std::uint64_t seed,
                                            std::uint64_t threads) {
   Progress progress;
-  return run_batch(
-      jobs, seed,
-      {.threads = static_cast<int>(threads),
-       .progress = [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); }});
+  return run_batch(jobs, seed,
+                   {.threads = static_cast<int>(threads),
+                    .progress = [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); }});
 }
 
 double CellGroup::mean_percent() const {
@@ -219,16 +214,13 @@ std::optional<PercentInterval> CellGroup::paper_interval() const {
   return wilson_interval(*paper_percent, paper_trials * static_cast<double>(cells.size()));
 }
 
-PercentInterval paper_interval(const Cell& cell) {
-  return wilson_interval(*cell.paper_percent, paper_trials);
-}
+PercentInterval paper_interval(const Cell& cell) { return wilson_interval(*cell.paper_percent, paper_trials); }
 
 bool agrees(const Cell& cell) { return paper_interval(cell).contains(cell.result.hit_percent()); }
 
 Table1 simulate_table1(const Table1Options& options) {
   Table1 table{.options = options};
-  for (std::size_t i = 0; i < paper_table1.size(); ++i)
-    table.conditions.push_back(paper_condition(i, options.horizon));
+  for (std::size_t i = 0; i < paper_table1.size(); ++i) table.conditions.push_back(paper_condition(i, options.horizon));
   table.claims = paper_claims(options.horizon);
   table.amplitudes = amplitude_groups(options.horizon);
 
@@ -261,16 +253,14 @@ Table1 simulate_table1(const Table1Options& options) {
 BestAmplitude best_amplitude(const Table1& table, std::size_t condition) {
   constexpr std::size_t count = std::size(amplitudes_deg);
   const auto first = table.amplitudes.begin() + static_cast<std::ptrdiff_t>(condition * count);
-  const auto best = std::max_element(first, first + count, [](const CellGroup& a, const CellGroup& b) {
-    return a.mean_percent() < b.mean_percent();
-  });
+  const auto best = std::max_element(
+      first, first + count, [](const CellGroup& a, const CellGroup& b) { return a.mean_percent() < b.mean_percent(); });
   const CellGroup& ten = first[paper_amplitude];
   const auto trials = static_cast<double>(ten.cells.size() * ten.cells.front().result.trials);
   return {.gap_deg = amplitudes_deg[best - first],
           .percent = best->mean_percent(),
           .paper_amplitude_percent = ten.mean_percent(),
-          .by_chance =
-              squared_difference(best->mean_percent(), trials, ten.mean_percent(), trials) < significant};
+          .by_chance = squared_difference(best->mean_percent(), trials, ten.mean_percent(), trials) < significant};
 }
 
 double limit_percent(const Condition& condition) {

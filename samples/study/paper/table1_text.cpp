@@ -10,11 +10,9 @@ namespace hrt::study {
 namespace {
 
 // "     93.0    89.5 - 95.4     92.8"
-std::string columns(std::optional<double> paper_percent, std::optional<PercentInterval> interval,
-                    double percent) {
+std::string columns(std::optional<double> paper_percent, std::optional<PercentInterval> interval, double percent) {
   return right(paper_percent ? fixed(*paper_percent, 1) : "", 9) +
-         right(interval ? between(interval->low, interval->high, 1, " - ") : "", 15) +
-         right(fixed(percent, 1), 9);
+         right(interval ? between(interval->low, interval->high, 1, " - ") : "", 15) + right(fixed(percent, 1), 9);
 }
 
 std::string yes_or_no(bool yes) { return yes ? "     yes" : "      NO"; }
@@ -27,14 +25,12 @@ constexpr double high_sd_of_six = 1.602;
 std::string condition_text(const CellGroup& group) {
   std::string page = group.title + "\n   real  virtual    paper  95 % interval    model  agrees\n";
   for (const Cell& cell : group.cells)
-    page += right(number(cell.condition.real_direction_deg), 7) +
-            right(number(cell.condition.virtual_direction_deg), 9) +
-            columns(cell.paper_percent, paper_interval(cell), cell.result.hit_percent()) +
-            yes_or_no(agrees(cell)) + '\n';
+    page +=
+        right(number(cell.condition.real_direction_deg), 7) + right(number(cell.condition.virtual_direction_deg), 9) +
+        columns(cell.paper_percent, paper_interval(cell), cell.result.hit_percent()) + yes_or_no(agrees(cell)) + '\n';
   const double sd = group.sd_percent();
   const PercentInterval six{low_sd_of_six * sd, high_sd_of_six * sd};
-  return page + left("    mean", 16) +
-         columns(group.paper_percent, group.paper_interval(), group.mean_percent()) +
+  return page + left("    mean", 16) + columns(group.paper_percent, group.paper_interval(), group.mean_percent()) +
          yes_or_no(group.reproduced) + '\n' + left("    SD", 16) + columns(group.paper_sd, six, sd) +
          yes_or_no(six.contains(*group.paper_sd)) + "\n    no controller does better than " +
          fixed(limit_percent(group.cells.front().condition), 1) +
@@ -45,16 +41,15 @@ std::string fit_text(const Table1& table) {
   int outside = 0;
   for (const CellGroup& group : table.conditions)
     for (const Cell& cell : group.cells) outside += agrees(cell) ? 0 : 1;
-  std::string page = "chi-squared " + fixed(table.chi_squared, 1) + " over " +
-                     std::to_string(table.degrees_of_freedom) + " cells, p = " + fixed(table.p_value, 2) +
-                     ": " + (table.p_value >= 0.05 ? "consistent" : "NOT consistent") +
-                     " with the sampling noise of the paper's 50 trials a cell.\n" + std::to_string(outside) +
-                     " of the " + std::to_string(table.degrees_of_freedom) +
-                     " cells lie outside their 95 % interval; one in twenty does by chance.\n" +
-                     wrapped(in_sample_words) +
-                     wrapped(
-                         "SD: over the six pairs; the model's is that of cells of 50 trials, with 95 % of "
-                         "its samples of six.");
+  std::string page =
+      "chi-squared " + fixed(table.chi_squared, 1) + " over " + std::to_string(table.degrees_of_freedom) +
+      " cells, p = " + fixed(table.p_value, 2) + ": " + (table.p_value >= 0.05 ? "consistent" : "NOT consistent") +
+      " with the sampling noise of the paper's 50 trials a cell.\n" + std::to_string(outside) + " of the " +
+      std::to_string(table.degrees_of_freedom) +
+      " cells lie outside their 95 % interval; one in twenty does by chance.\n" + wrapped(in_sample_words) +
+      wrapped(
+          "SD: over the six pairs; the model's is that of cells of 50 trials, with 95 % of "
+          "its samples of six.");
   for (const CellGroup& group : table.conditions)
     if (!group.reproduced)
       page += "The mean of " + group.name.substr(0, 9) + ' ' + group.name.substr(10) +
@@ -67,16 +62,14 @@ std::string fit_text(const Table1& table) {
 }
 
 std::string claims_text(const Table1& table) {
-  std::string page =
-      left("What else the paper says", 34) + "    paper  95 % interval    model  lowest and highest\n";
+  std::string page = left("What else the paper says", 34) + "    paper  95 % interval    model  lowest and highest\n";
   for (const CellGroup& claim : table.claims) {
-    page +=
-        left(claim.title, 34) + columns(claim.paper_percent, claim.paper_interval(), claim.mean_percent());
+    page += left(claim.title, 34) + columns(claim.paper_percent, claim.paper_interval(), claim.mean_percent());
     if (claim.cells.size() > 1) {
       const auto less = [](const Cell& a, const Cell& b) { return a.result.hits < b.result.hits; };
       const auto [lowest, highest] = std::minmax_element(claim.cells.begin(), claim.cells.end(), less);
-      page += right(fixed(lowest->result.hit_percent(), 1), 8) + " - " +
-              fixed(highest->result.hit_percent(), 1) + " of the six pairs";
+      page += right(fixed(lowest->result.hit_percent(), 1), 8) + " - " + fixed(highest->result.hit_percent(), 1) +
+              " of the six pairs";
     }
     page += '\n' + wrapped(claim.verdict, 100, "    ", "    ");
   }
@@ -85,9 +78,8 @@ std::string claims_text(const Table1& table) {
 
 std::string best_words(const BestAmplitude& best) {
   if (best.gap_deg == amplitudes_deg[paper_amplitude]) return "best at 10 deg";
-  return "best at " + number(best.gap_deg) + " deg, by " +
-         fixed(best.percent - best.paper_amplitude_percent, 1) + " points" +
-         (best.by_chance ? ", within chance" : "");
+  return "best at " + number(best.gap_deg) + " deg, by " + fixed(best.percent - best.paper_amplitude_percent, 1) +
+         " points" + (best.by_chance ? ", within chance" : "");
 }
 
 std::string amplitudes_text(const Table1& table) {

@@ -50,14 +50,12 @@ std::vector<double> coverage_angles() {
 
 std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const CoverageSession& session,
                                               std::uint32_t index, std::array<double, quantities>* truth) {
-  PersonCondition condition =
-      draw_person(*people_family(kind.family), session.duration_s, session.seed, index);
+  PersonCondition condition = draw_person(*people_family(kind.family), session.duration_s, session.seed, index);
   const Person& person = condition.person;
   const SimulatedIllusion& illusion = person.illusion;
   const auto either = [&](double t) { return felt_shift_deg(illusion, t); };
   *truth = {(either(60.0) - either(-60.0)) / 120.0, person.bias_deg - person.own_bias_deg, person.habit_deg,
-            std::min(max_shift_deg(illusion, curve_bound_deg, 1.0),
-                     max_shift_deg(illusion, curve_bound_deg, -1.0))};
+            std::min(max_shift_deg(illusion, curve_bound_deg, 1.0), max_shift_deg(illusion, curve_bound_deg, -1.0))};
 
   std::vector<double> angles;
   for (int i = 0; i < session.slides_an_angle; ++i)
@@ -76,8 +74,7 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
     PersonCondition now = condition;
     now.person.illusion.tactile_weight +=
         trend * (static_cast<double>(i) / static_cast<double>(angles.size() - 1) - 0.5);
-    CalibrationTrial trial =
-        simulate_slide(now, angles[i], session.seed, index, static_cast<std::uint32_t>(i));
+    CalibrationTrial trial = simulate_slide(now, angles[i], session.seed, index, static_cast<std::uint32_t>(i));
     if (draws.uniform() < kind.outlying_share) {
       const double off_deg = (draws.uniform() < 0.5 ? -1.0 : 1.0) * (15.0 + 25.0 * draws.uniform());
       for (TimedPoint& sample : trial.samples) {
@@ -97,8 +94,7 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   return trials;
 }
 
-CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& session,
-                               std::uint32_t index) {
+CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& session, std::uint32_t index) {
   CoveragePerson person;
   const auto trials = coverage_slides(kind, session, index, &person.truth);
   const auto result = calibrate(trials);

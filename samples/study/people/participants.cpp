@@ -25,26 +25,22 @@ std::vector<double> angles_in_order(const Session& session) {
                                .step = order_draw});
   std::vector<std::size_t> order(angles_deg.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
   std::vector<double> ordered_deg;
   for (const std::size_t i : order) ordered_deg.push_back(angles_deg[i]);
   return ordered_deg;
 }
 
-std::string comment(const std::string& name, double value) {
-  return "#   " + name + ' ' + number(value) + '\n';
-}
+std::string comment(const std::string& name, double value) { return "#   " + name + ' ' + number(value) + '\n'; }
 
 }  // namespace
 
 std::vector<CalibrationTrial> simulate_session(const Session& session) {
   std::vector<CalibrationTrial> trials;
   for (const double angle_deg : angles_in_order(session))
-    trials.push_back(simulate_calibration_trial(session.condition, angle_deg,
-                                                {.seed = session.seed,
-                                                 .condition = session.person,
-                                                 .trial = static_cast<std::uint32_t>(trials.size())}));
+    trials.push_back(simulate_calibration_trial(
+        session.condition, angle_deg,
+        {.seed = session.seed, .condition = session.person, .trial = static_cast<std::uint32_t>(trials.size())}));
   return trials;
 }
 
@@ -63,9 +59,9 @@ std::string session_csv(const Session& session) {
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const CalibrationTrial& trial = trials[i];
     for (std::size_t k = 0; k < trial.samples.size(); ++k)
-      csv += std::to_string(i + 1) + ',' + fixed(static_cast<double>(trial.samples[k].time_ns) * 1e-9, 9) +
-             ',' + number(trial.samples[k].position.right_m) + ',' +
-             number(trial.samples[k].position.away_m) + ',' + number(trial.plate_orientation_deg) + '\n';
+      csv += std::to_string(i + 1) + ',' + fixed(static_cast<double>(trial.samples[k].time_ns) * 1e-9, 9) + ',' +
+             number(trial.samples[k].position.right_m) + ',' + number(trial.samples[k].position.away_m) + ',' +
+             number(trial.plate_orientation_deg) + '\n';
   }
   return csv;
 }

@@ -26,8 +26,7 @@ struct NumberParameter {
 };
 
 #define HRT_FIELD(field) [](const C& c) { return c.field; }, [](C& c, double value) { c.field = value; }
-#define HRT_FIELD_MM(field) \
-  [](const C& c) { return 1e3 * c.field; }, [](C& c, double value) { c.field = 1e-3 * value; }
+#define HRT_FIELD_MM(field) [](const C& c) { return 1e3 * c.field; }, [](C& c, double value) { c.field = 1e-3 * value; }
 
 constexpr NumberRange share{0.0, 0.5};
 constexpr NumberRange angle{-45.0, 45.0};
@@ -72,8 +71,7 @@ constexpr NumberParameter number_parameters[] = {
 // Words in the order of the enumeration that they stand for.
 constexpr const char* illusions[] = {"linear", "saturating", "sine", "tanh", "dead_band", "unequal"};
 constexpr const char* steerings[] = {"steps", "continuous", "predictive", "place", "heavy_arm", "crossings"};
-constexpr const char* paces[] = {"minimum_jerk", "even",      "skewed",  "stop_and_go",
-                                 "pause",        "two_parts", "reversal"};
+constexpr const char* paces[] = {"minimum_jerk", "even", "skewed", "stop_and_go", "pause", "two_parts", "reversal"};
 
 struct WordParameter {
   const char* name;
@@ -106,14 +104,12 @@ std::string all_names() {
 }
 
 // `where` is the file and the parameter.
-void take(const std::string& where, std::string_view parameter, const nlohmann::json& value,
-          PersonFile* file) {
+void take(const std::string& where, std::string_view parameter, const nlohmann::json& value, PersonFile* file) {
   for (const WordParameter& known : word_parameters) {
     if (parameter != known.name) continue;
     const auto word = value.is_string() ? value.get<std::string>() : value.dump();
     const auto found = std::find(known.words.begin(), known.words.end(), word);
-    if (found == known.words.end())
-      throw UsageError(not_allowed(where, shown(word), "one of " + joined(known.words)));
+    if (found == known.words.end()) throw UsageError(not_allowed(where, shown(word), "one of " + joined(known.words)));
     return known.set(file->condition, static_cast<std::size_t>(found - known.words.begin()));
   }
   for (const NumberParameter& known : number_parameters) {
@@ -145,8 +141,7 @@ PersonFile parse_person(const std::string& name, std::string_view text) {
   if (!page.is_object() || page.empty())
     throw UsageError(name + ": there is no parameter; it must be a JSON object of " + all_names());
   PersonFile file;
-  for (const auto& [parameter, value] : page.items())
-    take(name + ", " + shown(parameter), parameter, value, &file);
+  for (const auto& [parameter, value] : page.items()) take(name + ", " + shown(parameter), parameter, value, &file);
   const C& c = file.condition;
   if (c.virtual_direction_deg == c.real_direction_deg)
     throw UsageError(not_allowed(name + ", real_direction_deg", number(c.real_direction_deg),
@@ -165,8 +160,8 @@ std::string person_parameters() {
     page += "  " + left(parameter.name, 28) + joined(parameter.words) + "; default " +
             parameter.words[parameter.get(standard)] + '\n';
   for (const NumberParameter& parameter : number_parameters)
-    page += "  " + left(parameter.name, 28) + parameter.range.text() + "; default " +
-            number(parameter.get(standard)) + '\n';
+    page += "  " + left(parameter.name, 28) + parameter.range.text() + "; default " + number(parameter.get(standard)) +
+            '\n';
   return page;
 }
 

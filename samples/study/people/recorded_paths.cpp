@@ -58,9 +58,7 @@ class PathsReader {
       return field.get<double>();
     };
     if (!config.is_object()) throw csv_.wrong("config", text, "a JSON object");
-    const auto or_infinite = [](double limit) {
-      return limit > 0.0 ? limit : std::numeric_limits<double>::infinity();
-    };
+    const auto or_infinite = [](double limit) { return limit > 0.0 ? limit : std::numeric_limits<double>::infinity(); };
     PlateDynamics& dynamics = recorded_.plate;
     dynamics.max_speed_deg_s = or_infinite(value("plate_max_speed_deg_s", {0.0, 1e9}, 0.0));
     dynamics.max_acceleration_deg_s2 = or_infinite(value("plate_max_acceleration_deg_s2", {0.0, 1e9}, 0.0));
@@ -106,8 +104,7 @@ class PathsReader {
     if (!path_) return;
     if (!csv_.text("real_distance_m").empty()) aim();
     const double time_ns = number_in("time_ns", {-9e18, 9e18});
-    const auto sample_flags =
-        static_cast<unsigned>(number_in("sample_flags", {.low = 0, .high = 1e9, .whole = true}));
+    const auto sample_flags = static_cast<unsigned>(number_in("sample_flags", {.low = 0, .high = 1e9, .whole = true}));
     FingerSample sample{.time_ns = static_cast<std::int64_t>(time_ns)};
     if (!path_->samples.empty() && sample.time_ns < path_->samples.back().time_ns)
       throw csv_.wrong("time_ns", "not before that of the row before");
@@ -134,17 +131,15 @@ class PathsReader {
 
   void end_reach() {
     if (!path_) return;
-    const auto positions =
-        std::count_if(path_->samples.begin(), path_->samples.end(),
-                      [](const FingerSample& sample) { return sample.observation == Observation::position; });
+    const auto positions = std::count_if(path_->samples.begin(), path_->samples.end(), [](const FingerSample& sample) {
+      return sample.observation == Observation::position;
+    });
     if (why_.empty() && positions < 2) why_ = "it has fewer than two positions";
-    path_->plate_source =
-        2 * measured_ > path_->samples.size() ? PlateSource::measured : PlateSource::commanded;
+    path_->plate_source = 2 * measured_ > path_->samples.size() ? PlateSource::measured : PlateSource::commanded;
     if (why_.empty())
       recorded_.paths.push_back(std::move(*path_));
     else
-      recorded_.left_out.push_back(name_ + ", reach " + std::to_string(path_->number) + ": left out, " +
-                                   why_);
+      recorded_.left_out.push_back(name_ + ", reach " + std::to_string(path_->number) + ": left out, " + why_);
     path_.reset();
     why_.clear();
   }

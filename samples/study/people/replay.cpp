@@ -86,14 +86,12 @@ std::vector<ReplayedPath> replay(const RecordedPaths& recorded) {
     PlateCommand last = retargeter.command();
     for (const FingerSample& sample : path.samples) {
       last = retargeter.update(sample);
-      changes_deg.push_back(
-          std::abs(wrap_deg(last.plate_orientation_deg - *sample.plate_orientation_deg, 180.0)));
+      changes_deg.push_back(std::abs(wrap_deg(last.plate_orientation_deg - *sample.plate_orientation_deg, 180.0)));
     }
     const ReachSummary summary = retargeter.summary();
     const auto learnt = retargeter.learnt();
     if (learnt)
-      config.person =
-          carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
+      config.person = carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
     replayed.push_back({.path = path,
                         .bearing_error_deg = last_bearing_deg(path),
                         .peak_felt_error_deg = summary.peak_felt_error_deg,
@@ -130,9 +128,8 @@ Replayed replay_folder(const std::string& argument, const std::string& folder) {
 
 std::string replay_text(const Replayed& all) {
   std::string page =
-      wrapped(
-          std::string(open_loop_words) +
-          " Each file is taken as the reaches of one person, whom the controller does not know at first.") +
+      wrapped(std::string(open_loop_words) +
+              " Each file is taken as the reaches of one person, whom the controller does not know at first.") +
       "\nend: recorded bearing of the end less the real target's\nw_T, bias, habit: believed after the "
       "reach, +- standard deviation\nfelt: largest felt error, as estimated\nturn: median size of our "
       "command less where the plate stood\nplate: measured, from recorded commands, or resting: calibration "
@@ -151,9 +148,8 @@ std::string replay_text(const Replayed& all) {
             right(with_sd(summary.estimate.tactile_weight, summary.estimate.tactile_weight_sd, 2), 15) +
             right(person ? with_sd(person->bias_deg, person->bias_sd_deg, 1) : "-", 14) +
             right(person ? with_sd(person->habit_deg, person->habit_sd_deg, 1) : "-", 14) +
-            right(fixed(replayed.peak_felt_error_deg, 1), 11) +
-            right(fixed(replayed.command_change_deg.value, 1), 11) + "  " +
-            left(source_name(replayed.path.plate_source), 11) + flag_words(summary) + '\n';
+            right(fixed(replayed.peak_felt_error_deg, 1), 11) + right(fixed(replayed.command_change_deg.value, 1), 11) +
+            "  " + left(source_name(replayed.path.plate_source), 11) + flag_words(summary) + '\n';
   }
   if (!all.left_out.empty()) page += '\n';
   for (const std::string& sentence : all.left_out) page += sentence + '\n';

@@ -20,8 +20,7 @@ using PersonResults = std::array<ReachResult, leadings.size()>;
 double true_weight(const PersonCondition& condition) {
   SimulatedIllusion illusion = condition.person.illusion;
   illusion.tactile_weight += condition.person.weight_drift;
-  const double offset_deg =
-      std::copysign(60.0, condition.virtual_direction_deg - condition.real_direction_deg);
+  const double offset_deg = std::copysign(60.0, condition.virtual_direction_deg - condition.real_direction_deg);
   return felt_shift_deg(illusion, offset_deg) / offset_deg;
 }
 
@@ -63,8 +62,8 @@ const char* leading_name(Leading leading) {
 }
 
 const char* leading_title(Leading leading) {
-  static constexpr const char* titles[] = {"no controller", "the paper's", "ours, first reach",
-                                           "ours, fifth reach", "ours, informed"};
+  static constexpr const char* titles[] = {"no controller", "the paper's", "ours, first reach", "ours, fifth reach",
+                                           "ours, informed"};
   return titles[static_cast<std::size_t>(leading)];
 }
 

@@ -24,8 +24,7 @@ enum class Leading {
   fifth,     ///< ours, on the fifth reach, with the knowledge of the four before it
   informed,  ///< ours, given the person's traits before the first reach
 };
-inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::fifth,
-                                     Leading::informed};
+inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::fifth, Leading::informed};
 
 const char* leading_name(Leading leading);   ///< in CSV and JSON
 const char* leading_title(Leading leading);  ///< in text

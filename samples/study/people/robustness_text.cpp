@@ -24,8 +24,7 @@ std::string near_line(const std::string& name, const Rows& rows, const std::vect
   std::string line = left(name, 15);
   for (const double duration_s : durations_s) {
     const Rows of_duration = at_duration(rows, duration_s);
-    for (const Leading leading : leadings)
-      line += right(words(of_duration, leading), leading == Leading::none ? 5 : 4);
+    for (const Leading leading : leadings) line += right(words(of_duration, leading), leading == Leading::none ? 5 : 4);
   }
   return line + '\n';
 }
@@ -50,18 +49,16 @@ std::string near_table(const RobustnessStudy& study) {
   for (std::size_t i = 0; i < durations_s.size(); ++i) page += "   no pap 1st 5th inf";
   page += '\n';
   for (const SimulatedPeople& people : study.people)
-    page += near_line(
-        label(people), of_people(rows, people.name), durations_s,
-        [](const Rows& of, Leading leading) { return rounded(of.front().cell(leading).can_hold.near); });
+    page += near_line(label(people), of_people(rows, people.name), durations_s,
+                      [](const Rows& of, Leading leading) { return rounded(of.front().cell(leading).can_hold.near); });
   if (study.people.size() == 1) return page;
   const auto mean = [](const Rows& of, Leading leading) {
     const double percent = mean_near_percent(of, leading);
     return std::isnan(percent) ? "-" : fixed(percent, 0);
   };
   const auto mean_line = [&](const std::string& name, bool tuned, bool misplaced) {
-    const Rows of = rows_where(rows, [&](const SimulatedPeople& people) {
-      return people.tuned == tuned && people.misplaced == misplaced;
-    });
+    const Rows of = rows_where(
+        rows, [&](const SimulatedPeople& people) { return people.tuned == tuned && people.misplaced == misplaced; });
     return of.empty() ? "" : near_line(name, of, durations_s, mean);
   };
   const Rows placed = rows_where(rows, [](const SimulatedPeople& people) { return !people.misplaced; });
@@ -96,21 +93,17 @@ std::string flags_table(const Rows& all) {
   std::string page = left("Flags, % of reaches (95 % interval)", 41);
   for (const char* title : {"pap", "1st", "5th", "inf"}) page += right(title, 19);
   page += '\n';
-  page +=
-      line("cannot hold: found unreachable by then", rows, [](Cell cell) { return cell.cannot_hold.found; }) +
-      line("  silent miss", rows, [](Cell cell) { return cell.cannot_hold.silent; }) +
-      line("can hold: unreachable, falsely", rows, [](Cell cell) { return cell.can_hold.unreachable; }) +
-      line("  silent miss: off target and no flag", rows, [](Cell cell) { return cell.can_hold.silent; }) +
-      line("  on target, flagged as if it were not", rows,
-           [](Cell cell) { return cell.can_hold.false_alarm; }) +
-      line("all: model does not fit", rows, [](Cell cell) { return cell.misfit; }) +
-      line("  off target", rows, [](Cell cell) { return cell.off_target; });
+  page += line("cannot hold: found unreachable by then", rows, [](Cell cell) { return cell.cannot_hold.found; }) +
+          line("  silent miss", rows, [](Cell cell) { return cell.cannot_hold.silent; }) +
+          line("can hold: unreachable, falsely", rows, [](Cell cell) { return cell.can_hold.unreachable; }) +
+          line("  silent miss: off target and no flag", rows, [](Cell cell) { return cell.can_hold.silent; }) +
+          line("  on target, flagged as if it were not", rows, [](Cell cell) { return cell.can_hold.false_alarm; }) +
+          line("all: model does not fit", rows, [](Cell cell) { return cell.misfit; }) +
+          line("  off target", rows, [](Cell cell) { return cell.off_target; });
   if (const Rows linear = of_people(rows, people_families().front().name); !linear.empty())
-    page +=
-        line("linear: interval of w_T covers theirs", linear, [](Cell cell) { return cell.weight_covered; });
+    page += line("linear: interval of w_T covers theirs", linear, [](Cell cell) { return cell.weight_covered; });
   if (!off.empty())
-    page +=
-        line("tracker or plate off (+): silent miss", off, [](Cell cell) { return cell.can_hold.silent; });
+    page += line("tracker or plate off (+): silent miss", off, [](Cell cell) { return cell.can_hold.silent; });
   return page;
 }
 
@@ -123,9 +116,9 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
     });
     if (!any) continue;
     page += std::string(can_hold ? "\nWho can hold the gap" : "\nWho cannot hold the gap") +
-            " (95 % intervals; ?: too few reaches bound it)\n" + right("s", 4) + "  " +
-            left("controller", 18) + right("near, %", 19) + right("miss: median, mm", 18) +
-            right("95 %, mm", 18) + right("felt peak, deg", 18) + right("silent, %", 18) + '\n';
+            " (95 % intervals; ?: too few reaches bound it)\n" + right("s", 4) + "  " + left("controller", 18) +
+            right("near, %", 19) + right("miss: median, mm", 18) + right("95 %, mm", 18) + right("felt peak, deg", 18) +
+            right("silent, %", 18) + '\n';
     for (const RobustnessRow& row : rows) {
       if (row.cell(Leading::none).group(can_hold).near.of == 0) continue;
       for (const Leading leading : leadings) {
@@ -143,9 +136,7 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
 
 // The numbers of a cell. Without a controller there are no flags.
 void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
-  const auto put_flag = [&](const std::string& name, const Share& share) {
-    put(row, name, flags ? share : Share{});
-  };
+  const auto put_flag = [&](const std::string& name, const Share& share) { put(row, name, flags ? share : Share{}); };
   row["can_hold"] = cell.can_hold.near.of;
   row["cannot_hold"] = cell.cannot_hold.near.of;
   for (const bool can_hold : {true, false}) {

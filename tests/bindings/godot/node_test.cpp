@@ -55,8 +55,8 @@ TEST(GodotNode, UpdatesWithoutTakingMemory) {
   const Method& update = method("update");
   const int64_t before = allocations;
   for (int64_t frame = 0; frame <= 270; ++frame)
-    node.call(update, std::array<Value, 2>{Vector3{0, 0, 0.05 - 0.1 * static_cast<double>(frame) / 270},
-                                           frame * 11'111'111});
+    node.call(update,
+              std::array<Value, 2>{Vector3{0, 0, 0.05 - 0.1 * static_cast<double>(frame) / 270}, frame * 11'111'111});
   EXPECT_EQ(allocations, before);
   EXPECT_GT(engine.signals, 200);
 }
@@ -81,8 +81,7 @@ TEST(GodotNode, TakesWhatItsDeviceReports) {
   EXPECT_EQ(node.take_device(), Error::kUnavailable);
   ASSERT_EQ(node.open_device("dynamixel:" + servo.device() + "?speed=200"), Error::kOk);
   EXPECT_TRUE(hrt::plate::eventually([&] { return node.take_device() == Error::kOk; }));
-  const auto speed =
-      std::ranges::find(config_fields, std::string_view("plate_max_speed_deg_s"), &Field::name);
+  const auto speed = std::ranges::find(config_fields, std::string_view("plate_max_speed_deg_s"), &Field::name);
   EXPECT_NEAR(std::get<double>(node.get(*speed)), 200.0, 0.7);
 }
 

@@ -52,8 +52,8 @@ inline CalibrationTrial straight_slide(double plate_deg, double direction_deg, i
   CalibrationTrial trial{.plate_orientation_deg = plate_deg, .samples = {}};
   for (int i = 0; i <= samples; ++i) {
     const double travel_m = 0.1 * i / samples;
-    trial.samples.push_back({i * 3'000'000'000LL / samples,
-                             {-travel_m * sin_deg(direction_deg), travel_m * cos_deg(direction_deg)}});
+    trial.samples.push_back(
+        {i * 3'000'000'000LL / samples, {-travel_m * sin_deg(direction_deg), travel_m * cos_deg(direction_deg)}});
   }
   return trial;
 }

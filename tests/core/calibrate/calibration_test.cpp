@@ -20,8 +20,8 @@ std::vector<CalibrationTrial> simulate(const CalibrationCondition& condition, in
   std::uint32_t trial = 0;
   for (const double angle_deg : angles_deg) {
     for (int i = 0; i < trials_an_angle; ++i) {
-      trials.push_back(simulate_calibration_trial(condition, angle_deg,
-                                                  {.seed = 1, .condition = person, .trial = trial++}));
+      trials.push_back(
+          simulate_calibration_trial(condition, angle_deg, {.seed = 1, .condition = person, .trial = trial++}));
     }
   }
   return trials;
@@ -151,8 +151,7 @@ TEST(Calibration, RefusesBrokenDataByName) {
   EXPECT_EQ(refused({trials[4]}), "trial 1: not every sample has the plate's orientation");
   trials[4].plate_deg.assign(trials[4].samples.size(), std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(refused({trials[4]}), "trial 1: a plate orientation is not finite");
-  EXPECT_EQ(refused({}, std::numeric_limits<double>::infinity()),
-            "the goal direction is not a finite number");
+  EXPECT_EQ(refused({}, std::numeric_limits<double>::infinity()), "the goal direction is not a finite number");
 }
 
 // Mirrored slides over a mirrored plate: the same w_T, the opposite bias.

@@ -23,12 +23,11 @@ double true_weight(const PersonCondition& condition) {
 
 // The families are those of the simulation, written a second time.
 TEST(IllusionCurve, IsThatOfSimulatedPeople) {
-  constexpr std::pair<IllusionFamily, CurveFamily> pairs[] = {
-      {IllusionFamily::linear, CurveFamily::linear},
-      {IllusionFamily::saturating, CurveFamily::saturating},
-      {IllusionFamily::sine, CurveFamily::sine},
-      {IllusionFamily::tanh, CurveFamily::tanh},
-      {IllusionFamily::dead_band, CurveFamily::dead_band}};
+  constexpr std::pair<IllusionFamily, CurveFamily> pairs[] = {{IllusionFamily::linear, CurveFamily::linear},
+                                                              {IllusionFamily::saturating, CurveFamily::saturating},
+                                                              {IllusionFamily::sine, CurveFamily::sine},
+                                                              {IllusionFamily::tanh, CurveFamily::tanh},
+                                                              {IllusionFamily::dead_band, CurveFamily::dead_band}};
   for (const auto& [simulated, fitted] : pairs)
     for (double t = -120.0; t <= 120.0; t += 7.0)
       EXPECT_NEAR(curve_shift_deg({fitted, 0.2, 45.0}, t), felt_shift_deg({simulated, 0.2, 45.0}, t), 1e-12);
@@ -96,8 +95,8 @@ TEST(PersonFit, FindsTheFamily) {
   int saturating = 0;
   for (std::uint32_t index = 0; index < 4; ++index) {
     sine += calibrated(slides(drawn("sine-45", index), index, grid(4))).peak_offset_deg < 55.0;
-    saturating += calibrated(slides(drawn("clip-45", index), index, grid(4))).illusion.family ==
-                  CurveFamily::saturating;
+    saturating +=
+        calibrated(slides(drawn("clip-45", index), index, grid(4))).illusion.family == CurveFamily::saturating;
   }
   EXPECT_GE(sine, 3);
   EXPECT_GE(saturating, 2);
@@ -126,8 +125,7 @@ TEST(PersonFit, WithholdsWhatChangesOverTheSession) {
     const std::vector<double> angles = grid(4);
     for (std::size_t i = 0; i < angles.size(); ++i) {
       PersonCondition now = drawn("linear", index);
-      now.person.illusion.tactile_weight -=
-          0.08 * (static_cast<double>(i) / static_cast<double>(angles.size()) - 0.5);
+      now.person.illusion.tactile_weight -= 0.08 * (static_cast<double>(i) / static_cast<double>(angles.size()) - 0.5);
       trials.push_back(simulate_slide(now, angles[i], 1, index, static_cast<std::uint32_t>(i)));
     }
     const Calibration calibration = calibrated(trials);

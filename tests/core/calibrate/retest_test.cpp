@@ -24,10 +24,8 @@ TEST(Retest, DifferenceHasTheDeviationsOfBothInQuadrature) {
 }
 
 TEST(Retest, OneValueDiffersExactlyIfItsIntervalExcludesZero) {
-  EXPECT_FALSE(
-      compare(std::vector<RepeatedValue>{{about(0.0, 1.0), about(1.95 * std::sqrt(2.0), 1.0)}})[0].differs);
-  EXPECT_TRUE(
-      compare(std::vector<RepeatedValue>{{about(0.0, 1.0), about(-1.97 * std::sqrt(2.0), 1.0)}})[0].differs);
+  EXPECT_FALSE(compare(std::vector<RepeatedValue>{{about(0.0, 1.0), about(1.95 * std::sqrt(2.0), 1.0)}})[0].differs);
+  EXPECT_TRUE(compare(std::vector<RepeatedValue>{{about(0.0, 1.0), about(-1.97 * std::sqrt(2.0), 1.0)}})[0].differs);
 }
 
 TEST(Retest, EqualValuesWithoutWidthDoNotDiffer) {

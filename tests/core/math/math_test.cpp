@@ -39,10 +39,8 @@ TEST(Trigonometry, AgreesWithLongDoubleEverywhere) {
     ASSERT_NEAR(cos_deg(angle_deg), static_cast<double>(std::cos(angle)), 2.3e-16) << angle_deg;
     const double y = 0.037 * static_cast<double>(std::sin(angle));
     const double x = 0.037 * static_cast<double>(std::cos(angle));
-    const long double back_deg =
-        std::atan2(static_cast<long double>(y), static_cast<long double>(x)) * (180.0L / pi);
-    ASSERT_NEAR(atan2_deg(y, x), static_cast<double>(back_deg),
-                4.5e-16 * std::abs(static_cast<double>(back_deg)))
+    const long double back_deg = std::atan2(static_cast<long double>(y), static_cast<long double>(x)) * (180.0L / pi);
+    ASSERT_NEAR(atan2_deg(y, x), static_cast<double>(back_deg), 4.5e-16 * std::abs(static_cast<double>(back_deg)))
         << angle_deg;
   }
 }
@@ -114,8 +112,7 @@ TEST(Distributions, FWithTwoDegreesAbove) {
 
 // P(F(m, n) > f) = 1 - P(F(n, m) > 1 / f).
 TEST(Distributions, FIsItsOwnReciprocal) {
-  for (const double f : {0.2, 1.0, 2.5})
-    EXPECT_NEAR(f_tail(f, 3.0, 17.0), 1.0 - f_tail(1.0 / f, 17.0, 3.0), 1e-9);
+  for (const double f : {0.2, 1.0, 2.5}) EXPECT_NEAR(f_tail(f, 3.0, 17.0), 1.0 - f_tail(1.0 / f, 17.0, 3.0), 1e-9);
   EXPECT_EQ(f_tail(0.0, 3.0, 17.0), 1.0);
   EXPECT_EQ(f_tail(std::nan(""), 3.0, 17.0), 1.0);
 }

@@ -132,8 +132,8 @@ TEST(Estimator, IsConsistent) {
     person.tactile_weight = std::clamp(0.15 + 0.02 * normal(1'000'000), 0.08, 0.22);
     constexpr double goal_deg = 5.0;
     SimulatedParticipant participant(person, goal_deg);
-    Estimator estimator({.adapt = true, .tactile_weight_sd = 0.02, .tracker_noise_m = noise_m}, Participant{},
-                        goal_deg, {});
+    Estimator estimator({.adapt = true, .tactile_weight_sd = 0.02, .tracker_noise_m = noise_m}, Participant{}, goal_deg,
+                        {});
     GainWindow gains(person, 1);
     PlatePoint finger;
     for (std::uint32_t k = 0; k < 30; ++k) {
@@ -157,8 +157,7 @@ TEST(Estimator, IsConsistent) {
       gains.advance();
     }
     const FingerEstimate estimate = estimator.estimate();
-    const double weight_error =
-        (estimate.tactile_weight - person.tactile_weight) / estimate.tactile_weight_sd;
+    const double weight_error = (estimate.tactile_weight - person.tactile_weight) / estimate.tactile_weight_sd;
     weight_errors += weight_error * weight_error;
   }
   // Four standard deviations of a mean of chi-squared variables; the speed's random walk is wider than a

@@ -39,9 +39,8 @@ TEST_P(MpcExact, MeetsTheOptimalityConditionsAndTheReference) {
     const LongVector reference = dense_optimum(dense, feasible_start(drawn.config, drawn.problem));
     // Compared in degrees felt at the finger, K w t: what is left of a plate angle whose gain is small.
     for (int k = 0; k < c.horizon; ++k)
-      EXPECT_NEAR(
-          static_cast<double>(reference[k] - plate[k]) * drawn.gains[k] * drawn.problem.tactile_weight, 0.0,
-          c.gains == RandomGains::felt ? 1e-12 : 1e-10)
+      EXPECT_NEAR(static_cast<double>(reference[k] - plate[k]) * drawn.gains[k] * drawn.problem.tactile_weight, 0.0,
+                  c.gains == RandomGains::felt ? 1e-12 : 1e-10)
           << i << " step " << k;
   }
 }

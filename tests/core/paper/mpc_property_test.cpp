@@ -151,13 +151,10 @@ TEST(MpcProperty, InvalidSettingsAreRecognised) {
   EXPECT_TRUE(is_valid(MpcConfig{}));
   EXPECT_TRUE(is_valid(MpcConfig{.horizon = 50, .actual_weight = 0.0, .plate_rate_bound_deg = 0.1}));
   for (const int horizon : {-1, 0, 51}) EXPECT_FALSE(is_valid(MpcConfig{.horizon = horizon}));
-  for (const double bad : {0.0, -1.0, nan, infinity})
-    EXPECT_FALSE(is_valid(MpcConfig{.perceived_weight = bad}));
+  for (const double bad : {0.0, -1.0, nan, infinity}) EXPECT_FALSE(is_valid(MpcConfig{.perceived_weight = bad}));
   for (const double bad : {-1.0, nan, infinity}) EXPECT_FALSE(is_valid(MpcConfig{.actual_weight = bad}));
-  for (const double bad : {0.0, -1.0, 90.1, nan, infinity})
-    EXPECT_FALSE(is_valid(MpcConfig{.plate_bound_deg = bad}));
-  for (const double bad : {0.0, -1.0, nan, -infinity})
-    EXPECT_FALSE(is_valid(MpcConfig{.plate_rate_bound_deg = bad}));
+  for (const double bad : {0.0, -1.0, 90.1, nan, infinity}) EXPECT_FALSE(is_valid(MpcConfig{.plate_bound_deg = bad}));
+  for (const double bad : {0.0, -1.0, nan, -infinity}) EXPECT_FALSE(is_valid(MpcConfig{.plate_rate_bound_deg = bad}));
 }
 
 }  // namespace

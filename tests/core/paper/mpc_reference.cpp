@@ -129,8 +129,7 @@ LongVector dense_optimum(const DenseProblem& problem, const LongVector& start) {
     }
     const LongMatrix null_space = basis.rightCols(n - m);
     if (m < n)
-      move = -null_space *
-             (null_space.transpose() * hessian * null_space).llt().solve(null_space.transpose() * slope);
+      move = -null_space * (null_space.transpose() * hessian * null_space).llt().solve(null_space.transpose() * slope);
     // The first bound on the way.
     long double step = 1.0L;
     int blocking = -1;
@@ -147,8 +146,8 @@ LongVector dense_optimum(const DenseProblem& problem, const LongVector& start) {
       continue;
     }
     if (m == 0) return t;
-    multipliers = factors.matrixQR().topRows(m).triangularView<Eigen::Upper>().solve(
-        -basis.leftCols(m).transpose() * (hessian * t + problem.gradient));
+    multipliers = factors.matrixQR().topRows(m).triangularView<Eigen::Upper>().solve(-basis.leftCols(m).transpose() *
+                                                                                     (hessian * t + problem.gradient));
     Eigen::Index leaving = 0;
     if (multipliers.minCoeff(&leaving) >= -1e-17L) return t;
     held.erase(held.begin() + leaving);

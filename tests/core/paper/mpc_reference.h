@@ -35,7 +35,7 @@ LongVector feasible_start(const MpcConfig& config, const MpcProblem& problem);
 
 /// How far `plate` is from meeting the Karush-Kuhn-Tucker conditions.
 struct KktResidual {
-  long double stationarity;  ///< |gradient of half the cost + rows' multipliers|, least over multipliers >= 0
+  long double stationarity;   ///< |gradient of half the cost + rows' multipliers|, least over multipliers >= 0
   long double violation_deg;  ///< of the worst bound
 };
 KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate);

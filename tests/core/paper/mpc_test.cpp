@@ -26,9 +26,8 @@ double perceived_error(const Mpc::Command& command, const MpcProblem& problem) {
 double finger_after(const MpcProblem& problem, const MpcPlan& plan, int steps) {
   double finger_deg = problem.finger_offset_deg;
   for (int i = 0; i < steps; ++i)
-    finger_deg -=
-        problem.gains[i] * (problem.tactile_weight * ridge_normal_deg(plan.plate_offset_deg[i], 0.0) +
-                            (1.0 - problem.tactile_weight) * finger_deg);
+    finger_deg -= problem.gains[i] * (problem.tactile_weight * ridge_normal_deg(plan.plate_offset_deg[i], 0.0) +
+                                      (1.0 - problem.tactile_weight) * finger_deg);
   return finger_deg;
 }
 

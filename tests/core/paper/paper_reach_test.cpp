@@ -149,8 +149,7 @@ TEST(PaperReach, AFingerThatFeelsNothingStopsTheSteps) {
   constexpr std::int64_t start_ns = std::numeric_limits<std::int64_t>::min();
   led.update(sample(start_ns, Observation::direction));
   led.update(sample(start_ns + 50 * ms, Observation::lifted));
-  const PlateCommand command =
-      led.update(sample(std::numeric_limits<std::int64_t>::max(), Observation::lifted));
+  const PlateCommand command = led.update(sample(std::numeric_limits<std::int64_t>::max(), Observation::lifted));
   EXPECT_EQ(command.step, 0);
   EXPECT_TRUE(command.held);
 
@@ -170,9 +169,7 @@ TEST(PaperReach, PredictedStepsPublishThePredictedFinger) {
   const Participant participant;
   FilterGain step = next_gain(participant, next_gain(participant, 0.0).variance_deg2);
   double finger_deg = 3.0;
-  const auto felt_error_deg = [&] {
-    return step.gain * (0.15 * (plate_deg + 5.0) + 0.85 * (finger_deg + 5.0));
-  };
+  const auto felt_error_deg = [&] { return step.gain * (0.15 * (plate_deg + 5.0) + 0.85 * (finger_deg + 5.0)); };
   for (int k = 2; k < 8; ++k) {
     finger_deg -= felt_error_deg();
     step = next_gain(participant, step.variance_deg2);
@@ -238,9 +235,8 @@ TEST(PaperReach, CommandsBeforeTheFingerMovesKeepToTheStopsToo) {
 
 // 90 and -90 are as near to a plate at 0 as each other: what it reports must not toggle between them.
 TEST(PaperReach, AFixedPlateTurnsOneWay) {
-  PaperReach fixed(
-      {.fixed_plate_orientation_deg = 90.0, .plate = {.max_speed_deg_s = 400.0, .latency_ns = 500 * ms}},
-      {.real_direction_deg = -5, .virtual_direction_deg = 5});
+  PaperReach fixed({.fixed_plate_orientation_deg = 90.0, .plate = {.max_speed_deg_s = 400.0, .latency_ns = 500 * ms}},
+                   {.real_direction_deg = -5, .virtual_direction_deg = 5});
   const double first_deg = fixed.command().plate_orientation_deg;
   EXPECT_EQ(std::abs(first_deg), 90.0);
   for (int i = 0; i < 4; ++i) {
@@ -274,8 +270,7 @@ TEST(PaperReach, NoiseStartsNoReach) {
         Draws draws(seed, 0, 0, 0);
         for (int i = 0; i < 1000; ++i) {
           const double right_m = i < 900 ? 0.0 : 0.015;
-          FingerSample sample =
-              position(i * 10 * ms, {right_m + noise_m * draws.normal(), noise_m * draws.normal()});
+          FingerSample sample = position(i * 10 * ms, {right_m + noise_m * draws.normal(), noise_m * draws.normal()});
           if (i >= 895 && i < 900) sample.observation = Observation::lifted;
           if (led.update(sample).step < 0) continue;
           ++started;

@@ -149,9 +149,8 @@ TEST(Batch, CancelsAndPassesOnExceptions) {
       run_batch(jobs, 1, {.threads = 2, .progress = [&](auto, auto) { cancel = true; }, .cancel = &cancel});
   EXPECT_GT(results[0].trials, 0u);
   EXPECT_LT(results[0].trials, 1'000'000u);
-  EXPECT_THROW(
-      run_batch(jobs, 1, {.threads = 2, .progress = [](auto, auto) { throw std::runtime_error("full"); }}),
-      std::runtime_error);
+  EXPECT_THROW(run_batch(jobs, 1, {.threads = 2, .progress = [](auto, auto) { throw std::runtime_error("full"); }}),
+               std::runtime_error);
 }
 
 }  // namespace

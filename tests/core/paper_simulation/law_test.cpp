@@ -66,9 +66,7 @@ TEST(ControlLaw, AgreesWithTheSolver) {
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(generator() >> 11) * 0x1p-53);
   };
-  const auto log_uniform = [&](double low, double high) {
-    return std::exp(uniform(std::log(low), std::log(high)));
-  };
+  const auto log_uniform = [&](double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); };
   int without_law = 0;
   for (int i = 0; i < 1500; ++i) {
     const MpcConfig config{
@@ -98,9 +96,9 @@ TEST(ControlLaw, AgreesWithTheSolver) {
       // What counts is what the finger does of it.
       const double weight = window.data()[0] * problem.tactile_weight;
       ASSERT_NEAR(weight * tabulated, weight * optimum.plate_offset_deg, 1e-9)
-          << i << " N " << config.horizon << " q " << config.perceived_weight << ' ' << config.actual_weight
-          << " L " << config.plate_bound_deg << " w " << problem.tactile_weight << " p_R "
-          << problem.real_offset_deg << " p " << problem.finger_offset_deg << " K " << window.data()[0];
+          << i << " N " << config.horizon << " q " << config.perceived_weight << ' ' << config.actual_weight << " L "
+          << config.plate_bound_deg << " w " << problem.tactile_weight << " p_R " << problem.real_offset_deg << " p "
+          << problem.finger_offset_deg << " K " << window.data()[0];
       const bool saturated = problem.finger_offset_deg <= law->saturated_below_deg ||
                              problem.finger_offset_deg >= law->saturated_above_deg;
       ASSERT_EQ(saturated, optimum.active != ActiveBound::none) << i;

@@ -60,9 +60,9 @@ TEST(TrialTable, TrajectoriesAgreeWithTheRetargeter) {
       for (const TrialStep& step : steps) {
         ASSERT_NEAR(condition.virtual_direction_deg + offset_deg, step.finger_direction_deg, 1e-9)
             << i << " step " << step.step;
-        offset_deg = table->next_offset_deg(step.step, offset_deg) +
-                     table->noise_sd_deg(step.step) *
-                         standard_normal({6, i, trial, static_cast<std::uint32_t>(step.step)});
+        offset_deg =
+            table->next_offset_deg(step.step, offset_deg) +
+            table->noise_sd_deg(step.step) * standard_normal({6, i, trial, static_cast<std::uint32_t>(step.step)});
       }
       ASSERT_NEAR(condition.virtual_direction_deg + offset_deg, outcome.final_direction_deg, 1e-9) << i;
     }

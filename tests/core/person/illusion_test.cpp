@@ -83,8 +83,8 @@ TEST(Illusion, IsLargestWhereItsSlopeIsNoneOrAtTheBound) {
 }
 
 TEST(Illusion, TheOffsetForAShiftGivesThatShift) {
-  for (const Illusion illusion : {linear, curved, Illusion{0.3, -0.1}, Illusion{0.01, 0.5},
-                                  Illusion{0.6, 0.5}, Illusion{0.05, 0.0}, Illusion{0.2, 0.05, 0.8, 0.3}}) {
+  for (const Illusion illusion : {linear, curved, Illusion{0.3, -0.1}, Illusion{0.01, 0.5}, Illusion{0.6, 0.5},
+                                  Illusion{0.05, 0.0}, Illusion{0.2, 0.05, 0.8, 0.3}}) {
     for (const double bound : {75.0, 30.0, 89.9}) {
       const MaxShift max = max_shift(illusion, bound);
       for (int i = -99; i <= 99; ++i) {

@@ -35,9 +35,8 @@ class PersonEstimatorTest : public ::testing::Test {
   void watch(const Finger& finger, double from_s, double to_s) {
     for (double t = from_s; t < to_s; t += 1.0 / rate_hz_) {
       const PlaceMm place = finger.at(t);
-      estimator_.observe(
-          t, {place.right_mm + noise_mm_ * draws_.normal(), place.away_mm + noise_mm_ * draws_.normal()},
-          plate_);
+      estimator_.observe(t, {place.right_mm + noise_mm_ * draws_.normal(), place.away_mm + noise_mm_ * draws_.normal()},
+                         plate_);
     }
   }
 

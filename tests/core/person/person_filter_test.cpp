@@ -28,8 +28,7 @@ double min_eigenvalue(const F::Covariance& covariance) {
   F::Covariance correlation;
   for (int i = 0; i < F::size; ++i)
     for (int j = 0; j < F::size; ++j)
-      correlation(i, j) =
-          sd(i) > 0.0 && sd(j) > 0.0 ? symmetric(i, j) / (sd(i) * sd(j)) : (i == j ? 1.0 : 0.0);
+      correlation(i, j) = sd(i) > 0.0 && sd(j) > 0.0 ? symmetric(i, j) / (sd(i) * sd(j)) : (i == j ? 1.0 : 0.0);
   return Eigen::SelfAdjointEigenSolver<F::Covariance>(correlation).eigenvalues()(0);
 }
 
@@ -166,8 +165,7 @@ TEST(PersonFilter, ItsInnovationsAreAsLargeAsItExpects) {
 }
 
 TEST(PersonFilter, StaysPositiveOverLongRuns) {
-  for (const TrackerNoise noise :
-       {TrackerNoise{0.8, 0.9}, TrackerNoise{0.0066, 0.0075}, TrackerNoise{66.0, 75.0}}) {
+  for (const TrackerNoise noise : {TrackerNoise{0.8, 0.9}, TrackerNoise{0.0066, 0.0075}, TrackerNoise{66.0, 75.0}}) {
     for (const double seconds : {0.0005, 0.004, 0.012}) {
       PersonFilter filter(unknown_person(), 5.0, 100.0, noise);
       filter.begin(0.0, 0.1, 0.02, 0.3);

@@ -122,8 +122,7 @@ TEST(PersonReach, TheFeltErrorAtTheEndIsOfTheBiasedGoal) {
   person.bias_deg = 3.0;
   Trial trial(person, {.person = known_person(0.25, 3.0)});
   trial.run_for(5000);
-  EXPECT_NEAR(trial.reach.summary().perceived_error_deg, trial.reach.summary().perceived_direction_deg - 8.0,
-              1e-12);
+  EXPECT_NEAR(trial.reach.summary().perceived_error_deg, trial.reach.summary().perceived_direction_deg - 8.0, 1e-12);
 }
 
 TEST(PersonReach, PredictsADropoutAndDropsDuplicates) {
@@ -208,8 +207,7 @@ TEST(PersonReach, SurvivesTheEndOfTime) {
   for (const std::int64_t origin_ns : {std::numeric_limits<std::int64_t>::min(), std::int64_t{0}}) {
     Trial trial(linear_person(), {.person = unknown_person()}, gap_of_ten, origin_ns);
     trial.run_for(600);
-    const PlateCommand command =
-        trial.reach.update(seen(std::numeric_limits<std::int64_t>::max(), {0.0, 0.05}));
+    const PlateCommand command = trial.reach.update(seen(std::numeric_limits<std::int64_t>::max(), {0.0, 0.05}));
     EXPECT_GE(command.step, 0);
     EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
     EXPECT_TRUE(std::isfinite(command.distance_to_go_m));
@@ -249,9 +247,8 @@ TEST(PersonReach, KnownCorrelatedNoiseBringsMoreReachesToTheTarget) {
         config.estimator.correlation_s = condition.tracker.correlation_s;
         add(known);
       }
-      std::printf(
-          "%s, %.1f s: of %d first reaches %d with the noise known, %d without; of fifth ones %d, %d\n",
-          family, duration_s, can, known[0], unknown[0], known[reaches - 1], unknown[reaches - 1]);
+      std::printf("%s, %.1f s: of %d first reaches %d with the noise known, %d without; of fifth ones %d, %d\n", family,
+                  duration_s, can, known[0], unknown[0], known[reaches - 1], unknown[reaches - 1]);
       for (int reach = 0; reach < reaches; ++reach) {
         known_sum += known[reach];
         unknown_sum += unknown[reach];

@@ -107,8 +107,7 @@ TEST(ReachControl, StandsReadyWhereTheFirstPlanWantsIt) {
   const double ready_deg = ready_orientation_deg({}, filter, {0.0, 100.0});
   PlateTrace trace;
   trace.add(0.0, ready_deg);
-  const ReachPlan first =
-      plan_reach({}, filter, 0.0, {0.0, 100.0}, {trace, -sensory_delay_s, 0.0, ready_deg});
+  const ReachPlan first = plan_reach({}, filter, 0.0, {0.0, 100.0}, {trace, -sensory_delay_s, 0.0, ready_deg});
   EXPECT_NEAR(first.plate_deg, ready_deg, 2.0);
   EXPECT_GT(ready_deg, 20.0);
 }

@@ -46,8 +46,7 @@ TEST(PlateLimits, TheShortWayRound) {
 // at 210 to 260, and from -330 to -100: the nearest, unless a stop cuts into it.
 TEST(PlateLimits, HalfTurnsThatTheStopsLeaveRoomFor) {
   const PlateStops half{.lower_deg = -90.0, .upper_deg = 90.0};
-  for (const double current : {-90.0, 0.0, 90.0})
-    EXPECT_EQ(half_turns_between_stops(30.0, 80.0, current, half), 0.0);
+  for (const double current : {-90.0, 0.0, 90.0}) EXPECT_EQ(half_turns_between_stops(30.0, 80.0, current, half), 0.0);
   // At 40 to 110 the upper stop cuts 20, at -140 to -70 the lower one 50.
   EXPECT_EQ(half_turns_between_stops(40.0, 110.0, -90.0, half), 0.0);
   EXPECT_EQ(half_turns_between_stops(80.0, 150.0, 90.0, half), -1.0);

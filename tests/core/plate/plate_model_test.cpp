@@ -101,8 +101,7 @@ TEST(PlateModel, ACommandBeforeTheFirstTimeCountsFromThere) {
 }
 
 TEST(PlateModel, SurvivesTheEndOfTimeAndManyCommands) {
-  PlateModel plate({.max_speed_deg_s = 100.0, .max_acceleration_deg_s2 = 500.0, .latency_ns = 1000 * ms},
-                   0.0);
+  PlateModel plate({.max_speed_deg_s = 100.0, .max_acceleration_deg_s2 = 500.0, .latency_ns = 1000 * ms}, 0.0);
   plate.advance(std::numeric_limits<std::int64_t>::min());
   for (int i = 0; i < 1000; ++i) plate.command(i % 90);
   plate.advance(std::numeric_limits<std::int64_t>::max());

@@ -42,8 +42,7 @@ TEST(Registration, QuarterTurnByHand) {
 // With exact touches the variance is 6 / (6 + 3 * 6 - 6) of the assumed; the turn about the normal has the
 // information sum (x^2 + z^2) / variance about the mean mark.
 TEST(Registration, DeviationOfTheTurnByHand) {
-  const Registration found =
-      fit_registration({.touch_sd_m = 0.003}, exact_touches(some_rotation(), {1.0, 0.8, -2.0}));
+  const Registration found = fit_registration({.touch_sd_m = 0.003}, exact_touches(some_rotation(), {1.0, 0.8, -2.0}));
   const double variance_m2 = 0.003 * 0.003 * 6.0 / 18.0;
   EXPECT_NEAR(found.touch_sd_m, std::sqrt(variance_m2), 1e-12);
   const double mean_z = 0.05 / 6.0;
@@ -58,12 +57,10 @@ TEST(Registration, IntervalsCoverTheTruth) {
     for (std::uint32_t i = 0; i < 1000; ++i) {
       Draws draws(2, 0, i, 0);
       const Vector3d position(0.3, 0.75, -0.4);
-      const Registration found =
-          fit_registration({.touch_sd_m = assumed_m}, touches_of(position, 0.003, draws));
+      const Registration found = fit_registration({.touch_sd_m = assumed_m}, touches_of(position, 0.003, draws));
       if (found.verdict != RegistrationVerdict::holds || found.left_out) continue;
       ++fitted;
-      turn_covered +=
-          std::abs(turn_rad(found.rotation, some_rotation())) <= 1.96 * std::sqrt(found.covariance(1, 1));
+      turn_covered += std::abs(turn_rad(found.rotation, some_rotation())) <= 1.96 * std::sqrt(found.covariance(1, 1));
       place_covered += std::abs(found.position_m.x() - 0.3) <= 1.96 * std::sqrt(found.covariance(3, 3));
     }
     const double min = assumed_m == 0.003 ? 0.925 : 0.87;
@@ -216,16 +213,15 @@ TEST(Fingertip, OffsetIsFoundFromTurns) {
   const Vector3d mark(0.2, 0.75, -0.3);
   std::vector<TurnedTouch> touches;
   for (int i = 0; i < 8; ++i) {
-    const Matrix3d rotation = (AngleAxisd(0.5 * (i % 4) - 0.75, Vector3d::UnitY()) *
-                               AngleAxisd(0.3 * (i % 3) - 0.3, Vector3d::UnitX()))
-                                  .toRotationMatrix();
+    const Matrix3d rotation =
+        (AngleAxisd(0.5 * (i % 4) - 0.75, Vector3d::UnitY()) * AngleAxisd(0.3 * (i % 3) - 0.3, Vector3d::UnitX()))
+            .toRotationMatrix();
     const Vector3d noise(0.001 * draws.normal(), 0.001 * draws.normal(), 0.001 * draws.normal());
     touches.push_back({rotation, mark - rotation * offset + noise});
   }
   const FingertipOffset found = fit_fingertip({.touch_sd_m = 0.001}, touches);
   EXPECT_TRUE(found.known);
-  for (int axis = 0; axis < 3; ++axis)
-    EXPECT_NEAR(found.offset_m(axis), offset(axis), 4.0 * found.sd_m(axis));
+  for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(found.offset_m(axis), offset(axis), 4.0 * found.sd_m(axis));
 }
 
 TEST(Fingertip, IsUnknownWithoutTurns) {

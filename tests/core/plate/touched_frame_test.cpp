@@ -65,8 +65,7 @@ TEST(TouchedFrame, FindsAnyLinearFrame) {
   TouchedFrame found = frame();
   for (int i = 0; i < 20; ++i) {
     const double right_m = i % 2 == 0 ? 0.02 : -0.02;
-    const Contact contact{
-        corrected(found, seen(right_m, 0.1)), {home.right_m + right_m, home.away_m + 0.1}, 1e-10};
+    const Contact contact{corrected(found, seen(right_m, 0.1)), {home.right_m + right_m, home.away_m + 0.1}, 1e-10};
     found = after_contact(found, exact, contact);
   }
   const PlatePoint place = corrected(found, seen(0.01, 0.06));

@@ -26,8 +26,8 @@ inline Matrix3d some_rotation() {
 }
 
 /// A plate turned by some_rotation(), touched with noise.
-inline std::vector<MarkTouch> touches_of(const Vector3d& position_m, double noise_m, Draws& draws,
-                                         double scale = 1.0, const std::vector<Vector3d>& touched = marks()) {
+inline std::vector<MarkTouch> touches_of(const Vector3d& position_m, double noise_m, Draws& draws, double scale = 1.0,
+                                         const std::vector<Vector3d>& touched = marks()) {
   std::vector<MarkTouch> touches;
   for (const Vector3d& mark : touched) {
     const Vector3d noise(noise_m * draws.normal(), noise_m * draws.normal(), noise_m * draws.normal());

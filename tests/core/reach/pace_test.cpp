@@ -27,12 +27,9 @@ TEST(Pace, ItsDerivativesAreThoseOfDifferences) {
   for (const double evenness : {0.0, 0.2, 0.7}) {
     for (double u = 0.05; u < 1.0; u += 0.1) {
       const Progress p = progress(evenness, u);
-      EXPECT_NEAR(p.rate, (progress(evenness, u + h).share - progress(evenness, u - h).share) / (2 * h),
-                  1e-8);
-      EXPECT_NEAR(p.acceleration, (progress(evenness, u + h).rate - progress(evenness, u - h).rate) / (2 * h),
-                  1e-7);
-      EXPECT_NEAR(p.by_evenness, (progress(evenness + h, u).rate - progress(evenness - h, u).rate) / (2 * h),
-                  1e-8);
+      EXPECT_NEAR(p.rate, (progress(evenness, u + h).share - progress(evenness, u - h).share) / (2 * h), 1e-8);
+      EXPECT_NEAR(p.acceleration, (progress(evenness, u + h).rate - progress(evenness, u - h).rate) / (2 * h), 1e-7);
+      EXPECT_NEAR(p.by_evenness, (progress(evenness + h, u).rate - progress(evenness - h, u).rate) / (2 * h), 1e-8);
     }
   }
 }

@@ -212,8 +212,7 @@ TEST(SimulationPeople, TrackersHaveTheirRateAndLosses) {
   const ReachSummary usual = summary("linear");
   EXPECT_GE(usual.samples + usual.dropped_samples, 90.0 * 2.2 - 2.0);
   EXPECT_LE(usual.samples, 90.0 * 2.6 + 2.0);
-  EXPECT_NEAR(static_cast<double>(summary("slow-tracker").samples), static_cast<double>(usual.samples) / 3.0,
-              8.0);
+  EXPECT_NEAR(static_cast<double>(summary("slow-tracker").samples), static_cast<double>(usual.samples) / 3.0, 8.0);
   EXPECT_GT(summary("dropouts").dropped_samples, usual.dropped_samples + 10);
   EXPECT_GT(summary("outliers").dropped_samples, usual.dropped_samples);
 }
@@ -240,8 +239,7 @@ TEST(SimulationPeople, ControllersAreValidAndKnowWhatTheyAreToKnow) {
 // (-100 sin a, 100 cos a), 105, and 100 tan a to the right of where it is. The headset's is 11 mm from there.
 TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
   const auto seen = [](PersonCondition condition) {
-    condition.person.illusion = {
-        .family = IllusionFamily::dead_band, .tactile_weight = 0.2, .scale_deg = 90.0};
+    condition.person.illusion = {.family = IllusionFamily::dead_band, .tactile_weight = 0.2, .scale_deg = 90.0};
     condition.person.noise_deg2_per_s = condition.person.start_direction_deg = 0.0;
     condition.virtual_direction_deg = 0.0;
     condition.real_direction_deg = 5.0;
@@ -261,9 +259,8 @@ TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
   for (std::uint32_t i = 0; i < 20; ++i) {
     const TrackerModel tracker = draw("headset", i).tracker;
     const double turn = tracker.turned_deg * 3.14159265358979 / 180.0;
-    EXPECT_NEAR(
-        std::hypot(100.0 * tracker.scale * std::cos(turn) - 100.0, 100.0 * tracker.scale * std::sin(turn)),
-        11.0, 1e-9);
+    EXPECT_NEAR(std::hypot(100.0 * tracker.scale * std::cos(turn) - 100.0, 100.0 * tracker.scale * std::sin(turn)),
+                11.0, 1e-9);
   }
 }
 
@@ -282,8 +279,8 @@ TEST(SimulationPeople, AFixedPlateThatIsOffBendsThePathByItsShare) {
 
 // Samples that come late by up to 8 ms are in order, and their stamps are when they come.
 TEST(SimulationPeople, LateSamplesAreLedAll) {
-  EXPECT_NEAR(static_cast<double>(led(draw("late-samples")).samples),
-              static_cast<double>(led(draw("linear")).samples), 30.0);
+  EXPECT_NEAR(static_cast<double>(led(draw("late-samples")).samples), static_cast<double>(led(draw("linear")).samples),
+              30.0);
 }
 
 // Not an aim, a floor: most of those whom the controller is made for arrive, and nobody without it.
@@ -345,8 +342,7 @@ double hits(const char* family, std::size_t reach) {
     const PersonCondition condition = draw_person(*people_family(family), 1.5, 1, i);
     if (!can_hold(condition)) continue;
     ++held;
-    near +=
-        std::abs(simulate_person(condition, &controller, 5, 1, i)[reach - 1].bearing_error_deg) < near_deg;
+    near += std::abs(simulate_person(condition, &controller, 5, 1, i)[reach - 1].bearing_error_deg) < near_deg;
   }
   return 100.0 * near / held;
 }

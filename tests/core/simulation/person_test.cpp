@@ -51,8 +51,7 @@ struct Walk {
 };
 
 // A whole reach with the ridges `plate(person)` deg.
-Walk walk(const Person& person, const std::function<double(const SlidingPerson&)>& plate,
-          const Draws& from = draws()) {
+Walk walk(const Person& person, const std::function<double(const SlidingPerson&)>& plate, const Draws& from = draws()) {
   Walk result{.places = {{}}, .person = {person, {}, virtual_deg, path_m, from}};
   while (!result.person.done()) {
     result.person.advance(plate(result.person));
@@ -152,8 +151,7 @@ TEST(SimulationPerson, RestsAreWhereTheyAreSaidToBe) {
 
 TEST(SimulationPerson, WithoutIllusionTheyArriveAtTheVirtualTarget) {
   const PlatePoint target = point_ahead({}, virtual_deg, path_m);
-  for (const Steering steering :
-       {Steering::continuous, Steering::predictive, Steering::place, Steering::crossings})
+  for (const Steering steering : {Steering::continuous, Steering::predictive, Steering::place, Steering::crossings})
     for (const Pace pace : paces) {
       Person person = numb();
       person.steering = steering;

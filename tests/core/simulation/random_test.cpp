@@ -22,16 +22,15 @@ TEST(SimulationRandom, PhiloxKnownAnswers) {
   const auto ones = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(~std::uint64_t{0}), max, max, max, max);
   EXPECT_EQ(ones.first, 0x41c83b0e'408f276du);
   EXPECT_EQ(ones.second, 0x6d5451fd'a20bc7c6u);
-  const auto pi = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(0x299f31d0'a4093822), 0x243f6a88, 0x85a308d3,
-                                      0x13198a2e, 0x03707344);
+  const auto pi =
+      philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(0x299f31d0'a4093822), 0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344);
   EXPECT_EQ(pi.first, 0x94fdcceb'd16cfe09u);
   EXPECT_EQ(pi.second, 0x24126ea1'5001e420u);
 }
 
 // Box and Muller's formula in long double, on the bits as normal_pair() lays them out.
 std::array<long double, 2> reference_pair(std::uint64_t bits) {
-  const long double radius =
-      std::sqrt(-2.0L * std::log((static_cast<long double>(bits >> 24) + 0.5L) * 0x1p-40L));
+  const long double radius = std::sqrt(-2.0L * std::log((static_cast<long double>(bits >> 24) + 0.5L) * 0x1p-40L));
   long double x = static_cast<long double>(bits & 0x3fffff) + 0.5L;
   x = (x * 0x1p-22L - 0.5L) * std::numbers::pi_v<long double> / 2.0L;
   std::array<long double, 2> pair{(bits >> 22 & 1) ? -std::cos(x) : std::cos(x), std::sin(x)};
@@ -48,10 +47,10 @@ void expect_near_reference(std::uint64_t bits) {
 }
 
 TEST(SimulationRandom, TransformAgreesWithLongDouble) {
-  for (const std::uint64_t radius_bits : {0x0ull, 0x1ull, 0xffull, 0x7fffffffffull, 0x8000000000ull,
-                                          0xb504f333f9ull, 0xb504f333faull, 0xffffffffffull}) {
-    for (const std::uint64_t angle_bits : {0x0ull, 0x1fffffull, 0x200000ull, 0x3fffffull, 0x400000ull,
-                                           0x5a5a5aull, 0x800000ull, 0xc00000ull, 0xffffffull})
+  for (const std::uint64_t radius_bits :
+       {0x0ull, 0x1ull, 0xffull, 0x7fffffffffull, 0x8000000000ull, 0xb504f333f9ull, 0xb504f333faull, 0xffffffffffull}) {
+    for (const std::uint64_t angle_bits : {0x0ull, 0x1fffffull, 0x200000ull, 0x3fffffull, 0x400000ull, 0x5a5a5aull,
+                                           0x800000ull, 0xc00000ull, 0xffffffull})
       expect_near_reference(radius_bits << 24 | angle_bits);
   }
   for (std::uint64_t i = 0; i < 200'000; ++i) expect_near_reference(i * 0x9e3779b97f4a7c15u);
@@ -61,9 +60,8 @@ TEST(SimulationRandom, LanesDoNotMatter) {
   const PhiloxKeys<PairLanes> keys(0x0123456789abcdef);
   for (std::uint32_t trial = 0; trial < 5000; trial += 2) {
     std::array<std::uint64_t, 2> trials{trial, trial + 1};
-    const auto block =
-        philox<PairLanes>(keys, PairLanes::all(std::uint64_t{5}), PairLanes::load(trials.data()),
-                          PairLanes::all(std::uint64_t{77}), PairLanes::all(std::uint64_t{0}));
+    const auto block = philox<PairLanes>(keys, PairLanes::all(std::uint64_t{5}), PairLanes::load(trials.data()),
+                                         PairLanes::all(std::uint64_t{77}), PairLanes::all(std::uint64_t{0}));
     std::array<std::array<double, PairLanes::count>, 4> draws;
     const NormalPair<PairLanes> early = normal_pair<PairLanes>(block.first);
     const NormalPair<PairLanes> late = normal_pair<PairLanes>(block.second);
@@ -82,8 +80,7 @@ TEST(SimulationRandom, LanesDoNotMatter) {
 // In sequence, with gaps, backwards and at the ends of the range of steps.
 TEST(SimulationRandom, DrawsOfATrialAreThoseOfItsCounters) {
   NormalDraws draws(0x0123456789abcdef, 77, 5);
-  for (const std::uint32_t step :
-       {0u, 1u, 2u, 3u, 4u, 5u, 9u, 22u, 21u, 20u, 0u, 3u, 0xfffffffeu, 0xffffffffu})
+  for (const std::uint32_t step : {0u, 1u, 2u, 3u, 4u, 5u, 9u, 22u, 21u, 20u, 0u, 3u, 0xfffffffeu, 0xffffffffu})
     EXPECT_EQ(draws(step), standard_normal({0x0123456789abcdef, 77, 5, step})) << step;
 }
 
@@ -150,8 +147,7 @@ TEST(SimulationRandom, DistributionIsNormal) {
   double distance = 0.0;
   for (std::size_t i = 0; i < sample.size(); ++i) {
     const double expected = normal_distribution_function(sample[i]);
-    distance = std::max(
-        {distance, expected - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - expected});
+    distance = std::max({distance, expected - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - expected});
   }
   EXPECT_LT(std::sqrt(n) * distance, 1.95);
 }
@@ -163,8 +159,7 @@ TEST(SimulationRandom, NeighboursAreIndependent) {
     std::uint32_t trial;
     std::uint32_t step;
   };
-  for (const auto& [next_trial, next_step] :
-       {Neighbour{0, 1}, Neighbour{0, 2}, Neighbour{0, 4}, Neighbour{1, 0}}) {
+  for (const auto& [next_trial, next_step] : {Neighbour{0, 1}, Neighbour{0, 2}, Neighbour{0, 4}, Neighbour{1, 0}}) {
     constexpr int cells = 16;
     constexpr std::uint32_t n = 200'000;
     std::array<double, cells * cells> counts{};
@@ -209,8 +204,8 @@ TEST(SimulationDraws, AreAFunctionOfTheirKeyAlone) {
   Draws same(7, 1, 2, 3);
   std::vector<double> firsts;
   for (int i = 0; i < 100; ++i) EXPECT_EQ(one.normal(), same.normal());
-  for (Draws other : {Draws(7, 1, 2, 3), Draws(8, 1, 2, 3), Draws(7, 0, 2, 3), Draws(7, 1, 3, 3),
-                      Draws(7, 1, 2, 2), Draws(7, 1, 3, 2)})
+  for (Draws other : {Draws(7, 1, 2, 3), Draws(8, 1, 2, 3), Draws(7, 0, 2, 3), Draws(7, 1, 3, 3), Draws(7, 1, 2, 2),
+                      Draws(7, 1, 3, 2)})
     firsts.push_back(other.uniform());
   std::sort(firsts.begin(), firsts.end());
   EXPECT_EQ(std::adjacent_find(firsts.begin(), firsts.end()), firsts.end());

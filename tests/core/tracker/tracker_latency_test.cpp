@@ -80,9 +80,8 @@ TEST(TrackerLatency, IsUnknownWithoutTurnsThatChange) {
   EXPECT_FALSE(fit_tracker_latency(carried({.seconds = 1.5}, to_and_fro_deg)).known);
   EXPECT_FALSE(fit_tracker_latency(carried({.latency_s = 0.6}, to_and_fro_deg)).known);
   // Turns that repeat after 0.3 s.
-  EXPECT_FALSE(fit_tracker_latency(carried(tracked, [](double time_s) {
-                 return 30.0 * sin_deg(1200.0 * time_s);
-               })).known);
+  EXPECT_FALSE(
+      fit_tracker_latency(carried(tracked, [](double time_s) { return 30.0 * sin_deg(1200.0 * time_s); })).known);
 }
 
 // A finger that stays where it is while the plate turns is not carried.

@@ -44,8 +44,7 @@ Rests simulate_rests(const SimulatedTracker& tracker, int rests, double rest_s, 
         seen_right_mm += 30.0 * draws.normal();
         seen_away_mm += 30.0 * draws.normal();
       }
-      rest.push_back(
-          {std::llround(1e9 * time_s), {1e-3 * rounded(seen_right_mm), 1e-3 * rounded(seen_away_mm)}});
+      rest.push_back({std::llround(1e9 * time_s), {1e-3 * rounded(seen_right_mm), 1e-3 * rounded(seen_away_mm)}});
       const double period_s = (1.0 + tracker.jitter_share * (2.0 * draws.uniform() - 1.0)) / tracker.rate_hz;
       time_s += period_s;
       const double kept = std::exp(-period_s / tracker.correlation_s);
@@ -107,8 +106,7 @@ TEST(TrackerNoise, SeesATremblingFingerAsNoNoiseOfThisKind) {
   Rests rests = simulate_rests({"white", 0.3, 0.0, 0.1, 90.0}, 10, 1.0, 0);
   for (auto& rest : rests)
     for (TimedPoint& sample : rest)
-      sample.position.right_m +=
-          0.001 * std::sin(6.283185307 * 10.0 * 1e-9 * static_cast<double>(sample.time_ns));
+      sample.position.right_m += 0.001 * std::sin(6.283185307 * 10.0 * 1e-9 * static_cast<double>(sample.time_ns));
   expect_unknown(fit_rest_noise(rests));
 }
 
@@ -159,8 +157,7 @@ TEST_P(TrackerNoiseCoverage, IntervalsCoverWhereverKnown) {
   Count correlated{1e-3 * tracker.correlated_mm};
   Count time{tracker.correlation_s};
   for (int person = 0; person < people; ++person) {
-    const RestNoise noise =
-        fit_rest_noise(simulate_rests(tracker, 20, 0.5, static_cast<std::uint32_t>(person)));
+    const RestNoise noise = fit_rest_noise(simulate_rests(tracker, 20, 0.5, static_cast<std::uint32_t>(person)));
     const auto count = [](Count& c, const Interval& interval) {
       EXPECT_LE(interval.lower, interval.value);
       EXPECT_GE(interval.upper, interval.value);
@@ -176,9 +173,8 @@ TEST_P(TrackerNoiseCoverage, IntervalsCoverWhereverKnown) {
   expect_coverage(white);
   expect_coverage(correlated);
   expect_coverage(time);
-  std::printf("%-14s of %d: white known %d, covered %d; correlated %d, %d; time %d, %d\n", tracker.name,
-              people, white.known, white.covered, correlated.known, correlated.covered, time.known,
-              time.covered);
+  std::printf("%-14s of %d: white known %d, covered %d; correlated %d, %d; time %d, %d\n", tracker.name, people,
+              white.known, white.covered, correlated.known, correlated.covered, time.known, time.covered);
   if (tracker.correlated_mm > 0.0 && tracker.correlation_s * tracker.rate_hz < 1.5) {
     EXPECT_LE(time.known, people / 20) << "its parts cannot be separated";
     return;
@@ -201,8 +197,7 @@ INSTANTIATE_TEST_SUITE_P(Trackers, TrackerNoiseCoverage,
                                          SimulatedTracker{"Slow300", 0.0, 1.2, 0.3, 90.0, 0.3},
                                          SimulatedTracker{"Correlated100", 0.0, 1.2, 0.1, 90.0, 0.3},
                                          SimulatedTracker{"Mixed100", 0.6, 1.04, 0.1, 90.0, 0.3, 0.03, 0.1},
-                                         SimulatedTracker{"Mixed50Coarse", 0.6, 1.04, 0.05, 120.0, 0.3, 0.03,
-                                                          0.5}),
+                                         SimulatedTracker{"Mixed50Coarse", 0.6, 1.04, 0.05, 120.0, 0.3, 0.03, 0.5}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

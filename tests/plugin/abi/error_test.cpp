@@ -22,9 +22,7 @@ class ErrorTextTest : public SessionTest {
     EXPECT_EQ(text.find("\u0085"), std::string::npos) << "a line break";
   }
 
-  hrt_result load(const std::string& profile) {
-    return hrt_profile_load(session, profile.data(), profile.size());
-  }
+  hrt_result load(const std::string& profile) { return hrt_profile_load(session, profile.data(), profile.size()); }
   /// 300 characters of two bytes, at an odd offset.
   static std::string long_text() {
     std::string text = "x";

@@ -19,14 +19,11 @@ hrt_result live(hrt_session* session) {
   const hrt_session_config config = session_config();
   if (const auto result = hrt_session_create(HRT_VERSION, &config, session); result != HRT_OK) return result;
   hrt_target real{}, virtual_target{};
-  const hrt_target_config real_config =
-      target_config(HRT_TARGET_REAL, -5.0, "a name too long for its string");
+  const hrt_target_config real_config = target_config(HRT_TARGET_REAL, -5.0, "a name too long for its string");
   const hrt_target_config virtual_config = target_config(HRT_TARGET_VIRTUAL, 5.0, "another such long name");
   if (const auto result = hrt_target_add(*session, &real_config, &real); result != HRT_OK) return result;
-  if (const auto result = hrt_target_add(*session, &virtual_config, &virtual_target); result != HRT_OK)
-    return result;
-  const hrt_target_config renamed =
-      target_config(HRT_TARGET_REAL, -5.0, "a third name, no shorter than those");
+  if (const auto result = hrt_target_add(*session, &virtual_config, &virtual_target); result != HRT_OK) return result;
+  const hrt_target_config renamed = target_config(HRT_TARGET_REAL, -5.0, "a third name, no shorter than those");
   if (const auto result = hrt_target_set(*session, real, &renamed); result != HRT_OK) return result;
   hrt_reach_config reach = hrt_reach_config_init();
   reach.real_target = real;
@@ -245,8 +242,8 @@ TEST(Memory, AnyBudgetOfARefusedSceneIsEnoughOrRefused) {
     std::string text = good;
     return text.replace(text.find(part), part.size(), by);
   };
-  for (const std::string& text : {with("\"nodes\":[0]", "\"nodes\":[0,7]"), with("0.1", "-0.1"),
-                                  with("\"plate\"", "{\"a\":[1,2,3.5e-3]}")}) {
+  for (const std::string& text :
+       {with("\"nodes\":[0]", "\"nodes\":[0,7]"), with("0.1", "-0.1"), with("\"plate\"", "{\"a\":[1,2,3.5e-3]}")}) {
     CountingAllocator allocator;
     try_budgets(allocator, HRT_ERROR_BAD_FORMAT, [&] {
       hrt_scene scene{};

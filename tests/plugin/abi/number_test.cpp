@@ -33,8 +33,7 @@ TEST(Number, Texts) {
 
 TEST(Number, Readings) {
   double number = 7.0;
-  for (const char* text :
-       {"", " 1", "+1", "1 ", "0x1", "1,5", "1e", "e1", ".", "-", "--1", "1e999", "1.5.5"}) {
+  for (const char* text : {"", " 1", "+1", "1 ", "0x1", "1,5", "1e", "e1", ".", "-", "--1", "1e999", "1.5.5"}) {
     EXPECT_FALSE(read_number(text, &number)) << text;
     EXPECT_EQ(number, 7.0);
   }
@@ -71,8 +70,7 @@ TEST(Number, ReadsBackToTheSameBits) {
   };
   for (int exponent = -1074; exponent < 1024; ++exponent) {
     const double power = std::ldexp(1.0, exponent);
-    for (const double number : {std::nextafter(power, 0.0), power, std::nextafter(power, 2.0 * power)})
-      check(number);
+    for (const double number : {std::nextafter(power, 0.0), power, std::nextafter(power, 2.0 * power)}) check(number);
   }
   std::uint64_t bits = 1;
   for (int i = 0; i < 20'000; ++i) {

@@ -19,8 +19,8 @@ std::string unhurried() {
 TEST(ReachWithDynamixel, ReachesTheTarget) {
   PtyDynamixel servo;
   const std::string script = R"({"clock": "real-time", )" + unhurried() + "}";
-  const Outcome outcome = reach::run_scripted(
-      script, {reach::desk, "--target", "goblet", "--plate", "dynamixel:" + servo.device()});
+  const Outcome outcome =
+      reach::run_scripted(script, {reach::desk, "--target", "goblet", "--plate", "dynamixel:" + servo.device()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
   EXPECT_TRUE(has(outcome.out, "Dynamixel XL330-M288, id 1"));

@@ -42,8 +42,7 @@ TEST(DynamixelPacket, HasThePublishedBytes) {
             bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 7, 0, 0x55, 0, 6, 4, 0x26, 0x65, 0x5D}));
   EXPECT_EQ(encode({.id = 1, .instruction = status, .parameters = bytes_of({0xA6, 0, 0, 0})}),
             bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 8, 0, 0x55, 0, 0xA6, 0, 0, 0, 0x8C, 0xC0}));
-  EXPECT_EQ(encode({.id = 1, .instruction = status}),
-            bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 4, 0, 0x55, 0, 0xA1, 0x0C}));
+  EXPECT_EQ(encode({.id = 1, .instruction = status}), bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 4, 0, 0x55, 0, 0xA1, 0x0C}));
   EXPECT_EQ(dynamixel::crc_of("123456789"), 0xFEE8);  // the check value of this CRC-16 (UMTS)
 }
 
@@ -63,8 +62,7 @@ TEST(DynamixelPacket, ReadsBackWhatItWrites) {
                   .instruction = random() % 2 == 0 ? status : dynamixel::write};
     if (packet.instruction == status) packet.error = static_cast<std::uint8_t>(random());
     for (auto n = random() % 60; n > 0; --n)
-      packet.parameters +=
-          random() % 3 == 0 ? static_cast<char>(random()) : bytes_of({0xFF, 0xFD, 0x00})[random() % 3];
+      packet.parameters += random() % 3 == 0 ? static_cast<char>(random()) : bytes_of({0xFF, 0xFD, 0x00})[random() % 3];
     const auto read = only_packet(encode(packet));
     ASSERT_TRUE(read);
     EXPECT_EQ(read->id, packet.id);
@@ -267,8 +265,7 @@ TEST_F(DynamixelTest, NamesEveryFault) {
 
   auto device = open();
   servo.set(70, 1, 0x20);
-  EXPECT_EQ(failure_of([&] { serve(*device, 500ms); }),
-            "reports a hardware error: overload; it needs a restart");
+  EXPECT_EQ(failure_of([&] { serve(*device, 500ms); }), "reports a hardware error: overload; it needs a restart");
   servo.set(70, 1, 0);
   device.reset();
   device = open();

@@ -11,8 +11,8 @@ using namespace dynamixel;
 using namespace std::chrono_literals;
 
 constexpr int eeprom_end = 64;
-constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_current = 102,
-              profile_acceleration = 108, profile_velocity = 112, goal_position = 116, present_position = 132;
+constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_current = 102, profile_acceleration = 108,
+              profile_velocity = 112, goal_position = 116, present_position = 132;
 
 // What may be written, with its range.
 struct Writable {
@@ -24,8 +24,7 @@ struct Writable {
 
 }  // namespace
 
-EmulatedDynamixel::EmulatedDynamixel(std::uint8_t id, int model, const TwinTraits& traits)
-    : twin(traits), id_(id) {
+EmulatedDynamixel::EmulatedDynamixel(std::uint8_t id, int model, const TwinTraits& traits) : twin(traits), id_(id) {
   set(0, 2, model);
   set(6, 1, 52);
   set(7, 1, id);
@@ -62,9 +61,9 @@ std::int64_t EmulatedDynamixel::present(double reading_deg) const {
 }
 
 std::int64_t EmulatedDynamixel::get(int address, int size) const {
-  return number_at({reinterpret_cast<const char*>(&table_.at(static_cast<std::size_t>(address))),
-                    static_cast<std::size_t>(size)},
-                   0, size);
+  return number_at(
+      {reinterpret_cast<const char*>(&table_.at(static_cast<std::size_t>(address))), static_cast<std::size_t>(size)}, 0,
+      size);
 }
 
 void EmulatedDynamixel::set(int address, int size, std::int64_t value) {
@@ -115,8 +114,7 @@ std::string EmulatedDynamixel::answer(const Packet& packet) {
 }
 
 StatusError EmulatedDynamixel::write(std::string_view parameters) {
-  const int address = static_cast<int>(number_at(parameters, 0, 2)),
-            size = static_cast<int>(parameters.size()) - 2;
+  const int address = static_cast<int>(number_at(parameters, 0, 2)), size = static_cast<int>(parameters.size()) - 2;
   const std::int64_t value = number_at(parameters, 2, size);
   const std::int64_t max_current = get(38, 2);
   const std::array<Writable, 8> writable = {{{11, 1, 0, 16},
@@ -127,15 +125,14 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
                                              {profile_acceleration, 4, 0, 32767},
                                              {profile_velocity, 4, 0, 32767},
                                              {goal_position, 4, -1'048'575, 1'048'575}}};
-  const auto found = std::find_if(writable.begin(), writable.end(),
-                                  [&](const Writable& entry) { return entry.address == address; });
+  const auto found =
+      std::find_if(writable.begin(), writable.end(), [&](const Writable& entry) { return entry.address == address; });
   if (found == writable.end()) return StatusError::access;
   if (found->size != size) return StatusError::data_length;
   if (address < eeprom_end && get(torque_enable, 1) != 0) return StatusError::access;
   if (value < found->min || value > found->max) return StatusError::data_range;
   // "At this time, the access to the Goal Value will be changed to read-only": range error.
-  if (get(bus_watchdog, 1) == -1 && address >= goal_current && address <= goal_position)
-    return StatusError::data_range;
+  if (get(bus_watchdog, 1) == -1 && address >= goal_current && address <= goal_position) return StatusError::data_range;
   if (address < eeprom_end) ++writes_to_eeprom_;
   set(address, size, value);
   if (address == torque_enable && value == 1) set(goal_position, 4, present(twin.plate_deg()));

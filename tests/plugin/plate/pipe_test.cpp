@@ -51,8 +51,7 @@ class PipeDynamixel {
     for (HANDLE end : ends_) CloseHandle(end);
   }
   HANDLE made() const {
-    return CreateNamedPipeA(name_.c_str(), PIPE_ACCESS_DUPLEX, PIPE_TYPE_BYTE | PIPE_WAIT, 2, 4096, 4096, 0,
-                            nullptr);
+    return CreateNamedPipeA(name_.c_str(), PIPE_ACCESS_DUPLEX, PIPE_TYPE_BYTE | PIPE_WAIT, 2, 4096, 4096, 0, nullptr);
   }
   void serve(HANDLE& end, std::chrono::steady_clock::duration now) {
     DWORD waiting = 0, count = 0;
@@ -63,8 +62,7 @@ class PipeDynamixel {
       end = made();
       return;
     }
-    if (waiting == 0 || !ReadFile(end, bytes.data(), static_cast<DWORD>(bytes.size()), &count, nullptr))
-      return;
+    if (waiting == 0 || !ReadFile(end, bytes.data(), static_cast<DWORD>(bytes.size()), &count, nullptr)) return;
     servo_.hear({bytes.data(), count}, now);
     const std::string answer = servo_.take_output();
     WriteFile(end, answer.data(), static_cast<DWORD>(answer.size()), &count, nullptr);
@@ -86,8 +84,8 @@ hrt_plate_report report_of(hrt_plate plate) {
 
 template <class Condition>
 bool eventually(Condition condition) {
-  for (const auto give_up = std::chrono::steady_clock::now() + 10s;
-       std::chrono::steady_clock::now() < give_up; std::this_thread::sleep_for(5ms))
+  for (const auto give_up = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < give_up;
+       std::this_thread::sleep_for(5ms))
     if (condition()) return true;
   return false;
 }
@@ -96,8 +94,7 @@ TEST(WindowsLine, DrivesAServoOverANamedPipe) {
   PipeDynamixel servo;
   hrt_plate plate{};
   ASSERT_EQ(hrt_plate_open(("dynamixel:" + servo.name()).c_str(), nullptr, &plate), HRT_OK);
-  ASSERT_TRUE(eventually([&] { return report_of(plate).state == HRT_PLATE_STATE_READY; }))
-      << report_of(plate).message;
+  ASSERT_TRUE(eventually([&] { return report_of(plate).state == HRT_PLATE_STATE_READY; })) << report_of(plate).message;
   ASSERT_EQ(hrt_plate_set(plate, -45.0), HRT_OK);
   EXPECT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg + 45.0) < 0.1; }));
   servo.unplug();

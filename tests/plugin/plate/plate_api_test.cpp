@@ -60,8 +60,8 @@ TEST_F(PlateApi, OpensReportsTurnsAndStops) {
   EXPECT_EQ(report.lower_stop_deg, -90.0);
   EXPECT_EQ(report.max_speed_deg_s, 200.0);
   EXPECT_GE(report.latency_ns, 30'000'000 + report.round_trip_ns / 2);
-  EXPECT_EQ(report.flags, HRT_PLATE_REPORT_ORIENTATION | HRT_PLATE_REPORT_MEASURED |
-                              HRT_PLATE_REPORT_ROUND_TRIP | HRT_PLATE_REPORT_FIRST_MOTION);
+  EXPECT_EQ(report.flags, HRT_PLATE_REPORT_ORIENTATION | HRT_PLATE_REPORT_MEASURED | HRT_PLATE_REPORT_ROUND_TRIP |
+                              HRT_PLATE_REPORT_FIRST_MOTION);
   EXPECT_FALSE(device.with(&TwinBoard::has_pulses));
 
   ASSERT_EQ(hrt_plate_set(plate, 100.0), HRT_OK);  // feels like -80, which is within the stops
@@ -105,8 +105,7 @@ TEST_F(PlateApi, TwoPlatesDoNotShareALine) {
 TEST_F(PlateApi, HomesAPlateThatDoesNotKnowItsPlaceIfAllowed) {
   PtyPlate device({.settings = settings_default(), .place_deg = 20.0});
   for (const std::uint32_t homing : {HRT_PLATE_HOMING_REFUSED, HRT_PLATE_HOMING_SLOW}) {
-    const hrt_plate_options options{
-        .struct_size = sizeof options, .homing = homing, .host_timeout_ns = 300'000'000};
+    const hrt_plate_options options{.struct_size = sizeof options, .homing = homing, .host_timeout_ns = 300'000'000};
     ASSERT_EQ(hrt_plate_close(plate), HRT_OK);
     open("serial:" + device.device(), &options);
     ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
@@ -156,8 +155,7 @@ TEST_F(PlateApi, OpensWhatWasCommissionedAndReportsWhenItDeviates) {
       ASSERT_EQ(hrt_plate_set(plate, to_deg), HRT_OK);
       ASSERT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg - to_deg) < 5.0; }));
     }
-    EXPECT_TRUE(!deviates ||
-                eventually([&] { return (report_of(plate).flags & HRT_PLATE_REPORT_DEVIATES) != 0; }));
+    EXPECT_TRUE(!deviates || eventually([&] { return (report_of(plate).flags & HRT_PLATE_REPORT_DEVIATES) != 0; }));
     EXPECT_EQ((report_of(plate).flags & HRT_PLATE_REPORT_DEVIATES) != 0, deviates);
     ASSERT_EQ(hrt_plate_close(plate), HRT_OK);
   }
@@ -165,8 +163,7 @@ TEST_F(PlateApi, OpensWhatWasCommissionedAndReportsWhenItDeviates) {
   write(other.device(), "000008");
   open(file);
   ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_FAILED));
-  EXPECT_TRUE(has(report_of(plate).message,
-                  "and its file is of \"protocol 2, firmware 1.0.0, serial number 000008\""));
+  EXPECT_TRUE(has(report_of(plate).message, "and its file is of \"protocol 2, firmware 1.0.0, serial number 000008\""));
   std::ofstream(file) << "{}";
   hrt_plate none{};
   EXPECT_EQ(hrt_plate_open(file.c_str(), nullptr, &none), HRT_ERROR_OUT_OF_RANGE);
@@ -224,8 +221,7 @@ TEST_F(PlateApi, RefusesWhatIsWrong) {
   EXPECT_EQ(hrt_plate_open("serial:x", nullptr, nullptr), HRT_ERROR_NULL_ARGUMENT);
   EXPECT_EQ(hrt_plate_open("usb:x", nullptr, &plate), HRT_ERROR_OUT_OF_RANGE);
   EXPECT_EQ(error(), "hrt_plate_open: device is of kind \"usb\"; allowed: serial:..., dynamixel:...");
-  EXPECT_EQ(hrt_plate_open(("serial:" + std::string(2000, 'x')).c_str(), nullptr, &plate),
-            HRT_ERROR_OUT_OF_RANGE);
+  EXPECT_EQ(hrt_plate_open(("serial:" + std::string(2000, 'x')).c_str(), nullptr, &plate), HRT_ERROR_OUT_OF_RANGE);
   hrt_plate_options options{};
   EXPECT_EQ(hrt_plate_open("serial:x", &options, &plate), HRT_ERROR_STRUCT_SIZE);
   options.struct_size = sizeof options;

@@ -57,8 +57,7 @@ struct Hobby {
   static constexpr bool homes = true;
 
   static TwinBoard make(Phase phase) {
-    return TwinBoard(
-        {.settings = phase == home ? settings_default() : commissioned(), .place_deg = place_deg});
+    return TwinBoard({.settings = phase == home ? settings_default() : commissioned(), .place_deg = place_deg});
   }
   static void greet(TwinBoard& board) { board.say("HELLO 2"); }
   static double force_n(const TwinBoard&) { return 0.0; }  // nothing limits or knows it
@@ -75,9 +74,7 @@ struct Hobby {
       {"emergency", [](TwinBoard& board) { board.press(true); }, {"emergency stop"}},
       {"second host", [](TwinBoard& board) { board.say("SET -040.00 40000"); }, {"another program"}, idle},
       {"garbage", disturb<TwinBoard>, {}},
-      {"silence",
-       [](TwinBoard& board) { board.fall_silent(); },
-       {"not answer", "not been heard", "not reported"}},
+      {"silence", [](TwinBoard& board) { board.fall_silent(); }, {"not answer", "not been heard", "not reported"}},
       {"stuck", [](TwinBoard& board) { board.servo.is_jammed = true; }, {"is stuck"}},
       {"stall", [](TwinBoard& board) { board.servo.supply = 0.3; }, {}}};
 };
@@ -115,8 +112,7 @@ struct Xl330 {
       {"second host",
        [](EmulatedDynamixel& servo) {
          const std::string goal = dynamixel::little_endian(116, 2) + dynamixel::little_endian(1593, 4);
-         servo.hear(dynamixel::encode({.id = 1, .instruction = dynamixel::write, .parameters = goal}),
-                    servo.now());
+         servo.hear(dynamixel::encode({.id = 1, .instruction = dynamixel::write, .parameters = goal}), servo.now());
        },
        {"another program"},
        idle},
@@ -158,17 +154,14 @@ struct Scene {
       }
       const double seconds = std::chrono::duration<double>(board.now() - from).count();
       max_deg_s = std::max(max_deg_s, std::abs(board.orientation_deg() - from_deg) / seconds);
-      if (!is_set)
-        before_first_set_deg = std::max(before_first_set_deg, std::abs(board.orientation_deg() - place_deg));
+      if (!is_set) before_first_set_deg = std::max(before_first_set_deg, std::abs(board.orientation_deg() - place_deg));
     }
   }
   void open_host() {
     board.take_output();  // what came before is lost
     try {
       host = device_named(Plate::device)(
-          [this](const std::string&, int) {
-            return std::make_unique<EmulatedLine<Emulated>>(board, is_unplugged);
-          },
+          [this](const std::string&, int) { return std::make_unique<EmulatedLine<Emulated>>(board, is_unplugged); },
           Start::hold);
     } catch (const PlateFailure& failure) {
       reported.insert(failure.what());
@@ -221,16 +214,15 @@ struct Scene {
 template <class Emulated>
 bool is_named(const Kind<Emulated>& kind, Phase phase, const std::string& said) {
   const auto& words = kind.says;
-  return std::any_of(words.begin(), words.end(), [&](const auto& word) { return has(said, word); }) ||
-         words.empty() || phase < kind.first_phase || phase == close ||
-         (phase == home && words.front() == "is stuck");
+  return std::any_of(words.begin(), words.end(), [&](const auto& word) { return has(said, word); }) || words.empty() ||
+         phase < kind.first_phase || phase == close || (phase == home && words.front() == "is stuck");
 }
 
 // The row of the README that sums the table up.
 template <class Plate>
 std::string study() {
-  std::printf("%-12s %-12s %-12s %-6s %-14s %-8s %-8s %s\n", "plate", "fault", "and", "phase",
-              "deg before set", "deg/s", "N at rim", "reported");
+  std::printf("%-12s %-12s %-12s %-6s %-14s %-8s %-8s %s\n", "plate", "fault", "and", "phase", "deg before set",
+              "deg/s", "N at rim", "reported");
   int runs = 0;
   double before_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
   const auto& kinds = Plate::kinds;
@@ -242,9 +234,8 @@ std::string study() {
         scene.play(phase, kinds[a], kinds[b]);
         std::string said;
         for (const std::string& what : scene.reported) said += (said.empty() ? "" : "; ") + what;
-        std::printf("%-12s %-12s %-12s %-6s %14.1f %8.0f %8.2f %s\n", Plate::name, kinds[a].name,
-                    kinds[b].name, phases[phase], scene.before_first_set_deg, scene.max_deg_s, scene.max_n,
-                    said.c_str());
+        std::printf("%-12s %-12s %-12s %-6s %14.1f %8.0f %8.2f %s\n", Plate::name, kinds[a].name, kinds[b].name,
+                    phases[phase], scene.before_first_set_deg, scene.max_deg_s, scene.max_n, said.c_str());
         // The second host is one that commands.
         if (kinds[a].name != kinds[4].name && kinds[b].name != kinds[4].name)
           before_deg = std::max(before_deg, scene.before_first_set_deg);
@@ -260,8 +251,8 @@ std::string study() {
   EXPECT_LE(max_deg_s, 1.1 * Plate::speed_limit_deg_s);
   EXPECT_LE(max_n, 5.0);
   std::array<char, 200> row{};
-  std::snprintf(row.data(), row.size(), "| %s | %d | %.1f° | %.0f°/s of %.0f | %s |\n", Plate::name, runs,
-                before_deg, max_deg_s, Plate::speed_limit_deg_s,
+  std::snprintf(row.data(), row.size(), "| %s | %d | %.1f° | %.0f°/s of %.0f | %s |\n", Plate::name, runs, before_deg,
+                max_deg_s, Plate::speed_limit_deg_s,
                 max_n > 0.0 ? (std::to_string(max_n).substr(0, 4) + " N of 5").c_str() : "not limited");
   std::printf("%s", row.data());
   return row.data();

@@ -105,8 +105,7 @@ TEST_F(PlateLinkTest, PlansWithTheSpeedThatItSees) {
 }
 
 TEST_F(PlateLinkTest, FailsWhenThePlateNeverReports) {
-  EXPECT_NE(failure_of([&] { open({.reports = false}); }).find("never reports its orientation"),
-            std::string::npos);
+  EXPECT_NE(failure_of([&] { open({.reports = false}); }).find("never reports its orientation"), std::string::npos);
   EXPECT_EQ(fault, Fault::no_report);
 }
 
@@ -136,13 +135,13 @@ TEST_F(PlateLinkTest, FailsWhenThePlateSaysThatItCannotGoOn) {
     std::string why;
     std::string said;
     Fault fault;
-  } stops[] = {{"emergency", "was stopped by its emergency stop", Fault::emergency},
-               {"fault", "reports a fault", Fault::device},
-               {"limit", "refused an angle beyond its limits", Fault::limits},
-               {"stuck", "reports that its servo is stuck", Fault::stuck},
-               {"sensor", "reports that its sensor runs against its servo: exchange adc_least and adc_most",
-                Fault::device},
-               {"unhomed", "has forgotten its place: open it anew, and home it", Fault::restarted}};
+  } stops[] = {
+      {"emergency", "was stopped by its emergency stop", Fault::emergency},
+      {"fault", "reports a fault", Fault::device},
+      {"limit", "refused an angle beyond its limits", Fault::limits},
+      {"stuck", "reports that its servo is stuck", Fault::stuck},
+      {"sensor", "reports that its sensor runs against its servo: exchange adc_least and adc_most", Fault::device},
+      {"unhomed", "has forgotten its place: open it anew, and home it", Fault::restarted}};
   for (const auto& stop : stops) {
     open();
     plate->send("STOPPED " + stop.why);

@@ -23,8 +23,7 @@ TEST_F(PlateWatchTest, NoticesAPlateThatDoesNotReport) {
   EXPECT_EQ(failure_of([&] { watch.check(start + 501ms); }), "never reports its orientation");
   watch.reported(start + 600ms, 0.0);
   watch.check(start + 1100ms);
-  EXPECT_EQ(failure_of([&] { watch.check(start + 1101ms); }),
-            "has not reported its orientation for half a second");
+  EXPECT_EQ(failure_of([&] { watch.check(start + 1101ms); }), "has not reported its orientation for half a second");
 }
 
 TEST_F(PlateWatchTest, NoticesAPlateThatIsStuck) {
@@ -67,10 +66,9 @@ TEST_F(PlateWatchTest, NoticesAPlateBeyondItsLimits) {
   for (const double side : {-1.0, 1.0}) {
     PlateWatch watch(greeting, start);
     watch.reported(start, side * 93.0);
-    EXPECT_NE(failure_of([&] {
-                watch.reported(start + 20ms, side * 93.1);
-              }).find("outside its limits of -90.0 to 90.0 deg"),
-              std::string::npos);
+    EXPECT_NE(
+        failure_of([&] { watch.reported(start + 20ms, side * 93.1); }).find("outside its limits of -90.0 to 90.0 deg"),
+        std::string::npos);
   }
 }
 

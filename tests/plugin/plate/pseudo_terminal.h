@@ -20,8 +20,7 @@ class Pty {
     termios raw{};
     cfmakeraw(&raw);
     const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
-    if (openpty(&own_, &other_, name.data(), columns == 0 ? &raw : nullptr, columns == 0 ? nullptr : &size) !=
-        0)
+    if (openpty(&own_, &other_, name.data(), columns == 0 ? &raw : nullptr, columns == 0 ? nullptr : &size) != 0)
       throw std::runtime_error("no pseudo-terminal");
     fcntl(own_, F_SETFL, O_NONBLOCK);
     // A program that the test starts must not keep the line up.

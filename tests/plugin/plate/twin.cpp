@@ -24,8 +24,7 @@ void Twin::run_until(Time now) {
     const Time step_end = std::min<Time>(now, now_ + max_step);
     const double seconds = std::chrono::duration<double>(step_end - now_).count();
     now_ = step_end;
-    for (; !coming_.empty() && coming_.front().acts <= now_; coming_.pop_front())
-      goal_deg_ = coming_.front().place_deg;
+    for (; !coming_.empty() && coming_.front().acts <= now_; coming_.pop_front()) goal_deg_ = coming_.front().place_deg;
     step(seconds);
   }
 }
@@ -39,8 +38,7 @@ void Twin::step(double seconds) {
   double wanted_deg_s = 0.0;
   if (!is_jammed && std::abs(error_deg) > traits_.dead_band_deg)
     wanted_deg_s = std::copysign(
-        std::min(full_speed_deg_s(), std::sqrt(2.0 * traits_.acceleration_deg_s2 * std::abs(error_deg))),
-        error_deg);
+        std::min(full_speed_deg_s(), std::sqrt(2.0 * traits_.acceleration_deg_s2 * std::abs(error_deg))), error_deg);
   const double change_deg_s = traits_.acceleration_deg_s2 * seconds;
   speed_deg_s_ += std::clamp(wanted_deg_s - speed_deg_s_, -change_deg_s, change_deg_s);
   // Within the dead band friction holds it.

@@ -14,7 +14,7 @@ struct TwinTraits {
   std::chrono::microseconds dead_time{10'000};  ///< from a new goal to the motor
   double dead_band_deg = 0.1;                   ///< error that the motor leaves
   double backlash_deg = 0.0;                    ///< between motor and plate; the sensor is at the plate
-  double load = 0.0;  ///< share of the stall torque that friction takes: the speed sags by it
+  double load = 0.0;                            ///< share of the stall torque that friction takes: the speed sags by it
   double lower_stop_deg = -100.0, upper_stop_deg = 100.0;
   double noise_deg = 0.0;  ///< standard deviation of a reading
   unsigned seed = 1;

@@ -90,8 +90,7 @@ class RecordingTest : public SessionTest {
 
   /// Three reaches that use both controllers and every kind of sample, errors among them.
   void play() {
-    const hrt_target real = add(HRT_TARGET_REAL, -5.0, "cylinder"),
-                     cup = add(HRT_TARGET_VIRTUAL, 5.0, "a \"cup\"");
+    const hrt_target real = add(HRT_TARGET_REAL, -5.0, "cylinder"), cup = add(HRT_TARGET_VIRTUAL, 5.0, "a \"cup\"");
     reach_by_direction(real, cup);
     hrt_session_config config = session_config();
     config.horizon = 20;

@@ -70,8 +70,7 @@ TEST_F(RecordingTest, PipesAreRefusedAndNotWaitedFor) {
   ASSERT_GE(reader, 0);
   expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
   close(reader);
-  expect_error(hrt_replay("/dev/zero", nullptr, 0, &report), HRT_ERROR_SYSTEM,
-               "/dev/zero: not a regular file");
+  expect_error(hrt_replay("/dev/zero", nullptr, 0, &report), HRT_ERROR_SYSTEM, "/dev/zero: not a regular file");
 }
 
 /// Files that grow beyond a size are refused by the system while this lives.
@@ -116,11 +115,10 @@ TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
   EXPECT_EQ(status.system_error, EFBIG);
   EXPECT_GT(status.rows_lost, 0u);
   EXPECT_GE(status.rows_written + status.rows_lost, 5'002u);
-  EXPECT_TRUE(log.text.starts_with(std::to_string(HRT_LOG_ERROR) + " session " +
-                                   std::to_string(session.value) + ", " + path().substr(0, 64)))
+  EXPECT_TRUE(log.text.starts_with(std::to_string(HRT_LOG_ERROR) + " session " + std::to_string(session.value) + ", " +
+                                   path().substr(0, 64)))
       << log.text;
-  EXPECT_TRUE(log.text.ends_with(": the recording ends here, control continues: File too large\n"))
-      << log.text;
+  EXPECT_TRUE(log.text.ends_with(": the recording ends here, control continues: File too large\n")) << log.text;
   EXPECT_EQ(replay(read(path())).complete, 0u);
 }
 

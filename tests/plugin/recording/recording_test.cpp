@@ -76,8 +76,7 @@ TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayToTheSameBits) {
   const std::string text = read(path());
   // The first update of each reach says where it starts: at the finger, 4 cm towards the user.
   std::size_t starts = 0;
-  for (std::size_t at = text.find("\nupdate,0,"); at != std::string::npos;
-       at = text.find("\nupdate,0,", at + 1)) {
+  for (std::size_t at = text.find("\nupdate,0,"); at != std::string::npos; at = text.find("\nupdate,0,", at + 1)) {
     std::istringstream row(text.substr(at + 1, text.find('\n', at + 1) - at - 1));
     std::vector<std::string> cells;
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
@@ -400,8 +399,7 @@ TEST_F(RecordingTest, OtherVersionsColumnsAreComparedAsFarAsTheyAreOurs) {
     if (!line.starts_with("#")) {
       std::vector<std::string> cells = split(line);
       if (line.starts_with("call,"))
-        gone =
-            static_cast<std::size_t>(std::find(cells.begin(), cells.end(), "felt_error_deg") - cells.begin());
+        gone = static_cast<std::size_t>(std::find(cells.begin(), cells.end(), "felt_error_deg") - cells.begin());
       cells[gone] = line.starts_with("call,") ? "of_another_version" : "7";
       line = join(cells);
     }
@@ -477,8 +475,7 @@ TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
     EXPECT_EQ(report.rows, 77u);
   };
   const std::string header = golden.substr(0, golden.find("# config"));
-  const std::string config =
-      golden.substr(header.size(), golden.find('\n', header.size()) + 1 - header.size());
+  const std::string config = golden.substr(header.size(), golden.find('\n', header.size()) + 1 - header.size());
   refused("", "does not begin");
   refused("time,x\n1,2\n", "does not begin");
   refused("# haptic retargeting recording, version 2\n", "version 2 is not supported; version 3 is");
@@ -540,10 +537,8 @@ TEST_F(RecordingTest, ReplayStopsWhereRowsWereLost) {
 TEST_F(RecordingTest, CallsOutOfOrderAreRefused) {
   auto status = output<hrt_recording_status>();
   expect_error(hrt_recording_stop(session, &status), HRT_ERROR_WRONG_STATE, "nothing is being recorded");
-  expect_error(hrt_recording_get_status(session, &status), HRT_ERROR_WRONG_STATE,
-               "nothing is being recorded");
-  expect_error(hrt_recording_start(session, "/no/such/folder/file"), HRT_ERROR_SYSTEM,
-               "/no/such/folder/file");
+  expect_error(hrt_recording_get_status(session, &status), HRT_ERROR_WRONG_STATE, "nothing is being recorded");
+  expect_error(hrt_recording_start(session, "/no/such/folder/file"), HRT_ERROR_SYSTEM, "/no/such/folder/file");
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_WRONG_STATE, "already");
   stop();

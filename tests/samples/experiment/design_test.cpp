@@ -18,8 +18,7 @@ TEST(ExperimentDesign, Sha256IsTheStandards) {
   EXPECT_EQ(sha256_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(sha256_of("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
             "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  EXPECT_EQ(sha256_of(std::string(1'000'000, 'a')),
-            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  EXPECT_EQ(sha256_of(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
 // Given values, defaults, what is not given, objects and lists of them; and no field of the design is left
@@ -27,12 +26,12 @@ TEST(ExperimentDesign, Sha256IsTheStandards) {
 TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
   const Design design = small_design(3);
   const std::string text = preregistration_text(design);
-  for (const std::string& line : std::vector<std::string>{
-           "- `repeats` (Trials of each pair in a block): 3\n",
-           "- `rounds` (Blocks of each condition; of random_in_blocks: blocks): 1, by default\n",
-           "  - `max_s` (Longest duration): 8.0, by default\n",
-           "- `listed_orders` (Conditions of the participants, by name, in turn): none\n",
-           "  - number 2\n    - `controller` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
+  for (const std::string& line :
+       std::vector<std::string>{"- `repeats` (Trials of each pair in a block): 3\n",
+                                "- `rounds` (Blocks of each condition; of random_in_blocks: blocks): 1, by default\n",
+                                "  - `max_s` (Longest duration): 8.0, by default\n",
+                                "- `listed_orders` (Conditions of the participants, by name, in turn): none\n",
+                                "  - number 2\n    - `controller` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
   const auto schema = design_schema();  // outlives the loop
   for (const auto& [name, field] : schema["properties"].items())
@@ -75,8 +74,7 @@ void expect_legal(const Design& design, const Block& block, std::size_t conditio
   }
   ASSERT_EQ(cells.size(), conditions * 2);
   for (const auto& [cell, times] : cells) ASSERT_EQ(times, design.repeats);
-  ASSERT_EQ(catches, static_cast<std::size_t>(
-                         std::lround(0.2 * static_cast<double>(conditions * 2 * design.repeats))));
+  ASSERT_EQ(catches, static_cast<std::size_t>(std::lround(0.2 * static_cast<double>(conditions * 2 * design.repeats))));
 }
 
 TEST(ExperimentDesign, TenThousandSeedsHaveLegalSequences) {
@@ -155,8 +153,7 @@ TEST(ExperimentDesign, SchemaHasEveryField) {
   for (const auto& [name, value] : example.items()) EXPECT_TRUE(schema["properties"].contains(name)) << name;
   EXPECT_EQ(schema["properties"]["pairs"]["items"]["properties"]["virtual_deg"]["maximum"], 60.0);
   EXPECT_EQ(schema["properties"]["validity"]["properties"]["max_attempts"]["default"], 5);
-  EXPECT_EQ(schema["required"],
-            json::parse(R"(["title", "participants", "conditions", "pairs", "repeats"])"));
+  EXPECT_EQ(schema["required"], json::parse(R"(["title", "participants", "conditions", "pairs", "repeats"])"));
 }
 
 // 5 minutes of consent, 6 of the set-up, 6 items, 3 trials of 12 s, a break of a minute.

@@ -19,10 +19,9 @@ const std::string scene = HRT_SCENES "/desk.gltf";
 class Program : public Process {
  public:
   explicit Program(std::vector<std::string> arguments, const std::string& script = "", int in = -1)
-      : Process(
-            words_of(std::move(arguments)),
-            {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script},
-            -1, in) {}
+      : Process(words_of(std::move(arguments)),
+                {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script}, -1,
+                in) {}
 
  private:
   static std::vector<std::string> words_of(std::vector<std::string> arguments) {
@@ -45,9 +44,9 @@ TEST(ExperimentProgram, ThroughTheMockRuntime) {
   });
   const std::string study = written(folder, "study.json", design.text);
   for (const char* data : {"one", "two"}) {
-    const Outcome outcome = Program({"run", study, "--participant", "1", "--simulated", "3", "--scene", scene,
-                                     "--data", folder / data})
-                                .wait();
+    const Outcome outcome =
+        Program({"run", study, "--participant", "1", "--simulated", "3", "--scene", scene, "--data", folder / data})
+            .wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "sub-1: done, SIMULATED: no person took part\n");
     EXPECT_TRUE(has(outcome.err, "Slide evenly"));
@@ -71,9 +70,9 @@ TEST(ExperimentProgram, RefusesInOneLine) {
   const Outcome nobody = Program({"run", folder / "good.json", "--participant", "1"}).wait();
   EXPECT_EQ(nobody.exit_code, 1);
   EXPECT_TRUE(has(nobody.err, "--scene: is missing")) << nobody.err;
-  const Outcome third = Program({"run", folder / "good.json", "--participant", "3", "--simulated", "1",
-                                 "--data", folder / "data"})
-                            .wait();
+  const Outcome third =
+      Program({"run", folder / "good.json", "--participant", "3", "--simulated", "1", "--data", folder / "data"})
+          .wait();
   EXPECT_TRUE(has(third.err, "--participant: 3 is not from 1 to 2")) << third.err;
   // A person without an experimenter at a terminal.
   const Outcome alone = Program({"run", folder / "good.json", "--participant", "1", "--scene", scene}).wait();
@@ -105,8 +104,7 @@ void expect_stopped(plate::PtyPlate& device, const std::string& where) {
 struct Led {
   explicit Led(const char* set_up)
       : program({"run", written(folder, "study.json", with(set_up)), "--participant", "1", "--simulated", "3",
-                 "--scene", scene, "--plate", "serial:" + device.device(), "--data", folder / "data",
-                 "--live", "keys"},
+                 "--scene", scene, "--plate", "serial:" + device.device(), "--data", folder / "data", "--live", "keys"},
                 written(folder, "script.json", R"({"clock": "real-time"})"), terminal.descriptor()) {}
 
   static std::string with(const char* set_up) {
@@ -173,14 +171,11 @@ TEST(ExperimentLive, ShowsLettersAndItsKeysStopThePlate) {
   const Page look(led.program, "Live view: "), keys(led.program, "Live view with keys: ");
   const std::string other = "/" + std::string(32, '0') + "/";
   EXPECT_EQ(look.status(look.path), 200);
-  for (const std::string& path : {std::string("/"), other, other + "events"})
-    EXPECT_EQ(look.status(path), 404) << path;
+  for (const std::string& path : {std::string("/"), other, other + "events"}) EXPECT_EQ(look.status(path), 404) << path;
   EXPECT_EQ(look.status(look.path, {{"Host", "example.org"}}), 403);
 
-  const std::string events =
-      look.events({R"("felt":")", "Plate: not commissioned", "Registration: simulated"});
-  EXPECT_TRUE(std::regex_search(events, std::regex("block 1 of 2, condition [AB], 4 of 4 trials left")))
-      << events;
+  const std::string events = look.events({R"("felt":")", "Plate: not commissioned", "Registration: simulated"});
+  EXPECT_TRUE(std::regex_search(events, std::regex("block 1 of 2, condition [AB], 4 of 4 trials left"))) << events;
   for (const char* hidden : {"secret", "hidden", R"("keys")"}) EXPECT_FALSE(has(events, hidden)) << events;
 
   await_turning(led.device);
@@ -199,8 +194,8 @@ TEST(ExperimentLive, ShowsLettersAndItsKeysStopThePlate) {
 TEST(ExperimentLive, AwaitedKeysComeFirst) {
   const TemporaryFolder folder;
   const plate::Pty terminal(80);
-  const Program program({"run", written(folder, "study.json", small_design(1).text), "--participant", "1",
-                         "--scene", scene, "--data", folder / "data", "--live", "keys"},
+  const Program program({"run", written(folder, "study.json", small_design(1).text), "--participant", "1", "--scene",
+                         scene, "--data", folder / "data", "--live", "keys"},
                         written(folder, "script.json", R"({"clock": "real-time"})"), terminal.descriptor());
   const Page keys(program, "Live view with keys: ");
   keys.events({R"("keys":"sxbuqyn")"});

@@ -137,8 +137,7 @@ TEST(ExperimentCrash, TailCutAtEveryByte) {
     ASSERT_EQ(run_simulated(design, folder.path), "done");
     ASSERT_EQ(lasting(design, folder.path), lasting(design, whole.path)) << cut;
     // The bytes of the cut line are still there.
-    ASSERT_EQ(content_of(folder.path / session_name / "journal.jsonl").substr(0, cut),
-              journal.substr(0, cut));
+    ASSERT_EQ(content_of(folder.path / session_name / "journal.jsonl").substr(0, cut), journal.substr(0, cut));
   }
 }
 
@@ -179,9 +178,8 @@ TEST(ExperimentJournal, ASecondProcessIsRefused) {
   const Disk disk;
   fs::create_directories(folder.path / session_name);
   const Journal journal(folder.path / session_name / "journal.jsonl", disk, [] { return Now{}; });
-  EXPECT_NE(
-      refusal_of([&] { run_simulated(small_design(1), folder.path); }).find("another process writes it"),
-      std::string::npos);
+  EXPECT_NE(refusal_of([&] { run_simulated(small_design(1), folder.path); }).find("another process writes it"),
+            std::string::npos);
 }
 
 // A full disk, as a limit of the size of a file.
@@ -211,9 +209,8 @@ TEST(ExperimentJournal, AFullDiskKeepsWhatIsThere) {
 TEST(ExperimentJournal, AFolderThatCannotBeWrittenIsNamed) {
   const TemporaryFolder folder;
   std::ofstream(folder / "file") << "x";
-  EXPECT_NE(
-      refusal_of([&] { run_simulated(small_design(1), folder.path / "file"); }).find("cannot be created"),
-      std::string::npos);
+  EXPECT_NE(refusal_of([&] { run_simulated(small_design(1), folder.path / "file"); }).find("cannot be created"),
+            std::string::npos);
 }
 
 // A subject that leaves after some trials, and whose clock jumps before the session is resumed.
@@ -263,8 +260,7 @@ TEST(ExperimentSession, SameSeedSameBytes) {
   unsigned files = 0;
   for (const auto& entry : fs::recursive_directory_iterator(one.path)) {
     if (!entry.is_regular_file()) continue;
-    EXPECT_EQ(read_file(entry.path()), read_file(two.path / fs::relative(entry.path(), one.path)))
-        << entry.path();
+    EXPECT_EQ(read_file(entry.path()), read_file(two.path / fs::relative(entry.path(), one.path))) << entry.path();
     ++files;
   }
   EXPECT_GT(files, 20U);

@@ -16,19 +16,19 @@ namespace hrt::experiment {
 
 /// Two conditions, `repeats` trials of two pairs in each block, no set-up; `change` alters it.
 inline Design small_design(unsigned repeats, const std::function<void(nlohmann::json&)>& change = {}) {
-  nlohmann::json study = {{"title", "small"},
-                          {"participants", 2},
-                          {"conditions",
-                           {{{"name", "secret people"}, {"controller", "people"}},
-                            {{"name", "hidden none"}, {"controller", "none"}}}},
-                          {"pairs",
-                           {{{"name", "left"}, {"virtual_deg", 6}, {"real_deg", 0}},
-                            {{"name", "right"}, {"virtual_deg", -6}, {"real_deg", 0}}}},
-                          {"repeats", repeats},
-                          {"practice_trials", 1},
-                          {"set_up", "none"},
-                          {"question", "Bent?"},
-                          {"simulated", {{"invalid_share", 0.2}}}};
+  nlohmann::json study = {
+      {"title", "small"},
+      {"participants", 2},
+      {"conditions",
+       {{{"name", "secret people"}, {"controller", "people"}}, {{"name", "hidden none"}, {"controller", "none"}}}},
+      {"pairs",
+       {{{"name", "left"}, {"virtual_deg", 6}, {"real_deg", 0}},
+        {{"name", "right"}, {"virtual_deg", -6}, {"real_deg", 0}}}},
+      {"repeats", repeats},
+      {"practice_trials", 1},
+      {"set_up", "none"},
+      {"question", "Bent?"},
+      {"simulated", {{"invalid_share", 0.2}}}};
   if (change) change(study);
   return parse_design(study.dump(), "study.json");
 }

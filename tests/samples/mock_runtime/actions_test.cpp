@@ -63,8 +63,7 @@ TEST_F(MockActions, AllCoreProfilesHaveTheirSources) {
       {"/interaction_profiles/microsoft/xbox_controller", {"/user/gamepad/output/haptic_left_trigger"}},
       {"/interaction_profiles/oculus/go_controller", {"/user/hand/left/input/back/click"}},
       {"/interaction_profiles/oculus/touch_controller",
-       {"/user/hand/left/input/x/touch", "/user/hand/right/input/b/click",
-        "/user/hand/right/input/thumbrest/touch"}},
+       {"/user/hand/left/input/x/touch", "/user/hand/right/input/b/click", "/user/hand/right/input/thumbrest/touch"}},
       {"/interaction_profiles/valve/index_controller", {"/user/hand/right/input/trackpad/force"}}};
   for (const auto& [profile, sources] : profiles)
     for (const char* source : sources)
@@ -73,8 +72,7 @@ TEST_F(MockActions, AllCoreProfilesHaveTheirSources) {
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/right/input/x/click")}}));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/left/input/a/click")}}));
   // What OpenXR 1.1 adds is unknown to an application for 1.0.
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            suggest(touch, {{any, path("/user/hand/left/input/trigger/proximity")}}));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/left/input/trigger/proximity")}}));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("/interaction_profiles/hp/mixed_reality_controller",
                                                {{any, path("/user/hand/left/input/x/click")}}));
 }
@@ -187,8 +185,7 @@ TEST_F(MockActions, CurrentProfileFollowsTheDevice) {
   ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, left, &state));
   EXPECT_EQ(state.interactionProfile, path(simple));
 
-  const XrBoundSourcesForActionEnumerateInfo info{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr,
-                                                  select};
+  const XrBoundSourcesForActionEnumerateInfo info{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr, select};
   std::uint32_t count = 0;
   XrPath source = XR_NULL_PATH;
   ASSERT_XR(XR_SUCCESS, xrEnumerateBoundSourcesForAction(session, &info, 1, &count, &source));
@@ -200,8 +197,7 @@ TEST_F(MockActions, CurrentProfileFollowsTheDevice) {
   ASSERT_XR(XR_SUCCESS, xrGetInputSourceLocalizedName(session, &name, 64, &count, text.data()));
   EXPECT_STREQ(text.data(), "left");
   name.whichComponents = 0;
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE,
-            xrGetInputSourceLocalizedName(session, &name, 64, &count, text.data()));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, xrGetInputSourceLocalizedName(session, &name, 64, &count, text.data()));
 }
 
 // "Action spaces": located where the device is while the action is active, and without a valid bit otherwise.
@@ -255,8 +251,7 @@ TEST_F(MockActions, AutomationRefusesWhatTheDeviceDoesNotHave) {
   const XrPath click = path("/user/hand/left/input/select/click");
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_bool(session, right, click, XR_TRUE));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_float(session, left, click, 1.0F));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            functions->set_device_bool(session, path("/user/invalid"), click, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_bool(session, path("/user/invalid"), click, XR_TRUE));
   EXPECT_XR(XR_ERROR_PATH_INVALID, functions->set_device_bool(session, left, 0x1234, XR_TRUE));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
             functions->set_device_active(session, path(simple), path("/user/head"), XR_TRUE));
@@ -267,8 +262,8 @@ TEST_F(MockActions, HapticsNeedAVibrationActionAndFocus) {
   const XrAction buzz = make_action(set, "buzz", XR_ACTION_TYPE_VIBRATION_OUTPUT);
   const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
   ASSERT_XR(XR_SUCCESS, attach({set}));
-  XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, XR_MIN_HAPTIC_DURATION,
-                              XR_FREQUENCY_UNSPECIFIED, 1.0F};
+  XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, XR_MIN_HAPTIC_DURATION, XR_FREQUENCY_UNSPECIFIED,
+                              1.0F};
   const auto apply = [&](XrAction action) {
     const XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, action, XR_NULL_PATH};
     return xrApplyHapticFeedback(session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));

@@ -54,22 +54,20 @@ inline std::string odd_recording() {
     all += ",\n[\"" + kind + "\",1," + rest + "]";
   };
   for (int i = 0; i < 70; ++i) {
-    const XrTime at =
-        86'400'123'456'789 + i * 13'888'888LL + i * 7919 % 1000 * 1000 + (i > 30 ? 2'000'000'000 : 0);
+    const XrTime at = 86'400'123'456'789 + i * 13'888'888LL + i * 7919 % 1000 * 1000 + (i > 30 ? 2'000'000'000 : 0);
     const std::string time = std::to_string(at), even = i % 2 == 0 ? "true" : "false";
     add("frame", time + ",13888888," + even);
     add("bounds", std::string("2,true,") + (i < 20 ? "2" : "2.5") + ",\"40490fdb\"");
     add("converted", std::to_string(at + 17));
     add("synced", time + (i < 4 ? ",false" : ",true"));
-    add("profile", time + ",\"/user/hand/left\",\"" +
-                       (i < 30 ? "/interaction_profiles/other/of_no_registry" : "") + "\"");
+    add("profile",
+        time + ",\"/user/hand/left\",\"" + (i < 30 ? "/interaction_profiles/other/of_no_registry" : "") + "\"");
     for (const char* action : {"press", "pull", "move", "grip"})
       for (const char* hand : {"/user/hand/left", "/user/hand/right", ""})
-        add("action", time + ",\"set/" + action + "\",\"" + hand + "\",true," + even + "," +
-                          std::to_string(i) + "," + bits(2));
+        add("action",
+            time + ",\"set/" + action + "\",\"" + hand + "\",true," + even + "," + std::to_string(i) + "," + bits(2));
     for (const char* space : {"2", "3", "4"})
-      add("located",
-          time + "," + space + ",0," + (i % 7 == 3 ? "0" : "3") + ",[" + bits(7) + "],2,[" + bits(6) + "]");
+      add("located", time + "," + space + ",0," + (i % 7 == 3 ? "0" : "3") + ",[" + bits(7) + "],2,[" + bits(6) + "]");
     if (i % 3 != 0) continue;  // the nearest counts
     add("views", time + ",1,3,[" + bits(22) + "]");
     for (const char* hand : {"1", "2"}) {
@@ -78,8 +76,8 @@ inline std::string odd_recording() {
         joints += (joint == 0 ? "" : ",") + std::to_string(joint % 16) + "," + bits(8);
         velocities += (joint == 0 ? "" : ",") + std::to_string(joint % 4) + "," + bits(6);
       }
-      add("joints", time + "," + hand + "," + (i % 2 == 0 ? "0" : "1") + ",true,1,[" + joints + "],[" +
-                        velocities + "]");
+      add("joints",
+          time + "," + hand + "," + (i % 2 == 0 ? "0" : "1") + ",true,1,[" + joints + "],[" + velocities + "]");
     }
   }
   return all + "]}}";
@@ -90,8 +88,8 @@ class CaptureFixture : public MockRuntime {
  protected:
   void SetUp() override {}
   void TearDown() override {
-    for (const char* name : {"XR_ENABLE_API_LAYERS", "XR_API_LAYER_PATH", "HRT_CAPTURE_FILE",
-                             "HRT_MOCK_SCRIPT", "XDG_DATA_HOME", "HRT_CAPTURE_DISABLE"})
+    for (const char* name : {"XR_ENABLE_API_LAYERS", "XR_API_LAYER_PATH", "HRT_CAPTURE_FILE", "HRT_MOCK_SCRIPT",
+                             "XDG_DATA_HOME", "HRT_CAPTURE_DISABLE"})
       unsetenv(name);
     setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1);
   }
@@ -110,8 +108,8 @@ class CaptureFixture : public MockRuntime {
     setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
   }
 
-  XrResult create_instance(const std::vector<const char*>& extensions = {
-                               XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME}) {
+  XrResult create_instance(const std::vector<const char*>& extensions = {XR_MND_HEADLESS_EXTENSION_NAME,
+                                                                         XR_EXT_HAND_TRACKING_EXTENSION_NAME}) {
     const XrInstanceCreateInfo info = instance_info(extensions);
     return xrCreateInstance(&info, &instance);
   }

@@ -19,8 +19,8 @@ class MockCapture : public CaptureFixture {
     const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, which,
                                           XR_HAND_JOINT_SET_DEFAULT_EXT};
     XrHandTrackerEXT tracker = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS, fetch<PFN_xrCreateHandTrackerEXT>(instance, "xrCreateHandTrackerEXT")(
-                              session, &info, &tracker));
+    EXPECT_XR(XR_SUCCESS,
+              fetch<PFN_xrCreateHandTrackerEXT>(instance, "xrCreateHandTrackerEXT")(session, &info, &tracker));
     return tracker;
   }
   using Joints = std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT>;
@@ -29,8 +29,8 @@ class MockCapture : public CaptureFixture {
     std::array<XrHandJointVelocityEXT, XR_HAND_JOINT_COUNT_EXT> moving{};
     XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, XR_HAND_JOINT_COUNT_EXT,
                                         moving.data()};
-    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE,
-                                      XR_HAND_JOINT_COUNT_EXT, joints.data()};
+    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
+                                      joints.data()};
     const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, base, time};
     const XrResult result =
         fetch<PFN_xrLocateHandJointsEXT>(instance, "xrLocateHandJointsEXT")(tracker, &info, &locations);
@@ -65,19 +65,13 @@ class MockCapture : public CaptureFixture {
     pull = make_action(set, "pull", XR_ACTION_TYPE_FLOAT_INPUT, subactions);
     move = make_action(set, "move", XR_ACTION_TYPE_VECTOR2F_INPUT, subactions);
     grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, subactions);
-    for (const auto& [profile, sources] :
-         std::map<const char*, std::vector<std::pair<XrAction, std::string>>>{
+    for (const auto& [profile, sources] : std::map<const char*, std::vector<std::pair<XrAction, std::string>>>{
              {"/interaction_profiles/oculus/touch_controller",
-              {{press, "thumbstick/click"},
-               {pull, "trigger/value"},
-               {move, "thumbstick"},
-               {grip, "grip/pose"}}},
-             {"/interaction_profiles/khr/simple_controller",
-              {{press, "select/click"}, {grip, "aim/pose"}}}}) {
+              {{press, "thumbstick/click"}, {pull, "trigger/value"}, {move, "thumbstick"}, {grip, "grip/pose"}}},
+             {"/interaction_profiles/khr/simple_controller", {{press, "select/click"}, {grip, "aim/pose"}}}}) {
       std::vector<XrActionSuggestedBinding> bindings;
       for (const char* inputs : {"/user/hand/left/input/", "/user/hand/right/input/"})
-        for (const auto& [action, source] : sources)
-          bindings.push_back({action, path((inputs + source).c_str())});
+        for (const auto& [action, source] : sources) bindings.push_back({action, path((inputs + source).c_str())});
       ASSERT_XR(XR_SUCCESS, suggest(profile, bindings));
     }
     ASSERT_XR(XR_SUCCESS, attach({set}));
@@ -110,14 +104,12 @@ class MockCapture : public CaptureFixture {
     seen["not focused"] += result == XR_SESSION_NOT_FOCUSED;
     for (const XrPath user : {hands[0], hands[1], XrPath{XR_NULL_PATH}}) {
       seen["pressed"] +=
-          read<XrActionStateBoolean>(xrGetActionStateBoolean, XR_TYPE_ACTION_STATE_BOOLEAN, press, user)
-              .currentState == XR_TRUE;
+          read<XrActionStateBoolean>(xrGetActionStateBoolean, XR_TYPE_ACTION_STATE_BOOLEAN, press, user).currentState ==
+          XR_TRUE;
       seen["pulled"] +=
-          read<XrActionStateFloat>(xrGetActionStateFloat, XR_TYPE_ACTION_STATE_FLOAT, pull, user)
-              .currentState != 0.0F;
-      seen["moved"] +=
-          read<XrActionStateVector2f>(xrGetActionStateVector2f, XR_TYPE_ACTION_STATE_VECTOR2F, move, user)
-              .currentState.y != 0.0F;
+          read<XrActionStateFloat>(xrGetActionStateFloat, XR_TYPE_ACTION_STATE_FLOAT, pull, user).currentState != 0.0F;
+      seen["moved"] += read<XrActionStateVector2f>(xrGetActionStateVector2f, XR_TYPE_ACTION_STATE_VECTOR2F, move, user)
+                           .currentState.y != 0.0F;
       read<XrActionStatePose>(xrGetActionStatePose, XR_TYPE_ACTION_STATE_POSE, grip, user);
     }
     for (const XrPath user : hands) {
@@ -145,12 +137,8 @@ class MockCapture : public CaptureFixture {
       std::vector<XrSpaceLocationData> located(spaces.size());
       XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, next, static_cast<std::uint32_t>(located.size()),
                                  located.data()};
-      const XrSpacesLocateInfo info{XR_TYPE_SPACES_LOCATE_INFO,
-                                    nullptr,
-                                    base,
-                                    time,
-                                    static_cast<std::uint32_t>(spaces.size()),
-                                    spaces.data()};
+      const XrSpacesLocateInfo info{
+          XR_TYPE_SPACES_LOCATE_INFO, nullptr, base, time, static_cast<std::uint32_t>(spaces.size()), spaces.data()};
       ASSERT_XR(XR_SUCCESS, locate_several(session, &info, &locations));
       for (const XrSpaceLocationData& each : located) {
         given.add(each.locationFlags);
@@ -169,12 +157,12 @@ class MockCapture : public CaptureFixture {
     timespec clock{};
     clock_gettime(CLOCK_MONOTONIC, &clock);
     XrTime now = 0;
-    ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimespecTimeToTimeKHR>(
-                              instance, "xrConvertTimespecTimeToTimeKHR")(instance, &clock, &now));
+    ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimespecTimeToTimeKHR>(instance, "xrConvertTimespecTimeToTimeKHR")(
+                              instance, &clock, &now));
     given.add(now);
     for (const XrTime time : {displayed, now}) {
-      ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimeToTimespecTimeKHR>(
-                                instance, "xrConvertTimeToTimespecTimeKHR")(instance, time, &clock));
+      ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR")(
+                                instance, time, &clock));
       given.add(clock.tv_sec);
       given.add(clock.tv_nsec);
     }
@@ -195,8 +183,8 @@ class MockCapture : public CaptureFixture {
   }
 
   void locate_views(XrSpace base, XrTime time) {
-    const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-                                time, base};
+    const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, time,
+                                base};
     XrViewState state{XR_TYPE_VIEW_STATE};
     std::array<XrView, 2> views{{{XR_TYPE_VIEW}, {XR_TYPE_VIEW}}};
     std::uint32_t count = 0;
@@ -288,10 +276,9 @@ TEST_F(MockCapture, GivesTheSameAgain) {
   const Given first = run_application();
   const auto seen_first = seen;
   EXPECT_EQ(first.active, (60 - 3) * 4 - 20);
-  for (const char* what :
-       {"active", "pressed", "pulled", "moved", "not focused", "located", "lost", "moving", "",
-        "/interaction_profiles/oculus/touch_controller", "/interaction_profiles/khr/simple_controller",
-        "XR_SUCCESS", "XR_SPACE_BOUNDS_UNAVAILABLE"})
+  for (const char* what : {"active", "pressed", "pulled", "moved", "not focused", "located", "lost", "moving", "",
+                           "/interaction_profiles/oculus/touch_controller",
+                           "/interaction_profiles/khr/simple_controller", "XR_SUCCESS", "XR_SPACE_BOUNDS_UNAVAILABLE"})
     EXPECT_GT(seen[what], 0) << what;
   play(folder / "capture.json");
   const Given again = run_application();
@@ -310,10 +297,9 @@ TEST_F(MockCapture, GivesWhatAnotherRuntimeGave) {
   EXPECT_EQ(first.failures, 2);
   EXPECT_EQ(first.active, 60 * 4 - 2);
   EXPECT_EQ(first.bytes.compare(0, 15, "Other \"runtime\""), 0);
-  EXPECT_EQ(first.states,
-            (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED,
-                         XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED, XR_SESSION_STATE_STOPPING,
-                         XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}));
+  EXPECT_EQ(first.states, (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED,
+                                       XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED, XR_SESSION_STATE_STOPPING,
+                                       XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}));
   EXPECT_EQ(widths, (std::set{2.0F, 2.5F}));
   EXPECT_EQ(offset_s, 5 * 86'400);
   EXPECT_GT(seen["/interaction_profiles/other/of_no_registry"], 0);
@@ -423,8 +409,7 @@ TEST_F(MockCapture, WhatIsNoCaptureIsRefusedByName) {
   expect_refused(with(R"(["joints", 1, 5, 1, 0, false, 0])"), "names a space before there is one");
   expect_refused(with(R"(["plate", 1, 5, "12"])"), "records[0][3] must be a number");
   expect_refused(with(R"(["timespec", 1, 5, 0.5])"), "records[0][3] must be a whole number");
-  expect_refused(with(R"(["failed", 1, "xrDance", 1, -2])"),
-                 "names a function that this runtime does not have");
+  expect_refused(with(R"(["failed", 1, "xrDance", 1, -2])"), "names a function that this runtime does not have");
   expect_refused(with("7"), "script.playback.records must be an array of arrays");
   expect_refused(R"({"playback": {"version": 2, "records": []}})", "script.playback.version must be 1");
   expect_refused(R"({"seed": 3, "playback": {"version": 1, "records": []}})", "takes the place of seed");
@@ -479,11 +464,9 @@ TEST_F(MockCapture, MachinesClockRunsBetweenItsSamples) {
       ["instance", "r", 1, ["XR_MND_headless", "XR_KHR_convert_timespec_time"]],
       ["timespec", 1, 5000000000, 105000000001], ["timespec", 1, 8000000000, 108000000002]]}})";
   play(folder / "clock.json");
-  ASSERT_XR(XR_SUCCESS,
-            create_instance({XR_MND_HEADLESS_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
+  ASSERT_XR(XR_SUCCESS, create_instance({XR_MND_HEADLESS_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
   create_session();
-  const auto to_timespec =
-      fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR");
+  const auto to_timespec = fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR");
   for (const auto& [time, nanoseconds] : std::map<XrTime, std::int64_t>{{5'000'000'000, 105'000'000'001},
                                                                         {4'000'000'000, 104'000'000'001},
                                                                         {6'400'000'000, 106'400'000'001},
@@ -536,16 +519,14 @@ class MockCaptureLayer : public MockNegotiation {
     MockNegotiation::SetUp();
     layer_library = dlopen(HRT_CAPTURE_LIBRARY, RTLD_NOW | RTLD_LOCAL);
     ASSERT_NE(layer_library, nullptr) << dlerror();
-    negotiate_layer =
-        reinterpret_cast<NegotiateLayer>(dlsym(layer_library, "xrNegotiateLoaderApiLayerInterface"));
+    negotiate_layer = reinterpret_cast<NegotiateLayer>(dlsym(layer_library, "xrNegotiateLoaderApiLayerInterface"));
     ASSERT_NE(negotiate_layer, nullptr);
   }
   void TearDown() override {
     dlclose(layer_library);
     MockNegotiation::TearDown();
   }
-  using NegotiateLayer = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, const char*,
-                                              NegotiateApiLayerRequest*);
+  using NegotiateLayer = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, const char*, NegotiateApiLayerRequest*);
   void* layer_library = nullptr;
   NegotiateLayer negotiate_layer = nullptr;
   NegotiateApiLayerRequest layer{api_layer_request_type, struct_version, sizeof(NegotiateApiLayerRequest)};
@@ -583,8 +564,7 @@ TEST_F(MockCaptureLayer, CapturesAnApplicationForOpenXR11) {
   const XrReferenceSpaceCreateInfo floor{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
                                          XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR, identity_pose};
   XrSpace space = XR_NULL_HANDLE;
-  ASSERT_XR(XR_SUCCESS,
-            direct<PFN_xrCreateReferenceSpace>("xrCreateReferenceSpace")(session, &floor, &space));
+  ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateReferenceSpace>("xrCreateReferenceSpace")(session, &floor, &space));
   XrSpaceLocationData data{};
   XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
   const XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO, nullptr, space, 1'450'000'000, 1, &space};

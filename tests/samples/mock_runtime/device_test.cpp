@@ -8,8 +8,7 @@ namespace hrt::mock {
 namespace {
 
 double distance_m(const XrPosef& a, const XrPosef& b) {
-  return std::hypot(static_cast<double>(a.position.x - b.position.x),
-                    static_cast<double>(a.position.y - b.position.y),
+  return std::hypot(static_cast<double>(a.position.x - b.position.x), static_cast<double>(a.position.y - b.position.y),
                     static_cast<double>(a.position.z - b.position.z));
 }
 
@@ -23,8 +22,7 @@ class MockDevices : public MockRuntime {
 
   // The joints of the right hand, one second after the session began.
   Hand hand_with(const std::string& keyframe) {
-    begin_with(R"({"hands": {"right": {"path": [{"time_ms": 0, "position_m": [0, -0.4, -0.3])" + keyframe +
-               "}]}}}");
+    begin_with(R"({"hands": {"right": {"path": [{"time_ms": 0, "position_m": [0, -0.4, -0.3])" + keyframe + "}]}}}");
     const Hand held = locate_hand(hand, local, frame());
     EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
     return held;
@@ -52,8 +50,8 @@ TEST_F(MockDevices, HeadFollowsItsPathAndTheViewsFollowTheHead) {
   XrViewState state{XR_TYPE_VIEW_STATE};
   std::array<XrView, 2> views{{{XR_TYPE_VIEW}, {XR_TYPE_VIEW}}};
   std::uint32_t count = 0;
-  const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-                              half, local};
+  const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, half,
+                              local};
   ASSERT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 2, &count, views.data()));
   EXPECT_NEAR((views[0].pose.position.x + views[1].pose.position.x) / 2.0F, 0.1F, 1e-6F);
   EXPECT_NEAR(distance_m(views[0].pose, views[1].pose), 0.063, 1e-6);
@@ -66,8 +64,7 @@ TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
       R"({"head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 1000, "position_m": [0, 0, 1]}]},
       "events": [{"frame": 3, "do": "lose_tracking", "of": "head"},
                  {"frame": 6, "do": "regain_tracking", "of": "head"}]})");
-  const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW),
-                stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
+  const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW), stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
   constexpr XrSpaceLocationFlags all = 15, guessed = all & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   XrPosef before{};
   for (int number = 1; number <= 7; ++number) {
@@ -85,8 +82,8 @@ TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
     EXPECT_TRUE(in_room.active);
     EXPECT_EQ(in_room.joints[XR_HAND_JOINT_INDEX_TIP_EXT].locationFlags, lost ? guessed : all) << number;
     EXPECT_EQ(in_view.joints[XR_HAND_JOINT_INDEX_TIP_EXT].locationFlags, all) << number;
-    const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-                                time, local};
+    const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, time,
+                                local};
     XrViewState state{XR_TYPE_VIEW_STATE};
     std::uint32_t count = 0;
     ASSERT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 0, &count, nullptr));
@@ -101,8 +98,7 @@ class MockControllers : public MockDevices {
     pull = make_action(set, "pull", XR_ACTION_TYPE_FLOAT_INPUT);
     aim = make_action(set, "aim", XR_ACTION_TYPE_POSE_INPUT);
     for (const auto& [profile, trigger] : profiles_and_triggers)
-      ASSERT_XR(XR_SUCCESS,
-                suggest(profile, {{pull, path(trigger)}, {aim, path("/user/hand/right/input/aim/pose")}}));
+      ASSERT_XR(XR_SUCCESS, suggest(profile, {{pull, path(trigger)}, {aim, path("/user/hand/right/input/aim/pose")}}));
     begin_session();
     ASSERT_XR(XR_SUCCESS, attach({set}));
   }
@@ -125,8 +121,7 @@ class MockControllers : public MockDevices {
 
   int profile_events() {
     int events = 0;
-    while (next_event<XrEventDataInteractionProfileChanged>(XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED))
-      ++events;
+    while (next_event<XrEventDataInteractionProfileChanged>(XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED)) ++events;
     return events;
   }
 
@@ -193,9 +188,8 @@ TEST_F(MockControllers, ProfilesChangeAndControllersArePutAway) {
 // "The length of a bone does not change": from joint to joint of each finger, for every curl and pinch.
 TEST_F(MockDevices, FingersBendWithTheirBonesAsLongAsEver) {
   const Hand pointing = hand_with("");
-  for (const char* bent :
-       {R"(, "curl": 0)", R"(, "curl": 1)", R"(, "curl": [0.2, 0.4, 0.6, 0.8, 1])", R"(, "pinch": 1)",
-        R"(, "pinch": 0.3)", R"(, "curl": [0, 0, 1, 1, 1], "pinch": 1)"}) {
+  for (const char* bent : {R"(, "curl": 0)", R"(, "curl": 1)", R"(, "curl": [0.2, 0.4, 0.6, 0.8, 1])",
+                           R"(, "pinch": 1)", R"(, "pinch": 0.3)", R"(, "curl": [0, 0, 1, 1, 1], "pinch": 1)"}) {
     const Hand held = hand_with(bent);
     ASSERT_TRUE(held.active);
     for (int joint = XR_HAND_JOINT_WRIST_EXT + 1; joint < XR_HAND_JOINT_COUNT_EXT; ++joint) {
@@ -213,10 +207,9 @@ TEST_F(MockDevices, FingersBendWithTheirBonesAsLongAsEver) {
 
 TEST_F(MockDevices, CurledTipsComeToThePalmAndStraightOnesDoNot) {
   const Hand straight = hand_with(R"(, "curl": 0)"), fist = hand_with(R"(, "curl": 1)");
-  for (const std::size_t tip : {XR_HAND_JOINT_INDEX_TIP_EXT, XR_HAND_JOINT_MIDDLE_TIP_EXT,
-                                XR_HAND_JOINT_RING_TIP_EXT, XR_HAND_JOINT_LITTLE_TIP_EXT}) {
-    EXPECT_GT(distance_m(straight.joints[tip].pose, straight.joints[XR_HAND_JOINT_PALM_EXT].pose), 0.09)
-        << tip;
+  for (const std::size_t tip : {XR_HAND_JOINT_INDEX_TIP_EXT, XR_HAND_JOINT_MIDDLE_TIP_EXT, XR_HAND_JOINT_RING_TIP_EXT,
+                                XR_HAND_JOINT_LITTLE_TIP_EXT}) {
+    EXPECT_GT(distance_m(straight.joints[tip].pose, straight.joints[XR_HAND_JOINT_PALM_EXT].pose), 0.09) << tip;
     EXPECT_LT(distance_m(fist.joints[tip].pose, fist.joints[XR_HAND_JOINT_PALM_EXT].pose), 0.065) << tip;
     // On the side of the palm, not behind the hand.
     EXPECT_LT(fist.joints[tip].pose.position.y, fist.joints[tip - 3].pose.position.y) << tip;
@@ -227,8 +220,8 @@ TEST_F(MockDevices, PinchBringsThumbAndIndexTipTogether) {
   double last_m = 1.0;
   for (const char* pinch : {"0", "0.25", "0.5", "0.75", "1"}) {
     const Hand held = hand_with(std::string(R"(, "pinch": )") + pinch);
-    const double gap_m = distance_m(held.joints[XR_HAND_JOINT_THUMB_TIP_EXT].pose,
-                                    held.joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose);
+    const double gap_m =
+        distance_m(held.joints[XR_HAND_JOINT_THUMB_TIP_EXT].pose, held.joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose);
     EXPECT_LT(gap_m, last_m) << pinch;
     last_m = gap_m;
   }
@@ -259,8 +252,7 @@ TEST_F(MockDevices, CallLogHasArgumentsHandlesAndThread) {
   auto log = call_log();
   EXPECT_STREQ(log.back().function, "xrCreateReferenceSpace");
   const std::string arguments = log.back().arguments;
-  EXPECT_TRUE(
-      has(arguments, "{referenceSpaceType=2, poseInReferenceSpace={orientation={x=0, y=0, z=0, w=1}"));
+  EXPECT_TRUE(has(arguments, "{referenceSpaceType=2, poseInReferenceSpace={orientation={x=0, y=0, z=0, w=1}"));
   EXPECT_TRUE(arguments.ends_with(std::string(", ") + handle + ")")) << arguments;
   EXPECT_GE(log.back().thread, 1U);
   EXPECT_EQ(log.back().thread, log.front().thread);

@@ -31,12 +31,10 @@ struct Reason {
 constexpr Reason reasons[] = {
     {"*", "RUNTIME_FAILURE OUT_OF_MEMORY", "on a script's order only: neither happens by itself"},
     {"*", "FUNCTION_UNSUPPORTED", "without its extension a function has no address, so nobody can call it"},
-    {"xrEnumerateInstanceExtensionProperties xrCreateInstance", "RUNTIME_UNAVAILABLE",
-     "a loader finds no runtime"},
+    {"xrEnumerateInstanceExtensionProperties xrCreateInstance", "RUNTIME_UNAVAILABLE", "a loader finds no runtime"},
     {"xrCreateInstance", "API_LAYER_NOT_PRESENT", "a loader finds the layers"},
     {"xrCreateInstance", "EXTENSION_DEPENDENCY_NOT_ENABLED", "no extension here needs another one"},
-    {"xrGetInstanceProcAddr", "INSTANCE_LOST",
-     "a lost instance is destroyed through functions that it gives"},
+    {"xrGetInstanceProcAddr", "INSTANCE_LOST", "a lost instance is destroyed through functions that it gives"},
     {"xrGetSystem", "FORM_FACTOR_UNAVAILABLE", "on a script's order only: the display is always there"},
     {"xrCreateSession", "INITIALIZATION_FAILED", "on a script's order only"},
     {"xrCreateSession", "GRAPHICS_REQUIREMENTS_CALL_MISSING", "graphics_test.cpp gives it"},
@@ -45,10 +43,8 @@ constexpr Reason reasons[] = {
      "LIMIT_REACHED", "there is no limit"},
     {"xrStringToPath", "PATH_COUNT_EXCEEDED", "there is no limit"},
     {"xrEnumerateApiLayerProperties xrEnumerateSwapchainFormats", "SIZE_INSUFFICIENT", "the list is empty"},
-    {"xrEnumerateEnvironmentBlendModes xrEnumerateViewConfigurations", "SIZE_INSUFFICIENT",
-     "the list has one element"},
-    {"xrLocateSpaces xrLocateSpacesKHR", "SIZE_INSUFFICIENT",
-     "counts that differ are invalid; there is no capacity"},
+    {"xrEnumerateEnvironmentBlendModes xrEnumerateViewConfigurations", "SIZE_INSUFFICIENT", "the list has one element"},
+    {"xrLocateSpaces xrLocateSpacesKHR", "SIZE_INSUFFICIENT", "counts that differ are invalid; there is no capacity"},
     {"xrEndFrame", "POSE_INVALID SWAPCHAIN_RECT_INVALID", "graphics_test.cpp gives them"},
     {"xrCreateSwapchain", "FEATURE_UNSUPPORTED", "graphics_test.cpp gives it"},
     {"xrEnumerateSwapchainImages xrAcquireSwapchainImage xrWaitSwapchainImage xrReleaseSwapchainImage",
@@ -63,8 +59,7 @@ constexpr Reason reasons[] = {
      "a handle is all that is given"},
     {"xrSetInputDeviceActiveEXT xrSetInputDeviceStateBoolEXT xrSetInputDeviceStateFloatEXT "
      "xrSetInputDeviceStateVector2fEXT xrSetInputDeviceLocationEXT",
-     "VALIDATION_FAILURE",
-     "handles, paths and poses have errors of their own, and values are taken as they are"},
+     "VALIDATION_FAILURE", "handles, paths and poses have errors of their own, and values are taken as they are"},
     {"xrEnumerateBoundSourcesForAction", "PATH_INVALID", "no path is given"},
 };
 
@@ -90,16 +85,10 @@ class MockErrors : public MockNegotiation {
   }
 
   void create_instance() {
-    const std::vector<const char*> names{"XR_MND_headless",
-                                         "XR_EXT_hand_tracking",
-                                         "XR_KHR_convert_timespec_time",
-                                         "XR_EXT_conformance_automation",
-                                         "XR_KHR_locate_spaces",
-                                         "XR_KHR_vulkan_enable",
-                                         "XR_KHR_vulkan_enable2",
-                                         "XR_KHR_opengl_enable",
-                                         "XR_HRTX_ridged_plate",
-                                         "XR_HRTX_mock_control"};
+    const std::vector<const char*> names{
+        "XR_MND_headless",      "XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time", "XR_EXT_conformance_automation",
+        "XR_KHR_locate_spaces", "XR_KHR_vulkan_enable", "XR_KHR_vulkan_enable2",        "XR_KHR_opengl_enable",
+        "XR_HRTX_ridged_plate", "XR_HRTX_mock_control"};
     ASSERT_XR(XR_SUCCESS, create_direct(names, XR_MAKE_VERSION(1, 1, 0)));
   }
   // A session with all kinds of handles, and the script's faults in its first frame.
@@ -118,8 +107,7 @@ class MockErrors : public MockNegotiation {
     ASSERT_XR(XR_SUCCESS, make_action("act", "Act", XR_ACTION_TYPE_BOOLEAN_INPUT, &action));
   }
   void begin() {
-    const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
-                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+    const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
     ASSERT_XR(XR_SUCCESS, CALL(xrBeginSession, session, &info));
   }
   void destroy_session() { EXPECT_XR(XR_SUCCESS, CALL(xrDestroySession, session)); }
@@ -148,8 +136,7 @@ class MockErrors : public MockNegotiation {
 
   // Calls every function with this handle and zeros; with handles that are none if `null`.
   void call_all(bool null) {
-#define HRT_CALL(name, implementation, extension, returned) \
-  call_zeros(#name, direct<PFN_##name>(#name), null);
+#define HRT_CALL(name, implementation, extension, returned) call_zeros(#name, direct<PFN_##name>(#name), null);
     HRT_MOCK_FUNCTIONS(HRT_CALL)
 #undef HRT_CALL
   }
@@ -163,11 +150,9 @@ class MockErrors : public MockNegotiation {
     }
     if constexpr (is_handle<First>) {
       if (!null || std::string(name) == "xrGetInstanceProcAddr") return;
-      for (const std::uintptr_t none :
-           {std::uintptr_t{0}, std::uintptr_t{1}, std::uintptr_t{0x77}, ~std::uintptr_t{0},
-            reinterpret_cast<std::uintptr_t>(instance) + 1000})
-        EXPECT_XR(XR_ERROR_HANDLE_INVALID, function(reinterpret_cast<First>(none), Rest{}...))
-            << name << none;
+      for (const std::uintptr_t none : {std::uintptr_t{0}, std::uintptr_t{1}, std::uintptr_t{0x77}, ~std::uintptr_t{0},
+                                        reinterpret_cast<std::uintptr_t>(instance) + 1000})
+        EXPECT_XR(XR_ERROR_HANDLE_INVALID, function(reinterpret_cast<First>(none), Rest{}...)) << name << none;
     }
   }
   XrInstance handle(XrInstance) const { return instance; }
@@ -235,23 +220,21 @@ void MockErrors::provoke_at_instance() {
   XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
   REFUSED(SYSTEM_INVALID, xrGetSystemProperties, instance, none, &properties);
   REFUSED(SYSTEM_INVALID, xrEnumerateEnvironmentBlendModes, instance, none, odd, 0, &count, nullptr);
-  REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrEnumerateEnvironmentBlendModes, instance, 1, odd, 0, &count,
-          nullptr);
+  REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrEnumerateEnvironmentBlendModes, instance, 1, odd, 0, &count, nullptr);
   REFUSED(SYSTEM_INVALID, xrEnumerateViewConfigurations, instance, none, 0, &count, nullptr);
   XrViewConfigurationProperties view{XR_TYPE_VIEW_CONFIGURATION_PROPERTIES};
   REFUSED(SYSTEM_INVALID, xrGetViewConfigurationProperties, instance, none, odd, &view);
   REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrGetViewConfigurationProperties, instance, 1, odd, &view);
   XrViewConfigurationView one{XR_TYPE_VIEW_CONFIGURATION_VIEW};
   REFUSED(SYSTEM_INVALID, xrEnumerateViewConfigurationViews, instance, none, odd, 0, &count, nullptr);
-  REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrEnumerateViewConfigurationViews, instance, 1, odd, 0, &count,
-          nullptr);
-  REFUSED(SIZE_INSUFFICIENT, xrEnumerateViewConfigurationViews, instance, 1,
-          XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 1, &count, &one);
+  REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrEnumerateViewConfigurationViews, instance, 1, odd, 0, &count, nullptr);
+  REFUSED(SIZE_INSUFFICIENT, xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
+          1, &count, &one);
   // Of valid systems and views what is left is the missing count.
-  REFUSED(VALIDATION_FAILURE, xrEnumerateEnvironmentBlendModes, instance, 1,
-          XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 0, nullptr, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurationViews, instance, 1,
-          XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 0, nullptr, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrEnumerateEnvironmentBlendModes, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
+          0, nullptr, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
+          0, nullptr, nullptr);
   REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurations, instance, 1, 0, nullptr, nullptr);
   XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none};
   XrSession made = XR_NULL_HANDLE;
@@ -297,8 +280,8 @@ void MockErrors::provoke_in_session() {
   XrSpace made = XR_NULL_HANDLE;
   REFUSED(POSE_INVALID, xrCreateReferenceSpace, session, &turned, &made);
   XrExtent2Df extent{};
-  REFUSED(REFERENCE_SPACE_UNSUPPORTED, xrGetReferenceSpaceBoundsRect, session,
-          static_cast<XrReferenceSpaceType>(12345), &extent);
+  REFUSED(REFERENCE_SPACE_UNSUPPORTED, xrGetReferenceSpaceBoundsRect, session, static_cast<XrReferenceSpaceType>(12345),
+          &extent);
   XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
   REFUSED(TIME_INVALID, xrLocateSpace, local, local, 0, &location);
   REFUSED(VALIDATION_FAILURE, xrLocateSpace, local, local, 1, nullptr);
@@ -326,8 +309,7 @@ void MockErrors::provoke_in_session() {
 
   begin();
   REFUSED(VALIDATION_FAILURE, xrBeginSession, session, nullptr);
-  const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
-                                 XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+  const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
   REFUSED(SESSION_RUNNING, xrBeginSession, session, &twice);
   REFUSED(SESSION_NOT_STOPPING, xrEndSession, session);
   REFUSED(CALL_ORDER_INVALID, xrBeginFrame, session, nullptr);
@@ -365,8 +347,7 @@ void MockErrors::provoke_in_session() {
 
   // The plate.
   XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, local, {}, 0.075};
-  XrReachInstructionHRTX instruction{
-      XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, 5.0, 0.1};
+  XrReachInstructionHRTX instruction{XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, 5.0, 0.1};
   REFUSED(CALL_ORDER_INVALID, xrInstructReachHRTX, session, &instruction);
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
   REFUSED(CALL_ORDER_INVALID, xrGetReachTruthHRTX, session, XR_HAND_RIGHT_EXT, &truth);
@@ -395,16 +376,13 @@ void MockErrors::provoke_actions() {
   EXPECT_XR(XR_ERROR_PATH_INVALID, make("other", "Other", {XR_NULL_PATH}));
   EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, make_action("other", "Other", static_cast<XrActionType>(77), &made));
   XrAction button = XR_NULL_HANDLE, pose = XR_NULL_HANDLE, shake = XR_NULL_HANDLE;
-  ASSERT_XR(XR_SUCCESS,
-            make_action("button", "Button", XR_ACTION_TYPE_BOOLEAN_INPUT, &button, {left, right}));
+  ASSERT_XR(XR_SUCCESS, make_action("button", "Button", XR_ACTION_TYPE_BOOLEAN_INPUT, &button, {left, right}));
   ASSERT_XR(XR_SUCCESS, make_action("pose", "Pose", XR_ACTION_TYPE_POSE_INPUT, &pose, {left, right}));
-  ASSERT_XR(XR_SUCCESS,
-            make_action("shake", "Shake", XR_ACTION_TYPE_VIBRATION_OUTPUT, &shake, {left, right}));
+  ASSERT_XR(XR_SUCCESS, make_action("shake", "Shake", XR_ACTION_TYPE_VIBRATION_OUTPUT, &shake, {left, right}));
   const auto suggest = [&](XrPath profile, XrPath source) {
-    const XrActionSuggestedBinding bindings[]{{button, source},
-                                              {button, path("/user/hand/right/input/menu/click")}};
-    const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
-                                                    profile, 2, bindings};
+    const XrActionSuggestedBinding bindings[]{{button, source}, {button, path("/user/hand/right/input/menu/click")}};
+    const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, profile, 2,
+                                                    bindings};
     return CALL(xrSuggestInteractionProfileBindings, instance, &info);
   };
   const XrPath simple = path("/interaction_profiles/khr/simple_controller");
@@ -413,8 +391,7 @@ void MockErrors::provoke_actions() {
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(chest, select));
   EXPECT_XR(XR_SUCCESS, suggest(simple, select));
 
-  XrActionSpaceCreateInfo space_info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, button, XR_NULL_PATH,
-                                     identity_pose};
+  XrActionSpaceCreateInfo space_info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, button, XR_NULL_PATH, identity_pose};
   XrSpace in = XR_NULL_HANDLE;
   REFUSED(ACTION_TYPE_MISMATCH, xrCreateActionSpace, session, &space_info, &in);
   space_info.action = pose;
@@ -444,19 +421,17 @@ void MockErrors::provoke_actions() {
     EXPECT_XR(expected(of == pose), CALL(xrGetActionStatePose, session, &info, &posed));
     const XrHapticActionInfo haptic{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, of, subaction};
     const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, 1, 0.0F, 0.5F};
-    EXPECT_XR(refused, CALL(xrApplyHapticFeedback, session, &haptic,
-                            reinterpret_cast<const XrHapticBaseHeader*>(&vibration)));
+    EXPECT_XR(refused,
+              CALL(xrApplyHapticFeedback, session, &haptic, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)));
     EXPECT_XR(refused, CALL(xrStopHapticFeedback, session, &haptic));
   };
   const auto others = [&](XrPath top_level, XrResult of_profile, XrPath source, XrResult of_name) {
     XrInteractionProfileState profile{XR_TYPE_INTERACTION_PROFILE_STATE};
     EXPECT_XR(of_profile, CALL(xrGetCurrentInteractionProfile, session, top_level, &profile));
-    const XrInputSourceLocalizedNameGetInfo name{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr,
-                                                 source, 7};
+    const XrInputSourceLocalizedNameGetInfo name{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr, source, 7};
     char text[2];
     EXPECT_XR(of_name, CALL(xrGetInputSourceLocalizedName, session, &name, 2, &count, text));
-    const XrBoundSourcesForActionEnumerateInfo bound{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr,
-                                                     button};
+    const XrBoundSourcesForActionEnumerateInfo bound{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr, button};
     XrPath one = XR_NULL_PATH;
     CALL(xrEnumerateBoundSourcesForAction, session, &bound, 1, &count, &one);
   };
@@ -482,8 +457,7 @@ void MockErrors::provoke_actions() {
   active.subactionPath = XR_NULL_PATH;
   CALL(xrSyncActions, session, &sync);
   others(left, XR_SUCCESS, select, XR_ERROR_SIZE_INSUFFICIENT);
-  for (const auto& [bad, code] :
-       {std::pair{never, XR_ERROR_PATH_INVALID}, {chest, XR_ERROR_PATH_UNSUPPORTED}}) {
+  for (const auto& [bad, code] : {std::pair{never, XR_ERROR_PATH_INVALID}, {chest, XR_ERROR_PATH_UNSUPPORTED}}) {
     others(bad, code, bad, code);
     EXPECT_XR(code, CALL(xrSetInputDeviceActiveEXT, session, simple, bad, XR_TRUE));
     EXPECT_XR(code, CALL(xrSetInputDeviceStateBoolEXT, session, left, bad, XR_TRUE));
@@ -491,8 +465,7 @@ void MockErrors::provoke_actions() {
     EXPECT_XR(code, CALL(xrSetInputDeviceStateVector2fEXT, session, left, bad, {}));
     EXPECT_XR(code, CALL(xrSetInputDeviceLocationEXT, session, left, bad, local, identity_pose));
   }
-  REFUSED(POSE_INVALID, xrSetInputDeviceLocationEXT, session, left, path("/user/hand/left/input/grip/pose"),
-          local, {});
+  REFUSED(POSE_INVALID, xrSetInputDeviceLocationEXT, session, left, path("/user/hand/left/input/grip/pose"), local, {});
 }
 
 TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
@@ -541,8 +514,7 @@ TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
     const std::set<std::string> listed = words(registry_errors(static_cast<FunctionId>(id)));
     if (listed.empty()) continue;
     for (const std::string& code : produced[function])
-      EXPECT_TRUE(listed.contains(code))
-          << function << " gives " << code << ", which the registry does not list";
+      EXPECT_TRUE(listed.contains(code)) << function << " gives " << code << ", which the registry does not list";
     for (const std::string& code : listed) {
       const Reason* reason = nullptr;
       for (const Reason& each : reasons)
@@ -554,8 +526,7 @@ TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
       if (reason != nullptr && !given) used.insert(reason);
     }
   }
-  for (const Reason& each : reasons)
-    EXPECT_TRUE(used.contains(&each)) << each.functions << ": " << each.codes;
+  for (const Reason& each : reasons) EXPECT_TRUE(used.contains(&each)) << each.functions << ": " << each.codes;
 }
 
 }  // namespace

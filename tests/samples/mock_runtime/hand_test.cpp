@@ -164,8 +164,8 @@ TEST_F(MockHand, JointCountsAndTimesThatAreWrongAreRefused) {
 // that is not finite; XR_ERROR_TIME_INVALID for times that are not positive.
 TEST_F(MockHand, SpacesNeedValidPosesAndTimes) {
   const auto create = [&](const XrPosef& pose) {
-    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
-                                          XR_REFERENCE_SPACE_TYPE_LOCAL, pose};
+    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL,
+                                          pose};
     XrSpace space = XR_NULL_HANDLE;
     return xrCreateReferenceSpace(session, &info, &space);
   };
@@ -198,10 +198,8 @@ TEST_F(MockHand, ReferenceSpacesThatAreNotEnumeratedAreRefused) {
 // By hand: a space 2 m to the right, turned a quarter to the left, seen from one 1 m ahead, and back.
 TEST_F(MockHand, SpacesAreLocatedInEachOther) {
   const float half = std::sqrt(0.5F);
-  const XrSpace turned =
-      create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0.0F, half, 0.0F, half}, {2.0F, 0.0F, 0.0F}});
-  const XrSpace ahead =
-      create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {identity_pose.orientation, {0.0F, 0.0F, -1.0F}});
+  const XrSpace turned = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0.0F, half, 0.0F, half}, {2.0F, 0.0F, 0.0F}});
+  const XrSpace ahead = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {identity_pose.orientation, {0.0F, 0.0F, -1.0F}});
   XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
   XrSpaceLocation location = located(turned, ahead, 1, &velocity);
   EXPECT_EQ(location.locationFlags, 15U);

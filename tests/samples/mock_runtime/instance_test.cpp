@@ -49,8 +49,7 @@ TEST_F(MockNegotiation, RefusesWrongStructuresAndVersions) {
 // version."
 TEST_F(MockNegotiation, TakesApplicationsForOpenXR10And11) {
   ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-  for (const XrVersion version :
-       {XR_MAKE_VERSION(1, 0, 0), XR_MAKE_VERSION(1, 0, 99), XR_MAKE_VERSION(1, 1, 40)}) {
+  for (const XrVersion version : {XR_MAKE_VERSION(1, 0, 0), XR_MAKE_VERSION(1, 0, 99), XR_MAKE_VERSION(1, 1, 40)}) {
     ASSERT_XR(XR_SUCCESS, create_direct({}, version));
     PFN_xrVoidFunction locate_spaces = nullptr;
     EXPECT_XR(XR_VERSION_MINOR(version) == 1 ? XR_SUCCESS : XR_ERROR_FUNCTION_UNSUPPORTED,
@@ -58,8 +57,7 @@ TEST_F(MockNegotiation, TakesApplicationsForOpenXR10And11) {
     EXPECT_EQ(locate_spaces != nullptr, XR_VERSION_MINOR(version) == 1);
     destroy_direct();
   }
-  for (const XrVersion version :
-       {XR_MAKE_VERSION(0, 9, 0), XR_MAKE_VERSION(1, 2, 0), XR_MAKE_VERSION(2, 0, 0)})
+  for (const XrVersion version : {XR_MAKE_VERSION(0, 9, 0), XR_MAKE_VERSION(1, 2, 0), XR_MAKE_VERSION(2, 0, 0)})
     EXPECT_XR(XR_ERROR_API_VERSION_UNSUPPORTED, create_direct({}, version));
 }
 
@@ -71,8 +69,7 @@ TEST_F(MockNegotiation, GivesFunctionsWithoutAnInstanceOnlyIfTheyNeedNone) {
        {"xrCreateInstance", "xrEnumerateInstanceExtensionProperties", "xrEnumerateApiLayerProperties"})
     EXPECT_NE(fetch_direct<PFN_xrVoidFunction>(XR_NULL_HANDLE, name), nullptr) << name;
   auto function = reinterpret_cast<PFN_xrVoidFunction>(negotiate);
-  EXPECT_XR(XR_ERROR_HANDLE_INVALID,
-            request.get_instance_proc_addr(XR_NULL_HANDLE, "xrGetSystem", &function));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, request.get_instance_proc_addr(XR_NULL_HANDLE, "xrGetSystem", &function));
   EXPECT_EQ(function, nullptr);
 }
 
@@ -81,9 +78,8 @@ TEST(MockExtensions, FunctionOfAnExtensionThatIsNotEnabledIsUnsupported) {
   const XrInstanceCreateInfo info = instance_info({});
   XrInstance instance = XR_NULL_HANDLE;
   ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-  for (const char* name :
-       {"xrCreateHandTrackerEXT", "xrConvertTimespecTimeToTimeKHR", "xrSetInputDeviceActiveEXT",
-        "xrPlacePlateHRTX", "xrApplyScriptHRTX", "xrCreateSpatialAnchorMSFT", "xrNoSuchFunction"}) {
+  for (const char* name : {"xrCreateHandTrackerEXT", "xrConvertTimespecTimeToTimeKHR", "xrSetInputDeviceActiveEXT",
+                           "xrPlacePlateHRTX", "xrApplyScriptHRTX", "xrCreateSpatialAnchorMSFT", "xrNoSuchFunction"}) {
     PFN_xrVoidFunction function = nullptr;
     EXPECT_XR(XR_ERROR_FUNCTION_UNSUPPORTED, xrGetInstanceProcAddr(instance, name, &function));
     EXPECT_EQ(function, nullptr) << name;
@@ -127,10 +123,8 @@ TEST_F(MockInstance, ViewsArePrimaryStereo) {
   ASSERT_XR(XR_SUCCESS, xrEnumerateViewConfigurations(instance, system, 4, &count, types.data()));
   ASSERT_EQ(count, 1U);
   EXPECT_EQ(types[0], XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO);
-  std::array<XrViewConfigurationView, 2> views{
-      {{XR_TYPE_VIEW_CONFIGURATION_VIEW}, {XR_TYPE_VIEW_CONFIGURATION_VIEW}}};
-  ASSERT_XR(XR_SUCCESS,
-            xrEnumerateViewConfigurationViews(instance, system, types[0], 2, &count, views.data()));
+  std::array<XrViewConfigurationView, 2> views{{{XR_TYPE_VIEW_CONFIGURATION_VIEW}, {XR_TYPE_VIEW_CONFIGURATION_VIEW}}};
+  ASSERT_XR(XR_SUCCESS, xrEnumerateViewConfigurationViews(instance, system, types[0], 2, &count, views.data()));
   EXPECT_EQ(count, 2U);
   XrEnvironmentBlendMode mode{};
   ASSERT_XR(XR_SUCCESS, xrEnumerateEnvironmentBlendModes(instance, system, types[0], 1, &count, &mode));
@@ -158,15 +152,13 @@ TEST_F(MockInstance, ResultsAndStructureTypesHaveNames) {
 // "Well-formed path strings": they start with a slash, do not end with one, and have no empty component, none
 // of periods only, and no other characters; XR_ERROR_PATH_FORMAT_INVALID.
 TEST_F(MockInstance, OnlyWellFormedStringsArePaths) {
-  for (const char* text :
-       {"/a", "/user/hand/left/input/select/click", "/a/.b", "/a/b.", "/0-9_z.", "/a/...x"})
+  for (const char* text : {"/a", "/user/hand/left/input/select/click", "/a/.b", "/a/b.", "/0-9_z.", "/a/...x"})
     path(text);
   XrPath atom = XR_NULL_PATH;
   for (const char* text :
        {"", "/", "a", "a/b", "/a/", "/a//b", "//", "/a/.", "/a/../b", "/...", "/A", "/a b", "/a\xc3\xa4"})
     EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID, xrStringToPath(instance, text, &atom)) << text;
-  EXPECT_XR(XR_SUCCESS,
-            xrStringToPath(instance, ("/" + std::string(XR_MAX_PATH_LENGTH - 2, 'a')).c_str(), &atom));
+  EXPECT_XR(XR_SUCCESS, xrStringToPath(instance, ("/" + std::string(XR_MAX_PATH_LENGTH - 2, 'a')).c_str(), &atom));
   EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID,
             xrStringToPath(instance, ("/" + std::string(XR_MAX_PATH_LENGTH - 1, 'a')).c_str(), &atom));
 }

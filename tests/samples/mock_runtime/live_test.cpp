@@ -34,8 +34,7 @@ class MockPlateTerminal : public MockRuntime {
            more + "}";
   }
   void open() {
-    ASSERT_EQ(hrt_plate_open(("serial:" + terminal()).c_str(), nullptr, &plate_), HRT_OK)
-        << hrt_plate_last_error();
+    ASSERT_EQ(hrt_plate_open(("serial:" + terminal()).c_str(), nullptr, &plate_), HRT_OK) << hrt_plate_last_error();
     ASSERT_TRUE(eventually([&] { return report().state == HRT_PLATE_STATE_READY; })) << report().message;
   }
   hrt_plate_report report() {
@@ -103,8 +102,7 @@ TEST_F(MockPlateTerminal, NothingOfTheUsersIsReplaced) {
   XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO};
   info.systemId = 1;
   EXPECT_XR(XR_ERROR_RUNTIME_FAILURE, xrCreateSession(instance, &info, &session));
-  EXPECT_TRUE(
-      has(call_log().back().reason, "plate.terminal: " + terminal() + " cannot be made: File exists"));
+  EXPECT_TRUE(has(call_log().back().reason, "plate.terminal: " + terminal() + " cannot be made: File exists"));
   EXPECT_EQ(read_file(terminal()), "thesis");
 }
 

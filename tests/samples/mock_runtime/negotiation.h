@@ -33,9 +33,7 @@ class MockNegotiation : public ::testing::Test {
     info.applicationInfo.apiVersion = version;
     return fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance);
   }
-  void destroy_direct() {
-    EXPECT_XR(XR_SUCCESS, direct<PFN_xrDestroyInstance>("xrDestroyInstance")(instance));
-  }
+  void destroy_direct() { EXPECT_XR(XR_SUCCESS, direct<PFN_xrDestroyInstance>("xrDestroyInstance")(instance)); }
   XrPath path(const std::string& text) {
     XrPath made = XR_NULL_PATH;
     EXPECT_XR(XR_SUCCESS, direct<PFN_xrStringToPath>("xrStringToPath")(instance, text.c_str(), &made));
@@ -55,8 +53,7 @@ class MockNegotiation : public ::testing::Test {
     const XrActionSuggestedBinding binding{action, path(source)};
     const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
                                                     path("/interaction_profiles/" + profile), 1, &binding};
-    return direct<PFN_xrSuggestInteractionProfileBindings>("xrSuggestInteractionProfileBindings")(instance,
-                                                                                                  &info);
+    return direct<PFN_xrSuggestInteractionProfileBindings>("xrSuggestInteractionProfileBindings")(instance, &info);
   }
 
   using Negotiate = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, NegotiateRuntimeRequest*);
@@ -70,8 +67,7 @@ class MockNegotiation : public ::testing::Test {
                              1,
                              XR_MAKE_VERSION(1, 0, 0),
                              XR_MAKE_VERSION(1, 1, 0xFFFFFFFF)};
-  NegotiateRuntimeRequest request{
-      runtime_request_type, struct_version, sizeof(NegotiateRuntimeRequest), 0, 0, nullptr};
+  NegotiateRuntimeRequest request{runtime_request_type, struct_version, sizeof(NegotiateRuntimeRequest), 0, 0, nullptr};
 };
 
 }  // namespace hrt::mock

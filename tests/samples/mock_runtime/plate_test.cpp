@@ -60,20 +60,19 @@ TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
       "path_scale": 1.1, "reaction_ms": 250}]})");
   place_plate();
   instruct(5.0);
-  const Person person{
-      .illusion = {.family = IllusionFamily::saturating, .tactile_weight = 0.22, .scale_deg = 50.0},
-      .steering = Steering::place,
-      .gain_per_s = 7.0,
-      .delay_s = 0.09,
-      .noise_deg2_per_s = 5.0,
-      .start_direction_deg = 1.5,
-      .bias_deg = 2.0,
-      .own_bias_deg = -1.0,
-      .habit_deg = 4.0,
-      .weight_drift = 0.03,
-      .pace = Pace::stop_and_go,
-      .duration_s = 1.3,
-      .path_scale = 1.1};
+  const Person person{.illusion = {.family = IllusionFamily::saturating, .tactile_weight = 0.22, .scale_deg = 50.0},
+                      .steering = Steering::place,
+                      .gain_per_s = 7.0,
+                      .delay_s = 0.09,
+                      .noise_deg2_per_s = 5.0,
+                      .start_direction_deg = 1.5,
+                      .bias_deg = 2.0,
+                      .own_bias_deg = -1.0,
+                      .habit_deg = 4.0,
+                      .weight_drift = 0.03,
+                      .pace = Pace::stop_and_go,
+                      .duration_s = 1.3,
+                      .path_scale = 1.1};
   SlidingPerson by_hand(person, {0.0, -0.05}, 5.0, 0.1, Draws(6, 1, 0, 0));
   XrTime now = 1'000'000'000;  // where a manual clock begins
   double plate_deg = 0.0;
@@ -112,8 +111,8 @@ TEST_F(MockPlate, TruthNamesTheDirectionsThatCanBeHeld) {
 // The slides of a script are those of instructed people, and come again after their rest.
 TEST_F(MockPlate, SlidesThatNobodyInstructsComeAgain) {
   const auto begin = [&](const std::string& hands) {
-    begin_on_plate(R"({"participants": [{"tactile_weight": 0.2, "duration_ms": 800, "reaction_ms": 300}])" +
-                   hands + "}");
+    begin_on_plate(R"({"participants": [{"tactile_weight": 0.2, "duration_ms": 800, "reaction_ms": 300}])" + hands +
+                   "}");
     frame();
     place_plate();
     ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 40.0));
@@ -125,8 +124,7 @@ TEST_F(MockPlate, SlidesThatNobodyInstructsComeAgain) {
   for (int i = 0; i < frames_of_a_slide; ++i) instructed.push_back(index_tip(frame()).x);
   EXPECT_GT(std::abs(instructed.back() - instructed.front()), 0.002F);
 
-  begin(
-      R"(, "hands": {"right": {"slides": {"start_m": [0, 0.007, 0.05], "direction_deg": 5, "rest_ms": 400}}})");
+  begin(R"(, "hands": {"right": {"slides": {"start_m": [0, 0.007, 0.05], "direction_deg": 5, "rest_ms": 400}}})");
   std::vector<float> along;
   for (int i = 0; i < 3 * frames_of_a_slide; ++i) {
     const XrVector3f tip = index_tip(frame());

@@ -12,8 +12,7 @@ class MockRecenter : public MockRuntime {
     stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
   }
   auto next_change() {
-    return next_event<XrEventDataReferenceSpaceChangePending>(
-        XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING);
+    return next_event<XrEventDataReferenceSpaceChangePending>(XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING);
   }
   XrPosef place(XrSpace space, XrSpace base, XrTime time) { return located(space, base, time).pose; }
 

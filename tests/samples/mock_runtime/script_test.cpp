@@ -51,8 +51,7 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
        "script.participants[0].tactile_weight must have the smaller number first"},
       {R"({"participants": [{"duration_ms": [1000, 90000]}]})",
        "script.participants[0].duration_ms must be a number from 100 to 60000"},
-      {R"({"participants": [{"delay_ms": 251}]})",
-       "script.participants[0].delay_ms must be a number from 0 to 250"},
+      {R"({"participants": [{"delay_ms": 251}]})", "script.participants[0].delay_ms must be a number from 0 to 250"},
       {R"({"participants": [{"illusion": ["sine", "cube"]}]})",
        "script.participants[0].illusion must be one of, or an array of, \"linear\", \"saturating\""},
       {R"({"participants": [{"steering": []}]})",
@@ -62,18 +61,15 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"tracker": {"noise_mm": -1}})", "script.tracker.noise_mm must be a number from 0 to 1000"},
       {R"({"tracker": {"noise_mm": "1"}})", "script.tracker.noise_mm must be a number"},
       {R"({"servo": {"speed_deg_per_s": 0}})", "script.servo.speed_deg_per_s must be a number from 1"},
-      {R"({"hands": {"right": {"slides": {"length_m": 0.1}}}})",
-       "script.hands.right.slides.start_m is missing"},
+      {R"({"hands": {"right": {"slides": {"length_m": 0.1}}}})", "script.hands.right.slides.start_m is missing"},
       {R"({"hands": {"right": {"slides": {"start_m": [0, 0, 0], "length_m": 0}}}})",
        "script.hands.right.slides.length_m must be a number from 0.001 to 10"},
       {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0, 0]}]}}})",
        "script.hands.right.path[0].position_m must be an array of 3 numbers"},
       {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0,0,0]}, {"time_ms": 5, "position_m": [0,0,0]}]}}})",
        "script.hands.right.path[1].time_ms must be later"},
-      {R"({"events": [{"do": "lose_session"}]})",
-       "script.events[0] must have one of frame, time_ms and reach"},
-      {R"({"events": [{"frame": 1, "do": "explode"}]})",
-       "script.events[0].do must be one of \"lose_tracking\""},
+      {R"({"events": [{"do": "lose_session"}]})", "script.events[0] must have one of frame, time_ms and reach"},
+      {R"({"events": [{"frame": 1, "do": "explode"}]})", "script.events[0].do must be one of \"lose_tracking\""},
       {R"({"events": [{"frame": 1, "do": "freeze"}]})", "script.events[0].hand is missing"},
       {R"({"calls": [{"function": "xrFly", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
        "script.calls[0].function must be the name of a function"},
@@ -139,8 +135,7 @@ TEST_F(MockScript, ExamplesOfTheDocumentsRun) {
   std::size_t count = 0;
   for (const char* document : {"README.md", "SCRIPTS.md"})
     for (const std::string& script : examples_of(document)) {
-      ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str()))
-          << script << call_log().back().reason;
+      ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str())) << script << call_log().back().reason;
       begin_session();
       const auto start = std::chrono::steady_clock::now();
       for (int i = 0; i < 320 && std::chrono::steady_clock::now() - start < std::chrono::seconds(2); ++i)
@@ -171,8 +166,7 @@ TEST_F(MockScript, CallsTakeLongOnOrder) {
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::steady_clock::now() - start; };
   std::thread waiter([&] { EXPECT_XR(XR_SUCCESS, wait()); });
-  while (call_log().back().function == std::string("xrBeginFrame") &&
-         elapsed() < std::chrono::milliseconds(100))
+  while (call_log().back().function == std::string("xrBeginFrame") && elapsed() < std::chrono::milliseconds(100))
     EXPECT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 1.0));
   EXPECT_LT(elapsed(), std::chrono::milliseconds(1400));
   waiter.join();
@@ -227,8 +221,8 @@ TEST_F(MockScript, SessionStatesChangeByWayOfThoseInBetween) {
   frame();
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}));
   frame();
-  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED,
-                                       XR_SESSION_STATE_STOPPING}));
+  EXPECT_EQ(all_states(),
+            (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING}));
   // The runtime, not the application, wanted this end: the session becomes ready again.
   ASSERT_XR(XR_SUCCESS, xrEndSession(session));
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
@@ -281,8 +275,8 @@ TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
   const std::vector<std::pair<const char*, XrSpaceVelocityFlags>> cases{
       {"none", 0}, {"zero", 3}, {"linear", XR_SPACE_VELOCITY_LINEAR_VALID_BIT}, {"full", 3}};
   for (const auto& [kind, flags] : cases) {
-    begin_with(std::string(R"({"participants": [{"steering": "steps"}], "tracker": {"velocities": ")") +
-               kind + R"("}})");
+    begin_with(std::string(R"({"participants": [{"steering": "steps"}], "tracker": {"velocities": ")") + kind +
+               R"("}})");
     begin_reach();
     const Hand located = locate_hand(hand, local, frame());
     const XrHandJointVelocityEXT& tip = located.velocities[XR_HAND_JOINT_INDEX_TIP_EXT];
@@ -335,8 +329,7 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, -50.0));
   const auto at = [&](XrDuration after_ms) {
     double orientation = 0.0;
-    EXPECT_XR(XR_SUCCESS,
-              functions->get_plate_orientation(session, start + after_ms * 1'000'000, &orientation));
+    EXPECT_XR(XR_SUCCESS, functions->get_plate_orientation(session, start + after_ms * 1'000'000, &orientation));
     return orientation;
   };
   EXPECT_DOUBLE_EQ(at(0), 0.0);
@@ -358,8 +351,7 @@ TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
   begin_reach();
   const XrTime start = 1'000'000'000;
   const auto travelled_mm = [&](XrDuration after_ms) {
-    return -1000.0 *
-           static_cast<double>(locate_hand(hand, local, start + after_ms * 1'000'000).index_tip().z);
+    return -1000.0 * static_cast<double>(locate_hand(hand, local, start + after_ms * 1'000'000).index_tip().z);
   };
   EXPECT_NEAR(travelled_mm(50), 0.0, 1e-4);
   EXPECT_NEAR(travelled_mm(74), 0.0, 1e-4);
@@ -376,8 +368,7 @@ TEST_F(MockScript, TrackerNoiseHasItsDeviation) {
   constexpr int samples = 2000;
   for (int i = 1; i <= samples; ++i) {
     const XrVector3f tip = locate_hand(hand, local, i * 1'000'003).index_tip();
-    squares += std::pow(static_cast<double>(tip.x - rest.x), 2) +
-               std::pow(static_cast<double>(tip.y - rest.y), 2) +
+    squares += std::pow(static_cast<double>(tip.x - rest.x), 2) + std::pow(static_cast<double>(tip.y - rest.y), 2) +
                std::pow(static_cast<double>(tip.z - rest.z), 2);
   }
   // The deviation of an estimate from 6000 draws is about 1 %: four of them.
@@ -418,12 +409,10 @@ TEST_F(MockScript, SeedDrawsEachPartApart) {
   const auto duration = [&] {
     begin_reach();
     XrDuration taken = 0;
-    for (; !truth().isDone; taken += 10'000'000)
-      EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 10'000'000));
+    for (; !truth().isDone; taken += 10'000'000) EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 10'000'000));
     return taken;
   };
-  begin_with(
-      R"({"participants": [{"reaction_ms": 0, "pace": ["minimum_jerk", "pause"], "duration_ms": 1000}]})");
+  begin_with(R"({"participants": [{"reaction_ms": 0, "pace": ["minimum_jerk", "pause"], "duration_ms": 1000}]})");
   constexpr int seeds = 200;
   int pausing = 0;
   std::vector<double> weights;
@@ -579,8 +568,7 @@ class MockRealTime : public MockEnvironment {
 
 // XR_KHR_convert_timespec_time: there and back is the same time within 2 ns; XR_ERROR_TIME_INVALID otherwise.
 TEST_F(MockRealTime, TimespecsConvertThereAndBack) {
-  for (const timespec& from :
-       {timespec{0, 1}, timespec{1, 999'999'999}, timespec{2'000'000'000, 123'456'789}}) {
+  for (const timespec& from : {timespec{0, 1}, timespec{1, 999'999'999}, timespec{2'000'000'000, 123'456'789}}) {
     XrTime time = 0;
     ASSERT_XR(XR_SUCCESS, to_time(instance, &from, &time));
     timespec back{};

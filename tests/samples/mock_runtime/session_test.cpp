@@ -30,8 +30,8 @@ TEST_F(MockSession, HeadlessStatesProceedWithoutAFrame) {
 TEST_F(MockSession, ExitAndEndGoThroughTheSpecifiedStates) {
   begin_session();
   ASSERT_XR(XR_SUCCESS, xrRequestExitSession(session));
-  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED,
-                                       XR_SESSION_STATE_STOPPING}));
+  EXPECT_EQ(all_states(),
+            (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING}));
   ASSERT_XR(XR_SUCCESS, xrEndSession(session));
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}));
   EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
@@ -40,9 +40,8 @@ TEST_F(MockSession, ExitAndEndGoThroughTheSpecifiedStates) {
 // A user who ends the application: "EXITING: the application should end its XR experience and not
 // automatically restart it".
 TEST_F(MockSession, UserEndsTheApplicationByScript) {
-  ASSERT_XR(XR_SUCCESS,
-            functions->apply_script(
-                instance, R"({"events": [{"frame": 1, "do": "session_state", "state": "EXITING"}]})"));
+  ASSERT_XR(XR_SUCCESS, functions->apply_script(
+                            instance, R"({"events": [{"frame": 1, "do": "session_state", "state": "EXITING"}]})"));
   begin_session();
   frame();
   EXPECT_EQ(all_states().back(), XR_SESSION_STATE_STOPPING);
@@ -54,8 +53,7 @@ TEST_F(MockSession, UserEndsTheApplicationByScript) {
 // wants every type that the system does not enumerate refused.
 TEST_F(MockSession, BeginTakesNoViewConfigurationOrASupportedOne) {
   create_session();
-  EXPECT_XR(XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED,
-            begin(session, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO));
+  EXPECT_XR(XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED, begin(session, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO));
   EXPECT_XR(XR_SUCCESS, begin(session, XrViewConfigurationType{}));
 }
 

@@ -63,10 +63,9 @@ XrActionCreateInfo action_info(const char* name, const char* localized, XrAction
 }
 
 const std::vector<const char*>& default_extensions() {
-  static const std::vector<const char*> names{
-      XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
-      XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_HRTX_RIDGED_PLATE_EXTENSION_NAME,
-      XR_HRTX_MOCK_CONTROL_EXTENSION_NAME};
+  static const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
+                                              XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME,
+                                              XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, XR_HRTX_MOCK_CONTROL_EXTENSION_NAME};
   return names;
 }
 
@@ -91,8 +90,7 @@ void MockRuntime::create_session() {
 }
 
 void MockRuntime::focus() {
-  const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
-                                XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+  const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
   ASSERT_XR(XR_SUCCESS, xrBeginSession(session, &info));
 }
 
@@ -154,12 +152,11 @@ XrHandTrackerEXT MockRuntime::create_hand_tracker(XrHandEXT which) {
 MockRuntime::Hand MockRuntime::locate_hand(XrHandTrackerEXT tracker, XrSpace space, XrTime time) {
   Hand found;
   // Newer validation layers refuse outputs whose flags are zero before the call.
-  for (XrHandJointVelocityEXT& velocity : found.velocities)
-    velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+  for (XrHandJointVelocityEXT& velocity : found.velocities) velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
   XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, XR_HAND_JOINT_COUNT_EXT,
                                       found.velocities.data()};
-  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE,
-                                    XR_HAND_JOINT_COUNT_EXT, found.joints.data()};
+  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
+                                    found.joints.data()};
   const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, space, time};
   EXPECT_XR(XR_SUCCESS, functions->locate_hand_joints(tracker, &info, &locations));
   found.active = locations.isActive == XR_TRUE;
@@ -195,9 +192,8 @@ XrAction MockRuntime::make_action(XrActionSet in, const char* name, XrActionType
 }
 
 XrResult MockRuntime::suggest(const char* profile, const std::vector<XrActionSuggestedBinding>& bindings) {
-  const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
-                                                  path(profile), static_cast<std::uint32_t>(bindings.size()),
-                                                  bindings.data()};
+  const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, path(profile),
+                                                  static_cast<std::uint32_t>(bindings.size()), bindings.data()};
   return xrSuggestInteractionProfileBindings(instance, &info);
 }
 
@@ -214,8 +210,7 @@ XrResult MockRuntime::sync(const std::vector<XrActiveActionSet>& sets) {
 }
 
 XrSpace MockRuntime::create_action_space(XrAction action, XrPath subaction) {
-  const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, subaction,
-                                     identity_pose};
+  const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, subaction, identity_pose};
   XrSpace space = XR_NULL_HANDLE;
   EXPECT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
   return space;

@@ -69,8 +69,7 @@ struct Functions {
 /// A test with an instance of all extensions, and on request a session of it.
 class MockRuntime : public ::testing::Test {
  protected:
-  explicit MockRuntime(std::vector<const char*> enabled = default_extensions())
-      : extensions_(std::move(enabled)) {}
+  explicit MockRuntime(std::vector<const char*> enabled = default_extensions()) : extensions_(std::move(enabled)) {}
   void SetUp() override;
   void TearDown() override;
 
@@ -111,8 +110,7 @@ class MockRuntime : public ::testing::Test {
   XrSpaceLocation located(XrSpace space, XrSpace base, XrTime time, XrSpaceVelocity* velocity = nullptr);
 
   XrActionSet make_set(const char* name, std::uint32_t priority = 0);
-  XrAction make_action(XrActionSet in, const char* name, XrActionType type,
-                       const std::vector<XrPath>& subactions = {});
+  XrAction make_action(XrActionSet in, const char* name, XrActionType type, const std::vector<XrPath>& subactions = {});
   XrResult suggest(const char* profile, const std::vector<XrActionSuggestedBinding>& bindings);
   XrResult attach(const std::vector<XrActionSet>& sets);
   XrResult sync(const std::vector<XrActiveActionSet>& sets);

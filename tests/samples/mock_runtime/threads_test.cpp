@@ -77,15 +77,14 @@ TEST_F(MockThreads, CallsFromManyThreadsDoNotDisturbEachOther) {
   std::vector<std::thread> threads;
   threads.push_back(repeat([&](int i) {
     std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
-    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE,
-                                      XR_HAND_JOINT_COUNT_EXT, joints.data()};
-    const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local,
-                                         1'000'000'000 + i};
+    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
+                                      joints.data()};
+    const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 1'000'000'000 + i};
     check(functions->locate_hand_joints(hand, &info, &locations));
   }));
   threads.push_back(repeat([&](int) {
-    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
-                                          XR_REFERENCE_SPACE_TYPE_VIEW, identity_pose};
+    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_VIEW,
+                                          identity_pose};
     XrSpace space = XR_NULL_HANDLE;
     check(xrCreateReferenceSpace(session, &info, &space));
     check(xrDestroySpace(space));

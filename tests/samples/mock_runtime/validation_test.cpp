@@ -19,8 +19,7 @@ class MockValidation : public MockRuntime {
   }
   void TearDown() override {
     MockRuntime::TearDown();
-    for (const char* name :
-         {"XR_ENABLE_API_LAYERS", "XR_CORE_VALIDATION_EXPORT_TYPE", "XR_CORE_VALIDATION_FILE_NAME"})
+    for (const char* name : {"XR_ENABLE_API_LAYERS", "XR_CORE_VALIDATION_EXPORT_TYPE", "XR_CORE_VALIDATION_FILE_NAME"})
       unsetenv(name);
   }
 

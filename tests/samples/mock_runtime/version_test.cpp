@@ -33,8 +33,7 @@ class MockVersion11 : public MockNegotiation {
     const XrReferenceSpaceCreateInfo info{
         XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, {identity_pose.orientation, at}};
     XrSpace made = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS,
-              direct<PFN_xrCreateReferenceSpace>("xrCreateReferenceSpace")(session, &info, &made));
+    EXPECT_XR(XR_SUCCESS, direct<PFN_xrCreateReferenceSpace>("xrCreateReferenceSpace")(session, &info, &made));
     return made;
   }
 
@@ -51,9 +50,8 @@ TEST_F(MockVersion11, LocalFloorIsBelowLocal) {
   ASSERT_XR(XR_SUCCESS, enumerate(session, count, &count, types.data()));
   EXPECT_EQ(std::count(types.begin(), types.end(), XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR), 1);
   XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-  ASSERT_XR(XR_SUCCESS,
-            direct<PFN_xrLocateSpace>("xrLocateSpace")(space(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR),
-                                                       space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1, &location));
+  ASSERT_XR(XR_SUCCESS, direct<PFN_xrLocateSpace>("xrLocateSpace")(space(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR),
+                                                                   space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1, &location));
   EXPECT_NEAR(location.pose.position.y, -1.2F, 1e-6F);
 }
 
@@ -96,8 +94,7 @@ TEST_F(MockVersion11, CountsTimesAndHandlesThatAreWrongAreRefused) {
   refused(XR_ERROR_VALIDATION_FAILURE, [](auto& info, auto&, auto&) { info.spaces = nullptr; });
   refused(XR_ERROR_VALIDATION_FAILURE, [](auto&, auto& locations, auto&) { locations.locationCount = 1; });
   refused(XR_ERROR_VALIDATION_FAILURE, [](auto&, auto& locations, auto&) { locations.locations = nullptr; });
-  refused(XR_ERROR_VALIDATION_FAILURE,
-          [](auto&, auto& locations, auto& velocities) { locations.next = &velocities; });
+  refused(XR_ERROR_VALIDATION_FAILURE, [](auto&, auto& locations, auto& velocities) { locations.next = &velocities; });
   refused(XR_ERROR_TIME_INVALID, [](auto& info, auto&, auto&) { info.time = 0; });
   refused(XR_ERROR_HANDLE_INVALID, [](auto& info, auto&, auto&) { info.baseSpace = XR_NULL_HANDLE; });
   spaces[1] = XR_NULL_HANDLE;
@@ -114,9 +111,9 @@ TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
       {"bytedance/pico_neo3_controller", {"left/input/x/touch", "right/input/menu/click"}},
       {"bytedance/pico4_controller", {"left/input/menu/click", "right/input/squeeze/click"}},
       {"bytedance/pico_g3_controller",
-       {"left/input/trigger/click", "right/input/trigger/value", "left/input/menu/click",
-        "right/input/thumbstick", "left/input/thumbstick/x", "right/input/thumbstick/y",
-        "left/input/thumbstick/click", "right/input/grip_surface/pose"}},
+       {"left/input/trigger/click", "right/input/trigger/value", "left/input/menu/click", "right/input/thumbstick",
+        "left/input/thumbstick/x", "right/input/thumbstick/y", "left/input/thumbstick/click",
+        "right/input/grip_surface/pose"}},
       {"hp/mixed_reality_controller", {"left/input/y/click", "right/input/squeeze/value"}},
       {"htc/vive_cosmos_controller", {"left/input/shoulder/click", "right/input/system/click"}},
       {"htc/vive_focus3_controller", {"left/input/squeeze/touch", "right/input/thumbrest/touch"}},
@@ -130,8 +127,7 @@ TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
   for (const auto& [profile, sources] : profiles)
     for (const std::string source : sources)
       EXPECT_XR(XR_SUCCESS, suggest(any, profile, "/user/hand/" + source)) << profile << ' ' << source;
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            suggest(any, "bytedance/pico4_controller", "/user/hand/right/input/menu/click"));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, "bytedance/pico4_controller", "/user/hand/right/input/menu/click"));
   for (const char* absent : {"input/thumbstick/touch", "input/squeeze/value", "output/haptic"})
     EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
               suggest(any, "bytedance/pico_g3_controller", std::string("/user/hand/left/") + absent))

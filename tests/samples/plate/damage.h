@@ -15,9 +15,7 @@ inline std::string damaged(const std::string& line, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   for (;;) {
     std::string bad = line.substr(0, line.size() - 1);
-    const auto flip = [&](std::size_t bit) {
-      bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << (bit % 8)));
-    };
+    const auto flip = [&](std::size_t bit) { bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << (bit % 8))); };
     const std::size_t at = below(bad.size());
     switch (below(7)) {
       case 0:
@@ -43,8 +41,7 @@ inline std::string damaged(const std::string& line, std::mt19937& random) {
         bad.resize(at);
         break;
       default:
-        for (std::size_t i = 0, count = 1 + below(8); i < count; ++i)
-          bad.insert(0, 1, static_cast<char>(random()));
+        for (std::size_t i = 0, count = 1 + below(8); i < count; ++i) bad.insert(0, 1, static_cast<char>(random()));
         break;
     }
     // A flipped bit may have ended a line early: its parts are other lines.

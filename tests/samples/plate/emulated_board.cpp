@@ -46,14 +46,12 @@ std::chrono::nanoseconds time_of(std::uint64_t cycle) {
 
 }  // namespace
 
-EmulatedBoard::EmulatedBoard(const std::vector<std::uint8_t>& eeprom)
-    : avr_(avr_make_mcu_by_name("atmega328p")) {
+EmulatedBoard::EmulatedBoard(const std::vector<std::uint8_t>& eeprom) : avr_(avr_make_mcu_by_name("atmega328p")) {
   logged.clear();
   avr_global_logger_set(log_error);
   if (avr_ == nullptr || avr_init(avr_) != 0) throw std::runtime_error("simavr has no ATmega328P");
   elf_firmware_t firmware{};
-  if (elf_read_firmware(HRT_FIRMWARE_ELF, &firmware) != 0)
-    throw std::runtime_error("no firmware at " HRT_FIRMWARE_ELF);
+  if (elf_read_firmware(HRT_FIRMWARE_ELF, &firmware) != 0) throw std::runtime_error("no firmware at " HRT_FIRMWARE_ELF);
   firmware.frequency = cpu_hz;
   avr_load_firmware(avr_, &firmware);
   avr_->frequency = cpu_hz;
@@ -69,8 +67,7 @@ EmulatedBoard::EmulatedBoard(const std::vector<std::uint8_t>& eeprom)
   avr_ioctl(avr_, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
   start_line();
   open_emergency_stop(false);
-  avr_irq_register_notify(avr_io_getirq(avr_, AVR_IOCTL_TIMER_GETIRQ('1'), TIMER_IRQ_OUT_COMP), take_edge,
-                          this);
+  avr_irq_register_notify(avr_io_getirq(avr_, AVR_IOCTL_TIMER_GETIRQ('1'), TIMER_IRQ_OUT_COMP), take_edge, this);
   avr_irq_register_notify(avr_io_getirq(avr_, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), take_byte, this);
 }
 

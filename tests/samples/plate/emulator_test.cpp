@@ -21,9 +21,7 @@ bool contains(const std::vector<std::string>& lines, const std::string& line) {
 
 class Firmware : public testing::Test {
  protected:
-  explicit Firmware(const Settings& settings = commissioned()) : board_({}, 40.0, eeprom_with(settings)) {
-    greet();
-  }
+  explicit Firmware(const Settings& settings = commissioned()) : board_({}, 40.0, eeprom_with(settings)) { greet(); }
   void TearDown() override {
     for (const std::string& complaint : board_.complaints()) ADD_FAILURE() << complaint;
   }
@@ -102,8 +100,7 @@ TEST_F(Firmware, EchoesSequenceNumbersWithinMilliseconds) {
   }
   // 11 and 22 bytes at 0.09 ms, and up to a millisecond to the tick.
   EXPECT_LT(board_.now() - sent, 5ms);
-  std::printf("from a line to its echo: %.2f ms\n",
-              static_cast<double>((board_.now() - sent).count()) * 1e-6);
+  std::printf("from a line to its echo: %.2f ms\n", static_cast<double>((board_.now() - sent).count()) * 1e-6);
 }
 
 // The pulse stands still 300 ms after the last byte, at every phase of the frame.
@@ -128,8 +125,7 @@ TEST_F(Firmware, StopsWithin300MillisecondsOfSilence) {
     slowest = std::max(slowest, last_change - silent);
     EXPECT_TRUE(contains(board.take_lines(), "STOPPED heartbeat"));
   }
-  std::printf("last change of a pulse after the last byte: %.1f ms\n",
-              static_cast<double>(slowest.count()) * 1e-6);
+  std::printf("last change of a pulse after the last byte: %.1f ms\n", static_cast<double>(slowest.count()) * 1e-6);
 }
 
 // 5 thousand damaged lines, with good ones in between: the pulse stays, the good ones are all understood, and

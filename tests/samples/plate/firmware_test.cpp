@@ -272,8 +272,7 @@ TEST_F(FirmwareLogic, NoiseNeverLeavesTheLimits) {
   static const std::string alphabet = "SETBAPOHML 0123456789+-.*\nFCDINRV\r";
   std::mt19937 random(2);
   for (int i = 0; i < 300'000; ++i) {
-    plate_hear(&plate_,
-               random() % 8 == 0 ? static_cast<char>(random()) : alphabet[random() % alphabet.size()]);
+    plate_hear(&plate_, random() % 8 == 0 ? static_cast<char>(random()) : alphabet[random() % alphabet.size()]);
     if (i % 20 == 0) board_.run_for(1ms);
     ASSERT_LE(std::abs(plate_.position_microdeg), 90'000'000);
   }
@@ -314,8 +313,8 @@ TEST_F(BlindFirmware, IsHomedSlowly) {
 }
 
 TEST_F(BlindFirmware, IsStoppedWhileItIsHomed) {
-  const std::function<void()> stops[] = {[&] { board_.say(beat_body("STOP", 9)); },
-                                         [&] { board_.run_for(300ms); }, [&] { board_.say("HELLO 2"); }};
+  const std::function<void()> stops[] = {[&] { board_.say(beat_body("STOP", 9)); }, [&] { board_.run_for(300ms); },
+                                         [&] { board_.say("HELLO 2"); }};
   for (const auto& stop : stops) {
     home(-40.0);
     run_with_beats(500ms);

@@ -23,9 +23,9 @@ TEST(PlateLine, IsReadBack) {
 }
 
 TEST(PlateLine, IsRefusedUnlessItIsWhole) {
-  for (const char* line : {"", "*", "*FFFF", "BEAT", "BEAT*", "BEAT*12", "123456789*29B1 ",
-                           "123456789*29B1\r\r", "12345*6789*29B1", "1234\t6789*29B1", "1234\2006789*29B1",
-                           "123456789*29B", "123456789*29b1", "123456789*29B12", "213456789*29B1"})
+  for (const char* line :
+       {"", "*", "*FFFF", "BEAT", "BEAT*", "BEAT*12", "123456789*29B1 ", "123456789*29B1\r\r", "12345*6789*29B1",
+        "1234\t6789*29B1", "1234\2006789*29B1", "123456789*29B", "123456789*29b1", "123456789*29B12", "213456789*29B1"})
     EXPECT_FALSE(decode_line(line)) << line;
 }
 
@@ -51,8 +51,7 @@ TEST(PlateLine, OfTheHostHasFixedWidths) {
 }
 
 TEST(PlateMessage, IsRead) {
-  const auto greeting =
-      std::get<PlateGreeting>(*parse_plate_message("PLATE 2 -90.00 85.5 300 20.00 measured"));
+  const auto greeting = std::get<PlateGreeting>(*parse_plate_message("PLATE 2 -90.00 85.5 300 20.00 measured"));
   EXPECT_EQ(greeting.max_deg, 85.5);
   EXPECT_EQ(greeting.latency_ms, 20.0);
   EXPECT_TRUE(greeting.is_measured);

@@ -33,8 +33,7 @@ using Answers = std::vector<std::function<std::string()>>;
 
 // Answers one after the other, and then goes away.
 std::function<Entry()> reader_of(const Answers& answers) {
-  const auto left =
-      std::make_shared<std::deque<std::function<std::string()>>>(answers.begin(), answers.end());
+  const auto left = std::make_shared<std::deque<std::function<std::string()>>>(answers.begin(), answers.end());
   return [left]() -> Entry {
     if (left->empty()) return {.ended = true};
     const auto answer = left->front();
@@ -73,8 +72,7 @@ Answers scale_readings(Board& board) {
 }
 
 // The guide shows what a command prints, with `other` in place of `own`.
-testing::AssertionResult is_in_guide(const std::string& printed, const std::string& own,
-                                     const std::string& other) {
+testing::AssertionResult is_in_guide(const std::string& printed, const std::string& own, const std::string& other) {
   std::string shown;
   std::istringstream lines(printed);
   for (std::string text; std::getline(lines, text); shown += "    " + text + "\n")
@@ -102,8 +100,7 @@ TEST(PlateTool, FindsThePlateToCommission) {
   TwinBoard mute({.answers = false});
   const Outcome found = run_with(mute, {"commission"}, {}, {"/nonexistent", servo.device()});
   EXPECT_EQ(found.exit_code, 1);  // nobody is there to press Enter
-  EXPECT_TRUE(
-      has(found.out, "dynamixel:" + servo.device() + ": Dynamixel XL330-M077, id 1, firmware 52\nHands off"))
+  EXPECT_TRUE(has(found.out, "dynamixel:" + servo.device() + ": Dynamixel XL330-M077, id 1, firmware 52\nHands off"))
       << found.out;
   TwinBoard other;
   const Outcome two = run_with(other, {"commission"}, {}, {"board", "board"});
@@ -125,10 +122,9 @@ TEST(PlateTool, ShowsSettingsAndSelfTest) {
   TwinBoard board({.settings = settings_default()});
   const Outcome outcome = run_with(board, {"show", "board"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* line :
-       {"protocol 2, firmware 1.0.0, serial number 000000\n",
-        "range -45 to 45 deg, 200 deg/s, latency 32 ms with half of the line, orientation assumed",
-        "setting zero 1500", "setting serial 0", "test emergency closed"})
+  for (const char* line : {"protocol 2, firmware 1.0.0, serial number 000000\n",
+                           "range -45 to 45 deg, 200 deg/s, latency 32 ms with half of the line, orientation assumed",
+                           "setting zero 1500", "setting serial 0", "test emergency closed"})
     EXPECT_TRUE(has(outcome.out, line)) << outcome.out;
   EXPECT_FALSE(board.has_pulses());
 }
@@ -184,8 +180,7 @@ TEST(PlateTool, TrimsAndSaves) {
   for (std::size_t i = 1; i < pulses.size(); ++i)
     EXPECT_LE(std::abs(pulses[i].width_us() - pulses[i - 1].width_us()), 45.0);
   BoardWithServo again({}, 0.0, board.eeprom());
-  EXPECT_EQ(run_with(again, {"trim", "board"}, entered({"-2"})).err,
-            "hrt-plate: was abandoned: nothing is kept\n");
+  EXPECT_EQ(run_with(again, {"trim", "board"}, entered({"-2"})).err, "hrt-plate: was abandoned: nothing is kept\n");
   EXPECT_EQ(PlateLink(line_to(again)).setting("zero"), 1467.0);
 }
 
@@ -195,8 +190,8 @@ TEST(PlateTool, FindsShowsAndTrimsADynamixel) {
   EXPECT_TRUE(is_in_guide(found.out, "board", "/dev/ttyUSB0"));
   EXPECT_TRUE(has(found.out, "dynamixel:board: Dynamixel XL330-M077, id 1, firmware 52\n"));
   const Outcome shown = run_with(servo, {"show", "dynamixel:board"});
-  for (const char* line : {"range -360 to 360 deg, 299.532 deg/s", "orientation measured\n",
-                           "operating mode 3\n", "homing offset 0 steps\n", "hardware error 0\n"})
+  for (const char* line : {"range -360 to 360 deg, 299.532 deg/s", "orientation measured\n", "operating mode 3\n",
+                           "homing offset 0 steps\n", "hardware error 0\n"})
     EXPECT_TRUE(has(shown.out, line)) << shown.out;
   EXPECT_TRUE(is_in_guide(shown.out, "board", ""));
   EXPECT_EQ(servo.get(64, 1), 0);
@@ -264,8 +259,7 @@ TEST(PlateCommission, RefusesAPlateWithoutASensorAndAnAbsentPerson) {
   TwinBoard board({.settings = settings_default()});
   board.has_sensor = false;
   const TemporaryFolder folder;
-  const Outcome blind =
-      run_with(board, {"commission", "board", "--out", folder / "plate.json"}, scale_readings(board));
+  const Outcome blind = run_with(board, {"commission", "board", "--out", folder / "plate.json"}, scale_readings(board));
   EXPECT_EQ(blind.exit_code, 9);
   EXPECT_TRUE(has(blind.err, "has no sensor at A0")) << blind.err;
   EXPECT_EQ(run_with(board, {"commission", "board", "--out", folder / "plate.json"}).exit_code, 1);
@@ -333,8 +327,7 @@ struct Xl330 : Troubled<EmulatedDynamixel> {
                       {reader_of(entered({""})), [](const std::string&) {}});
   }
   Twin& physics() { return twin; }
-  static constexpr double exchange_ms =
-      3.2;  // half of one that is under way, and two bytes more than a poll has
+  static constexpr double exchange_ms = 3.2;  // half of one that is under way, and two bytes more than a poll has
   double speed_deg_s;
 };
 
@@ -358,8 +351,7 @@ struct Judge {
     const double truth_deg = traits.backlash_deg + 2.0 * traits.dead_band_deg;
     speed = std::max(speed, compare("speed", found.speed_deg_s, truth_deg_s, 0.0) / truth_deg_s);
     latency_ms = std::max(latency_ms, compare("latency", found.latency_ms, truth_ms, 3.0));
-    compare("acceleration", found.acceleration_deg_s2, traits.acceleration_deg_s2,
-            traits.acceleration_deg_s2 / 3.0);
+    compare("acceleration", found.acceleration_deg_s2, traits.acceleration_deg_s2, traits.acceleration_deg_s2 / 3.0);
     backlash_deg = std::max(backlash_deg, compare("backlash", found.backlash_deg, truth_deg, 0.15));
     mean_ms += (found.latency_ms.value - truth_ms) / 100.0;
     // The scale was read to a degree in 60; half a degree of the last step is not felt.
@@ -390,8 +382,8 @@ TYPED_TEST(PlateCommissionOf, AHundredTwinsIsRight) {
   }
   EXPECT_NEAR(judge.mean_ms, 0.0, 0.5);
   EXPECT_LT(longest_s, 180.0);
-  std::printf("100 twins, worst: %.1f ms of latency, %.1f %% of speed, backlash %.2f deg, %.0f s\n",
-              judge.latency_ms, 100.0 * judge.speed, judge.backlash_deg, longest_s);
+  std::printf("100 twins, worst: %.1f ms of latency, %.1f %% of speed, backlash %.2f deg, %.0f s\n", judge.latency_ms,
+              100.0 * judge.speed, judge.backlash_deg, longest_s);
 }
 
 // A supply that dips, a sensor that slips or skips every second count, from any time on: refused, or right
@@ -466,9 +458,8 @@ TEST(PlateFile, IsRefusedUnlessItIsWhole) {
     EXPECT_NE(refusal(text.substr(0, at)), "") << at;
   }
   EXPECT_EQ(refusal("{}"), "plate file " + path + " has no checksum: it is not of hrt-plate commission");
-  EXPECT_EQ(
-      refusal(with_checksum("{\n")),
-      "plate file " + path + " misses something: [json.exception.out_of_range.403] key 'format' not found");
+  EXPECT_EQ(refusal(with_checksum("{\n")),
+            "plate file " + path + " misses something: [json.exception.out_of_range.403] key 'format' not found");
   EXPECT_THROW(read_plate_file("/nonexistent.json"), std::invalid_argument);
 }
 
@@ -478,8 +469,7 @@ TEST(PlateTool, RunsAsAProgram) {
   EXPECT_EQ(none.err, "hrt-plate: the plate at /dev/null is not a serial line\n");
   PtyPlate device;
   const Outcome saved =
-      Process({"/bin/sh", "-c", "printf -- '-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + device.device()}, {})
-          .wait();
+      Process({"/bin/sh", "-c", "printf -- '-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + device.device()}, {}).wait();
   EXPECT_TRUE(has(saved.out, "0 has moved by +0.99 deg.")) << saved.out << saved.err;
 }
 

@@ -43,15 +43,14 @@ struct Blocked {
 };
 
 // hrt-reach, which blocks in this call for a minute; other calls of the runtime proceed.
-Blocked start(const std::string& function, int call, const std::string& limit_s,
-              std::vector<std::string> more = {}) {
+Blocked start(const std::string& function, int call, const std::string& limit_s, std::vector<std::string> more = {}) {
   Blocked blocked{function, scratch_folder(), nullptr};
   std::vector<std::string> arguments = {desk,    "--target", "bottle",        "--runtime-limit",
                                         limit_s, "--record", blocked.record()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   blocked.program = std::make_unique<Program>(
-      arguments, scripted_environment("{" + calm + R"(, "calls": [{"function": ")" + function +
-                                      R"(", "call": )" + std::to_string(call) + R"(, "delay_ms": 60000}]})"));
+      arguments, scripted_environment("{" + calm + R"(, "calls": [{"function": ")" + function + R"(", "call": )" +
+                                      std::to_string(call) + R"(, "delay_ms": 60000}]})"));
   return blocked;
 }
 
@@ -78,9 +77,8 @@ std::vector<Blocked> start_all(const std::vector<std::string>& functions, const 
 TEST(ReachBlock, EveryCallEndsAtTheLimit) {
   const std::set<std::string> functions = functions_of_a_run();
   EXPECT_GE(functions.size(), 25U);
-  for (const char* named :
-       {"xrPollEvent", "xrLocateHandJointsEXT", "xrEndFrame", "xrBeginSession", "xrWaitFrame",
-        "xrCreateSession", "xrCreateInstance", "xrDestroyInstance", "xrDestroySession"})
+  for (const char* named : {"xrPollEvent", "xrLocateHandJointsEXT", "xrEndFrame", "xrBeginSession", "xrWaitFrame",
+                            "xrCreateSession", "xrCreateInstance", "xrDestroyInstance", "xrDestroySession"})
     EXPECT_EQ(functions.count(named), 1U) << named;
   // With a limit that no other call reaches on a busy machine.
   for (const std::vector<std::string>& some : few_at_a_time(functions)) {

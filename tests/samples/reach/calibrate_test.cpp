@@ -36,16 +36,15 @@ Found weight_of(const Outcome& outcome) {
   const std::string name = "share of touch (w_T) at 60 deg";
   const std::size_t at = outcome.out.find(name);
   if (at == std::string::npos) return found;
-  std::sscanf(outcome.out.c_str() + at + name.size(), "%lf 95 %% within %lf to %lf", &found.value,
-              &found.lower, &found.upper);
+  std::sscanf(outcome.out.c_str() + at + name.size(), "%lf 95 %% within %lf to %lf", &found.value, &found.lower,
+              &found.upper);
   return found;
 }
 
 // The simulated person's share of touch must come out, and the profile must lead the next reaches.
 TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
   for (const double weight : {0.15, 0.25}) {
-    const std::string folder = scratch_folder(), profile = folder + "/profile.json",
-                      recording = folder + "/slides.csv";
+    const std::string folder = scratch_folder(), profile = folder + "/profile.json", recording = folder + "/slides.csv";
     const std::string script = "{" + person_of(weight) + "}";
     const Outcome outcome = run_scripted(script, {desk, "--calibrate", profile, "--record", recording});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
@@ -67,8 +66,7 @@ TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_NEAR(rows[0].assumed, weight, 0.04);
     EXPECT_TRUE(has(text, "\"plate\":\"runtime\",\"tracker\":\"HRTX mock runtime"));
-    const Outcome other =
-        run_scripted(script, {desk, "--profile", profile, "--target", "bottle", "--plate", "servo"});
+    const Outcome other = run_scripted(script, {desk, "--profile", profile, "--target", "bottle", "--plate", "servo"});
     EXPECT_EQ(other.exit_code, 0) << other.out << other.err;
     EXPECT_TRUE(has(other.err, "measured with another plate, runtime\n"));
   }
@@ -97,24 +95,24 @@ TEST(ReachCalibrate, WritesWhatItKnowsWhenTheSlidesRunOut) {
 
 TEST(ReachCalibrate, WritesNothingIfTheSlidesDoNotDetermineTheUser) {
   const std::string profile = scratch_folder() + "/profile.json";
-  const Outcome outcome = run_scripted("{" + person_of(0.2, 1500, 4000) + "}",
-                                       {desk, "--calibrate", profile, "--max-slides", "16"});
+  const Outcome outcome =
+      run_scripted("{" + person_of(0.2, 1500, 4000) + "}", {desk, "--calibrate", profile, "--max-slides", "16"});
   EXPECT_EQ(outcome.exit_code, 13) << outcome.out << outcome.err;
   EXPECT_TRUE(has(outcome.err, "no calibration"));
   EXPECT_FALSE(std::filesystem::exists(profile));
 }
 
 TEST(ReachCalibrate, EndsIfNoSlideCounts) {
-  const Outcome outcome = run_scripted("{" + person_of(0.2, 100) + "}",
-                                       {desk, "--calibrate", scratch_folder() + "/profile.json"});
+  const Outcome outcome =
+      run_scripted("{" + person_of(0.2, 100) + "}", {desk, "--calibrate", scratch_folder() + "/profile.json"});
   EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
   EXPECT_TRUE(has(outcome.err, "That was too fast to count."));
   EXPECT_TRUE(has(outcome.err, "6 slides in a row did not count"));
 }
 
 TEST(ReachCalibrate, AProfileThatCannotBeWrittenHasItsExitCode) {
-  const Outcome outcome = run_scripted("{" + person_of(0.2) + "}",
-                                       {desk, "--calibrate", scratch_folder() + "/none/profile.json"});
+  const Outcome outcome =
+      run_scripted("{" + person_of(0.2) + "}", {desk, "--calibrate", scratch_folder() + "/none/profile.json"});
   EXPECT_EQ(outcome.exit_code, 10) << outcome.out << outcome.err;
 }
 
@@ -132,8 +130,7 @@ TEST(ReachCalibrate, TurnsASerialPlateToEachAngle) {
   EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
   EXPECT_TRUE(has(outcome.out, "slide   1")) << outcome.err;
   const std::vector<std::string> heard = plate.heard();
-  EXPECT_TRUE(std::any_of(heard.begin(), heard.end(),
-                          [](const std::string& line) { return line.starts_with("SET"); }));
+  EXPECT_TRUE(std::any_of(heard.begin(), heard.end(), [](const std::string& line) { return line.starts_with("SET"); }));
 }
 
 }  // namespace

@@ -31,8 +31,7 @@ Made run(std::vector<std::string> arguments, const std::map<std::string, std::st
   return {outcome, read_file(file)};
 }
 
-std::map<std::string, std::string> captured(std::map<std::string, std::string> environment,
-                                            const std::string& file) {
+std::map<std::string, std::string> captured(std::map<std::string, std::string> environment, const std::string& file) {
   environment["XR_ENABLE_API_LAYERS"] = "XR_APILAYER_HRTX_capture";
   environment["XR_API_LAYER_PATH"] = HRT_CAPTURE_MANIFESTS;
   environment["HRT_CAPTURE_FILE"] = file;
@@ -50,8 +49,7 @@ Made expect_the_same_from_capture(const std::string& script, const std::vector<s
   const std::string file = scratch_folder() + "/capture.json";
   Made first = run(arguments, captured(scripted_environment(script), file));
   const Made again = run(arguments, played(file));
-  EXPECT_TRUE(first == again) << first.outcome.out << first.outcome.err << again.outcome.out
-                              << again.outcome.err;
+  EXPECT_TRUE(first == again) << first.outcome.out << first.outcome.err << again.outcome.out << again.outcome.err;
   EXPECT_GT(first.recording.size(), 1000U);
   return first;
 }
@@ -65,8 +63,7 @@ Made expect_the_same_again(const std::string& script, const std::vector<std::str
 }
 
 TEST(ReachCapture, SimulatedReachesComeBack) {
-  const Made made =
-      expect_the_same_again(R"({"tracker": {"noise_mm": 1.2, "latency_ms": 10, "rate_hz": 90}})", {});
+  const Made made = expect_the_same_again(R"({"tracker": {"noise_mm": 1.2, "latency_ms": 10, "rate_hz": 90}})", {});
   EXPECT_EQ(rows_of(made.outcome).size(), 3U);
 }
 

@@ -110,8 +110,7 @@ TEST(ReachEndToEnd, ReachesWithTheLeftHand) {
 TEST(ReachEndToEnd, DoesNotCountWhatCannotBeHeld) {
   const std::string light = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.1}]})";
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{desk, "--target", "pawn", "--controller", "paper", "--tactile-weight",
-                                 "0.1"},
+       {std::vector<std::string>{desk, "--target", "pawn", "--controller", "paper", "--tactile-weight", "0.1"},
         std::vector<std::string>{desk, "--target", "pawn", "--tactile-weight", "0.1"}}) {
     const Outcome outcome = run_scripted(light, arguments);
     EXPECT_EQ(outcome.exit_code, 0);
@@ -159,9 +158,7 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
       {{desk, "--marks", "plate.txt"}, 2, ""},
       {{desk, "--fingertip"}, 2, ""},
       {{desk, "--register", "plate.txt", "--fingertip", "--hand", "either"}, 2, "each hand has its own skin"},
-      {{desk, "--speak-with", "no-such-voice --fast"},
-       2,
-       "\"no-such-voice\", which is to speak, is not a program"},
+      {{desk, "--speak-with", "no-such-voice --fast"}, 2, "\"no-such-voice\", which is to speak, is not a program"},
       {{desk, "--speak", "--speak-with", "cat"}, 2, ""},
       {person_and({"--eye-height", "nan"}), 2, ""},
       {person_and({"--eye-height", "0.2"}), 2, ""},
@@ -182,8 +179,7 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
 TEST(ReachCommandLine, ExplainsItself) {
   const Outcome help = run_program({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* part :
-       {"scene", "--plugin", "--target", "--seed", "--hand", "Exit codes", "XR_RUNTIME_JSON"})
+  for (const char* part : {"scene", "--plugin", "--target", "--seed", "--hand", "Exit codes", "XR_RUNTIME_JSON"})
     EXPECT_TRUE(has(help.out, part));
 }
 

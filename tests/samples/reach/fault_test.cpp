@@ -23,8 +23,8 @@ std::string event_at(int frame, const std::string& what) {
 std::string calm_with(const std::string& events) { return "{" + calm + R"(, "events": [)" + events + "]}"; }
 
 std::string failing_call(const std::string& function, int call, const std::string& result) {
-  return R"({"calls": [{"function": ")" + function + R"(", "call": )" + std::to_string(call) +
-         R"(, "result": ")" + result + R"("}]})";
+  return R"({"calls": [{"function": ")" + function + R"(", "call": )" + std::to_string(call) + R"(, "result": ")" +
+         result + R"("}]})";
 }
 
 // Everything went its way in the end: all three targets, each once.
@@ -65,8 +65,8 @@ TEST(ReachFault, TheHeadsetLosesTrackOfTheRoom) {
 }
 
 TEST(ReachFault, TrackingIsLostForGood) {
-  const Outcome outcome = run_scripted(calm_with(event_at(60, R"("do": "lose_tracking", "hand": "right")")),
-                                       {desk, "--target", "bottle"});
+  const Outcome outcome =
+      run_scripted(calm_with(event_at(60, R"("do": "lose_tracking", "hand": "right")")), {desk, "--target", "bottle"});
   ASSERT_EQ(rows_of(outcome).size(), 1U) << outcome.err;
   EXPECT_GT(rows_of(outcome)[0].lost, 200);
 }
@@ -86,8 +86,8 @@ TEST(ReachFault, TheHandFreezesOrJumps) {
 // Without focus a runtime gives no hands (XR_EXT_hand_tracking leaves that to it): a dropout like any other.
 TEST(ReachFault, FocusComesAndGoes) {
   for (const std::string state : {"SYNCHRONIZED", "VISIBLE", "FOCUSED"}) {
-    const std::string script = calm_with(event_at(100, R"("do": "session_state", "state": ")" + state + '"') +
-                                         "," + event_at(120, R"("do": "session_state", "state": "FOCUSED")"));
+    const std::string script = calm_with(event_at(100, R"("do": "session_state", "state": ")" + state + '"') + "," +
+                                         event_at(120, R"("do": "session_state", "state": "FOCUSED")"));
     expect_all_reached(run_desk(script), script);
   }
 }
@@ -244,14 +244,12 @@ TEST(ReachFault, ThereIsNoTime) {
   const Outcome outcome =
       run_desk(R"({"frame_times": false, "withhold_extensions": ["XR_KHR_convert_timespec_time"]})");
   EXPECT_EQ(outcome.exit_code, 7);
-  EXPECT_TRUE(has(outcome.err, "gives its frames no time and has no XR_KHR_convert_timespec_time"))
-      << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "gives its frames no time and has no XR_KHR_convert_timespec_time")) << outcome.err;
 }
 
 TEST(ReachFault, AFrameComesLate) {
-  EXPECT_EQ(
-      run_desk(R"({"seed": 1, "calls": [{"function": "xrWaitFrame", "call": 150, "delay_ms": 400}]})").out,
-      run_program({desk}).out);
+  EXPECT_EQ(run_desk(R"({"seed": 1, "calls": [{"function": "xrWaitFrame", "call": 150, "delay_ms": 400}]})").out,
+            run_program({desk}).out);
 }
 
 TEST(ReachFault, NoHeadsetIsThere) {

@@ -61,14 +61,12 @@ Function next(XrInstance instance, const char* name) {
 
 XrInstance the_instance = XR_NULL_HANDLE;
 
-XRAPI_ATTR XrResult XRAPI_CALL wait_frame(XrSession session, const XrFrameWaitInfo* info,
-                                          XrFrameState* state) {
+XRAPI_ATTR XrResult XRAPI_CALL wait_frame(XrSession session, const XrFrameWaitInfo* info, XrFrameState* state) {
   is_at_fault("xrWaitFrame");
   return next<PFN_xrWaitFrame>(the_instance, "xrWaitFrame")(session, info, state);
 }
 
-XRAPI_ATTR XrResult XRAPI_CALL create_reference_space(XrSession session,
-                                                      const XrReferenceSpaceCreateInfo* info,
+XRAPI_ATTR XrResult XRAPI_CALL create_reference_space(XrSession session, const XrReferenceSpaceCreateInfo* info,
                                                       XrSpace* space) {
   if (is_at_fault("xrCreateReferenceSpace")) return XR_ERROR_VALIDATION_FAILURE;
   return next<PFN_xrCreateReferenceSpace>(the_instance, "xrCreateReferenceSpace")(session, info, space);
@@ -84,8 +82,8 @@ XRAPI_ATTR XrResult XRAPI_CALL get_instance_proc_addr(XrInstance instance, const
   return result;
 }
 
-XRAPI_ATTR XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info,
-                                               const mock::ApiLayerCreateInfo* layers, XrInstance* instance) {
+XRAPI_ATTR XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info, const mock::ApiLayerCreateInfo* layers,
+                                               XrInstance* instance) {
   mock::ApiLayerCreateInfo further = *layers;
   further.next_info = layers->next_info->next;
   next_get = layers->next_info->next_get_instance_proc_addr;
@@ -97,9 +95,8 @@ XRAPI_ATTR XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info,
 }  // namespace
 }  // namespace hrt::reach
 
-extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL
-xrNegotiateLoaderApiLayerInterface(const hrt::mock::NegotiateLoaderInfo*, const char*,
-                                   hrt::mock::NegotiateApiLayerRequest* request) {
+extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL xrNegotiateLoaderApiLayerInterface(
+    const hrt::mock::NegotiateLoaderInfo*, const char*, hrt::mock::NegotiateApiLayerRequest* request) {
   request->layer_interface_version = hrt::mock::interface_version;
   request->layer_api_version = hrt::mock::max_api_version;
   request->get_instance_proc_addr = &hrt::reach::get_instance_proc_addr;

@@ -85,8 +85,8 @@ class Path {
 
   /// Of the one hand; the other one is not tracked.
   std::string script(const std::string& more = "", const std::string& hand = "right") const {
-    return "{" + more + R"("hands": {")" + (hand == "right" ? "left" : "right") +
-           R"(": {"tracked": false}, ")" + hand + "\": " + tracked() + "}}";
+    return "{" + more + R"("hands": {")" + (hand == "right" ? "left" : "right") + R"(": {"tracked": false}, ")" + hand +
+           "\": " + tracked() + "}}";
   }
   /// What a script says of a hand on this path.
   std::string tracked() const { return R"({"tracked": true, "path": [)" + frames_ + "]}"; }
@@ -98,13 +98,10 @@ class Path {
     const Eigen::Vector3d joint_m = turn * Eigen::Vector3d(0.0, skin_m_, 0.0);
     std::ostringstream text;
     text << (frames_.empty() ? "" : ", ") << R"({"time_ms": )" << time_ms << R"(, "position_m": [)"
-         << plate_.x_m + place.right_m * std::cos(angle) + place.towards_user_m * std::sin(angle) +
-                joint_m.x()
-         << ", " << plate_.y_m + height_m + joint_m.y() << ", "
-         << plate_.z_m - place.right_m * std::sin(angle) + place.towards_user_m * std::cos(angle) +
-                joint_m.z()
-         << R"(], "orientation": [)" << turn.x() << ", " << turn.y() << ", " << turn.z() << ", " << turn.w()
-         << "]}";
+         << plate_.x_m + place.right_m * std::cos(angle) + place.towards_user_m * std::sin(angle) + joint_m.x() << ", "
+         << plate_.y_m + height_m + joint_m.y() << ", "
+         << plate_.z_m - place.right_m * std::sin(angle) + place.towards_user_m * std::cos(angle) + joint_m.z()
+         << R"(], "orientation": [)" << turn.x() << ", " << turn.y() << ", " << turn.z() << ", " << turn.w() << "]}";
     frames_ += text.str();
   }
 
@@ -112,8 +109,7 @@ class Path {
     const auto about = [](double deg, const Eigen::Vector3d& axis) {
       return Eigen::AngleAxisd(deg * std::numbers::pi / 180.0, axis);
     };
-    return about(attitude_.turned, Eigen::Vector3d::UnitY()) *
-           about(attitude_.raised, Eigen::Vector3d::UnitX()) *
+    return about(attitude_.turned, Eigen::Vector3d::UnitY()) * about(attitude_.raised, Eigen::Vector3d::UnitX()) *
            about(attitude_.leant, Eigen::Vector3d::UnitZ());
   }
 

@@ -31,8 +31,7 @@ TEST(ReachRecording, IsTheSameForTheSameSeedAndReplays) {
 }
 
 // Over half a second of real time, at the fastest refresh ten lines: a pseudo-terminal holds 4096 bytes.
-const std::string half_a_second =
-    R"({"clock": "real-time", "participants": [{"reaction_ms": 0, "duration_ms": 300}]})";
+const std::string half_a_second = R"({"clock": "real-time", "participants": [{"reaction_ms": 0, "duration_ms": 300}]})";
 
 TEST(ReachStatusLine, IsWrittenOverAndWipedInTheEnd) {
   const plate::Pty terminal(100);
@@ -99,8 +98,7 @@ const std::string real_time = R"({"clock": "real-time", )" + calm + "}";
 
 TEST(ReachPlate, IsAtTheEndOfASerialLine) {
   PtyPlate device;
-  const Outcome outcome =
-      run_scripted(real_time, {desk, "--target", "goblet", "--plate", "serial:" + device.device()});
+  const Outcome outcome = run_scripted(real_time, {desk, "--target", "goblet", "--plate", "serial:" + device.device()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_EQ(rows_of(outcome).size(), 1U);
   ASSERT_FALSE(device.heard().empty());
@@ -112,8 +110,8 @@ TEST(ReachPlate, IsPlannedWithAsItSaysItIs) {
   Settings slow = plate::commissioned();
   slow.value[SETTING_SPEED_DEG_S] = 100 * 5;
   PtyPlate device({.settings = slow});
-  const Outcome outcome = run_scripted(real_time, {desk, "--target", "goblet", "--controller", "paper",
-                                                   "--plate", "serial:" + device.device()});
+  const Outcome outcome = run_scripted(
+      real_time, {desk, "--target", "goblet", "--controller", "paper", "--plate", "serial:" + device.device()});
   ASSERT_EQ(rows_of(outcome).size(), 1U) << outcome.err;
   EXPECT_GT(rows_of(outcome)[0].bound_percent, 50) << outcome.out;
 }
@@ -138,8 +136,8 @@ TEST(ReachPlate, IsUnpluggedOrFallsSilentInTheMiddleOfAReach) {
         device.with([](plate::TwinBoard& board) { board.fall_silent(); });
     });
     const std::string file = scratch_folder() + "/r.csv";
-    const Outcome outcome = run_scripted(
-        real_time, {desk, "--target", "goblet", "--record", file, "--plate", "serial:" + device.device()});
+    const Outcome outcome =
+        run_scripted(real_time, {desk, "--target", "goblet", "--record", file, "--plate", "serial:" + device.device()});
     fault.join();
     EXPECT_EQ(outcome.exit_code, 9) << outcome.err;
     EXPECT_TRUE(has(outcome.err, unplugged ? "is unplugged" : "has not been heard for half a second"));
@@ -168,8 +166,8 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
 
 // The second Ctrl-C ends a program that hangs.
 TEST(ReachInterrupted, ASecondTimeEndsAtOnce) {
-  Program program({desk}, scripted_environment(
-                              R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 50000}]})"));
+  Program program({desk},
+                  scripted_environment(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 50000}]})"));
   ASSERT_TRUE(eventually([&] { return program.out().find("virtual") != std::string::npos; }));
   std::this_thread::sleep_for(std::chrono::milliseconds(200));  // until it hangs
   program.send_signal(SIGINT);

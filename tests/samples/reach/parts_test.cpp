@@ -36,15 +36,13 @@ TEST(OrientationWithin, TakesWhatIsFeltTheSame) {
 
 // A line, or the file of hrt-plate commission; what is neither is refused before the device is opened.
 TEST(PlateChoice, IsWhatThePlatesLibraryOpens) {
-  for (const char* device :
-       {"serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0", "plate.json", "C:\\lab\\plate.json"}) {
+  for (const char* device : {"serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0", "plate.json", "C:\\lab\\plate.json"}) {
     const auto choice = parse_plate(device);
     ASSERT_TRUE(choice) << device;
     EXPECT_EQ(choice->kind, PlateChoice::Kind::device);
     EXPECT_EQ(choice->name, device);
   }
-  for (const char* other : {"plate.txt", "serial:", "servo:fast", ""})
-    EXPECT_FALSE(parse_plate(other)) << other;
+  for (const char* other : {"plate.txt", "serial:", "servo:fast", ""}) EXPECT_FALSE(parse_plate(other)) << other;
 }
 
 TEST(DevicePlate, LearnsLimitsAndOrientation) {

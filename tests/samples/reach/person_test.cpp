@@ -20,9 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 const Place start{0.0, 0.05};
 
-Outcome reach_along(const Path& path) {
-  return run_scripted(path.script(), person_and({"--time-limit", "12"}));
-}
+Outcome reach_along(const Path& path) { return run_scripted(path.script(), person_and({"--time-limit", "12"})); }
 
 TEST(ReachPerson, EndsAtTheTargetHoweverSlowlyAndWithPauses) {
   const Outcome outcome = reach_along(Path(plate_of_desk)
@@ -88,8 +86,7 @@ TEST(ReachPerson, DoesNotGoOnWithAHandThatDoesNotTouch) {
 }
 
 TEST(ReachPerson, NeedsAPlate) {
-  const Outcome outcome =
-      run_scripted(R"({"withhold_extensions": ["XR_HRTX_ridged_plate"]})", {desk, "--person"});
+  const Outcome outcome = run_scripted(R"({"withhold_extensions": ["XR_HRTX_ridged_plate"]})", {desk, "--person"});
   EXPECT_EQ(outcome.exit_code, 9);
   expect_said(outcome, "--plate");
 }
@@ -101,8 +98,7 @@ TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
   const Outcome outcome = run_program({desk, "--person", "--target", "bottle"}, environment);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   const std::string calls = read_file(log);
-  for (const char* function : {"xrPlacePlateHRTX(", "xrSetPlateOrientationHRTX("})
-    EXPECT_TRUE(has(calls, function));
+  for (const char* function : {"xrPlacePlateHRTX(", "xrSetPlateOrientationHRTX("}) EXPECT_TRUE(has(calls, function));
   EXPECT_FALSE(has(calls, "xrInstructReachHRTX("));
 }
 
@@ -126,25 +122,24 @@ TEST(ReachPerson, WhatWasNotMadeIsExplained) {
   elsewhere.x_m += 2.0;
   PlatePose higher = plate_of_desk;
   higher.y_m += 0.1;
-  const Unmade all[] = {
-      {"wrong hand",
-       Path(plate_of_desk).reach(),
-       {"--hand", "left"},
-       {"no index finger came to the start within 3 s",
-        "The left hand was not tracked, but the right one was", "--hand right"}},
-      {"elsewhere",
-       Path(elsewhere).reach(),
-       {},
-       {"tracked for 100 % of the time", "the plate is elsewhere", "--register"}},
-      {"above", Path(higher).hold(start, 9000), {}, {"100 mm above the plate"}},
-      {"beside the start",
-       Path(plate_of_desk).hold({0.06, 0.05}, 9000),
-       {},
-       {"60 mm right of the start", "within 15 mm"}},
-      {"stays",
-       Path(plate_of_desk).hold(start, 9000),
-       {},
-       {"did not end within 3 s", "It stayed at the start: slide it", "100 mm from the target"}}};
+  const Unmade all[] = {{"wrong hand",
+                         Path(plate_of_desk).reach(),
+                         {"--hand", "left"},
+                         {"no index finger came to the start within 3 s",
+                          "The left hand was not tracked, but the right one was", "--hand right"}},
+                        {"elsewhere",
+                         Path(elsewhere).reach(),
+                         {},
+                         {"tracked for 100 % of the time", "the plate is elsewhere", "--register"}},
+                        {"above", Path(higher).hold(start, 9000), {}, {"100 mm above the plate"}},
+                        {"beside the start",
+                         Path(plate_of_desk).hold({0.06, 0.05}, 9000),
+                         {},
+                         {"60 mm right of the start", "within 15 mm"}},
+                        {"stays",
+                         Path(plate_of_desk).hold(start, 9000),
+                         {},
+                         {"did not end within 3 s", "It stayed at the start: slide it", "100 mm from the target"}}};
   for (const Unmade& unmade : all) {
     std::vector<std::string> arguments = person_and({"--time-limit", "3"});
     arguments.insert(arguments.end(), unmade.arguments.begin(), unmade.arguments.end());
@@ -153,17 +148,15 @@ TEST(ReachPerson, WhatWasNotMadeIsExplained) {
     for (const std::string& said : unmade.said) expect_said(outcome, said);
     EXPECT_TRUE(has(outcome.out, "1 more did not begin or end in time"));
   }
-  const Outcome nobody =
-      run_scripted(R"({"hands": {"right": {"tracked": false}}})", person_and({"--time-limit", "3"}));
+  const Outcome nobody = run_scripted(R"({"hands": {"right": {"tracked": false}}})", person_and({"--time-limit", "3"}));
   EXPECT_EQ(nobody.exit_code, 8);
   expect_said(nobody, "The right hand was not tracked. Hold it where the headset's cameras see it.");
 }
 
 // The first reach gets no end in time, the second one does.
 TEST(ReachPerson, AReachWithoutAnEndLeavesTheOthers) {
-  const Outcome outcome =
-      run_scripted(Path(plate_of_desk).hold(start, 4500).slide({0.0, -0.05}, 800).script(),
-                   person_and({"--target", "bottle", "--time-limit", "3.5"}));
+  const Outcome outcome = run_scripted(Path(plate_of_desk).hold(start, 4500).slide({0.0, -0.05}, 800).script(),
+                                       person_and({"--target", "bottle", "--time-limit", "3.5"}));
   EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
   EXPECT_EQ(rows_of(outcome).size(), 1U) << outcome.out << outcome.err;
   EXPECT_TRUE(has(outcome.out, "not made"));
@@ -194,14 +187,13 @@ struct Voice {
 
 TEST(ReachSpeech, SpeaksWhatAPersonIsAsked) {
   const Voice voice;
-  const Outcome outcome =
-      run_scripted(R"({"clock": "real-time", )" +
-                       Path(plate_of_desk).hold(start, 1500).slide({0.0, -0.05}, 800).script().substr(1),
-                   person_and({"--speak-with", voice.program}));
+  const Outcome outcome = run_scripted(
+      R"({"clock": "real-time", )" + Path(plate_of_desk).hold(start, 1500).slide({0.0, -0.05}, 800).script().substr(1),
+      person_and({"--speak-with", voice.program}));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   const std::string heard = voice.heard();
-  for (const char* part : {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres,",
-                           "Done.", "1 of 1 targets that can be held were reached"})
+  for (const char* part : {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres,", "Done.",
+                           "1 of 1 targets that can be held were reached"})
     EXPECT_TRUE(has(heard, part));
 }
 
@@ -246,8 +238,7 @@ TEST(ReachKeys, ListRepeatAndSayWhere) {
 }
 
 TEST(ReachKeys, NextLeavesATargetOutAndStopEndsTheRun) {
-  const Outcome next =
-      run_with_keys(Path(plate_of_desk).reach(), "", "n", person_and({"--target", "goblet"}));
+  const Outcome next = run_with_keys(Path(plate_of_desk).reach(), "", "n", person_and({"--target", "goblet"}));
   EXPECT_EQ(next.exit_code, 0) << next.out << next.err;
   ASSERT_EQ(rows_of(next).size(), 1U);
   EXPECT_EQ(rows_of(next)[0].virtual_name, "goblet");
@@ -267,8 +258,7 @@ TEST(ReachKeys, BackRepeatsTheLastTarget) {
                                                  .script(R"("clock": "real-time", )")),
                         -1, terminal.descriptor());
   const auto give_up = Clock::now() + 30s;
-  while (program.out().find("reached") == std::string::npos && Clock::now() < give_up)
-    std::this_thread::sleep_for(5ms);
+  while (program.out().find("reached") == std::string::npos && Clock::now() < give_up) std::this_thread::sleep_for(5ms);
   terminal.type("b");
   const auto asked_again = [&] {
     const std::string said = program.err();
@@ -282,11 +272,11 @@ TEST(ReachKeys, BackRepeatsTheLastTarget) {
 }
 
 TEST(ReachKeys, AnswerTheHeightOfTheEyes) {
-  const Outcome outcome = run_with_keys(Path(plate_of_desk).reach(),
-                                        R"("stage": false, "withhold_extensions": ["XR_EXT_local_floor"], )",
-                                        "tall\n1.3\x7f"
-                                        "2\n",
-                                        person_and());
+  const Outcome outcome =
+      run_with_keys(Path(plate_of_desk).reach(), R"("stage": false, "withhold_extensions": ["XR_EXT_local_floor"], )",
+                    "tall\n1.3\x7f"
+                    "2\n",
+                    person_and());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   expect_said(outcome, "How high are your eyes above the floor");
   expect_said(outcome, "That is not a number from 0.3 to 2.5.");
@@ -301,10 +291,9 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
   for (const Place& mark : {start, Place{0.07, 0.0}, Place{0.0, -0.07}}) path.hold(mark, 850).lift();
   path.hold(start, 1000).slide({0.0, -0.05}, 800);
   const plate::Pty terminal(80);
-  const Program program(person_and({"--register", voice.folder + "/plate.txt", "--marks", marks,
-                                    "--speak-with", voice.program}),
-                        scripted_environment(path.script(R"("clock": "real-time", )")), -1,
-                        terminal.descriptor());
+  const Program program(
+      person_and({"--register", voice.folder + "/plate.txt", "--marks", marks, "--speak-with", voice.program}),
+      scripted_environment(path.script(R"("clock": "real-time", )")), -1, terminal.descriptor());
   const auto give_up = Clock::now() + 20s;
   while (voice.heard().find("(1 of 3)") == std::string::npos && Clock::now() < give_up)
     std::this_thread::sleep_for(5ms);
@@ -312,9 +301,9 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   const std::string heard = voice.heard();
-  for (const char* part : {"Keys: r repeats", "Mark 1 is  start ", "That key is for reaches.", "(3 of 3)",
-                           "The plate is registered", "Put your index finger on the start", "Done.",
-                           "1 of 1 targets that can be held were reached"})
+  for (const char* part :
+       {"Keys: r repeats", "Mark 1 is  start ", "That key is for reaches.", "(3 of 3)", "The plate is registered",
+        "Put your index finger on the start", "Done.", "1 of 1 targets that can be held were reached"})
     EXPECT_TRUE(has(heard, part));
 }
 
@@ -335,8 +324,7 @@ TEST(ReachKeys, AWholeCalibrationWithoutSight) {
       -1, terminal.descriptor());
   const auto give_up = Clock::now() + 60s;
   const auto after = [&](const std::string& part, const std::string& keys) {
-    while (voice.heard().find(part) == std::string::npos && Clock::now() < give_up)
-      std::this_thread::sleep_for(5ms);
+    while (voice.heard().find(part) == std::string::npos && Clock::now() < give_up) std::this_thread::sleep_for(5ms);
     terminal.type(keys);
   };
   after("How high are your eyes above the floor", "1.2\n");

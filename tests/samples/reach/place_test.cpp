@@ -34,9 +34,7 @@ TEST(ReachPlace, IsAboveTheFloorOfEverySpace) {
     expect_said(outcome, "--register FILE");
   }
   // By other eyes the plate is 0.2 m lower, where no finger comes.
-  EXPECT_EQ(
-      run_scripted(path.script(no_floor), person_and({"--eye-height", "1.4", "--time-limit", "4"})).exit_code,
-      8);
+  EXPECT_EQ(run_scripted(path.script(no_floor), person_and({"--eye-height", "1.4", "--time-limit", "4"})).exit_code, 8);
 }
 
 TEST(ReachPlace, NeedsTheHeightOfTheEyesWithoutAFloor) {
@@ -89,11 +87,9 @@ TEST(ReachRecentring, ASimulatedUserNoticesNothing) {
 
 TEST(ReachRecentring, ByAnUnknownAmountEndsTheRun) {
   const std::string folder = scratch_folder();
-  const Outcome outcome =
-      run_scripted(Path(plate_of_desk)
-                       .reach()
-                       .script(recentre(R"("space": "STAGE", "position_m": [1, 0, 0], "pose_valid": false)")),
-                   person_and({"--record", folder + "/r.csv"}));
+  const Outcome outcome = run_scripted(
+      Path(plate_of_desk).reach().script(recentre(R"("space": "STAGE", "position_m": [1, 0, 0], "pose_valid": false)")),
+      person_and({"--record", folder + "/r.csv"}));
   EXPECT_EQ(outcome.exit_code, 12) << outcome.out << outcome.err;
   expect_said(outcome, "moved its STAGE space");
   expect_said(outcome, "register it (--register FILE)");
@@ -105,10 +101,10 @@ TEST(ReachRecentring, WhileRegistering) {
   const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
                                     {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
   const std::string file = scratch_folder() + "/plate.txt";
-  const Outcome outcome = run_scripted(
-      Path().touch(marks).reach().script(
-          R"("events": [{"frame": 300, "do": "recenter", "space": "STAGE", "position_m": [1, 0, 1]}], )"),
-      person_and({"--register", file}));
+  const Outcome outcome =
+      run_scripted(Path().touch(marks).reach().script(
+                       R"("events": [{"frame": 300, "do": "recenter", "space": "STAGE", "position_m": [1, 0, 1]}], )"),
+                   person_and({"--register", file}));
   expect_reached(outcome);
   EXPECT_NEAR(value_of(read_file(file), "\"position_m\":["), PlatePose{}.x_m - 1.0, 1e-3) << read_file(file);
 }

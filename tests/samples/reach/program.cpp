@@ -15,8 +15,7 @@ std::vector<std::string> words_of(const std::vector<std::string>& arguments) {
 }
 
 std::vector<std::string> variables_of(const std::map<std::string, std::string>& environment) {
-  std::vector<std::string> variables = {
-      "LSAN_OPTIONS=print_suppressions=0:suppressions=" HRT_LEAK_SUPPRESSIONS};
+  std::vector<std::string> variables = {"LSAN_OPTIONS=print_suppressions=0:suppressions=" HRT_LEAK_SUPPRESSIONS};
   for (const auto& [name, value] : environment) variables.push_back(name + "=" + value);
   for (const char* passed_on : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS", "HOME"})
     if (const char* value = std::getenv(passed_on)) variables.push_back(std::string(passed_on) + "=" + value);
@@ -35,12 +34,11 @@ std::string scratch_folder() {
 
 std::map<std::string, std::string> mock_environment() { return {{"XR_RUNTIME_JSON", HRT_MOCK_MANIFEST}}; }
 
-Program::Program(const std::vector<std::string>& arguments,
-                 const std::map<std::string, std::string>& environment, int err, int in)
+Program::Program(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment,
+                 int err, int in)
     : Process(words_of(arguments), variables_of(environment), err, in) {}
 
-Outcome run_program(const std::vector<std::string>& arguments,
-                    const std::map<std::string, std::string>& environment) {
+Outcome run_program(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& environment) {
   return Program(arguments, environment).wait();
 }
 
@@ -73,10 +71,9 @@ std::vector<Row> rows_of(const Outcome& outcome) {
   for (std::string line; std::getline(lines, line);)
     if (std::regex_match(line, match, pattern))
       rows.push_back({match[1], std::stod(match[2]), std::stod(match[4]), std::stod(match[5]),
-                      match[6] == "-" ? 0.0 : std::stod(match[6]), std::stod(match[7]), std::stod(match[8]),
-                      match[9], std::stod(match[10]), match[11], std::stoi(match[12]), std::stoi(match[13]),
-                      std::stoi(match[14]), match[15] == "reached",
-                      line.find("cannot be held") != std::string::npos});
+                      match[6] == "-" ? 0.0 : std::stod(match[6]), std::stod(match[7]), std::stod(match[8]), match[9],
+                      std::stod(match[10]), match[11], std::stoi(match[12]), std::stoi(match[13]), std::stoi(match[14]),
+                      match[15] == "reached", line.find("cannot be held") != std::string::npos});
   return rows;
 }
 

@@ -42,9 +42,7 @@ Outcome run_scripted(const std::string& script, const std::vector<std::string>& 
 std::vector<std::string> person_and(const std::vector<std::string>& more = {});
 
 /// On its error output.
-inline void expect_said(const Outcome& outcome, const std::string& text) {
-  EXPECT_TRUE(has(outcome.err, text));
-}
+inline void expect_said(const Outcome& outcome, const std::string& text) { EXPECT_TRUE(has(outcome.err, text)); }
 
 /// A row of the result table.
 struct Row {

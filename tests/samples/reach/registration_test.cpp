@@ -63,8 +63,7 @@ TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
   EXPECT_TRUE(rows_of(next)[0].reached);
   PlatePose moved;
   moved.x_m += 0.03;
-  const Outcome refused =
-      run(Path(moved).hold(marks[0]).lift().touch({marks[0]}).reach(), {"--registered", file});
+  const Outcome refused = run(Path(moved).hold(marks[0]).lift().touch({marks[0]}).reach(), {"--registered", file});
   EXPECT_EQ(refused.exit_code, 12) << refused.out << refused.err;
   expect_said(refused, "touched 30 mm from where it was registered");
   expect_said(refused, "register the plate anew (--register)");
@@ -75,8 +74,7 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   constexpr double skin_m = 0.02;
   const auto touched = [&] {
     Path path;
-    for (const Attitude& attitude :
-         {Attitude{}, {-35, 0, 0}, {0, 0, 30}, {0, 0, -30}, {10, 30, 0}, {10, -30, 0}})
+    for (const Attitude& attitude : {Attitude{}, {-35, 0, 0}, {0, 0, 30}, {0, 0, -30}, {10, 30, 0}, {10, -30, 0}})
       path.hold_hand(attitude, skin_m).touch({marks[0]});
     path.hold_hand({-10, 0, -20}, skin_m).touch(marks);
     return path.hold_hand({-10, 0, 25}, skin_m);
@@ -140,8 +138,7 @@ TEST_F(ReachRegistration, AsksAgainIfTheTouchesDoNotFit) {
   const Outcome second = run(Path().touch(confused).touch(marks).reach(), {"--register", file});
   EXPECT_EQ(second.exit_code, 0) << second.err;
   expect_said(second, "left and right were confused");
-  const Outcome never =
-      run(Path().touch(confused).touch(confused).touch(confused), {"--register", file + "2"});
+  const Outcome never = run(Path().touch(confused).touch(confused).touch(confused), {"--register", file + "2"});
   EXPECT_EQ(never.exit_code, 12) << never.err;
   expect_said(never, "three times: By the touches the plate lies upside down");
   EXPECT_EQ(read_file(file + "2"), "");
@@ -194,8 +191,7 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
   refused("", "parse error", "--registered");
   refused("{}", "key 'version' not found", "--registered");
   refused(good.substr(0, good.size() / 2), "parse error", "--registered");
-  refused(with("\"version\":2", "\"version\":1"), "version must be 2: register the plate anew",
-          "--registered");
+  refused(with("\"version\":2", "\"version\":1"), "version must be 2: register the plate anew", "--registered");
   refused(with("STAGE", "MOON"), "space must be STAGE or LOCAL", "--registered");
   refused(with("\"rotation\"", "\"rotating\""), "key 'rotation' not found", "--registered");
   refused(with("\"check_m\":[0.0", "\"check_m\":[\"0\""), "type must be number", "--registered");
@@ -205,8 +201,7 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
   EXPECT_EQ(missing.exit_code, 12);
   expect_said(missing, "/nowhere/plate.txt cannot be read");
   // Numbers that are none of a plate are refused by the plugin.
-  const Outcome far =
-      run(Path(), {"--registered", written(with("\"position_m\":[2", "\"position_m\":[20002"))});
+  const Outcome far = run(Path(), {"--registered", written(with("\"position_m\":[2", "\"position_m\":[20002"))});
   EXPECT_EQ(far.exit_code, 3) << far.err;
   expect_said(far, "plate_position_m[0] is");
   const Outcome unwritten = run(Path().touch(marks), {"--register", "/nowhere/plate.txt"});

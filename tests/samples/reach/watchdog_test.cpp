@@ -98,8 +98,7 @@ TEST(ReachWatchdog, AThreadOfTheRuntimeThatEndsTheProcessIsNoSuccess) {
 TEST(ReachWatchdog, ACrashOfTheRuntimeKeepsTheRecording) {
   for (const auto& [what, signal] : {std::pair{"crash", SIGSEGV}, {"abort", SIGABRT}}) {
     const Files files;
-    const Outcome outcome =
-        run_program(files.arguments("60"), faulty(std::string("xrWaitFrame 200 ") + what));
+    const Outcome outcome = run_program(files.arguments("60"), faulty(std::string("xrWaitFrame 200 ") + what));
     EXPECT_EQ(outcome.exit_code, -signal) << what << outcome.err;
     EXPECT_TRUE(has(outcome.err, "it crashed while the OpenXR runtime was in xrWaitFrame")) << what;
     files.expect_whole();
@@ -110,8 +109,7 @@ TEST(ReachWatchdog, ACrashOfTheRuntimeKeepsTheRecording) {
 // The layer refuses LOCAL_FLOOR, the first space that is made, as one does that is older than it.
 TEST(ReachWatchdog, WithoutAFloorThePlateIsPlacedInLocal) {
   const Outcome whole = run_scripted("{" + calm + R"(, "stage": false})", {desk});
-  const Outcome outcome =
-      run_program({desk}, faulty("xrCreateReferenceSpace 1 unknown", R"(, "stage": false)"));
+  const Outcome outcome = run_program({desk}, faulty("xrCreateReferenceSpace 1 unknown", R"(, "stage": false)"));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(rows_of(outcome).size(), 3U) << outcome.out;
   EXPECT_EQ(rows_of(whole).size(), 3U) << whole.out;

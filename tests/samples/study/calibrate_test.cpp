@@ -18,9 +18,7 @@ using nlohmann::json;
 
 const std::string header = "trial,time_s,right_m,away_m,plate_orientation_deg\n";
 
-void write(const std::string& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
+void write(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 std::string refused(const std::string& text) {
   try {
@@ -89,8 +87,7 @@ TEST(StudyCalibrate, NamesWhatIsWrongWithAFile) {
   EXPECT_EQ(refused(""),
             "data.csv: there is no header; it must name trial,time_s,right_m,away_m,plate_orientation_deg");
   EXPECT_EQ(refused(header), "data.csv: there is no row under the header");
-  EXPECT_TRUE(
-      has(refused("trial,time_s,right_m,away_m\n"), "line 1, column plate_orientation_deg: it is missing"));
+  EXPECT_TRUE(has(refused("trial,time_s,right_m,away_m\n"), "line 1, column plate_orientation_deg: it is missing"));
   EXPECT_TRUE(has(refused("trial," + header), "line 1, column trial: 'trial' is not allowed"));
   EXPECT_EQ(refused(header + "1,0,0,0,0\n1,1,0,0\n"),
             "data.csv, line 3, columns: '4' is not allowed; it must be as many as the header has, 5");
@@ -110,11 +107,10 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   const TemporaryFolder folder;
   const std::string data = folder / "me.csv";
   ASSERT_EQ(
-      run_study({"participants", "--tactile-weight", "0.2", "--bias", "-2", "--goal", "3", "--out", data})
-          .exit_code,
+      run_study({"participants", "--tactile-weight", "0.2", "--bias", "-2", "--goal", "3", "--out", data}).exit_code,
       0);
-  const StudyRun run = run_study({"calibrate", data, "--goal", "3", "--format", "json", "--plot",
-                                  folder / "me.svg", "--profile", folder / "profile.json"});
+  const StudyRun run = run_study({"calibrate", data, "--goal", "3", "--format", "json", "--plot", folder / "me.svg",
+                                  "--profile", folder / "profile.json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const json page = json::parse(run.out);
@@ -150,8 +146,8 @@ TEST(StudyCalibrate, RetestShowsWhatDiffers) {
   const TemporaryFolder folder;
   const auto data = [&](const char* name, const char* weight, const char* seed) {
     std::string file = folder / name;
-    EXPECT_EQ(run_study({"participants", "--tactile-weight", weight, "--seed", seed, "--trials", "2",
-                         "--rate", "30", "--out", file})
+    EXPECT_EQ(run_study({"participants", "--tactile-weight", weight, "--seed", seed, "--trials", "2", "--rate", "30",
+                         "--out", file})
                   .exit_code,
               0);
     return file;
@@ -184,8 +180,7 @@ TEST(StudyCalibrate, RefusesWithAReasonAndWritesNothing) {
   write(data, header + "1,0,0,zero,0\n");
   const StudyRun broken = run_study(arguments);
   EXPECT_EQ(broken.exit_code, 2);
-  EXPECT_TRUE(
-      has(broken.err, "line 2, column away_m: 'zero' is not allowed; it must be a number in [-10, 10]"));
+  EXPECT_TRUE(has(broken.err, "line 2, column away_m: 'zero' is not allowed; it must be a number in [-10, 10]"));
   EXPECT_EQ(lines(broken.err).size(), 1U);
   EXPECT_EQ(entries(folder.path), std::vector<std::string>{"one_angle.csv"});
 
@@ -216,16 +211,13 @@ TEST(StudyParticipants, EveryAngleAsOftenInRandomOrder) {
 TEST(StudyParticipants, AFileForEachTactileWeight) {
   const TemporaryFolder folder;
   const std::string people = folder / "people";
-  ASSERT_EQ(
-      run_study({"participants", "--tactile-weight", "0.1,0.3", "--trials", "1", "--out", people}).exit_code,
-      0);
+  ASSERT_EQ(run_study({"participants", "--tactile-weight", "0.1,0.3", "--trials", "1", "--out", people}).exit_code, 0);
   EXPECT_EQ(entries(people), (std::vector<std::string>{"participant_1.csv", "participant_2.csv"}));
   const std::string second = read_file(folder.path / "people" / "participant_2.csv");
   EXPECT_TRUE(has(second, "SIMULATION"));
   EXPECT_TRUE(has(second, "#   tactile_weight 0.3\n"));
   EXPECT_EQ(run_study({"participants", "--tactile-weight", "0.1,0.3"}).exit_code, 2);
-  EXPECT_EQ(run_study({"participants", "--rate", "10000", "--duration", "60", "--trials", "1000"}).exit_code,
-            2);
+  EXPECT_EQ(run_study({"participants", "--rate", "10000", "--duration", "60", "--trials", "1000"}).exit_code, 2);
 }
 
 }  // namespace

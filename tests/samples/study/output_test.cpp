@@ -58,10 +58,9 @@ TEST(StudyOutput, PartsAreEveryRowOnce) {
 TEST(StudyOutput, PartsConcatenateToTheWhole) {
   const TemporaryFolder folder;
   for (const Arguments& arguments :
-       {Arguments{"sweep", "--gap", "4,10", "--tactile-weight", "0.1:0.2:3", "--horizon", "2,3", "--trials",
-                  "50"},
-        Arguments{"robustness", "--people", "2", "--durations", "0.8,1.2,1.5", "--family", "linear,place",
-                  "--format", "csv"},
+       {Arguments{"sweep", "--gap", "4,10", "--tactile-weight", "0.1:0.2:3", "--horizon", "2,3", "--trials", "50"},
+        Arguments{"robustness", "--people", "2", "--durations", "0.8,1.2,1.5", "--family", "linear,place", "--format",
+                  "csv"},
         Arguments{"coverage", "--people", "1", "--trials", "1", "--format", "csv"}}) {
     const std::string whole = run_study(arguments).out;
     EXPECT_GE(lines(whole).size(), 13U) << arguments[0];
@@ -69,8 +68,8 @@ TEST(StudyOutput, PartsConcatenateToTheWhole) {
       std::string joined;
       for (int part = 1; part <= parts; ++part) {
         const StudyRun run =
-            run_study(arguments + Arguments{"--part", std::to_string(part) + "/" + std::to_string(parts),
-                                            "--out", folder / "part"});
+            run_study(arguments + Arguments{"--part", std::to_string(part) + "/" + std::to_string(parts), "--out",
+                                            folder / "part"});
         ASSERT_EQ(run.exit_code, 0) << run.err;
         joined += read_file(folder / "part");
       }
@@ -88,9 +87,8 @@ TEST(StudyOutput, PartsAreCsv) {
 }
 
 TEST(StudyOutput, TextSaysThatItIsSimulationInLinesThatFit) {
-  for (const auto& [arguments, columns] :
-       {std::pair<Arguments, std::size_t>{{"table1", "--trials", "200"}, 110},
-        {{"robustness", "--people", "1"}, 120}}) {
+  for (const auto& [arguments, columns] : {std::pair<Arguments, std::size_t>{{"table1", "--trials", "200"}, 110},
+                                           {{"robustness", "--people", "1"}, 120}}) {
     const StudyRun run = run_study(arguments);
     EXPECT_TRUE(has(run.out, "there was no human trial"));
     for (const std::string& line : lines(run.out)) EXPECT_LE(length_of(line), columns) << line;
@@ -100,8 +98,7 @@ TEST(StudyOutput, TextSaysThatItIsSimulationInLinesThatFit) {
 // The rows of both are the same numbers; a field without one is empty, or null.
 TEST(StudyOutput, CsvAndJsonHaveTheSameRows) {
   for (const Arguments& arguments :
-       {Arguments{"table1", "--trials", "20"}, Arguments{"ridges"},
-        Arguments{"scene", HRT_SCENES "/desk.gltf"},
+       {Arguments{"table1", "--trials", "20"}, Arguments{"ridges"}, Arguments{"scene", HRT_SCENES "/desk.gltf"},
         Arguments{"coverage", "--kind", "steps", "--people", "1"},
         Arguments{"robustness", "--people", "1", "--family", "linear", "--durations", "1"}}) {
     const auto page = nlohmann::json::parse(run_study(arguments + Arguments{"--format", "json"}).out);
@@ -132,9 +129,8 @@ TEST(StudyOutput, WithoutGnuplotNothingIsWritten) {
         Arguments{"ridges", "--plot", folder / "r.svg"}, Arguments{"report", "--out", folder / "report"}}) {
     const StudyRun run = run_study(arguments, "/nowhere");
     EXPECT_EQ(run.exit_code, 1);
-    EXPECT_EQ(
-        run.err,
-        "hrt-study: gnuplot draws the figures and is not in PATH; on Debian: apt-get install gnuplot-nox\n");
+    EXPECT_EQ(run.err,
+              "hrt-study: gnuplot draws the figures and is not in PATH; on Debian: apt-get install gnuplot-nox\n");
     EXPECT_TRUE(entries(folder.path).empty()) << arguments[0];
   }
 }
@@ -175,9 +171,7 @@ TEST(StudyProgress, ABarOnATerminalOnceWorkHasTakenASecond) {
   EXPECT_GE(watched.first_text_s, 0.9);
 }
 
-TEST(StudyProgress, NoneForShortWork) {
-  EXPECT_EQ(watch({"table1", "--trials", "10"}, "never said", 3.0).text, "");
-}
+TEST(StudyProgress, NoneForShortWork) { EXPECT_EQ(watch({"table1", "--trials", "10"}, "never said", 3.0).text, ""); }
 
 TEST(StudyProgress, NoneWithoutATerminal) {
   const Process program = start_study(endless);

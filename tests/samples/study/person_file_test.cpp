@@ -78,8 +78,7 @@ TEST(StudyPersonFile, HelpHasAllParameters) {
     const std::string_view name = line.substr(2, line.find(' ', 2) - 2);
     const std::string value(line.substr(line.rfind(' ') + 1));
     const bool is_word = value.find_first_not_of("0123456789.-e+") != std::string::npos;
-    text +=
-        (count == 0 ? "{\"" : ", \"") + std::string(name) + "\": " + (is_word ? '"' + value + '"' : value);
+    text += (count == 0 ? "{\"" : ", \"") + std::string(name) + "\": " + (is_word ? '"' + value + '"' : value);
   }
   const PersonCondition condition = parse_person("me", text + "}").condition;
   const PersonCondition standard;

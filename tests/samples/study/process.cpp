@@ -14,8 +14,7 @@ Process start_study(const std::vector<std::string>& arguments, const std::string
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment;
   for (char** variable = environ; *variable != nullptr; ++variable)
-    if (search_path.empty() || !std::string(*variable).starts_with("PATH="))
-      environment.emplace_back(*variable);
+    if (search_path.empty() || !std::string(*variable).starts_with("PATH=")) environment.emplace_back(*variable);
   if (!search_path.empty()) environment.push_back("PATH=" + search_path);
   return {words, environment, err};
 }

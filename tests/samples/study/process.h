@@ -9,8 +9,7 @@ namespace hrt::study {
 using StudyRun = Outcome;
 
 /// A non-empty `search_path` replaces PATH; `err` is a descriptor for its error output.
-Process start_study(const std::vector<std::string>& arguments, const std::string& search_path = {},
-                    int err = -1);
+Process start_study(const std::vector<std::string>& arguments, const std::string& search_path = {}, int err = -1);
 
 /// Runs `hrt-study arguments...`.
 StudyRun run_study(const std::vector<std::string>& arguments, const std::string& search_path = {});

@@ -35,13 +35,12 @@ std::string refusal(std::string_view text) {
 
 // Two samples 10 mm apart, the second lifted by its height, over a plate commanded to 20 and then measured.
 TEST(StudyReplay, ARecordingByHand) {
-  const RecordedPaths recorded =
-      parse_recorded_paths("a.csv", std::string(header) + begin_row +
-                                        "update,0,0,2,0.01,0.001,0.05,,,,,,,20\n"
-                                        "update,0,10000000,2,0.02,0,0.04,,,,,,,30\n"
-                                        "update,0,20000000,6,0.02,0.02,0.04,-7,,,,,,30\n"
-                                        "update,0,30000000,0,,,,,,,,,,30\n"
-                                        "end,0,,,,,,,,,,,,\n");
+  const RecordedPaths recorded = parse_recorded_paths("a.csv", std::string(header) + begin_row +
+                                                                   "update,0,0,2,0.01,0.001,0.05,,,,,,,20\n"
+                                                                   "update,0,10000000,2,0.02,0,0.04,,,,,,,30\n"
+                                                                   "update,0,20000000,6,0.02,0.02,0.04,-7,,,,,,30\n"
+                                                                   "update,0,30000000,0,,,,,,,,,,30\n"
+                                                                   "end,0,,,,,,,,,,,,\n");
   ASSERT_EQ(recorded.paths.size(), 1U);
   EXPECT_TRUE(recorded.left_out.empty());
   const RecordedPath& path = recorded.paths.front();
@@ -72,11 +71,10 @@ TEST(StudyReplay, ReachesWithoutAPathAreNamed) {
 
 TEST(StudyReplay, RefusalsNameLineAndAllowedValues) {
   EXPECT_TRUE(has(refusal("# haptic retargeting recording, version 2\n"), "line 1, version: '2'"));
-  EXPECT_TRUE(
-      has(refusal("# haptic retargeting recording, version 3\ncall,result\n"), "line 2, column time_ns"));
+  EXPECT_TRUE(has(refusal("# haptic retargeting recording, version 3\ncall,result\n"), "line 2, column time_ns"));
   EXPECT_TRUE(has(refusal(std::string(header) + "begin,0\n"), "line 3, columns: '2'"));
-  EXPECT_TRUE(has(refusal(std::string(header) + begin_row + "update,0,x,2,0,0,0,,,,,,,0\n"),
-                  "line 4, column time_ns: 'x'"));
+  EXPECT_TRUE(
+      has(refusal(std::string(header) + begin_row + "update,0,x,2,0,0,0,,,,,,,0\n"), "line 4, column time_ns: 'x'"));
   EXPECT_TRUE(has(refusal(std::string(header) + begin_row + "update,0,1,2,nan,0,0,,,,,,,0\n"), "[-10, 10]"));
   EXPECT_TRUE(has(refusal("# haptic retargeting recording, version 3\n# config {\"plate_latency_ns\":-1}\n"),
                   "line 2, config, plate_latency_ns: '-1'"));
@@ -112,8 +110,7 @@ TEST(StudyReplay, AReachOfTheControllersOwnIsCommandedAndBelievedAgain) {
     text += "update,0," + std::to_string(sample.time_ns) + ",2" + cell(sample.position.right_m) + ",0" +
             cell(-sample.position.away_m) + ",,,,,," + cell(plate_deg) + '\n';
   }
-  const std::vector<ReplayedPath> replayed =
-      replay(parse_recorded_paths("a.csv", text + "end,0,,,,,,,,,,,,\n"));
+  const std::vector<ReplayedPath> replayed = replay(parse_recorded_paths("a.csv", text + "end,0,,,,,,,,,,,,\n"));
   ASSERT_EQ(replayed.size(), 1U);
   const ReachSummary closed = retargeter.summary();
   const ReachSummary& open = replayed.front().summary;
@@ -157,9 +154,8 @@ TEST(StudyReplay, FoldersThatCannotBeReadAreRefused) {
   std::ofstream(folder / "x.csv") << "nothing";
   EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string()}).exit_code, 2);
   EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string(), "--family", "linear"}).exit_code, 2);
-  EXPECT_TRUE(
-      has(run_study({"robustness", "--replay", folder.path.string(), "--part", "1/2", "--format", "csv"}).err,
-          "without --person, --family, --csv and --part"));
+  EXPECT_TRUE(has(run_study({"robustness", "--replay", folder.path.string(), "--part", "1/2", "--format", "csv"}).err,
+                  "without --person, --family, --csv and --part"));
 }
 
 }  // namespace

@@ -14,8 +14,7 @@ const std::vector<std::string> all_files{"fig1c.svg", "fig4.svg", "fig5.svg",   
 TEST(StudyReport, MakesEveryFigureAndAPageThatShowsThem) {
   const TemporaryFolder folder;
   for (const char* threads : {"1", "2"}) {
-    const StudyRun run =
-        run_study({"report", "--out", folder / threads, "--trials", "40", "--threads", threads});
+    const StudyRun run = run_study({"report", "--out", folder / threads, "--trials", "40", "--threads", threads});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_EQ(run.err, "");
     EXPECT_EQ(entries(folder / threads), all_files);
@@ -41,8 +40,7 @@ TEST(StudyReport, AFailingGnuplotLeavesTheLastReportAsItWas) {
   chmod((folder / "gnuplot").c_str(), 0700);
   std::filesystem::create_directory(folder / "report");
   std::ofstream(folder / "report/report.html") << "the last one";
-  const StudyRun run =
-      run_study({"report", "--out", folder / "report", "--trials", "10"}, folder.path.string());
+  const StudyRun run = run_study({"report", "--out", folder / "report", "--trials", "10"}, folder.path.string());
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.err, "hrt-study: gnuplot failed: out of ink\n");
   EXPECT_EQ(entries(folder / "report"), std::vector<std::string>{"report.html"});

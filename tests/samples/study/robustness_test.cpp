@@ -29,8 +29,7 @@ std::string field(const std::string& header, const std::string& line, const std:
   const auto names = fields(header);
   const auto at = std::find(names.begin(), names.end(), name) - names.begin();
   const auto values = fields(line);
-  return at < static_cast<std::ptrdiff_t>(names.size()) ? values[static_cast<std::size_t>(at)]
-                                                        : "no column " + name;
+  return at < static_cast<std::ptrdiff_t>(names.size()) ? values[static_cast<std::size_t>(at)] : "no column " + name;
 }
 
 // near: 1.5 and -1.4 of three who can hold; misses 2, 4, 9. 1.6 without a flag is silent.
@@ -57,11 +56,7 @@ TEST(StudyRobustness, CountsByHand) {
        .peak_felt_error_deg = 70.0,
        .unreachable = true,
        .found = true},
-      {.can_hold = false,
-       .bearing_error_deg = 4.0,
-       .miss_mm = 70.0,
-       .peak_felt_error_deg = 70.0,
-       .misfit = true},
+      {.can_hold = false, .bearing_error_deg = 4.0, .miss_mm = 70.0, .peak_felt_error_deg = 70.0, .misfit = true},
       {.can_hold = false, .bearing_error_deg = 4.0, .miss_mm = 70.0, .peak_felt_error_deg = 70.0},
       {.can_hold = false, .bearing_error_deg = 0.0, .miss_mm = 0.0, .peak_felt_error_deg = 70.0},
   };
@@ -88,8 +83,7 @@ TEST(StudyRobustness, CountsByHand) {
 }
 
 TEST(StudyRobustness, WithoutAnyoneWhoCanHoldThereIsNoShare) {
-  const ReachResult reach{
-      .can_hold = false, .bearing_error_deg = 9.0, .miss_mm = 1.0, .peak_felt_error_deg = 1.0};
+  const ReachResult reach{.can_hold = false, .bearing_error_deg = 9.0, .miss_mm = 1.0, .peak_felt_error_deg = 1.0};
   const RobustnessCell cell = summarise({&reach, 1});
   EXPECT_EQ(cell.can_hold.near.of, 0U);
   EXPECT_TRUE(std::isnan(cell.can_hold.near.percent()));
@@ -104,12 +98,9 @@ TEST(StudyRobustness, MeansWeighFamiliesAndPooledSharesWeighPeople) {
   near(0) = {.hits = 1, .of = 1};
   near(1) = {.hits = 0, .of = 3};  // the third has nobody
   EXPECT_EQ(mean_near_percent(rows, Leading::none), 50.0);
-  EXPECT_EQ(
-      pooled(rows, Leading::none, [](const RobustnessCell& cell) { return cell.can_hold.near; }).percent(),
-      25.0);
+  EXPECT_EQ(pooled(rows, Leading::none, [](const RobustnessCell& cell) { return cell.can_hold.near; }).percent(), 25.0);
   // Of one reach, the interval of 100 % is the widest: from 1 / (1 + 1.96^2) to 1.
-  EXPECT_NEAR(widest_near_interval(rows), 50.0 * (1.0 - 1.0 / (1.0 + 1.959963984540054 * 1.959963984540054)),
-              1e-9);
+  EXPECT_NEAR(widest_near_interval(rows), 50.0 * (1.0 - 1.0 / (1.0 + 1.959963984540054 * 1.959963984540054)), 1e-9);
 }
 
 // What the controller for people is for, over those whom it is made for.
@@ -141,8 +132,8 @@ TEST(StudyRobustness, PeopleWhoCannotHoldAreCountedApartAndFound) {
 }
 
 TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
-  const StudyRun run = run_study({"robustness", "--people", "5", "--durations", "1", "--family",
-                                  "place,linear", "--format", "csv", "--seed", "3"});
+  const StudyRun run = run_study({"robustness", "--people", "5", "--durations", "1", "--family", "place,linear",
+                                  "--format", "csv", "--seed", "3"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto rows = lines(run.out);
   ASSERT_EQ(rows.size(), 1 + 2 * leadings.size());
@@ -186,8 +177,7 @@ TEST(StudyRobustness, TextAndJsonHaveTheFamilies) {
   for (const PeopleFamily& family : people_families())
     EXPECT_TRUE(has(text.out, std::string("\n") + family.name + ' ')) << family.name;
   const json page = json::parse(
-      run_study({"robustness", "--people", "1", "--family", "bias-3", "--durations", "1", "--format", "json"})
-          .out);
+      run_study({"robustness", "--people", "1", "--family", "bias-3", "--durations", "1", "--format", "json"}).out);
   EXPECT_EQ(page["simulation"], true);
   EXPECT_EQ(page["rows"].size(), leadings.size());
   EXPECT_EQ(page["rows"][0]["family"], "bias-3");
@@ -205,8 +195,7 @@ TEST(StudyRobustness, HelpListsEveryFamily) {
 
 TEST(StudyRobustness, NumbersGoToAFileBesideTheText) {
   const TemporaryFolder folder;
-  const std::vector<std::string> arguments{"robustness", "--people",    "2", "--family",
-                                           "linear",     "--durations", "1"};
+  const std::vector<std::string> arguments{"robustness", "--people", "2", "--family", "linear", "--durations", "1"};
   std::vector<std::string> both = arguments, numbers = arguments;
   both.insert(both.end(), {"--csv", folder / "r.csv"});
   numbers.insert(numbers.end(), {"--format", "csv"});
@@ -248,8 +237,8 @@ TEST(StudyRobustness, APersonOfOnesOwn) {
     misses_mm.push_back(1e3 * std::abs(simulate_person(condition, &controller, 1, 1, i).front().miss_m));
   EXPECT_DOUBLE_EQ(std::stod(field(rows[0], rows[3], "miss_median_mm")), median(misses_mm));
 
-  const StudyRun both = run_study({"robustness", "--person", folder / "me, myself.json", "--people", "2",
-                                   "--family", "linear", "--durations", "1,3"});
+  const StudyRun both = run_study({"robustness", "--person", folder / "me, myself.json", "--people", "2", "--family",
+                                   "linear", "--durations", "1,3"});
   EXPECT_EQ(both.exit_code, 0) << both.err;
   EXPECT_TRUE(has(both.out, "\nlinear "));
   EXPECT_TRUE(has(both.out, "\nme__myself "));

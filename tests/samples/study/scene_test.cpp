@@ -73,8 +73,8 @@ TEST(StudyScene, WrongFileIsOneLine) {
   std::ofstream(file) << R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"name":"Cube"}]})";
   const StudyRun bare = run_study({"scene", file});
   EXPECT_EQ(bare.exit_code, 1);
-  EXPECT_EQ(bare.err, "hrt-study: " + file +
-                          ": no node has a haptic role (extras.haptic.role, or extras.haptic_role)\n");
+  EXPECT_EQ(bare.err,
+            "hrt-study: " + file + ": no node has a haptic role (extras.haptic.role, or extras.haptic_role)\n");
   EXPECT_EQ(run_study({"scene"}).exit_code, 2);
 }
 

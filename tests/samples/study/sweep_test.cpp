@@ -45,17 +45,15 @@ TEST(StudySweep, RowsAreEveryCombinationInOrder) {
 }
 
 TEST(StudySweep, ResultsAreTheLibrarysToTheBit) {
-  const StudyRun run = run_study({"sweep", "--gap", "10", "--virtual", "0,10", "--assumed-tactile-weight",
-                                  "0.12", "--plate-rate-bound", "40", "--trials", "70", "--seed", "5"});
+  const StudyRun run = run_study({"sweep", "--gap", "10", "--virtual", "0,10", "--assumed-tactile-weight", "0.12",
+                                  "--plate-rate-bound", "40", "--trials", "70", "--seed", "5"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   Condition condition{.real_direction_deg = 0.0, .virtual_direction_deg = 10.0};
   condition.controller.participant.tactile_weight = 0.12;
   condition.controller.mpc.plate_rate_bound_deg = 40.0;
   const BatchJob job{.condition = condition, .condition_id = 1, .first_trial = 0, .last_trial = 70};
   const BatchResult result = run_batch({&job, 1}, 5)[0];
-  const auto value = [&](const std::string& name) {
-    return std::strtod(column(run.out, 1, name).c_str(), nullptr);
-  };
+  const auto value = [&](const std::string& name) { return std::strtod(column(run.out, 1, name).c_str(), nullptr); };
   EXPECT_EQ(value("hits"), static_cast<double>(result.hits));
   EXPECT_EQ(value("hit_percent"), result.hit_percent());
   EXPECT_EQ(value("mean_miss_deg"), result.mean_miss_deg());

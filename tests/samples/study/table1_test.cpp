@@ -104,15 +104,13 @@ void expect_amplitudes(const json& table) {
     EXPECT_EQ(cells.size(), 6U);
     double sum = 0.0;
     for (const json& cell : cells) {
-      EXPECT_NEAR(
-          std::abs(cell["real_direction_deg"].get<double>() - cell["virtual_direction_deg"].get<double>()),
-          std::stod(gap), 1e-12);
+      EXPECT_NEAR(std::abs(cell["real_direction_deg"].get<double>() - cell["virtual_direction_deg"].get<double>()),
+                  std::stod(gap), 1e-12);
       sum += cell["percent"].get<double>() / 6.0;
     }
     return sum;
   };
-  for (const char* gap : {"2", "4", "6", "8", "10", "12", "14"})
-    EXPECT_NEAR(mean(gap, "1"), 92.9, 0.4) << gap;
+  for (const char* gap : {"2", "4", "6", "8", "10", "12", "14"}) EXPECT_NEAR(mean(gap, "1"), 92.9, 0.4) << gap;
   EXPECT_NEAR(mean("8", "2"), 92.8, 0.5);
   EXPECT_NEAR(mean("10", "2"), 86.6, 1.0);
   EXPECT_LT(mean("12", "4"), 20.0);
@@ -156,8 +154,7 @@ TEST(StudyTable1, TextSaysWhatDoesNotReproduce) {
 // Rest at -w T / (1 - w): 60 degrees bend the path by 0.15 * 60 / 0.85 = 10.6 to the other side.
 TEST(StudyRidges, PathsBendAwayFromTheRidges) {
   const TemporaryFolder folder;
-  const StudyRun run =
-      run_study({"ridges", "--trials", "200", "--format", "json", "--plot", folder / "fig1c.svg"});
+  const StudyRun run = run_study({"ridges", "--trials", "200", "--format", "json", "--plot", folder / "fig1c.svg"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const json page = json::parse(run.out);
   const double plates_deg[] = {-60.0, -30.0, 0.0, 30.0, 60.0};

@@ -32,9 +32,8 @@ TEST(StudyTrace, EndsWhereTheReachDoes) {
   EXPECT_LT(std::abs(error_deg), 1.5);
   const double felt_deg = bearing_deg({0.0, 0.0}, last.felt);
   EXPECT_NEAR(felt_deg, trace.condition.virtual_direction_deg, 3.0);
-  EXPECT_TRUE(
-      std::is_sorted(trace.samples.begin(), trace.samples.end(),
-                     [](const TracedSample& a, const TracedSample& b) { return a.time_s < b.time_s; }));
+  EXPECT_TRUE(std::is_sorted(trace.samples.begin(), trace.samples.end(),
+                             [](const TracedSample& a, const TracedSample& b) { return a.time_s < b.time_s; }));
 }
 
 // The person's own values lie within four deviations of what the filter has at the end.
@@ -82,8 +81,7 @@ TEST(StudyTrace, MovingPictureRunsOneTimeThroughout) {
 TEST(StudyTrace, CommandWritesTableAndPictures) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "study_trace";
   std::filesystem::remove_all(folder);
-  const StudyRun result =
-      run_study({"trial", "--trace", folder.string(), "--family", "bias-3", "--reach", "2"});
+  const StudyRun result = run_study({"trial", "--trace", folder.string(), "--family", "bias-3", "--reach", "2"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   for (const char* file : {"trace.csv", "trace.svg", "reach.svg"})
     EXPECT_GT(std::filesystem::file_size(folder / file), 1000u) << file;

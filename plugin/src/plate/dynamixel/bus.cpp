@@ -15,9 +15,7 @@ constexpr int max_tries = 10;
 std::size_t size_of_answer(const Packet& request) {
   constexpr std::size_t model_and_firmware = 3;
   if (request.instruction == Instruction::ping) return model_and_firmware;
-  return request.instruction == Instruction::read
-             ? static_cast<std::size_t>(number_at(request.parameters, 2, 2))
-             : 0;
+  return request.instruction == Instruction::read ? static_cast<std::size_t>(number_at(request.parameters, 2, 2)) : 0;
 }
 
 }  // namespace
@@ -56,9 +54,7 @@ Packet Bus::transact(const Packet& request) {
   throw PlateFailure(Fault::silent, "does not answer");
 }
 
-std::int64_t Bus::read(Entry entry) {
-  return number_at(transact(read_request(entry)).parameters, 0, entry.size);
-}
+std::int64_t Bus::read(Entry entry) { return number_at(transact(read_request(entry)).parameters, 0, entry.size); }
 
 void Bus::send(const Packet& request) {
   request_ = request;
@@ -77,8 +73,7 @@ std::optional<Packet> Bus::answer() {
   while (std::optional<Packet> packet = reader_.next()) {
     if (packet->instruction != Instruction::status || packet->id != id_) continue;
     if (is_answered_) continue;
-    if (packet->status_error() == StatusError::none && packet->parameters.size() != size_of_answer(request_))
-      continue;
+    if (packet->status_error() == StatusError::none && packet->parameters.size() != size_of_answer(request_)) continue;
     is_answered_ = true;
     silent_since_.reset();
     round_trips_.echoed(line_->now(), sequence_);

@@ -40,8 +40,8 @@ void check_hardware(std::int64_t bits) {
   std::string text;
   for (const auto& [bit, name] : names)
     if ((bits & bit) != 0) text += (text.empty() ? "" : ", ") + std::string(name);
-  throw PlateFailure(Fault::device, "reports a hardware error: " + (text.empty() ? "unknown" : text) +
-                                        "; it needs a restart");
+  throw PlateFailure(Fault::device,
+                     "reports a hardware error: " + (text.empty() ? "unknown" : text) + "; it needs a restart");
 }
 
 class Servo : public Device {
@@ -108,12 +108,9 @@ class Servo : public Device {
     const auto value = [&](const char* name, Entry entry, const char* unit) {
       return name + std::to_string(bus_.read(entry)) + unit;
     };
-    return {value("operating mode ", operating_mode, ""),
-            value("homing offset ", homing_offset, " steps"),
-            value("velocity limit ", velocity_limit, ""),
-            value("supply ", present_voltage, " tenths of a volt"),
-            value("temperature ", present_temperature, " °C"),
-            value("hardware error ", hardware_error, "")};
+    return {value("operating mode ", operating_mode, ""),      value("homing offset ", homing_offset, " steps"),
+            value("velocity limit ", velocity_limit, ""),      value("supply ", present_voltage, " tenths of a volt"),
+            value("temperature ", present_temperature, " °C"), value("hardware error ", hardware_error, "")};
   }
 
   // A servo's position is the shaft's own and the homing offset.
@@ -143,8 +140,7 @@ class Servo : public Device {
 
  private:
   int step_of(double orientation_deg) const {
-    return middle_step +
-           static_cast<int>(std::lround(std::clamp(orientation_deg, -stop_deg, stop_deg) / deg_per_step));
+    return middle_step + static_cast<int>(std::lround(std::clamp(orientation_deg, -stop_deg, stop_deg) / deg_per_step));
   }
   std::int64_t speed_units() const {
     return std::clamp<std::int64_t>(std::llround(settings_.speed_deg_s / deg_s_per_unit), 1, fastest_units_);
@@ -161,15 +157,15 @@ class Servo : public Device {
         return;
       }
     }
-    throw PlateFailure(Fault::no_answer, "does not answer as a Dynamixel of id " +
-                                             std::to_string(settings_.id) + " within 3 s");
+    throw PlateFailure(Fault::no_answer,
+                       "does not answer as a Dynamixel of id " + std::to_string(settings_.id) + " within 3 s");
   }
 
   void take_model(const Packet& answer) {
     const std::int64_t number = number_at(answer.parameters, 0, 2);
     firmware_ = static_cast<int>(static_cast<unsigned char>(answer.parameters[2]));
-    const auto found = std::find_if(models.begin(), models.end(),
-                                    [&](const Model& model) { return model.number == number; });
+    const auto found =
+        std::find_if(models.begin(), models.end(), [&](const Model& model) { return model.number == number; });
     if (found == models.end())
       throw PlateFailure(Fault::no_answer, "is a Dynamixel of model number " + std::to_string(number) +
                                                "; known are 1190 and 1200 (XL330)");
@@ -183,8 +179,8 @@ class Servo : public Device {
     if (bus_.read(operating_mode) != current_based_position_mode)
       bus_.write(operating_mode, current_based_position_mode);
     const double max_percent = 100.0 * max_torque_nm / model_->stall_nm;
-    effort_ = bus_.read(current_limit) *
-              std::min<std::int64_t>(settings_.effort_percent, std::llround(max_percent)) / 100;
+    effort_ =
+        bus_.read(current_limit) * std::min<std::int64_t>(settings_.effort_percent, std::llround(max_percent)) / 100;
     for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
   }
 
@@ -336,11 +332,9 @@ DeviceMaker dynamixel_device(const DeviceName& name) {
   name.allow({"id", "baud", "speed", "effort"});
   const int baud = name.number("baud", 57600, 57600, 1000000);
   if (std::find(std::begin(baud_rates), std::end(baud_rates), baud) == std::end(baud_rates))
-    throw std::invalid_argument("option baud is " + std::to_string(baud) +
-                                "; allowed: 57600, 115200, 1000000");
+    throw std::invalid_argument("option baud is " + std::to_string(baud) + "; allowed: 57600, 115200, 1000000");
   const Settings settings{static_cast<std::uint8_t>(name.number("id", 1, 0, 252)),
-                          static_cast<double>(name.number("speed", 300, 10, 1000)),
-                          name.number("effort", 50, 5, 100)};
+                          static_cast<double>(name.number("speed", 300, 10, 1000)), name.number("effort", 50, 5, 100)};
   return [path = name.path, baud, settings](const LineOpener& open, Start start) {
     return std::make_unique<Servo>(open(path, baud), settings, start);
   };

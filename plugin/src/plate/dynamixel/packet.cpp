@@ -54,9 +54,8 @@ std::optional<Packet> decoded(std::string_view bytes) {
 }  // namespace
 
 const char* name_of(StatusError error) {
-  static constexpr std::array names = {"no error",         "result fail",      "instruction error",
-                                       "CRC error",        "data range error", "data length error",
-                                       "data limit error", "access error"};
+  static constexpr std::array names = {"no error",         "result fail",       "instruction error", "CRC error",
+                                       "data range error", "data length error", "data limit error",  "access error"};
   const auto number = static_cast<std::size_t>(error);
   return number < names.size() ? names[number] : "unknown error";
 }
@@ -83,8 +82,7 @@ std::string encode(const Packet& packet) {
 
 std::string little_endian(std::int64_t value, int count) {
   std::string bytes;
-  for (int i = 0; i < count; ++i)
-    bytes += static_cast<char>((static_cast<std::uint64_t>(value) >> (8 * i)) & 0xFFU);
+  for (int i = 0; i < count; ++i) bytes += static_cast<char>((static_cast<std::uint64_t>(value) >> (8 * i)) & 0xFFU);
   return bytes;
 }
 

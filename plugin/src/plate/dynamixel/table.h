@@ -13,10 +13,9 @@ struct Entry {
   int address;
   int size;
 };
-inline constexpr Entry operating_mode{11, 1}, homing_offset{20, 4}, current_limit{38, 2},
-    velocity_limit{44, 4}, torque_enable{64, 1}, hardware_error{70, 1}, bus_watchdog{98, 1},
-    goal_current{102, 2}, profile_velocity{112, 4}, goal_position{116, 4}, present_position{132, 4},
-    present_voltage{144, 2}, present_temperature{146, 1};
+inline constexpr Entry operating_mode{11, 1}, homing_offset{20, 4}, current_limit{38, 2}, velocity_limit{44, 4},
+    torque_enable{64, 1}, hardware_error{70, 1}, bus_watchdog{98, 1}, goal_current{102, 2}, profile_velocity{112, 4},
+    goal_position{116, 4}, present_position{132, 4}, present_voltage{144, 2}, present_temperature{146, 1};
 
 struct Model {
   int number;

@@ -40,8 +40,7 @@ int main(int argc, char** argv) {
   if (hrt_functions_load(dlsym, library, &hrt)) return 3;
   if (hrt.session_create(300, &config, &session) != HRT_ERROR_OUT_OF_RANGE) return 4;
   if (hrt.session_create(HRT_VERSION, &config, &session) != HRT_OK) return 5;
-  if (hrt.session_destroy(session) != HRT_OK || hrt.session_destroy(session) != HRT_ERROR_INVALID_HANDLE)
-    return 6;
+  if (hrt.session_destroy(session) != HRT_OK || hrt.session_destroy(session) != HRT_ERROR_INVALID_HANDLE) return 6;
   if (strstr(hrt.last_error(), "hrt_session_destroy: session ") != hrt.last_error()) return 7;
   /* Closing ends what is left open. Later children meet nothing of the library. */
   if (hrt.session_create(HRT_VERSION, &config, &session) != HRT_OK) return 8;

@@ -31,13 +31,11 @@ Picture read_png(const std::string& path) {
 
 const std::vector<const char*> drawing_extensions = [] {
   std::vector<const char*> names = default_extensions();
-  names.insert(names.end(),
-               {XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME});
+  names.insert(names.end(), {XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME});
   return names;
 }();
 
-constexpr std::array<float, 4> red{1.0F, 0.0F, 0.0F, 1.0F}, green{0.0F, 1.0F, 0.0F, 1.0F},
-    blue{0.0F, 0.0F, 1.0F, 1.0F};
+constexpr std::array<float, 4> red{1.0F, 0.0F, 0.0F, 1.0F}, green{0.0F, 1.0F, 0.0F, 1.0F}, blue{0.0F, 0.0F, 1.0F, 1.0F};
 
 class MockGraphics : public MockRuntime {
  protected:
@@ -99,9 +97,8 @@ class MockGraphics : public MockRuntime {
     ASSERT_XR(XR_SUCCESS, wait_image(swapchain));
     std::array<XrSwapchainImageVulkanKHR, 3> images{};
     images.fill({XR_TYPE_SWAPCHAIN_IMAGE_VULKAN_KHR});
-    ASSERT_XR(XR_SUCCESS,
-              xrEnumerateSwapchainImages(swapchain, 3, &count,
-                                         reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data())));
+    ASSERT_XR(XR_SUCCESS, xrEnumerateSwapchainImages(swapchain, 3, &count,
+                                                     reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data())));
     for (std::uint32_t layer = 0; layer < colours.size(); ++layer)
       application->fill(images[index].image, layer, colours[layer]);
     ASSERT_XR(XR_SUCCESS, xrReleaseSwapchainImage(swapchain, nullptr));
@@ -196,8 +193,8 @@ TEST_F(MockGraphics, StatesFollowFrames) {
 TEST_F(MockGraphics, MayEndBeforeTheFirstFrame) {
   begin_drawing();
   EXPECT_XR(XR_SUCCESS, xrRequestExitSession(session));
-  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY,
-                                       XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING}));
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED,
+                                       XR_SESSION_STATE_STOPPING}));
   EXPECT_XR(XR_SUCCESS, xrEndSession(session));
 }
 
@@ -265,13 +262,8 @@ TEST_F(MockGraphics, LayersThatCannotBeShownAreRefused) {
   Projection projection(local, colours);
   std::array<XrCompositionLayerDepthInfoKHR, 2> depth{};
   for (std::size_t eye = 0; eye < 2; ++eye) {
-    depth[eye] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR,
-                  nullptr,
-                  {depths, {{0, 0}, {64, 48}}, 0},
-                  0.0F,
-                  1.0F,
-                  0.1F,
-                  100.0F};
+    depth[eye] = {
+        XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR, nullptr, {depths, {{0, 0}, {64, 48}}, 0}, 0.0F, 1.0F, 0.1F, 100.0F};
     projection.views[eye].next = &depth[eye];
   }
   EXPECT_XR(XR_ERROR_LAYER_INVALID, end_frame({&projection.layer}));
@@ -305,8 +297,7 @@ TEST_F(MockGraphics, PicturesShowTheLayers) {
   XrSwapchainCreateInfo info = swapchain_info();
   info.arraySize = 2;
   info.mipCount = 3;
-  const XrSwapchain both = make_swapchain(info),
-                    board = make_swapchain(swapchain_info(VK_FORMAT_B8G8R8A8_SRGB));
+  const XrSwapchain both = make_swapchain(info), board = make_swapchain(swapchain_info(VK_FORMAT_B8G8R8A8_SRGB));
   draw(both, {red, green});
   draw(board, {blue});
   const Projection projection(local, both, 1);
@@ -337,8 +328,8 @@ TEST_F(MockGraphics, PicturesShowTheLayers) {
 TEST_F(MockGraphics, FormatsAndSamplesAreConverted) {
   begin_drawing(R"({"picture_every_frames": 1})");
   int frame = 0;
-  for (const std::int64_t format : {VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_B8G8R8A8_UNORM,
-                                    VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R8G8B8A8_SRGB})
+  for (const std::int64_t format :
+       {VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R8G8B8A8_SRGB})
     for (const std::uint32_t samples : {1U, 4U}) {
       XrSwapchainCreateInfo info = swapchain_info(format);
       info.sampleCount = samples;
@@ -447,8 +438,7 @@ TEST_P(MockHelloXr, DrawsTheSamePixelsEachTime) {
     EXPECT_EQ(list, first);
   }
   // Cubes of several colours before a background.
-  const Picture left = read_png(folder / "1/000020_left.png"),
-                right = read_png(folder / "1/000020_right.png");
+  const Picture left = read_png(folder / "1/000020_left.png"), right = read_png(folder / "1/000020_right.png");
   std::map<std::array<int, 3>, int> colours;
   for (std::uint32_t y = 0; y < left.height; ++y)
     for (std::uint32_t x = 0; x < left.width; ++x) ++colours[colour(left, x, y)];
