@@ -31,7 +31,7 @@ PlateSettings read_plate(Members& members) {
                       members.number("radius_m", 0.15, 0.001, 10.0),
                       {}};
   if (members.has("terminal")) {
-    const Json& path = members.at("terminal");
+    const Json& path = members.at("terminal", {{"type", "string"}});
     if (!path.is_string() || path.get<std::string>().empty())
       refuse(members.where("terminal"), "must be a path, such as \"/tmp/plate\"");
     plate.terminal = path.get<std::string>();
@@ -66,15 +66,8 @@ void read_path(Members& members, const Eigen::Quaterniond& orientation, std::vec
 
 // What is not given is as in the keyframe before.
 Fingers read_fingers(Members& members, Fingers fingers) {
-  if (members.has("curl")) {
-    fingers.curl.emplace();
-    if (members.at("curl").is_array()) {
-      const std::vector<double> curls = members.numbers("curl", 5, 0.0, 1.0);
-      std::copy(curls.begin(), curls.end(), fingers.curl->begin());
-    } else {
-      fingers.curl->fill(members.number("curl", 0.0, 0.0, 1.0));
-    }
-  }
+  const std::vector<double> curls = members.one_or_each("curl", 5, 0.0, 1.0);
+  if (!curls.empty()) std::copy(curls.begin(), curls.end(), fingers.curl.emplace().begin());
   fingers.pinch = members.number("pinch", fingers.pinch, 0.0, 1.0);
   return fingers;
 }
@@ -104,7 +97,7 @@ void read_controller(Members& members, ControllerSettings& controller) {
 }
 
 std::string read_profile(Members& members) {
-  const Json& name = members.at("profile");
+  const Json& name = members.at("profile", {{"type", {"string", "null"}}});
   if (name.is_null()) return {};
   if (!name.is_string() || find_profile(name.get<std::string>()) == nullptr)
     refuse(members.where("profile"),

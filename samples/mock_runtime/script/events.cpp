@@ -33,14 +33,13 @@ std::string read_device(Members& members) {
 // A source of any profile; one that the device does not have at the time is without effect.
 InputEvent read_input(Members& members) {
   InputEvent input{read_device(members), {}};
-  const Json& name = members.at("source");
+  const Json& name = members.at("source", {{"type", "string"}});
+  members.at("value");
   const std::string path = input.device + "/input/" + (name.is_string() ? name.get<std::string>() : "");
   const Source* source = find_source(path);
   if (source != nullptr && source->kind == SourceKind::boolean) {
-    members.at("value");
     input.values = {{path, members.boolean("value", false) ? 1.0F : 0.0F}};
   } else if (source != nullptr && source->kind == SourceKind::scalar) {
-    members.at("value");
     input.values = {{path, static_cast<float>(members.number("value", 0.0, -1.0, 1.0))}};
   } else if (find_source(path + "/x") != nullptr) {
     const std::vector<double> value = members.numbers("value", 2, -1.0, 1.0);
@@ -87,13 +86,13 @@ const Names<Happening>& event_kinds() {
 ScriptEvent read_event(Members& members) {
   ScriptEvent event{};
   event.scope = read_scope(members);
-  const std::array given{members.has("frame"), members.has("time_ms"), members.has("reach")};
-  if (std::count(given.begin(), given.end(), true) != 1)
-    refuse(members.where(), "must have one of frame, time_ms and reach");
+  event.what = read_happening(members);
   event.frame = static_cast<std::int64_t>(members.count("frame", 0, 1));
   event.time_ns = members.nanoseconds("time_ms", 0.0);
   event.reach = members.count("reach", 0, 1);
-  event.what = read_happening(members);
+  const std::array given{members.has("frame"), members.has("time_ms"), members.has("reach")};
+  if (std::count(given.begin(), given.end(), true) != 1)
+    refuse(members.where(), "must have one of frame, time_ms and reach");
   return event;
 }
 
@@ -123,17 +122,19 @@ Happening read_happening(Members& members) {
 }
 
 CallFault read_call(Members& members) {
-  const Json& name = members.at("function");
-  const auto function = name.is_string() ? find_function(name.get<std::string>()) : std::nullopt;
-  if (!function) refuse(members.where("function"), "must be the name of a function of this runtime");
-  CallFault fault{*function,
+  const Json& name = members.at("function", {{"type", "string"}});
+  CallFault fault{{},
                   read_scope(members),
                   members.count("call", 1, 1),
                   members.count("count", 1, 1),
                   std::chrono::nanoseconds(members.nanoseconds("delay_ms", 0.0)),
                   members.boolean("block", false),
                   std::nullopt};
-  if (!members.has("result")) {
+  const bool has_result = members.has("result");
+  const auto function = name.is_string() ? find_function(name.get<std::string>()) : std::nullopt;
+  if (!function) refuse(members.where("function"), "must be the name of a function of this runtime");
+  fault.function = *function;
+  if (!has_result) {
     if (fault.delay.count() == 0 && !fault.blocks)
       refuse(members.where(), "must have a result, a delay_ms above 0, or a block that is true");
     return fault;

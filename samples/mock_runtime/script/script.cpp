@@ -10,19 +10,13 @@ namespace hrt::mock {
 namespace {
 
 ExtensionSet read_withheld(Members& members) {
-  ExtensionSet withheld;
-  if (!members.has("withhold_extensions")) return withheld;
-  const Json& names = members.at("withhold_extensions");
-  const std::string where = members.where("withhold_extensions");
-  if (!names.is_array()) refuse(where, "must be an array");
-  std::vector<std::string> known;
-  for (std::size_t i = first_extension; i < extensions.size(); ++i) known.emplace_back(extensions[i].name);
-  for (const Json& name : names) {
-    const auto found = name.is_string() ? std::find(known.begin(), known.end(), name.get<std::string>()) : known.end();
-    if (found == known.end()) refuse(where, "must hold names out of " + quoted_list(known));
-    withheld.set(static_cast<std::size_t>(found - known.begin()) + first_extension);
-  }
-  return withheld;
+  Names<std::size_t> known;
+  for (std::size_t i = first_extension; i < extensions.size(); ++i) known.emplace_back(extensions[i].name, i);
+  std::vector<std::size_t> withheld;
+  members.one_of("withhold_extensions", withheld, known);
+  ExtensionSet set;
+  for (const std::size_t each : withheld) set.set(each);
+  return set;
 }
 
 // Of a key that stands twice in one object the parser keeps the last. The records of a playback, which may be
@@ -60,11 +54,12 @@ Json parse_json(std::string_view text, Recording& recording) {
 void read_playback(Members& members, const Json& script, Recording& recording) {
   for (const auto& [key, value] : script.items())
     if (key != "clock" && key != "calls" && key != "picture_every_frames" && key != "picture_views" &&
-        key != "withhold_extensions" && key != "playback")
+        key != "withhold_extensions" && key != "playback" && key != "$schema")
       refuse(members.where(), "takes the place of " + key + ", which has no effect beside it");
-  if (members.count("version", 0, 0) != 1) refuse(members.where("version"), "must be 1");
   // What is left of them are those that are no arrays.
-  if (!members.at("records").is_array() || !members.at("records").empty())
+  const Json& records = members.at("records", {{"type", "array"}});
+  if (members.count("version", 0, 0) != 1) refuse(members.where("version"), "must be 1");
+  if (!records.is_array() || !records.empty())
     refuse(members.where("records"), "must be an array of arrays");
   recording.finish();
 }
@@ -82,11 +77,11 @@ bool Script::has_picture_events() const {
                      [](const ScriptEvent& event) { return std::holds_alternative<TakePicture>(event.what); });
 }
 
-Script parse_script(std::string_view text) {
-  Recording recording;
-  const Json json = parse_json(text, recording);
+namespace {
+
+Script read_script(Members& members, const Json& json, Recording& recording) {
   Script script;
-  Members members(json, "script");
+  members.has("$schema");  // of who edits it
   if (members.has("clock"))
     script.clock =
         members.choice<Clock::Kind>("clock", {{"manual", Clock::Kind::manual}, {"real-time", Clock::Kind::real_time}});
@@ -128,8 +123,29 @@ Script parse_script(std::string_view text) {
     script.calls.insert(script.calls.end(), recording.failures.begin(), recording.failures.end());
     script.playback = std::make_shared<const Recording>(std::move(recording));
   });
+  return script;
+}
+
+}  // namespace
+
+Script parse_script(std::string_view text) {
+  Recording recording;
+  const Json json = parse_json(text, recording);
+  Members members(json, "script");
+  Script script = read_script(members, json, recording);
   members.finish();
   return script;
+}
+
+std::string script_schema() {
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                 {"title", "A script of the HRTX mock runtime"}};
+  for (unsigned variant = 0; variant < Members::variants; ++variant)
+    Members::describe(schema, variant, [](Members& members) {
+      Recording recording;
+      read_script(members, Json::object(), recording);
+    });
+  return schema.dump(2);
 }
 
 std::string script_from_environment() {

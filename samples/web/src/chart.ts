@@ -1,8 +1,8 @@
 // The strip chart of one reach: the plate; the finger's direction and the felt one; the weight of touch that the
 // controller believes, with its 95 % interval. Read by the cursor, zoomed by a drag. Comes with "For researchers".
 import uPlot from "uplot";
-import { readColours, type Colours } from "./theme";
-import { tracePeriod_ms, type Trace } from "./trace";
+import { type Colours, readColours } from "./theme";
+import { type Trace, tracePeriod_ms } from "./trace";
 
 /** What stands still within a reach. */
 export interface ChartGoals {
@@ -22,19 +22,52 @@ interface Line {
 }
 
 const level = { dash: [1, 3], width: 1 };
-const strips: readonly { title: string; range: [number, number]; unit: string; band?: [number, number]; lines: readonly Line[] }[] = [
-  { title: "plate: normal of the ridges", range: [-95, 95], unit: "°",
-    lines: [{ label: "plate", colour: "chartPlate", value: (trace, _, i) => trace.plate_deg[i] }] },
-  { title: "direction: finger, and as felt", range: [-24, 24], unit: "°",
-    lines: [{ label: "cylinder", colour: "real", value: (_, goals) => goals.real_deg, ...level },
-            { label: "ghost", colour: "felt", value: (_, goals) => goals.virtual_deg, ...level },
-            { label: "finger", colour: "real", value: (trace, _, i) => trace.finger_deg[i] },
-            { label: "felt", colour: "felt", value: (trace, _, i) => trace.felt_deg[i], dash: [6, 4] }] },
-  { title: "weight of touch: believed, 95 %", range: [0, 0.5], unit: "", band: [2, 3],
-    lines: [{ label: "true", colour: "text", value: (_, goals) => goals.weight, ...level },
-            { label: "at most", colour: "weight", value: (trace, _, i) => trace.weight[i]! + 1.96 * trace.weight_sd[i]!, width: 0 },
-            { label: "at least", colour: "weight", value: (trace, _, i) => trace.weight[i]! - 1.96 * trace.weight_sd[i]!, width: 0 },
-            { label: "believed", colour: "weight", value: (trace, _, i) => trace.weight[i] }] },
+const strips: readonly {
+  title: string;
+  range: [number, number];
+  unit: string;
+  band?: [number, number];
+  lines: readonly Line[];
+}[] = [
+  {
+    title: "plate: normal of the ridges",
+    range: [-95, 95],
+    unit: "°",
+    lines: [{ label: "plate", colour: "chartPlate", value: (trace, _, i) => trace.plate_deg[i] }],
+  },
+  {
+    title: "direction: finger, and as felt",
+    range: [-24, 24],
+    unit: "°",
+    lines: [
+      { label: "cylinder", colour: "real", value: (_, goals) => goals.real_deg, ...level },
+      { label: "ghost", colour: "felt", value: (_, goals) => goals.virtual_deg, ...level },
+      { label: "finger", colour: "real", value: (trace, _, i) => trace.finger_deg[i] },
+      { label: "felt", colour: "felt", value: (trace, _, i) => trace.felt_deg[i], dash: [6, 4] },
+    ],
+  },
+  {
+    title: "weight of touch: believed, 95 %",
+    range: [0, 0.5],
+    unit: "",
+    band: [2, 3],
+    lines: [
+      { label: "true", colour: "text", value: (_, goals) => goals.weight, ...level },
+      {
+        label: "at most",
+        colour: "weight",
+        value: (trace, _, i) => trace.weight[i]! + 1.96 * trace.weight_sd[i]!,
+        width: 0,
+      },
+      {
+        label: "at least",
+        colour: "weight",
+        value: (trace, _, i) => trace.weight[i]! - 1.96 * trace.weight_sd[i]!,
+        width: 0,
+      },
+      { label: "believed", colour: "weight", value: (trace, _, i) => trace.weight[i] },
+    ],
+  },
 ];
 
 export class Chart {
@@ -45,19 +78,54 @@ export class Chart {
   #goals = "";
 
   constructor(place: HTMLElement) {
-    const axis = { stroke: () => this.#colours.muted, grid: { stroke: () => this.#colours.line, width: 1 }, ticks: { show: false }, size: 38 };
-    this.#plots = strips.map(({ title, range, unit, band, lines }, i) => new uPlot({
-      title, width: 300, height: 190, cursor: { sync: { key: "reach" }, y: false, points: { show: false } },
-      scales: { x: { time: false, range: (_, min, max) => [min ?? 0, Math.max(max ?? 0, (min ?? 0) + 0.1)] }, y: { range } },
-      axes: [{ ...axis, show: i === strips.length - 1, size: 26, values: (_, values) => values.map((value) => `${value} s`) },
-             { ...axis, values: (_, values) => values.map((value) => `${value}${unit}`) }],
-      series: [{ label: "time", value: (_, value) => (value === null ? "–" : `${value.toFixed(2)} s`) },
-               ...lines.map(({ label, colour, dash = [], width = 2 }) => ({
-                 label, dash, width, stroke: () => this.#colours[colour], points: { show: false },
-                 value: (_: uPlot, value: number | null) => (value === null ? "–" : `${value.toFixed(unit ? 1 : 2)}${unit}`) }))],
-      bands: band ? [{ series: band, fill: () => `${this.#colours.weight}38` }] : [],
-    }, [[]], place));
-    const fit = () => { for (const plot of this.#plots) plot.setSize({ width: place.clientWidth, height: plot.height }); };
+    const axis = {
+      stroke: () => this.#colours.muted,
+      grid: { stroke: () => this.#colours.line, width: 1 },
+      ticks: { show: false },
+      size: 38,
+    };
+    this.#plots = strips.map(
+      ({ title, range, unit, band, lines }, i) =>
+        new uPlot(
+          {
+            title,
+            width: 300,
+            height: 190,
+            cursor: { sync: { key: "reach" }, y: false, points: { show: false } },
+            scales: {
+              x: { time: false, range: (_, min, max) => [min ?? 0, Math.max(max ?? 0, (min ?? 0) + 0.1)] },
+              y: { range },
+            },
+            axes: [
+              {
+                ...axis,
+                show: i === strips.length - 1,
+                size: 26,
+                values: (_, values) => values.map((value) => `${value} s`),
+              },
+              { ...axis, values: (_, values) => values.map((value) => `${value}${unit}`) },
+            ],
+            series: [
+              { label: "time", value: (_, value) => (value === null ? "–" : `${value.toFixed(2)} s`) },
+              ...lines.map(({ label, colour, dash = [], width = 2 }) => ({
+                label,
+                dash,
+                width,
+                stroke: () => this.#colours[colour],
+                points: { show: false },
+                value: (_: uPlot, value: number | null) =>
+                  value === null ? "–" : `${value.toFixed(unit ? 1 : 2)}${unit}`,
+              })),
+            ],
+            bands: band ? [{ series: band, fill: () => `${this.#colours.weight}38` }] : [],
+          },
+          [[]],
+          place,
+        ),
+    );
+    const fit = () => {
+      for (const plot of this.#plots) plot.setSize({ width: place.clientWidth, height: plot.height });
+    };
     new ResizeObserver(() => requestAnimationFrame(fit)).observe(place);
   }
 
@@ -70,11 +138,13 @@ export class Chart {
     const said = Object.values(goals).join();
     if (trace === this.#trace && trace.length === this.#length && said === this.#goals) return;
     [this.#trace, this.#length, this.#goals] = [trace, trace.length, said];
-    const each = (value: (i: number) => number | undefined) => Array.from({ length: trace.length }, (_, i) => {
-      const number = value(i);
-      return number === undefined || Number.isNaN(number) ? null : number;
-    });
+    const each = (value: (i: number) => number | undefined) =>
+      Array.from({ length: trace.length }, (_, i) => {
+        const number = value(i);
+        return number === undefined || Number.isNaN(number) ? null : number;
+      });
     const times = each((i) => (i * tracePeriod_ms) / 1000) as number[];
-    this.#plots.forEach((plot, i) => plot.setData([times, ...strips[i]!.lines.map(({ value }) => each((k) => value(trace, goals, k)))]));
+    for (const [i, plot] of this.#plots.entries())
+      plot.setData([times, ...strips[i]!.lines.map(({ value }) => each((k) => value(trace, goals, k)))]);
   }
 }

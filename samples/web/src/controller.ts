@@ -1,11 +1,17 @@
 // The page's controllers and its course.
 import * as hrt from "haptic-retargeting";
-import { distance_m, start, type Course } from "./geometry";
+import { type Course, distance_m, start } from "./geometry";
 import type { ControllerName, Settings } from "./settings";
 
 /** The page's own course: the gap, half to each side of the mid-line. */
 export function pageCourse(settings: Readonly<Settings>): Course {
-  return { start, real_deg: -settings.gap_deg / 2, real_m: distance_m, virtual_deg: settings.gap_deg / 2, virtual_m: distance_m };
+  return {
+    start,
+    real_deg: -settings.gap_deg / 2,
+    real_m: distance_m,
+    virtual_deg: settings.gap_deg / 2,
+    virtual_m: distance_m,
+  };
 }
 
 /** The controller for people: what it plans within, of the motion. */
@@ -15,7 +21,11 @@ export const motionBound_deg = 75;
 export const sessions: Readonly<Record<ControllerName, Parameters<hrt.Library["createSession"]>[0]>> = {
   off: { control: hrt.HRT_CONTROL_FIXED_PLATE },
   paper: { guidance: hrt.HRT_GUIDANCE_FIXED_DIRECTION, adaptation: hrt.HRT_ADAPTATION_OFF, tactile_weight: 0.15 },
-  ours: { guidance: hrt.HRT_GUIDANCE_ARRIVAL, adaptation: hrt.HRT_ADAPTATION_CARRIED, motion_bound_deg: motionBound_deg },
+  ours: {
+    guidance: hrt.HRT_GUIDANCE_ARRIVAL,
+    adaptation: hrt.HRT_ADAPTATION_CARRIED,
+    motion_bound_deg: motionBound_deg,
+  },
 };
 
 /** What the flags of a command say, for people. */

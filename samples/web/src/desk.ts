@@ -1,19 +1,31 @@
 // The picture with its labels, in the size of its place on the page. Without WebGL the rest of the page still works.
-import { ahead, start, type Place, type SlideEnd } from "./geometry";
-import { element, say } from "./page";
+
 import type { VisitorScene } from "./files/scene";
-import { Stage, type LabelName } from "./stage/stage";
+import { ahead, type Place, type SlideEnd, start } from "./geometry";
+import { element, say } from "./page";
+import { type LabelName, Stage } from "./stage/stage";
 import type { Colours } from "./theme";
 
 const labelNames: readonly LabelName[] = ["finger", "felt", "real", "ghost"];
 /** What labels say to the visitor who is the finger, and to one who watches. */
 const words: Readonly<Record<LabelName, readonly [own: string, watched: string]>> = {
-  finger: ["your hand", "finger"], felt: ["felt finger", "felt here"], real: ["real cylinder", "real cylinder"], ghost: ["glass", "ghost"] };
-const maxLabels = 30;  // more would cover each other
-const margin_px = 4, gap_px = 14, rings = 6;
+  finger: ["your hand", "finger"],
+  felt: ["felt finger", "felt here"],
+  real: ["real cylinder", "real cylinder"],
+  ghost: ["glass", "ghost"],
+};
+const maxLabels = 30; // more would cover each other
+const margin_px = 4,
+  gap_px = 14,
+  rings = 6;
 const turn_rad = 0.15;
 
-interface Box { x: number; y: number; width: number; height: number }
+interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
 interface Label {
   readonly element: HTMLElement;
   /** Where it points to, on the canvas. */
@@ -27,11 +39,29 @@ export class Desk {
   readonly canvas = element("view", HTMLCanvasElement);
   /** Null: this browser gives no WebGL. */
   readonly stage: Stage | null;
-  readonly #named = Object.fromEntries(labelNames.map((name) => [name, element(`label-${name}`, HTMLSpanElement)])) as Record<LabelName, HTMLElement>;
+  readonly #named = Object.fromEntries(
+    labelNames.map((name) => [name, element(`label-${name}`, HTMLSpanElement)]),
+  ) as Record<LabelName, HTMLElement>;
   readonly #own: readonly Label[] = labelNames.map((name) => {
-    const beside = name === "finger" || name === "felt", side = name === "real" || name === "finger" ? 1 : -1;
-    return { element: this.#named[name], at: (stage, out) => stage.toCanvas(name, out),
-             sides: beside ? [[side, 0], [side, 1], [side, -1], [0, 1]] : [[0, -1], [side, -1], [side, 0], [-side, 0]] };
+    const beside = name === "finger" || name === "felt",
+      side = name === "real" || name === "finger" ? 1 : -1;
+    return {
+      element: this.#named[name],
+      at: (stage, out) => stage.toCanvas(name, out),
+      sides: beside
+        ? [
+            [side, 0],
+            [side, 1],
+            [side, -1],
+            [0, 1],
+          ]
+        : [
+            [0, -1],
+            [side, -1],
+            [side, 0],
+            [-side, 0],
+          ],
+    };
   });
   #labels = [...this.#own];
   readonly #over = [element("caption", HTMLParagraphElement), element("legend", HTMLParagraphElement)];
@@ -50,7 +80,9 @@ export class Desk {
     } catch {
       this.stage = null;
     }
-    this.stage?.orbit.addEventListener("change", () => { this.#stale = true; });
+    this.stage?.orbit.addEventListener("change", () => {
+      this.#stale = true;
+    });
     if (!this.stage) {
       this.canvas.hidden = true;
       element("no-view", HTMLParagraphElement).hidden = false;
@@ -58,16 +90,21 @@ export class Desk {
     }
   }
 
-  setColours(colours: Colours): void { this.#change((stage) => stage.setColours(colours)); }
+  setColours(colours: Colours): void {
+    this.#change((stage) => stage.setColours(colours));
+  }
   setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
     this.#glass = ahead(start, virtual_deg, distance_m);
     this.#change((stage) => stage.setTargets(real_deg, virtual_deg, distance_m));
   }
-  setView(view: "oblique" | "above"): void { this.stage?.setView(view); }
+  setView(view: "oblique" | "above"): void {
+    this.stage?.setView(view);
+  }
 
   /** By keys, as a drag does; false: not one of the arrows. */
   turn(key: string): boolean {
-    const left = Number(key === "ArrowLeft") - Number(key === "ArrowRight"), up = Number(key === "ArrowUp") - Number(key === "ArrowDown");
+    const left = Number(key === "ArrowLeft") - Number(key === "ArrowRight"),
+      up = Number(key === "ArrowUp") - Number(key === "ArrowDown");
     this.stage?.orbit.rotateLeft(left * turn_rad);
     this.stage?.orbit.rotateUp(up * turn_rad);
     return left !== 0 || up !== 0;
@@ -79,8 +116,12 @@ export class Desk {
     this.#stale = true;
     this.frame.dataset.hand = "yes";
   }
-  clearPaths(): void { this.#change((stage) => stage.clearPaths()); }
-  resize(): void { this.#change((stage) => stage.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio)); }
+  clearPaths(): void {
+    this.#change((stage) => stage.clearPaths());
+  }
+  resize(): void {
+    this.#change((stage) => stage.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio));
+  }
 
   /** How much of the true hand, its path and the cylinder is shown, from 0 to 1. */
   reveal(share: number): void {
@@ -108,8 +149,17 @@ export class Desk {
       label.className = `label ${target.real ? "real" : "felt"}`;
       label.textContent = target.name;
       element("labels", HTMLDivElement).append(label);
-      this.#labels.push({ element: label, at: (stage, out) => stage.targetToCanvas(target.drawn, out),
-                          sides: [[0, -1], [1, -1], [-1, -1], [1, 0], [-1, 0]] });
+      this.#labels.push({
+        element: label,
+        at: (stage, out) => stage.targetToCanvas(target.drawn, out),
+        sides: [
+          [0, -1],
+          [1, -1],
+          [-1, -1],
+          [1, 0],
+          [-1, 0],
+        ],
+      });
     }
   }
 
@@ -134,8 +184,18 @@ export class Desk {
 
   /** Each beside its thing, within the picture, off the others and off the words that lie on the picture. */
   #drawLabels(stage: Stage): void {
-    const within: Box = { x: margin_px, y: margin_px, width: this.canvas.clientWidth - 2 * margin_px, height: this.canvas.clientHeight - 2 * margin_px };
-    const taken: Box[] = this.#over.map((each) => ({ x: each.offsetLeft, y: each.offsetTop, width: each.offsetWidth, height: each.offsetHeight }));
+    const within: Box = {
+      x: margin_px,
+      y: margin_px,
+      width: this.canvas.clientWidth - 2 * margin_px,
+      height: this.canvas.clientHeight - 2 * margin_px,
+    };
+    const taken: Box[] = this.#over.map((each) => ({
+      x: each.offsetLeft,
+      y: each.offsetTop,
+      width: each.offsetWidth,
+      height: each.offsetHeight,
+    }));
     for (const { element: label, at, sides } of this.#labels) {
       if (label.hidden) continue;
       at(stage, this.#at);
@@ -149,7 +209,10 @@ export class Desk {
   /** For those who check: the truth in numbers, beside the picture, and where ring and glass stand in it. */
   write(result: SlideEnd | null): void {
     const { dataset } = this.frame;
-    for (const [name, place] of [["start", start], ["glass", this.#glass]] as const) {
+    for (const [name, place] of [
+      ["start", start],
+      ["glass", this.#glass],
+    ] as const) {
       this.stage?.targetToCanvas(place, this.#at, 0);
       dataset[name] = `${this.#at.x.toFixed(1)} ${this.#at.y.toFixed(1)}`;
     }
@@ -166,7 +229,8 @@ export class Desk {
   }
 
   #changes(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): boolean {
-    const same = !this.#stale && plate_deg === this.#plate_deg && isSame(finger, this.#finger) && isSame(felt, this.#felt);
+    const same =
+      !this.#stale && plate_deg === this.#plate_deg && isSame(finger, this.#finger) && isSame(felt, this.#felt);
     this.#stale = false;
     this.#plate_deg = plate_deg;
     Object.assign(this.#finger, finger);
@@ -186,12 +250,22 @@ function isSame(one: Readonly<Place>, other: Readonly<Place>): boolean {
 }
 
 /** Puts the box beside `at`: on the first side and in the nearest ring where it is free, else where it is within. */
-function place(box: Box, at: Readonly<{ x: number; y: number }>, sides: Label["sides"], within: Box, taken: readonly Box[]): void {
+function place(
+  box: Box,
+  at: Readonly<{ x: number; y: number }>,
+  sides: Label["sides"],
+  within: Box,
+  taken: readonly Box[],
+): void {
   for (let ring = 1; ring <= rings; ++ring) {
     for (const [right, down] of sides) {
       box.x = at.x + right * (box.width / 2 + ring * gap_px) - box.width / 2;
       box.y = at.y + down * (box.height / 2 + (ring * gap_px) / 2) - box.height / 2;
-      const inside = box.x >= within.x && box.y >= within.y && box.x + box.width <= within.x + within.width && box.y + box.height <= within.y + within.height;
+      const inside =
+        box.x >= within.x &&
+        box.y >= within.y &&
+        box.x + box.width <= within.x + within.width &&
+        box.y + box.height <= within.y + within.height;
       if (inside && !taken.some((other) => meet(box, other))) return;
     }
   }
@@ -200,5 +274,10 @@ function place(box: Box, at: Readonly<{ x: number; y: number }>, sides: Label["s
 }
 
 function meet(one: Box, other: Box): boolean {
-  return one.x < other.x + other.width && other.x < one.x + one.width && one.y < other.y + other.height && other.y < one.y + one.height;
+  return (
+    one.x < other.x + other.width &&
+    other.x < one.x + one.width &&
+    one.y < other.y + other.height &&
+    other.y < one.y + one.height
+  );
 }

@@ -34,6 +34,9 @@ export class Felt {
       added_deg = shift_deg(this.finger_deg);
       this.felt_deg = this.finger_deg + added_deg;
     }
-    Object.assign(this.place, ahead(this.place, direction_deg(right_m, away_m) + added_deg, Math.hypot(right_m, away_m)));
+    Object.assign(
+      this.place,
+      ahead(this.place, direction_deg(right_m, away_m) + added_deg, Math.hypot(right_m, away_m)),
+    );
   }
 }

@@ -27,8 +27,10 @@ export interface Course {
 const degree = Math.PI / 180;
 
 export function ahead(from: Readonly<Place>, direction_deg: number, length_m: number): Place {
-  return { right_m: from.right_m - length_m * Math.sin(direction_deg * degree),
-           away_m: from.away_m + length_m * Math.cos(direction_deg * degree) };
+  return {
+    right_m: from.right_m - length_m * Math.sin(direction_deg * degree),
+    away_m: from.away_m + length_m * Math.cos(direction_deg * degree),
+  };
 }
 
 /** Direction of a motion, within 180. */
@@ -45,8 +47,12 @@ export function bearingError_deg(place: Readonly<Place>, course: Course): number
   return direction_deg(place.right_m - course.start.right_m, place.away_m - course.start.away_m) - course.real_deg;
 }
 
-export function realPlace(course: Course): Place { return ahead(course.start, course.real_deg, course.real_m); }
-export function virtualPlace(course: Course): Place { return ahead(course.start, course.virtual_deg, course.virtual_m); }
+export function realPlace(course: Course): Place {
+  return ahead(course.start, course.real_deg, course.real_m);
+}
+export function virtualPlace(course: Course): Place {
+  return ahead(course.start, course.virtual_deg, course.virtual_m);
+}
 
 /** Where a slide ended, and where that was felt. */
 export interface SlideEnd {
@@ -57,8 +63,11 @@ export interface SlideEnd {
 
 export function slideEnd(finger: Readonly<Place>, felt: Readonly<Place>, course: Course): SlideEnd {
   const ghost = virtualPlace(course);
-  return { toCylinder_mm: 1000 * length_m(finger, realPlace(course)), toGhost_mm: 1000 * length_m(finger, ghost),
-           feltToGhost_mm: 1000 * length_m(felt, ghost) };
+  return {
+    toCylinder_mm: 1000 * length_m(finger, realPlace(course)),
+    toGhost_mm: 1000 * length_m(finger, ghost),
+    feltToGhost_mm: 1000 * length_m(felt, ghost),
+  };
 }
 
 /** The same ridges, within 90 degrees of the mid-line. */

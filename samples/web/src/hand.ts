@@ -3,7 +3,17 @@
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
 import { Felt } from "./felt";
-import { ahead, direction_deg, length_m, ridgeSpacing_m, slideEnd, start, virtualPlace, type Place, type SlideEnd } from "./geometry";
+import {
+  ahead,
+  direction_deg,
+  length_m,
+  type Place,
+  ridgeSpacing_m,
+  type SlideEnd,
+  slideEnd,
+  start,
+  virtualPlace,
+} from "./geometry";
 import { Led } from "./led";
 import type { World } from "./person";
 import type { Settings } from "./settings";
@@ -37,11 +47,19 @@ export class Hand extends Led {
     this.begin();
   }
 
-  get finger(): Readonly<Place> { return this.#true.place; }
-  get felt(): Readonly<Place> { return this.#felt; }
+  get finger(): Readonly<Place> {
+    return this.#true.place;
+  }
+  get felt(): Readonly<Place> {
+    return this.#felt;
+  }
   /** Of the motion; NaN at rest. */
-  get finger_deg(): number { return this.#true.felt_deg; }
-  get felt_deg(): number { return this.#true.finger_deg; }
+  get finger_deg(): number {
+    return this.#true.felt_deg;
+  }
+  get felt_deg(): number {
+    return this.#true.finger_deg;
+  }
 
   /** A new slide under these settings, by a hand that is unknown to the controller. */
   apply(settings: Readonly<Settings>): void {
@@ -69,7 +87,9 @@ export class Hand extends Led {
     Object.assign(this.#wanted, { right_m, away_m });
   }
 
-  get wanted(): Readonly<Place> { return this.#wanted; }
+  get wanted(): Readonly<Place> {
+    return this.#wanted;
+  }
 
   /** The next whole milliseconds, with one sample of the finger at their end, as an engine's frame has it. A finger that is
    *  felt at the ghost, or as far as it, ends there. */
@@ -80,7 +100,8 @@ export class Hand extends Led {
       this.tick();
       if (this.phase === "sliding") this.record(this.finger_deg, this.felt_deg);
     }
-    const to = this.#next(), over = this.#isOver(to);
+    const to = this.#next(),
+      over = this.#isOver(to);
     this.#true.move(to.right_m - this.#felt.right_m, to.away_m - this.#felt.away_m, milliseconds, this.#back_deg);
     Object.assign(this.#felt, to);
     if (length_m(start, to) > 0.002) this.phase = "sliding";
@@ -93,20 +114,28 @@ export class Hand extends Led {
 
   /** No further than the ghost, and onto it from nearby. */
   #next(): Place {
-    const { virtual_m } = pageCourse(this.settings), ghost = virtualPlace(pageCourse(this.settings));
-    const from_m = length_m(start, this.#felt), to_m = length_m(start, this.#wanted);
+    const { virtual_m } = pageCourse(this.settings),
+      ghost = virtualPlace(pageCourse(this.settings));
+    const from_m = length_m(start, this.#felt),
+      to_m = length_m(start, this.#wanted);
     const share = to_m > virtual_m ? Math.max(0, (virtual_m - from_m) / (to_m - from_m)) : 1;
     const right_m = this.#felt.right_m + share * (this.#wanted.right_m - this.#felt.right_m);
     const away_m = this.#felt.away_m + share * (this.#wanted.away_m - this.#felt.away_m);
-    const to = share < 1 ? ahead(start, direction_deg(right_m - start.right_m, away_m - start.away_m), virtual_m) : { right_m, away_m };
+    const to =
+      share < 1
+        ? ahead(start, direction_deg(right_m - start.right_m, away_m - start.away_m), virtual_m)
+        : { right_m, away_m };
     return length_m(to, ghost) < near_m ? ghost : to;
   }
 
-  #isOver(to: Place): boolean { return length_m(start, to) > pageCourse(this.settings).virtual_m - 1e-6; }
+  #isOver(to: Place): boolean {
+    return length_m(start, to) > pageCourse(this.settings).virtual_m - 1e-6;
+  }
 
   /** Number of the ridge that the true finger is nearest to. */
   #ridgeUnder(): number {
-    const angle = this.world.plate_deg() * degree, { right_m, away_m } = this.finger;
+    const angle = this.world.plate_deg() * degree,
+      { right_m, away_m } = this.finger;
     return Math.round((away_m * Math.cos(angle) - right_m * Math.sin(angle)) / ridgeSpacing_m);
   }
 

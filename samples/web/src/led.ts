@@ -18,12 +18,19 @@ export abstract class Led {
   #real = 0n;
   #virtual = 0n;
 
-  constructor(private readonly library: hrt.Library, protected readonly world: World, settings: Readonly<Settings>, course: Course) {
+  constructor(
+    private readonly library: hrt.Library,
+    protected readonly world: World,
+    settings: Readonly<Settings>,
+    course: Course,
+  ) {
     this.settings = { ...settings };
     this.#create(course);
   }
 
-  get command() { return this.session.command; }
+  get command() {
+    return this.session.command;
+  }
 
   /** From now on a person of whom the controller knows nothing. */
   protected renew(course: Course): void {
@@ -34,7 +41,9 @@ export abstract class Led {
 
   #create(course: Course): void {
     this.session = this.library.createSession({
-      ...sessions[this.settings.controller], plate_latency_ns: Math.round(1e6 * this.world.plate_latency_ms()) });
+      ...sessions[this.settings.controller],
+      plate_latency_ns: Math.round(1e6 * this.world.plate_latency_ms()),
+    });
     this.#real = this.session.addTarget({ role: hrt.HRT_TARGET_REAL, name: "cylinder" });
     this.#virtual = this.session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, name: "ghost" });
     this.follow(course);
@@ -42,7 +51,10 @@ export abstract class Led {
 
   /** Between reaches: other targets and another plate, with what has been learnt of the person. */
   protected follow({ start, real_deg, real_m, virtual_deg, virtual_m }: Course): void {
-    this.session.configure({ plate_max_speed_deg_s: this.settings.plate_deg_s, start_position_m: [start.right_m, 0, -start.away_m] });
+    this.session.configure({
+      plate_max_speed_deg_s: this.settings.plate_deg_s,
+      start_position_m: [start.right_m, 0, -start.away_m],
+    });
     this.session.setTarget(this.#real, { direction_deg: real_deg, distance_m: real_m });
     this.session.setTarget(this.#virtual, { direction_deg: virtual_deg, distance_m: virtual_m });
   }
@@ -88,7 +100,14 @@ export abstract class Led {
   /** Directions are NaN at rest. */
   protected record(finger_deg: number, felt_deg: number): void {
     if (this.world.time_ms() % tracePeriod_ms !== 0) return;
-    const { tactile_weight, tactile_weight_sd } = this.command, learns = this.settings.controller !== "off";
-    this.trace.add(this.world.plate_deg(), finger_deg, felt_deg, learns ? tactile_weight : NaN, learns ? tactile_weight_sd : NaN);
+    const { tactile_weight, tactile_weight_sd } = this.command,
+      learns = this.settings.controller !== "off";
+    this.trace.add(
+      this.world.plate_deg(),
+      finger_deg,
+      felt_deg,
+      learns ? tactile_weight : NaN,
+      learns ? tactile_weight_sd : NaN,
+    );
   }
 }

@@ -1,35 +1,36 @@
 // The page: loads plugin and simulation, connects settings, modes, picture and chart, and runs the frames.
 import { load } from "haptic-retargeting";
 import pluginModule from "haptic-retargeting/haptic_retargeting.wasm";
+import { HapticPlate } from "haptic-retargeting/three";
 import type { Chart } from "./chart";
 import { motionBound_deg, pageCourse } from "./controller";
-import { distance_m, start } from "./geometry";
 import { Desk } from "./desk";
 import { showFigures } from "./figures";
+import { TakeAway } from "./files/takeaway";
+import { distance_m, start } from "./geometry";
 import { Hand } from "./hand";
+import { Replaying } from "./modes/replaying";
+import { Sliding } from "./modes/sliding";
+import { Viewing } from "./modes/viewing";
+import { Watching } from "./modes/watching";
 import { element, radios, say } from "./page";
 import { Panel } from "./panel";
 import { createWorld } from "./person";
-import { Replaying } from "./modes/replaying";
+import { Connecting } from "./plate/connecting";
 import { Results } from "./results";
-import { defaultSettings, fromLink, modes, onSlider, toLink, type Mode } from "./settings";
-import { Sliding } from "./modes/sliding";
-import { TakeAway } from "./files/takeaway";
+import { defaultSettings, fromLink, type Mode, modes, onSlider, toLink } from "./settings";
+import { onSchemeChange, readColours } from "./theme";
 import { Ticks } from "./ticks";
 import { TraceTable } from "./trace";
-import { onSchemeChange, readColours } from "./theme";
-import { Connecting } from "./plate/connecting";
 import { Voice } from "./voice";
+import { Watch } from "./watch";
 import type { Wear } from "./wear/wear";
 import type { Wearing } from "./wear/wearing";
-import { HapticPlate } from "haptic-retargeting/three";
-import { Viewing } from "./modes/viewing";
-import { Watch } from "./watch";
-import { Watching } from "./modes/watching";
 
 async function main(): Promise<void> {
   // The first picture needs no plugin, which is on its way meanwhile.
-  const desk = new Desk(), still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const desk = new Desk(),
+    still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   desk.nameLabels(true);
   desk.reveal(0);
   desk.setColours(readColours());
@@ -38,7 +39,12 @@ async function main(): Promise<void> {
   desk.resize();
   desk.draw(0, start, start);
   showFigures();
-  const [library, watchWorld, handWorld, sceneWorld] = await Promise.all([load(pluginModule), createWorld(), createWorld(), createWorld()]);
+  const [library, watchWorld, handWorld, sceneWorld] = await Promise.all([
+    load(pluginModule),
+    createWorld(),
+    createWorld(),
+    createWorld(),
+  ]);
   const linked = fromLink(location.hash.slice(1));
   showProblems(linked.problems);
   // A link that says more than the address is a researcher's.
@@ -46,21 +52,36 @@ async function main(): Promise<void> {
 
   const watch = new Watch(library, watchWorld, linked.settings);
   const hand = new Hand(library, handWorld, linked.settings);
-  const voice = new Voice(), plate = new Connecting(), results = new Results(element("results", HTMLTableElement));
-  const table = new TraceTable(), researchers = element("researchers", HTMLDetailsElement);
+  const voice = new Voice(),
+    plate = new Connecting(),
+    results = new Results(element("results", HTMLTableElement));
+  const table = new TraceTable(),
+    researchers = element("researchers", HTMLDetailsElement);
   const watching = new Watching(watch, watchWorld, desk, results, linked.settings, voice, still);
   const sliding = new Sliding(hand, handWorld, desk, voice, new Ticks(still), linked.settings, still);
   const replaying = new Replaying(desk, still);
   const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
   let mode: Mode = "hand";
   // These come when asked for.
-  let chart: Chart | null = null, wearing: Wearing | null = null;
+  let chart: Chart | null = null,
+    wearing: Wearing | null = null;
 
   const goals = { real_deg: 0, virtual_deg: 0, weight: NaN };
-  const takeAway = new TakeAway(library, () => reaches().recording, () => (mode === "scene" ? viewing.watch : watch).profile, {
-    reach(reach) { replaying.show(reach); reveal("replay"); },
-    scene(scene) { viewing.show(scene); reveal("scene"); },
-  });
+  const takeAway = new TakeAway(
+    library,
+    () => reaches().recording,
+    () => (mode === "scene" ? viewing.watch : watch).profile,
+    {
+      reach(reach) {
+        replaying.show(reach);
+        reveal("replay");
+      },
+      scene(scene) {
+        viewing.show(scene);
+        reveal("scene");
+      },
+    },
+  );
 
   const panel = new Panel(linked.settings, () => {
     const { settings } = panel;
@@ -72,11 +93,14 @@ async function main(): Promise<void> {
     address();
   });
 
-  function address(): void { history.replaceState(null, "", `#${toLink(panel.settings, mode)}`); }
+  function address(): void {
+    history.replaceState(null, "", `#${toLink(panel.settings, mode)}`);
+  }
 
   function showSettings(): void {
-    const { settings } = panel, reach = mode === "replay" ? replaying.reach : null;
-    const { real_deg, virtual_deg, real_m } = reach ?? (mode === "scene" && viewing.course || pageCourse(settings));
+    const { settings } = panel,
+      reach = mode === "replay" ? replaying.reach : null;
+    const { real_deg, virtual_deg, real_m } = reach ?? ((mode === "scene" && viewing.course) || pageCourse(settings));
     Object.assign(goals, { real_deg, virtual_deg, weight: reach ? NaN : settings.tactile_weight });
     desk.setTargets(real_deg, virtual_deg, real_m);
     panel.showMaxGap(watchWorld.max_gap_deg(motionBound_deg));
@@ -87,9 +111,12 @@ async function main(): Promise<void> {
     sliding.active = mode === "hand";
     const { frame } = desk;
     frame.classList.toggle("hand", sliding.active);
-    frame.setAttribute("aria-label", sliding.active
-      ? "The plate: arrow keys slide the finger from the ring to the glass, ahead and somewhat to the left; Enter ends the slide"
-      : "The plate and the hand: arrow keys turn the view");
+    frame.setAttribute(
+      "aria-label",
+      sliding.active
+        ? "The plate: arrow keys slide the finger from the ring to the glass, ahead and somewhat to the left; Enter ends the slide"
+        : "The plate and the hand: arrow keys turn the view",
+    );
     for (const name of modes) {
       for (const part of document.querySelectorAll<HTMLElement>(`.${name}-only`)) part.hidden = mode !== name;
     }
@@ -97,7 +124,10 @@ async function main(): Promise<void> {
     for (const part of document.querySelectorAll<HTMLElement>(".played-only")) part.hidden = !played;
     for (const part of document.querySelectorAll<HTMLElement>(".own-only")) part.hidden = mode === "scene";
     element("legend", HTMLParagraphElement).hidden = mode === "replay";
-    say(element("now-title", HTMLHeadingElement), mode === "replay" ? "What the controller believed" : "What is felt now");
+    say(
+      element("now-title", HTMLHeadingElement),
+      mode === "replay" ? "What the controller believed" : "What is felt now",
+    );
     desk.setView(sliding.active ? "above" : "oblique");
     desk.setScene(mode === "scene" ? viewing.scene : null);
     desk.nameLabels(sliding.active);
@@ -115,12 +145,20 @@ async function main(): Promise<void> {
   }
 
   async function bringHeadset(): Promise<void> {
-    const [world, { Wear }, { Wearing }] = await Promise.all([createWorld(), import("./wear/wear"), import("./wear/wearing")]);
+    const [world, { Wear }, { Wearing }] = await Promise.all([
+      createWorld(),
+      import("./wear/wear"),
+      import("./wear/wearing"),
+    ]);
     if (wearing) return;
-    const { settings } = panel, wear = new Wear(library, world, desk.stage?.plate ?? new HapticPlate(), settings);
+    const { settings } = panel,
+      wear = new Wear(library, world, desk.stage?.plate ?? new HapticPlate(), settings);
     wearing = new Wearing(wear, world, desk, voice, settings);
     wearing.onFrame = follow;
-    wearing.onLeft = () => { desk.setView(mode === "hand" ? "above" : "oblique"); desk.resize(); };
+    wearing.onLeft = () => {
+      desk.setView(mode === "hand" ? "above" : "oblique");
+      desk.resize();
+    };
   }
 
   function choose(wanted: Mode): void {
@@ -140,7 +178,9 @@ async function main(): Promise<void> {
   }
 
   /** Whose reaches are shown. */
-  function reaches(): Watch | Hand | Wear { return { watch, hand, wear: wearing?.wear ?? hand, replay: watch, scene: viewing.watch }[mode]; }
+  function reaches(): Watch | Hand | Wear {
+    return { watch, hand, wear: wearing?.wear ?? hand, replay: watch, scene: viewing.watch }[mode];
+  }
 
   /** A connected plate does what the controller commands, and is felt where it is. */
   function follow(elapsed_ms: number): void {
@@ -148,10 +188,12 @@ async function main(): Promise<void> {
     plate.frame(elapsed_ms, performance.now(), shown.command.plate_orientation_deg);
     // Reaches that are computed at once, or by steps, are not at the plate's time.
     const stepped = (mode === "watch" || mode === "scene") && !watching.playing;
-    for (const each of [watch, hand, viewing.watch, ...(wearing ? [wearing.wear] : [])]) each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
+    for (const each of [watch, hand, viewing.watch, ...(wearing ? [wearing.wear] : [])])
+      each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
   }
 
-  plate.onReady = ({ speed_deg_s }) => panel.replace({ ...panel.settings, plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
+  plate.onReady = ({ speed_deg_s }) =>
+    panel.replace({ ...panel.settings, plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
 
   let before_ms = performance.now();
   function frame(now_ms: number): void {
@@ -170,16 +212,22 @@ async function main(): Promise<void> {
 
   for (const radio of radios("mode")) {
     radio.addEventListener("change", () => {
-      if (wearing?.worn) choose("wear");  // the headset's session goes first
+      if (wearing?.worn)
+        choose("wear"); // the headset's session goes first
       else showMode();
       address();
     });
   }
   new ResizeObserver(() => desk.resize()).observe(desk.canvas);
   researchers.addEventListener("toggle", () => {
-    if (!chart) void import("./chart").then((part) => { chart ??= new part.Chart(element("chart", HTMLDivElement)); });
+    if (!chart)
+      void import("./chart").then((part) => {
+        chart ??= new part.Chart(element("chart", HTMLDivElement));
+      });
   });
-  desk.frame.addEventListener("keydown", (event) => { if (!sliding.active && desk.turn(event.key)) event.preventDefault(); });
+  desk.frame.addEventListener("keydown", (event) => {
+    if (!sliding.active && desk.turn(event.key)) event.preventDefault();
+  });
   onSchemeChange(colour);
   window.addEventListener("hashchange", () => {
     const { settings, mode: wanted, problems } = fromLink(location.hash.slice(1));

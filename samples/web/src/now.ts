@@ -6,8 +6,11 @@ import { element, say, sideways, turned } from "./page";
 export function showNow(plate_deg: number, finger_deg: number, felt_deg: number, goal_deg: number): void {
   const error_deg = felt_deg - goal_deg;
   const texts = {
-    finger: sideways(finger_deg, 1), plate: sideways(folded_deg(plate_deg), 0), shift: turned(felt_deg - finger_deg),
-    felt: sideways(felt_deg, 1), ghost: sideways(goal_deg, 1),
+    finger: sideways(finger_deg, 1),
+    plate: sideways(folded_deg(plate_deg), 0),
+    shift: turned(felt_deg - finger_deg),
+    felt: sideways(felt_deg, 1),
+    ghost: sideways(goal_deg, 1),
     turn: Number.isNaN(error_deg) ? "–" : Math.abs(error_deg) < 1 ? "hardly" : error_deg > 0 ? "right" : "left",
   };
   for (const [name, text] of Object.entries(texts)) say(element(`now-${name}`, HTMLElement), text);

@@ -24,4 +24,6 @@ export function sideways(angle_deg: number, digits = 0, none = "straight ahead",
 }
 
 /** A turn for people. */
-export function turned(angle_deg: number): string { return sideways(angle_deg, 1, "nothing", "to the "); }
+export function turned(angle_deg: number): string {
+  return sideways(angle_deg, 1, "nothing", "to the ");
+}

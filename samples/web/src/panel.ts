@@ -1,6 +1,15 @@
 // The settings: sliders and choices, in both directions between the page and a Settings object.
 import { element, radios, say } from "./page";
-import { controllerNames, defaultSettings, nextPerson, onSlider, sliderNames, sliders, type Settings, type SliderName } from "./settings";
+import {
+  controllerNames,
+  defaultSettings,
+  nextPerson,
+  onSlider,
+  type Settings,
+  type SliderName,
+  sliderNames,
+  sliders,
+} from "./settings";
 
 const texts: Readonly<Record<SliderName, (value: number) => string>> = {
   tactile_weight: (value) => value.toFixed(2),
@@ -19,7 +28,8 @@ export class Panel {
     this.#settings = { ...settings };
     this.#changed = changed;
     for (const name of sliderNames) {
-      const input = element(name, HTMLInputElement), { min, max, step } = sliders[name];
+      const input = element(name, HTMLInputElement),
+        { min, max, step } = sliders[name];
       Object.assign(input, { min: String(min), max: String(max), step: String(step) });
       input.addEventListener("input", () => this.#set({ [name]: onSlider(name, Number(input.value)) }));
     }
@@ -29,20 +39,31 @@ export class Panel {
         if (controller) this.#set({ controller });
       });
     }
-    element("another", HTMLButtonElement).addEventListener("click", () => this.#set({ person: nextPerson(this.#settings.person) }));
+    element("another", HTMLButtonElement).addEventListener("click", () =>
+      this.#set({ person: nextPerson(this.#settings.person) }),
+    );
     element("reset", HTMLButtonElement).addEventListener("click", () => this.#set(defaultSettings()));
     this.#show();
   }
 
-  get settings(): Readonly<Settings> { return this.#settings; }
+  get settings(): Readonly<Settings> {
+    return this.#settings;
+  }
 
-  replace(settings: Readonly<Settings>): void { this.#set(settings); }
+  replace(settings: Readonly<Settings>): void {
+    this.#set(settings);
+  }
 
   /** How large a gap this person can be led over. */
   showMaxGap(max_deg: number): void {
-    const { gap_deg } = this.#settings, holds = element("holds", HTMLParagraphElement);
-    say(holds, gap_deg < max_deg ? `This person can be led over gaps up to ${max_deg.toFixed(1)}°.`
-      : `Too far: this person can be led over gaps up to ${max_deg.toFixed(1)}°, with any controller.`);
+    const { gap_deg } = this.#settings,
+      holds = element("holds", HTMLParagraphElement);
+    say(
+      holds,
+      gap_deg < max_deg
+        ? `This person can be led over gaps up to ${max_deg.toFixed(1)}°.`
+        : `Too far: this person can be led over gaps up to ${max_deg.toFixed(1)}°, with any controller.`,
+    );
     holds.classList.toggle("problem", gap_deg >= max_deg);
   }
 
@@ -54,7 +75,9 @@ export class Panel {
 
   #show(): void {
     for (const name of sliderNames) {
-      const input = element(name, HTMLInputElement), value = this.#settings[name], text = texts[name](value);
+      const input = element(name, HTMLInputElement),
+        value = this.#settings[name],
+        text = texts[name](value);
       if (Number(input.value) !== value) input.value = String(value);
       input.setAttribute("aria-valuetext", text);
       const output = document.querySelector(`output[for="${name}"]`);

@@ -6,8 +6,14 @@ export interface World {
   set_person(seed: number, tactileWeight: number, duration_s: number): void;
   set_apparatus(noise_m: number, maxSpeed_deg_s: number): void;
   plate_latency_ms(): number;
-  begin_reach(number: number, startRight_m: number, startAway_m: number, virtual_deg: number, distance_m: number,
-              plate_deg: number): void;
+  begin_reach(
+    number: number,
+    startRight_m: number,
+    startAway_m: number,
+    virtual_deg: number,
+    distance_m: number,
+    plate_deg: number,
+  ): void;
   begin_hand(plate_deg: number): void;
   advance(): void;
   look(): void;
@@ -33,12 +39,15 @@ export interface World {
 let compiled: Promise<WebAssembly.Module> | null = null;
 
 async function compile(): Promise<WebAssembly.Module> {
-  return WebAssembly.compile(typeof personModule === "string" ? await (await fetch(personModule)).arrayBuffer() : personModule);
+  return WebAssembly.compile(
+    typeof personModule === "string" ? await (await fetch(personModule)).arrayBuffer() : personModule,
+  );
 }
 
 /** A world of its own: one person, one plate, one tracker. */
 export async function createWorld(): Promise<World> {
-  const { exports } = await WebAssembly.instantiate(await (compiled ??= compile()));
+  compiled ??= compile();
+  const { exports } = await WebAssembly.instantiate(await compiled);
   if (typeof exports._initialize === "function") exports._initialize();
   return exports as unknown as World;
 }

@@ -5,7 +5,11 @@ import type { ReachResult } from "./watch";
 
 const rowsKept = 10;
 const arrived_deg = 1.5;
-export const controllerTexts: Readonly<Record<ControllerName, string>> = { off: "still", paper: "the paper's", ours: "ours" };
+export const controllerTexts: Readonly<Record<ControllerName, string>> = {
+  off: "still",
+  paper: "the paper's",
+  ours: "ours",
+};
 
 export class Results {
   readonly #body: HTMLTableSectionElement;
@@ -16,20 +20,31 @@ export class Results {
     this.#body = body;
   }
 
-  clear(): void { this.#body.replaceChildren(); }
+  clear(): void {
+    this.#body.replaceChildren();
+  }
 
   add(result: Readonly<ReachResult>): void {
     const row = this.#body.insertRow(0);
     const off = `${Math.abs(result.bearingError_deg).toFixed(1)}°, ${result.toCylinder_mm.toFixed(1)} mm`;
     const hit = Math.abs(result.bearingError_deg) <= arrived_deg;
     const learns = result.weightSd > 0 && result.controller === "ours";
-    const believed = learns ? `${result.weight.toFixed(2)} ± ${(1.96 * result.weightSd).toFixed(2)}`
-      : result.controller === "paper" ? `${result.weight.toFixed(2)}, fixed` : "–";
-    const cells = [String(result.number), controllerTexts[result.controller], `${hit ? "✓" : "✗"} ${off}`,
-                   `${result.peakFeltError_deg.toFixed(1)}°`, believed,
-                   result.controller === "off" ? "" : warnings(result.flags).join("; ")];
+    const believed = learns
+      ? `${result.weight.toFixed(2)} ± ${(1.96 * result.weightSd).toFixed(2)}`
+      : result.controller === "paper"
+        ? `${result.weight.toFixed(2)}, fixed`
+        : "–";
+    const cells = [
+      String(result.number),
+      controllerTexts[result.controller],
+      `${hit ? "✓" : "✗"} ${off}`,
+      `${result.peakFeltError_deg.toFixed(1)}°`,
+      believed,
+      result.controller === "off" ? "" : warnings(result.flags).join("; "),
+    ];
     for (const text of cells) row.insertCell().textContent = text;
-    for (const [name, value] of Object.entries(result)) {  // peakFeltError_deg is peakFeltErrorDeg there
+    for (const [name, value] of Object.entries(result)) {
+      // peakFeltError_deg is peakFeltErrorDeg there
       row.dataset[name.replace(/_(.)/g, (_, letter: string) => letter.toUpperCase())] = String(value);
     }
     while (this.#body.rows.length > rowsKept) this.#body.deleteRow(-1);
@@ -38,7 +53,8 @@ export class Results {
 
 /** What a reach came to, in a sentence. */
 export function resultText(result: Readonly<ReachResult>): string {
-  const end = `The finger is ${result.toCylinder_mm.toFixed(1)} mm from the real cylinder; its owner feels it ` +
+  const end =
+    `The finger is ${result.toCylinder_mm.toFixed(1)} mm from the real cylinder; its owner feels it ` +
     `${result.feltToGhost_mm.toFixed(1)} mm from the ghost.`;
   if (result.controller === "off") return `${end} The plate stood still.`;
   return Math.abs(result.bearingError_deg) <= arrived_deg ? `Arrived. ${end}` : `Missed. ${end}`;

@@ -44,7 +44,10 @@ export const controllerNames: readonly ControllerName[] = ["off", "paper", "ours
 const maxPerson = 9999;
 
 export function defaultSettings(): Settings {
-  const starts = Object.fromEntries(sliderNames.map((name) => [name, sliders[name].start])) as Record<SliderName, number>;
+  const starts = Object.fromEntries(sliderNames.map((name) => [name, sliders[name].start])) as Record<
+    SliderName,
+    number
+  >;
   return { ...starts, controller: "ours", person: 1 };
 }
 
@@ -57,7 +60,8 @@ export function onSlider(name: SliderName, value: number): number {
 
 /** The part of a link after #: what differs from the defaults. */
 export function toLink(settings: Readonly<Settings>, mode: Mode): string {
-  const defaults = defaultSettings(), parts = new URLSearchParams();
+  const defaults = defaultSettings(),
+    parts = new URLSearchParams();
   if (mode !== "hand" && linkedModes.includes(mode)) parts.set("mode", mode);
   for (const name of [...sliderNames, "controller", "person"] as const) {
     if (settings[name] !== defaults[name]) parts.set(name, String(settings[name]));
@@ -67,7 +71,8 @@ export function toLink(settings: Readonly<Settings>, mode: Mode): string {
 
 /** Settings and mode of a link, and what in it was left out because it is unknown or not allowed. */
 export function fromLink(link: string): { settings: Settings; mode: Mode; problems: string[] } {
-  const settings = defaultSettings(), problems: string[] = [];
+  const settings = defaultSettings(),
+    problems: string[] = [];
   let mode: Mode = "hand";
   for (const [name, text] of new URLSearchParams(link.slice(0, 500))) {
     const value = /^\d{1,6}(\.\d{1,6})?$/.test(text) ? Number(text) : NaN;

@@ -16,7 +16,11 @@ export class Ticks {
     this.#button.addEventListener("click", () => {
       this.#on = !this.#on;
       this.#show();
-      try { localStorage.setItem(key, this.#on ? "on" : "off"); } catch { /* for this visit only */ }
+      try {
+        localStorage.setItem(key, this.#on ? "on" : "off");
+      } catch {
+        /* for this visit only */
+      }
       this.wake();
       this.ridge();
     });
@@ -29,15 +33,21 @@ export class Ticks {
     if (this.#audio.state === "suspended") void this.#audio.resume();
   }
 
-  ridge(): void { this.#sound(1800, 0.012, 0.12, 4); }
-  contact(): void { this.#sound(140, 0.16, 0.3, 25); }
+  ridge(): void {
+    this.#sound(1800, 0.012, 0.12, 4);
+  }
+  contact(): void {
+    this.#sound(140, 0.16, 0.3, 25);
+  }
 
   #sound(pitch_hz: number, length_s: number, loudness: number, shake_ms: number): void {
     if (!this.#on) return;
     if (navigator.userActivation?.hasBeenActive) navigator.vibrate?.(shake_ms);
     const audio = this.#audio;
     if (audio?.state !== "running") return;
-    const tone = audio.createOscillator(), gain = audio.createGain(), now_s = audio.currentTime;
+    const tone = audio.createOscillator(),
+      gain = audio.createGain(),
+      now_s = audio.currentTime;
     tone.frequency.value = pitch_hz;
     gain.gain.setValueAtTime(loudness, now_s);
     gain.gain.exponentialRampToValueAtTime(1e-3, now_s + length_s);
@@ -53,5 +63,9 @@ export class Ticks {
 }
 
 function remembered(): string | null {
-  try { return localStorage.getItem(key); } catch { return null; }
+  try {
+    return localStorage.getItem(key);
+  } catch {
+    return null;
+  }
 }

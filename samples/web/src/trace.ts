@@ -3,7 +3,7 @@
 import { element, sideways } from "./page";
 
 export const tracePeriod_ms = 10;
-const capacity = 4096;  // 41 s
+const capacity = 4096; // 41 s
 
 export type TraceName = "plate_deg" | "finger_deg" | "felt_deg" | "weight" | "weight_sd";
 
@@ -17,7 +17,9 @@ export class Trace {
   readonly weight = new Float32Array(capacity);
   readonly weight_sd = new Float32Array(capacity);
 
-  clear(): void { this.length = 0; }
+  clear(): void {
+    this.length = 0;
+  }
 
   add(plate_deg: number, finger_deg: number, felt_deg: number, weight: number, weight_sd: number): void {
     if (this.length === capacity) return;
@@ -39,14 +41,23 @@ export class TraceTable {
   #shown: unknown[] = [];
 
   show(trace: Trace): void {
-    const every = rowPeriod_ms / tracePeriod_ms, count = Math.ceil(trace.length / every), body = this.#table.tBodies[0];
+    const every = rowPeriod_ms / tracePeriod_ms,
+      count = Math.ceil(trace.length / every),
+      body = this.#table.tBodies[0];
     if (!this.#fold.open || !body || (this.#shown[0] === trace && this.#shown[1] === count)) return;
     this.#shown = [trace, count];
     body.replaceChildren();
     for (let i = 0; i < trace.length; i += every) {
-      const row = body.insertRow(), at = (name: TraceName) => trace[name][i] ?? NaN, weight = at("weight");
-      for (const text of [`${((i * tracePeriod_ms) / 1000).toFixed(1)} s`, sideways(at("plate_deg")), sideways(at("finger_deg"), 1),
-                          sideways(at("felt_deg"), 1), Number.isNaN(weight) ? "–" : `${weight.toFixed(2)} ± ${(1.96 * at("weight_sd")).toFixed(2)}`]) {
+      const row = body.insertRow(),
+        at = (name: TraceName) => trace[name][i] ?? NaN,
+        weight = at("weight");
+      for (const text of [
+        `${((i * tracePeriod_ms) / 1000).toFixed(1)} s`,
+        sideways(at("plate_deg")),
+        sideways(at("finger_deg"), 1),
+        sideways(at("felt_deg"), 1),
+        Number.isNaN(weight) ? "–" : `${weight.toFixed(2)} ± ${(1.96 * at("weight_sd")).toFixed(2)}`,
+      ]) {
         row.insertCell().textContent = text;
       }
     }

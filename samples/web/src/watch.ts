@@ -2,7 +2,7 @@
 // follows its commands, and the person feels the plate.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
-import { bearingError_deg, slideEnd, type Course, type SlideEnd } from "./geometry";
+import { bearingError_deg, type Course, type SlideEnd, slideEnd } from "./geometry";
 import { Led } from "./led";
 import type { World } from "./person";
 import type { ControllerName, Settings } from "./settings";
@@ -45,17 +45,27 @@ export class Watch extends Led {
   #trackerWorst_m = 0;
 
   /** `courseOf`: where reaches lead under some settings. */
-  constructor(library: Library, world: World, settings: Readonly<Settings>,
-              private readonly courseOf: (settings: Readonly<Settings>) => Course = pageCourse) {
+  constructor(
+    library: Library,
+    world: World,
+    settings: Readonly<Settings>,
+    private readonly courseOf: (settings: Readonly<Settings>) => Course = pageCourse,
+  ) {
     super(library, world, settings, courseOf(settings));
     this.#course = courseOf(settings);
     this.begin();
   }
 
   /** What has been learnt of the person, as JSON. */
-  get profile(): string { return this.session.profile; }
-  get number(): number { return this.#number; }
-  get course(): Course { return this.#course; }
+  get profile(): string {
+    return this.session.profile;
+  }
+  get number(): number {
+    return this.#number;
+  }
+  get course(): Course {
+    return this.#course;
+  }
 
   /** A new reach under these settings. What was learnt of the person stays, unless they are another one, or the
    *  controller is: then the result is true. */
@@ -64,8 +74,11 @@ export class Watch extends Led {
     this.settings = { ...settings };
     this.#course = this.courseOf(settings);
     this.drop();
-    const unknown = before.person !== settings.person || before.tactile_weight !== settings.tactile_weight ||
-      before.pace_s !== settings.pace_s || before.controller !== settings.controller;
+    const unknown =
+      before.person !== settings.person ||
+      before.tactile_weight !== settings.tactile_weight ||
+      before.pace_s !== settings.pace_s ||
+      before.controller !== settings.controller;
     if (unknown) {
       this.renew(this.#course);
       this.#number = 1;
@@ -110,14 +123,16 @@ export class Watch extends Led {
     const world = this.world;
     ++this.#samples;
     world.look();
-    const right_m = world.seen_right_m(), away_m = world.seen_away_m();
+    const right_m = world.seen_right_m(),
+      away_m = world.seen_away_m();
     const off_m = Math.hypot(right_m - world.finger_right_m(), away_m - world.finger_away_m());
     this.#trackerWorst_m = Math.max(this.#trackerWorst_m, off_m);
     this.see(now_ms, right_m, away_m);
   }
 
   #measure(now_ms: number): void {
-    const world = this.world, plate_deg = world.plate_deg();
+    const world = this.world,
+      plate_deg = world.plate_deg();
     this.#plateFastest_deg_s = Math.max(this.#plateFastest_deg_s, 1000 * Math.abs(plate_deg - this.#lastPlate_deg));
     this.#lastPlate_deg = plate_deg;
     if (world.moving()) {
@@ -129,7 +144,8 @@ export class Watch extends Led {
   }
 
   #end(): void {
-    const world = this.world, settings = this.settings;
+    const world = this.world,
+      settings = this.settings;
     const { tactile_weight, tactile_weight_sd } = this.command;
     const summary = this.session.endReach();
     this.recording = this.drop();

@@ -86,7 +86,7 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"events": [{"frame": 1, "do": "recenter", "space": "VIEW"}]})",
        "script.events[0].space must be one of \"LOCAL\", \"STAGE\""},
       {R"({"withhold_extensions": ["XR_EXT_none"]})",
-       "script.withhold_extensions must hold names out of \"XR_MND_headless\""},
+       "script.withhold_extensions must be one of, or an array of, \"XR_MND_headless\""},
       {R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})",
        "script: withhold_extensions has no effect once there is an instance"},
       {R"({"seed": 1e400})", "out_of_range"},

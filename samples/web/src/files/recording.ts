@@ -25,8 +25,10 @@ export interface RecordedReach {
 /** The first reach of a recording that replays. Throws if it has no positions on the plate. */
 export function readReach(recording: string): RecordedReach {
   const lines = recording.split("\n").filter((line) => line !== "" && !line.startsWith("#"));
-  const columns = (lines[0] ?? "").split(","), samples: RecordedSample[] = [];
-  let begin: string[] | null = null, first_ms = NaN;
+  const columns = (lines[0] ?? "").split(","),
+    samples: RecordedSample[] = [];
+  let begin: string[] | null = null,
+    first_ms = NaN;
   const number = (cells: readonly string[], column: string): number => {
     const text = cells[columns.indexOf(column)];
     return text === undefined || text === "" ? NaN : Number(text);
@@ -40,7 +42,8 @@ export function readReach(recording: string): RecordedReach {
     } else if (cells[0] === "end" || cells[0] === "cancel") {
       break;
     } else if (begin && cells[0] === "update") {
-      const time_ms = number(cells, "time_ns") / 1e6, right_m = number(cells, "sample_x_m");
+      const time_ms = number(cells, "time_ns") / 1e6,
+        right_m = number(cells, "sample_x_m");
       if (!(number(cells, "sample_flags") & HRT_SAMPLE_PLATE_POSITION)) continue;
       if (Number.isNaN(first_ms)) first_ms = time_ms;
       const moving = number(cells, "step") >= 0;
@@ -57,6 +60,10 @@ export function readReach(recording: string): RecordedReach {
     }
   }
   if (!begin || samples.length === 0) throw new Error("the recording has no reach with positions on the plate");
-  return { real_deg: number(begin, "real_direction_deg"), virtual_deg: number(begin, "virtual_direction_deg"),
-           real_m: number(begin, "real_distance_m"), samples };
+  return {
+    real_deg: number(begin, "real_direction_deg"),
+    virtual_deg: number(begin, "virtual_direction_deg"),
+    real_m: number(begin, "real_distance_m"),
+    samples,
+  };
 }

@@ -1,7 +1,7 @@
 // A scene of the visitor's own: plate and targets of a glTF file, by the plugin's loader, and what can be held for whom.
 import * as hrt from "haptic-retargeting";
 import { motionBound_deg } from "../controller";
-import { direction_deg, length_m, radius_m, type Course, type Place } from "../geometry";
+import { type Course, direction_deg, length_m, type Place, radius_m } from "../geometry";
 import type { SceneMeshes } from "../stage/meshes";
 
 /** Weights of touch for which it is computed what can be held. */
@@ -44,14 +44,20 @@ export function readScene(library: hrt.Library, bytes: ArrayBuffer, name: string
   const scene = library.loadScene(bytes, name);
   const session = library.createSession({ guidance: hrt.HRT_GUIDANCE_ARRIVAL, motion_bound_deg: motionBound_deg });
   try {
-    const { info, targets } = scene, ids = scene.register(session), scale = radius_m / info.plate_radius_m;
+    const { info, targets } = scene,
+      ids = scene.register(session),
+      scale = radius_m / info.plate_radius_m;
     const onPlate = ([x = 0, , z = 0]: readonly number[]): Place => ({ right_m: x, away_m: -z });
     const place = (position_m: readonly number[]): Place => {
       const { right_m, away_m } = onPlate(position_m);
       return { right_m: scale * right_m, away_m: scale * away_m };
     };
     const from = onPlate(info.start_position_m);
-    const course = (real: Place, virtual: Place): Course => ({ start: from, ...seen(from, real, "real"), ...seen(from, virtual, "virtual") });
+    const course = (real: Place, virtual: Place): Course => ({
+      start: from,
+      ...seen(from, real, "real"),
+      ...seen(from, virtual, "virtual"),
+    });
     return {
       name,
       plateRadius_m: info.plate_radius_m,
@@ -60,11 +66,25 @@ export function readScene(library: hrt.Library, bytes: ArrayBuffer, name: string
       meshProblem: "",
       plate: { position_m: info.plate_position_m, rotation: info.plate_rotation },
       start: place(info.start_position_m),
-      targets: targets.map((target) => ({ name: target.name, real: target.role === hrt.HRT_TARGET_REAL, drawn: place(target.position_m) })),
+      targets: targets.map((target) => ({
+        name: target.name,
+        real: target.role === hrt.HRT_TARGET_REAL,
+        drawn: place(target.position_m),
+      })),
       pairs: targets.flatMap((target, i) => {
-        const real = targets[target.served_by], id = ids[i], realId = ids[target.served_by];
+        const real = targets[target.served_by],
+          id = ids[i],
+          realId = ids[target.served_by];
         return real && id !== undefined && realId !== undefined
-          ? [{ virtual: target.name, real: real.name, course: course(onPlate(real.position_m), onPlate(target.position_m)), ...heldBy(session, realId, id) }] : [];
+          ? [
+              {
+                virtual: target.name,
+                real: real.name,
+                course: course(onPlate(real.position_m), onPlate(target.position_m)),
+                ...heldBy(session, realId, id),
+              },
+            ]
+          : [];
       }),
     };
   } finally {
@@ -74,8 +94,10 @@ export function readScene(library: hrt.Library, bytes: ArrayBuffer, name: string
 }
 
 function seen<Name extends "real" | "virtual">(from: Place, to: Place, name: Name) {
-  return { [`${name}_deg`]: direction_deg(to.right_m - from.right_m, to.away_m - from.away_m), [`${name}_m`]: length_m(from, to) } as
-    Record<`${Name}_deg` | `${Name}_m`, number>;
+  return {
+    [`${name}_deg`]: direction_deg(to.right_m - from.right_m, to.away_m - from.away_m),
+    [`${name}_m`]: length_m(from, to),
+  } as Record<`${Name}_deg` | `${Name}_m`, number>;
 }
 
 function heldBy(session: hrt.Session, real: hrt.TargetId, virtual: hrt.TargetId) {

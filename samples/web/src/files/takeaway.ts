@@ -2,7 +2,7 @@
 // for bit, or a scene, to bring. Nothing leaves the machine. What is refused is refused in the plugin's words.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
 import { element, say } from "../page";
-import { readReach, type RecordedReach } from "./recording";
+import { type RecordedReach, readReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
 
 const max_bytes = 32 * 1024 * 1024;
@@ -18,10 +18,19 @@ export class TakeAway {
   readonly #replayed = element("replayed", HTMLParagraphElement);
 
   /** `recording` and `profile` are asked when a button is pressed; `brought` gets what is to be shown. */
-  constructor(private readonly library: Library, recording: () => string, profile: () => string, brought: Brought) {
+  constructor(
+    private readonly library: Library,
+    recording: () => string,
+    profile: () => string,
+    brought: Brought,
+  ) {
     this.#saveRecording.addEventListener("click", () => save("reach.csv", "text/csv", recording()));
-    element("save-profile", HTMLButtonElement).addEventListener("click", () => save("profile.json", "application/json", profile()));
-    onFiles(element("open-file", HTMLInputElement), (files) => { void this.#open(files, brought); });
+    element("save-profile", HTMLButtonElement).addEventListener("click", () =>
+      save("profile.json", "application/json", profile()),
+    );
+    onFiles(element("open-file", HTMLInputElement), (files) => {
+      void this.#open(files, brought);
+    });
   }
 
   /** Whether there is a reach to save. */
@@ -31,11 +40,16 @@ export class TakeAway {
 
   /** A recording, or a scene with the buffers that came along. */
   async #open(files: readonly File[], brought: Brought): Promise<void> {
-    const file = files.find(({ name }) => /\.(gltf|glb|csv)$/i.test(name)), name = file?.name ?? files[0]?.name ?? "";
+    const file = files.find(({ name }) => /\.(gltf|glb|csv)$/i.test(name)),
+      name = file?.name ?? files[0]?.name ?? "";
     try {
-      if (!file) throw new Error("this page opens a recording (.csv), or a scene (.glb, or .gltf with its .bin dropped together)");
+      if (!file)
+        throw new Error(
+          "this page opens a recording (.csv), or a scene (.glb, or .gltf with its .bin dropped together)",
+        );
       const size = files.reduce((sum, each) => sum + each.size, 0);
-      if (size > max_bytes) throw new Error(`${Math.ceil(size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
+      if (size > max_bytes)
+        throw new Error(`${Math.ceil(size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
       if (/\.csv$/i.test(name)) brought.reach(this.#replay(name, await file.text()));
       else brought.scene(await this.#scene(file, files));
       this.#problem.hidden = true;
@@ -48,10 +62,14 @@ export class TakeAway {
 
   /** Targets by the plugin's loader; then the meshes, without which the scene is shown too. */
   async #scene(file: File, files: readonly File[]): Promise<VisitorScene> {
-    const bytes = await file.arrayBuffer(), scene = readScene(this.library, bytes, file.name), { position_m, rotation } = scene.plate;
+    const bytes = await file.arrayBuffer(),
+      scene = readScene(this.library, bytes, file.name),
+      { position_m, rotation } = scene.plate;
     try {
-      const { readMeshes } = await import("../stage/meshes");  // with three.js' loader
-      const others = new Map(await Promise.all(files.map(async (each) => [each.name, await each.arrayBuffer()] as const)));
+      const { readMeshes } = await import("../stage/meshes"); // with three.js' loader
+      const others = new Map(
+        await Promise.all(files.map(async (each) => [each.name, await each.arrayBuffer()] as const)),
+      );
       scene.meshes = await readMeshes(bytes, others, position_m, rotation);
     } catch (error) {
       scene.meshProblem = error instanceof Error ? error.message : String(error);
@@ -60,20 +78,26 @@ export class TakeAway {
   }
 
   #replay(name: string, text: string): RecordedReach {
-    const report = this.library.replay(text), reach = readReach(text);
-    const same = report.first_different_line === 0n
-      ? `All ${report.rows} calls gave the same numbers again, bit for bit.`
-      : `Line ${report.first_different_line} gave other numbers than those recorded.`;
+    const report = this.library.replay(text),
+      reach = readReach(text);
+    const same =
+      report.first_different_line === 0n
+        ? `All ${report.rows} calls gave the same numbers again, bit for bit.`
+        : `Line ${report.first_different_line} gave other numbers than those recorded.`;
     const whole = report.ending === HRT_ENDING_COMPLETE ? "" : " The recording is not complete.";
-    say(this.#replayed, `${name}: ${same}${whole} A recording does not hold what was felt: the chart shows what the ` +
-      "controller believed.");
+    say(
+      this.#replayed,
+      `${name}: ${same}${whole} A recording does not hold what was felt: the chart shows what the ` +
+        "controller believed.",
+    );
     return reach;
   }
 }
 
 /** Offers a text for saving. */
 function save(name: string, type: string, text: string): void {
-  const link = document.createElement("a"), url = URL.createObjectURL(new Blob([text], { type }));
+  const link = document.createElement("a"),
+    url = URL.createObjectURL(new Blob([text], { type }));
   link.href = url;
   link.download = name;
   link.click();
@@ -82,7 +106,9 @@ function save(name: string, type: string, text: string): void {
 
 /** Calls back with files that are chosen in `input`, or dropped anywhere on the page, together. */
 function onFiles(input: HTMLInputElement, opened: (files: readonly File[]) => void): void {
-  const take = (files: FileList | null | undefined) => { if (files?.length) opened([...files]); };
+  const take = (files: FileList | null | undefined) => {
+    if (files?.length) opened([...files]);
+  };
   input.addEventListener("change", () => {
     take(input.files);
     input.value = "";

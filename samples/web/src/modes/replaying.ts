@@ -1,10 +1,10 @@
 // The mode "Replay": a recorded reach as it was tracked and commanded. What was felt is not in a recording; the chart
 // shows what the controller believed of it.
 import type { Desk } from "../desk";
+import type { RecordedReach } from "../files/recording";
 import type { Place } from "../geometry";
 import { showNow } from "../now";
 import { element, say, sideways } from "../page";
-import type { RecordedReach } from "../files/recording";
 import { Trace, tracePeriod_ms } from "../trace";
 
 const pause_ms = 2200;
@@ -19,9 +19,14 @@ export class Replaying {
   #time_ms = 0;
 
   /** `still`: the reach is shown at its end, at once. */
-  constructor(private readonly desk: Desk, private readonly still: boolean) {}
+  constructor(
+    private readonly desk: Desk,
+    private readonly still: boolean,
+  ) {}
 
-  get reach(): RecordedReach | null { return this.#reach; }
+  get reach(): RecordedReach | null {
+    return this.#reach;
+  }
 
   /** From its start. */
   show(reach: RecordedReach): void {
@@ -44,11 +49,16 @@ export class Replaying {
     this.desk.frame.dataset.phase = over ? "arrived" : Number.isNaN(sample.finger_deg) ? "waiting" : "sliding";
     this.desk.draw(sample.plate_deg, this.#finger, this.#finger);
     showNow(sample.plate_deg, sample.finger_deg, sample.felt_deg, reach.virtual_deg);
-    say(this.#caption, `${(sample.time_ms / 1000).toFixed(1)} s of ${(this.#last_ms(reach) / 1000).toFixed(1)} s: the ` +
-      `plate is sent to ${sideways(sample.plate_deg)}.`);
+    say(
+      this.#caption,
+      `${(sample.time_ms / 1000).toFixed(1)} s of ${(this.#last_ms(reach) / 1000).toFixed(1)} s: the ` +
+        `plate is sent to ${sideways(sample.plate_deg)}.`,
+    );
   }
 
-  #last_ms(reach: RecordedReach): number { return reach.samples.at(-1)?.time_ms ?? 0; }
+  #last_ms(reach: RecordedReach): number {
+    return reach.samples.at(-1)?.time_ms ?? 0;
+  }
 
   #take(reach: RecordedReach, index: number): void {
     const sample = reach.samples[index];

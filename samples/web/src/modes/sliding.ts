@@ -2,7 +2,7 @@
 // shown where it really went.
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
-import { length_m, start, virtualPlace, type Place } from "../geometry";
+import { length_m, type Place, start, virtualPlace } from "../geometry";
 import type { Hand } from "../hand";
 import { showNow } from "../now";
 import { element, say } from "../page";
@@ -31,12 +31,20 @@ export class Sliding {
   #owed_ms = 0;
 
   /** `still`: the hand is shown at once. */
-  constructor(private readonly hand: Hand, private readonly world: World, private readonly desk: Desk, private readonly voice: Voice, private readonly ticks: Ticks,
-              private settings: Readonly<Settings>, private readonly still: boolean) {
+  constructor(
+    private readonly hand: Hand,
+    private readonly world: World,
+    private readonly desk: Desk,
+    private readonly voice: Voice,
+    private readonly ticks: Ticks,
+    private settings: Readonly<Settings>,
+    private readonly still: boolean,
+  ) {
     const { frame } = desk;
     frame.addEventListener("pointerdown", (event) => this.#press(event));
     frame.addEventListener("pointermove", (event) => this.#move(event));
-    for (const end of ["pointerup", "pointercancel", "pointerleave"] as const) frame.addEventListener(end, (event) => this.#release(event));
+    for (const end of ["pointerup", "pointercancel", "pointerleave"] as const)
+      frame.addEventListener(end, (event) => this.#release(event));
     frame.addEventListener("keydown", (event) => this.#key(event, true));
     frame.addEventListener("keyup", (event) => this.#key(event, false));
     frame.addEventListener("blur", () => this.#keys.clear());
@@ -59,7 +67,9 @@ export class Sliding {
   }
 
   frame(elapsed_ms: number): void {
-    const elapsed = Math.min(elapsed_ms, maxFrame_ms), hand = this.hand, { phase, ridges } = hand;
+    const elapsed = Math.min(elapsed_ms, maxFrame_ms),
+      hand = this.hand,
+      { phase, ridges } = hand;
     this.#moveByKeys(elapsed / 1000);
     this.#owed_ms += elapsed;
     const whole = Math.floor(this.#owed_ms);
@@ -125,8 +135,12 @@ export class Sliding {
 
   #moveByKeys(seconds: number): void {
     if (this.#keys.size === 0) return;
-    const held = (key: string) => (this.#keys.has(key) ? keySpeed_m_s * seconds : 0), { wanted } = this.hand;
-    this.hand.moveTo(wanted.right_m + held("ArrowRight") - held("ArrowLeft"), wanted.away_m + held("ArrowUp") - held("ArrowDown"));
+    const held = (key: string) => (this.#keys.has(key) ? keySpeed_m_s * seconds : 0),
+      { wanted } = this.hand;
+    this.hand.moveTo(
+      wanted.right_m + held("ArrowRight") - held("ArrowLeft"),
+      wanted.away_m + held("ArrowUp") - held("ArrowDown"),
+    );
   }
 
   /** The finger is lifted. */
@@ -145,7 +159,9 @@ export class Sliding {
   }
 
   #draw(): void {
-    const hand = this.hand, plate_deg = this.world.plate_deg(), over = hand.phase === "arrived";
+    const hand = this.hand,
+      plate_deg = this.world.plate_deg(),
+      over = hand.phase === "arrived";
     if (hand.phase !== "waiting") this.desk.extendPaths(hand.finger, hand.felt);
     this.desk.frame.dataset.phase = hand.phase;
     this.desk.reveal(!over ? 0 : this.still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
@@ -156,14 +172,22 @@ export class Sliding {
   }
 
   #text(): string {
-    const hand = this.hand, { result } = hand;
+    const hand = this.hand,
+      { result } = hand;
     if (!result) {
       if (hand.phase === "sliding") return "You feel your finger here.";
-      return this.#plateOff ? "The plate is off. Slide from the ring to the glass." : "Slide from the ring to the glass.";
+      return this.#plateOff
+        ? "The plate is off. Slide from the ring to the glass."
+        : "Slide from the ring to the glass.";
     }
-    const ghost = virtualPlace(pageCourse(this.settings)), off_m = length_m(hand.felt, ghost);
-    const went = off_m < 1e-6 ? "You went to the glass." : off_m > 0.02 ? "You stopped before the glass."
-      : `You went beside the glass, by ${(1000 * off_m).toFixed(0)} mm.`;
+    const ghost = virtualPlace(pageCourse(this.settings)),
+      off_m = length_m(hand.felt, ghost);
+    const went =
+      off_m < 1e-6
+        ? "You went to the glass."
+        : off_m > 0.02
+          ? "You stopped before the glass."
+          : `You went beside the glass, by ${(1000 * off_m).toFixed(0)} mm.`;
     const away_mm = 1000 * length_m(hand.felt, hand.finger);
     return `${went} Your hand is here, ${away_mm.toFixed(0)} mm away${this.#plateOff ? ": the plate was off" : ""}.`;
   }

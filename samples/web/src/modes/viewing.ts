@@ -1,10 +1,10 @@
 // The mode "Your scene": a glTF file's plate and targets, the table of what can be held, and reaches of the simulated person
 // between its targets.
 import type { Library } from "haptic-retargeting";
-import { element, say, sideways } from "../page";
 import { pageCourse } from "../controller";
+import { type VisitorScene, weights } from "../files/scene";
+import { element, say, sideways } from "../page";
 import type { World } from "../person";
-import { weights, type VisitorScene } from "../files/scene";
 import type { Settings } from "../settings";
 import { Watch } from "../watch";
 
@@ -22,11 +22,15 @@ export class Viewing {
   }
 
   /** Where the chosen pair's reaches lead; null: no scene, or one without pairs. */
-  get course() { return this.scene?.pairs[this.#pair.selectedIndex]?.course ?? null; }
+  get course() {
+    return this.scene?.pairs[this.#pair.selectedIndex]?.course ?? null;
+  }
 
   show(scene: VisitorScene): void {
     this.scene = scene;
-    const table = element("held", HTMLTableElement), head = table.tHead, body = table.tBodies[0];
+    const table = element("held", HTMLTableElement),
+      head = table.tHead,
+      body = table.tBodies[0];
     if (!head || !body) throw new Error("the table of targets has no head or no body");
     head.replaceChildren();
     body.replaceChildren();
@@ -42,10 +46,15 @@ export class Viewing {
       const plates = plates_deg.map((plate_deg) => (Number.isNaN(plate_deg) ? "–" : sideways(plate_deg)));
       for (const text of [virtual, real, `${gap_deg.toFixed(1)}°`, ...plates]) row.insertCell().textContent = text;
     }
-    this.#pair.replaceChildren(...scene.pairs.map(({ virtual, real }) => new Option(`${virtual}, felt; ${real}, reached`)));
+    this.#pair.replaceChildren(
+      ...scene.pairs.map(({ virtual, real }) => new Option(`${virtual}, felt; ${real}, reached`)),
+    );
     const real = scene.targets.filter((target) => target.real).length;
     const meshes = scene.meshProblem ? ` Its meshes are not drawn: ${scene.meshProblem}.` : "";
-    say(this.#about, `${scene.name}: a plate of ${(1000 * scene.plateRadius_m).toFixed(0)} mm radius, ${real} real and ` +
-      `${scene.targets.length - real} virtual targets.${meshes}`);
+    say(
+      this.#about,
+      `${scene.name}: a plate of ${(1000 * scene.plateRadius_m).toFixed(0)} mm radius, ${real} real and ` +
+        `${scene.targets.length - real} virtual targets.${meshes}`,
+    );
   }
 }

@@ -4,9 +4,9 @@ import type { Place } from "../geometry";
 import { showNow } from "../now";
 import { element, say, sideways } from "../page";
 import type { World } from "../person";
-import type { Voice } from "../voice";
-import { resultText, type Results } from "../results";
+import { type Results, resultText } from "../results";
 import type { Settings } from "../settings";
+import type { Voice } from "../voice";
 import type { Watch } from "../watch";
 
 /** Between two reaches. */
@@ -26,9 +26,15 @@ export class Watching {
   #shownFor_ms = 0;
 
   /** `still`: reaches are shown at their end, at once, unless the visitor plays or steps them. */
-  constructor(private watch: Watch, private world: World, private readonly desk: Desk,
-              private readonly results: Results, private settings: Readonly<Settings>, private readonly voice: Voice,
-              private readonly still: boolean) {
+  constructor(
+    private watch: Watch,
+    private world: World,
+    private readonly desk: Desk,
+    private readonly results: Results,
+    private settings: Readonly<Settings>,
+    private readonly voice: Voice,
+    private readonly still: boolean,
+  ) {
     this.#play.addEventListener("click", () => this.#setPlaying(!this.playing));
     element("step", HTMLButtonElement).addEventListener("click", () => this.#step());
     element("again", HTMLButtonElement).addEventListener("click", () => this.resume());
@@ -123,11 +129,13 @@ export class Watching {
   }
 
   #draw(): void {
-    const world = this.world, { phase } = this.watch;
+    const world = this.world,
+      { phase } = this.watch;
     this.#extend();
     this.desk.frame.dataset.phase = phase;
     this.desk.draw(world.plate_deg(), this.#finger, this.#felt);
-    const moving = world.moving() !== 0, goal_deg = this.watch.course.virtual_deg;
+    const moving = world.moving() !== 0,
+      goal_deg = this.watch.course.virtual_deg;
     const finger_deg = moving ? world.finger_deg() : NaN;
     const felt_deg = moving ? goal_deg + world.felt_error_deg() : NaN;
     showNow(world.plate_deg(), finger_deg, felt_deg, goal_deg);
@@ -139,10 +147,13 @@ export class Watching {
     if (phase === "arrived" && result) return resultText(result);
     if (Number.isNaN(finger_deg)) {
       if (phase === "sliding") return "The finger has stopped.";
-      return this.settings.controller === "off" ? "The finger rests at the start. The plate stands still."
+      return this.settings.controller === "off"
+        ? "The finger rests at the start. The plate stands still."
         : "The finger rests at the start. The plate turns to where the first moment of the slide wants it.";
     }
-    return `The finger moves ${sideways(finger_deg)}; over these ridges that feels like ${sideways(felt_deg)}. ` +
-      `The ghost lies ${sideways(this.watch.course.virtual_deg)}.`;
+    return (
+      `The finger moves ${sideways(finger_deg)}; over these ridges that feels like ${sideways(felt_deg)}. ` +
+      `The ghost lies ${sideways(this.watch.course.virtual_deg)}.`
+    );
   }
 }

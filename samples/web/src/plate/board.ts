@@ -1,7 +1,21 @@
 // The plate's own firmware (samples/plate/firmware) on an emulated ATmega328P at 16 MHz, with a hobby servo on its pulse.
 // Simulation: no board and no servo has run it.
-import { AVRADC, AVREEPROM, AVRIOPort, AVRTimer, AVRUSART, adcConfig, avrInstruction, CPU, EEPROMMemoryBackend, portBConfig,
-         portDConfig, timer0Config, timer1Config, usart0Config } from "avr8js";
+import {
+  AVRADC,
+  AVREEPROM,
+  AVRIOPort,
+  AVRTimer,
+  AVRUSART,
+  adcConfig,
+  avrInstruction,
+  CPU,
+  EEPROMMemoryBackend,
+  portBConfig,
+  portDConfig,
+  timer0Config,
+  timer1Config,
+  usart0Config,
+} from "avr8js";
 import firmware from "plate_firmware.hex";
 import { crc16 } from "./line";
 
@@ -9,7 +23,8 @@ const cpu_hz = 16e6;
 const flash_bytes = 32768;
 const sram_bytes = 2048;
 const sleepInstruction = 0x9588;
-const servoPin = 1, emergencyPin = 2;
+const servoPin = 1,
+  emergencyPin = 2;
 /** Zero, span, limits, speed, latency, the sensor's readings at the limits, emergency stop, serial number; times 100. */
 const settings = [150000, 200000, -9000, 9000, 20000, 3000, 20500, 81800, 100, 0];
 /** Of the emulated servo, at each pulse: 400 degrees a second. */
@@ -37,7 +52,7 @@ export class Board {
     this.#cpu = cpu;
     for (const timer of [timer0Config, timer1Config]) new AVRTimer(cpu, timer);
     const eeprom = new EEPROMMemoryBackend(1024);
-    packed(settings).forEach((byte, at) => eeprom.writeMemory(at, byte));
+    for (const [at, byte] of packed(settings).entries()) eeprom.writeMemory(at, byte);
     new AVREEPROM(cpu, eeprom);
     this.#adc = new AVRADC(cpu, adcConfig);
     this.#showPlace();
@@ -55,7 +70,9 @@ export class Board {
     });
   }
 
-  get time_ms(): number { return (this.#cpu.cycles * 1000) / cpu_hz; }
+  get time_ms(): number {
+    return (this.#cpu.cycles * 1000) / cpu_hz;
+  }
 
   /** Bytes arrive one after the other, at the line's speed. */
   hear(text: string): void {
@@ -63,17 +80,21 @@ export class Board {
     this.#feed();
   }
 
-  openEmergencyStop(open: boolean): void { this.#portD.setPin(emergencyPin, open); }
+  openEmergencyStop(open: boolean): void {
+    this.#portD.setPin(emergencyPin, open);
+  }
 
   /** The board runs on by this time. A board that sleeps costs little. */
   run(milliseconds: number): void {
-    const cpu = this.#cpu, end = cpu.cycles + (milliseconds * cpu_hz) / 1000;
+    const cpu = this.#cpu,
+      end = cpu.cycles + (milliseconds * cpu_hz) / 1000;
     while (cpu.cycles < end) {
       if (!this.#asleep) {
-        const sleeps = cpu.progMem[cpu.pc] === sleepInstruction, next = cpu.pc + 1;
-        avrInstruction(cpu);  // which does nothing for a sleep
+        const sleeps = cpu.progMem[cpu.pc] === sleepInstruction,
+          next = cpu.pc + 1;
+        avrInstruction(cpu); // which does nothing for a sleep
         cpu.tick();
-        this.#asleep = sleeps && cpu.pc === next;  // else an interrupt was waiting
+        this.#asleep = sleeps && cpu.pc === next; // else an interrupt was waiting
       } else {
         this.#sleep(end);
       }
@@ -83,7 +104,12 @@ export class Board {
 
   /** From one event of the peripherals to the next, until one interrupts. */
   #sleep(end: number): void {
-    const cpu = this.#cpu as unknown as { pc: number; cycles: number; nextClockEvent: { cycles: number } | null; tick(): void };
+    const cpu = this.#cpu as unknown as {
+      pc: number;
+      cycles: number;
+      nextClockEvent: { cycles: number } | null;
+      tick(): void;
+    };
     const { pc } = cpu;
     while (cpu.pc === pc && cpu.cycles < end) {
       cpu.cycles = Math.max(cpu.cycles, Math.min(end, cpu.nextClockEvent?.cycles ?? end));
@@ -109,14 +135,17 @@ export class Board {
   }
 
   /** To the sensor's pin: 1 V at -90 degrees, 4 V at 90. */
-  #showPlace(): void { this.#adc.channelValues[0] = 2.5 + this.servo_deg / 60; }
+  #showPlace(): void {
+    this.#adc.channelValues[0] = 2.5 + this.servo_deg / 60;
+  }
 }
 
 /** Settings as the firmware keeps them: samples/plate/firmware/settings.c. */
 function packed(values: readonly number[]): Uint8Array {
-  const bytes = new Uint8Array(4 + 4 * values.length + 2), view = new DataView(bytes.buffer);
+  const bytes = new Uint8Array(4 + 4 * values.length + 2),
+    view = new DataView(bytes.buffer);
   bytes.set([0x48, 0x52, 0x50, 1]);
-  values.forEach((value, i) => view.setInt32(4 + 4 * i, value, true));
+  for (const [i, value] of values.entries()) view.setInt32(4 + 4 * i, value, true);
   view.setUint16(bytes.length - 2, crc16(String.fromCharCode(...bytes.subarray(0, -2))), true);
   return bytes;
 }
@@ -125,10 +154,13 @@ function readHex(text: string): Uint16Array {
   const memory = new Uint8Array(flash_bytes);
   for (const line of text.split(/\r?\n/)) {
     if (line === "") continue;
-    const bytes = /^:([0-9A-Fa-f]{2})+$/.test(line) ? (line.slice(1).match(/../g) ?? []).map((pair) => parseInt(pair, 16)) : [];
+    const bytes = /^:([0-9A-Fa-f]{2})+$/.test(line)
+      ? (line.slice(1).match(/../g) ?? []).map((pair) => parseInt(pair, 16))
+      : [];
     const [count = 0, high = 0, low = 0, type] = bytes;
     const sum = bytes.reduce((total, byte) => (total + byte) & 0xff, 0);
-    if (bytes.length !== count + 5 || sum !== 0) throw new Error(`the firmware's line "${line.slice(0, 20)}" is damaged`);
+    if (bytes.length !== count + 5 || sum !== 0)
+      throw new Error(`the firmware's line "${line.slice(0, 20)}" is damaged`);
     if (type !== 0) continue;
     const at = 256 * high + low;
     if (at + count > flash_bytes) throw new Error("the firmware does not fit into 32 KB");

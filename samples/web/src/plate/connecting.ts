@@ -1,6 +1,6 @@
 // "A plate": connects one, says how it does, and gives it what the controller commands.
 import { element, say } from "../page";
-import { FirmwarePlate, SerialPlate, type PlateDevice } from "./device";
+import { FirmwarePlate, type PlateDevice, SerialPlate } from "./device";
 import type { PlateFacts } from "./link";
 import { serial } from "./serial";
 
@@ -19,16 +19,28 @@ export class Connecting {
     const available = serial() !== null;
     this.#serial.disabled = !available;
     element("plate-unavailable", HTMLParagraphElement).hidden = available;
-    this.#serial.addEventListener("click", () => void this.#connect(this.#serial, async () => {
-      const port = await serial()?.requestPort();
-      return port ? SerialPlate.open(port) : null;
-    }));
-    this.#firmware.addEventListener("click", () => void this.#connect(this.#firmware, async () => {
-      const { Board } = await import("./board");  // with the emulator
-      return new FirmwarePlate(new Board());
-    }));
-    this.#stop.addEventListener("click", () => { void this.#end("The plate was disconnected."); });
-    window.addEventListener("pagehide", () => { void this.#device?.close(); });
+    this.#serial.addEventListener(
+      "click",
+      () =>
+        void this.#connect(this.#serial, async () => {
+          const port = await serial()?.requestPort();
+          return port ? SerialPlate.open(port) : null;
+        }),
+    );
+    this.#firmware.addEventListener(
+      "click",
+      () =>
+        void this.#connect(this.#firmware, async () => {
+          const { Board } = await import("./board"); // with the emulator
+          return new FirmwarePlate(new Board());
+        }),
+    );
+    this.#stop.addEventListener("click", () => {
+      void this.#end("The plate was disconnected.");
+    });
+    window.addEventListener("pagehide", () => {
+      void this.#device?.close();
+    });
   }
 
   /** Where the connected plate is; NaN: none is, or it is not ready. */

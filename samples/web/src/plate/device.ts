@@ -18,8 +18,10 @@ function stateOf(link: PlateLink): string {
   const { facts } = link;
   if (link.failure) return link.failure;
   if (!facts) return "Waiting for the plate's greeting.";
-  return `${facts.min_deg}° to ${facts.max_deg}° at ${facts.speed_deg_s}°/s; ` +
-    `${facts.measured ? "measured by its sensor" : "assumed from its commands: it has no sensor"}`;
+  return (
+    `${facts.min_deg}° to ${facts.max_deg}° at ${facts.speed_deg_s}°/s; ` +
+    `${facts.measured ? "measured by its sensor" : "assumed from its commands: it has no sensor"}`
+  );
 }
 
 /** The emulated board runs in the page's frames. Its plate is the servo's. */
@@ -34,10 +36,13 @@ export class FirmwarePlate implements PlateDevice {
     };
   }
 
-  get orientation_deg(): number { return this.board.servo_deg; }
+  get orientation_deg(): number {
+    return this.board.servo_deg;
+  }
   get state(): string {
     const { pulse_us, servo_deg } = this.board;
-    const pulse = pulse_us === 0 ? "No pulse yet" : `Pulse ${pulse_us.toFixed(1)} µs, servo at ${servo_deg.toFixed(1)}°`;
+    const pulse =
+      pulse_us === 0 ? "No pulse yet" : `Pulse ${pulse_us.toFixed(1)} µs, servo at ${servo_deg.toFixed(1)}°`;
     return `Emulated board: ${stateOf(this.link)}. ${pulse}`;
   }
 
@@ -60,20 +65,34 @@ export class SerialPlate implements PlateDevice {
   // Frames stop while the page is hidden, or worn; the heartbeat must not.
   readonly #timer = setInterval(() => this.advance(), 20);
 
-  private constructor(readonly link: PlateLink, private readonly end: () => Promise<void>) {}
+  private constructor(
+    readonly link: PlateLink,
+    private readonly end: () => Promise<void>,
+  ) {}
 
   /** Rejects if the port cannot be opened. */
   static async open(port: SerialPort): Promise<SerialPlate> {
     const link: PlateLink = new PlateLink((text) => line.send(text));
-    const line = await openPort(port, (bytes) => link.hear(bytes, performance.now()),
-                                (why) => { link.failure ||= `The line to the plate ended: ${why}.`; });
+    const line = await openPort(
+      port,
+      (bytes) => link.hear(bytes, performance.now()),
+      (why) => {
+        link.failure ||= `The line to the plate ended: ${why}.`;
+      },
+    );
     return new SerialPlate(link, () => line.close());
   }
 
-  get orientation_deg(): number { return this.link.orientation_deg; }
-  get state(): string { return `Plate: ${stateOf(this.link)}`; }
+  get orientation_deg(): number {
+    return this.link.orientation_deg;
+  }
+  get state(): string {
+    return `Plate: ${stateOf(this.link)}`;
+  }
 
-  advance(): void { this.link.service(performance.now()); }
+  advance(): void {
+    this.link.service(performance.now());
+  }
 
   async close(): Promise<void> {
     clearInterval(this.#timer);

@@ -38,8 +38,14 @@ export class LineReader {
 
 export type PlateMessage =
   | { readonly kind: "boot" }
-  | { readonly kind: "plate"; readonly min_deg: number; readonly max_deg: number; readonly speed_deg_s: number;
-      readonly latency_ms: number; readonly measured: boolean }
+  | {
+      readonly kind: "plate";
+      readonly min_deg: number;
+      readonly max_deg: number;
+      readonly speed_deg_s: number;
+      readonly latency_ms: number;
+      readonly measured: boolean;
+    }
   /** NaN: the plate does not know. */
   | { readonly kind: "at"; readonly orientation_deg: number; readonly sequence: number }
   | { readonly kind: "stopped" | "error"; readonly why: string };
@@ -49,19 +55,28 @@ const refusals = ["length", "byte", "sum", "word", "number", "range", "greeting"
 
 /** What a body of the plate says; null: nothing that this page needs, or out of range. */
 export function parseMessage(body: string): PlateMessage | null {
-  const [verb, first = "", ...rest] = body.split(" "), alone = rest.length === 0;
+  const [verb, first = "", ...rest] = body.split(" "),
+    alone = rest.length === 0;
   if (body === "BOOT") return { kind: "boot" };
   if (verb === "STOPPED" && alone && reasons.includes(first)) return { kind: "stopped", why: first };
   if (verb === "ERROR" && alone && refusals.includes(first)) return { kind: "error", why: first };
   const at = /^AT ([+-]\d{3}\.\d{2}|unknown) (\d{5})$/.exec(body);
   if (at) {
-    const orientation_deg = Number(at[1]), sequence = Number(at[2]);
+    const orientation_deg = Number(at[1]),
+      sequence = Number(at[2]);
     return !(Math.abs(orientation_deg) > 360) && sequence <= 65535 ? { kind: "at", orientation_deg, sequence } : null;
   }
-  if (!/^PLATE 2( [+-]?\d+(\.\d+)?){4} (measured|assumed)$/.test(body) || rest.some(({ length }) => length > 12)) return null;
+  if (!/^PLATE 2( [+-]?\d+(\.\d+)?){4} (measured|assumed)$/.test(body) || rest.some(({ length }) => length > 12))
+    return null;
   const [min_deg, max_deg, speed_deg_s, latency_ms] = rest.slice(0, 4).map(Number) as [number, number, number, number];
-  const valid = Math.abs(min_deg) <= 360 && Math.abs(max_deg) <= 360 && min_deg < max_deg && speed_deg_s > 0 &&
-    speed_deg_s <= 1e6 && latency_ms >= 0 && latency_ms <= 1000;
+  const valid =
+    Math.abs(min_deg) <= 360 &&
+    Math.abs(max_deg) <= 360 &&
+    min_deg < max_deg &&
+    speed_deg_s > 0 &&
+    speed_deg_s <= 1e6 &&
+    latency_ms >= 0 &&
+    latency_ms <= 1000;
   return valid ? { kind: "plate", min_deg, max_deg, speed_deg_s, latency_ms, measured: rest[4] === "measured" } : null;
 }
 

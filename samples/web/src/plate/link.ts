@@ -1,11 +1,11 @@
 // The host's side of a plate's line: greeting, commands, heartbeats, and the checks of what the plate reports
 // (samples/plate/protocol.md, rules 1 to 6). Knows no clock and no port: both are given.
-import { angleText, decodeLine, encodeLine, LineReader, parseMessage, type PlateMessage } from "./line";
+import { angleText, decodeLine, encodeLine, LineReader, type PlateMessage, parseMessage } from "./line";
 
-const greetingLimit_ms = 5000;  // boards start when their line is opened, and need 2 s
+const greetingLimit_ms = 5000; // boards start when their line is opened, and need 2 s
 const greetingPeriod_ms = 200;
 const beatPeriod_ms = 50;
-const minPeriod_ms = 8;  // between two commands
+const minPeriod_ms = 8; // between two commands
 const silenceLimit_ms = 500;
 const limitSlack_deg = 3;
 const far_deg = 10;
@@ -51,7 +51,9 @@ export class PlateLink {
   constructor(private readonly send: (text: string) => void) {}
 
   /** Greeted, and heard of since. */
-  get ready(): boolean { return this.#heardOf && this.failure === ""; }
+  get ready(): boolean {
+    return this.#heardOf && this.failure === "";
+  }
 
   /** Turn there: the nearest angle within the plate's limits that feels the same, or the nearest limit. */
   turnTo(orientation_deg: number): void {
@@ -60,7 +62,8 @@ export class PlateLink {
 
   hear(bytes: Uint8Array, now_ms: number): void {
     for (const line of this.#reader.take(bytes)) {
-      const body = decodeLine(line), message = body === null ? null : parseMessage(body);
+      const body = decodeLine(line),
+        message = body === null ? null : parseMessage(body);
       if (message && !this.failure) this.#take(message, now_ms);
     }
   }
@@ -72,7 +75,11 @@ export class PlateLink {
     if (!this.facts) return this.#greet(now_ms);
     if (now_ms - this.#heard_ms > silenceLimit_ms) return this.#fail("has not been heard for half a second");
     if (now_ms - this.#reported_ms > silenceLimit_ms) {
-      return this.#fail(Number.isNaN(this.orientation_deg) ? "never reports its orientation" : "has not reported its orientation for half a second");
+      return this.#fail(
+        Number.isNaN(this.orientation_deg)
+          ? "never reports its orientation"
+          : "has not reported its orientation for half a second",
+      );
     }
     if (this.#heardOf) this.#command(now_ms);
     if (now_ms - this.#said_ms >= beatPeriod_ms) this.#drive("BEAT", now_ms);
@@ -86,7 +93,8 @@ export class PlateLink {
   }
 
   #greet(now_ms: number): void {
-    if (now_ms - this.#began_ms > greetingLimit_ms) return this.#fail("does not answer as a plate of protocol version 2 within 5 s");
+    if (now_ms - this.#began_ms > greetingLimit_ms)
+      return this.#fail("does not answer as a plate of protocol version 2 within 5 s");
     if (now_ms - this.#said_ms < greetingPeriod_ms) return;
     ++this.#unanswered;
     this.#say("HELLO 2", now_ms);
@@ -110,7 +118,7 @@ export class PlateLink {
     if (message.kind !== "stopped") return;
     const why = stops[message.why];
     if (why) this.#fail(why);
-    else if (message.why === "heartbeat") this.#sent_deg = NaN;  // the same command is sent again
+    else if (message.why === "heartbeat") this.#sent_deg = NaN; // the same command is sent again
   }
 
   #takeGreeting(facts: PlateFacts, now_ms: number): void {
@@ -127,9 +135,12 @@ export class PlateLink {
     const facts = this.facts;
     if (!facts) return;
     if (orientation_deg < facts.min_deg - limitSlack_deg || orientation_deg > facts.max_deg + limitSlack_deg) {
-      return this.#fail(`reports ${orientation_deg.toFixed(1)}°, outside its limits of ${facts.min_deg}° to ${facts.max_deg}°`);
+      return this.#fail(
+        `reports ${orientation_deg.toFixed(1)}°, outside its limits of ${facts.min_deg}° to ${facts.max_deg}°`,
+      );
     }
-    if (Number.isNaN(orientation_deg)) return this.#fail("does not know its place: this page drives plates with a sensor");
+    if (Number.isNaN(orientation_deg))
+      return this.#fail("does not know its place: this page drives plates with a sensor");
     this.orientation_deg = orientation_deg;
     this.#reported_ms = now_ms;
     const sent_ms = this.#sentAt_ms.get(sequence);
@@ -171,7 +182,8 @@ export class PlateLink {
 
 function nearest(wanted_deg: number, plate_deg: number, { min_deg, max_deg }: PlateFacts): number {
   const first_deg = wanted_deg - 180 * Math.floor((wanted_deg - min_deg) / 180);
-  if (first_deg > max_deg) return Math.abs(first_deg - max_deg) < Math.abs(first_deg - 180 - min_deg) ? max_deg : min_deg;
+  if (first_deg > max_deg)
+    return Math.abs(first_deg - max_deg) < Math.abs(first_deg - 180 - min_deg) ? max_deg : min_deg;
   let best_deg = first_deg;
   for (let angle_deg = first_deg; angle_deg <= max_deg; angle_deg += 180) {
     if (Math.abs(angle_deg - plate_deg) < Math.abs(best_deg - plate_deg)) best_deg = angle_deg;

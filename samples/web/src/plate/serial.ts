@@ -6,7 +6,9 @@ export interface SerialPort {
   open(options: { baudRate: number }): Promise<void>;
   close(): Promise<void>;
 }
-interface Serial { requestPort(): Promise<SerialPort> }
+interface Serial {
+  requestPort(): Promise<SerialPort>;
+}
 
 export const baudRate = 115200;
 /** Bytes that wait to be sent; a line that takes none is broken. */
@@ -23,12 +25,18 @@ export interface OpenLine {
 }
 
 /** `heard` gets bytes as they come; `ended` is called once if the line fails. */
-export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => void, ended: (why: string) => void): Promise<OpenLine> {
+export async function openPort(
+  port: SerialPort,
+  heard: (bytes: Uint8Array) => void,
+  ended: (why: string) => void,
+): Promise<OpenLine> {
   await port.open({ baudRate });
-  const reader = port.readable?.getReader(), writer = port.writable?.getWriter();
+  const reader = port.readable?.getReader(),
+    writer = port.writable?.getWriter();
   if (!reader || !writer) throw new Error("the port cannot be read and written");
   const encoder = new TextEncoder();
-  let open = true, unsent = 0;
+  let open = true,
+    unsent = 0;
   const fail = (error: unknown): void => {
     if (open) ended(error instanceof Error ? error.message : String(error));
     open = false;
@@ -46,14 +54,22 @@ export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => v
       if (!open) return;
       if (unsent > maxUnsent) return fail("it takes no bytes");
       unsent += text.length;
-      writer.write(encoder.encode(text)).then(() => { unsent -= text.length; }, fail);
+      writer.write(encoder.encode(text)).then(() => {
+        unsent -= text.length;
+      }, fail);
     },
     async close() {
       open = false;
       // A line that hangs is not waited for: what is unsent is dropped, and rule 1 stops the plate.
       const patience = new Promise((done) => setTimeout(done, 300));
       await Promise.race([writer.close().catch(() => undefined), patience]);
-      await Promise.race([reader.cancel().then(() => reading).catch(() => undefined), patience]);
+      await Promise.race([
+        reader
+          .cancel()
+          .then(() => reading)
+          .catch(() => undefined),
+        patience,
+      ]);
       for (const lock of [writer, reader]) lock.releaseLock();
       await port.close().catch(() => undefined);
     },

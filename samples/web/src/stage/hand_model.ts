@@ -1,12 +1,16 @@
 // The rigged hand: WebXR's generic hand model, flat as its file has it, or bent to point. Not in the first picture's files.
-import { Euler, Quaternion, Vector3, type Material, type Object3D, type SkinnedMesh } from "three";
-import { GLTFLoader, type GLTF } from "three/addons/loaders/GLTFLoader.js";
+
 import left from "generic-hand/left.glb";
 import right from "generic-hand/right.glb";
+import { Euler, type Material, type Object3D, Quaternion, type SkinnedMesh, Vector3 } from "three";
+import { type GLTF, GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 export async function readHand(side: "left" | "right"): Promise<GLTF> {
   const file = { left, right }[side];
-  return new GLTFLoader().parseAsync(typeof file === "string" ? await (await fetch(file)).arrayBuffer() : file.buffer, "");
+  return new GLTFLoader().parseAsync(
+    typeof file === "string" ? await (await fetch(file)).arrayBuffer() : file.buffer,
+    "",
+  );
 }
 
 export function cover(hand: Object3D, skin: Material): void {
@@ -15,8 +19,13 @@ export function cover(hand: Object3D, skin: Material): void {
 }
 
 /** Of a hand that points: how far each finger bends at its joints, from the wrist to the tip, in degrees. */
-const bends = { "index-finger": [0, 4, 14, 10], "middle-finger": [0, 52, 70, 40], "ring-finger": [0, 58, 76, 40],
-                "pinky-finger": [0, 60, 72, 40], thumb: [6, 16, 30] };
+const bends = {
+  "index-finger": [0, 4, 14, 10],
+  "middle-finger": [0, 52, 70, 40],
+  "ring-finger": [0, 58, 76, 40],
+  "pinky-finger": [0, 60, 72, 40],
+  thumb: [6, 16, 30],
+};
 /** The forearm comes from above and from the right. */
 const attitude = new Quaternion().setFromEuler(new Euler(-0.42, 0.75, 0.1, "YXZ"));
 /** Smaller than a hand is: it would hide the plate. */
@@ -26,13 +35,17 @@ const pad_m = 0.0065 * scale;
 
 /** A right hand that points ahead, its index fingertip at the origin. */
 export async function pointingHand(skin: Material): Promise<Object3D> {
-  const hand = (await readHand("right")).scene.children[0], turn = new Quaternion();
-  const wrist = hand?.getObjectByName("wrist"), tip = hand?.getObjectByName("index-finger-tip");
+  const hand = (await readHand("right")).scene.children[0],
+    turn = new Quaternion();
+  const wrist = hand?.getObjectByName("wrist"),
+    tip = hand?.getObjectByName("index-finger-tip");
   if (!hand || !wrist || !tip) throw new Error("the hand's file has no hand");
-  for (const [finger, angles] of Object.entries(bends)) {  // its joints lie side by side: those beyond a bend follow
+  for (const [finger, angles] of Object.entries(bends)) {
+    // its joints lie side by side: those beyond a bend follow
     const joints = hand.children.filter(({ name }) => name.startsWith(finger));
     angles.forEach((angle, i) => {
-      const at = joints[i]?.position.clone() ?? new Vector3(), axis = new Vector3(1, 0, 0).applyQuaternion(joints[i]?.quaternion ?? turn);
+      const at = joints[i]?.position.clone() ?? new Vector3(),
+        axis = new Vector3(1, 0, 0).applyQuaternion(joints[i]?.quaternion ?? turn);
       turn.setFromAxisAngle(axis, (-angle * Math.PI) / 180);
       for (const joint of joints.slice(i)) {
         joint.position.sub(at).applyQuaternion(turn).add(at);

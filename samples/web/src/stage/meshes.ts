@@ -1,16 +1,30 @@
 // The meshes of a visitor's scene, to look at. The plugin's loader has read plate and targets before; this draws what else
 // the file has. Nothing is fetched: only what lies within the file is used, without textures, animations and skins.
-import { Group, Matrix4, Mesh, Object3D, Quaternion, Vector3 } from "three";
+import { Group, Matrix4, Mesh, type Object3D, Quaternion, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
-const glbMagic = 0x46546c67, jsonChunk = 0x4e4f534a, binaryChunk = 0x004e4942;
+const glbMagic = 0x46546c67,
+  jsonChunk = 0x4e4f534a,
+  binaryChunk = 0x004e4942;
 
 /** What is kept of a file, and of each material. */
-const kept = ["asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "materials"] as const;
+const kept = [
+  "asset",
+  "scene",
+  "scenes",
+  "nodes",
+  "meshes",
+  "accessors",
+  "bufferViews",
+  "buffers",
+  "materials",
+] as const;
 const keptOfMaterial = ["name", "doubleSided", "alphaMode", "alphaCutoff", "emissiveFactor"] as const;
 
 /** A page that holds more would stand still. */
-const maxNodes = 10_000, maxValues = 4_000_000, maxDrawn = 2_000_000;
+const maxNodes = 10_000,
+  maxValues = 4_000_000,
+  maxDrawn = 2_000_000;
 
 type Json = Record<string, unknown>;
 
@@ -23,14 +37,29 @@ export interface SceneMeshes {
 
 /** The file's meshes, with its plate at the origin; the plate's own mesh is left out. `others`: files that came with it, by
  *  their names. Rejects if they cannot be read. */
-export async function readMeshes(bytes: ArrayBuffer, others: ReadonlyMap<string, ArrayBuffer>, platePosition_m: readonly number[], plateRotation: readonly number[]): Promise<SceneMeshes> {
-  const { json, binary } = parts(bytes), file = pick(json, kept);
-  file.materials = list(json.materials).map((material) => ({ ...pick(material, keptOfMaterial), pbrMetallicRoughness: plain(material.pbrMetallicRoughness) }));
-  file.nodes = list(json.nodes).map((node) => pick(node, ["name", "children", "mesh", "matrix", "translation", "rotation", "scale", "extras"]));
+export async function readMeshes(
+  bytes: ArrayBuffer,
+  others: ReadonlyMap<string, ArrayBuffer>,
+  platePosition_m: readonly number[],
+  plateRotation: readonly number[],
+): Promise<SceneMeshes> {
+  const { json, binary } = parts(bytes),
+    file = pick(json, kept);
+  file.materials = list(json.materials).map((material) => ({
+    ...pick(material, keptOfMaterial),
+    pbrMetallicRoughness: plain(material.pbrMetallicRoughness),
+  }));
+  file.nodes = list(json.nodes).map((node) =>
+    pick(node, ["name", "children", "mesh", "matrix", "translation", "rotation", "scale", "extras"]),
+  );
   const values = list(json.accessors).reduce((sum, { count }) => sum + Number(count), 0);
-  if (!(values <= maxValues) || list(file.nodes).length > maxNodes) throw new Error(`they have more than ${maxValues} values or ${maxNodes} nodes`);
+  if (!(values <= maxValues) || list(file.nodes).length > maxNodes)
+    throw new Error(`they have more than ${maxValues} values or ${maxNodes} nodes`);
   const drawn = drawnVertices(file);
-  if (!(drawn <= maxDrawn)) throw new Error(`they draw ${drawn} vertices, each mesh as often as it stands there; up to ${maxDrawn} are allowed`);
+  if (!(drawn <= maxDrawn))
+    throw new Error(
+      `they draw ${drawn} vertices, each mesh as often as it stands there; up to ${maxDrawn} are allowed`,
+    );
   const buffers = list(json.buffers).map(({ uri }) => (uri === undefined ? binary : buffer(uri, others)));
   const views = list(json.bufferViews);
 
@@ -38,21 +67,27 @@ export async function readMeshes(bytes: ArrayBuffer, others: ReadonlyMap<string,
   loader.register(() => ({
     name: "embedded buffers",
     loadBufferView: (index: number) => {
-      const { buffer, byteOffset = 0, byteLength } = views[index] ?? {}, from = Number(byteOffset);
+      const { buffer, byteOffset = 0, byteLength } = views[index] ?? {},
+        from = Number(byteOffset);
       return Promise.resolve((buffers[Number(buffer)] ?? new ArrayBuffer(0)).slice(from, from + Number(byteLength)));
     },
   }));
   // A parsed file is allowed, which its types do not say.
   const { scene } = await loader.parseAsync(file as unknown as string, "");
 
-  const names = new Set<string>(), left: Object3D[] = [];
+  const names = new Set<string>(),
+    left: Object3D[] = [];
   scene.traverse((node) => {
     const { haptic } = node.userData as { haptic?: { role?: unknown; name?: unknown } };
     if (haptic?.role === "plate") left.push(...node.children.filter((child) => !child.userData.haptic), node);
     else if (haptic && hasMesh(node)) names.add(typeof haptic.name === "string" ? haptic.name : node.name);
   });
   for (const node of left) if (node instanceof Mesh) node.visible = false;
-  const pose = new Matrix4().compose(new Vector3().fromArray(platePosition_m), new Quaternion().fromArray(plateRotation), new Vector3(1, 1, 1));
+  const pose = new Matrix4().compose(
+    new Vector3().fromArray(platePosition_m),
+    new Quaternion().fromArray(plateRotation),
+    new Vector3(1, 1, 1),
+  );
   const group = new Group();
   group.add(scene);
   scene.applyMatrix4(pose.invert());
@@ -61,7 +96,9 @@ export async function readMeshes(bytes: ArrayBuffer, others: ReadonlyMap<string,
 
 function hasMesh(node: Object3D): boolean {
   let found = false;
-  node.traverse((part) => { found ||= part instanceof Mesh; });
+  node.traverse((part) => {
+    found ||= part instanceof Mesh;
+  });
   return found;
 }
 
@@ -70,9 +107,12 @@ function parts(bytes: ArrayBuffer): { json: Json; binary: ArrayBuffer } {
   if (bytes.byteLength < 20 || view.getUint32(0, true) !== glbMagic) {
     return { json: JSON.parse(new TextDecoder().decode(bytes)) as Json, binary: new ArrayBuffer(0) };
   }
-  let json: Json = {}, binary = new ArrayBuffer(0);
-  for (let at = 12; at + 8 <= bytes.byteLength;) {
-    const length = view.getUint32(at, true), type = view.getUint32(at + 4, true), chunk = bytes.slice(at + 8, at + 8 + length);
+  let json: Json = {},
+    binary = new ArrayBuffer(0);
+  for (let at = 12; at + 8 <= bytes.byteLength; ) {
+    const length = view.getUint32(at, true),
+      type = view.getUint32(at + 4, true),
+      chunk = bytes.slice(at + 8, at + 8 + length);
     if (type === jsonChunk) json = JSON.parse(new TextDecoder().decode(chunk)) as Json;
     else if (type === binaryChunk) binary = chunk;
     at += 8 + length;
@@ -83,24 +123,32 @@ function parts(bytes: ArrayBuffer): { json: Json; binary: ArrayBuffer } {
 /** Of all nodes: a mesh counts once for each node that has it. */
 function drawnVertices(file: Json): number {
   const counts = list(file.accessors).map(({ count }) => Number(count));
-  const count = (index: unknown): number => (index === undefined ? 0 : counts[Number(index)] ?? NaN);
-  const ofMesh = list(file.meshes).map(({ primitives }) => list(primitives).reduce(
-    (sum, { attributes, indices }) => sum + Math.max(count((attributes as Json | undefined)?.POSITION), count(indices)), 0));
-  return list(file.nodes).reduce((sum, { mesh }) => sum + (mesh === undefined ? 0 : ofMesh[Number(mesh)] ?? 0), 0);
+  const count = (index: unknown): number => (index === undefined ? 0 : (counts[Number(index)] ?? NaN));
+  const ofMesh = list(file.meshes).map(({ primitives }) =>
+    list(primitives).reduce(
+      (sum, { attributes, indices }) =>
+        sum + Math.max(count((attributes as Json | undefined)?.POSITION), count(indices)),
+      0,
+    ),
+  );
+  return list(file.nodes).reduce((sum, { mesh }) => sum + (mesh === undefined ? 0 : (ofMesh[Number(mesh)] ?? 0)), 0);
 }
 
 function buffer(uri: unknown, others: ReadonlyMap<string, ArrayBuffer>): ArrayBuffer {
-  const other = typeof uri === "string" ? others.get(uri) ?? others.get(decodeURI(uri)) : undefined;
+  const other = typeof uri === "string" ? (others.get(uri) ?? others.get(decodeURI(uri))) : undefined;
   if (other) return other;
   const base64 = typeof uri === "string" ? /^data:[^,]*;base64,(.*)$/s.exec(uri)?.[1] : undefined;
   if (base64 === undefined) throw new Error("its meshes lie in another file: drop it together with this one");
-  const text = atob(base64), bytes = new Uint8Array(text.length);
+  const text = atob(base64),
+    bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
   return bytes.buffer;
 }
 
 function list(value: unknown): Json[] {
-  return Array.isArray(value) ? value.filter((entry): entry is Json => typeof entry === "object" && entry !== null) : [];
+  return Array.isArray(value)
+    ? value.filter((entry): entry is Json => typeof entry === "object" && entry !== null)
+    : [];
 }
 
 function pick(from: Json, names: readonly string[]): Json {
@@ -108,5 +156,7 @@ function pick(from: Json, names: readonly string[]): Json {
 }
 
 function plain(value: unknown): Json {
-  return typeof value === "object" && value !== null ? pick(value as Json, ["baseColorFactor", "metallicFactor", "roughnessFactor"]) : {};
+  return typeof value === "object" && value !== null
+    ? pick(value as Json, ["baseColorFactor", "metallicFactor", "roughnessFactor"])
+    : {};
 }

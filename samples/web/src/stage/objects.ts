@@ -1,6 +1,21 @@
 // What lies and moves about the plate: the real cylinder, the ghost, the hand, the felt fingertip.
-import { CylinderGeometry, EdgesGeometry, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh,
-         MeshBasicMaterial, MeshStandardMaterial, RingGeometry, SphereGeometry, Vector2, type ColorRepresentation, type Material, type Object3D } from "three";
+import {
+  type ColorRepresentation,
+  CylinderGeometry,
+  EdgesGeometry,
+  Group,
+  LatheGeometry,
+  LineBasicMaterial,
+  LineSegments,
+  type Material,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  type Object3D,
+  RingGeometry,
+  SphereGeometry,
+  Vector2,
+} from "three";
 
 /** A solid cylinder that stands at its origin. */
 export class RealCylinder extends Group {
@@ -12,7 +27,9 @@ export class RealCylinder extends Group {
     cylinder.castShadow = true;
     this.add(cylinder);
   }
-  setColour(colour: ColorRepresentation): void { this.#material.color.set(colour); }
+  setColour(colour: ColorRepresentation): void {
+    this.#material.color.set(colour);
+  }
 }
 
 /** A goblet that is seen, or imagined, and not there. */
@@ -21,9 +38,19 @@ export class Ghost extends Group {
   readonly #lines = new LineBasicMaterial();
   constructor() {
     super();
-    const outline = [[0.006, 0], [0.006, 0.001], [0.0014, 0.003], [0.0012, 0.014], [0.0045, 0.018], [0.0062, 0.024],
-                     [0.0056, 0.03]] as const;
-    const shape = new LatheGeometry(outline.map(([r, y]) => new Vector2(r, y)), 12);
+    const outline = [
+      [0.006, 0],
+      [0.006, 0.001],
+      [0.0014, 0.003],
+      [0.0012, 0.014],
+      [0.0045, 0.018],
+      [0.0062, 0.024],
+      [0.0056, 0.03],
+    ] as const;
+    const shape = new LatheGeometry(
+      outline.map(([r, y]) => new Vector2(r, y)),
+      12,
+    );
     this.add(new Mesh(shape, this.#body), new LineSegments(new EdgesGeometry(shape, 1), this.#lines));
   }
   setColour(colour: ColorRepresentation): void {
@@ -39,7 +66,9 @@ export class Finger extends Group {
   async become(model: (skin: Material) => Promise<Object3D>): Promise<void> {
     this.add(await model(this.#skin));
   }
-  setColour(colour: ColorRepresentation): void { this.#skin.color.set(colour); }
+  setColour(colour: ColorRepresentation): void {
+    this.#skin.color.set(colour);
+  }
   /** From 0, not there, to 1. */
   fade(share: number): void {
     this.visible = share > 0;
@@ -85,8 +114,10 @@ export function colourTargets(group: Group, real: string, felt: string): void {
     if (role !== "real" && role !== "virtual") return;
     node.traverse((part) => {
       if (!(part instanceof Mesh)) return;
-      part.material = role === "real" ? new MeshStandardMaterial({ color: real, roughness: 0.4 })
-        : new MeshBasicMaterial({ color: felt, transparent: true, opacity: 0.5, depthWrite: false });
+      part.material =
+        role === "real"
+          ? new MeshStandardMaterial({ color: real, roughness: 0.4 })
+          : new MeshBasicMaterial({ color: felt, transparent: true, opacity: 0.5, depthWrite: false });
     });
   });
 }

@@ -5,7 +5,8 @@ import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
 const capacity = 2000;
-const minStep_m = 0.0005, maxStep_m = 0.001;
+const minStep_m = 0.0005,
+  maxStep_m = 0.001;
 
 export class Ribbon extends LineSegments2 {
   readonly #buffer;
@@ -16,9 +17,20 @@ export class Ribbon extends LineSegments2 {
   #shown = 1;
 
   /** Dashes every `dash_m`, with round ends; 0: a solid line. */
-  constructor(private readonly width_m: number, private readonly dash_m: number, height_m: number) {
-    super(new LineSegmentsGeometry().setPositions(new Float32Array(6 * capacity)), new LineMaterial({
-      worldUnits: true, linewidth: width_m, depthTest: false, transparent: true }));
+  constructor(
+    private readonly width_m: number,
+    private readonly dash_m: number,
+    height_m: number,
+  ) {
+    super(
+      new LineSegmentsGeometry().setPositions(new Float32Array(6 * capacity)),
+      new LineMaterial({
+        worldUnits: true,
+        linewidth: width_m,
+        depthTest: false,
+        transparent: true,
+      }),
+    );
     this.#buffer = (this.geometry.attributes.instanceStart as InterleavedBufferAttribute).data;
     this.position.y = height_m;
     this.frustumCulled = false;
@@ -26,7 +38,9 @@ export class Ribbon extends LineSegments2 {
     this.reset();
   }
 
-  setColour(colour: ColorRepresentation): void { this.material.color.set(colour); }
+  setColour(colour: ColorRepresentation): void {
+    this.material.color.set(colour);
+  }
 
   reset(): void {
     this.#right_m = this.#away_m = NaN;
@@ -42,11 +56,16 @@ export class Ribbon extends LineSegments2 {
 
   /** The path continues there. */
   extend(right_m: number, away_m: number): void {
-    const far_m = Math.hypot(right_m - this.#right_m, away_m - this.#away_m), from = { right_m: this.#right_m, away_m: this.#away_m };
+    const far_m = Math.hypot(right_m - this.#right_m, away_m - this.#away_m),
+      from = { right_m: this.#right_m, away_m: this.#away_m };
     if (far_m < minStep_m) return;
     // In pieces, so that a fast finger's dashes are as long as a slow one's; NaN: the first place.
     for (let i = 1, pieces = Math.ceil(far_m / maxStep_m) || 0; i <= pieces; ++i) {
-      this.#extend(from.right_m + ((right_m - from.right_m) * i) / pieces, from.away_m + ((away_m - from.away_m) * i) / pieces, far_m / pieces);
+      this.#extend(
+        from.right_m + ((right_m - from.right_m) * i) / pieces,
+        from.away_m + ((away_m - from.away_m) * i) / pieces,
+        far_m / pieces,
+      );
     }
     [this.#right_m, this.#away_m] = [right_m, away_m];
     this.#show();
@@ -62,5 +81,7 @@ export class Ribbon extends LineSegments2 {
     [this.#right_m, this.#away_m] = [right_m, away_m];
   }
 
-  #show(): void { this.geometry.instanceCount = Math.round(this.#shown * this.#count); }
+  #show(): void {
+    this.geometry.instanceCount = Math.round(this.#shown * this.#count);
+  }
 }

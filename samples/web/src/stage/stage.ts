@@ -1,17 +1,33 @@
 // The desk in three dimensions. Draws what it is given; knows no plugin and no person.
 import { HapticPlate } from "haptic-retargeting/three";
-import { BoxGeometry, type BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, type Material, Mesh, MeshStandardMaterial, PerspectiveCamera, Plane,
-         Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import {
+  BoxGeometry,
+  type BufferGeometry,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  type Material,
+  Mesh,
+  MeshStandardMaterial,
+  PerspectiveCamera,
+  Plane,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { ahead, radius_m, ridgeSpacing_m, start, type Place } from "../geometry";
 import type { VisitorScene } from "../files/scene";
+import { ahead, type Place, radius_m, ridgeSpacing_m, start } from "../geometry";
 import type { Colours } from "../theme";
 import { colourTargets, FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";
 import { Ribbon } from "./ribbon";
 
-const fieldOfView_deg = 40;  // from top to bottom, in a window at least this wide over its height:
+const fieldOfView_deg = 40; // from top to bottom, in a window at least this wide over its height:
 const minAspect = 1.25;
-const headHeight_m = 0.034;  // of a target, for its label
+const headHeight_m = 0.034; // of a target, for its label
 const pathHeight_m = 0.003;
 const eyes = {
   oblique: { from: new Vector3(0.03, 0.16, 0.145), to: new Vector3(0, 0.004, -0.004) },
@@ -35,8 +51,15 @@ export class Stage {
   readonly #ridges = new MeshStandardMaterial({ roughness: 0.6 });
   readonly #mark = new MeshStandardMaterial({ roughness: 0.6 });
   // Ridges are drawn larger than they are: as a headset would have them, they could hardly be seen from here.
-  readonly plate = new HapticPlate({ radius_m, ridgeSpacing_m, ridgeWidth_m: 0.0016, ridgeHeight_m: 0.0022,
-                                      discMaterial: this.#disc, ridgeMaterial: this.#ridges, markMaterial: this.#mark });
+  readonly plate = new HapticPlate({
+    radius_m,
+    ridgeSpacing_m,
+    ridgeWidth_m: 0.0016,
+    ridgeHeight_m: 0.0022,
+    discMaterial: this.#disc,
+    ridgeMaterial: this.#ridges,
+    markMaterial: this.#mark,
+  });
   readonly desk = new Mesh(new BoxGeometry(1.2, 0.02, 0.9), new MeshStandardMaterial({ roughness: 1 }));
   readonly #real = new RealCylinder();
   readonly #ghost = new Ghost();
@@ -59,7 +82,7 @@ export class Stage {
     this.renderer.shadowMap.enabled = true;
     this.orbit = new OrbitControls(this.#camera, canvas);
     Object.assign(this.orbit, { enableZoom: false, enablePan: false, maxPolarAngle: 1.4 });
-    canvas.style.touchAction = "pan-y pinch-zoom";  // a thumb still scrolls the page
+    canvas.style.touchAction = "pan-y pinch-zoom"; // a thumb still scrolls the page
     this.desk.position.y = -0.018;
     this.desk.receiveShadow = true;
     this.#start.position.x = start.right_m;
@@ -69,8 +92,20 @@ export class Stage {
     this.#lamp.shadow.mapSize.set(1024, 1024);
     Object.assign(this.#lamp.shadow, { radius: 6, intensity: 0.7, normalBias: 0.0005 });
     Object.assign(this.#lamp.shadow.camera, { left: -0.2, right: 0.2, top: 0.2, bottom: -0.2, near: 0.1, far: 1.2 });
-    this.mount.add(this.desk, this.plate, this.#real, this.#ghost, this.finger, this.#felt, this.#start, this.#visited, this.truePath,
-                   this.feltPath, this.#lamp, this.#lamp.target);
+    this.mount.add(
+      this.desk,
+      this.plate,
+      this.#real,
+      this.#ghost,
+      this.finger,
+      this.#felt,
+      this.#start,
+      this.#visited,
+      this.truePath,
+      this.feltPath,
+      this.#lamp,
+      this.#lamp.target,
+    );
     this.scene.add(this.mount, new HemisphereLight(0xffffff, 0x9a8f86, 1.9));
   }
 
@@ -96,14 +131,16 @@ export class Stage {
   }
 
   setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
-    const real = ahead(start, real_deg, distance_m), ghost = ahead(start, virtual_deg, distance_m);
+    const real = ahead(start, real_deg, distance_m),
+      ghost = ahead(start, virtual_deg, distance_m);
     this.#real.position.set(real.right_m, 0, -real.away_m);
     this.#ghost.position.set(ghost.right_m, 0, -ghost.away_m);
   }
 
   /** A visitor's scene instead of the page's desk and targets, brought to the plate's size; null: the page's own. */
   setScene(scene: VisitorScene | null): void {
-    this.#visited.traverse((part) => {  // off the graphics card; what is shown again goes there again
+    this.#visited.traverse((part) => {
+      // off the graphics card; what is shown again goes there again
       if (!(part instanceof Mesh)) return;
       (part.geometry as BufferGeometry).dispose();
       for (const material of [part.material].flat() as Material[]) material.dispose();
@@ -172,7 +209,9 @@ export class Stage {
     this.#camera.updateProjectionMatrix();
   }
 
-  draw(): void { this.renderer.render(this.scene, this.#camera); }
+  draw(): void {
+    this.renderer.render(this.scene, this.#camera);
+  }
 
   /** Where on the plate's plane a point of the canvas lies, in CSS pixels from its corner; false beyond the horizon. */
   toPlate(x: number, y: number, out: Place): boolean {
@@ -187,7 +226,12 @@ export class Stage {
   /** Where a label belongs on the canvas, in CSS pixels from its corner. */
   toCanvas(label: LabelName, out: { x: number; y: number }): void {
     const thing = { real: this.#real, ghost: this.#ghost, finger: this.finger, felt: this.#felt }[label];
-    this.#toCanvas(thing.position.x, label === "real" || label === "ghost" ? headHeight_m : 0.006, thing.position.z, out);
+    this.#toCanvas(
+      thing.position.x,
+      label === "real" || label === "ghost" ? headHeight_m : 0.006,
+      thing.position.z,
+      out,
+    );
   }
 
   /** The same for the label of a target of a visitor's scene. */

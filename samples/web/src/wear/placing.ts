@@ -1,18 +1,30 @@
 // Where the plate is in the headset's world: touched mark by mark, in the plugin's set-up, or put where the visitor points.
-import { HRT_MARK_NUMBERS, HRT_SETUP_REGISTRATION, HRT_STATE_SETTING_UP, HRT_STEP_FINISH, HRT_STEP_TOUCH_MARK, type Session } from "haptic-retargeting";
-import { Quaternion, Vector3 } from "three";
+import {
+  HRT_MARK_NUMBERS,
+  HRT_SETUP_REGISTRATION,
+  HRT_STATE_SETTING_UP,
+  HRT_STEP_FINISH,
+  HRT_STEP_TOUCH_MARK,
+  type Session,
+} from "haptic-retargeting";
 import marksFile from "marks.csv";
+import { Quaternion, Vector3 } from "three";
 import { start } from "../geometry";
 import { Rest } from "./rest";
 
 /** The plate's marks (samples/plate/model/marks.csv), in the order in which they are touched. */
-const marks = marksFile.trim().split("\n").slice(1).map((line) => {
-  const [name = "", ...numbers] = line.split(",");
-  return { name, place_m: numbers.slice(0, 3).map(Number) };
-});
+const marks = marksFile
+  .trim()
+  .split("\n")
+  .slice(1)
+  .map((line) => {
+    const [name = "", ...numbers] = line.split(",");
+    return { name, place_m: numbers.slice(0, 3).map(Number) };
+  });
 const marks_m = marks.flatMap(({ place_m }) => place_m);
 
-const pointRadius_m = 0.012, rest_ms = 900;
+const pointRadius_m = 0.012,
+  rest_ms = 900;
 
 export class Placing {
   /** What the visitor is to do. */
@@ -28,7 +40,8 @@ export class Placing {
     if (!session) return;
     if (session.state & HRT_STATE_SETTING_UP) session.cancelSetup();
     session.beginSetup(HRT_SETUP_REGISTRATION, {
-      mark_count: marks.length, marks_m: Array.from({ length: HRT_MARK_NUMBERS }, (_, i) => marks_m[i] ?? 0),
+      mark_count: marks.length,
+      marks_m: Array.from({ length: HRT_MARK_NUMBERS }, (_, i) => marks_m[i] ?? 0),
     });
     this.text = "Touch the marks of the plate, which stands at 0.";
   }
@@ -49,8 +62,10 @@ export class Placing {
 
   #touch(session: Session, time_ms: number, tip: Vector3 | null): boolean {
     session.setFinger(tip, time_ms);
-    const { instruction, text, number, done, of } = session.updateSetup(), name = marks[number]?.name ?? "";
-    this.text = instruction === HRT_STEP_TOUCH_MARK ? `${text} Mark ${number + 1} is "${name}" (${done + 1} of ${of}).` : text;
+    const { instruction, text, number, done, of } = session.updateSetup(),
+      name = marks[number]?.name ?? "";
+    this.text =
+      instruction === HRT_STEP_TOUCH_MARK ? `${text} Mark ${number + 1} is "${name}" (${done + 1} of ${of}).` : text;
     if (instruction !== HRT_STEP_FINISH || session.finishSetup().left) return false;
     const { plate_position_m, plate_rotation } = session.config;
     this.position.fromArray(plate_position_m);

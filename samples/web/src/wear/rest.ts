@@ -10,7 +10,10 @@ export class Rest {
   #taken = false;
 
   /** A rest stays within `radius_m` of its mean for `time_ms`. */
-  constructor(private readonly radius_m: number, private readonly time_ms: number) {}
+  constructor(
+    private readonly radius_m: number,
+    private readonly time_ms: number,
+  ) {}
 
   /** True once for each rest: the fingertip has to move off before the next one. A lost fingertip (null) rests nowhere. */
   update(time_ms: number, tip: Vector3 | null): boolean {
@@ -22,7 +25,8 @@ export class Rest {
     this.#sum.add(tip);
     this.place.copy(this.#sum).divideScalar(++this.#count);
     if (this.#taken || time_ms - this.#since_ms < this.time_ms) return false;
-    return (this.#taken = true);
+    this.#taken = true;
+    return true;
   }
 
   /** The next rest may be where the last one was. */

@@ -5,19 +5,20 @@ import { HandReach, type HapticPlate } from "haptic-retargeting/three";
 import { Quaternion, Vector3 } from "three";
 import { pageCourse } from "../controller";
 import { Felt } from "../felt";
-import { length_m, slideEnd, start, type Place, type SlideEnd } from "../geometry";
+import { length_m, type Place, type SlideEnd, slideEnd, start } from "../geometry";
 import { Led } from "../led";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import { Placing } from "./placing";
 import { Rest } from "./rest";
 
-const startRadius_m = 0.015;  // about the start, in each coordinate's plane
+const startRadius_m = 0.015; // about the start, in each coordinate's plane
 const startHeight_m = 0.03;
 const startRest_ms = 400;
-const lostLimit_ms = 1000;  // a shorter loss is bridged: the plugin holds, and continues
-const minReach_m = 0.03, beyond_m = 0.15;
-const liftHeight_m = 0.05;  // without a plate nothing holds the finger down
+const lostLimit_ms = 1000; // a shorter loss is bridged: the plugin holds, and continues
+const minReach_m = 0.03,
+  beyond_m = 0.15;
+const liftHeight_m = 0.05; // without a plate nothing holds the finger down
 const maxFrame_ms = 100;
 
 export type WearPhase = "placing" | "ready" | "sliding" | "arrived";
@@ -55,7 +56,12 @@ export class Wear extends Led {
   #seen_ms = 0;
 
   /** `plate` is the one that is drawn, in its place in the scene. */
-  constructor(library: Library, world: World, private readonly plate: HapticPlate, settings: Readonly<Settings>) {
+  constructor(
+    library: Library,
+    world: World,
+    private readonly plate: HapticPlate,
+    settings: Readonly<Settings>,
+  ) {
     super(library, world, settings, pageCourse(settings));
     this.session.configure({ lift_height_m: liftHeight_m });
     this.#reach = new HandReach(this.session, plate);
@@ -64,9 +70,15 @@ export class Wear extends Led {
     this.phase = "placing";
   }
 
-  get felt(): Readonly<Place> { return this.#felt.place; }
-  get finger_deg(): number { return this.#felt.finger_deg; }
-  get felt_deg(): number { return this.#felt.felt_deg; }
+  get felt(): Readonly<Place> {
+    return this.#felt.place;
+  }
+  get finger_deg(): number {
+    return this.#felt.finger_deg;
+  }
+  get felt_deg(): number {
+    return this.#felt.felt_deg;
+  }
 
   /** Another session of a headset, or another room: the plate is placed anew, as it is said after `why`. */
   begin(byMarks: boolean, why = ""): void {
@@ -84,14 +96,23 @@ export class Wear extends Led {
     this.settings = { ...settings };
     const { plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags } = this.session.config;
     this.renew(pageCourse(settings));
-    this.session.configure({ plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags, lift_height_m: liftHeight_m });
+    this.session.configure({
+      plate_position_m,
+      plate_rotation,
+      plate_covariance,
+      registration_time_ns,
+      flags,
+      lift_height_m: liftHeight_m,
+    });
     this.#reach = new HandReach(this.session, this.plate);
     if (this.phase === "placing") this.begin(this.#byMarks);
     else this.#restart();
   }
 
   /** The session is over. A reach under way is cancelled. */
-  end(): void { this.#restart(); }
+  end(): void {
+    this.#restart();
+  }
 
   /** One frame of the headset, at the time of its callback. `hand`: the one that slides; undefined: it is not tracked. */
   frame(now_ms: number, frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
@@ -115,7 +136,8 @@ export class Wear extends Led {
   }
 
   #locate(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace): Vector3 | null {
-    const joint = hand?.get("index-finger-tip"), pose = joint && frame.getJointPose?.(joint, space);
+    const joint = hand?.get("index-finger-tip"),
+      pose = joint && frame.getJointPose?.(joint, space);
     if (!pose) return null;
     const { x, y, z } = pose.transform.position;
     return Number.isFinite(x + y + z) ? this.#tip.set(x, y, z) : null;
@@ -164,7 +186,8 @@ export class Wear extends Led {
   }
 
   #slide(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {
-    const reach = this.#reach, { sample } = this.session;
+    const reach = this.#reach,
+      { sample } = this.session;
     reach.measuredPlate_deg = this.plateConnected_deg;
     this.world.command(reach.updateFromHand(this.#time_ms, frame, hand, space).plate_orientation_deg);
     this.plate.orientation_deg = this.world.plate_deg();
@@ -176,7 +199,10 @@ export class Wear extends Led {
       return;
     }
     this.#seen_ms = this.#time_ms;
-    const position = sample.finger_position_m, x = position[0] ?? 0, y = position[1] ?? 0, z = position[2] ?? 0;
+    const position = sample.finger_position_m,
+      x = position[0] ?? 0,
+      y = position[1] ?? 0,
+      z = position[2] ?? 0;
     this.#felt.move(x - this.finger.right_m, -z - this.finger.away_m, Math.max(1, elapsed_ms), this.#shift_deg);
     this.finger.right_m = x;
     this.finger.away_m = -z;
@@ -184,7 +210,8 @@ export class Wear extends Led {
   }
 
   #endIfOver(height_m: number): void {
-    const gone_m = length_m(start, this.finger), lifted = height_m > liftHeight_m;
+    const gone_m = length_m(start, this.finger),
+      lifted = height_m > liftHeight_m;
     if (lifted && gone_m < minReach_m) return this.#restart();
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
@@ -197,7 +224,8 @@ export class Wear extends Led {
     this.phase = "arrived";
     this.#rest.reset();
     const { toCylinder_mm, toGhost_mm, feltToGhost_mm } = this.result;
-    this.text = `Your finger ended ${toCylinder_mm.toFixed(0)} mm from the real cylinder and ${toGhost_mm.toFixed(0)} mm from the ` +
+    this.text =
+      `Your finger ended ${toCylinder_mm.toFixed(0)} mm from the real cylinder and ${toGhost_mm.toFixed(0)} mm from the ` +
       `ghost. On ridges it would be felt ${feltToGhost_mm.toFixed(0)} mm from the ghost. Back to the ring for the next one.`;
   }
 }

@@ -1,8 +1,9 @@
 // The mode "Wear it": asks the browser for a headset with hand tracking, and shows the visitor's reaches in it.
+
+import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
 import { showNow } from "../now";
 import { element, radios, say } from "../page";
-import { pageCourse } from "../controller";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import { Headset } from "../stage/headset";
@@ -10,9 +11,13 @@ import type { Voice } from "../voice";
 import type { Wear } from "./wear";
 
 type Kind = "immersive-vr" | "immersive-ar";
-const kinds: readonly (readonly [Kind, string])[] = [["immersive-vr", "enter-vr"], ["immersive-ar", "enter-ar"]];
+const kinds: readonly (readonly [Kind, string])[] = [
+  ["immersive-vr", "enter-vr"],
+  ["immersive-ar", "enter-ar"],
+];
 /** Until the plate is placed, it is shown there, from the eyes. */
-const ahead_m = 0.45, below_m = 0.3;
+const ahead_m = 0.45,
+  below_m = 0.3;
 
 export class Wearing {
   readonly #headset: Headset | null;
@@ -29,18 +34,32 @@ export class Wearing {
   /** A session has ended: the page draws again. */
   onLeft: () => void = () => {};
 
-  constructor(readonly wear: Wear, private readonly world: World, private readonly desk: Desk,
-              private readonly voice: Voice, private settings: Readonly<Settings>) {
+  constructor(
+    readonly wear: Wear,
+    private readonly world: World,
+    private readonly desk: Desk,
+    private readonly voice: Voice,
+    private settings: Readonly<Settings>,
+  ) {
     this.#headset = desk.stage && new Headset(desk.stage);
     wear.onPlaced = (position, rotation) => this.#headset?.put(position, rotation);
-    for (const { kind, button } of this.#buttons) button.addEventListener("click", () => { void this.#enter(kind); });
-    this.#leave.addEventListener("click", () => { void this.#session?.end(); });
+    for (const { kind, button } of this.#buttons)
+      button.addEventListener("click", () => {
+        void this.#enter(kind);
+      });
+    this.#leave.addEventListener("click", () => {
+      void this.#session?.end();
+    });
     void this.#ask();
-    navigator.xr?.addEventListener("devicechange", () => { void this.#ask(); });
+    navigator.xr?.addEventListener("devicechange", () => {
+      void this.#ask();
+    });
   }
 
   /** A headset shows the reaches now: the page must not draw. */
-  get worn(): boolean { return this.#session !== null; }
+  get worn(): boolean {
+    return this.#session !== null;
+  }
 
   apply(settings: Readonly<Settings>): void {
     this.settings = settings;
@@ -57,7 +76,8 @@ export class Wearing {
 
   async #ask(): Promise<void> {
     for (const entry of this.#buttons) {
-      entry.supported = this.desk.stage !== null && (await navigator.xr?.isSessionSupported(entry.kind).catch(() => false) ?? false);
+      entry.supported =
+        this.desk.stage !== null && ((await navigator.xr?.isSessionSupported(entry.kind).catch(() => false)) ?? false);
       entry.button.disabled = !entry.supported;
     }
     element("wear-unavailable", HTMLParagraphElement).hidden = this.#buttons.some(({ supported }) => supported);
@@ -69,7 +89,10 @@ export class Wearing {
     for (const { button } of this.#buttons) button.disabled = true;
     let session: XRSession | null = null;
     try {
-      session = await navigator.xr.requestSession(kind, { requiredFeatures: ["hand-tracking"], optionalFeatures: ["local-floor"] });
+      session = await navigator.xr.requestSession(kind, {
+        requiredFeatures: ["hand-tracking"],
+        optionalFeatures: ["local-floor"],
+      });
       session.addEventListener("end", () => this.#left());
       this.#session = session;
       this.#leave.hidden = false;
@@ -78,8 +101,12 @@ export class Wearing {
       this.wear.begin(this.#byMarks);
       this.desk.clearPaths();
       headset.show(true);
-      await headset.present(session, kind === "immersive-ar", (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
-                            () => this.#moved());
+      await headset.present(
+        session,
+        kind === "immersive-ar",
+        (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
+        () => this.#moved(),
+      );
     } catch (error) {
       this.#message = `The headset cannot be entered: ${error instanceof Error ? error.message : String(error)}${advice(error)}`;
       if (session && this.#session) await session.end().catch(() => this.#left());
@@ -107,14 +134,18 @@ export class Wearing {
     this.desk.clearPaths();
   }
 
-  get #byMarks(): boolean { return radios("placement").some((radio) => radio.checked && radio.value === "marks"); }
+  get #byMarks(): boolean {
+    return radios("placement").some((radio) => radio.checked && radio.value === "marks");
+  }
 
   /** `now_ms`: of the frame's callback, since most browsers have no predictedDisplayTime. */
   #frameWorn(now_ms: number, frame: XRFrame, space: XRReferenceSpace): void {
-    const { stage } = this.desk, wear = this.wear;
+    const { stage } = this.desk,
+      wear = this.wear;
     if (!stage || !this.#session) return;
     if (Number.isNaN(this.#before_ms)) this.#standAhead(frame, space);
-    const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms, phase = wear.phase;
+    const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms,
+      phase = wear.phase;
     this.#before_ms = now_ms;
     this.onFrame(elapsed_ms);
     const hand = this.#hand(frame, space);
@@ -128,21 +159,30 @@ export class Wearing {
   }
 
   #title(): string {
-    return Number.isNaN(this.wear.plateConnected_deg) ? "SIMULATION: no plate is under your finger" : "A plate is connected";
+    return Number.isNaN(this.wear.plateConnected_deg)
+      ? "SIMULATION: no plate is under your finger"
+      : "A plate is connected";
   }
 
   /** Before the plate has a place, it stands ahead of the eyes, level. */
   #standAhead(frame: XRFrame, space: XRReferenceSpace): void {
-    const eyes = frame.getViewerPose(space)?.transform, { stage } = this.desk;
+    const eyes = frame.getViewerPose(space)?.transform,
+      { stage } = this.desk;
     if (!eyes || !stage) return;
-    const { x, y, z, w } = eyes.orientation, yaw = Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y));
-    stage.mount.position.set(eyes.position.x - ahead_m * Math.sin(yaw), eyes.position.y - below_m, eyes.position.z - ahead_m * Math.cos(yaw));
+    const { x, y, z, w } = eyes.orientation,
+      yaw = Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y));
+    stage.mount.position.set(
+      eyes.position.x - ahead_m * Math.sin(yaw),
+      eyes.position.y - below_m,
+      eyes.position.z - ahead_m * Math.cos(yaw),
+    );
     stage.mount.rotation.set(0, yaw, 0);
   }
 
   /** The hand that slides: the one that began, or, before, the first whose fingertip is seen. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
-    const sources = this.#session?.inputSources, keeps = this.wear.phase === "sliding";
+    const sources = this.#session?.inputSources,
+      keeps = this.wear.phase === "sliding";
     for (let i = 0; sources && i < sources.length; ++i) {
       const source = sources[i];
       if (!source?.hand || (keeps && source.handedness !== this.#handedness)) continue;
@@ -169,7 +209,9 @@ export class Wearing {
 /** What to do about a refusal, for people. */
 function advice(error: unknown): string {
   const name = error instanceof Error ? error.name : "";
-  if (name === "NotSupportedError") return ". Switch hand tracking on in the headset's settings, put the controllers down, and enter again.";
-  if (name === "SecurityError" || name === "NotAllowedError") return ". Allow this page the headset and your hands, in the browser's question or its site settings.";
+  if (name === "NotSupportedError")
+    return ". Switch hand tracking on in the headset's settings, put the controllers down, and enter again.";
+  if (name === "SecurityError" || name === "NotAllowedError")
+    return ". Allow this page the headset and your hands, in the browser's question or its site settings.";
   return "";
 }
