@@ -32,7 +32,6 @@ _OWN = {"hrt_result", "hrt_godot", "hrt_web_open", "hrt_session_config_from_plat
 _COMMENTS = re.compile(r'//[^\n]*|/\*.*?\*/|"""(?:[^"]|"(?!""))*"""|(?m:^\s*#[^\n]*)', re.S)
 
 _ALL = "godot python unity unreal web"
-_PLATE = "hrt_plate_open hrt_plate_set hrt_plate_stop hrt_plate_get hrt_plate_close hrt_plate_last_error"
 # Hosts, names, and why those hosts do without.
 _LEFT_OUT = (
     ("godot", "hrt_person_get_state", "update_simulated_finger() has the place"),
@@ -47,8 +46,9 @@ _LEFT_OUT = (
     ("godot unreal web", "hrt_setup_get_residual", "a plot of slides is made in Python, C# and C"),
     ("python", "hrt_sample::joint_rotation", "a set-up's fingertip is found in engines and C"),
     ("unreal", "hrt_get_version", "the library is part of the plugin"),
-    ("web", _PLATE, "a web page has no serial lines of the system's: samples/web drives a plate by Web Serial"),
-    ("unreal", _PLATE, "a game links libhrt_plate, and calls plate.h"),
+    ("web", "hrt_plate_open hrt_plate_set hrt_plate_stop hrt_plate_get hrt_plate_close hrt_plate_last_error",
+     "a web page has no serial lines of the system's: samples/web drives a plate by Web Serial"),
+    ("unreal", "hrt_plate_stop", "a plate that gets no command holds"),
     ("unreal", "hrt_sample::finger_direction_deg", "C++ has UpdateSample()"),
     ("godot unreal", "HRT_PLACE_DIRECTION", "the default"),
     ("godot unreal", "hrt_target_config::radius_m", "a contact is given with its place and deviation"),

@@ -77,6 +77,7 @@ void write_png(const Picture& picture, const std::string& path) {
   image.width = picture.width;
   image.height = picture.height;
   image.format = PNG_FORMAT_RGBA;
+  image.flags = PNG_IMAGE_FLAG_FAST;
   if (png_image_write_to_file(&image, path.c_str(), 0, picture.rgba.data(), 0, nullptr) == 0)
     throw Error{XR_ERROR_RUNTIME_FAILURE, path + ": " + image.message};
 }

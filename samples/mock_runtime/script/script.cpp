@@ -81,7 +81,6 @@ namespace {
 
 Script read_script(Members& members, const Json& json, Recording& recording) {
   Script script;
-  members.has("$schema");  // of who edits it
   if (members.has("clock"))
     script.clock =
         members.choice<Clock::Kind>("clock", {{"manual", Clock::Kind::manual}, {"real-time", Clock::Kind::real_time}});
@@ -123,6 +122,7 @@ Script read_script(Members& members, const Json& json, Recording& recording) {
     script.calls.insert(script.calls.end(), recording.failures.begin(), recording.failures.end());
     script.playback = std::make_shared<const Recording>(std::move(recording));
   });
+  members.has("$schema");  // of who edits it
   return script;
 }
 
