@@ -90,9 +90,7 @@ typedef struct hrt_plate_options {
 #define HRT_PLATE_REPORT_UNHOMED                                                                            \
   32u /**< nobody knows where the plate stands: it has no sensor, and was switched on, reset, or stopped by \
        * its emergency stop since it last knew */
-#define HRT_PLATE_REPORT_FIRST_MOTION 64u /**< it has not yet come to a command since it was opened: keep fingers off \
-                                           */
-
+#define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< it has not come to a command since it was opened: keep fingers off */
 #define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are those of the file */
 #define HRT_PLATE_REPORT_DEVIATES                                                                        \
   256u /**< it turned slower than 80 % of what the file says, or rests farther from its command than its \

@@ -59,8 +59,7 @@ void read_playback(Members& members, const Json& script, Recording& recording) {
   // What is left of them are those that are no arrays.
   const Json& records = members.at("records", {{"type", "array"}});
   if (members.count("version", 0, 0) != 1) refuse(members.where("version"), "must be 1");
-  if (!records.is_array() || !records.empty())
-    refuse(members.where("records"), "must be an array of arrays");
+  if (!records.is_array() || !records.empty()) refuse(members.where("records"), "must be an array of arrays");
   recording.finish();
 }
 
