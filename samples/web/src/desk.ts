@@ -70,6 +70,7 @@ export class Desk {
   // What was drawn last, and whether anything else has changed since: a picture at rest costs nothing.
   #stale = true;
   #revealed = 1;
+  #slowFrames = 0; // in a row
   #plate_deg = NaN;
   readonly #finger: Place = { right_m: NaN, away_m: NaN };
   readonly #felt: Place = { right_m: NaN, away_m: NaN };
@@ -121,6 +122,12 @@ export class Desk {
   }
   resize(): void {
     this.#change((stage) => stage.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio));
+  }
+
+  /** Where frames take long, a processor draws: the picture becomes lighter. */
+  ease(elapsed_ms: number): void {
+    this.#slowFrames = elapsed_ms > 60 && elapsed_ms < 1000 ? this.#slowFrames + 1 : 0;
+    if (this.#slowFrames === 8) this.#change((stage) => stage.lighten());
   }
 
   /** How much of the true hand, its path and the cylinder is shown, from 0 to 1. */

@@ -200,6 +200,7 @@ async function main(): Promise<void> {
     const elapsed_ms = Math.max(0, now_ms - before_ms);
     before_ms = now_ms;
     if (!wearing?.worn) {
+      if (!still) desk.ease(elapsed_ms);
       follow(elapsed_ms);
       ({ watch: watching, hand: sliding, wear: wearing, replay: replaying, scene: watching })[mode]?.frame(elapsed_ms);
     }

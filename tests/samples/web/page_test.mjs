@@ -420,6 +420,16 @@ test("in Watch a hand is seen, and a drag or the arrows turn the picture; from a
   assert.equal(await ghost(), above);
 }));
 
+test("eight slow frames in a row, and the picture has no finer pixels than the page", () => visit(async (page) => {
+  const pixels = () => page.locator("#stage canvas").evaluate((canvas) => canvas.width / canvas.clientWidth);
+  await frames(page, 100, 7);
+  await frames(page, 16);
+  await frames(page, 100, 7);
+  assert.equal(await pixels(), 2);
+  await frames(page, 100);
+  assert.equal(await pixels(), 1);
+}, { motion: true, script: () => Object.defineProperty(window, "devicePixelRatio", { value: 2 }) }));
+
 test("the page opens from a folder, without a server", () => visit(async (page) => {
   assert.equal(arrived(await newest(page)), true);
 }, { base: pathToFileURL(join(resolve(pageFolder), "index.html")).href.replace(/index\.html$/, ""), link: "index.html#mode=watch" }));

@@ -75,6 +75,7 @@ export class Stage {
   readonly #pointer = new Vector2();
   #width = 1;
   #height = 1;
+  #finest = 2;
 
   /** Throws if the browser has no WebGL. */
   constructor(canvas: HTMLCanvasElement) {
@@ -200,13 +201,20 @@ export class Stage {
     if (width < 1 || height < 1) return;
     this.#width = width;
     this.#height = height;
-    this.renderer.setPixelRatio(Math.min(pixelRatio, 2));
+    this.renderer.setPixelRatio(Math.min(pixelRatio, this.#finest));
     this.renderer.setSize(width, height, false);
     this.#camera.aspect = width / height;
     // The plate's width fits into a narrow window too.
     const widening = Math.max(1, minAspect / this.#camera.aspect);
     this.#camera.fov = (360 / Math.PI) * Math.atan(Math.tan((fieldOfView_deg / 360) * Math.PI) * widening);
     this.#camera.updateProjectionMatrix();
+  }
+
+  /** For a processor that draws: no shadows, no pixels finer than the page's. */
+  lighten(): void {
+    this.#lamp.castShadow = false;
+    this.#finest = 1;
+    this.resize(this.#width, this.#height, 1);
   }
 
   draw(): void {
