@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <semaphore>
+#include <thread>
 
 #include "samples/mock_runtime/graphics/picture.h"
 #include "tests/samples/mock_runtime/graphics/vulkan_application.h"
@@ -128,9 +130,12 @@ class MockGraphics : public MockRuntime {
     EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
     EXPECT_TRUE(state.shouldRender);
     EXPECT_GE(xrBeginFrame(session, nullptr), XR_SUCCESS);
+    return submit(state.predictedDisplayTime, layers);
+  }
+  XrResult submit(XrTime time, const std::vector<const void*>& layers) {
     const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,
                              nullptr,
-                             state.predictedDisplayTime,
+                             time,
                              XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
                              static_cast<std::uint32_t>(layers.size()),
                              reinterpret_cast<const XrCompositionLayerBaseHeader* const*>(layers.data())};
@@ -322,6 +327,31 @@ TEST_F(MockGraphics, PicturesShowTheLayers) {
   const std::string log = call_log().back().reason;
   EXPECT_EQ(log, "picture of frame 000002: left 64x48 " + hash_of(left) + ", right 64x48 " + hash_of(right));
   EXPECT_TRUE(has(read_file(folder / "pictures.txt"), "left 64x48 " + hash_of(left) + "\n"));
+}
+
+// As engines do.
+TEST_F(MockGraphics, OneThreadWaitsWhileAnotherDraws) {
+  begin_drawing(R"({"picture_every_frames": 5})");
+  const XrSwapchain swapchain = make_swapchain(swapchain_info());
+  const Projection projection(local, swapchain);
+  std::array<XrTime, 20> times{};
+  std::counting_semaphore waited(0);
+  std::thread waiter([&] {
+    for (XrTime& time : times) {
+      XrFrameState state{XR_TYPE_FRAME_STATE};
+      EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
+      time = state.predictedDisplayTime;
+      waited.release();
+    }
+  });
+  for (const XrTime& time : times) {
+    waited.acquire();
+    EXPECT_XR(XR_SUCCESS, xrBeginFrame(session, nullptr));
+    draw(swapchain, {green});
+    EXPECT_XR(XR_SUCCESS, submit(time, {&projection.layer}));
+  }
+  waiter.join();
+  EXPECT_EQ(colour(picture("000016_left.png"), 60, 40), green_pixel);
 }
 
 // Of several samples, of linear and of half formats: 0.5 is 188 of 255 in sRGB.
