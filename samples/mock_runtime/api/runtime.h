@@ -29,9 +29,17 @@ struct Runtime {
 
   /// A script takes effect; calls, sessions and instances are counted anew. Throws as parse_script(), and
   /// changes nothing then.
-  void apply(const std::string& text);
+  void apply(const std::string& text) {
+    script = parse_script(text);
+    script_text = text;
+    faults = Faults(script.calls);
+    made = {.instance = instance == nullptr ? 0U : 1U, .session = 0};
+  }
   /// Where a call belongs: to the existing session and instance, or to the next ones.
-  Scope scope() const;
+  Scope scope() const {
+    const bool in_session = instance != nullptr && registry.has_child(*instance, XR_OBJECT_TYPE_SESSION);
+    return {made.instance + (instance == nullptr ? 1 : 0), made.session + (in_session ? 0 : 1)};
+  }
   /// Counts a call and returns its fault, if any.
   std::optional<CallFault> next_fault(FunctionId function) {
     return faults.empty() ? std::nullopt : faults.next(function, scope());
@@ -40,6 +48,10 @@ struct Runtime {
   XrTime now() const { return clock == nullptr ? 0 : clock->now(); }
 };
 
-Runtime& runtime();
+inline Runtime& runtime() {
+  // Never destroyed: a thread may be within a call when the process ends.
+  static Runtime& the_runtime = *new Runtime;
+  return the_runtime;
+}
 
 }  // namespace hrt::mock

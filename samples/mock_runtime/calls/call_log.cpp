@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "samples/mock_runtime/calls/call_text.h"
 #include "samples/mock_runtime/openxr_1_1.h"
 
 namespace hrt::mock {
@@ -12,7 +13,27 @@ namespace {
 constexpr std::size_t remembered_calls = 100'000;
 constexpr std::int64_t max_file_bytes = 32 << 20;
 
+bool is_header(const char* member) { return std::string_view(member) == "type" || std::string_view(member) == "next"; }
+
+template <typename T>
+void put_member(std::string& out, const char* name, const T& value) {
+  if (is_header(name)) return;
+  out += out.back() == '{' ? "" : ", ";
+  out += std::string(name) + '=';
+  put_value(out, value, false);
+}
+
 }  // namespace
+
+#define HRT_MOCK_MEMBER(member) put_member(out, #member, shown.member);
+#define HRT_MOCK_PUT(name)                             \
+  void put(std::string& out, const name& shown) {      \
+    out += '{';                                        \
+    XR_LIST_STRUCT_##name(HRT_MOCK_MEMBER) out += '}'; \
+  }
+HRT_MOCK_SHOWN_STRUCTS(HRT_MOCK_PUT)
+#undef HRT_MOCK_PUT
+#undef HRT_MOCK_MEMBER
 
 std::string result_name(XrResult result) {
 #define HRT_MOCK_NAME(name, number) \

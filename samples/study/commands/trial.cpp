@@ -9,7 +9,7 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/figures/trace.h"
+#include "samples/study/figures/figures.h"
 #include "samples/study/figures/workshop.h"
 
 namespace hrt::study {

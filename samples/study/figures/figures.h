@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "samples/study/paper/table1.h"
+#include "samples/study/people/trace.h"
 
 namespace hrt::study {
 
@@ -32,5 +33,11 @@ std::string drawing(const Figure& figure);
 
 /// HTML that shows `text`, then NAME.svg of each figure in the same folder, with its caption.
 std::string html_page(const std::string& text, const std::vector<Figure>& figures);
+
+/// Every state of a traced reach over time, with two deviations to both sides.
+Figure trace_figure(const Trace& trace);
+
+/// The reach from above, moving, as one SVG: plate and ridges, the finger and its path, and where it is felt.
+std::string moving_picture(const Trace& trace);
 
 }  // namespace hrt::study

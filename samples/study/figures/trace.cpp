@@ -1,10 +1,9 @@
-#include "samples/study/figures/trace.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/math/trigonometry.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/figures/figures.h"
 
 namespace hrt::study {
 namespace {

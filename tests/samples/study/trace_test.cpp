@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/math/trigonometry.h"
-#include "samples/study/figures/trace.h"
+#include "samples/study/figures/figures.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {
