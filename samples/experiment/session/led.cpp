@@ -124,6 +124,7 @@ std::string LedSubject::description() const {
 void LedSubject::plan(hrt_session_config& config) const {
   std::copy(targets_.start_m.begin(), targets_.start_m.end(), config.start_position_m);
   config.plate_radius_m = targets_.plate_radius_m;
+  config.lift_height_m = reach::lifted_height_m;
   if (const hrt_plate_report* report = plate_->report()) hrt_session_config_from_plate(&config, report);
 }
 

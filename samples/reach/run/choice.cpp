@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "samples/reach/base/exit_code.h"
+#include "samples/reach/run/stage.h"
 
 namespace hrt::reach {
 namespace {
@@ -28,6 +29,7 @@ TargetSet load_targets(const Plugin& plugin, const Options& options) {
   config.adaptation = options.for_people ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
   config.guidance = options.for_people ? HRT_GUIDANCE_ARRIVAL : HRT_GUIDANCE_FIXED_DIRECTION;
   config.motor_variance_deg2 = options.motor_variance_deg2;
+  config.lift_height_m = lifted_height_m;
   return load_targets(plugin, options.scene, config);
 }
 

@@ -57,6 +57,14 @@ TEST(ReachPerson, TakesTheHandThatComes) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
 
+// A thick finger's joint is 18 mm above the plate when it touches: it slides, for the plugin, too.
+TEST(ReachPerson, TakesAThickFinger) {
+  const auto slide = [](double skin_m) {
+    return run_scripted(Path(plate_of_desk).hold_hand({}, skin_m).reach().script(), person_and()).out;
+  };
+  EXPECT_EQ(slide(0.018), slide(0.008));
+}
+
 // The right finger is lost half way; the left one comes down there and slides to the cylinder.
 std::string relay(double left_height_m) {
   PlatePose left_plate = plate_of_desk;
