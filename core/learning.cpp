@@ -1,7 +1,10 @@
 #include "core/learning.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "core/math/exponential.h"
 
 namespace hrt {
 namespace {
@@ -9,6 +12,10 @@ namespace {
 using T = PersonTrait;
 
 constexpr double fall_deviations = 1.2;
+// Of the square of one draw, in squares of its variance.
+constexpr double square_variance = 2.0;
+// Nobody is believed to be steadier: less could never be seen to be wrong.
+constexpr double min_scatter_deg = 0.2;
 
 // A drop of the weight resembles an early peak. The plate then stays within that peak and never tests it, so
 // the illusion is reset.
@@ -26,6 +33,36 @@ void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {
   }
   for (const int i : illusion)
     for (const int j : illusion) belief->covariance(i, j) = unknown.covariance(i, j);
+}
+
+// A reach shows the bias that it had: theirs and a deviation from it, of which the scatter is the size. Given
+// how the reach's traits came to be believed, both are normal:
+//
+//   deviation = s . (learnt - before),   s = scatter^2 P^-1 e,   P of the reach's traits before it
+PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& learnt) {
+  using Vector = PersonBelief::Vector;
+  const double scatter_deg2 = square(std::max(before.mean(T::scatter), min_scatter_deg));
+  PersonBelief::Matrix of_reach = before.covariance;
+  of_reach(T::bias, T::bias) += scatter_deg2;
+  const Vector share = scatter_deg2 * of_reach.llt().solve(Vector::Unit(T::bias));
+  const double deviation_deg = share.dot(learnt.mean - before.mean);
+  const double unseen_deg2 = scatter_deg2 * (1.0 - share(T::bias));
+  const double square_deg2 = square(deviation_deg) + share.dot(learnt.covariance * share) + unseen_deg2;
+
+  PersonBelief next = learnt;
+  const Vector kept = Vector::Unit(T::bias) - share;
+  const Vector with_others = learnt.covariance * kept;
+  next.mean(T::bias) -= deviation_deg;
+  next.covariance.row(T::bias) = with_others;
+  next.covariance.col(T::bias) = with_others;
+  next.covariance(T::bias, T::bias) = kept.dot(with_others) + unseen_deg2;
+
+  const double doubt = 4.0 * learnt.covariance(T::scatter, T::scatter) / scatter_deg2;
+  const double gain = doubt / (doubt + square_variance);
+  next.mean(T::scatter) = std::clamp(std::sqrt(scatter_deg2 + gain * (square_deg2 - scatter_deg2)), min_scatter_deg,
+                                     person_traits[T::scatter].max);
+  next.covariance(T::scatter, T::scatter) *= 1.0 - gain;
+  return next;
 }
 
 }  // namespace
@@ -55,9 +92,9 @@ RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact,
 }
 
 PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown) {
-  PersonBelief next = learnt;
+  PersonBelief next = without_deviation(before, learnt);
   // The filter's rounding differs above and below the diagonal.
-  next.covariance = (0.5 * (learnt.covariance + learnt.covariance.transpose())).eval();
+  next.covariance = (0.5 * (next.covariance + next.covariance.transpose())).eval();
   for (int i = 0; i < T::count; ++i) next.covariance(i, i) += person_traits[i].change * person_traits[i].change;
   // Scaling a row and its column keeps the correlations.
   for (int i = 0; i < T::count; ++i) {

@@ -23,8 +23,9 @@ RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& l
 RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact, bool was_learnt);
 
 /// The belief for the next reach after one that began with `before`, ended with `learnt` and, if `missed`,
-/// did not reach its target: wider, since people change, yet never wider than `unknown`. After a miss with an
-/// illusion far below what was believed, the illusion is unknown again.
+/// did not reach its target: without the reach's own deviation from the bias, by which the scatter is learnt;
+/// wider, since people change, yet never wider than `unknown`. After a miss with an illusion far below what
+/// was believed, the illusion is unknown again.
 PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown);
 
 }  // namespace hrt

@@ -14,6 +14,7 @@ constexpr double weight_curve_correlation = 0.85;
 constexpr double known_weight_sd = 0.001;
 constexpr double known_bias_sd_deg = 0.05;
 constexpr double known_fading_sd = 0.01;
+constexpr double known_scatter_sd_deg = 0.05;
 // Of a calibrated one.
 constexpr double min_weight_sd = 0.01;
 constexpr double min_curve_sd = 0.015;
@@ -47,6 +48,7 @@ PersonBelief known_person(double tactile_weight, double bias_deg) {
   PersonBelief belief = unknown_person(tactile_weight, known_weight_sd, bias_deg);
   belief.covariance(T::bias, T::bias) = known_bias_sd_deg * known_bias_sd_deg;
   know(belief, T::fading, 0.0, known_fading_sd);
+  know(belief, T::scatter, 0.0, known_scatter_sd_deg);
   return belief;
 }
 

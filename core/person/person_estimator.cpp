@@ -19,7 +19,10 @@ constexpr int max_outliers = 4;
 // Samples since the onset that the filter takes in at each new one: bounds the time of an update.
 constexpr int max_replayed = 6;
 constexpr double onset_sd_s = 0.02;
+// The least in which a finger is found to stand still, of places and of time.
 constexpr int still_samples = 10;
+constexpr double still_s = 0.11;
+constexpr double still_deviations = 2.5;
 constexpr double min_pausing_speed_mm_s = 25.0;
 constexpr double pause_clock_sd_s = 0.07;
 // A finger beyond this share of the time has come to rest.
@@ -30,6 +33,11 @@ constexpr double fit_share = 0.05;
 constexpr double fit_cap = 9.0;
 constexpr double recovery_nis = 20.0;
 constexpr double noise_floor_share = 0.5;
+// A resting finger that is seen further off than a motion could begin, and than four deviations of the
+// difference of two positions, is not there, unless it is so seen more often than this.
+constexpr double max_start_speed_mm_s = 600.0;
+constexpr double wild_deviations = 5.7;
+constexpr int max_wild = 2;
 
 }  // namespace
 
@@ -42,6 +50,10 @@ PersonEstimator::PersonEstimator(const PersonBelief& belief, double virtual_dire
       filter_(belief, virtual_direction_deg, path_mm, rest_.noise()) {}
 
 bool PersonEstimator::observe(double time_s, const PlaceMm& position, const PlateTrace& plate) {
+  if (motion_ == FingerMotion::resting) {
+    if (is_wild(time_s, position)) return false;
+    if (std::exchange(wild_, 0) > max_wild) lifted_ = true;  // it is there, however it came
+  }
   if (!places_.add(time_s, position)) return true;
   if (motion_ == FingerMotion::resting) {
     filter_s_ = time_s;
@@ -55,6 +67,14 @@ bool PersonEstimator::observe(double time_s, const PlaceMm& position, const Plat
     ++backlog_;
   }
   return catch_up(plate);
+}
+
+bool PersonEstimator::is_wild(double time_s, const PlaceMm& position) {
+  if (places_.count() == 0 || lifted_) return false;
+  const double allowed_mm =
+      max_start_speed_mm_s * (time_s - places_[0].time_s) + wild_deviations * std::sqrt(noise().variance_mm2());
+  wild_ = square_distance_mm2(position, places_[0].place) > square(allowed_mm) ? wild_ + 1 : 0;
+  return wild_ > 0 && wild_ <= max_wild;
 }
 
 void PersonEstimator::predict(double time_s, const PlateTrace& plate) {
@@ -198,21 +218,25 @@ void PersonEstimator::take_paused(const TimedPlace& sample) {
   outliers_ = 0;
 }
 
-// The last samples go nowhere: their trend is within the noise.
+// The last samples go nowhere: their trend is within the noise, and short of what the motion would have been.
 bool PersonEstimator::stands_still(PlaceMm& where) const {
-  if (places_.count() < still_samples) return false;
-  where = places_.mean_of_last(still_samples);
+  int count = still_samples;
+  while (count < places_.count() && places_[0].time_s - places_[count - 1].time_s < still_s) ++count;
+  if (places_.count() < count) return false;
+  where = places_.mean_of_last(count);
   double moment_right = 0.0;
   double moment_away = 0.0;
   double spread = 0.0;
-  for (int i = 0; i < still_samples; ++i) {
-    const double centred = 0.5 * (still_samples - 1) - i;
+  for (int i = 0; i < count; ++i) {
+    const double centred = 0.5 * (count - 1) - i;
     moment_right += centred * places_[i].place.right_mm;
     moment_away += centred * places_[i].place.away_mm;
     spread += centred * centred;
   }
-  const double trend_mm = std::sqrt(square(moment_right) + square(moment_away)) / spread * (still_samples - 1);
-  return trend_mm < 2.5 * std::sqrt(noise().variance_mm2());
+  const double trend_mm = std::sqrt(square(moment_right) + square(moment_away)) / spread * (count - 1);
+  const double expected_mm = filter_.speed_mm_s() * (places_[0].time_s - places_[count - 1].time_s);
+  const double noise_mm = std::sqrt(noise().variance_mm2());
+  return trend_mm < still_deviations * noise_mm && trend_mm < expected_mm - noise_mm;
 }
 
 }  // namespace hrt

@@ -40,7 +40,7 @@ class PersonEstimator {
                   const std::optional<TrackerNoise>& noise);
 
   /// Takes a position in, seen at `time_s`, after the last one's. `plate` has stood where its trace says.
-  /// False if it was left out: five standard deviations off.
+  /// False if it was left out: it is five standard deviations off, or a resting finger cannot be there so soon.
   bool observe(double time_s, const PlaceMm& position, const PlateTrace& plate);
 
   /// Nothing was seen, and time passes until `time_s`.
@@ -71,6 +71,7 @@ class PersonEstimator {
   double onset_s() const { return onset_s_; }
 
  private:
+  bool is_wild(double time_s, const PlaceMm& position);
   void begin_motion();
   bool catch_up(const PlateTrace& plate);
   bool take(const TimedPlace& sample, const PlateTrace& plate);
@@ -100,6 +101,7 @@ class PersonEstimator {
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;
   int outliers_ = 0;  // in a row
+  int wild_ = 0;      // in a row, of a finger at rest
   bool lifted_ = false;
   PlaceMm last_innovation_{0.0, 0.0};
 };

@@ -35,9 +35,11 @@ constexpr double max_stretch = 1.5;
 constexpr double min_path_mm = 1.0;
 constexpr double another_motion_sd_s = 0.15;
 
-constexpr PersonFilter::Index state_of[PersonTrait::count] = {
-    PersonFilter::weight,   PersonFilter::curve,   PersonFilter::gain,     PersonFilter::bias,  PersonFilter::habit,
-    PersonFilter::evenness, PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
+// Those below are states; scatter only widens the bias of a reach.
+constexpr int states = PersonTrait::scatter;
+constexpr PersonFilter::Index state_of[states] = {PersonFilter::weight,  PersonFilter::curve,    PersonFilter::gain,
+                                                  PersonFilter::bias,    PersonFilter::habit,    PersonFilter::evenness,
+                                                  PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
 
 // F P F', as (P F')' F': columns lie side by side. A step leaves the person's traits as they are.
 HRT_ANY_WIDTH void carry(PersonFilter::Covariance& covariance, PersonFilter::Step f) {
@@ -81,14 +83,19 @@ HRT_ANY_WIDTH void correct(PersonFilter::Covariance& covariance, const PersonFil
 
 PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
                            const TrackerNoise& noise)
-    : virtual_direction_deg_(virtual_direction_deg), path_mm_(path_mm), noise_(noise) {
+    : virtual_direction_deg_(virtual_direction_deg),
+      scatter_deg_(belief.mean(PersonTrait::scatter)),
+      scatter_variance_deg2_(belief.covariance(PersonTrait::scatter, PersonTrait::scatter)),
+      path_mm_(path_mm),
+      noise_(noise) {
   state_.setZero();
   covariance_.setZero();
-  for (int i = 0; i < PersonTrait::count; ++i) {
+  for (int i = 0; i < states; ++i) {
     state_(state_of[i]) = belief.mean(i);
-    for (int j = 0; j < PersonTrait::count; ++j) covariance_(state_of[i], state_of[j]) = belief.covariance(i, j);
+    for (int j = 0; j < states; ++j) covariance_(state_of[i], state_of[j]) = belief.covariance(i, j);
   }
   keep_in_range();
+  covariance_(bias, bias) += scatter_deg_ * scatter_deg_;
   covariance_(wander, wander) = wander_sd_deg * wander_sd_deg;
   covariance_(noise_right, noise_right) = covariance_(noise_away, noise_away) =
       noise_.correlated_mm * noise_.correlated_mm;
@@ -280,15 +287,18 @@ LinearIllusion PersonFilter::linear_illusion() const {
 
 PersonBelief PersonFilter::belief() const {
   PersonBelief belief;
-  for (int i = 0; i < PersonTrait::count; ++i) {
+  belief.covariance.setZero();
+  belief.mean(PersonTrait::scatter) = scatter_deg_;
+  belief.covariance(PersonTrait::scatter, PersonTrait::scatter) = scatter_variance_deg2_;
+  for (int i = 0; i < states; ++i) {
     belief.mean(i) = state_(state_of[i]);
-    for (int j = 0; j < PersonTrait::count; ++j) belief.covariance(i, j) = covariance_(state_of[i], state_of[j]);
+    for (int j = 0; j < states; ++j) belief.covariance(i, j) = covariance_(state_of[i], state_of[j]);
   }
   return belief;
 }
 
 void PersonFilter::keep_in_range() {
-  for (int i = 0; i < PersonTrait::count; ++i)
+  for (int i = 0; i < states; ++i)
     state_(state_of[i]) = std::clamp(state_(state_of[i]), person_traits[i].min, person_traits[i].max);
   state_(phase) = std::clamp(state_(phase), 0.0, 1.0);
   rate_ = exponential(state_(log_rate));

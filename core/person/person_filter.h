@@ -159,6 +159,7 @@ class PersonFilter {
   void keep_in_range();
 
   double virtual_direction_deg_;
+  double scatter_deg_, scatter_variance_deg2_;  // of the belief
   double path_mm_;
   TrackerNoise noise_;
   State state_;

@@ -15,6 +15,7 @@ struct PersonTrait {
     heading,   ///< share of the goal's direction in which they set out
     log_rate,  ///< rho, natural logarithm of one over the duration in seconds
     fading,    ///< f of the illusion
+    scatter,   ///< of the bias from reach to reach, standard deviation
     count
   };
 };
@@ -33,13 +34,14 @@ struct Trait {
 inline constexpr Trait person_traits[PersonTrait::count] = {
     {"weight", "", 0.01, 0.6, 0.9, 1.7, 0.008},     //
     {"curve", "", -0.1, 0.5, 1.1, 1.6, 0.03},       //
-    {"gain", "1/s", 3.0, 20.0, 17.0, 1.5, 0.7},     //
+    {"gain", "1/s", 3.0, 20.0, 14.0, 4.0, 0.7},     //
     {"bias", "deg", -90.0, 90.0, 0.0, 1.5, 0.5},    //
     {"habit", "deg", -45.0, 45.0, 0.0, 2.0, 0.4},   //
     {"evenness", "", 0.0, 1.0, 0.05, 0.35, 0.05},   //
     {"heading", "", -2.0, 2.0, 0.2, 0.45, 0.1},     //
     {"log_rate", "", -3.0, 2.4, -0.65, 0.55, 0.1},  //
-    {"fading", "", -0.2, 1.0, 0.05, 0.6, 0.02},
+    {"fading", "", -0.2, 1.0, 0.05, 0.6, 0.02},     //
+    {"scatter", "deg", 0.0, 10.0, 1.2, 0.8, 0.1},
 };
 
 }  // namespace hrt

@@ -38,6 +38,7 @@ RetargeterConfig informed_controller(const PersonCondition& condition) {
   know(belief, T::gain, person.gain_per_s, 0.5);
   know(belief, T::bias, person.bias_deg - person.own_bias_deg, 0.5);
   know(belief, T::habit, person.habit_deg, 0.5);
+  know(belief, T::scatter, std::max(person.scatter_deg, 0.2), 0.1);  // as steady as anybody is believed to be
   know(belief, T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
   know(belief, T::log_rate, -logarithm(person.duration_s), 0.05);
   if (condition.virtual_direction_deg != 0.0)  // else a share of it is no direction

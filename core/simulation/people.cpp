@@ -33,6 +33,20 @@ void headset(PersonCondition& condition, Draws& draws) {
   tracker.scale = std::sqrt(along * along + across * across);
 }
 
+void arm(PersonCondition& condition, Steering steering, double mass_kg, double muscle_s) {
+  Person& person = condition.person;
+  person.steering = steering;
+  person.delay_s = 0.08;
+  person.mass_kg = mass_kg;
+  person.muscle_s = muscle_s;
+}
+
+void wild(PersonCondition& condition, Draws& draws, double from_s, double to_s) {
+  condition.tracker.wild_samples = draws.uniform() < 0.5 ? 1 : 2;
+  condition.tracker.wild_m = 0.01 + 0.29 * draws.uniform();
+  condition.tracker.wild_at_s = from_s + (to_s - from_s) * draws.uniform();
+}
+
 void turned_and_touched(PersonCondition& condition, Draws& draws, double contact_sd_m) {
   condition.tracker.turned_deg = either_side(2.0, draws);
   condition.contact_sd_m = contact_sd_m;
@@ -73,10 +87,21 @@ constexpr PeopleFamily all_families[] = {
     {"place", "seek the virtual target's place", false,
      [](PersonCondition& c, Draws&) { c.person.steering = Steering::place; }},
     {"heavy-arm", "a mass of 1 kg, muscles of 40 ms, feedback after 80 ms", false,
+     [](PersonCondition& c, Draws&) { arm(c, Steering::heavy_arm, 1.0, 0.04); }},
+    {"slow-arm", "a mass of 2 kg, muscles of 60 ms, feedback after 80 ms, answers at 0.6 of the rate", true,
      [](PersonCondition& c, Draws&) {
-       c.person.steering = Steering::heavy_arm;
-       c.person.delay_s = 0.08;
+       arm(c, Steering::heavy_arm, 2.0, 0.06);
+       c.person.gain_per_s *= 0.6;
      }},
+    {"placing-arm", "heavy-arm that seeks the virtual target's place, at 0.6 of the rate", true,
+     [](PersonCondition& c, Draws&) {
+       arm(c, Steering::placing_arm, 1.0, 0.04);
+       c.person.gain_per_s *= 0.6;
+     }},
+    {"slow-touch", "what is felt follows within 150 ms", true,
+     [](PersonCondition& c, Draws&) { c.person.touch_s = 0.15; }},
+    {"corrections", "correct every 250 ms", true,
+     [](PersonCondition& c, Draws&) { c.person.steering = Steering::corrections; }},
     {"crossings", "ridges felt only as they are crossed", true,
      [](PersonCondition& c, Draws&) { c.person.steering = Steering::crossings; }},
     {"drift", "w_T drifts by ±0.05 within a reach", true,
@@ -87,6 +112,12 @@ constexpr PeopleFamily all_families[] = {
     {"pause", "a rest of 0.6 s", false, [](PersonCondition& c, Draws&) { c.person.pace = Pace::pause; }},
     {"two-parts", "two motions, one after the other", false,
      [](PersonCondition& c, Draws&) { c.person.pace = Pace::two_parts; }},
+    {"submovements", "three motions, otherwise in each reach", true,
+     [](PersonCondition& c, Draws&) { c.person.pace = Pace::submovements; }},
+    {"scatter-2", "bias scatters by 2° from reach to reach", true,
+     [](PersonCondition& c, Draws&) { c.person.scatter_deg = 2.0; }},
+    {"scatter-4", "bias scatters by 4° from reach to reach", true,
+     [](PersonCondition& c, Draws&) { c.person.scatter_deg = 4.0; }},
     {"reversal", "overshoot by a tenth and come back", false,
      [](PersonCondition& c, Draws&) { c.person.pace = Pace::reversal; }},
     {"path-5", "path 5 % (SD) too long or too short", false,
@@ -102,6 +133,11 @@ constexpr PeopleFamily all_families[] = {
        c.tracker.correlated_m = 0.0012;
        c.tracker.correlation_s = 0.3;
      }},
+    {"noise-3", "tracker noise of 3 mm", true, [](PersonCondition& c, Draws&) { c.tracker.white_m = 0.003; }},
+    {"wild-rest", "one or two positions off by 10 to 300 mm while the finger rests", true,
+     [](PersonCondition& c, Draws& d) { wild(c, d, 0.1, 0.4); }},
+    {"wild-moving", "the same in motion", false,
+     [](PersonCondition& c, Draws& d) { wild(c, d, 0.8, 0.5 + c.person.duration_s); }},
     {"outliers", "3 % of positions off by 30 mm", false,
      [](PersonCondition& c, Draws&) { c.tracker.outlier_share = 0.03; }},
     {"dropouts", "tracking lost for 0.1 s, every third of a second", false,
@@ -138,6 +174,14 @@ constexpr PeopleFamily all_families[] = {
     {"sheared-2", "mid-line of the tracker frame off by ±2°, its right is not", false,
      [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, true},
     {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false, headset, true},
+    {"marks", "turned by 1.2° (SD), as six touches of 3 mm leave a frame", false,
+     [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = 1.2 * d.normal(); }, true},
+    {"marks-touch3", "marks, and a contact known to 3 mm after each reach", false,
+     [](PersonCondition& c, Draws& d) {
+       c.tracker.turned_deg = 1.2 * d.normal();
+       c.contact_sd_m = 0.003;
+     },
+     true},
     {"turned-touch1", "turned by ±2°, and a contact known to 1 mm after each reach", false,
      [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 0.001); }, true},
     {"turned-touch3", "turned by ±2°, and a contact known to 3 mm", false,

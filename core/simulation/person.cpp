@@ -13,6 +13,7 @@ namespace {
 
 constexpr double tick_s = 0.001;
 constexpr double min_felt_speed_m_s = 0.0005;
+constexpr int correction_ms = 250;
 
 double minimum_jerk(double u) { return hrt::progress(0.0, u).share; }
 
@@ -67,7 +68,21 @@ SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, doub
       direction_deg_(person.start_direction_deg),
       felt_deg_(person.start_direction_deg),
       goal_deg_(virtual_direction_deg + person.bias_deg + person.habit_deg) {
+  draw_reach();
   felt_history_.fill(goal_deg_);
+}
+
+// What differs from reach to reach.
+void SlidingPerson::draw_reach() {
+  if (person_.scatter_deg > 0.0) {
+    person_.bias_deg += person_.scatter_deg * draws_.normal();
+    goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg;
+  }
+  if (person_.pace != Pace::submovements) return;
+  const double first = 0.5 + 0.35 * draws_.uniform();
+  parts_[0] = {0.4 + 0.25 * draws_.uniform(), first};
+  parts_[1] = {0.75 + 0.1 * draws_.uniform(), first + (1.0 - first) * (0.6 + 0.3 * draws_.uniform())};
+  parts_[2] = {1.0, 1.0};
 }
 
 double SlidingPerson::total_s() const {
@@ -99,6 +114,15 @@ double SlidingPerson::progress(double time_s) const {
       return minimum_jerk(with_rest(time_s, 0.5 * d, 0.6) / d);
     case Pace::two_parts:
       return 0.6 * minimum_jerk(time_s / (0.55 * d)) + 0.4 * minimum_jerk((time_s - 0.55 * d) / (0.45 * d));
+    case Pace::submovements: {
+      double share = 0.0;
+      Part begun{0.0, 0.0};
+      for (const Part& part : parts_) {
+        share += (part.share - begun.share) * minimum_jerk((time_s / d - begun.time) / (part.time - begun.time));
+        begun = part;
+      }
+      return share;
+    }
     case Pace::reversal:
       return 1.1 * minimum_jerk(time_s / d) - 0.1 * minimum_jerk((time_s - d) / (0.4 * d));
   }
@@ -137,29 +161,29 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   const SinCos felt = sin_cos_deg(felt_deg_);
   felt_position_.right_m -= travel_m * felt.sine;
   felt_position_.away_m += travel_m * felt.cosine;
-  if (person_.steering == Steering::place && hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
+  const bool seeks_place = person_.steering == Steering::place || person_.steering == Steering::placing_arm;
+  if (seeks_place && hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
     goal_deg_ += bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   }
   steer(motion_deg);
-  done_ = time_s_ >= total_s() + (person_.steering == Steering::heavy_arm ? 0.25 : 0.0);
+  done_ = time_s_ >= total_s() + (is_arm() ? 0.25 : 0.0);
 }
 
 // Along the present direction; a heavy arm is pulled that way. Returns the direction of the motion.
 double SlidingPerson::move(double travel_m) {
   const auto [sine, cosine] = sin_cos_deg(direction_deg_);
-  if (person_.steering != Steering::heavy_arm) {
+  if (!is_arm()) {
     position_.right_m -= travel_m * sine;
     position_.away_m += travel_m * cosine;
     return direction_deg_;
   }
   constexpr double damping_n_s_m = 20.0;
-  constexpr double muscle_s = 0.04;
   const double wanted_right_n = damping_n_s_m * (-speed_m_s_ * sine - velocity_right_m_s_);
   const double wanted_away_n = damping_n_s_m * (speed_m_s_ * cosine - velocity_away_m_s_);
-  force_right_n_ += (wanted_right_n - force_right_n_) * tick_s / muscle_s;
-  force_away_n_ += (wanted_away_n - force_away_n_) * tick_s / muscle_s;
-  velocity_right_m_s_ += force_right_n_ * tick_s;
-  velocity_away_m_s_ += force_away_n_ * tick_s;
+  force_right_n_ += (wanted_right_n - force_right_n_) * tick_s / person_.muscle_s;
+  force_away_n_ += (wanted_away_n - force_away_n_) * tick_s / person_.muscle_s;
+  velocity_right_m_s_ += force_right_n_ / person_.mass_kg * tick_s;
+  velocity_away_m_s_ += force_away_n_ / person_.mass_kg * tick_s;
   position_.right_m += velocity_right_m_s_ * tick_s;
   position_.away_m += velocity_away_m_s_ * tick_s;
   const double speed = std::sqrt(velocity_right_m_s_ * velocity_right_m_s_ + velocity_away_m_s_ * velocity_away_m_s_);
@@ -171,6 +195,7 @@ double SlidingPerson::felt_shift_deg(double offset_deg, double travel_m) {
   illusion.tactile_weight =
       std::clamp(illusion.tactile_weight + person_.weight_drift * (time_s_ / total_s()), 0.01, 0.49);
   const double shift_deg = hrt::felt_shift_deg(illusion, offset_deg);
+  if (person_.touch_s > 0.0) return touched_shift_deg_ += (shift_deg - touched_shift_deg_) * tick_s / person_.touch_s;
   if (person_.steering != Steering::crossings) return shift_deg;
   ridge_travel_m_ += std::abs(travel_m * cos_deg(offset_deg));
   crossed_shift_deg_ -= crossed_shift_deg_ * tick_s / touch_memory_s;
@@ -204,7 +229,11 @@ void SlidingPerson::steer(double motion_deg) {
   if (millisecond_ > delay_) {
     double delayed = felt_history_[static_cast<std::size_t>((millisecond_ - delay_) % history_size)];
     if (predicts) delayed += direction_deg_;
-    direction_deg_ += -person_.gain_per_s * (delayed - goal_deg_) * tick_s;
+    const double k = person_.gain_per_s;
+    double answered = k * tick_s;
+    if (person_.steering == Steering::corrections)
+      answered = millisecond_ % correction_ms == 0 ? 1.0 - exponential(-k * correction_ms * tick_s) : 0.0;
+    direction_deg_ -= answered * (delayed - goal_deg_);
   }
   direction_deg_ += noise_deg;
 }

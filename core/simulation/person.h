@@ -38,22 +38,25 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg);
 double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign);
 
 enum class Steering {
-  steps,       ///< paper section II-A, every 100 ms
-  continuous,  ///< dP/dt = -k (felt(time - delay) - goal) + noise
-  predictive,  ///< as continuous, and they know their own P without delay
-  place,       ///< as continuous, towards the virtual target's place as seen from where they feel the finger is
-  heavy_arm,   ///< a mass of 1 kg, muscles of 40 ms, feedback after the delay
-  crossings,   ///< as continuous; ridges are felt only when the finger crosses one, every 10 mm
+  steps,        ///< paper section II-A, every 100 ms
+  continuous,   ///< dP/dt = -k (felt(time - delay) - goal) + noise
+  predictive,   ///< as continuous, and they know their own P without delay
+  place,        ///< as continuous, towards the virtual target's place as seen from where they feel the finger is
+  heavy_arm,    ///< a mass that slow muscles pull, feedback after the delay
+  crossings,    ///< as continuous; ridges are felt only when the finger crosses one, every 10 mm
+  placing_arm,  ///< as heavy_arm, towards the virtual target's place
+  corrections,  ///< as continuous, at once every 250 ms
 };
 
 enum class Pace {
   minimum_jerk,  ///< 10 u^3 - 15 u^4 + 6 u^5
   even,
-  skewed,       ///< minimum jerk that peaks at two fifths of the time
-  stop_and_go,  ///< minimum jerk whose clock stands still for 0.3 s at 35 and at 70 % of it
-  pause,        ///< minimum jerk whose clock stands still for 0.6 s at half of it
-  two_parts,    ///< minimum jerk to 60 % of the path, then again to the end
-  reversal,     ///< overshoots by a tenth of the path and comes back
+  skewed,        ///< minimum jerk that peaks at two fifths of the time
+  stop_and_go,   ///< minimum jerk whose clock stands still for 0.3 s at 35 and at 70 % of it
+  pause,         ///< minimum jerk whose clock stands still for 0.6 s at half of it
+  two_parts,     ///< minimum jerk to 60 % of the path, then again to the end
+  reversal,      ///< overshoots by a tenth of the path and comes back
+  submovements,  ///< three minimum jerks, one after the other, of shares and times drawn at each reach
 };
 
 struct Person {
@@ -66,6 +69,10 @@ struct Person {
   double bias_deg = 0.0;             ///< goal less virtual direction
   double own_bias_deg = 0.0;         ///< added to what they feel of their own direction
   double habit_deg = 0.0;            ///< goal bends by habit (1 - 2 s) over the path s
+  double scatter_deg = 0.0;          ///< of the bias from reach to reach, standard deviation
+  double touch_s = 0.0;              ///< time constant with which a shift comes to be felt; 0: at once
+  double mass_kg = 1.0;              ///< of a heavy arm
+  double muscle_s = 0.04;            ///< time constant of a heavy arm's force
   double weight_drift = 0.0;         ///< w changes by this from the start of a reach to its end
   Pace pace = Pace::minimum_jerk;
   double duration_s = 1.5;  ///< > 0, without pauses
@@ -106,12 +113,14 @@ class SlidingPerson {
   double elapsed_s() const { return time_s_; }
 
  private:
+  void draw_reach();
   double progress(double time_s) const;
   double total_s() const;
   void answer();
   double move(double travel_m);
   double felt_shift_deg(double offset_deg, double travel_m);
   void steer(double motion_deg);
+  bool is_arm() const { return person_.steering == Steering::heavy_arm || person_.steering == Steering::placing_arm; }
 
   Person person_;
   double virtual_direction_deg_;
@@ -130,9 +139,14 @@ class SlidingPerson {
   double time_s_ = 0.0, share_ = 0.0;  // progress(time_s_)
   double felt_deg_;
   double goal_deg_;
-  double crossed_shift_deg_ = 0.0;
+  double crossed_shift_deg_ = 0.0, touched_shift_deg_ = 0.0;
   double ridge_travel_m_ = 0.0;
   double perceived_variance_deg2_ = 0.0;  // steps
+  // Where one of submovements ends.
+  struct Part {
+    double time, share;  // of the whole
+  };
+  std::array<Part, 3> parts_{};
   int millisecond_ = 0;
   bool done_ = false;
   static constexpr int history_size = 256;

@@ -31,6 +31,11 @@ void Tracker::look(double time_s, const PlatePoint& finger) {
     seen.right_m += 0.03 * draws_.normal();
     seen.away_m += 0.03 * draws_.normal();
   }
+  if (wild_ < model_.wild_samples && time_s >= model_.wild_at_s) {
+    ++wild_;
+    seen.right_m += 0.8 * model_.wild_m;
+    seen.away_m += 0.6 * model_.wild_m;
+  }
   lost_ = lost_ ? draws_.uniform() >= 0.1 : draws_.uniform() < model_.dropout_share;
   double latency_s = model_.latency_s;
   if (model_.late_s > 0.0) latency_s += model_.late_s * draws_.uniform();

@@ -21,11 +21,14 @@ struct TrackerModel {
   double declared_latency_s = 0.0;  ///< of it, what the controller is given
   double late_s = 0.0;              ///< samples come up to this later still, each anew; less than between samples
   double outlier_share = 0.0;       ///< of samples that are off by 30 mm, standard deviation
-  double dropout_share = 0.0;       ///< of samples at which tracking is lost, for some ten samples
-  double jitter_share = 0.0;        ///< of the time between samples
-  double turned_deg = 0.0;          ///< of its frame about the start
-  double scale = 1.0;               ///< of its frame about the start
-  double shear = 0.0;               ///< seen to the right by this for each metre away from the start
+  double wild_m = 0.0;              ///< wild_samples from wild_at_s on are off by this
+  double wild_at_s = 0.0;
+  int wild_samples = 0;
+  double dropout_share = 0.0;  ///< of samples at which tracking is lost, for some ten samples
+  double jitter_share = 0.0;   ///< of the time between samples
+  double turned_deg = 0.0;     ///< of its frame about the start
+  double scale = 1.0;          ///< of its frame about the start
+  double shear = 0.0;          ///< seen to the right by this for each metre away from the start
 };
 
 /// A tracker in use.
@@ -47,6 +50,7 @@ class Tracker {
   double next_s_ = 0.0;
   double right_m_, away_m_;  // correlated noise
   bool lost_ = false;
+  int wild_ = 0;  // positions so far
   std::deque<FingerSample> under_way_;
 };
 

@@ -11,8 +11,10 @@ namespace {
 // The finger moves once the mean of three places is this many deviations of the noise from where it rested.
 constexpr double onset_deviations = 3.3;
 constexpr double min_onset_mm = 1.0;
-// Places at rest that the assumed noise is worth.
-constexpr double assumed_noise_samples = 30.0;
+constexpr double hidden_share = 2.0;
+// Places at rest that the assumed noise is worth: a rest of few correlation times shows its white part only.
+constexpr double assumed_white_samples = 6.0;
+constexpr double assumed_correlated_samples = 30.0;
 // Departures beyond this are motion, such as that of a finger which never rested.
 constexpr double max_departure_mm = 4.0;
 // A finger further from the mean than this many deviations of the noise is about to leave.
@@ -29,8 +31,12 @@ RestingFinger::RestingFinger(const PlaceMm& start, const std::optional<TrackerNo
     : noise_(noise.value_or(TrackerNoise{})), noise_known_(noise.has_value()), place_(start) {}
 
 bool RestingFinger::has_left(const RecentPlaces& places) const {
-  const double moved_mm2 = square(std::max(min_onset_mm, onset_deviations * std::sqrt(noise_.variance_mm2())));
-  return rested_ > 0 && places.count() >= 3 && square_distance_mm2(places.mean_of_last(3), place_) > moved_mm2;
+  if (rested_ == 0 || places.count() < 3) return false;
+  // Until the noise is learnt its steps show it, with as much more as so few of them may hide.
+  const double seen_mm2 =
+      noise_known_ || steps_ == 0 ? 0.0 : step_sum_mm2_ / steps_ * square(1.0 + hidden_share / steps_);
+  const double moved_mm2 = square(onset_deviations) * std::max(noise_.variance_mm2(), seen_mm2);
+  return square_distance_mm2(places.mean_of_last(3), place_) > std::max(square(min_onset_mm), moved_mm2);
 }
 
 bool RestingFinger::observe(const RecentPlaces& places) {
@@ -65,13 +71,13 @@ void RestingFinger::learn_noise() {
   const double total_mm2 = std::max(step_mm2, std::min(square_sum_mm2_ / departures_, square(max_departure_mm)));
   const double kept = std::max(0.1, exponential(-spacing_sum_s_ / steps_ / 0.1));
   const double correlated_mm2 = std::min((total_mm2 - step_mm2) / kept, total_mm2);
-  const double share = steps_ / (steps_ + assumed_noise_samples);
-  const auto blend = [share](double assumed_mm, double seen_mm2) {
+  const auto blend = [this](double assumed_mm, double seen_mm2, double assumed_samples) {
+    const double share = steps_ / (steps_ + assumed_samples);
     return std::max(0.02, std::sqrt((1.0 - share) * square(assumed_mm) + share * seen_mm2));
   };
   const TrackerNoise assumed;
-  noise_ = {.white_mm = blend(assumed.white_mm, total_mm2 - correlated_mm2),
-            .correlated_mm = blend(assumed.correlated_mm, correlated_mm2)};
+  noise_ = {.white_mm = blend(assumed.white_mm, total_mm2 - correlated_mm2, assumed_white_samples),
+            .correlated_mm = blend(assumed.correlated_mm, correlated_mm2, assumed_correlated_samples)};
 }
 
 double RestingFinger::place_sd_mm() const {

@@ -190,13 +190,14 @@ TEST_F(PersonTest, WhatIsLearntIsWritten) {
   EXPECT_FALSE(is_unknown(after));
   EXPECT_EQ(after.person_mean[HRT_PERSON_CURVE], summary.illusion_curve);
   EXPECT_EQ(after.person_mean[HRT_PERSON_GAIN], summary.gain_per_s);
-  EXPECT_EQ(after.person_mean[HRT_PERSON_BIAS], summary.bias_deg);
+  EXPECT_GT(after.person_mean[HRT_PERSON_BIAS], 0.5 * summary.bias_deg);  // the rest is this reach's alone
+  EXPECT_LT(after.person_mean[HRT_PERSON_BIAS], summary.bias_deg);
   EXPECT_EQ(after.person_mean[HRT_PERSON_HABIT], summary.habit_deg);
   EXPECT_NEAR(std::exp(-after.person_mean[HRT_PERSON_LOG_RATE]), summary.duration_s, 1e-9);
   EXPECT_EQ(after.tactile_weight, summary.tactile_weight);
   EXPECT_GT(after.tactile_weight_sd, summary.tactile_weight_sd);
   // The diagonal of a lower triangle of rows 1, 2, 3 ... long: 0, 2, 5, 9, 14.
-  EXPECT_GT(std::sqrt(after.person_covariance[9]), summary.bias_sd_deg);
+  EXPECT_GT(std::sqrt(after.person_covariance[5]), summary.gain_sd_per_s);
   EXPECT_LT(std::sqrt(after.person_covariance[0]), 0.08);
 }
 

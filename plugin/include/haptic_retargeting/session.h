@@ -68,10 +68,12 @@ typedef struct hrt_session {
 /** Share of touch that fades from one ridge to the next: 0 if all of the ridges is always felt, 1 if a ridge
  * is felt as it is crossed and then fades. -0.2 to 1. */
 #define HRT_PERSON_FADING 8
+/** Standard deviation of the bias from reach to reach, degrees: how steadily they aim. 0 to 10. */
+#define HRT_PERSON_SCATTER 9
 /** Number of traits. */
-#define HRT_PERSON_TRAITS 9
+#define HRT_PERSON_TRAITS 10
 /** Numbers in the lower triangle of their covariance. */
-#define HRT_PERSON_COVARIANCES 45
+#define HRT_PERSON_COVARIANCES 55
 
 /** Configuration of a session. hrt_session_config_init() fills every field. */
 typedef struct hrt_session_config {

@@ -22,7 +22,7 @@ bool turns_freely(const C& config) { return config.plate_lower_stop_deg == 0.0 &
 // The core squares it; the square of less would lose its digits, or be 0.
 constexpr double min_tracker_noise_m = 1e-9;
 
-static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_FADING == PersonTrait::fading &&
+static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_SCATTER == PersonTrait::scatter &&
               HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
 // Not of std::ranges, which emscripten 3.1.6 lacks.
 static_assert(std::equal(std::begin(ConfigFields::person_mean_elements), std::end(ConfigFields::person_mean_elements),

@@ -41,6 +41,7 @@ constexpr NumberParameter number_parameters[] = {
     {"bias_deg", angle, HRT_FIELD(person.bias_deg)},
     {"own_bias_deg", angle, HRT_FIELD(person.own_bias_deg)},
     {"habit_deg", angle, HRT_FIELD(person.habit_deg)},
+    {"scatter_deg", {0.0, 30.0}, HRT_FIELD(person.scatter_deg)},
     {"weight_drift", {-0.5, 0.5}, HRT_FIELD(person.weight_drift)},
     {"duration_s", {0.3, 20.0}, HRT_FIELD(person.duration_s)},
     {"path_scale", {0.5, 2.0}, HRT_FIELD(person.path_scale)},
@@ -68,7 +69,7 @@ constexpr NumberParameter number_parameters[] = {
 #undef HRT_FIELD
 #undef HRT_FIELD_MM
 
-// Words in the order of the enumeration that they stand for.
+// Words in the order of the enumeration that they stand for; its last ones are for families alone.
 constexpr const char* illusions[] = {"linear", "saturating", "sine", "tanh", "dead_band", "unequal"};
 constexpr const char* steerings[] = {"steps", "continuous", "predictive", "place", "heavy_arm", "crossings"};
 constexpr const char* paces[] = {"minimum_jerk", "even", "skewed", "stop_and_go", "pause", "two_parts", "reversal"};

@@ -124,6 +124,27 @@ TEST_F(PersonEstimatorTest, FollowsAJumpAndForgetsAnOutlier) {
   EXPECT_NEAR(estimator_.place().right_mm, 60.0, 3.0);
 }
 
+// At rest too: one or two positions in a row start nothing and move nothing. A third far off has it there.
+TEST_F(PersonEstimatorTest, AWildPositionAtRestStartsNothing) {
+  for (const double rate_hz : {60.0, 90.0, 240.0}) {
+    for (const double off_mm : {25.0, 300.0}) {
+      estimator_ = PersonEstimator(unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt);
+      const Finger resting{.onset_s = 1e9};
+      rate_hz_ = rate_hz;
+      noise_mm_ = 1.0;
+      watch(resting, 0.0, 0.5);
+      for (int i = 0; i < 2; ++i) EXPECT_FALSE(estimator_.observe(0.5 + i / rate_hz, {off_mm, 0.0}, plate_));
+      watch(resting, 0.5 + 2 / rate_hz, 0.8);
+      EXPECT_EQ(estimator_.motion(), FingerMotion::resting);
+      EXPECT_NEAR(estimator_.origin().right_mm, 0.0, 0.6);
+      if (off_mm < 100.0) continue;
+      for (int i = 0; i < 3; ++i) estimator_.observe(0.81 + i / rate_hz, {off_mm, 0.0}, plate_);
+      EXPECT_EQ(estimator_.motion(), FingerMotion::resting);
+      EXPECT_NEAR(estimator_.origin().right_mm, off_mm, 0.1);
+    }
+  }
+}
+
 TEST_F(PersonEstimatorTest, ALiftedFingerComesDownElsewhere) {
   Finger finger{.pause_from_s = 0.6, .pause_s = 0.3};
   watch(finger, 0.0, 0.9);

@@ -81,6 +81,7 @@ TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
     };
     PersonBelief sure = unknown_person();
     sure.covariance *= 1e-12;
+    sure.mean(PersonTrait::scatter) = 0.0;
     sure.covariance(c.trait, c.trait) = 1.0;
     PersonFilter filter(sure, 10.0, 100.0, {});
     filter.begin(0.0, 0.5, 0.0, 0.0);

@@ -82,7 +82,7 @@ TEST(StudyPersonFile, HelpHasAllParameters) {
   }
   const PersonCondition condition = parse_person("me", text + "}").condition;
   const PersonCondition standard;
-  EXPECT_EQ(count, 33);
+  EXPECT_EQ(count, 34);
   EXPECT_EQ(condition.person.illusion.tactile_weight, standard.person.illusion.tactile_weight);
   EXPECT_EQ(condition.plate.latency_ns, standard.plate.latency_ns);
   EXPECT_EQ(condition.distance_m, standard.distance_m);
