@@ -226,17 +226,9 @@ class KnownContactTest : public ContactTest {
     ASSERT_FALSE(has_no_contacts(known));
   }
 
-  std::string save() const {
-    uint64_t length = 0;
-    EXPECT_OK(hrt_profile_save(session, 0, nullptr, &length));
-    std::string text(static_cast<std::size_t>(length) + 1, ' ');
-    EXPECT_OK(hrt_profile_save(session, text.size(), text.data(), &length));
-    text.pop_back();
-    return text;
-  }
   hrt_session_config loaded(const std::string& profile, const hrt_session_config& config) {
     create(config);
-    EXPECT_OK(hrt_profile_load(session, profile.data(), profile.size()));
+    EXPECT_OK(load_profile(profile));
     return config_of(session);
   }
 
@@ -245,7 +237,7 @@ class KnownContactTest : public ContactTest {
 
 // As a drift of 0.2 % has it.
 TEST_F(KnownContactTest, AProfileKeepsItWiderForTheSamePose) {
-  const hrt_session_config back = loaded(save(), registered());
+  const hrt_session_config back = loaded(save_profile(), registered());
   EXPECT_EQ(std::memcmp(back.contact_correction, known.contact_correction, sizeof known.contact_correction), 0);
   for (int row = 0, at = 0; row < 4; ++row)
     for (int column = 0; column <= row; ++column, ++at)
@@ -253,7 +245,7 @@ TEST_F(KnownContactTest, AProfileKeepsItWiderForTheSamePose) {
 }
 
 TEST_F(KnownContactTest, AProfileOfAnotherPoseKeepsNone) {
-  const std::string profile = save();
+  const std::string profile = save_profile();
   for (const int coordinate : {0, 1, 2}) {
     hrt_session_config elsewhere = registered();
     elsewhere.plate_position_m[coordinate] = 0.001;

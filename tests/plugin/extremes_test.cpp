@@ -166,10 +166,7 @@ class Extremes : public SessionTest {
     EXPECT_EQ(first_not_finite(config.person_mean, 0), 0u);
     EXPECT_EQ(first_not_finite(config.person_covariance, 0), 0u);
     EXPECT_OK(hrt_session_set(session, &config));
-    char profile[4096];
-    std::uint64_t length = 0;
-    ASSERT_OK(hrt_profile_save(session, sizeof profile, profile, &length));
-    EXPECT_OK(hrt_profile_load(session, profile, length));
+    EXPECT_OK(load_profile(save_profile()));
   }
 
   void reach() {

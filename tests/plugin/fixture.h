@@ -138,6 +138,19 @@ class SessionTest : public ::testing::Test {
     return summary;
   }
 
+  std::string save_profile() const {
+    std::uint64_t length = 0;
+    EXPECT_OK(hrt_profile_save(session, 0, nullptr, &length));
+    std::string text(static_cast<std::size_t>(length) + 1, '?');
+    EXPECT_OK(hrt_profile_save(session, text.size(), text.data(), &length));
+    EXPECT_EQ(text.back(), '\0');
+    text.pop_back();
+    EXPECT_EQ(text.size(), length);
+    return text;
+  }
+
+  hrt_result load_profile(const std::string& text) { return hrt_profile_load(session, text.data(), text.size()); }
+
   hrt_session session{0};
 };
 

@@ -3,16 +3,15 @@
 #include <clocale>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "fixture.h"
+#include "tests/plugin/recording/recording_fixture.h"
 
 namespace hrt::test {
 namespace {
 
-class LocaleTest : public SessionTest {
+class LocaleTest : public RecordingTest {
  protected:
   void SetUp() override {
     ASSERT_EQ(setenv("LOCPATH", HRT_LOCALES, 1), 0);
@@ -20,19 +19,11 @@ class LocaleTest : public SessionTest {
     char text[8];
     std::snprintf(text, sizeof text, "%.1f", 2.5);
     ASSERT_STREQ(text, "2,5");
-    SessionTest::SetUp();
+    RecordingTest::SetUp();
   }
   void TearDown() override {
-    SessionTest::TearDown();
+    RecordingTest::TearDown();
     std::setlocale(LC_ALL, "C");
-  }
-
-  std::string save() {
-    uint64_t length = 0;
-    EXPECT_OK(hrt_profile_save(session, 0, nullptr, &length));
-    std::vector<char> text(length + 1);
-    EXPECT_OK(hrt_profile_save(session, text.size(), text.data(), &length));
-    return {text.data(), length};
   }
 };
 
@@ -41,33 +32,25 @@ TEST_F(LocaleTest, ProfilesKeepTheirNumbers) {
   config.sensory_variance_deg2 = 2.7;
   config.tracker_noise_m = 1.25e-5;
   create(config);
-  const std::string profile = save();
+  const std::string profile = save_profile();
   EXPECT_NE(profile.find("\"sensory_variance_deg2\":2.7,"), std::string::npos) << profile;
   create(session_config());
-  ASSERT_OK(hrt_profile_load(session, profile.data(), profile.size()));
+  ASSERT_OK(load_profile(profile));
   const hrt_session_config loaded = config_of(session);
   EXPECT_EQ(std::memcmp(&loaded, &config, sizeof config), 0);
 }
 
 TEST_F(LocaleTest, RecordingsReplay) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("hrt_locale_" + std::to_string(getpid()) + ".csv")).string();
-  ASSERT_OK(hrt_recording_start(session, path.c_str()));
+  create(session_config());
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_reach();
   for (int i = 0; i < 50; ++i) update(position_sample(i * 11'111'111, 0.0001 * i, 0.001 * i - 0.05));
   end();
-  auto status = output<hrt_recording_status>();
-  ASSERT_OK(hrt_recording_stop(session, &status));
-  auto report = output<hrt_replay_report>();
-  EXPECT_OK(hrt_replay(path.c_str(), nullptr, 0, &report));
-  EXPECT_EQ(report.complete, 1u);
+  stop();
+  const hrt_replay_report report = replay(read(path()));
+  expect_same(report);
   EXPECT_EQ(report.rows, 52u);
-  EXPECT_EQ(report.first_different_line, 0u);
-  std::filesystem::remove(path);
-
-  ASSERT_OK(hrt_replay(HRT_GOLDEN_RECORDING, nullptr, 0, &report));
-  EXPECT_EQ(report.first_different_line, 0u);
-  EXPECT_EQ(report.hash, HRT_GOLDEN_HASH);
+  expect_golden_bits();
 }
 
 TEST_F(LocaleTest, ScenesHaveTheSamePlaces) {

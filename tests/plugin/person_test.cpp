@@ -207,14 +207,11 @@ TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
   lead(drawn_person("mixture", 1.5, 1), 2);
   const hrt_session_config learnt = config_of(session);
   ASSERT_FALSE(is_unknown(learnt));
-  std::uint64_t length = 0;
-  ASSERT_OK(hrt_profile_save(session, 0, nullptr, &length));
-  std::string profile(static_cast<std::size_t>(length) + 1, '\0');
-  ASSERT_OK(hrt_profile_save(session, profile.size(), profile.data(), &length));
+  const std::string profile = save_profile();
   const Led here = lead(drawn_person("mixture", 1.5, 1), 3);
 
   create(servo_config());
-  ASSERT_OK(hrt_profile_load(session, profile.data(), length));
+  ASSERT_OK(load_profile(profile));
   EXPECT_TRUE(is_same_person(config_of(session), learnt));
   EXPECT_EQ(config_of(session).tactile_weight, learnt.tactile_weight);
   const Led there = lead(drawn_person("mixture", 1.5, 1), 3);
@@ -223,9 +220,8 @@ TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
     ASSERT_EQ(std::memcmp(&here.commands[i], &there.commands[i], sizeof(hrt_command)), 0) << i;
 
   // A profile without them is of another person.
-  const std::string old =
-      R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.25,"tactile_weight_sd":0.02})";
-  ASSERT_OK(hrt_profile_load(session, old.data(), old.size()));
+  ASSERT_OK(load_profile(
+      R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.25,"tactile_weight_sd":0.02})"));
   EXPECT_TRUE(is_unknown(config_of(session)));
   EXPECT_EQ(config_of(session).person_mean[HRT_PERSON_BIAS], 0.0);
   EXPECT_EQ(config_of(session).tactile_weight, 0.25);

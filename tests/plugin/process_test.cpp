@@ -1,8 +1,6 @@
 // What plugin/PROCESS.md says of the library in the host's process.
 #include <algorithm>
 #include <cfenv>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #if defined(__SSE2__)
@@ -15,26 +13,10 @@
 #include "tests/plugin/counting_allocator.h"
 #endif
 
-#include "tests/plugin/fixture.h"
+#include "tests/plugin/recording/recording_fixture.h"
 
 namespace hrt::test {
 namespace {
-
-std::string golden_recording() {
-  std::ifstream file(HRT_GOLDEN_RECORDING, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-void expect_golden_bits() {
-  const std::string text = golden_recording();
-  auto report = output<hrt_replay_report>();
-  ASSERT_OK(hrt_replay(nullptr, text.data(), text.size(), &report));
-  EXPECT_EQ(report.complete, 1u);
-  EXPECT_EQ(report.first_different_line, 0u);
-  EXPECT_EQ(report.hash, HRT_GOLDEN_HASH);
-}
 
 TEST(Process, RoundingOfTheHostChangesNoBitAndStays) {
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
@@ -160,7 +142,7 @@ TEST_F(Stack, OfRealTimeCallsIsAsDocumented) {
 }
 
 TEST_F(Stack, OfAllOtherCallsIsAsDocumented) {
-  const std::string text = golden_recording();
+  const std::string text = read(HRT_GOLDEN_RECORDING);
   const std::string path = testing::TempDir() + "hrt_stack.csv";
   const std::size_t max = used([&] {
     auto report = output<hrt_replay_report>();

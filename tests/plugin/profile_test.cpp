@@ -10,23 +10,8 @@ namespace {
 
 using ProfileTest = SessionTest;
 
-std::string save(hrt_session session) {
-  uint64_t length = 0;
-  EXPECT_OK(hrt_profile_save(session, 0, nullptr, &length));
-  std::string text(static_cast<std::size_t>(length) + 1, '?');
-  EXPECT_OK(hrt_profile_save(session, text.size(), text.data(), &length));
-  EXPECT_EQ(text.back(), '\0');
-  text.pop_back();
-  EXPECT_EQ(text.size(), length);
-  return text;
-}
-
-hrt_result load(hrt_session session, const std::string& text) {
-  return hrt_profile_load(session, text.data(), text.size());
-}
-
 TEST_F(ProfileTest, IsWhatTheHeaderSays) {
-  EXPECT_EQ(save(session),
+  EXPECT_EQ(save_profile(),
             "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tactile_weight\":0.2,"
             "\"tactile_weight_sd\":0.05,\"motor_variance_deg2\":0.5,\"sensory_variance_deg2\":0.1,"
             "\"initial_variance_deg2\":0,\"tracker_noise_m\":0,\"bias_deg\":0,\"motor_variance_sd_deg2\":0.5}\n");
@@ -38,9 +23,9 @@ TEST_F(ProfileTest, ComesBackToTheLastBit) {
   config.motor_variance_deg2 = 1.0 / 3.0;
   config.horizon = 9;
   ASSERT_OK(hrt_session_set(session, &config));
-  const std::string text = save(session);
+  const std::string text = save_profile();
   create(session_config());
-  ASSERT_OK(load(session, text));
+  ASSERT_OK(load_profile(text));
   const hrt_session_config back = config_of(session);
   EXPECT_EQ(back.tactile_weight, config.tactile_weight);
   EXPECT_EQ(back.motor_variance_deg2, config.motor_variance_deg2);
@@ -48,12 +33,12 @@ TEST_F(ProfileTest, ComesBackToTheLastBit) {
 }
 
 TEST_F(ProfileTest, TheSteeringOfVersion03IsDropped) {
-  std::string text = save(session);
+  std::string text = save_profile();
   text.insert(text.rfind('}'), R"(,"steering_rate_per_s":8.25,"steering_delay_s":0.0625)");
-  ASSERT_OK(load(session, text));
-  EXPECT_EQ(save(session).find("steering"), std::string::npos);
+  ASSERT_OK(load_profile(text));
+  EXPECT_EQ(save_profile().find("steering"), std::string::npos);
   text.insert(text.rfind('}'), R"(,"steering_gain":1)");
-  expect_error(load(session, text), HRT_ERROR_BAD_FORMAT, "steering_gain");
+  expect_error(load_profile(text), HRT_ERROR_BAD_FORMAT, "steering_gain");
 }
 
 TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
@@ -62,9 +47,9 @@ TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
   config.motor_variance_sd_deg2 = 0.25;
   config.tracker_noise_m = 0.001;
   ASSERT_OK(hrt_session_set(session, &config));
-  ASSERT_OK(load(session,
-                 R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.02,)"
-                 R"("motor_variance_deg2":0.6,"sensory_variance_deg2":0.2,"initial_variance_deg2":0.1})"));
+  ASSERT_OK(load_profile(
+      R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.02,)"
+      R"("motor_variance_deg2":0.6,"sensory_variance_deg2":0.2,"initial_variance_deg2":0.1})"));
   const hrt_session_config back = config_of(session);
   EXPECT_EQ(back.tactile_weight, 0.2);
   EXPECT_EQ(back.motor_variance_deg2, 0.6);
@@ -74,7 +59,7 @@ TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
 }
 
 TEST_F(ProfileTest, SmallBufferIsRefused) {
-  const std::string whole = save(session);
+  const std::string whole = save_profile();
   std::string text(whole.size(), '?');
   uint64_t length = 99;
   expect_error(hrt_profile_save(session, text.size(), text.data(), &length), HRT_ERROR_BUFFER_TOO_SMALL, "capacity");
@@ -86,23 +71,22 @@ TEST_F(ProfileTest, WhatIsNotAProfileIsRefusedAndChangesNothing) {
   const auto profile = [](const std::string& fields) {
     return R"({"format":"haptic retargeting profile","version":1)" + fields + "}";
   };
-  const std::string before = save(session);
-  expect_error(load(session, ""), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load(session, "[]"), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load(session, before.substr(0, 50)), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load(session, std::string(50'000, '[')), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load(session, std::string(70'000, ' ')), HRT_ERROR_BAD_FORMAT, "70000 bytes");
-  expect_error(load(session, "{}"), HRT_ERROR_BAD_FORMAT, "format");
-  expect_error(load(session, R"({"format":"haptic retargeting profile","version":2})"), HRT_ERROR_BAD_FORMAT,
-               "version");
-  expect_error(load(session, profile(",\"horizon\":4")), HRT_ERROR_BAD_FORMAT, "\"horizon\"");
-  expect_error(load(session, profile(",\"tactile_weight\":\"0.2\"")), HRT_ERROR_BAD_FORMAT, "tactile_weight");
-  expect_error(load(session, profile(",\"tactile_weight\":true")), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load(session, profile(",\"tactile_weight\":0.9")), HRT_ERROR_OUT_OF_RANGE, "tactile_weight is 0.9");
-  expect_error(load(session, profile(",\"tactile_weight\":1e999")), HRT_ERROR_BAD_FORMAT, "not a JSON object");
+  const std::string before = save_profile();
+  expect_error(load_profile(""), HRT_ERROR_BAD_FORMAT, "not a JSON object");
+  expect_error(load_profile("[]"), HRT_ERROR_BAD_FORMAT, "not a JSON object");
+  expect_error(load_profile(before.substr(0, 50)), HRT_ERROR_BAD_FORMAT, "not a JSON object");
+  expect_error(load_profile(std::string(50'000, '[')), HRT_ERROR_BAD_FORMAT, "not a JSON object");
+  expect_error(load_profile(std::string(70'000, ' ')), HRT_ERROR_BAD_FORMAT, "70000 bytes");
+  expect_error(load_profile("{}"), HRT_ERROR_BAD_FORMAT, "format");
+  expect_error(load_profile(R"({"format":"haptic retargeting profile","version":2})"), HRT_ERROR_BAD_FORMAT, "version");
+  expect_error(load_profile(profile(",\"horizon\":4")), HRT_ERROR_BAD_FORMAT, "\"horizon\"");
+  expect_error(load_profile(profile(",\"tactile_weight\":\"0.2\"")), HRT_ERROR_BAD_FORMAT, "tactile_weight");
+  expect_error(load_profile(profile(",\"tactile_weight\":true")), HRT_ERROR_BAD_FORMAT, "not a JSON object");
+  expect_error(load_profile(profile(",\"tactile_weight\":0.9")), HRT_ERROR_OUT_OF_RANGE, "tactile_weight is 0.9");
+  expect_error(load_profile(profile(",\"tactile_weight\":1e999")), HRT_ERROR_BAD_FORMAT, "not a JSON object");
   begin_reach();
-  expect_error(load(session, before), HRT_ERROR_WRONG_STATE, "under way");
-  EXPECT_EQ(save(session), before);
+  expect_error(load_profile(before), HRT_ERROR_WRONG_STATE, "under way");
+  EXPECT_EQ(save_profile(), before);
 }
 
 hrt_conditions conditions(const char* plate, const char* tracker, std::int64_t time_s = 0) {
@@ -133,31 +117,31 @@ TEST_F(ConditionsTest, AreThoseOfTheCalibrationAndComeBackWithTheProfile) {
   person.in_plate = true;
   EXPECT_EQ(set_up(session, HRT_SETUP_CALIBRATION, &person).done, HRT_SETUP_CALIBRATION);
   set(conditions("another", "another", 1));
-  const std::string text = save(session);
+  const std::string text = save_profile();
   EXPECT_NE(text.find(R"("measured_at_s":1767225600,"plate":"desk \"1\" \\ ü","tracker":"Ultraleap"})"),
             std::string::npos)
       << text;
   create(session_config());
-  ASSERT_OK(load(session, text));
+  ASSERT_OK(load_profile(text));
   const hrt_conditions back = measured();
   EXPECT_EQ(back.time_s, 1'767'225'600);
   EXPECT_STREQ(back.plate, "desk \"1\" \\ \u00fc");
   EXPECT_STREQ(back.tracker, "Ultraleap");
   EXPECT_EQ(back.differing, 0u) << "what is now is unknown";
-  EXPECT_EQ(save(session), text);
+  EXPECT_EQ(save_profile(), text);
 }
 
 TEST_F(ConditionsTest, OthersThanOfTheProfileAreWarnedOf) {
   set(conditions("desk 1", "Ultraleap"));
-  ASSERT_OK(load(session, of_desk_1));
-  const std::string text = save(session);
+  ASSERT_OK(load_profile(of_desk_1));
+  const std::string text = save_profile();
   EXPECT_EQ(log.text, "");
   set(conditions("desk 2", "Ultraleap"));
   EXPECT_EQ(measured().differing, HRT_CONDITION_PLATE);
   EXPECT_NE(log.text.find("measured with another plate, \"desk 1\";"), std::string::npos) << log.text;
   log.text.clear();
   set(conditions("desk 1", "Quest"));
-  ASSERT_OK(load(session, text));
+  ASSERT_OK(load_profile(text));
   EXPECT_EQ(measured().differing, HRT_CONDITION_TRACKER);
   EXPECT_NE(log.text.find("measured with another tracker, \"Ultraleap\";"), std::string::npos) << log.text;
   set(conditions("desk 2", "Quest"));
@@ -166,14 +150,14 @@ TEST_F(ConditionsTest, OthersThanOfTheProfileAreWarnedOf) {
   log.text.clear();
   set(conditions("", ""));
   EXPECT_EQ(measured().differing, 0u) << "unknown is not another";
-  ASSERT_OK(load(session, R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2})"));
+  ASSERT_OK(load_profile(R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2})"));
   set(conditions("desk 2", "Quest"));
   EXPECT_EQ(measured().differing, 0u) << "a profile without conditions";
   EXPECT_EQ(log.text, "");
 }
 
 TEST_F(ConditionsTest, BadOnesAreRefusedAndChangeNothing) {
-  ASSERT_OK(load(session, of_desk_1));
+  ASSERT_OK(load_profile(of_desk_1));
   const auto refused = [&](const hrt_conditions& bad, hrt_result code, const char* part) {
     expect_error(hrt_profile_set_conditions(session, &bad), code, part);
   };
@@ -185,14 +169,14 @@ TEST_F(ConditionsTest, BadOnesAreRefusedAndChangeNothing) {
   const auto profile = [](const std::string& fields) {
     return R"({"format":"haptic retargeting profile","version":1)" + fields + "}";
   };
-  expect_error(load(session, profile(R"(,"plate":7)")), HRT_ERROR_BAD_FORMAT, "plate is not a text");
-  expect_error(load(session, profile(R"(,"plate":")" + std::string(64, 'x') + '"')), HRT_ERROR_BAD_FORMAT,
+  expect_error(load_profile(profile(R"(,"plate":7)")), HRT_ERROR_BAD_FORMAT, "plate is not a text");
+  expect_error(load_profile(profile(R"(,"plate":")" + std::string(64, 'x') + '"')), HRT_ERROR_BAD_FORMAT,
                "plate is not a text of up to 63 bytes");
-  expect_error(load(session, profile(R"(,"tracker":"a\tb")")), HRT_ERROR_OUT_OF_RANGE,
+  expect_error(load_profile(profile(R"(,"tracker":"a\tb")")), HRT_ERROR_OUT_OF_RANGE,
                "tracker has a control character");
-  expect_error(load(session, profile(R"(,"measured_at_s":1.5)")), HRT_ERROR_BAD_FORMAT,
+  expect_error(load_profile(profile(R"(,"measured_at_s":1.5)")), HRT_ERROR_BAD_FORMAT,
                "measured_at_s is not a whole number");
-  expect_error(load(session, profile(R"(,"measured_at_s":-1)")), HRT_ERROR_OUT_OF_RANGE, "time_s is -1");
+  expect_error(load_profile(profile(R"(,"measured_at_s":-1)")), HRT_ERROR_OUT_OF_RANGE, "time_s is -1");
   EXPECT_STREQ(measured().plate, "desk 1");
   EXPECT_EQ(measured().time_s, 5);
   begin_reach();

@@ -178,6 +178,20 @@ class RealTimeTest : public SessionTest {
   hrt_reach_config reach;
 };
 
+// On a thread of its own, whose first call of the library this is.
+void expect_neither_memory_nor_locks(auto&& body) {
+  int wrong = -1;
+  std::thread([&] {
+    allocations = locks = 0;
+    watching = true;
+    wrong = body();
+    watching = false;
+  }).join();
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(allocations, 0);
+  EXPECT_EQ(locks, 0);
+}
+
 TEST_F(RealTimeTest, AllocatesNothingAndTakesNoLock) {
   pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
   watching = true;
@@ -191,22 +205,10 @@ TEST_F(RealTimeTest, AllocatesNothingAndTakesNoLock) {
   pthread_mutex_unlock(&mutex);
   ASSERT_EQ(locks, 1) << "the test does not see locks";
 
-  // On a thread of its own, whose first call of the library this is.
-  int wrong = -1;
-  std::thread([&] {
-    allocations = locks = 0;
-    watching = true;
-    wrong = call_everything();
-    watching = false;
-  }).join();
+  expect_neither_memory_nor_locks([&] { return call_everything(); });
   ASSERT_OK(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr));
-  watching = true;
-  wrong += set_up();
-  watching = false;
+  expect_neither_memory_nor_locks([&] { return set_up(); });
   ASSERT_OK(hrt_setup_cancel(session));
-  EXPECT_EQ(wrong, 0);
-  EXPECT_EQ(allocations, 0);
-  EXPECT_EQ(locks, 0);
 }
 
 // From here on the kernel ends this process with SIGSYS at any system call but exit_group.
@@ -235,20 +237,21 @@ int status_without_system_calls(Prepare&& prepare, Body&& body) {
   return status;
 }
 
+void expect_success(int status) {
+  ASSERT_FALSE(WIFSIGNALED(status)) << "ended by signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
 TEST_F(RealTimeTest, MakesNoSystemCall) {
   const int guarded = status_without_system_calls([] {}, [] { return getppid() > 0 ? 0 : 1; });
   ASSERT_TRUE(WIFSIGNALED(guarded) && WTERMSIG(guarded) == SIGSYS) << "the test does not see system calls";
 
-  const int status = status_without_system_calls(
+  expect_success(status_without_system_calls(
       [&] {
         if (hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr) != HRT_OK) _exit(98);
       },
-      [&] { return set_up(); });
-  const int reaching = status_without_system_calls([] {}, [&] { return call_everything(); });
-  for (const int ended : {status, reaching}) {
-    ASSERT_FALSE(WIFSIGNALED(ended)) << "ended by signal " << WTERMSIG(ended);
-    EXPECT_EQ(WEXITSTATUS(ended), 0);
-  }
+      [&] { return set_up(); }));
+  expect_success(status_without_system_calls([] {}, [&] { return call_everything(); }));
 }
 
 // The same while all of it is recorded; the ring overflows on the way.
@@ -267,8 +270,7 @@ TEST_F(RealTimeTest, MakesNoSystemCallWhileRecorded) {
         return wrong;
       });
   std::filesystem::remove(path);
-  ASSERT_FALSE(WIFSIGNALED(status)) << "ended by signal " << WTERMSIG(status);
-  EXPECT_EQ(WEXITSTATUS(status), 0);
+  expect_success(status);
 }
 
 // A plate at the other end of a pseudo-terminal, and hrt_plate_open()'s.
@@ -305,24 +307,12 @@ struct OpenPlate {
 
 TEST(PlateRealTime, AllocatesNothingAndTakesNoLock) {
   const OpenPlate open;
-  int wrong = -1;
-  std::thread([&] {
-    allocations = locks = 0;
-    watching = true;
-    wrong = open.call_everything();
-    watching = false;
-  }).join();
-  EXPECT_EQ(wrong, 0);
-  EXPECT_EQ(allocations, 0);
-  EXPECT_EQ(locks, 0);
+  expect_neither_memory_nor_locks([&] { return open.call_everything(); });
 }
 
 TEST(PlateRealTime, MakesNoSystemCall) {
   const OpenPlate* open = nullptr;
-  const int status =
-      status_without_system_calls([&] { open = new OpenPlate; }, [&] { return open->call_everything(); });
-  ASSERT_FALSE(WIFSIGNALED(status)) << "ended by signal " << WTERMSIG(status);
-  EXPECT_EQ(WEXITSTATUS(status), 0);
+  expect_success(status_without_system_calls([&] { open = new OpenPlate; }, [&] { return open->call_everything(); }));
 }
 
 }  // namespace

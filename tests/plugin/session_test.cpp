@@ -69,30 +69,21 @@ TEST(SessionConfig, DefaultsAreTheModels) {
   EXPECT_EQ(config.tracker_correlation_s, core.estimator.correlation_s);
 }
 
-TEST_F(SessionTest, NullMeansTheDefaults) {
+TEST_F(SessionTest, ConfigComesBackAsGivenAndNullMeansTheDefaults) {
   const hrt_session_config defaults = session_config();
-  const auto has_defaults = [&] {
+  const auto has = [&](const hrt_session_config& expected) {
     const hrt_session_config config = config_of(session);
-    return std::memcmp(&config, &defaults, sizeof config) == 0;
+    return std::memcmp(&config, &expected, sizeof config) == 0;
   };
   hrt_session_config other = defaults;
   other.horizon = 7;
   ASSERT_OK(hrt_session_set(session, &other));
-  EXPECT_FALSE(has_defaults());
+  EXPECT_TRUE(has(other));
   ASSERT_OK(hrt_session_set(session, nullptr));
-  EXPECT_TRUE(has_defaults());
+  EXPECT_TRUE(has(defaults));
   ASSERT_OK(hrt_session_destroy(session));
   ASSERT_OK(hrt_session_create(HRT_VERSION, nullptr, &session));
-  EXPECT_TRUE(has_defaults());
-}
-
-TEST_F(SessionTest, ConfigComesBackAsGiven) {
-  hrt_session_config config = session_config();
-  config.horizon = 7;
-  config.tactile_weight = 0.2;
-  ASSERT_OK(hrt_session_set(session, &config));
-  const hrt_session_config back = config_of(session);
-  EXPECT_EQ(std::memcmp(&back, &config, sizeof config), 0);
+  EXPECT_TRUE(has(defaults));
 }
 
 TEST_F(SessionTest, DestroyedHandleIsRefusedForEver) {

@@ -85,14 +85,15 @@ void refuse_each_request(CountingAllocator& allocator, Operation&& operation) {
   allocator.fail_on = false;
 }
 
-TEST(Memory, EveryRequestOfProfilesMayBeRefused) {
+class SessionMemory : public SessionTest {
+ protected:
+  ~SessionMemory() override { EXPECT_EQ(allocator.held, 0); }
   CountingAllocator allocator;
-  const hrt_session_config config = session_config();
-  hrt_session session{};
-  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
+};
+
+TEST_F(SessionMemory, EveryRequestOfProfilesMayBeRefused) {
   const std::string profile = R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2})";
-  refuse_each_request(allocator, [&] { return hrt_profile_load(session, profile.data(), profile.size()); });
-  ASSERT_OK(hrt_session_destroy(session));
+  refuse_each_request(allocator, [&] { return load_profile(profile); });
 }
 
 // Of each part, begun with every request refused, and finished with every one of the first
@@ -147,11 +148,7 @@ TEST(Memory, EveryRequestOfASetupMayBeRefused) {
   }
 }
 
-TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
-  CountingAllocator allocator;
-  const hrt_session_config config = session_config();
-  hrt_session session{};
-  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
+TEST_F(SessionMemory, EveryRequestOfRecordingsMayBeRefused) {
   auto status = output<hrt_recording_status>();
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("hrt_memory" + std::to_string(getpid()) + ".csv");
@@ -162,7 +159,6 @@ TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
     }
     return result;
   });
-  ASSERT_OK(hrt_session_destroy(session));
   std::filesystem::remove(path);
   auto report = output<hrt_replay_report>();
   std::ifstream file(HRT_GOLDEN_RECORDING);
@@ -252,11 +248,7 @@ TEST(Memory, AnyBudgetOfARefusedSceneIsEnoughOrRefused) {
   }
 }
 
-TEST(Memory, EveryRequestOfASceneMayBeRefused) {
-  CountingAllocator allocator;
-  const hrt_session_config config = session_config();
-  hrt_session session{};
-  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
+TEST_F(SessionMemory, EveryRequestOfASceneMayBeRefused) {
   const std::string gltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],"nodes":[
     {"name":"plate","extras":{"haptic":{"role":"plate","radius_m":0.1}}},
     {"name":"cylinder","translation":[0,0,-0.05],"extras":{"haptic":{"role":"real","name":"cylinder"}}},
@@ -273,7 +265,6 @@ TEST(Memory, EveryRequestOfASceneMayBeRefused) {
     return result;
   });
   ASSERT_OK(hrt_scene_destroy(scene));
-  ASSERT_OK(hrt_session_destroy(session));
 }
 
 TEST(Memory, AllocatorStaysWhileMemoryIsHeld) {

@@ -30,6 +30,19 @@ inline hrt_replay_report replay(const std::string& text) {
   return report;
 }
 
+/// It is whole, and its replay gave the same bits.
+inline void expect_same(const hrt_replay_report& report) {
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.first_different_line, 0u);
+}
+
+/// What an older library has recorded, which all hosts make too.
+inline void expect_golden_bits() {
+  const hrt_replay_report report = replay(read(HRT_GOLDEN_RECORDING));
+  expect_same(report);
+  EXPECT_EQ(report.hash, HRT_GOLDEN_HASH) << "which is 0x" << std::hex << report.hash;
+}
+
 /// How the recording ends, HRT_ENDING_*.
 inline std::uint32_t ending(const std::string& text) {
   const hrt_replay_report report = replay(text);
