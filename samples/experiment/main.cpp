@@ -42,7 +42,9 @@ void put(const std::filesystem::path& file, const std::string& content) {
 // In this process a simulated participant, else, through OpenXR, the participant at the plate.
 void run_one(const Options& options) {
   const Design design = read_design(options.study);
-  const SessionPlace place{options.data, options.participant, options.session};
+  SessionPlace place{options.data, options.participant, options.session};
+  if (options.plate.ends_with(".json")) place.plate = content_of(options.plate);
+  if (!options.reach.registered.empty()) place.registration = content_of(options.reach.registered);
   std::string end;
   if (options.simulated && options.reach.scene.empty()) {
     SimulatedSubject subject(design, options.participant, options.reach.seed);
@@ -130,8 +132,8 @@ void add_commands(CLI::App& app, Options& options) {
   run->add_option("--plate", options.plate, "As of hrt-reach [runtime]")->check([](const std::string& text) {
     return reach::parse_plate(text) ? "" : "is no plate";
   });
-  run->add_option("--registered", options.reach.registered, "Where hrt-reach --register found the plate");
-  run->add_option("--eye-height", options.reach.eye_height_m, "Metres, for a runtime that knows no floor");
+  run->add_option("--registered", options.reach.registered,
+                  "Where hrt-reach --register found the plate, else touches find it here");
   run->add_option("--live", options.live, "Show the session on a page here: look, or keys, at a second address")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
