@@ -13,6 +13,7 @@
 #include "samples/experiment/session/led.h"
 #include "samples/experiment/session/session.h"
 #include "samples/experiment/session/simulated.h"
+#include "samples/format.h"
 #include "samples/reach/base/interrupt.h"
 #include "samples/reach/xr/watchdog.h"
 #include "samples/whole_file.h"
@@ -29,6 +30,7 @@ struct Options {
   bool unblinds = false;
   bool simulated = false;
   bool speaks = false;
+  bool streams = false;
   std::string live;
   std::string plate = "runtime";
   reach::Options reach;  // of a plate and OpenXR
@@ -59,7 +61,9 @@ void run_one(const Options& options) {
     reach::watch_runtime(led.runtime_limit);
     std::optional<Live> live;
     if (!options.live.empty()) std::cerr << live.emplace(options.live == "keys").addresses();
-    LedSubject subject(design, options.participant, led, live ? &*live : nullptr);
+    std::optional<LabStreams> streams;
+    if (options.streams) streams.emplace(format("%s sub-%u", design.title.c_str(), options.participant));
+    LedSubject subject(design, options.participant, led, live ? &*live : nullptr, streams ? &*streams : nullptr);
     try {
       end = run_session(design, place, subject, Disk());
     } catch (const reach::Interrupted&) {
@@ -137,6 +141,7 @@ void add_commands(CLI::App& app, Options& options) {
   run->add_option("--live", options.live, "Show the session on a page here: look, or keys, at a second address")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
+  run->add_flag("--lsl", options.streams, "Send finger, felt direction, plate and events by liblsl")->needs("--scene");
   run->add_flag("--speak", options.speaks, "Speak what a participant is asked, with espeak-ng");
   all->add_option("--seed", options.reach.seed, "Of the simulated people [1]");
   all->add_option("--threads", options.threads, "[2]")->check(CLI::Range(1, 64));

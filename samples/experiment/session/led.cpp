@@ -36,10 +36,12 @@ std::int64_t clock_ns(clockid_t clock) {
 
 }  // namespace
 
-LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live)
+LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live,
+                       const LabStreams* streams)
     : design_(design),
       options_(options),
       live_(live),
+      streams_(streams),
       prompt_(options.speak_with, [this](const std::string& text) { show({{"says", text}}); }),
       plugin_(options.plugin),
       targets_(load_targets(plugin_, options.scene, hrt_session_config_init())),
@@ -63,6 +65,9 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const reach::
                  [this](XrTime time) {
                    attend(time);
                    if (live_ != nullptr) live_->frame(stage_, time, registered_);
+                   if (streams_ != nullptr)
+                     streams_->frame(locate(stage_, options_.hands.front(), time), felt_deg_,
+                                     plate_->orientation_deg(time));
                  }},
       marks_(marks_of(targets_)),
       last_will_([this] { stop_plate(); }) {
@@ -199,6 +204,10 @@ void LedSubject::show(const nlohmann::json& facts) {
   if (live_ == nullptr) return;
   live_->facts.update(facts);
   live_->show();
+}
+
+void LedSubject::mark(const Event& event) {
+  if (streams_ != nullptr) streams_->mark(event);
 }
 
 Key LedSubject::key() {
@@ -345,6 +354,7 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
   const reach::AtEnd of_own([&] {
     targets_.session = own;
     stage_.on_frame = nullptr;
+    felt_deg_.reset();
   });
   try {
     home();
@@ -354,6 +364,7 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
     stage_.on_frame = [&](const reach::TargetPair&, const reach::Moment& moment) {
       if (live_ != nullptr) live_->moment(stage_, pair, moment, !last);
       last = moment;
+      felt_deg_ = moment.felt_direction_deg;
       if (!moved && reach::distance_along_plate_m(moment.position_m, targets_.start_m) > reach::start_radius_m / 2)
         moved = moment.time;
     };

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "samples/experiment/live/live.h"
+#include "samples/experiment/live/streams.h"
 #include "samples/experiment/session/simulated.h"
 #include "samples/reach/person/keyboard.h"
 #include "samples/reach/person/prompt.h"
@@ -21,9 +22,10 @@ namespace hrt::experiment {
 class LedSubject : public Subject {
  public:
   /// `options`: scene, plugin, hands, plate, speak_with, person, time_limit_s, runtime_limit and
-  /// seed are used. `live` shows it; null: nothing does. Throws as hrt-reach does: reach::Failure,
+  /// seed are used. `live` shows it, `streams` send it; null: nothing does. Throws as hrt-reach does: reach::Failure,
   /// reach::XrFailure.
-  LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live);
+  LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live,
+             const LabStreams* streams);
   ~LedSubject() override { plugin_.hrt_session_destroy(targets_.session); }
   LedSubject(const LedSubject&) = delete;
   LedSubject& operator=(const LedSubject&) = delete;
@@ -39,6 +41,7 @@ class LedSubject : public Subject {
   Key key() override;
   void say(const std::string& text) override { prompt_.say(text); }
   void show(const nlohmann::json& facts) override;
+  void mark(const Event& event) override;
   std::string note() override;
   bool consents() override;
   void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
@@ -65,6 +68,8 @@ class LedSubject : public Subject {
   reach::Options options_;
   std::optional<SimulatedSubject> stand_in_;
   Live* live_;
+  const LabStreams* streams_;
+  std::optional<double> felt_deg_;
   reach::Prompt prompt_;
   reach::Keyboard keyboard_;
   reach::Plugin plugin_;

@@ -95,7 +95,9 @@ class SessionRun {
  private:
   void log(const std::string& name, json data) {
     disk_.step("before state");
-    state_.apply(journal_.append(name, std::move(data)));
+    const Event& event = journal_.append(name, std::move(data));
+    state_.apply(event);
+    subject_.mark(event);
     disk_.step("after state");
   }
 
