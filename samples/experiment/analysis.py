@@ -3,6 +3,7 @@ import functools
 import itertools
 
 import numpy
+import scipy.optimize
 import scipy.stats
 import statsmodels.formula.api
 
@@ -33,6 +34,35 @@ def interval(differences):
     return mean, mean - half, mean + half
 
 
+def above(values):
+    """One-sided p of a mean of at most 0, by Student's t; of each column, if there are several."""
+    return scipy.stats.ttest_1samp(values, 0, alternative="greater").pvalue
+
+
+def equivalence(differences, margin):
+    """p of a mean that is `margin` or more away from 0: the larger one of two one-sided tests."""
+    return numpy.maximum(above(numpy.asarray(differences) + margin), above(margin - numpy.asarray(differences)))
+
+
+def population(estimates, errors):
+    """Mean of people and their standard deviation, each with its 95 % interval, of estimates whose standard errors are known.
+
+    Q-profile: at the true scatter the weighted squares about their mean are chi-squared. The mean's interval is Student's (Knapp, Hartung)."""
+    estimates, squares, n = numpy.asarray(estimates), numpy.square(errors), len(estimates)
+
+    def about_mean(scatter):
+        weights = 1 / (squares + scatter**2)
+        mean = numpy.sum(weights * estimates) / numpy.sum(weights)
+        return mean, numpy.sum(weights * (estimates - mean) ** 2), numpy.sum(weights)
+
+    largest = 100 * (numpy.ptp(estimates) + max(errors))
+    at = lambda q: scipy.optimize.brentq(lambda s: about_mean(s)[1] - q, 0, largest) if about_mean(0)[1] > q else 0.0
+    scatter, low, high = at(n - 1), *(at(scipy.stats.chi2.ppf(share, n - 1)) for share in (0.975, 0.025))
+    mean, weighted, weight = about_mean(scatter)
+    half = scipy.stats.t.ppf(0.975, n - 1) * numpy.sqrt(max(1.0, weighted / (n - 1)) / weight)
+    return (mean, mean - half, mean + half), (scatter, low, high)
+
+
 def mixed_model(trials, measure, reference):
     """Estimate, interval and p of each condition against the reference: random intercepts and slopes of people."""
     data = trials.rename(columns={measure: "value"})
@@ -57,7 +87,7 @@ def holm(values):
 
 def registered(study):
     """What a design says of its analysis, with the defaults."""
-    return {"measure": "abs_miss_deg", "test": "sign_flip", "alpha": 0.05, "reference": study["conditions"][-1]["name"],
+    return {"measure": "abs_miss_deg", "test": "sign_flip", "alpha": 0.05, "margin": 1.0, "reference": study["conditions"][-1]["name"],
             **study.get("analysis", {})}
 
 
@@ -72,16 +102,15 @@ def means_of(trials, measure):
 
 
 def compare(trials, analysis, seed):
-    """A row of each condition: (condition, estimate, low, high, p, Holm's p)."""
+    """A row of each condition: (condition, estimate, low, high, p, Holm's p, p of a difference beyond the margin)."""
     measure, reference = analysis["measure"], analysis["reference"]
     conditions = sorted(set(trials.condition) - {reference})
+    means = means_of(trials, measure)
+    differences = {condition: (means[condition] - means[reference]).dropna() for condition in conditions}
     if analysis["test"] == "mixed_model":
         found = mixed_model(trials, measure, reference)
     else:
-        means = means_of(trials, measure)
-        found = {}
-        for condition in conditions:
-            differences = (means[condition] - means[reference]).dropna()
-            found[condition] = (*interval(differences), sign_flip(differences, seed))
+        found = {condition: (*interval(values), sign_flip(values, seed)) for condition, values in differences.items()}
     adjusted = holm({condition: found[condition][3] for condition in conditions})
-    return [(condition, *found[condition], adjusted[condition]) for condition in conditions]
+    return [(condition, *found[condition], adjusted[condition], float(equivalence(differences[condition], analysis["margin"])))
+            for condition in conditions]

@@ -13,6 +13,7 @@
 #include "samples/experiment/session/led.h"
 #include "samples/experiment/session/session.h"
 #include "samples/experiment/session/simulated.h"
+#include "samples/format.h"
 #include "samples/reach/base/interrupt.h"
 #include "samples/reach/xr/watchdog.h"
 #include "samples/whole_file.h"
@@ -29,6 +30,7 @@ struct Options {
   bool unblinds = false;
   bool simulated = false;
   bool speaks = false;
+  bool streams = false;
   std::string live;
   std::string plate = "runtime";
   reach::Options reach;  // of a plate and OpenXR
@@ -42,7 +44,9 @@ void put(const std::filesystem::path& file, const std::string& content) {
 // In this process a simulated participant, else, through OpenXR, the participant at the plate.
 void run_one(const Options& options) {
   const Design design = read_design(options.study);
-  const SessionPlace place{options.data, options.participant, options.session};
+  SessionPlace place{options.data, options.participant, options.session};
+  if (options.plate.ends_with(".json")) place.plate = content_of(options.plate);
+  if (!options.reach.registered.empty()) place.registration = content_of(options.reach.registered);
   std::string end;
   if (options.simulated && options.reach.scene.empty()) {
     SimulatedSubject subject(design, options.participant, options.reach.seed);
@@ -57,7 +61,9 @@ void run_one(const Options& options) {
     reach::watch_runtime(led.runtime_limit);
     std::optional<Live> live;
     if (!options.live.empty()) std::cerr << live.emplace(options.live == "keys").addresses();
-    LedSubject subject(design, options.participant, led, live ? &*live : nullptr);
+    std::optional<LabStreams> streams;
+    if (options.streams) streams.emplace(format("%s sub-%u", design.title.c_str(), options.participant));
+    LedSubject subject(design, options.participant, led, live ? &*live : nullptr, streams ? &*streams : nullptr);
     try {
       end = run_session(design, place, subject, Disk());
     } catch (const reach::Interrupted&) {
@@ -130,11 +136,12 @@ void add_commands(CLI::App& app, Options& options) {
   run->add_option("--plate", options.plate, "As of hrt-reach [runtime]")->check([](const std::string& text) {
     return reach::parse_plate(text) ? "" : "is no plate";
   });
-  run->add_option("--registered", options.reach.registered, "Where hrt-reach --register found the plate");
-  run->add_option("--eye-height", options.reach.eye_height_m, "Metres, for a runtime that knows no floor");
+  run->add_option("--registered", options.reach.registered,
+                  "Where hrt-reach --register found the plate, else touches find it here");
   run->add_option("--live", options.live, "Show the session on a page here: look, or keys, at a second address")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
+  run->add_flag("--lsl", options.streams, "Send finger, felt direction, plate and events by liblsl")->needs("--scene");
   run->add_flag("--speak", options.speaks, "Speak what a participant is asked, with espeak-ng");
   all->add_option("--seed", options.reach.seed, "Of the simulated people [1]");
   all->add_option("--threads", options.threads, "[2]")->check(CLI::Range(1, 64));

@@ -163,9 +163,9 @@ class Run {
       throw Failure(ExitCode::usage,
                     "a simulated user touches no marks: --register and --registered need --person, or a runtime "
                     "without one");
-    if (registered_) return check_plate(stage, *registered_);
+    if (registered_) return void(check_plate(stage, *registered_));
     registered_ = register_plate(stage, marks_, options_.fingertip);
-    write_registration(options_.register_to, *registered_, stage.session);
+    write_registration(options_.register_to, registration_text(*registered_, stage.session));
   }
 
   void calibrate(Stage& stage) {

@@ -47,6 +47,8 @@ void read_pairs(Fields& f, Design& design) {
     pair.virtual_deg = p.number("virtual_deg", {-60, 60}, std::nullopt, "Direction of the virtual target");
     pair.real_deg = p.number("real_deg", {-60, 60}, std::nullopt, "Direction of the real target");
     pair.distance_m = 1e-3 * p.number("distance_mm", {30, 120}, 100.0, "Distance of both from the start");
+    pair.radius_m =
+        1e-3 * p.number("radius_mm", {0, 20}, 0.0, "Radius of the real object, whose contact ends a reach; 0: unknown");
     for (const Pair& other : design.pairs)
       if (other.name == pair.name) p.refuse("name", "\"" + other.name + "\" is another pair's");
     design.pairs.push_back(pair);
@@ -154,6 +156,7 @@ void read_analysis(Fields& f, Design& design) {
   design.measure = "abs_miss_deg";
   design.test = "sign_flip";
   design.alpha = 0.05;
+  design.margin = 1.0;
   const bool there = f.object("analysis", "Registered before the first participant", [&](Fields& a) {
     design.measure =
         a.word("measure", {"abs_miss_deg", "miss_mm", "peak_felt_error_deg"}, "abs_miss_deg", "Of trials.csv");
@@ -162,6 +165,7 @@ void read_analysis(Fields& f, Design& design) {
     const std::string reference = a.text("reference", std::nullopt, "Condition with which the others are compared");
     if (!a.describes()) design.reference = index_of(design.conditions, a, "reference", reference);
     design.alpha = a.number("alpha", {0.001, 0.2}, 0.05, "Level of the test, of all comparisons together (Holm)");
+    design.margin = a.number("margin", {0.01, 100}, 1.0, "A smaller difference is as good as none (equivalence)");
   });
   if (!there) design.reference = static_cast<unsigned>(design.conditions.size()) - 1;
 }

@@ -25,6 +25,7 @@ struct Pair {
   double virtual_deg;
   double real_deg;
   double distance_m;
+  double radius_m;  ///< of the real object; 0: unknown
 };
 
 enum class Order { williams, random_in_blocks, listed };
@@ -92,6 +93,7 @@ struct Design {
   std::string test;
   unsigned reference;  ///< condition
   double alpha;
+  double margin;  ///< of equivalence, in the measure's unit
   SimulatedTraits simulated;
   std::string text;    ///< the file
   std::string sha256;  ///< of `text`

@@ -12,7 +12,7 @@
 #include "samples/reach/base/exit_code.h"
 #include "samples/reach/base/interrupt.h"
 #include "samples/reach/run/make_plate.h"
-#include "samples/reach/run/registration.h"
+#include "samples/reach/run/set_up.h"
 
 namespace hrt::experiment {
 namespace {
@@ -36,10 +36,12 @@ std::int64_t clock_ns(clockid_t clock) {
 
 }  // namespace
 
-LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live)
+LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live,
+                       const LabStreams* streams)
     : design_(design),
       options_(options),
       live_(live),
+      streams_(streams),
       prompt_(options.speak_with, [this](const std::string& text) { show({{"says", text}}); }),
       plugin_(options.plugin),
       targets_(load_targets(plugin_, options.scene, hrt_session_config_init())),
@@ -63,7 +65,11 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const reach::
                  [this](XrTime time) {
                    attend(time);
                    if (live_ != nullptr) live_->frame(stage_, time, registered_);
+                   if (streams_ != nullptr)
+                     streams_->frame(locate(stage_, options_.hands.front(), time), felt_deg_,
+                                     plate_->orientation_deg(time));
                  }},
+      marks_(marks_of(targets_)),
       last_will_([this] { stop_plate(); }) {
   if (simulation_ && !options_.person) {
     stage_.simulation = &*simulation_;
@@ -74,7 +80,10 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const reach::
     prompt_.say(keys_text);
   }
   await("");
-  place_plate();
+  if (stand_in_) {
+    session_.place_plate(session_.floor_space(), targets_.plate_pose);
+    take_place();
+  }
 }
 
 void LedSubject::stop_plate() {
@@ -86,18 +95,34 @@ void LedSubject::stop_plate() {
   reach::restore_terminal();
 }
 
-void LedSubject::place_plate() {
-  if (stage_.simulation != nullptr) {
-    session_.place_plate(session_.floor_space(), targets_.plate_pose);
-  } else if (!options_.registered.empty()) {
-    check_plate(stage_, reach::read_registration(options_.registered));
-    registered_ = Live::Clock::now();
-  } else {
-    const reach::ScenePlace place = place_of(targets_, session_, options_.eye_height_m, prompt_);
-    prompt_.say(place.words);
-    session_.place_plate(place.space, place.pose);
-  }
+void LedSubject::take_place() {
   if (simulation_) simulation_->place_plate(session_.plate_space(), targets_.plate_radius_m);
+  registered_ = Live::Clock::now();
+}
+
+std::optional<hrt_setup_config> LedSubject::marks() const {
+  return stand_in_ ? std::nullopt : std::optional(config_of(marks_));
+}
+
+std::string LedSubject::registered(const hrt_session_config& found) {
+  placed_ = {session_.steady_space(), marks_.front(), found};
+  place_plate(stage_, *placed_);
+  take_place();
+  return registration_text(*placed_, session_);
+}
+
+std::optional<double> LedSubject::verify(const std::string& registration) {
+  try {
+    placed_ = reach::parse_registration(registration, "what is to be checked");
+    const double off_m = check_plate(stage_, *placed_);
+    take_place();
+    return off_m;
+  } catch (const reach::Failure& failure) {
+    if (failure.code() != reach::ExitCode::registration) throw;
+    prompt_.say(failure.what());
+    placed_.reset();  // a skin that goes with it, too
+    return std::nullopt;
+  }
 }
 
 Now LedSubject::now() {
@@ -125,6 +150,7 @@ void LedSubject::plan(hrt_session_config& config) const {
   std::copy(targets_.start_m.begin(), targets_.start_m.end(), config.start_position_m);
   config.plate_radius_m = targets_.plate_radius_m;
   config.lift_height_m = reach::lifted_height_m;
+  if (placed_) put_registration(*placed_, config);
   if (const hrt_plate_report* report = plate_->report()) hrt_session_config_from_plate(&config, report);
 }
 
@@ -178,6 +204,10 @@ void LedSubject::show(const nlohmann::json& facts) {
   if (live_ == nullptr) return;
   live_->facts.update(facts);
   live_->show();
+}
+
+void LedSubject::mark(const Event& event) {
+  if (streams_ != nullptr) streams_->mark(event);
 }
 
 Key LedSubject::key() {
@@ -277,11 +307,13 @@ unsigned LedSubject::answer(const std::string& question, const std::vector<std::
 void LedSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::int64_t from_ns,
                        const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) {
   std::optional<hrt_setup_step> next = first;
-  hrt_setup_step step{.instruction = HRT_STEP_FINISH};
+  hrt_setup_step step{.instruction = UINT32_MAX};
+  const bool in_world = first.part == HRT_SETUP_REGISTRATION;
+  if (in_world) session_.place_plate(session_.steady_space(), reach::world);
   const XrTime began = frame();
   for (XrTime time = began; next; time = frame()) {
-    if (next->instruction != step.instruction && next->instruction != HRT_STEP_FINISH) {
-      prompt_.ask(next->text);
+    if (reach::asks_anew(step, *next) && next->text[0] != '\0' && next->instruction != HRT_STEP_FINISH) {
+      prompt_.ask(reach::request_of(*next, names_of(marks_)));
       const bool slides = next->instruction == HRT_STEP_SLIDE;
       const reach::Point goal_m{next->place_m[0], 0.0, next->place_m[2]};
       if (stage_.simulation != nullptr && (slides || next->instruction == HRT_STEP_REST_AT_START))
@@ -290,9 +322,11 @@ void LedSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::
     }
     step = *next;
     plate_->command(time, step.plate_orientation_deg);
-    const reach::Fingertip tip = locate(stage_, options_.hands.front(), time);
-    hrt_sample sample = sample_of(from_ns + (time - began) + 1, tip, plate_->orientation_deg(time));
-    next = use(sample);
+    const XrTime at = from_ns + (time - began) + 1;
+    const std::optional<double> plate_deg = plate_->orientation_deg(time);
+    const reach::Hand hand = options_.hands.front();
+    next = use(in_world ? world_sample_of(at, session_.locate(hand, time), plate_deg)
+                        : sample_of(at, locate(stage_, hand, time), plate_deg));
   }
 }
 
@@ -313,13 +347,14 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
     return reach::Point{targets_.start_m[0] - order.distance_m * std::sin(direction_deg * rad_per_deg), 0.0,
                         targets_.start_m[2] - order.distance_m * std::cos(direction_deg * rad_per_deg)};
   };
-  const reach::TargetPair pair{
-      "the target", "the real target",     order.virtual_deg,  order.real_deg,       order.distance_m,
-      0.0,          at(order.virtual_deg), at(order.real_deg), order.virtual_target, order.real_target};
+  const reach::TargetPair pair{"the target",         "the real target", order.virtual_deg,     order.real_deg,
+                               order.distance_m,     order.radius_m,    at(order.virtual_deg), at(order.real_deg),
+                               order.virtual_target, order.real_target};
   const hrt_session own = std::exchange(targets_.session, order.session);
   const reach::AtEnd of_own([&] {
     targets_.session = own;
     stage_.on_frame = nullptr;
+    felt_deg_.reset();
   });
   try {
     home();
@@ -329,6 +364,7 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
     stage_.on_frame = [&](const reach::TargetPair&, const reach::Moment& moment) {
       if (live_ != nullptr) live_->moment(stage_, pair, moment, !last);
       last = moment;
+      felt_deg_ = moment.felt_direction_deg;
       if (!moved && reach::distance_along_plate_m(moment.position_m, targets_.start_m) > reach::start_radius_m / 2)
         moved = moment.time;
     };

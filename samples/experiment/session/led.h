@@ -8,21 +8,24 @@
 #include <string>
 
 #include "samples/experiment/live/live.h"
+#include "samples/experiment/live/streams.h"
 #include "samples/experiment/session/simulated.h"
 #include "samples/reach/person/keyboard.h"
+#include "samples/reach/person/prompt.h"
 #include "samples/reach/run/options.h"
 #include "samples/reach/run/reach.h"
-#include "samples/reach/scene/scene_place.h"
+#include "samples/reach/run/registration.h"
 #include "samples/reach/xr/watchdog.h"
 
 namespace hrt::experiment {
 
 class LedSubject : public Subject {
  public:
-  /// `options`: scene, plugin, hands, plate, registered, speak_with, person, time_limit_s, runtime_limit and
-  /// seed are used. `live` shows it; null: nothing does. Throws as hrt-reach does: reach::Failure,
+  /// `options`: scene, plugin, hands, plate, speak_with, person, time_limit_s, runtime_limit and
+  /// seed are used. `live` shows it, `streams` send it; null: nothing does. Throws as hrt-reach does: reach::Failure,
   /// reach::XrFailure.
-  LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live);
+  LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live,
+             const LabStreams* streams);
   ~LedSubject() override { plugin_.hrt_session_destroy(targets_.session); }
   LedSubject(const LedSubject&) = delete;
   LedSubject& operator=(const LedSubject&) = delete;
@@ -32,9 +35,13 @@ class LedSubject : public Subject {
   std::string boot() const override;
   std::string description() const override;
   void plan(hrt_session_config& config) const override;
+  std::optional<hrt_setup_config> marks() const override;
+  std::string registered(const hrt_session_config& found) override;
+  std::optional<double> verify(const std::string& registration) override;
   Key key() override;
   void say(const std::string& text) override { prompt_.say(text); }
   void show(const nlohmann::json& facts) override;
+  void mark(const Event& event) override;
   std::string note() override;
   bool consents() override;
   void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
@@ -46,7 +53,7 @@ class LedSubject : public Subject {
                   unsigned number) override;
 
  private:
-  void place_plate();
+  void take_place();
   void stop_plate();
   std::optional<char> next_key();
   void attend(XrTime time);
@@ -61,6 +68,8 @@ class LedSubject : public Subject {
   reach::Options options_;
   std::optional<SimulatedSubject> stand_in_;
   Live* live_;
+  const LabStreams* streams_;
+  std::optional<double> felt_deg_;
   reach::Prompt prompt_;
   reach::Keyboard keyboard_;
   reach::Plugin plugin_;
@@ -71,6 +80,8 @@ class LedSubject : public Subject {
   std::optional<reach::Simulation> simulation_;
   std::unique_ptr<reach::Plate> plate_;
   reach::Stage stage_;
+  std::vector<reach::Mark> marks_;
+  std::optional<reach::RegisteredPlate> placed_;
   std::optional<Live::Clock::time_point> registered_;  // when a touch checked it
   Key pressed_ = Key::none;                            // and not yet asked for
   std::optional<char> typed_;                          // a key that is awaited

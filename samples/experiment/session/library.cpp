@@ -10,11 +10,12 @@ using nlohmann::json;
 
 namespace {
 
-hrt_target added(hrt_session session, std::uint32_t role, double direction_deg, double distance_m) {
+hrt_target added(hrt_session session, std::uint32_t role, double direction_deg, double distance_m, double radius_m) {
   hrt_target_config config = hrt_target_config_init();
   config.role = role;
   config.direction_deg = direction_deg;
   config.distance_m = distance_m;
+  config.radius_m = radius_m;
   hrt_target target{};
   check(hrt_target_add(session, &config, &target));
   return target;
@@ -69,10 +70,10 @@ LibrarySession::LibrarySession(const Condition& condition, const std::string& pr
 
 LibrarySession::~LibrarySession() { hrt_session_destroy(session_); }
 
-std::pair<hrt_target, hrt_target> LibrarySession::add_targets(double real_deg, double virtual_deg,
-                                                              double distance_m) const {
-  const hrt_target real = added(session_, HRT_TARGET_REAL, real_deg, distance_m);
-  return {real, added(session_, HRT_TARGET_VIRTUAL, virtual_deg, distance_m)};
+std::pair<hrt_target, hrt_target> LibrarySession::add_targets(double real_deg, double virtual_deg, double distance_m,
+                                                              double radius_m) const {
+  const hrt_target real = added(session_, HRT_TARGET_REAL, real_deg, distance_m, radius_m);
+  return {real, added(session_, HRT_TARGET_VIRTUAL, virtual_deg, distance_m, 0.0)};
 }
 
 hrt_session_config LibrarySession::config() const {

@@ -29,7 +29,8 @@ class LibrarySession {
 
   hrt_session handle() const { return session_; }
   /// The real one, and the virtual one.
-  std::pair<hrt_target, hrt_target> add_targets(double real_deg, double virtual_deg, double distance_m) const;
+  std::pair<hrt_target, hrt_target> add_targets(double real_deg, double virtual_deg, double distance_m,
+                                                double radius_m) const;
   hrt_session_config config() const;
   std::string profile() const;
   void record(const std::filesystem::path& file) const;

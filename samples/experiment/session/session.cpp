@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "samples/experiment/design/draws.h"
@@ -24,6 +25,7 @@ struct Part {
   double real_deg;
   double virtual_deg;
   double distance_m;
+  double radius_m;
   Condition condition;
 };
 
@@ -63,6 +65,7 @@ class SessionRun {
  public:
   SessionRun(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk)
       : design_(design),
+        place_(place),
         subject_(subject),
         disk_(disk),
         schedule_(schedule_of(design, place.participant)),
@@ -92,7 +95,9 @@ class SessionRun {
  private:
   void log(const std::string& name, json data) {
     disk_.step("before state");
-    state_.apply(journal_.append(name, std::move(data)));
+    const Event& event = journal_.append(name, std::move(data));
+    state_.apply(event);
+    subject_.mark(event);
     disk_.step("after state");
   }
 
@@ -116,7 +121,11 @@ class SessionRun {
                    {"participant", state_.participant},
                    {"subject", subject_.description()},
                    {"library", library_version()},
+                   {"registers", subject_.marks().has_value()},
                    {"boot", subject_.boot()}});
+    if (!place_.plate.empty()) keep("plate", place_.plate);
+    const std::string& given = place_.registration;
+    if (!given.empty() && !state_.registrations.contains(given)) keep_registration(given, {{"touched", false}});
     const auto& records =
         state_.block < state_.trials.size() ? state_.trials[state_.block] : std::vector<TrialRecord>{};
     const bool is_in_block =
@@ -158,6 +167,10 @@ class SessionRun {
     switch (task.kind) {
       case Task::Kind::consent:
         return log("consent", {{"given", subject_.consents()}});
+      case Task::Kind::registration:
+        return register_plate();
+      case Task::Kind::check:
+        return check_plate();
       case Task::Kind::set_up:
         return set_up();
       case Task::Kind::questionnaire: {
@@ -178,11 +191,48 @@ class SessionRun {
     }
   }
 
-  // The slides that the journal has are given to the plugin again, then those that are missing are made.
+  void register_plate() {
+    const LibrarySession session({"", Controller::none, 0.0}, "", subject_);
+    const std::optional<hrt_setup_config> marks = subject_.marks();
+    const hrt_setup_result found =
+        guide(session, HRT_SETUP_REGISTRATION, marks ? &*marks : nullptr, "touch", state_.touches);
+    keep_registration(subject_.registered(session.config()), {{"touched", true},
+                                                              {"residual_mm", 1e3 * found.registration_residual_m},
+                                                              {"turn_sd_deg", found.registration_turn_sd_deg}});
+  }
+
+  void keep_registration(const std::string& registration, json about) {
+    keep("registration", registration);
+    about["registration"] = registration;
+    log("registered", std::move(about));
+  }
+
+  void check_plate() {
+    const std::optional<double> off_m = subject_.verify(state_.registration);
+    json found{{"is_there", off_m.has_value()}};
+    if (off_m) found["off_mm"] = 1e3 * *off_m;
+    log("checked", std::move(found));
+  }
+
+  // Under the first name that no other content has.
+  void keep(const std::string& name, const std::string& content) const {
+    for (unsigned number = 1;; ++number) {
+      const std::filesystem::path file = folder_ / (name + (number == 1 ? "" : format("-%u", number)) + ".json");
+      if (disk_.create(file, content) || content_of(file) == content) return;
+    }
+  }
+
   void set_up() {
     const LibrarySession session({"", Controller::people, 0.0}, "", subject_);
-    check(hrt_setup_begin(session.handle(), HRT_SETUP_CALIBRATION, nullptr));
+    keep_set_up(session, guide(session, HRT_SETUP_CALIBRATION, nullptr, "slide", state_.slides));
+  }
+
+  // The slides or touches that the journal has are given to the plugin again, then those that are missing are made.
+  hrt_setup_result guide(const LibrarySession& session, std::uint32_t what, const hrt_setup_config* config,
+                         const char* event, const std::vector<json>& made) {
+    check(hrt_setup_begin(session.handle(), what, config));
     hrt_setup_step step = hrt_setup_step_init();
+    step.part = what;
     hrt_setup_result result = hrt_setup_result_init();
     std::int64_t last_ns = 0;
     const auto use = [&](const hrt_sample& sample) {
@@ -190,29 +240,29 @@ class SessionRun {
       check(hrt_setup_update(session.handle(), &sample, &step));
     };
     for (std::size_t done = 0;; ++done) {
-      if (done < state_.slides.size()) {
-        for (const json& row : state_.slides[done].at("samples")) use(sample_of(row));
+      if (done < made.size()) {
+        for (const json& row : made[done].at("samples")) use(sample_of(row));
       } else {
         json samples = json::array();
-        const unsigned before = step.done;
+        unsigned before = step.done;
         subject_.slide(session.handle(), step, static_cast<unsigned>(done), last_ns, [&](const hrt_sample& sample) {
           samples.push_back(row_of(sample));
           use(sample);
           const bool ends = step.done > before || step.instruction == HRT_STEP_FINISH;
+          before = std::min(before, step.done);  // all of it begins anew after a fit that was refused
           return ends ? std::nullopt : std::optional(step);
         });
-        log("slide", {{"number", done}, {"samples", std::move(samples)}});
+        log(event, {{"number", done}, {"samples", std::move(samples)}});
       }
       if (step.instruction != HRT_STEP_FINISH) continue;
       check(hrt_setup_finish(session.handle(), &result));
-      if (result.left == 0) break;
+      if (result.left == 0) return result;
     }
-    keep_set_up(session, result);
   }
 
   void keep_set_up(const LibrarySession& session, const hrt_setup_result& result) {
     const std::string profile = session.profile();
-    disk_.create(folder_ / "profile.json", profile);
+    keep("profile", profile);
     show_noise(session.config().tracker_noise_m);
     log("set_up", {{"is_known", result.done != 0},
                    {"slides", result.slides},
@@ -237,8 +287,8 @@ class SessionRun {
     if (block.kind != BlockKind::noticeability) {
       const Pair& pair = design_.pairs[planned.pair];
       about["pair"] = pair.name;
-      if (planned.is_catch) return {{pair.real_deg, pair.real_deg, pair.distance_m, at_rest}};
-      return {{pair.real_deg, pair.virtual_deg, pair.distance_m, condition}};
+      if (planned.is_catch) return {{pair.real_deg, pair.real_deg, pair.distance_m, pair.radius_m, at_rest}};
+      return {{pair.real_deg, pair.virtual_deg, pair.distance_m, pair.radius_m, condition}};
     }
     const Noticeability& notice = *design_.noticeability;
     Stream draw(Use::intervals, {design_.seed, state_.participant, task.block, planned.number, record(task).refused});
@@ -247,14 +297,15 @@ class SessionRun {
     const double sign = draw.below(2) == 0 ? 1.0 : -1.0;
     about["gap_deg"] = gap_deg;
     about["bent"] = bent;
-    std::vector<Part> parts(2, Part{notice.virtual_deg, notice.virtual_deg, notice.distance_m, condition});
+    std::vector<Part> parts(2, Part{notice.virtual_deg, notice.virtual_deg, notice.distance_m, 0.0, condition});
     parts[bent].real_deg -= sign * gap_deg;
     return parts;
   }
 
   // Conditions by their letters.
   json standing(const Task& task) const {
-    constexpr const char* tasks[] = {"consent", "set-up", "questionnaire", "break", "reach", "answer", "end"};
+    constexpr const char* tasks[] = {"consent", "registration", "check",  "set-up", "questionnaire",
+                                     "break",   "reach",        "answer", "end"};
     std::string text = format("Participant %u: ", state_.participant) + tasks[static_cast<int>(task.kind)];
     double done = task.block;
     if (task.kind == Task::Kind::trial || task.kind == Task::Kind::answer) {
@@ -312,8 +363,12 @@ class SessionRun {
     about["subject"] = subject_.description();
     about["library"] = library_version();
     about["utc"] = utc_text(subject_.now().utc_ms);
-    for (const char* name : {"profile.json", "registration.json", "plate.json"})
-      if (std::filesystem::exists(folder_ / name)) about["sha256"][name] = sha256_of(content_of(folder_ / name));
+    const std::map<std::string, std::string> in_use{
+        {"profile", state_.set_up ? state_.set_up->at("profile").get<std::string>() : ""},
+        {"registration", state_.registration},
+        {"plate", place_.plate}};
+    for (const auto& [name, content] : in_use)
+      if (!content.empty()) about["sha256"][name + ".json"] = sha256_of(content);
     disk_.create(folder_ / "recordings" / (stem + ".json"), about.dump(1) + "\n");
   }
 
@@ -321,10 +376,10 @@ class SessionRun {
     const std::string& learnt = state_.beliefs[condition];
     const std::string first = state_.set_up ? state_.set_up->at("profile").get<std::string>() : "";
     const LibrarySession session(part.condition, learnt.empty() ? first : learnt, subject_);
-    const auto [real, seen] = session.add_targets(part.real_deg, part.virtual_deg, part.distance_m);
+    const auto [real, seen] = session.add_targets(part.real_deg, part.virtual_deg, part.distance_m, part.radius_m);
     session.record(file);
     const ReachOutcome outcome = subject_.reach({session.handle(), real, seen, part.real_deg, part.virtual_deg,
-                                                 part.distance_m, first_reach + state_.reaches + index});
+                                                 part.distance_m, part.radius_m, first_reach + state_.reaches + index});
     const std::int64_t ended_ns = subject_.now().monotonic_ns;
     session.finish_recording(file);
     disk_.sync(file);
@@ -355,6 +410,7 @@ class SessionRun {
   }
 
   const Design& design_;
+  const SessionPlace& place_;
   Subject& subject_;
   const Disk& disk_;
   Schedule schedule_;

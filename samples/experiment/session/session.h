@@ -14,6 +14,8 @@ struct SessionPlace {
   std::filesystem::path study;  ///< folder of all data of the study
   unsigned participant;
   unsigned session = 1;
+  std::string plate;         ///< its file's content; empty: it has none
+  std::string registration;  ///< the same, of a plate that another program registered
 };
 
 std::filesystem::path folder_of(const SessionPlace& place);

@@ -75,10 +75,22 @@ void State::apply(const Event& event) {
   const json& data = event.data;
   if (event.name == "opened") {
     is_open = false;  // an attempt that was interrupted
+    is_placed = false;
+    registers = data.at("registers");
   } else if (event.name == "consent") {
     has_consent = data.at("given");
     consent_ns = event.monotonic_ns;
     if (!has_consent) end = "stopped";
+  } else if (event.name == "touch") {
+    touches.push_back(data);
+  } else if (event.name == "registered") {
+    registration = data.at("registration");
+    registrations.insert(registration);
+    is_placed = data.at("touched");
+    touches.clear();
+  } else if (event.name == "checked") {
+    is_placed = data.at("is_there");
+    if (!is_placed) registration.clear();
   } else if (event.name == "slide") {
     slides.push_back(data);
   } else if (event.name == "set_up") {
@@ -114,6 +126,8 @@ void State::apply(const Event& event) {
 Task State::next() const {
   if (!end.empty()) return {Task::Kind::end};
   if (!has_consent) return {Task::Kind::consent};
+  if (registers && registration.empty()) return {Task::Kind::registration};
+  if (registers && !is_placed) return {Task::Kind::check};
   if (design.calibrates && !set_up) return {Task::Kind::set_up};
   const bool after = block == schedule.blocks.size();
   for (unsigned i = 0; i < design.questionnaires.size(); ++i) {

@@ -26,7 +26,7 @@ struct TrialRecord {
 
 /// What the session does next.
 struct Task {
-  enum class Kind { consent, set_up, questionnaire, rest, trial, answer, end } kind;
+  enum class Kind { consent, registration, check, set_up, questionnaire, rest, trial, answer, end } kind;
   unsigned block = 0;
   unsigned trial = 0;  ///< index in the block; of a questionnaire: its index in the design
   bool after = false;  ///< of a questionnaire: at the end
@@ -43,6 +43,11 @@ struct State {
   unsigned participant;
 
   bool has_consent = false;
+  bool registers = false;
+  bool is_placed = false;                        ///< the plate, by touches since the last start
+  std::string registration;                      ///< empty: none
+  std::set<std::string> registrations;           ///< that there were
+  std::vector<nlohmann::json> touches;           ///< of one that is not finished
   std::optional<nlohmann::json> set_up;          ///< its result, once it is done
   std::vector<nlohmann::json> slides;            ///< of a set-up that is not
   std::set<std::string> questionnaires;          ///< "before SSQ"

@@ -23,6 +23,7 @@ struct ReachOrder {
   double real_deg;
   double virtual_deg;
   double distance_m;
+  double radius_m;  ///< of the real object; 0: unknown
   unsigned number;  ///< of all of the session, from 0
 };
 
@@ -57,11 +58,21 @@ class Subject {
   virtual void say(const std::string& text) = 0;
   /// Of where the session stands, for page.html.
   virtual void show(const nlohmann::json&) {}
+  /// Each event that the journal has.
+  virtual void mark(const Event&) {}
   /// After Key::note.
   virtual std::string note() = 0;
 
+  /// Of a person whose touches find the plate: its marks. Nothing: it is where it is simulated.
+  virtual std::optional<hrt_setup_config> marks() const { return std::nullopt; }
+  /// The plate is where touches found it. Returns its registration.
+  virtual std::string registered(const hrt_session_config&) { return {}; }
+  /// A touch shows whether the plate is where it was registered. Returns how far off it was, metres; nothing:
+  /// elsewhere.
+  virtual std::optional<double> verify(const std::string&) { return 0.0; }
+
   virtual bool consents() = 0;
-  /// Of one slide of a set-up, from its begin to its end: gives each sample to `use`, which returns what the
+  /// Of one slide or touch of a set-up, from its begin to its end: gives each sample to `use`, which returns what the
   /// next step asks for, or nothing at the slide's end. `number` from 0; `from_ns`: time after the last
   /// sample.
   virtual void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -17,35 +18,10 @@
 namespace hrt::reach {
 namespace {
 
-constexpr XrPosef world{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
 constexpr double millimetres = 1000.0;
 
 hrt_setup_result touch(Stage& stage, std::uint32_t what, std::span<const Mark> marks) {
-  hrt_setup_config config = hrt_setup_config_init();
-  config.mark_count = static_cast<std::uint32_t>(marks.size());
-  config.check_mark = 0;
-  std::vector<std::string> names;
-  for (const Mark& mark : marks) {
-    std::copy(mark.position_m.begin(), mark.position_m.end(), config.marks_m + 3 * names.size());
-    names.push_back(mark.name);
-  }
-  return SetUp(stage.plugin, stage.targets.session, what, config, names).run(stage);
-}
-
-void place_plate(Stage& stage, const RegisteredPlate& plate) {
-  stage.session.place_plate(plate.space, to_xr(plate.position_m, plate.rotation));
-  stage.skin_m = plate.skin_m;
-}
-
-// Of this run, in the plugin, which refuses what is no plate.
-void take(Stage& stage, const RegisteredPlate& plate) {
-  hrt_session_config config = config_of(stage);
-  std::copy(std::begin(plate.position_m), std::end(plate.position_m), config.plate_position_m);
-  std::copy(std::begin(plate.rotation), std::end(plate.rotation), config.plate_rotation);
-  std::copy(std::begin(plate.covariance), std::end(plate.covariance), config.plate_covariance);
-  std::copy(plate.skin_m.begin(), plate.skin_m.end(), config.fingertip_offset_m);
-  config.flags |= HRT_SESSION_REGISTERED;
-  stage.plugin.check(stage.plugin.hrt_session_set(stage.targets.session, &config));
+  return SetUp(stage.plugin, stage.targets.session, what, config_of(marks), names_of(marks)).run(stage);
 }
 
 using Json = nlohmann::ordered_json;
@@ -59,11 +35,11 @@ struct Numbers {
   std::span<double> values;
 };
 std::vector<Numbers> numbers_of(RegisteredPlate& plate) {
-  std::vector<Numbers> all = {{"position_m", plate.position_m},
-                              {"rotation", plate.rotation},
-                              {"covariance", plate.covariance},
+  std::vector<Numbers> all = {{"position_m", plate.found.plate_position_m},
+                              {"rotation", plate.found.plate_rotation},
+                              {"covariance", plate.found.plate_covariance},
                               {"check_m", plate.check.position_m}};
-  if (plate.hand) all.push_back({"skin_m", plate.skin_m});
+  if (plate.hand) all.push_back({"skin_m", plate.found.fingertip_offset_m});
   return all;
 }
 
@@ -102,18 +78,35 @@ RegisteredPlate plate_of(const Json& json) {
 
 }  // namespace
 
+hrt_setup_config config_of(std::span<const Mark> marks) {
+  hrt_setup_config config = hrt_setup_config_init();
+  config.check_mark = 0;
+  for (const Mark& mark : marks)
+    std::copy(mark.position_m.begin(), mark.position_m.end(), config.marks_m + std::size_t{3} * config.mark_count++);
+  return config;
+}
+
+void place_plate(Stage& stage, const RegisteredPlate& plate) {
+  stage.session.place_plate(plate.space, to_xr(plate.found.plate_position_m, plate.found.plate_rotation));
+  std::copy_n(plate.found.fingertip_offset_m, 3, stage.skin_m.begin());
+}
+
+void put_registration(const RegisteredPlate& plate, hrt_session_config& config) {
+  std::copy_n(plate.found.plate_position_m, 3, config.plate_position_m);
+  std::copy_n(plate.found.plate_rotation, 4, config.plate_rotation);
+  std::copy_n(plate.found.plate_covariance, 6, config.plate_covariance);
+  std::copy_n(plate.found.fingertip_offset_m, 3, config.fingertip_offset_m);
+  config.flags |= HRT_SESSION_REGISTERED;
+}
+
 RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertip) {
-  RegisteredPlate plate{.space = stage.session.steady_space(), .check = marks.front()};
-  stage.session.place_plate(plate.space, world);
+  const XrReferenceSpaceType space = stage.session.steady_space();
+  stage.session.place_plate(space, world);
   const hrt_setup_result found = touch(stage, HRT_SETUP_REGISTRATION | (fingertip ? HRT_SETUP_FINGERTIP : 0), marks);
-  const hrt_session_config config = config_of(stage);
-  std::copy(std::begin(config.plate_position_m), std::end(config.plate_position_m), plate.position_m);
-  std::copy(std::begin(config.plate_rotation), std::end(config.plate_rotation), plate.rotation);
-  std::copy(std::begin(config.plate_covariance), std::end(config.plate_covariance), plate.covariance);
+  RegisteredPlate plate{space, marks.front(), config_of(stage)};
   if (fingertip) {
-    const double(&o)[3] = config.fingertip_offset_m;
+    const double(&o)[3] = plate.found.fingertip_offset_m;
     plate.hand = stage.hands.front();
-    plate.skin_m = {o[0], o[1], o[2]};
     stage.tell_user(format("The skin is %.1f mm from the joint, ", millimetres * std::hypot(o[0], o[1], o[2])) +
                     format("known to %.1f mm.", millimetres * found.fingertip_sd_m));
   }
@@ -123,12 +116,14 @@ RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool f
   return plate;
 }
 
-void check_plate(Stage& stage, const RegisteredPlate& plate) {
+double check_plate(Stage& stage, const RegisteredPlate& plate) {
   if (plate.hand && stage.hands != std::vector{*plate.hand})
     throw Failure(ExitCode::registration,
                   "the plate was registered by the skin of one hand (--fingertip): choose that hand, or "
                   "register the plate anew (--register)");
-  take(stage, plate);
+  hrt_session_config config = config_of(stage);
+  put_registration(plate, config);
+  stage.plugin.check(stage.plugin.hrt_session_set(stage.targets.session, &config));
   stage.session.place_plate(plate.space, world);
   const std::array<Mark, 3> marks{plate.check, plate.check, plate.check};  // of which one is touched
   const hrt_setup_result found = touch(stage, HRT_SETUP_CHECK, marks);
@@ -140,33 +135,40 @@ void check_plate(Stage& stage, const RegisteredPlate& plate) {
                    millimetres * found.check_distance_m));
   stage.tell_user(format("It is: the touch was %.0f mm off.", millimetres * found.check_distance_m));
   place_plate(stage, plate);
+  return found.check_distance_m;
 }
 
-void write_registration(const std::filesystem::path& file, const RegisteredPlate& plate,
-                        const XrHeadlessSession& session) {
+std::string registration_text(const RegisteredPlate& plate, const XrHeadlessSession& session) {
   RegisteredPlate copy = plate;
-  const auto [q, p] = session.now(plate.space, to_xr(plate.position_m, plate.rotation));
-  std::copy_n(std::array{p.x, p.y, p.z}.begin(), 3, copy.position_m);
-  std::copy_n(std::array{q.x, q.y, q.z, q.w}.begin(), 4, copy.rotation);
+  const auto [q, p] = session.now(plate.space, to_xr(plate.found.plate_position_m, plate.found.plate_rotation));
+  std::copy_n(std::array{p.x, p.y, p.z}.begin(), 3, copy.found.plate_position_m);
+  std::copy_n(std::array{q.x, q.y, q.z, q.w}.begin(), 4, copy.found.plate_rotation);
   Json json{{"version", version},
             {"space", plate.space == XR_REFERENCE_SPACE_TYPE_STAGE ? "STAGE" : "LOCAL"},
             {"check", plate.check.name}};
   put(numbers_of(copy), json);
   if (plate.hand) json["hand"] = hand_names[static_cast<std::size_t>(*plate.hand)];
   // The name of a mark may be no UTF-8.
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_registration(const std::filesystem::path& file, const std::string& text) {
   if (const int error = write_whole_file(file, text); error != 0)
     throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error));
+}
+
+RegisteredPlate parse_registration(const std::string& text, const std::string& name) {
+  try {
+    return plate_of(Json::parse(text));
+  } catch (const std::exception& error) {
+    throw Failure(ExitCode::registration, name + " is no registration: " + error.what());
+  }
 }
 
 RegisteredPlate read_registration(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) throw Failure(ExitCode::registration, file.string() + " cannot be read");
-  try {
-    return plate_of(Json::parse(stream));
-  } catch (const std::exception& error) {
-    throw Failure(ExitCode::registration, file.string() + " is no registration: " + error.what());
-  }
+  return parse_registration({std::istreambuf_iterator<char>(stream), {}}, file.string());
 }
 
 }  // namespace hrt::reach

@@ -26,14 +26,24 @@ Hand hand_in_use(const Stage& stage, XrTime time) {
   return tracked == stage.hands.end() ? stage.hands.front() : *tracked;
 }
 
-// What has been asked for stays so while the finger begins to hold still.
+}  // namespace
+
 bool asks_anew(const hrt_setup_step& asked, const hrt_setup_step& step) {
   return step.part != asked.part || step.number != asked.number || step.done != asked.done ||
          step.problem != asked.problem ||
          (step.instruction != asked.instruction && step.instruction != HRT_STEP_HOLD_STILL);
 }
 
-}  // namespace
+std::string request_of(const hrt_setup_step& step, const std::vector<std::string>& mark_names) {
+  std::string request = step.text;
+  if (step.instruction == HRT_STEP_TOUCH_MARK) {
+    const std::size_t mark = step.part == HRT_SETUP_FINGERTIP ? 0 : step.number;
+    request += format(" Mark %zu is \"", mark + 1) + mark_names.at(mark) + "\"";
+  }
+  if (step.instruction == HRT_STEP_TOUCH_MARK || step.instruction == HRT_STEP_REST_AT_START)
+    request += format(" (%u of %u).", step.done + 1, step.of);
+  return request;
+}
 
 SetUp::SetUp(const Plugin& plugin, hrt_session session, std::uint32_t what, const hrt_setup_config& config,
              std::vector<std::string> mark_names)
@@ -63,13 +73,7 @@ void SetUp::count_failure(const hrt_setup_step& step) {
 void SetUp::ask(Stage& stage, const hrt_setup_step& step) {
   if (step.done > asked_.done) failed_ = 0;
   count_failure(step);
-  request_ = step.text;
-  if (step.instruction == HRT_STEP_TOUCH_MARK) {
-    const std::size_t mark = step.part == HRT_SETUP_FINGERTIP ? 0 : step.number;
-    request_ += format(" Mark %zu is \"", mark + 1) + mark_names_.at(mark) + "\"";
-  }
-  if (step.instruction == HRT_STEP_TOUCH_MARK || step.instruction == HRT_STEP_REST_AT_START)
-    request_ += format(" (%u of %u).", step.done + 1, step.of);
+  request_ = request_of(step, mark_names_);
   stage.tell_user(request_);
   if (stage.simulation != nullptr && step.instruction == HRT_STEP_REST_AT_START)
     instruct(stage, stage.hands.front(), 0.0, no_way_m);
@@ -86,8 +90,8 @@ hrt_setup_step SetUp::update(Stage& stage, XrTime time) {
   const bool in_world = (asked_.part & world_parts) != 0;
   const Fingertip tip = in_world ? stage.session.locate(hand, time) : locate(stage, hand, time);
   last_ = time + later_by_;
-  hrt_sample sample = sample_of(last_, tip, stage.plate.orientation_deg(time));
-  if (in_world && tip.tracked) sample.flags ^= HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION;
+  const std::optional<double> plate_deg = stage.plate.orientation_deg(time);
+  hrt_sample sample = in_world ? world_sample_of(last_, tip, plate_deg) : sample_of(last_, tip, plate_deg);
   if (in_world && tip.tracked && tip.rotation) {
     sample.flags |= HRT_SAMPLE_JOINT_ROTATION;
     std::copy(tip.rotation->begin(), tip.rotation->end(), sample.joint_rotation);

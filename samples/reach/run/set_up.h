@@ -12,6 +12,12 @@
 
 namespace hrt::reach {
 
+/// `step` asks for something else than `asked` did: what a finger that begins to hold still was asked for stays.
+bool asks_anew(const hrt_setup_step& asked, const hrt_setup_step& step);
+
+/// In words. `mark_names`: as the user knows the marks.
+std::string request_of(const hrt_setup_step& step, const std::vector<std::string>& mark_names);
+
 /// One set-up, across as many sessions of the runtime as it makes necessary.
 class SetUp {
  public:

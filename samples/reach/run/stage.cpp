@@ -41,6 +41,12 @@ hrt_sample sample_of(XrTime time, const Fingertip& tip, std::optional<double> pl
   return sample;
 }
 
+hrt_sample world_sample_of(XrTime time, const Fingertip& joint, std::optional<double> plate_orientation_deg) {
+  hrt_sample sample = sample_of(time, joint, plate_orientation_deg);
+  if (joint.tracked) sample.flags ^= HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION;
+  return sample;
+}
+
 void instruct(Stage& stage, Hand hand, double direction_deg, double distance_m) {
   Point start_m = stage.targets.start_m;
   start_m[1] += tip_height_m;

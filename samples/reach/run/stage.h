@@ -54,6 +54,9 @@ constexpr double lifted_height_m = 0.025;      ///< a fingertip higher than this
 constexpr double start_radius_m = 0.015;       ///< a finger this near the start is there
 constexpr XrDuration settle_ns = 300'000'000;  ///< what does not change in this time is at rest
 
+/// Where the plate's space is placed to have the world's coordinates.
+constexpr XrPosef world{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
+
 double distance_along_plate_m(const Point& a, const Point& b);
 
 /// "within 30 s", for sentences.
@@ -67,6 +70,8 @@ Fingertip locate(const Stage& stage, Hand hand, XrTime time);
 
 /// What the plugin is given of a frame.
 hrt_sample sample_of(XrTime time, const Fingertip& tip, std::optional<double> plate_orientation_deg);
+/// The same of a joint in the world, where the plate's space has been placed.
+hrt_sample world_sample_of(XrTime time, const Fingertip& joint, std::optional<double> plate_orientation_deg);
 
 /// Has the simulated user slide from the start.
 void instruct(Stage& stage, Hand hand, double direction_deg, double distance_m);

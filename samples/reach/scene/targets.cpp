@@ -94,6 +94,12 @@ TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_
   return set;
 }
 
+std::vector<std::string> names_of(std::span<const Mark> marks) {
+  std::vector<std::string> names;
+  for (const Mark& mark : marks) names.push_back(mark.name);
+  return names;
+}
+
 std::vector<Mark> marks_of(const TargetSet& targets) {
   // At a third of a right angle from the line across: away from each other, and none opposite the start.
   const double r = targets.plate_radius_m;

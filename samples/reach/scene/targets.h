@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ struct Mark {
   std::string name;                  ///< as a person knows it
   std::array<double, 3> position_m;  ///< in plate coordinates
 };
+
+std::vector<std::string> names_of(std::span<const Mark> marks);
 
 /// The scene's start and five places on the rim of its plate, as seen from the user.
 std::vector<Mark> marks_of(const TargetSet& targets);

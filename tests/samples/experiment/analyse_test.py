@@ -57,7 +57,7 @@ def test_by_hand():
 
 def share(test, studies, effect, people):
     """Percent of studies in which the test finds something, and in which its interval has the effect."""
-    plan = {"measure": "abs_miss_deg", "reference": "none", "test": test}
+    plan = {"measure": "abs_miss_deg", "reference": "none", "test": test, "margin": 1}
     rows = [analysis.compare(study(seed, effect, people), plan, seed)[0] for seed in range(studies)]
     found = 100 * numpy.mean([row[4] < 0.05 for row in rows])
     return found, 100 * numpy.mean([row[2] <= effect <= row[3] for row in rows])
@@ -76,6 +76,18 @@ def test_level_and_coverage():
         assert power > 80, power
 
 
+def test_population():
+    """Weights of normal people, who are known by 16 to 40 slides: intervals of their mean and scatter have the true ones."""
+    studies, covered = 10 * STUDIES, numpy.zeros(2)
+    for seed in range(studies):
+        draw = numpy.random.default_rng(seed)
+        errors = draw.uniform(0.005, 0.02, 12)
+        found = analysis.population(draw.normal(draw.normal(0.2, 0.03, 12), errors), errors)
+        covered += [low <= true <= high for true, (_, low, high) in zip((0.2, 0.03), found)]
+    print(f"population of touch: {studies} studies of 12: intervals have its mean in {100 * covered[0] / studies:.1f} %, its scatter in {100 * covered[1] / studies:.1f} %")
+    assert all(93 < 100 * share / studies < 97 for share in covered), covered
+
+
 def paired(people, sd):
     """Trials of people whose differences are normal: equally spaced quantiles."""
     differences = sd * scipy.stats.norm.ppf((numpy.arange(people) + 0.5) / people)
@@ -84,7 +96,7 @@ def paired(people, sd):
 
 
 def test_power():
-    plan = {"measure": "abs_miss_deg", "reference": "none", "test": "sign_flip", "alpha": 0.05}
+    plan = {"measure": "abs_miss_deg", "reference": "none", "test": "sign_flip", "alpha": 0.05, "margin": 1}
     found = lambda effect, people: power.share_found(paired(2000, 2.0), plan, "a", effect, people, 2000, 1)
     assert found(-9, 5) == 0  # of 32 choices of signs two are as far from 0: p is 0.0625 at the least
     # Of normal differences the t test is as strong: its noncentral distribution, effect and deviation 1 and 2.
@@ -92,13 +104,24 @@ def test_power():
         t, shift = scipy.stats.t.ppf(0.975, people - 1), effect / 2 * people**0.5
         exact = 100 * (scipy.stats.nct.cdf(-t, people - 1, shift) + (scipy.stats.nct.sf(t, people - 1, shift) if shift else 0.025))
         assert abs(found(effect, people) - exact) < 3, (effect, people, found(effect, people), exact)
+    # Two one-sided t tests at their margin have their level; within it, of so many people, one of them rarely fails.
+    values = paired(2000, 1.0).query("condition == 'a'").abs_miss_deg
+    share = lambda mean, people: 100 * numpy.mean(analysis.equivalence(power.drawn(values, mean, people, 4000, 1), 1.0) < 0.05)
+    for mean, people in ((1, 12), (-1, 40), (0, 12), (0.5, 40)):
+        t, shift = scipy.stats.t.ppf(0.95, people - 1), people**0.5
+        exact = 100 * (1 - scipy.stats.nct.cdf(t, people - 1, (1 - mean) * shift) - scipy.stats.nct.cdf(t, people - 1, (1 + mean) * shift))
+        assert abs(share(mean, people) - exact) < 1.5, (mean, people, share(mean, people), exact)
+    assert analysis.equivalence([1.0, 2.0, 3.0], 1.0) > 0.5 and abs(analysis.above([1.0, 2.0, 3.0]) - 0.0371) < 1e-3  # t = 3.464
 
 
 def power_of_a_design(design):
     printed = subprocess.run([sys.argv[1] + "/power", design, "--program", sys.argv[2], "--pool", "6", "--people", "6,12", "--studies", "200",
                               "--effect", "0,4"], check=True, capture_output=True, text=True).stdout
     assert printed.startswith("SIMULATION: no person took part. 6 simulated people; sign flip of abs_miss_deg, 2 at 0.05 / 2"), printed
-    assert printed.count(" less none: mean ") == 2 and len(printed.splitlines()) == 1 + 2 * 5, printed
+    assert printed.count(" less none: mean ") == 2 and len(printed.splitlines()) == 1 + 2 * (5 + 6) + 8, printed
+    rows = [line.split() for line in printed.splitlines()]
+    levels = [float(share) for row in rows if row and row[0] == "1" and row[-1] == "%" for share in row[3:-1]]
+    assert len(levels) == 2 * 3 and max(levels) < 5 + 6, printed  # of equivalence and of thresholds: 6 is three deviations and skew
 
 
 def test_report():
@@ -189,5 +212,6 @@ def test_bids(data, conditions):
 
 test_by_hand()
 test_level_and_coverage()
+test_population()
 test_power()
 test_report()

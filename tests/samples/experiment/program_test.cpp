@@ -1,6 +1,4 @@
 // hrt-experiment as a program: its command line, the mock runtime, a plate at a line, keys of a terminal.
-#include <httplib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -8,20 +6,24 @@
 
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/experiment/study.h"
+#include "tests/samples/reach/hand_path.h"
 
 namespace hrt::experiment {
 namespace {
 
 using namespace std::chrono_literals;
+namespace fs = std::filesystem;
 
 const std::string scene = HRT_SCENES "/desk.gltf";
 
 class Program : public Process {
  public:
-  explicit Program(std::vector<std::string> arguments, const std::string& script = "", int in = -1)
+  explicit Program(std::vector<std::string> arguments, const std::string& script = "", int in = -1,
+                   const std::string& sent = "")
       : Process(words_of(std::move(arguments)),
-                {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script}, -1,
-                in) {}
+                {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script,
+                 "LD_LIBRARY_PATH=" HRT_LSL_DOUBLE, "LSL_DOUBLE=" + sent},
+                -1, in) {}
 
  private:
   static std::vector<std::string> words_of(std::vector<std::string> arguments) {
@@ -35,7 +37,8 @@ std::string written(const TemporaryFolder& folder, const char* name, const std::
   return folder / name;
 }
 
-// A session by the stage of hrt-reach, twice: with the set-up, both kinds of blocks, and no condition's name.
+// A session by the stage of hrt-reach, twice: with the set-up, both kinds of blocks, and no condition's name. The first
+// sends streams to a double of liblsl.
 TEST(ExperimentProgram, ThroughTheMockRuntime) {
   const TemporaryFolder folder;
   const Design design = small_design(1, [](nlohmann::json& study) {
@@ -43,10 +46,12 @@ TEST(ExperimentProgram, ThroughTheMockRuntime) {
     study["noticeability"] = {{"trials", 5}, {"condition", "secret people"}};
   });
   const std::string study = written(folder, "study.json", design.text);
-  for (const char* data : {"one", "two"}) {
-    const Outcome outcome =
-        Program({"run", study, "--participant", "1", "--simulated", "3", "--scene", scene, "--data", folder / data})
-            .wait();
+  const std::string sent = folder / "sent";
+  for (const std::string data : {"one", "two"}) {
+    std::vector<std::string> words{"run", study,     "--participant", "1",      "--simulated",
+                                   "3",   "--scene", scene,           "--data", folder / data};
+    if (data == "one") words.emplace_back("--lsl");
+    const Outcome outcome = Program(words, "", -1, sent).wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "sub-1: done, SIMULATED: no person took part\n");
     EXPECT_TRUE(has(outcome.err, "Slide evenly"));
@@ -54,10 +59,16 @@ TEST(ExperimentProgram, ThroughTheMockRuntime) {
   }
   EXPECT_EQ(read_file(folder / "one/sub-01/ses-01/journal.jsonl"),
             read_file(folder / "two/sub-01/ses-01/journal.jsonl"));
+  const std::string streams = read_file(sent);
+  EXPECT_TRUE(has(streams, "stream HapticRetargeting MoCap 9 0 1 small sub-1 MoCap\nlabel x_m\n"))
+      << streams.substr(0, 500);
+  // A marker an event; felt and plate are sent while a reach is under way.
+  EXPECT_EQ(count_of(streams, "\ntext {"), count_of(read_file(folder / "one/sub-01/ses-01/journal.jsonl"), "\n"));
+  EXPECT_TRUE(std::regex_search(streams, std::regex(R"(text .*"condition":"[AB]","event":"attempt")")));
+  EXPECT_TRUE(std::regex_search(streams, std::regex(R"(\nfloats( -?[0-9.e-]+){9}\n)")));
+  EXPECT_FALSE(has(streams, "secret"));
   const Tables tables = export_study(design, folder / "one", false);
-  unsigned counted = 0;
-  for (std::size_t at = 0; (at = tables.trials.find(",counted,", at)) != std::string::npos; ++at) ++counted;
-  EXPECT_EQ(counted, 1U + 4 + 5);
+  EXPECT_EQ(count_of(tables.trials, ",counted,"), 1U + 4 + 5);
 }
 
 TEST(ExperimentProgram, RefusesInOneLine) {
@@ -100,11 +111,11 @@ void expect_stopped(plate::PtyPlate& device, const std::string& where) {
   EXPECT_EQ(heard.back(), "STOP") << where;
 }
 
-// A simulated participant at an emulated plate, in real time, with a live view.
+// A simulated participant at an emulated plate, in real time.
 struct Led {
   explicit Led(const char* set_up)
       : program({"run", written(folder, "study.json", with(set_up)), "--participant", "1", "--simulated", "3",
-                 "--scene", scene, "--plate", "serial:" + device.device(), "--data", folder / "data", "--live", "keys"},
+                 "--scene", scene, "--plate", "serial:" + device.device(), "--data", folder / "data"},
                 written(folder, "script.json", R"({"clock": "real-time"})"), terminal.descriptor()) {}
 
   static std::string with(const char* set_up) {
@@ -137,70 +148,65 @@ TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
   }
 }
 
-// A page whose address the program has printed after `name`.
-struct Page {
-  Page(const Program& program, const std::string& name) {
-    EXPECT_TRUE(plate::eventually([&] { return has(program.err(), name); })) << program.err();
-    const std::string said = program.err();
-    const std::size_t begin = said.find(name) + name.size(), slash = said.find('/', begin + 7);
-    host = said.substr(begin, slash - begin);
-    path = said.substr(slash, said.find('\n', slash) - slash);
-  }
-  int status(const std::string& of, const httplib::Headers& headers = {}) const {
-    return httplib::Client(host).Get(of, headers)->status;
-  }
-  int press(const std::string& keys, const std::string& at) const {
-    const httplib::Result result = httplib::Client(host).Post(at + "keys", keys, "text/plain");
-    return result ? result->status : 0;
-  }
-  // Until there was each of these.
-  std::string events(const std::vector<std::string>& parts) const {
-    std::string text;
-    httplib::Client(host).Get(path + "events", [&](const char* data, std::size_t length) {
-      text.append(data, length);
-      return !std::all_of(parts.begin(), parts.end(), [&](const auto& part) { return has(text, part); });
-    });
-    return text;
-  }
-
-  std::string host, path;
-};
-
-TEST(ExperimentLive, ShowsLettersAndItsKeysStopThePlate) {
-  Led led("none");
-  const Page look(led.program, "Live view: "), keys(led.program, "Live view with keys: ");
-  const std::string other = "/" + std::string(32, '0') + "/";
-  EXPECT_EQ(look.status(look.path), 200);
-  for (const std::string& path : {std::string("/"), other, other + "events"}) EXPECT_EQ(look.status(path), 404) << path;
-  EXPECT_EQ(look.status(look.path, {{"Host", "example.org"}}), 403);
-
-  const std::string events = look.events({R"("felt":")", "Plate: not commissioned", "Registration: simulated"});
-  EXPECT_TRUE(std::regex_search(events, std::regex("block 1 of 2, condition [AB], 4 of 4 trials left"))) << events;
-  for (const char* hidden : {"secret", "hidden", R"("keys")"}) EXPECT_FALSE(has(events, hidden)) << events;
-
-  await_turning(led.device);
-  EXPECT_EQ(keys.press("s", other), 404);
-  EXPECT_EQ(keys.press("s", look.path), 403);
-  EXPECT_EQ(keys.press("sad", keys.path), 409);  // no text is awaited
-  EXPECT_TRUE(led.device.is_following());
-  EXPECT_EQ(keys.press("s", keys.path), 200);
-  expect_stopped(led.device, "by the page");
-  EXPECT_TRUE(has(keys.events({R"("keys":"sxbnuq ")"}), "The plate is stopped."));
-  EXPECT_EQ(keys.press("q", keys.path), 200);
-  EXPECT_TRUE(has(led.program.wait().out, "left"));
+// A person whose hand follows a path, led with these keys until the journal has so many events of a name.
+std::string journal_of(const TemporaryFolder& folder) { return read_file(folder / "data/sub-01/ses-01/journal.jsonl"); }
+Outcome lead(const TemporaryFolder& folder, const reach::Path& path, const std::string& event, std::size_t until,
+             const char* answer = "y") {
+  const plate::Pty terminal(80);
+  terminal.type(answer);  // to the first question
+  const Program program({"run", folder / "study.json", "--participant", "1", "--scene", scene, "--plate", "servo",
+                         "--data", folder / "data"},
+                        written(folder, "script.json", path.script()), terminal.descriptor());
+  EXPECT_TRUE(plate::eventually([&] { return count_of(journal_of(folder), "\"event\":\"" + event) >= until; }))
+      << program.err();
+  terminal.type("q");
+  return program.wait();
 }
 
-// A person who gives no consent, by a key that is a note where nothing is awaited.
-TEST(ExperimentLive, AwaitedKeysComeFirst) {
+// Touches find the plate, across processes; what they found reaches the plugin, which learns from contacts. A
+// touch checks it at each start, and if the plate was moved it is registered anew.
+TEST(ExperimentProgram, ASessionRegistersThePlate) {
+  using reach::marks, reach::Path;
   const TemporaryFolder folder;
-  const plate::Pty terminal(80);
-  const Program program({"run", written(folder, "study.json", small_design(1).text), "--participant", "1", "--scene",
-                         scene, "--data", folder / "data", "--live", "keys"},
-                        written(folder, "script.json", R"({"clock": "real-time"})"), terminal.descriptor());
-  const Page keys(program, "Live view with keys: ");
-  keys.events({R"("keys":"sxbuqyn")"});
-  EXPECT_EQ(keys.press("n", keys.path), 200);
-  EXPECT_TRUE(has(program.wait().out, "stopped"));
+  const auto study = [](nlohmann::json& s) {
+    s["conditions"] = {{{"name", "secret people"}, {"controller", "people"}}};
+    s["pairs"] = {{{"name", "left"}, {"virtual_deg", 6}, {"real_deg", 0}, {"radius_mm", 5}}};
+    s["practice_trials"] = 0;
+    s.erase("question");
+  };
+  written(folder, "study.json", small_design(2, study).text);
+  const Outcome begun = lead(folder, Path().touch({marks[0], marks[1], marks[2]}), "touch", 3);
+  EXPECT_TRUE(has(begun.err, "Mark 3 is \"rim near right\" (3 of 6)")) << begun.err;
+  const Outcome resumed = lead(folder, Path().touch({marks[3], marks[4], marks[5]}).reach().lift(), "reach", 1);
+  EXPECT_FALSE(has(resumed.err, "Mark 3 is")) << resumed.err;
+  const std::string journal = journal_of(folder);
+  EXPECT_EQ(count_of(journal, "\"event\":\"touch"), 6U);
+  EXPECT_TRUE(has(journal, "\"counts\":true")) << journal;
+  EXPECT_TRUE(has(journal, "contact_covariance")) << journal;
+  const fs::path session = folder.path / "data/sub-01/ses-01";
+  const auto kept = nlohmann::json::parse(read_file(session / "registration.json"));
+  EXPECT_NEAR(kept["position_m"][0], reach::PlatePose{}.x_m, 1e-3);
+  std::string recorded;
+  for (const auto& entry : fs::directory_iterator(session / "recordings")) recorded += read_file(entry.path());
+  EXPECT_TRUE(has(recorded, "\ntouched,0,"));
+  EXPECT_TRUE(has(recorded, sha256_of(content_of(session / "registration.json"))));
+
+  reach::PlatePose elsewhere;
+  elsewhere.x_m += 0.03;
+  const Outcome moved =
+      lead(folder, Path(elsewhere).hold(marks[0]).lift().touch({marks[0]}).touch(marks), "registered", 2);
+  EXPECT_TRUE(has(moved.err, "touched 30 mm from where it was registered")) << moved.err;
+  EXPECT_NE(read_file(session / "registration-2.json"), "");
+  const Outcome last = lead(folder, Path(elsewhere).hold(marks[0]).reach(), "end", 1);
+  EXPECT_EQ(last.out, "sub-1: done\n") << last.err;
+  EXPECT_TRUE(has(journal_of(folder), "\"is_there\":true"));
+}
+
+// By a key that is a note where nothing is awaited.
+TEST(ExperimentProgram, WhoGivesNoConsentIsNotLed) {
+  const TemporaryFolder folder;
+  written(folder, "study.json", small_design(1).text);
+  EXPECT_TRUE(has(lead(folder, reach::Path(), "consent", 1, "n").out, "stopped"));
 }
 
 }  // namespace

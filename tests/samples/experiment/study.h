@@ -39,6 +39,12 @@ inline std::string run_simulated(const Design& design, const std::filesystem::pa
   return run_session(design, {study, participant, 1}, subject, disk);
 }
 
+inline std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
 /// Why it is refused; empty: it is not.
 inline std::string refusal_of(const std::function<void()>& call) {
   try {

@@ -27,6 +27,10 @@ struct Place {
   double towards_user_m;
 };
 
+/// Marks of a plate of 75 mm, in the order in which they are asked for.
+inline const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
+                                         {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
+
 /// How the hand is held: about its right, then about its back, then about the way that it points; degrees.
 struct Attitude {
   double raised = 0.0;

@@ -10,10 +10,6 @@
 namespace hrt::reach {
 namespace {
 
-// Of a plate of 75 mm, in the order in which they are asked for.
-const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
-                                  {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
-
 class ReachRegistration : public testing::Test {
  protected:
   static Outcome run(const Path& path, const std::vector<std::string>& more) {
