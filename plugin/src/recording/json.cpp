@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/person/traits.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/text.h"
@@ -219,12 +220,27 @@ hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what);
 }
 
+// What 0.3 wrote of a person knows nothing of their scatter, the last trait.
+void complete_person(JsonField& field) {
+  constexpr std::size_t former = HRT_PERSON_TRAITS - 1, former_covariances = HRT_PERSON_COVARIANCES - HRT_PERSON_TRAITS;
+  constexpr Trait scatter = person_traits[HRT_PERSON_SCATTER];
+  std::vector<double>& numbers = field.numbers;
+  if (field.key == "person_mean" && numbers.size() == former) numbers.push_back(scatter.mean);
+  if (field.key != "person_covariance" || numbers.size() != former_covariances) return;
+  const bool is_known = std::any_of(numbers.begin(), numbers.end(), [](double number) { return number != 0.0; });
+  numbers.resize(HRT_PERSON_COVARIANCES);
+  if (is_known) numbers.back() = scatter.sd * scatter.sd;
+}
+
 // Reads an object of fields of `*out`. Those that it lacks stay.
 template <class Struct>
 hrt_result read_object(const char* what, std::string_view text, Struct* out) {
   std::vector<JsonField> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  for (const JsonField& field : fields) HRT_RETURN_IF_FAILED(read_into(what, field, out));
+  for (JsonField& field : fields) {
+    complete_person(field);
+    HRT_RETURN_IF_FAILED(read_into(what, field, out));
+  }
   return HRT_OK;
 }
 
