@@ -3,6 +3,10 @@
 // dispatch table, call log and fault injection derive from this list.
 #pragma once
 
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
 #include "samples/mock_runtime/openxr_all.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
@@ -105,15 +109,39 @@ enum class FunctionId {
       count
 };
 
-template <typename Returned, typename Function>
+/// What an implementation takes for an argument: the object for its handle.
+#define HRT_MOCK_OBJECT(Handle, Type) \
+  class Type;                         \
+  std::type_identity<Type&> taken_for(Handle);
+HRT_MOCK_OBJECT(XrInstance, Instance)
+HRT_MOCK_OBJECT(XrSession, Session)
+HRT_MOCK_OBJECT(XrSpace, Space)
+HRT_MOCK_OBJECT(XrActionSet, ActionSet)
+HRT_MOCK_OBJECT(XrAction, Action)
+HRT_MOCK_OBJECT(XrSwapchain, Swapchain)
+HRT_MOCK_OBJECT(XrHandTrackerEXT, HandTracker)
+#undef HRT_MOCK_OBJECT
+template <typename Argument>
+std::type_identity<Argument> taken_for(const Argument&);
+
+/// Implementations that look their objects up: they take lost ones or none, or an object that may be gone after a wait.
+constexpr bool takes_handles(std::string_view name) {
+  return name.starts_with("xrDestroy") || name == "xrWaitFrame" || name == "xrGetInstanceProcAddr" ||
+         name == "xrGetCallLogHRTX";
+}
+template <typename Argument, bool handles>
+using Taken = typename std::conditional_t<handles, std::type_identity<Argument>,
+                                          decltype(taken_for(std::declval<Argument>()))>::type;
+
+template <typename Returned, typename Function, bool handles>
 struct Implementation;
-template <typename Returned, typename... Args>
-struct Implementation<Returned, XrResult (*)(Args...)> {
-  using Type = Returned(Args...);
+template <typename Returned, typename... Args, bool handles>
+struct Implementation<Returned, XrResult (*)(Args...), handles> {
+  using Type = Returned(Taken<Args, handles>...);
 };
 
 #define HRT_MOCK_DECLARE(name, implementation, extension, returned) \
-  Implementation<returned, PFN_##name>::Type implementation;
+  Implementation<returned, PFN_##name, takes_handles(#name)>::Type implementation;
 HRT_MOCK_FUNCTIONS(HRT_MOCK_DECLARE)
 #undef HRT_MOCK_DECLARE
 

@@ -23,9 +23,8 @@ Action& attached_action(const Session& session, XrAction handle, XrPath subactio
 
 // The state of the action in getInfo, which must have this type.
 template <typename State>
-ActionState state_of(XrSession handle, const XrActionStateGetInfo* info, State* state, XrStructureType state_type,
+ActionState state_of(Session& session, const XrActionStateGetInfo* info, State* state, XrStructureType state_type,
                      XrActionType type) {
-  auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_ACTION_STATE_GET_INFO, "getInfo");
   require_struct(state, state_type, "state");
   const Action& action = attached_action(session, info->action, info->subactionPath);
@@ -74,8 +73,7 @@ std::string source_at(Session& session, XrPath top_level, XrPath path, const std
 
 }  // namespace
 
-XrResult sync_actions(XrSession handle, const XrActionsSyncInfo* info) {
-  auto& session = runtime().registry.get<Session>(handle);
+XrResult sync_actions(Session& session, const XrActionsSyncInfo* info) {
   require_struct(info, XR_TYPE_ACTIONS_SYNC_INFO, "syncInfo");
   if (info->countActiveActionSets > 0) require_pointer(info->activeActionSets, "activeActionSets");
   std::vector<Input::ActiveSet> active;
@@ -100,37 +98,36 @@ XrResult sync_actions(XrSession handle, const XrActionsSyncInfo* info) {
   }
   if (session.input.sync(focused ? active : std::vector<Input::ActiveSet>{})) {
     XrEventDataInteractionProfileChanged event{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED};
-    event.session = handle;
+    event.session = handle_of<XrSession>(session);
     session.instance().push_event(event);
   }
   return focused ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
 
-void get_action_state_boolean(XrSession handle, const XrActionStateGetInfo* info, XrActionStateBoolean* out) {
-  const ActionState state = state_of(handle, info, out, XR_TYPE_ACTION_STATE_BOOLEAN, XR_ACTION_TYPE_BOOLEAN_INPUT);
+void get_action_state_boolean(Session& session, const XrActionStateGetInfo* info, XrActionStateBoolean* out) {
+  const ActionState state = state_of(session, info, out, XR_TYPE_ACTION_STATE_BOOLEAN, XR_ACTION_TYPE_BOOLEAN_INPUT);
   copy_common(*out, state);
   out->currentState = state.value.x > 0.0F ? XR_TRUE : XR_FALSE;
 }
 
-void get_action_state_float(XrSession handle, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
-  const ActionState state = state_of(handle, info, out, XR_TYPE_ACTION_STATE_FLOAT, XR_ACTION_TYPE_FLOAT_INPUT);
+void get_action_state_float(Session& session, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
+  const ActionState state = state_of(session, info, out, XR_TYPE_ACTION_STATE_FLOAT, XR_ACTION_TYPE_FLOAT_INPUT);
   copy_common(*out, state);
   out->currentState = state.value.x;
 }
 
-void get_action_state_vector2f(XrSession handle, const XrActionStateGetInfo* info, XrActionStateVector2f* out) {
-  const ActionState state = state_of(handle, info, out, XR_TYPE_ACTION_STATE_VECTOR2F, XR_ACTION_TYPE_VECTOR2F_INPUT);
+void get_action_state_vector2f(Session& session, const XrActionStateGetInfo* info, XrActionStateVector2f* out) {
+  const ActionState state = state_of(session, info, out, XR_TYPE_ACTION_STATE_VECTOR2F, XR_ACTION_TYPE_VECTOR2F_INPUT);
   copy_common(*out, state);
   out->currentState = state.value;
 }
 
-void get_action_state_pose(XrSession handle, const XrActionStateGetInfo* info, XrActionStatePose* out) {
-  const ActionState state = state_of(handle, info, out, XR_TYPE_ACTION_STATE_POSE, XR_ACTION_TYPE_POSE_INPUT);
+void get_action_state_pose(Session& session, const XrActionStateGetInfo* info, XrActionStatePose* out) {
+  const ActionState state = state_of(session, info, out, XR_TYPE_ACTION_STATE_POSE, XR_ACTION_TYPE_POSE_INPUT);
   out->isActive = state.active ? XR_TRUE : XR_FALSE;
 }
 
-void get_current_interaction_profile(XrSession handle, XrPath top_level, XrInteractionProfileState* state) {
-  auto& session = runtime().registry.get<Session>(handle);
+void get_current_interaction_profile(Session& session, XrPath top_level, XrInteractionProfileState* state) {
   require_struct(state, XR_TYPE_INTERACTION_PROFILE_STATE, "interactionProfile");
   const std::string& path = session.instance().paths.text(top_level);
   require(is_top_level(path), XR_ERROR_PATH_UNSUPPORTED, "no top level user path");
@@ -143,17 +140,15 @@ void get_current_interaction_profile(XrSession handle, XrPath top_level, XrInter
   state->interactionProfile = session.input.current_profile(path);
 }
 
-void enumerate_bound_sources_for_action(XrSession handle, const XrBoundSourcesForActionEnumerateInfo* info,
+void enumerate_bound_sources_for_action(Session& session, const XrBoundSourcesForActionEnumerateInfo* info,
                                         std::uint32_t capacity, std::uint32_t* count, XrPath* sources) {
-  auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, "enumerateInfo");
   const Action& action = attached_action(session, info->action, XR_NULL_PATH);
   two_call(session.input.bound_sources(action), capacity, count, sources);
 }
 
-void get_input_source_localized_name(XrSession handle, const XrInputSourceLocalizedNameGetInfo* info,
+void get_input_source_localized_name(Session& session, const XrInputSourceLocalizedNameGetInfo* info,
                                      std::uint32_t capacity, std::uint32_t* count, char* buffer) {
-  auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, "getInfo");
   constexpr XrInputSourceLocalizedNameFlags all = XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT |
                                                   XR_INPUT_SOURCE_LOCALIZED_NAME_INTERACTION_PROFILE_BIT |
@@ -183,8 +178,7 @@ void get_input_source_localized_name(XrSession handle, const XrInputSourceLocali
   two_call(name, capacity, count, buffer);
 }
 
-XrResult apply_haptic_feedback(XrSession handle, const XrHapticActionInfo* info, const XrHapticBaseHeader* haptic) {
-  const auto& session = runtime().registry.get<Session>(handle);
+XrResult apply_haptic_feedback(Session& session, const XrHapticActionInfo* info, const XrHapticBaseHeader* haptic) {
   require_vibration(session, info);
   require_struct(haptic, XR_TYPE_HAPTIC_VIBRATION, "hapticFeedback");
   const auto& vibration = *reinterpret_cast<const XrHapticVibration*>(haptic);
@@ -194,14 +188,12 @@ XrResult apply_haptic_feedback(XrSession handle, const XrHapticActionInfo* info,
   return session.state() == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
 
-XrResult stop_haptic_feedback(XrSession handle, const XrHapticActionInfo* info) {
-  const auto& session = runtime().registry.get<Session>(handle);
+XrResult stop_haptic_feedback(Session& session, const XrHapticActionInfo* info) {
   require_vibration(session, info);
   return session.state() == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
 
-void set_input_device_active(XrSession handle, XrPath profile, XrPath top_level, XrBool32 active) {
-  auto& session = runtime().registry.get<Session>(handle);
+void set_input_device_active(Session& session, XrPath profile, XrPath top_level, XrBool32 active) {
   const auto* sources = find_profile(session.instance().paths.text(profile), session.instance().sources());
   require(sources != nullptr, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile");
   Device& device = device_at(session, top_level);
@@ -213,29 +205,24 @@ void set_input_device_active(XrSession handle, XrPath profile, XrPath top_level,
   device.profile = profile;
 }
 
-void set_input_device_state_bool(XrSession handle, XrPath top_level, XrPath source, XrBool32 state) {
-  auto& session = runtime().registry.get<Session>(handle);
+void set_input_device_state_bool(Session& session, XrPath top_level, XrPath source, XrBool32 state) {
   Device& device = device_at(session, top_level);
   device.values[source_at(session, top_level, source, "", SourceKind::boolean)] = state != XR_FALSE ? 1.0F : 0.0F;
 }
 
-void set_input_device_state_float(XrSession handle, XrPath top_level, XrPath source, float state) {
-  auto& session = runtime().registry.get<Session>(handle);
+void set_input_device_state_float(Session& session, XrPath top_level, XrPath source, float state) {
   Device& device = device_at(session, top_level);
   device.values[source_at(session, top_level, source, "", SourceKind::scalar)] = state;
 }
 
-void set_input_device_state_vector2f(XrSession handle, XrPath top_level, XrPath source, XrVector2f state) {
-  auto& session = runtime().registry.get<Session>(handle);
+void set_input_device_state_vector2f(Session& session, XrPath top_level, XrPath source, XrVector2f state) {
   Device& device = device_at(session, top_level);
   const std::string text = source_at(session, top_level, source, "/x", SourceKind::scalar);
   device.values[text + "/x"] = state.x;
   device.values[text + "/y"] = state.y;
 }
 
-void set_input_device_location(XrSession handle, XrPath top_level, XrPath source, XrSpace space_handle, XrPosef pose) {
-  auto& session = runtime().registry.get<Session>(handle);
-  const auto& space = runtime().registry.get<Space>(space_handle);
+void set_input_device_location(Session& session, XrPath top_level, XrPath source, Space& space, XrPosef pose) {
   Device& device = device_at(session, top_level);
   const std::string text = source_at(session, top_level, source, "", SourceKind::pose);
   const Pose in_space = checked_pose(pose);

@@ -60,8 +60,7 @@ bool Action::has_subaction(XrPath path) const {
   return std::find(subactions.begin(), subactions.end(), path) != subactions.end();
 }
 
-void create_action_set(XrInstance handle, const XrActionSetCreateInfo* info, XrActionSet* set) {
-  auto& instance = runtime().registry.get<Instance>(handle);
+void create_action_set(Instance& instance, const XrActionSetCreateInfo* info, XrActionSet* set) {
   require_struct(info, XR_TYPE_ACTION_SET_CREATE_INFO, "createInfo");
   require_pointer(set, "actionSet");
   require_names<ActionSet>(instance, info->actionSetName, info->localizedActionSetName);
@@ -72,8 +71,7 @@ void destroy_action_set(XrActionSet handle) {
   runtime().registry.destroy(runtime().registry.get_even_lost<ActionSet>(handle));
 }
 
-void create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAction* action) {
-  auto& set = runtime().registry.get<ActionSet>(handle);
+void create_action(ActionSet& set, const XrActionCreateInfo* info, XrAction* action) {
   require_struct(info, XR_TYPE_ACTION_CREATE_INFO, "createInfo");
   require_pointer(action, "action");
   require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set is attached: it cannot change");
@@ -98,8 +96,7 @@ void destroy_action(XrAction handle) {
   action.action_set().attached ? runtime().registry.retire(action) : runtime().registry.destroy(action);
 }
 
-void suggest_interaction_profile_bindings(XrInstance handle, const XrInteractionProfileSuggestedBinding* info) {
-  auto& instance = runtime().registry.get<Instance>(handle);
+void suggest_interaction_profile_bindings(Instance& instance, const XrInteractionProfileSuggestedBinding* info) {
   require_struct(info, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, "suggestedBindings");
   require(info->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings are suggested");
   require_pointer(info->suggestedBindings, "suggestedBindings");
@@ -118,8 +115,7 @@ void suggest_interaction_profile_bindings(XrInstance handle, const XrInteraction
   instance.suggestions[info->interactionProfile] = std::move(bindings);
 }
 
-void attach_session_action_sets(XrSession handle, const XrSessionActionSetsAttachInfo* info) {
-  auto& session = runtime().registry.get<Session>(handle);
+void attach_session_action_sets(Session& session, const XrSessionActionSetsAttachInfo* info) {
   require_struct(info, XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, "attachInfo");
   require(info->countActionSets > 0, XR_ERROR_VALIDATION_FAILURE, "no action sets are given");
   require_pointer(info->actionSets, "actionSets");

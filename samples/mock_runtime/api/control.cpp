@@ -5,8 +5,7 @@
 
 namespace hrt::mock {
 
-void apply_script(XrInstance handle, const char* json) {
-  auto& instance = runtime().registry.get<Instance>(handle);
+void apply_script(Instance& instance, const char* json) {
   require_pointer(json, "json");
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_CALL_ORDER_INVALID,
           "a script is applied while there is no session");
@@ -17,9 +16,8 @@ void apply_script(XrInstance handle, const char* json) {
   instance.clock.set_kind(runtime().script.clock);
 }
 
-void advance_time(XrInstance handle, XrDuration duration) {
+void advance_time(Instance& instance, XrDuration duration) {
   constexpr XrDuration hour = 3'600'000'000'000;
-  auto& instance = runtime().registry.get<Instance>(handle);
   require(duration >= 0 && duration <= hour, XR_ERROR_VALIDATION_FAILURE, "duration must be from 0 to an hour");
   require(instance.clock.kind() == Clock::Kind::manual, XR_ERROR_CALL_ORDER_INVALID, "the clock is the real-time one");
   instance.clock.advance_to(instance.clock.now() + duration);
@@ -42,7 +40,7 @@ std::string obey(Session& session, const std::string& line) {
     // The application may have located what it draws in this frame before.
     if (what && std::holds_alternative<TakePicture>(*what)) session.picture_from = session.frame_number + 1;
     if (fault) runtime().faults.add(*fault);
-    if (advance_ns > 0) advance_time(handle_of<XrInstance>(session.instance()), advance_ns);
+    if (advance_ns > 0) advance_time(session.instance(), advance_ns);
   } catch (const Error& error) {
     reply["error"] = error.why;
   } catch (const Json::exception& error) {
@@ -69,8 +67,7 @@ void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* coun
            });
 }
 
-void convert_timespec_time_to_time(XrInstance handle, const struct timespec* from, XrTime* time) {
-  runtime().registry.get<Instance>(handle);
+void convert_timespec_time_to_time(Instance&, const struct timespec* from, XrTime* time) {
   require_pointer(from, "timespecTime");
   require_pointer(time, "time");
   constexpr std::int64_t second_ns = 1'000'000'000;
@@ -82,8 +79,7 @@ void convert_timespec_time_to_time(XrInstance handle, const struct timespec* fro
     if (session->player) *time = session->player->next_converted().value_or(*time);
 }
 
-void convert_time_to_timespec_time(XrInstance handle, XrTime from, struct timespec* time) {
-  runtime().registry.get<Instance>(handle);
+void convert_time_to_timespec_time(Instance&, XrTime from, struct timespec* time) {
   require_pointer(time, "timespecTime");
   require(from > 0, XR_ERROR_TIME_INVALID, "times are positive");
   std::int64_t clock_ns = from;

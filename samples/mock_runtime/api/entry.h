@@ -4,9 +4,11 @@
 #include <mutex>
 #include <new>
 #include <thread>
+#include <tuple>
 #include <type_traits>
 
-#include "samples/mock_runtime/api/session.h"
+#include "samples/mock_runtime/api/space.h"
+#include "samples/mock_runtime/api/swapchain.h"
 #include "samples/mock_runtime/calls/call_text.h"
 #include "samples/mock_runtime/functions.h"
 
@@ -18,11 +20,20 @@ inline std::uint32_t thread_number(Runtime& the) {
   return number;
 }
 
-template <FunctionId id, auto implementation>
+/// The object of a handle, or the argument itself.
+template <typename Given, typename Argument>
+Given given(Argument& argument) {
+  if constexpr (std::is_same_v<Given, Argument>)
+    return argument;
+  else
+    return runtime().registry.get<std::remove_reference_t<Given>>(argument);
+}
+
+template <FunctionId id, typename Function, bool handles, auto implementation>
 struct Entry;
 
-template <FunctionId id, typename Returned, typename... Args, Returned (*implementation)(Args...)>
-struct Entry<id, implementation> {
+template <FunctionId id, typename... Args, bool handles, auto implementation>
+struct Entry<id, XrResult (*)(Args...), handles, implementation> {
   static XRAPI_ATTR XrResult XRAPI_CALL call(Args... args) noexcept {
     Runtime& the = runtime();
     std::unique_lock lock(the.mutex);
@@ -41,10 +52,11 @@ struct Entry<id, implementation> {
         if (fault->result) throw Error{*fault->result, "the script orders this error"};
       }
       fire_due_events();
-      if constexpr (std::is_void_v<Returned>)
-        implementation(args...);
+      const std::tuple<Taken<Args, handles>...> all{given<Taken<Args, handles>>(args)...};
+      if constexpr (std::is_void_v<decltype(std::apply(implementation, all))>)
+        std::apply(implementation, all);
       else
-        record.result = implementation(args...);
+        record.result = std::apply(implementation, all);
       record.why = std::exchange(the.remark, {});
     } catch (const Error& error) {
       record.result = error.result;

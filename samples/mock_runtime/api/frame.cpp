@@ -6,9 +6,13 @@
 namespace hrt::mock {
 namespace {
 
+void require_running(const Session& session) {
+  require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
+}
+
 Session& running_session(XrSession handle) {
   auto& session = runtime().registry.get<Session>(handle);
-  require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
+  require_running(session);
   return session;
 }
 
@@ -74,8 +78,8 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
                                                                                                           : XR_FALSE;
 }
 
-XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
-  Session& session = running_session(handle);
+XrResult begin_frame(Session& session, const XrFrameBeginInfo* info) {
+  require_running(session);
   if (info != nullptr) require_struct(info, XR_TYPE_FRAME_BEGIN_INFO, "frameBeginInfo");
   require(session.frames.waited, XR_ERROR_CALL_ORDER_INVALID, "no xrWaitFrame goes with this xrBeginFrame");
   const bool discarded = session.frames.begun;
@@ -86,8 +90,8 @@ XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
   return discarded ? XR_FRAME_DISCARDED : XR_SUCCESS;
 }
 
-void end_frame(XrSession handle, const XrFrameEndInfo* info) {
-  Session& session = running_session(handle);
+void end_frame(Session& session, const XrFrameEndInfo* info) {
+  require_running(session);
   require_struct(info, XR_TYPE_FRAME_END_INFO, "frameEndInfo");
   require(session.frames.begun, XR_ERROR_CALL_ORDER_INVALID, "no xrBeginFrame goes with this xrEndFrame");
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");

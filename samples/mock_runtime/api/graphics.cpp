@@ -10,12 +10,6 @@ constexpr XrVersion min_vulkan = XR_MAKE_VERSION(1, 0, 0), max_vulkan = XR_MAKE_
 // Textures whose storage does not change, with samples.
 constexpr XrVersion min_opengl = XR_MAKE_VERSION(4, 3, 0), max_opengl = XR_MAKE_VERSION(4, 6, 0);
 
-Instance& instance_with_system(XrInstance handle, XrSystemId system) {
-  auto& instance = runtime().registry.get<Instance>(handle);
-  require_system(system);
-  return instance;
-}
-
 // The only choice: the first one.
 VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   require(vulkan != nullptr, XR_ERROR_VALIDATION_FAILURE, "the VkInstance is null");
@@ -30,10 +24,6 @@ VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   require((result == VK_SUCCESS || result == VK_INCOMPLETE) && count == 1, XR_ERROR_RUNTIME_FAILURE,
           "Vulkan has no physical device");
   return setup.vulkan_device = device;
-}
-
-void no_extension_names(std::uint32_t capacity, std::uint32_t* count, char* buffer) {
-  two_call(std::string(1, '\0'), capacity, count, buffer);
 }
 
 }  // namespace
@@ -61,30 +51,28 @@ std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, cons
   return nullptr;
 }
 
-void get_vulkan_graphics_requirements(XrInstance handle, XrSystemId system,
+void get_vulkan_graphics_requirements(Instance& instance, XrSystemId system,
                                       XrGraphicsRequirementsVulkanKHR* requirements) {
-  Instance& instance = instance_with_system(handle, system);
+  require_system(system);
   require_struct(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN_KHR, "graphicsRequirements");
   requirements->minApiVersionSupported = min_vulkan;
   requirements->maxApiVersionSupported = max_vulkan;
   instance.graphics.vulkan_asked = true;
 }
 
-void get_vulkan_extensions(XrInstance handle, XrSystemId system, std::uint32_t capacity, std::uint32_t* count,
-                           char* buffer) {
-  instance_with_system(handle, system);
-  no_extension_names(capacity, count, buffer);
+void get_vulkan_extensions(Instance&, XrSystemId system, std::uint32_t capacity, std::uint32_t* count, char* buffer) {
+  require_system(system);
+  two_call(std::string(1, '\0'), capacity, count, buffer);  // none
 }
 
-void get_vulkan_graphics_device(XrInstance handle, XrSystemId system, VkInstance vulkan, VkPhysicalDevice* device) {
-  Instance& instance = instance_with_system(handle, system);
+void get_vulkan_graphics_device(Instance& instance, XrSystemId system, VkInstance vulkan, VkPhysicalDevice* device) {
+  require_system(system);
   require_pointer(device, "vkPhysicalDevice");
   *device = first_physical_device(instance, vulkan);
 }
 
-void create_vulkan_instance(XrInstance handle, const XrVulkanInstanceCreateInfoKHR* info, VkInstance* vulkan,
+void create_vulkan_instance(Instance& instance, const XrVulkanInstanceCreateInfoKHR* info, VkInstance* vulkan,
                             VkResult* result) {
-  auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_VULKAN_INSTANCE_CREATE_INFO_KHR, "createInfo");
   require_system(info->systemId);
   require(info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
@@ -98,18 +86,16 @@ void create_vulkan_instance(XrInstance handle, const XrVulkanInstanceCreateInfoK
   instance.graphics.vulkan_instance = *result == VK_SUCCESS ? *vulkan : nullptr;
 }
 
-void get_vulkan_graphics_device2(XrInstance handle, const XrVulkanGraphicsDeviceGetInfoKHR* info,
+void get_vulkan_graphics_device2(Instance& instance, const XrVulkanGraphicsDeviceGetInfoKHR* info,
                                  VkPhysicalDevice* device) {
-  auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR, "getInfo");
   require_system(info->systemId);
   require_pointer(device, "vulkanPhysicalDevice");
   *device = first_physical_device(instance, info->vulkanInstance);
 }
 
-void create_vulkan_device(XrInstance handle, const XrVulkanDeviceCreateInfoKHR* info, VkDevice* device,
+void create_vulkan_device(Instance& instance, const XrVulkanDeviceCreateInfoKHR* info, VkDevice* device,
                           VkResult* result) {
-  const auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR, "createInfo");
   require_system(info->systemId);
   require(info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
@@ -124,9 +110,9 @@ void create_vulkan_device(XrInstance handle, const XrVulkanDeviceCreateInfoKHR* 
   *result = create(info->vulkanPhysicalDevice, info->vulkanCreateInfo, info->vulkanAllocator, device);
 }
 
-void get_opengl_graphics_requirements(XrInstance handle, XrSystemId system,
+void get_opengl_graphics_requirements(Instance& instance, XrSystemId system,
                                       XrGraphicsRequirementsOpenGLKHR* requirements) {
-  Instance& instance = instance_with_system(handle, system);
+  require_system(system);
   require_struct(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR, "graphicsRequirements");
   requirements->minApiVersionSupported = min_opengl;
   requirements->maxApiVersionSupported = max_opengl;

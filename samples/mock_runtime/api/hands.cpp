@@ -6,15 +6,6 @@
 namespace hrt::mock {
 namespace {
 
-class HandTracker : public Object {
- public:
-  static constexpr XrObjectType object_type = XR_OBJECT_TYPE_HAND_TRACKER_EXT;
-  HandTracker(Session* session, XrHandEXT side) : Object(object_type, session), hand(side) {}
-  Session& session() const { return static_cast<Session&>(*parent()); }
-
-  XrHandEXT hand;
-};
-
 HandJoints joints_of(XrHandEXT side, const HandState& state, const Fingers& fingers) {
   return place_hand(shape_hand(side, fingers), state.index_tip_m, state.orientation);
 }
@@ -70,8 +61,7 @@ RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base, c
 
 }  // namespace
 
-void create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* tracker) {
-  auto& session = runtime().registry.get<Session>(handle);
+void create_hand_tracker(Session& session, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* tracker) {
   require_struct(info, XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, "createInfo");
   require_pointer(tracker, "handTracker");
   require(info->hand == XR_HAND_LEFT_EXT || info->hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE,
@@ -85,9 +75,8 @@ void destroy_hand_tracker(XrHandTrackerEXT handle) {
   runtime().registry.destroy(runtime().registry.get_even_lost<HandTracker>(handle));
 }
 
-void locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInfoEXT* info,
+void locate_hand_joints(HandTracker& tracker, const XrHandJointsLocateInfoEXT* info,
                         XrHandJointLocationsEXT* locations) {
-  auto& tracker = runtime().registry.get<HandTracker>(handle);
   require_struct(info, XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, "locateInfo");
   require_struct(locations, XR_TYPE_HAND_JOINT_LOCATIONS_EXT, "locations");
   auto& base = runtime().registry.get<Space>(info->baseSpace);

@@ -80,8 +80,7 @@ void destroy_instance(XrInstance handle) {
   runtime().frame_begun.notify_all();
 }
 
-void get_instance_properties(XrInstance handle, XrInstanceProperties* properties) {
-  runtime().registry.get<Instance>(handle);
+void get_instance_properties(Instance&, XrInstanceProperties* properties) {
   require_struct(properties, XR_TYPE_INSTANCE_PROPERTIES, "instanceProperties");
   const Recording* played = runtime().script.playback.get();
   properties->runtimeVersion =
@@ -90,8 +89,7 @@ void get_instance_properties(XrInstance handle, XrInstanceProperties* properties
                 played != nullptr ? played->runtime.c_str() : "HRTX mock runtime");
 }
 
-XrResult poll_event(XrInstance handle, XrEventDataBuffer* buffer) {
-  auto& instance = runtime().registry.get<Instance>(handle);
+XrResult poll_event(Instance& instance, XrEventDataBuffer* buffer) {
   require_struct(buffer, XR_TYPE_EVENT_DATA_BUFFER, "eventData");
   if (instance.events.empty()) return XR_EVENT_UNAVAILABLE;
   *buffer = instance.events.front();
@@ -99,8 +97,7 @@ XrResult poll_event(XrInstance handle, XrEventDataBuffer* buffer) {
   return XR_SUCCESS;
 }
 
-void result_to_string(XrInstance handle, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
-  runtime().registry.get<Instance>(handle);
+void result_to_string(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
   require_pointer(buffer, "buffer");
   const std::string name = result_name(value);
   if (name.starts_with("XR_"))
@@ -109,8 +106,7 @@ void result_to_string(XrInstance handle, XrResult value, char buffer[XR_MAX_RESU
     std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "XR_UNKNOWN_%s_%d", value < 0 ? "FAILURE" : "SUCCESS", value);
 }
 
-void structure_type_to_string(XrInstance handle, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
-  runtime().registry.get<Instance>(handle);
+void structure_type_to_string(Instance&, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
   require_pointer(buffer, "buffer");
   // Newer headers have names that are longer than what there is room for.
   const auto write = [&](std::string_view name) { buffer[name.copy(buffer, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0'; };
@@ -129,15 +125,13 @@ void structure_type_to_string(XrInstance handle, XrStructureType value, char buf
   std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "XR_UNKNOWN_STRUCTURE_TYPE_%d", value);
 }
 
-void string_to_path(XrInstance handle, const char* text, XrPath* path) {
-  auto& instance = runtime().registry.get<Instance>(handle);
+void string_to_path(Instance& instance, const char* text, XrPath* path) {
   require_pointer(text, "pathString");
   require_pointer(path, "path");
   *path = instance.paths.intern(text);
 }
 
-void path_to_string(XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count, char* buffer) {
-  const auto& instance = runtime().registry.get<Instance>(handle);
+void path_to_string(Instance& instance, XrPath path, std::uint32_t capacity, std::uint32_t* count, char* buffer) {
   std::string text = instance.paths.text(path);
   text.push_back('\0');
   two_call(text, capacity, count, buffer);

@@ -43,7 +43,8 @@ XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* r
   load_script();
   request->runtime_interface_version = interface_version;
   request->runtime_api_version = std::min(max_api_version, loader->max_api_version);
-  request->get_instance_proc_addr = &Entry<FunctionId::xrGetInstanceProcAddr, &get_instance_proc_addr>::call;
+  request->get_instance_proc_addr =
+      &Entry<FunctionId::xrGetInstanceProcAddr, PFN_xrGetInstanceProcAddr, true, &get_instance_proc_addr>::call;
   return XR_SUCCESS;
 }
 
@@ -54,8 +55,10 @@ struct Row {
 };
 
 const Row function_table[] = {
-#define HRT_MOCK_ROW(name, implementation, extension, returned)                                    \
-  {#name, reinterpret_cast<PFN_xrVoidFunction>(&Entry<FunctionId::name, &(implementation)>::call), \
+#define HRT_MOCK_ROW(name, implementation, extension, returned)                              \
+  {#name,                                                                                    \
+   reinterpret_cast<PFN_xrVoidFunction>(                                                     \
+       &Entry<FunctionId::name, PFN_##name, takes_handles(#name), &(implementation)>::call), \
    Extension::extension},
     HRT_MOCK_FUNCTIONS(HRT_MOCK_ROW)
 #undef HRT_MOCK_ROW

@@ -34,8 +34,7 @@ RecordedTruth truth_of(Session& session, XrHandEXT hand) {
 
 }  // namespace
 
-void place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
-  auto& session = runtime().registry.get<Session>(handle);
+void place_plate(Session& session, const XrPlatePlacementHRTX* placement) {
   require_struct(placement, XR_TYPE_PLATE_PLACEMENT_HRTX, "placement");
   auto& space = runtime().registry.get<Space>(placement->space);
   require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
@@ -46,18 +45,16 @@ void place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
   if (!session.player) session.world().place_plate(*in_world * pose, placement->radius);
 }
 
-void set_simulation_seed(XrSession handle, std::uint64_t seed, std::uint32_t next_reach) {
-  runtime().registry.get<Session>(handle).world().set_seed(seed, next_reach);
+void set_simulation_seed(Session& session, std::uint64_t seed, std::uint32_t next_reach) {
+  session.world().set_seed(seed, next_reach);
 }
 
-void set_plate_orientation(XrSession handle, double orientation_deg) {
-  auto& session = runtime().registry.get<Session>(handle);
+void set_plate_orientation(Session& session, double orientation_deg) {
   require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE, "orientation must be within 360 degrees");
   if (!session.player) session.world().command_plate(orientation_deg);
 }
 
-void get_plate_orientation(XrSession handle, XrTime time, double* orientation_deg) {
-  auto& session = runtime().registry.get<Session>(handle);
+void get_plate_orientation(Session& session, XrTime time, double* orientation_deg) {
   require_pointer(orientation_deg, "orientation");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   if (session.player)
@@ -66,8 +63,7 @@ void get_plate_orientation(XrSession handle, XrTime time, double* orientation_de
     *orientation_deg = session.world().plate_orientation_deg(time);
 }
 
-void instruct_reach(XrSession handle, const XrReachInstructionHRTX* instruction) {
-  auto& session = runtime().registry.get<Session>(handle);
+void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction) {
   require_struct(instruction, XR_TYPE_REACH_INSTRUCTION_HRTX, "instruction");
   require_hand(instruction->hand);
   const Eigen::Vector3d start_m = from_xr(instruction->start);
@@ -83,8 +79,7 @@ void instruct_reach(XrSession handle, const XrReachInstructionHRTX* instruction)
                  start_m.y(), session.instance().clock.now());
 }
 
-void get_reach_truth(XrSession handle, XrHandEXT hand, XrReachTruthHRTX* truth) {
-  auto& session = runtime().registry.get<Session>(handle);
+void get_reach_truth(Session& session, XrHandEXT hand, XrReachTruthHRTX* truth) {
   require_hand(hand);
   require_struct(truth, XR_TYPE_REACH_TRUTH_HRTX, "truth");
   const RecordedTruth given = truth_of(session, hand);

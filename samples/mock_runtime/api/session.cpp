@@ -171,8 +171,7 @@ void Session::happen(const Recenter& recenter) {
   }
 }
 
-void create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSession* session_handle) {
-  auto& instance = runtime().registry.get<Instance>(handle);
+void create_session(Instance& instance, const XrSessionCreateInfo* info, XrSession* session_handle) {
   require_struct(info, XR_TYPE_SESSION_CREATE_INFO, "createInfo");
   require_pointer(session_handle, "session");
   require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
@@ -201,8 +200,7 @@ void destroy_session(XrSession handle) {
   runtime().frame_begun.notify_all();
 }
 
-void begin_session(XrSession handle, const XrSessionBeginInfo* info) {
-  auto& session = runtime().registry.get<Session>(handle);
+void begin_session(Session& session, const XrSessionBeginInfo* info) {
   require_struct(info, XR_TYPE_SESSION_BEGIN_INFO, "beginInfo");
   require(!session.running, XR_ERROR_SESSION_RUNNING, "the session runs already");
   require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY, "the session is not ready");
@@ -220,16 +218,14 @@ void begin_session(XrSession handle, const XrSessionBeginInfo* info) {
   if (runtime().script.focus_frame == 0) session.go_to(XR_SESSION_STATE_FOCUSED);
 }
 
-void request_exit_session(XrSession handle) {
-  auto& session = runtime().registry.get<Session>(handle);
+void request_exit_session(Session& session) {
   require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
   session.exit_requested = true;
   if (session.player && session.player->follow(StateCall::exit)) return;
   session.go_to(XR_SESSION_STATE_STOPPING);
 }
 
-void end_session(XrSession handle) {
-  auto& session = runtime().registry.get<Session>(handle);
+void end_session(Session& session) {
   require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
   require(session.state() == XR_SESSION_STATE_STOPPING, XR_ERROR_SESSION_NOT_STOPPING, "the session is not stopping");
   session.running = false;

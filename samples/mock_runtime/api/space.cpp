@@ -112,13 +112,12 @@ std::optional<Motion> locate(const Space& space, const Space& base, XrTime time)
   return relative(*of, *in);
 }
 
-void enumerate_reference_spaces(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
+void enumerate_reference_spaces(Session& session, std::uint32_t capacity, std::uint32_t* count,
                                 XrReferenceSpaceType* types) {
-  two_call(reference_spaces(runtime().registry.get<Session>(handle)), capacity, count, types);
+  two_call(reference_spaces(session), capacity, count, types);
 }
 
-void create_reference_space(XrSession handle, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
-  auto& session = runtime().registry.get<Session>(handle);
+void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
   require_struct(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO, "createInfo");
   require_pointer(space, "space");
   require_reference_space(session, info->referenceSpaceType);
@@ -128,8 +127,7 @@ void create_reference_space(XrSession handle, const XrReferenceSpaceCreateInfo* 
       runtime().registry.create<Space>(&session, Space::Origin(info->referenceSpaceType), name, pose));
 }
 
-void create_action_space(XrSession handle, const XrActionSpaceCreateInfo* info, XrSpace* space) {
-  auto& session = runtime().registry.get<Session>(handle);
+void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
   require_struct(info, XR_TYPE_ACTION_SPACE_CREATE_INFO, "createInfo");
   require_pointer(space, "space");
   const auto& action = runtime().registry.get<Action>(info->action);
@@ -145,8 +143,7 @@ void create_action_space(XrSession handle, const XrActionSpaceCreateInfo* info, 
   *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, Space::Origin(origin), name, pose));
 }
 
-XrResult get_reference_space_bounds_rect(XrSession handle, XrReferenceSpaceType type, XrExtent2Df* bounds) {
-  auto& session = runtime().registry.get<Session>(handle);
+XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType type, XrExtent2Df* bounds) {
   require_pointer(bounds, "bounds");
   require_reference_space(session, type);
   if (const auto* played = session.player ? session.player->next_bounds(type) : nullptr) {
@@ -158,9 +155,7 @@ XrResult get_reference_space_bounds_rect(XrSession handle, XrReferenceSpaceType 
   return bounded ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
 }
 
-void locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceLocation* location) {
-  auto& space = runtime().registry.get<Space>(handle);
-  auto& base = runtime().registry.get<Space>(base_handle);
+void locate_space(Space& space, Space& base, XrTime time, XrSpaceLocation* location) {
   require_struct(location, XR_TYPE_SPACE_LOCATION, "location");
   require(space.parent() == base.parent(), XR_ERROR_VALIDATION_FAILURE, "the spaces are of different sessions");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
@@ -168,8 +163,7 @@ void locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceLocat
   write_location(location_of(space, base, time), *location, velocity);
 }
 
-void locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
-  auto& session = runtime().registry.get<Session>(handle);
+void locate_spaces(Session& session, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
   require_struct(info, XR_TYPE_SPACES_LOCATE_INFO, "locateInfo");
   require_struct(locations, XR_TYPE_SPACE_LOCATIONS, "spaceLocations");
   require(info->spaceCount > 0, XR_ERROR_VALIDATION_FAILURE, "spaceCount is 0");
@@ -198,9 +192,8 @@ void locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLoca
 
 void destroy_space(XrSpace handle) { runtime().registry.destroy(runtime().registry.get_even_lost<Space>(handle)); }
 
-void locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
+void locate_views(Session& session, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
                   std::uint32_t* count, XrView* views) {
-  auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_VIEW_LOCATE_INFO, "viewLocateInfo");
   require_struct(state, XR_TYPE_VIEW_STATE, "viewState");
   auto& space = runtime().registry.get<Space>(info->space);

@@ -40,6 +40,15 @@ class Space : public Object {
   Pose offset;
 };
 
+class HandTracker : public Object {
+ public:
+  static constexpr XrObjectType object_type = XR_OBJECT_TYPE_HAND_TRACKER_EXT;
+  HandTracker(Session* session, XrHandEXT side) : Object(object_type, session), hand(side) {}
+  Session& session() const { return static_cast<Session&>(*parent()); }
+
+  XrHandEXT hand;
+};
+
 /// 0: the left one; 1: the right one.
 Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time);
 

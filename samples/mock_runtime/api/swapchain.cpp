@@ -65,15 +65,13 @@ void Swapchain::release() {
   waited_ = false;
 }
 
-void enumerate_swapchain_formats(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
+void enumerate_swapchain_formats(Session& session, std::uint32_t capacity, std::uint32_t* count,
                                  std::int64_t* formats) {
-  const auto& session = runtime().registry.get<Session>(handle);
   two_call(session.graphics == nullptr ? std::vector<std::int64_t>{} : session.graphics->formats(), capacity, count,
            formats);
 }
 
-void create_swapchain(XrSession handle, const XrSwapchainCreateInfo* info, XrSwapchain* swapchain) {
-  auto& session = runtime().registry.get<Session>(handle);
+void create_swapchain(Session& session, const XrSwapchainCreateInfo* info, XrSwapchain* swapchain) {
   require_struct(info, XR_TYPE_SWAPCHAIN_CREATE_INFO, "createInfo");
   require_pointer(swapchain, "swapchain");
   require_possible(*info, session);
@@ -84,26 +82,23 @@ void destroy_swapchain(XrSwapchain handle) {
   runtime().registry.destroy(runtime().registry.get_even_lost<Swapchain>(handle));
 }
 
-void enumerate_swapchain_images(XrSwapchain handle, std::uint32_t capacity, std::uint32_t* count,
+void enumerate_swapchain_images(Swapchain& swapchain, std::uint32_t capacity, std::uint32_t* count,
                                 XrSwapchainImageBaseHeader* images) {
-  runtime().registry.get<Swapchain>(handle).images->enumerate(capacity, count, images);
+  swapchain.images->enumerate(capacity, count, images);
 }
 
-void acquire_swapchain_image(XrSwapchain handle, const XrSwapchainImageAcquireInfo* info, std::uint32_t* index) {
-  auto& swapchain = runtime().registry.get<Swapchain>(handle);
+void acquire_swapchain_image(Swapchain& swapchain, const XrSwapchainImageAcquireInfo* info, std::uint32_t* index) {
   if (info != nullptr) require_struct(info, XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO, "acquireInfo");
   require_pointer(index, "index");
   *index = swapchain.acquire();
 }
 
-void wait_swapchain_image(XrSwapchain handle, const XrSwapchainImageWaitInfo* info) {
-  auto& swapchain = runtime().registry.get<Swapchain>(handle);
+void wait_swapchain_image(Swapchain& swapchain, const XrSwapchainImageWaitInfo* info) {
   require_struct(info, XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, "waitInfo");
   swapchain.wait();
 }
 
-void release_swapchain_image(XrSwapchain handle, const XrSwapchainImageReleaseInfo* info) {
-  auto& swapchain = runtime().registry.get<Swapchain>(handle);
+void release_swapchain_image(Swapchain& swapchain, const XrSwapchainImageReleaseInfo* info) {
   if (info != nullptr) require_struct(info, XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO, "releaseInfo");
   swapchain.release();
 }

@@ -12,8 +12,7 @@ void require_view_configuration(XrViewConfigurationType type) {
           "the only view configuration is primary stereo");
 }
 
-void get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* system) {
-  runtime().registry.get<Instance>(handle);
+void get_system(Instance&, const XrSystemGetInfo* info, XrSystemId* system) {
   require_struct(info, XR_TYPE_SYSTEM_GET_INFO, "getInfo");
   require_pointer(system, "systemId");
   require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
@@ -21,8 +20,7 @@ void get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* syst
   *system = the_system;
 }
 
-void get_system_properties(XrInstance handle, XrSystemId system, XrSystemProperties* properties) {
-  auto& instance = runtime().registry.get<Instance>(handle);
+void get_system_properties(Instance& instance, XrSystemId system, XrSystemProperties* properties) {
   require_struct(properties, XR_TYPE_SYSTEM_PROPERTIES, "properties");
   require_system(system);
   properties->systemId = system;
@@ -37,24 +35,21 @@ void get_system_properties(XrInstance handle, XrSystemId system, XrSystemPropert
     hands->supportsHandTracking = runtime().script.hand_tracking ? XR_TRUE : XR_FALSE;
 }
 
-void enumerate_environment_blend_modes(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
+void enumerate_environment_blend_modes(Instance&, XrSystemId system, XrViewConfigurationType type,
                                        std::uint32_t capacity, std::uint32_t* count, XrEnvironmentBlendMode* modes) {
-  runtime().registry.get<Instance>(handle);
   require_system(system);
   require_view_configuration(type);
   two_call(std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE}, capacity, count, modes);
 }
 
-void enumerate_view_configurations(XrInstance handle, XrSystemId system, std::uint32_t capacity, std::uint32_t* count,
+void enumerate_view_configurations(Instance&, XrSystemId system, std::uint32_t capacity, std::uint32_t* count,
                                    XrViewConfigurationType* types) {
-  runtime().registry.get<Instance>(handle);
   require_system(system);
   two_call(std::array{XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO}, capacity, count, types);
 }
 
-void get_view_configuration_properties(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
+void get_view_configuration_properties(Instance&, XrSystemId system, XrViewConfigurationType type,
                                        XrViewConfigurationProperties* properties) {
-  runtime().registry.get<Instance>(handle);
   require_struct(properties, XR_TYPE_VIEW_CONFIGURATION_PROPERTIES, "configurationProperties");
   require_system(system);
   require_view_configuration(type);
@@ -62,9 +57,8 @@ void get_view_configuration_properties(XrInstance handle, XrSystemId system, XrV
   properties->fovMutable = XR_FALSE;
 }
 
-void enumerate_view_configuration_views(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
+void enumerate_view_configuration_views(Instance&, XrSystemId system, XrViewConfigurationType type,
                                         std::uint32_t capacity, std::uint32_t* count, XrViewConfigurationView* views) {
-  runtime().registry.get<Instance>(handle);
   require_system(system);
   require_view_configuration(type);
   two_call(std::array{0, 1}, capacity, count, views, XR_TYPE_VIEW_CONFIGURATION_VIEW, "views",

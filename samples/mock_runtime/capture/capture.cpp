@@ -2,6 +2,7 @@
 
 #include <openxr/openxr_reflection.h>
 
+#include <algorithm>
 #include <cstring>
 #include <iterator>
 
@@ -13,31 +14,13 @@ namespace {
 using mock::chained;
 
 // Errors that a mistake of the application causes: the playback finds it in the calls themselves.
-bool is_mistake(XrResult result) {
-  switch (result) {
-    case XR_ERROR_VALIDATION_FAILURE:
-    case XR_ERROR_HANDLE_INVALID:
-    case XR_ERROR_SIZE_INSUFFICIENT:
-    case XR_ERROR_CALL_ORDER_INVALID:
-    case XR_ERROR_SESSION_RUNNING:
-    case XR_ERROR_SESSION_NOT_RUNNING:
-    case XR_ERROR_SESSION_NOT_READY:
-    case XR_ERROR_SESSION_NOT_STOPPING:
-    case XR_ERROR_PATH_INVALID:
-    case XR_ERROR_PATH_FORMAT_INVALID:
-    case XR_ERROR_NAME_DUPLICATED:
-    case XR_ERROR_NAME_INVALID:
-    case XR_ERROR_LOCALIZED_NAME_DUPLICATED:
-    case XR_ERROR_LOCALIZED_NAME_INVALID:
-    case XR_ERROR_ACTIONSET_NOT_ATTACHED:
-    case XR_ERROR_ACTIONSETS_ALREADY_ATTACHED:
-    case XR_ERROR_ACTION_TYPE_MISMATCH:
-    case XR_ERROR_POSE_INVALID:
-      return true;
-    default:
-      return false;
-  }
-}
+constexpr XrResult mistakes[] = {
+    XR_ERROR_VALIDATION_FAILURE,          XR_ERROR_HANDLE_INVALID,         XR_ERROR_SIZE_INSUFFICIENT,
+    XR_ERROR_CALL_ORDER_INVALID,          XR_ERROR_SESSION_RUNNING,        XR_ERROR_SESSION_NOT_RUNNING,
+    XR_ERROR_SESSION_NOT_READY,           XR_ERROR_SESSION_NOT_STOPPING,   XR_ERROR_PATH_INVALID,
+    XR_ERROR_PATH_FORMAT_INVALID,         XR_ERROR_NAME_DUPLICATED,        XR_ERROR_NAME_INVALID,
+    XR_ERROR_LOCALIZED_NAME_DUPLICATED,   XR_ERROR_LOCALIZED_NAME_INVALID, XR_ERROR_ACTIONSET_NOT_ATTACHED,
+    XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, XR_ERROR_ACTION_TYPE_MISMATCH,   XR_ERROR_POSE_INVALID};
 
 template <std::size_t size>
 std::string_view text_in(const char (&array)[size]) {
@@ -84,7 +67,7 @@ std::uint64_t Capture::session_of_call() {
 
 void Capture::called(const char* function, std::uint64_t session, XrResult result) {
   const std::uint64_t call = ++calls_[{session, function}];
-  if (XR_SUCCEEDED(result) || is_mistake(result)) return;
+  if (XR_SUCCEEDED(result) || std::find(std::begin(mistakes), std::end(mistakes), result) != std::end(mistakes)) return;
   note(Record("failed").add(session).add(function).add(call).add(result));
 }
 
@@ -136,12 +119,12 @@ void Capture::event(XrResult result, XrInstance, const XrEventDataBuffer* buffer
   const auto as = [&]<typename Event>() { return reinterpret_cast<const Event&>(*buffer); };
   switch (static_cast<int>(buffer->type)) {
     case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: {
-      const auto& event = reinterpret_cast<const XrEventDataSessionStateChanged&>(*buffer);
+      const auto& event = as.operator()<XrEventDataSessionStateChanged>();
       record.add("state").add(event.state).add(event.time);
       break;
     }
     case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
-      const auto& event = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(*buffer);
+      const auto& event = as.operator()<XrEventDataReferenceSpaceChangePending>();
       record.add("space_change").add(event.referenceSpaceType).add(event.changeTime);
       record.add(event.poseValid == XR_TRUE).open().add(event.poseInPreviousSpace).close();
       break;

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::string_view hands = "left right";
 
-// Devices, and their components: names below input/, or with output/ in front, separated by spaces.
+// Devices, and their components: names below input/, or with output/ in front, separated by spaces; a/b|c is a/b and
+// a/c.
 struct Part {
   std::string_view devices;
   std::string_view components;
@@ -18,27 +19,23 @@ struct Part {
 };
 
 struct Profile {
-  std::string_view path;
+  std::string_view path;  // below /interaction_profiles/
   std::vector<Part> parts;
 };
 
 // What the controllers of one family have in common.
-constexpr std::string_view face_buttons_left = "x/click x/touch y/click y/touch menu/click";
-constexpr std::string_view face_buttons_right = "a/click a/touch b/click b/touch system/click";
+constexpr std::string_view face_buttons_left = "x/click|touch y/click|touch menu/click";
+constexpr std::string_view face_buttons_right = "a/click|touch b/click|touch system/click";
 constexpr std::string_view oculus_touch =
-    "squeeze/value trigger/value trigger/touch thumbstick/x thumbstick/y thumbstick/click thumbstick/touch "
-    "grip/pose aim/pose output/haptic";
+    "squeeze/value trigger/value|touch thumbstick/x|y|click|touch grip/pose aim/pose output/haptic";
 constexpr std::string_view thumbrest = "thumbrest/touch";
 constexpr std::string_view proximity = "trigger/proximity thumb_resting_surfaces/proximity";
 constexpr std::string_view pico =
-    "system/click menu/click squeeze/click squeeze/value trigger/click trigger/touch trigger/value "
-    "thumbstick/x thumbstick/y thumbstick/click thumbstick/touch grip/pose aim/pose output/haptic";
-constexpr std::string_view pico_4 =
-    "system/click squeeze/click squeeze/value trigger/click trigger/touch trigger/value thumbstick/x "
-    "thumbstick/y thumbstick/click thumbstick/touch grip/pose aim/pose output/haptic";
+    "system/click squeeze/click|value trigger/click|touch|value thumbstick/x|y|click|touch grip/pose aim/pose "
+    "output/haptic";
 constexpr std::string_view microsoft_motion =
-    "menu/click squeeze/click trigger/value thumbstick/x thumbstick/y thumbstick/click trackpad/x trackpad/y "
-    "trackpad/click trackpad/touch grip/pose aim/pose output/haptic";
+    "menu/click squeeze/click trigger/value thumbstick/x|y|click trackpad/x|y|click|touch grip/pose aim/pose "
+    "output/haptic";
 
 // A controller of Oculus or Meta.
 std::vector<Part> touch(bool version_1_1, const std::vector<Part>& further) {
@@ -52,95 +49,80 @@ std::vector<Part> touch(bool version_1_1, const std::vector<Part>& further) {
 
 const std::vector<Profile>& profile_table() {
   static const std::vector<Profile> table{
-      {"/interaction_profiles/khr/simple_controller",
-       {{hands, "select/click menu/click grip/pose aim/pose output/haptic"}}},
-      {"/interaction_profiles/google/daydream_controller",
-       {{hands, "select/click trackpad/x trackpad/y trackpad/click trackpad/touch grip/pose aim/pose"}}},
-      {"/interaction_profiles/htc/vive_controller",
+      {"khr/simple_controller", {{hands, "select/click menu/click grip/pose aim/pose output/haptic"}}},
+      {"google/daydream_controller", {{hands, "select/click trackpad/x|y|click|touch grip/pose aim/pose"}}},
+      {"htc/vive_controller",
        {{hands,
-         "system/click squeeze/click menu/click trigger/click trigger/value trackpad/x trackpad/y "
-         "trackpad/click trackpad/touch grip/pose aim/pose output/haptic"}}},
-      {"/interaction_profiles/htc/vive_pro",
-       {{"head", "system/click volume_up/click volume_down/click mute_mic/click"}}},
-      {"/interaction_profiles/microsoft/motion_controller", {{hands, microsoft_motion}}},
-      {"/interaction_profiles/microsoft/xbox_controller",
+         "system/click squeeze/click menu/click trigger/click|value trackpad/x|y|click|touch grip/pose aim/pose "
+         "output/haptic"}}},
+      {"htc/vive_pro", {{"head", "system/click volume_up/click volume_down/click mute_mic/click"}}},
+      {"microsoft/motion_controller", {{hands, microsoft_motion}}},
+      {"microsoft/xbox_controller",
        {{"gamepad",
-         "menu/click view/click a/click b/click x/click y/click dpad_down/click dpad_right/click "
-         "dpad_up/click dpad_left/click shoulder_left/click shoulder_right/click thumbstick_left/x "
-         "thumbstick_left/y thumbstick_left/click thumbstick_right/x thumbstick_right/y "
-         "thumbstick_right/click trigger_left/value trigger_right/value output/haptic_left "
-         "output/haptic_right output/haptic_left_trigger output/haptic_right_trigger"}}},
-      {"/interaction_profiles/oculus/go_controller",
+         "menu/click view/click a/click b/click x/click y/click dpad_down/click dpad_right/click dpad_up/click "
+         "dpad_left/click shoulder_left/click shoulder_right/click thumbstick_left/x|y|click "
+         "thumbstick_right/x|y|click trigger_left/value trigger_right/value output/haptic_left output/haptic_right "
+         "output/haptic_left_trigger output/haptic_right_trigger"}}},
+      {"oculus/go_controller",
+       {{hands, "system/click trigger/click back/click trackpad/x|y|click|touch grip/pose aim/pose"}}},
+      {"oculus/touch_controller", touch(false, {{hands, thumbrest}})},
+      {"valve/index_controller",
        {{hands,
-         "system/click trigger/click back/click trackpad/x trackpad/y trackpad/click trackpad/touch "
-         "grip/pose aim/pose"}}},
-      {"/interaction_profiles/oculus/touch_controller", touch(false, {{hands, thumbrest}})},
-      {"/interaction_profiles/valve/index_controller",
-       {{hands,
-         "system/click system/touch a/click a/touch b/click b/touch squeeze/value squeeze/force "
-         "trigger/click "
-         "trigger/value trigger/touch thumbstick/x thumbstick/y thumbstick/click thumbstick/touch trackpad/x "
-         "trackpad/y trackpad/force trackpad/touch grip/pose aim/pose output/haptic"}}},
-      {"/interaction_profiles/bytedance/pico_neo3_controller",
-       {{"left", "x/click x/touch y/click y/touch", true},
-        {"right", "a/click a/touch b/click b/touch", true},
+         "system/click|touch a/click|touch b/click|touch squeeze/value|force trigger/click|value|touch "
+         "thumbstick/x|y|click|touch trackpad/x|y|force|touch grip/pose aim/pose output/haptic"}}},
+      {"bytedance/pico_neo3_controller",
+       {{"left", "x/click|touch y/click|touch", true},
+        {"right", "a/click|touch b/click|touch", true},
+        {hands, "menu/click", true},
         {hands, pico, true}}},
-      {"/interaction_profiles/bytedance/pico4_controller",
-       {{"left", "x/click x/touch y/click y/touch menu/click", true},
-        {"right", "a/click a/touch b/click b/touch", true},
-        {hands, pico_4, true}}},
+      {"bytedance/pico4_controller",
+       {{"left", "x/click|touch y/click|touch menu/click", true},
+        {"right", "a/click|touch b/click|touch", true},
+        {hands, pico, true}}},
       // Older registries lack x and y of its thumbstick, a mistake: KhronosGroup/OpenXR-Docs, 158.
-      {"/interaction_profiles/bytedance/pico_g3_controller",
-       {{hands,
-         "trigger/click trigger/value menu/click thumbstick/x thumbstick/y thumbstick/click grip/pose "
-         "aim/pose",
-         true}}},
-      {"/interaction_profiles/hp/mixed_reality_controller",
+      {"bytedance/pico_g3_controller",
+       {{hands, "trigger/click|value menu/click thumbstick/x|y|click grip/pose aim/pose", true}}},
+      {"hp/mixed_reality_controller",
        {{"left", "x/click y/click", true},
         {"right", "a/click b/click", true},
+        {hands, "menu/click squeeze/value trigger/value thumbstick/x|y|click grip/pose aim/pose output/haptic", true}}},
+      {"htc/vive_cosmos_controller",
+       {{"left", "x/click y/click menu/click", true},
+        {"right", "a/click b/click system/click", true},
         {hands,
-         "menu/click squeeze/value trigger/value thumbstick/x thumbstick/y thumbstick/click grip/pose "
+         "shoulder/click squeeze/click trigger/click|value thumbstick/x|y|click|touch grip/pose aim/pose output/haptic",
+         true}}},
+      {"htc/vive_focus3_controller",
+       {{"left", "x/click y/click menu/click", true},
+        {"right", "a/click b/click system/click", true},
+        {hands,
+         "squeeze/click|touch|value trigger/click|touch|value thumbstick/x|y|click|touch thumbrest/touch grip/pose "
          "aim/pose output/haptic",
          true}}},
-      {"/interaction_profiles/htc/vive_cosmos_controller",
-       {{"left", "x/click y/click menu/click", true},
-        {"right", "a/click b/click system/click", true},
-        {hands,
-         "shoulder/click squeeze/click trigger/click trigger/value thumbstick/x thumbstick/y "
-         "thumbstick/click thumbstick/touch grip/pose aim/pose output/haptic",
-         true}}},
-      {"/interaction_profiles/htc/vive_focus3_controller",
-       {{"left", "x/click y/click menu/click", true},
-        {"right", "a/click b/click system/click", true},
-        {hands,
-         "squeeze/click squeeze/touch squeeze/value trigger/click trigger/touch trigger/value thumbstick/x "
-         "thumbstick/y thumbstick/click thumbstick/touch thumbrest/touch grip/pose aim/pose output/haptic",
-         true}}},
-      {"/interaction_profiles/meta/touch_controller_rift_cv1", touch(true, {{hands, thumbrest, true}})},
-      {"/interaction_profiles/meta/touch_controller_quest_1_rift_s", touch(true, {})},
-      {"/interaction_profiles/meta/touch_controller_quest_2", touch(true, {{hands, thumbrest, true}})},
-      {"/interaction_profiles/meta/touch_plus_controller",
+      {"meta/touch_controller_rift_cv1", touch(true, {{hands, thumbrest, true}})},
+      {"meta/touch_controller_quest_1_rift_s", touch(true, {})},
+      {"meta/touch_controller_quest_2", touch(true, {{hands, thumbrest, true}})},
+      {"meta/touch_plus_controller",
        touch(true, {{hands, thumbrest, true}, {hands, "trigger/force trigger_slide/value trigger_curl/value", true}})},
-      {"/interaction_profiles/meta/touch_pro_controller",
-       touch(true, {{hands, thumbrest, true},
-                    {hands,
-                     "stylus/force trigger_slide/value trigger_curl/value thumbrest/force "
-                     "output/haptic_thumb output/haptic_trigger",
-                     true}})},
-      {"/interaction_profiles/ml/ml2_controller",
+      {"meta/touch_pro_controller", touch(true, {{hands, thumbrest, true},
+                                                 {hands,
+                                                  "stylus/force trigger_slide/value trigger_curl/value thumbrest/force "
+                                                  "output/haptic_thumb output/haptic_trigger",
+                                                  true}})},
+      {"ml/ml2_controller",
        {{hands,
-         "menu/click home/click trigger/click trigger/value trackpad/x trackpad/y trackpad/click "
-         "trackpad/force trackpad/touch shoulder/click grip/pose aim/pose output/haptic",
+         "menu/click home/click trigger/click|value trackpad/x|y|click|force|touch shoulder/click grip/pose aim/pose "
+         "output/haptic",
          true}}},
-      {"/interaction_profiles/samsung/odyssey_controller", {{hands, microsoft_motion, true}}},
+      {"samsung/odyssey_controller", {{hands, microsoft_motion, true}}},
   };
   return table;
 }
 
-std::vector<std::string_view> words(std::string_view text) {
+std::vector<std::string_view> words(std::string_view text, char separator = ' ') {
   std::vector<std::string_view> found;
   for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
     found.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
@@ -168,10 +150,12 @@ ProfileSources make_profiles(const SourceSet& set) {
   for (const Profile& profile : profile_table())
     for (const Part& part : profile.parts) {
       if (part.version_1_1 && !set.version_1_1) continue;
-      auto& sources = made[std::string(profile.path)];
+      auto& sources = made["/interaction_profiles/" + std::string(profile.path)];
       for (const std::string_view device : words(part.devices))
         for (const std::string_view component : words(part.components)) {
-          sources.push_back(make_source(device, component));
+          const std::size_t leaves = component.find('/') + 1;
+          for (const std::string_view leaf : words(component.substr(leaves), '|'))
+            sources.push_back(make_source(device, std::string(component.substr(0, leaves)).append(leaf)));
           if (component != "grip/pose") continue;
           if (set.grip_surface) sources.push_back(make_source(device, "grip_surface/pose"));
           if (set.palm_pose) sources.push_back(make_source(device, "palm_ext/pose"));
