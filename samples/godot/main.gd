@@ -3,6 +3,7 @@
 ##     godot --path . -- --person       a simulated person, also with a headset
 ##     godot --path . -- --mouse        a finger below the mouse
 ##     godot --path . -- --out=FOLDER   where results.csv, experimenter.png and wearer.png go; then the program ends
+##     godot --path . -- --reaches=20   a property of the node: a number, a text, or texts with commas
 extends Node3D
 
 signal ended
@@ -17,7 +18,7 @@ const REOPENING_S := 3.0
 
 ## The device that turns the plate, such as serial:/dev/ttyACM0; empty: it is drawn only.
 @export var device := ""
-## Parts of the set-up.
+## Parts of the set-up; none: the plate stands where the scene's file has it.
 @export_flags("Fingertip:1", "Registration:2", "Latency:8", "Calibration:16", "All that is missing:64") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]
@@ -46,8 +47,14 @@ var _results := Results.new()
 func _ready() -> void:
 	get_tree().auto_accept_quit = false
 	for argument in OS.get_cmdline_user_args():
-		if argument.begins_with("--out="):
-			_folder = argument.trim_prefix("--out=")
+		var value := argument.get_slice("=", 1)
+		var property := argument.trim_prefix("--").get_slice("=", 0)
+		if property == "out":
+			_folder = value
+		elif property in self:
+			set(property, value.split(",") if property == "virtual_targets" else type_convert(value, typeof(get(property))))
+		elif "=" in argument:
+			_wearer.warn("%s is no option." % argument)
 	var headset := _wearer.start()
 	for problem: String in [_results.open(_folder.path_join("results.csv")), _desk.open()]:
 		if problem:
@@ -113,7 +120,9 @@ func _send() -> void:
 func _begin_set_up(what: int) -> void:
 	_to_set_up.push_front(what)
 	finger.show_to_wearer(true)
-	if _plate.begin_setup(what) == OK:
+	if what == 0:
+		_on_setup_finished({})
+	elif _plate.begin_setup(what) == OK:
 		_state = State.SETTING_UP
 	else:
 		_stop("The set-up cannot begin; the log says why.")

@@ -1,12 +1,17 @@
-## A finger below the mouse, seen by the experimenter's camera from above; while the left button is pressed it touches. One tries
-## the scene without a headset.
+## A finger below the mouse, seen by the experimenter's camera from above, or moved by the arrow keys; while the left button or the
+## space bar is pressed it touches. One tries the scene without a headset.
 class_name MouseFinger
 extends Finger
 
 const TOUCHING_M := 0.002
 const LIFTED_M := 0.05
+## Of the keys, on the screen.
+const PIXELS_S := 150.0
 
 var _plate: HapticRetargeting
+var _at: Vector2
+var _mouse := Vector2.INF
+var _time_ns := 0
 
 
 func _init(plate: HapticRetargeting) -> void:
@@ -14,12 +19,17 @@ func _init(plate: HapticRetargeting) -> void:
 	add_child(preload("res://pointing_hand.tscn").instantiate())
 
 
-func advance(_time_ns: int) -> void:
-	var camera := get_viewport().get_camera_3d()
+func advance(time_ns: int) -> void:
 	var mouse := get_viewport().get_mouse_position()
-	var height := TOUCHING_M if Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT) else LIFTED_M
-	var surface := Plane(_plate.global_basis.y, _plate.to_global(Vector3(0, height, 0)))
-	var at: Variant = surface.intersects_ray(camera.project_ray_origin(mouse), camera.project_ray_normal(mouse))
+	if mouse != _mouse:
+		_mouse = mouse
+		_at = mouse
+	_at += Input.get_vector("ui_left", "ui_right", "ui_up", "ui_down") * PIXELS_S * (time_ns - _time_ns) / 1e9
+	_time_ns = time_ns
+	var touches := Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT) or Input.is_action_pressed("ui_select")
+	var camera := get_viewport().get_camera_3d()
+	var surface := Plane(_plate.global_basis.y, _plate.to_global(Vector3(0, TOUCHING_M if touches else LIFTED_M, 0)))
+	var at: Variant = surface.intersects_ray(camera.project_ray_origin(_at), camera.project_ray_normal(_at))
 	seen = at != null
 	if seen:
 		global_transform = Transform3D(_plate.global_basis, at)

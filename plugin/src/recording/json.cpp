@@ -158,6 +158,18 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   bool in_array_ = false;
 };
 
+// What 0.3 wrote of a person knows nothing of their scatter, the last trait.
+void complete_person(JsonField& field) {
+  constexpr std::size_t former = HRT_PERSON_TRAITS - 1, former_covariances = HRT_PERSON_COVARIANCES - HRT_PERSON_TRAITS;
+  constexpr Trait scatter = person_traits[HRT_PERSON_SCATTER];
+  std::vector<double>& numbers = field.numbers;
+  if (field.key == "person_mean" && numbers.size() == former) numbers.push_back(scatter.mean);
+  if (field.key != "person_covariance" || numbers.size() != former_covariances) return;
+  const bool is_known = std::any_of(numbers.begin(), numbers.end(), [](double number) { return number != 0.0; });
+  numbers.resize(HRT_PERSON_COVARIANCES);
+  if (is_known) numbers.back() = scatter.sd * scatter.sd;
+}
+
 hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
   if (text.size() > max_text)
     return fail(HRT_ERROR_BAD_FORMAT, "the text has ", text.size(), " bytes; allowed: up to ", max_text);
@@ -170,6 +182,7 @@ hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
       return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is there twice");
   }
   std::erase_if(reader.fields, [](const JsonField& field) { return is_of_the_past(field.key); });
+  for (JsonField& field : reader.fields) complete_person(field);
   *out = std::move(reader.fields);
   return HRT_OK;
 }
@@ -220,27 +233,12 @@ hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what);
 }
 
-// What 0.3 wrote of a person knows nothing of their scatter, the last trait.
-void complete_person(JsonField& field) {
-  constexpr std::size_t former = HRT_PERSON_TRAITS - 1, former_covariances = HRT_PERSON_COVARIANCES - HRT_PERSON_TRAITS;
-  constexpr Trait scatter = person_traits[HRT_PERSON_SCATTER];
-  std::vector<double>& numbers = field.numbers;
-  if (field.key == "person_mean" && numbers.size() == former) numbers.push_back(scatter.mean);
-  if (field.key != "person_covariance" || numbers.size() != former_covariances) return;
-  const bool is_known = std::any_of(numbers.begin(), numbers.end(), [](double number) { return number != 0.0; });
-  numbers.resize(HRT_PERSON_COVARIANCES);
-  if (is_known) numbers.back() = scatter.sd * scatter.sd;
-}
-
 // Reads an object of fields of `*out`. Those that it lacks stay.
 template <class Struct>
 hrt_result read_object(const char* what, std::string_view text, Struct* out) {
   std::vector<JsonField> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  for (JsonField& field : fields) {
-    complete_person(field);
-    HRT_RETURN_IF_FAILED(read_into(what, field, out));
-  }
+  for (const JsonField& field : fields) HRT_RETURN_IF_FAILED(read_into(what, field, out));
   return HRT_OK;
 }
 

@@ -13,3 +13,19 @@ func test_headset_without_hand_tracking() -> void:
 	add_child(hand)
 	hand.advance(0)
 	check(not hand.seen and hand.problem().begins_with("This headset tracks no hands."), hand.problem())
+
+func test_finger_of_the_keys() -> void:
+	var camera := Camera3D.new()
+	add_child(camera)
+	camera.look_at_from_position(Vector3(0, 0.4, 0), Vector3.ZERO, Vector3.FORWARD)
+	var finger := MouseFinger.new(new_plate())
+	add_child(finger)
+	finger.advance(0)
+	var before_m := finger.position.x
+	Input.action_press("ui_right")
+	Input.action_press("ui_select")
+	finger.advance(500_000_000)
+	Input.action_release("ui_right")
+	Input.action_release("ui_select")
+	check(finger.position.x > before_m + 0.01, "to the right")
+	check_near(finger.position.y, MouseFinger.TOUCHING_M, "it touches")
