@@ -24,7 +24,7 @@
  *  - No signal is sent or handled. The only threads are those of recordings, one each, which block signals.
  *  - In the child of a fork sessions work; recordings stay with the parent (study.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.
- *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 15 kB a session, 7 MB a recording.
+ *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 15 kB a session, 9 MB a recording.
  *
  * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds.
  *
