@@ -5,7 +5,6 @@
 #include <cstring>
 #include <deque>
 #include <exception>
-#include <memory>
 #include <new>
 #include <span>
 #include <string>

@@ -1,6 +1,4 @@
 // The node's targets, what can be held between them, and the scene that has them.
-#include <algorithm>
-
 #include "plate_node.h"
 #include "pose.h"
 

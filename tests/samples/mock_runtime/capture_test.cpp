@@ -76,13 +76,6 @@ class MockCapture : public CaptureFixture {
     }
     ASSERT_XR(XR_SUCCESS, attach({set}));
   }
-  XrSpace make_grip_space(XrPath of, const XrPosef& pose) {
-    const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, grip, of, pose};
-    XrSpace space = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
-    return space;
-  }
-
   template <typename State, typename Get>
   State read(Get get, XrStructureType type, XrAction action, XrPath subaction) {
     const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction};
@@ -213,9 +206,10 @@ class MockCapture : public CaptureFixture {
     make_actions();
     local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
     const XrSpace aside = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0, 0, 1}, {0.1F, 1e-30F, -0.3F}});
-    const std::vector<XrSpace> spaces{
-        make_grip_space(hands[0], identity_pose), make_grip_space(hands[1], {{0, 0, 0, 1}, {0.1F, 0, -0.3F}}),
-        make_grip_space(XR_NULL_PATH, identity_pose), create_space(XR_REFERENCE_SPACE_TYPE_VIEW)};
+    const std::vector<XrSpace> spaces{create_action_space(grip, hands[0], identity_pose),
+                                      create_action_space(grip, hands[1], {{0, 0, 0, 1}, {0.1F, 0, -0.3F}}),
+                                      create_action_space(grip, XR_NULL_PATH, identity_pose),
+                                      create_space(XR_REFERENCE_SPACE_TYPE_VIEW)};
     const XrHandTrackerEXT trackers[] = {track(XR_HAND_LEFT_EXT), track(XR_HAND_RIGHT_EXT)};
     for (int frames = 0; frames < 60;) {
       poll();

@@ -283,7 +283,7 @@ void MockErrors::provoke_in_session() {
   REFUSED(REFERENCE_SPACE_UNSUPPORTED, xrGetReferenceSpaceBoundsRect, session, static_cast<XrReferenceSpaceType>(12345),
           &extent);
   XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-  REFUSED(TIME_INVALID, xrLocateSpace, local, local, 0, &location);
+  for (const XrTime none : {0, -1}) REFUSED(TIME_INVALID, xrLocateSpace, local, local, none, &location);
   REFUSED(VALIDATION_FAILURE, xrLocateSpace, local, local, 1, nullptr);
   XrSpaceLocationData data{};
   XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
@@ -489,10 +489,8 @@ TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
     call_all(false);
     destroy_session();
   }
-  const auto no_headless = direct<PFN_xrCreateInstance>("xrCreateInstance");
   ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
-  const XrInstanceCreateInfo info = instance_info({});
-  ASSERT_XR(XR_SUCCESS, no_headless(&info, &instance));
+  ASSERT_XR(XR_SUCCESS, create_direct({}, XR_MAKE_VERSION(1, 0, 20)));  // without XR_MND_headless
   const XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
   REFUSED(GRAPHICS_DEVICE_INVALID, xrCreateSession, instance, &create, &session);
   EXPECT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));

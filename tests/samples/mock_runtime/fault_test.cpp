@@ -1,11 +1,9 @@
 // Faults of one session or one instance of the process, and calls that never return.
 #include <atomic>
 #include <chrono>
-#include <fstream>
 #include <thread>
 
 #include "tests/samples/mock_runtime/support.h"
-#include "tests/samples/process.h"
 
 namespace hrt::mock {
 namespace {
@@ -49,28 +47,6 @@ TEST_F(MockScope, CreationOfASessionBelongsToTheSessionThatItWouldMake) {
   const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
   EXPECT_XR(XR_ERROR_LIMIT_REACHED, xrCreateSession(instance, &info, &session));
   EXPECT_XR(XR_SUCCESS, xrCreateSession(instance, &info, &session));
-}
-
-// Once in a process, whatever the number of instances.
-TEST(MockProcess, FaultOfTheEnvironmentHappensOnce) {
-  const TemporaryFolder folder;
-  std::ofstream(folder / "script.json") <<
-      R"({"calls": [{"function": "xrGetSystem", "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"},
-                    {"instance": 3, "function": "xrCreateInstance", "result": "XR_ERROR_RUNTIME_UNAVAILABLE"}]})";
-  setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
-  const XrInstanceCreateInfo info = instance_info(default_extensions());
-  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-  XrInstance instance = XR_NULL_HANDLE;
-  XrSystemId system = XR_NULL_SYSTEM_ID;
-  for (const bool first : {true, false}) {
-    ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-    EXPECT_XR(first ? XR_ERROR_FORM_FACTOR_UNAVAILABLE : XR_SUCCESS, xrGetSystem(instance, &get, &system));
-    ASSERT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-  }
-  EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, xrCreateInstance(&info, &instance));
-  EXPECT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-  unsetenv("HRT_MOCK_SCRIPT");
 }
 
 // Other calls proceed meanwhile.

@@ -138,16 +138,13 @@ TEST_F(MockHand, InactiveHandHasNoValidBit) {
 }
 
 // "The application must input jointCount as described by the XrHandJointSetEXT [...]. Otherwise, the runtime
-// must return XR_ERROR_VALIDATION_FAILURE." "XR_ERROR_TIME_INVALID" for times that are not positive. Neither
-// writes.
-TEST_F(MockHand, JointCountsAndTimesThatAreWrongAreRefused) {
+// must return XR_ERROR_VALIDATION_FAILURE." Nothing is written.
+TEST_F(MockHand, JointCountsThatAreWrongAreRefused) {
   const XrHandTrackerEXT tracker = create_hand_tracker();
   std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT + 1> joints{};
   XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, 7, XR_HAND_JOINT_COUNT_EXT,
                                     joints.data()};
-  XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 0};
-  EXPECT_XR(XR_ERROR_TIME_INVALID, functions->locate_hand_joints(tracker, &info, &locations));
-  info.time = 1;
+  const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 1};
   for (const std::uint32_t count : {0U, 25U, 27U}) {
     locations.jointCount = count;
     EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->locate_hand_joints(tracker, &info, &locations));
@@ -161,8 +158,8 @@ TEST_F(MockHand, JointCountsAndTimesThatAreWrongAreRefused) {
 }
 
 // "XR_ERROR_POSE_INVALID" for poses with a quaternion that is not of unit length within 1 % or a position
-// that is not finite; XR_ERROR_TIME_INVALID for times that are not positive.
-TEST_F(MockHand, SpacesNeedValidPosesAndTimes) {
+// that is not finite.
+TEST_F(MockHand, SpacesNeedValidPoses) {
   const auto create = [&](const XrPosef& pose) {
     const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL,
                                           pose};
@@ -174,9 +171,6 @@ TEST_F(MockHand, SpacesNeedValidPosesAndTimes) {
   EXPECT_XR(XR_ERROR_POSE_INVALID, create({{0.0F, 0.0F, 0.0F, 1.02F}, {}}));
   EXPECT_XR(XR_ERROR_POSE_INVALID, create({{NAN, 0.0F, 0.0F, 1.0F}, {}}));
   EXPECT_XR(XR_ERROR_POSE_INVALID, create({identity_pose.orientation, {INFINITY, 0.0F, 0.0F}}));
-  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-  EXPECT_XR(XR_ERROR_TIME_INVALID, xrLocateSpace(local, local, 0, &location));
-  EXPECT_XR(XR_ERROR_TIME_INVALID, xrLocateSpace(local, local, -1, &location));
 }
 
 // "XR_ERROR_REFERENCE_SPACE_UNSUPPORTED": for every type that xrEnumerateReferenceSpaces does not give, known

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/simulation/person.h"
+#include "plugin/src/recording/hash.h"
 #include "tests/samples/mock_runtime/support.h"
 
 namespace hrt::mock {
@@ -36,19 +37,12 @@ class MockPlate : public MockRuntime {
   XrSpace plate_space = XR_NULL_HANDLE;
 };
 
-// FNV-1a.
-class Hash {
+class Hash : public plugin::Hash {
  public:
   template <typename Value>
   void add(const Value& value) {
-    std::array<unsigned char, sizeof value> bytes{};
-    std::memcpy(bytes.data(), &value, sizeof value);
-    for (const unsigned char byte : bytes) hash_ = (hash_ ^ byte) * 0x100000001B3;
+    plugin::Hash::add({reinterpret_cast<const char*>(&value), sizeof value});
   }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xCBF29CE484222325;
 };
 
 // Every key of a person reaches the simulated one, who is made by hand here; the plate turns at every frame.

@@ -209,8 +209,8 @@ XrResult MockRuntime::sync(const std::vector<XrActiveActionSet>& sets) {
   return xrSyncActions(session, &info);
 }
 
-XrSpace MockRuntime::create_action_space(XrAction action, XrPath subaction) {
-  const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, subaction, identity_pose};
+XrSpace MockRuntime::create_action_space(XrAction action, XrPath subaction, const XrPosef& pose) {
+  const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, subaction, pose};
   XrSpace space = XR_NULL_HANDLE;
   EXPECT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
   return space;

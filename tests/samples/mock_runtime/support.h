@@ -114,7 +114,7 @@ class MockRuntime : public ::testing::Test {
   XrResult suggest(const char* profile, const std::vector<XrActionSuggestedBinding>& bindings);
   XrResult attach(const std::vector<XrActionSet>& sets);
   XrResult sync(const std::vector<XrActiveActionSet>& sets);
-  XrSpace create_action_space(XrAction action, XrPath subaction = XR_NULL_PATH);
+  XrSpace create_action_space(XrAction action, XrPath subaction = XR_NULL_PATH, const XrPosef& pose = identity_pose);
   XrActionStateBoolean boolean(XrAction action, XrPath subaction = XR_NULL_PATH);
   XrActionStateFloat scalar(XrAction action);
 

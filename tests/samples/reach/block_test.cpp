@@ -36,26 +36,19 @@ std::set<std::string> functions_of_a_run() {
 
 struct Blocked {
   std::string function;
-  std::string folder;
+  Files files;
   std::unique_ptr<Program> program;
-
-  std::string record() const { return folder + "/r.csv"; }
 };
 
 // hrt-reach, which blocks in this call for a minute; other calls of the runtime proceed.
 Blocked start(const std::string& function, int call, const std::string& limit_s, std::vector<std::string> more = {}) {
-  Blocked blocked{function, scratch_folder(), nullptr};
-  std::vector<std::string> arguments = {desk,    "--target", "bottle",        "--runtime-limit",
-                                        limit_s, "--record", blocked.record()};
+  Blocked blocked{function, {}, nullptr};
+  std::vector<std::string> arguments = blocked.files.arguments(limit_s);
   arguments.insert(arguments.end(), more.begin(), more.end());
   blocked.program = std::make_unique<Program>(
       arguments, scripted_environment("{" + calm + R"(, "calls": [{"function": ")" + function + R"(", "call": )" +
                                       std::to_string(call) + R"(, "delay_ms": 60000}]})"));
   return blocked;
-}
-
-void expect_whole_recording(const Blocked& blocked) {
-  EXPECT_TRUE(has(read_file(blocked.record()), "\n# end ")) << blocked.function;
 }
 
 // Each program needs a share of the processors for its last words.
@@ -89,7 +82,7 @@ TEST(ReachBlock, EveryCallEndsAtTheLimit) {
       const std::string named = blocked.function == "xrGetInstanceProcAddr" ? "xr" : blocked.function + " ";
       EXPECT_TRUE(has(outcome.err, "has not returned from " + named)) << blocked.function;
       EXPECT_TRUE(has(outcome.err, " within 2 s"));
-      expect_whole_recording(blocked);
+      blocked.files.expect_whole();
     }
   }
 }
@@ -108,7 +101,7 @@ TEST(ReachBlock, EveryCallEndsWithinASecondOfASignal) {
       const Outcome outcome = blocked.program->wait();
       EXPECT_EQ(outcome.exit_code, 130) << blocked.function << outcome.err;
       EXPECT_TRUE(has(outcome.err, "interrupted")) << blocked.function;
-      expect_whole_recording(blocked);
+      blocked.files.expect_whole();
     }
     EXPECT_LT(Clock::now() - began, 50s);  // not the minute that a call takes
   }
@@ -126,7 +119,7 @@ TEST(ReachBlock, WhatWasReachedIsKept) {
     const Outcome outcome = blocked.program->wait();
     EXPECT_EQ(outcome.exit_code, 11) << function << outcome.err;
     EXPECT_EQ(rows_of(outcome).size(), 1U) << function << outcome.out;
-    expect_whole_recording(blocked);
+    blocked.files.expect_whole();
   }
 }
 

@@ -122,9 +122,7 @@ TEST(ReachCalibrate, TurnsASerialPlateToEachAngle) {
   const Program program(
       {desk, "--calibrate", scratch_folder() + "/profile.json", "--plate", "serial:" + plate.device()},
       scripted_environment(R"({"clock": "real-time", )" + person_of(0.2, 800) + "}"));
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (program.out().find("slide   1") == std::string::npos && std::chrono::steady_clock::now() < give_up)
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  plate::eventually([&] { return program.out().find("slide   1") != std::string::npos; });
   program.send_signal(SIGINT);
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;

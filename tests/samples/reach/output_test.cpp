@@ -79,12 +79,6 @@ TEST(ReachVerbose, PrintsALineAFrame) {
   EXPECT_EQ(occurrences(outcome.err, "\n"), static_cast<std::size_t>(rows_of(outcome)[0].frames));
 }
 
-// The simulated user feels a servo of this program instead of the runtime's ideal one.
-TEST(ReachPlate, IsASimulatedServo) {
-  const Outcome outcome = run_scripted("{" + calm + "}", {desk, "--plate", "servo"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-}
-
 // A plate that never turns leads to no target: the simulated user feels this plate.
 TEST(ReachPlate, ThatHardlyTurnsMissesTheTarget) {
   const Outcome outcome = run_program({desk, "--target", "pawn", "--plate", "servo:1"});

@@ -5,8 +5,6 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <cmath>
-
 #include "samples/reach/base/exit_code.h"
 #include "samples/reach/base/files.h"
 #include "samples/reach/plate/device_plate.h"
@@ -18,7 +16,6 @@
 namespace hrt::reach {
 namespace {
 
-using plate::eventually;
 using plate::PtyPlate;
 
 // What is felt the same within the limits, the nearer one of several; else the nearest limit.
@@ -45,23 +42,6 @@ TEST(PlateChoice, IsWhatThePlatesLibraryOpens) {
   for (const char* other : {"plate.txt", "serial:", "servo:fast", ""}) EXPECT_FALSE(parse_plate(other)) << other;
 }
 
-TEST(DevicePlate, LearnsLimitsAndOrientation) {
-  PtyPlate device;
-  DevicePlate plate("serial:" + device.device());
-  EXPECT_EQ(plate.report()->lower_stop_deg, -90.0);
-  EXPECT_EQ(plate.report()->upper_stop_deg, 90.0);
-  EXPECT_EQ(plate.report()->max_speed_deg_s, 200.0);
-  // What the plate says, and half of the line there and back.
-  EXPECT_GE(plate.report()->latency_ns, 30'000'000);
-  EXPECT_LT(plate.report()->latency_ns, 500'000'000);  // on a busy machine too
-  EXPECT_TRUE(has(plate.description(), "firmware 1.0.0, serial number 000007"));
-  plate.command(0, 12.345);
-  EXPECT_TRUE(eventually([&] {
-    plate.service(0);
-    return std::abs(plate.orientation_deg(0).value_or(0.0) - 12.35) < 0.4;
-  }));
-}
-
 TEST(DevicePlate, LeavesTheLineAsItWas) {
   PtyPlate device;
   const auto settings = [&] {
@@ -80,9 +60,7 @@ TEST(DevicePlate, LeavesTheLineAsItWas) {
   ASSERT_EQ(tcsetattr(line, TCSANOW, &odd), 0);
   close(line);
   const termios before = settings();
-  {
-    DevicePlate plate("serial:" + device.device());
-  }
+  EXPECT_TRUE(has(DevicePlate("serial:" + device.device()).description(), "firmware 1.0.0, serial number 000007"));
   const termios after = settings();
   EXPECT_EQ(after.c_lflag, before.c_lflag);
   EXPECT_EQ(after.c_iflag, before.c_iflag);

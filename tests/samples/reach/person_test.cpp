@@ -8,7 +8,7 @@
 #include <fstream>
 #include <thread>
 
-#include "tests/plugin/plate/pseudo_terminal.h"
+#include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/reach/hand_path.h"
 #include "tests/samples/reach/program.h"
 
@@ -16,7 +16,7 @@ namespace hrt::reach {
 namespace {
 
 using namespace std::chrono_literals;
-using Clock = std::chrono::steady_clock;
+using plate::eventually;
 
 const Place start{0.0, 0.05};
 
@@ -208,15 +208,12 @@ TEST(ReachSpeech, AVoiceThatHangsDelaysNothingAndEndsWithTheProgram) {
   const Voice voice("echo $$ > " + file + "; exec sleep 60");
   const Program program(person_and({"--speak-with", voice.program, "--verbose"}),
                         scripted_environment(Path(plate_of_desk).script(R"("clock": "real-time", )")));
-  const auto began = Clock::now();
-  while (read_file(file).empty() && Clock::now() - began < 20s) std::this_thread::sleep_for(10ms);
+  ASSERT_TRUE(eventually([&] { return !read_file(file).empty(); }));
   program.send_signal(SIGTERM);
-  const auto stopped = Clock::now();
+  const auto stopped = std::chrono::steady_clock::now();
   EXPECT_EQ(program.wait().exit_code, 130);
-  EXPECT_LT(Clock::now() - stopped, 2s);
-  const std::string pid = read_file(file);
-  ASSERT_FALSE(pid.empty());
-  EXPECT_NE(kill(std::stoi(pid), 0), 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - stopped, 2s);
+  EXPECT_NE(kill(std::stoi(read_file(file)), 0), 0);
 }
 
 TEST(ReachSpeech, AFailingVoiceIsNamed) {
@@ -263,16 +260,13 @@ TEST(ReachKeys, BackRepeatsTheLastTarget) {
                                                  .hold(start, 30000)
                                                  .script(R"("clock": "real-time", )")),
                         -1, terminal.descriptor());
-  const auto give_up = Clock::now() + 30s;
-  while (program.out().find("reached") == std::string::npos && Clock::now() < give_up) std::this_thread::sleep_for(5ms);
+  EXPECT_TRUE(eventually([&] { return program.out().find("reached") != std::string::npos; }));
   terminal.type("b");
-  const auto asked_again = [&] {
+  EXPECT_TRUE(eventually([&] {
     const std::string said = program.err();
     const std::size_t goblet = said.find("\"goblet\"");
     return goblet != std::string::npos && said.find("\"bottle\"", goblet) != std::string::npos;
-  };
-  while (!asked_again() && Clock::now() < give_up) std::this_thread::sleep_for(5ms);
-  EXPECT_TRUE(asked_again()) << program.err();
+  })) << program.err();
   terminal.type("q");
   EXPECT_EQ(program.wait().exit_code, 130);
 }
@@ -300,9 +294,7 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
   const Program program(
       person_and({"--register", voice.folder + "/plate.txt", "--marks", marks, "--speak-with", voice.program}),
       scripted_environment(path.script(R"("clock": "real-time", )")), -1, terminal.descriptor());
-  const auto give_up = Clock::now() + 20s;
-  while (voice.heard().find("(1 of 3)") == std::string::npos && Clock::now() < give_up)
-    std::this_thread::sleep_for(5ms);
+  EXPECT_TRUE(eventually([&] { return voice.heard().find("(1 of 3)") != std::string::npos; }));
   terminal.type("rwn");
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
@@ -328,9 +320,8 @@ TEST(ReachKeys, AWholeCalibrationWithoutSight) {
             "reaction_ms": 700, "duration_ms": 1200}],
           "hands": {"right": {"slides": {"start_m": [0, 0.008, 0.05], "rest_ms": 600}}}})"),
       -1, terminal.descriptor());
-  const auto give_up = Clock::now() + 60s;
   const auto after = [&](const std::string& part, const std::string& keys) {
-    while (voice.heard().find(part) == std::string::npos && Clock::now() < give_up) std::this_thread::sleep_for(5ms);
+    EXPECT_TRUE(eventually([&] { return voice.heard().find(part) != std::string::npos; })) << part;
     terminal.type(keys);
   };
   after("How high are your eyes above the floor", "1.2\n");

@@ -67,4 +67,14 @@ std::vector<Row> rows_of(const Outcome& outcome);
 /// An empty folder of this test's own, removed with the test's process.
 std::string scratch_folder();
 
+/// Where a reach to the bottle in a runtime with a fault is recorded.
+struct Files {
+  std::string folder = scratch_folder();
+
+  std::vector<std::string> arguments(const std::string& limit_s) const {
+    return {desk, "--target", "bottle", "--runtime-limit", limit_s, "--record", folder + "/r.csv"};
+  }
+  void expect_whole() const { EXPECT_TRUE(has(read_file(folder + "/r.csv"), "\n# end ")); }
+};
+
 }  // namespace hrt::reach

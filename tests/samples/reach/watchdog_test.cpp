@@ -25,15 +25,6 @@ std::map<std::string, std::string> faulty(const std::string& fault, const std::s
   return environment;
 }
 
-struct Files {
-  std::string folder = scratch_folder();
-
-  std::vector<std::string> arguments(const std::string& limit_s) const {
-    return {desk, "--target", "bottle", "--runtime-limit", limit_s, "--record", folder + "/r.csv"};
-  }
-  void expect_whole() const { EXPECT_TRUE(has(read_file(folder + "/r.csv"), "\n# end ")); }
-};
-
 // The 100th frame is within the first reach.
 TEST(ReachWatchdog, ABlockedRuntimeMayHoldAStream) {
   for (const std::string stream : {"stdout", "stderr"}) {
