@@ -19,7 +19,6 @@
 #include "HapticConversions.h"
 #include "HapticRetargetingComponent.h"
 #include "haptic_retargeting/plate.h"
-#include "plugin/src/recording/hash.h"
 
 namespace {
 
@@ -449,14 +448,20 @@ TEST(UnrealComponents, EndTheirSessions) {
   }
 }
 
-void add_command(hrt::plugin::Hash& hash, const hrt_command& command) {
-  hash.add(uint64_t{command.flags});
-  hash.add(static_cast<uint64_t>(command.step));
+uint64_t hash_word(uint64_t hash, uint64_t word) {
+  for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (word >> (8 * byte) & 0xff)) * 0x100000001b3u;
+  return hash;
+}
+
+uint64_t hash_command(uint64_t hash, const hrt_command& command) {
+  hash = hash_word(hash, command.flags);
+  hash = hash_word(hash, static_cast<uint64_t>(command.step));
   for (const double number : {command.plate_orientation_deg, command.finger_direction_deg,
                               command.perceived_direction_deg, command.aimed_direction_deg,
                               command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd,
-                              command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit})
-    hash.add(std::bit_cast<uint64_t>(number));
+ command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit})
+    hash = hash_word(hash, std::bit_cast<uint64_t>(number));
+  return hash;
 }
 
 bool eventually(auto&& holds) {
@@ -513,7 +518,7 @@ TEST_F(Component, RunsTheReachOfAllHosts) {
 
   std::ifstream recording(HRT_REACH);
   std::map<std::string, size_t> columns;
-  hrt::plugin::Hash hash;
+  uint64_t hash = 0xcbf29ce484222325u;
   for (std::string line; std::getline(recording, line);) {
     if (line.starts_with('#')) continue;
     std::vector<std::string> cells;
@@ -532,7 +537,7 @@ TEST_F(Component, RunsTheReachOfAllHosts) {
     sample.finger_position_m[2] = real("sample_z_m");
     sample.plate_orientation_deg = real("measured_plate_deg");
     ASSERT_TRUE(component_.UpdateSample(sample)) << last_log();
-    add_command(hash, component_.GetRawCommand());
+    hash = hash_command(hash, component_.GetRawCommand());
   }
   FHapticSummary summary;
   ASSERT_TRUE(component_.EndReach(summary));
@@ -540,7 +545,7 @@ TEST_F(Component, RunsTheReachOfAllHosts) {
   std::string expected;
   std::ifstream(HRT_REACH_HASH) >> expected;
   char found[32];
-  std::snprintf(found, sizeof found, "0x%016" PRIx64, hash.value());
+  std::snprintf(found, sizeof found, "0x%016" PRIx64, hash);
   std::printf("hash %s\n", found);
   EXPECT_EQ(found, expected);
 }
