@@ -157,7 +157,7 @@ void count_paper_updates(int horizon) {
   constexpr int updates = 300;
   hrt_session_config config = default_config();
   config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
-  config.horizon = static_cast<std::uint32_t>(horizon);
+  config.paper.horizon = static_cast<std::uint32_t>(horizon);
   Frames frames(config, -5.0, 5.0);
   for (int i = 0; i < updates; ++i) {
     hrt_sample sample{};

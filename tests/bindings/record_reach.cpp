@@ -29,14 +29,14 @@ constexpr std::int64_t ms = 1'000'000;
 // What the samples of all hosts write out in their own words; see the table in plugin/bindings/README.md.
 hrt_session_config session_config() {
   hrt_session_config config = hrt_session_config_init();
-  config.horizon = 20;
+  config.paper.horizon = 20;
   config.guidance = HRT_GUIDANCE_ARRIVAL;
   config.adaptation = HRT_ADAPTATION_REACH;
-  config.plate_max_speed_deg_s = 200.0;
-  config.plate_max_acceleration_deg_s2 = 20'000.0;
-  config.plate_latency_ns = 30 * ms;
-  config.plate_lower_stop_deg = -360.0;
-  config.plate_upper_stop_deg = 360.0;
+  config.plate.max_speed_deg_s = 200.0;
+  config.plate.max_acceleration_deg_s2 = 20'000.0;
+  config.plate.latency_ns = 30 * ms;
+  config.plate.lower_stop_deg = -360.0;
+  config.plate.upper_stop_deg = 360.0;
   return config;
 }
 
@@ -54,10 +54,10 @@ hrt_target add(hrt_session session, std::uint32_t role, double direction_deg, co
 class World {
  public:
   explicit World(const hrt_session_config& config)
-      : plate_({.max_speed_deg_s = config.plate_max_speed_deg_s,
-                .max_acceleration_deg_s2 = config.plate_max_acceleration_deg_s2,
-                .latency_ns = config.plate_latency_ns,
-                .stops = {config.plate_lower_stop_deg, config.plate_upper_stop_deg}},
+      : plate_({.max_speed_deg_s = config.plate.max_speed_deg_s,
+                .max_acceleration_deg_s2 = config.plate.max_acceleration_deg_s2,
+                .latency_ns = config.plate.latency_ns,
+                .stops = {config.plate.lower_stop_deg, config.plate.upper_stop_deg}},
                0.0) {}
 
   /// Lets 1 ms pass. A lifted finger stays above where it was, and feels nothing.

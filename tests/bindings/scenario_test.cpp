@@ -53,7 +53,7 @@ class Caller {
   hrt_result configure(const Call& call) {
     hrt_session_config config = hrt_session_config_init();
     if (hrt_session_get(session_, &config, nullptr) != HRT_OK) return HRT_ERROR_INTERNAL;
-    config.tactile_weight = call.number("tactile_weight");
+    config.paper.tactile_weight = call.number("tactile_weight");
     return hrt_session_set(session_, &config);
   }
 
@@ -122,7 +122,7 @@ class Caller {
   hrt_result end() {
     hrt_reach_summary summary = hrt_reach_summary_init();
     const hrt_result result = hrt_reach_end(session_, &summary);
-    values_["samples"] = static_cast<double>(summary.samples);
+    values_["samples"] = static_cast<double>(summary.counts.samples);
     return result;
   }
 

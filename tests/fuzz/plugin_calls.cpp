@@ -267,14 +267,14 @@ class Caller {
     const hrt_result result = hrt_reach_end(ended, &summary);
     check(result);
     if (result != HRT_OK) return;
-    require((summary.flags & HRT_COMMAND_FAULT) == 0 && summary.samples >= 0);
+    require((summary.flags & HRT_COMMAND_FAULT) == 0 && summary.counts.samples >= 0);
     require_finite(summary, offsetof(hrt_reach_summary, final_direction_deg));
     // What was carried can be configured.
     hrt_session_config config{};
     config.struct_size = sizeof config;
     require(hrt_session_get(ended, &config, nullptr) == HRT_OK);
-    require_finite(config.person_mean, 0);
-    require_finite(config.person_covariance, 0);
+    require_finite(config.person.mean, 0);
+    require_finite(config.person.covariance, 0);
     require(hrt_session_set(ended, &config) == HRT_OK);
   }
 

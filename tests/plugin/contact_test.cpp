@@ -32,8 +32,10 @@ hrt_contact contact_in(double direction_deg, double sd_m = 0.001) {
 
 bool has_no_contacts(const hrt_session_config& config) {
   const auto is_zero = [](double number) { return number == 0.0; };
-  return std::all_of(std::begin(config.contact_correction), std::end(config.contact_correction), is_zero) &&
-         std::all_of(std::begin(config.contact_covariance), std::end(config.contact_covariance), is_zero);
+  return std::all_of(std::begin(config.registration.contact_correction),
+                     std::end(config.registration.contact_correction), is_zero) &&
+         std::all_of(std::begin(config.registration.contact_covariance),
+                     std::end(config.registration.contact_covariance), is_zero);
 }
 
 class ContactTest : public SessionTest {
@@ -43,7 +45,7 @@ class ContactTest : public SessionTest {
   static hrt_session_config registered() {
     hrt_session_config config = session_config();
     config.flags = HRT_SESSION_REGISTERED;
-    config.tracker_noise_m = 0.0001;
+    config.tracker.noise_m = 0.0001;
     return config;
   }
 
@@ -82,10 +84,10 @@ class ContactTest : public SessionTest {
 // found, so that their sum stays.
 TEST_F(ContactTest, ATurnedFrameIsFound) {
   EXPECT_NEAR(reach_straight_ahead().miss_deg, 0.0, 0.05);
-  const double bias_deg = config_of(session).person_mean[HRT_PERSON_BIAS];
+  const double bias_deg = config_of(session).person.mean[HRT_PERSON_BIAS];
   ASSERT_OK(touch(contact_in(-2.0)));
   const hrt_session_config after = config_of(session);
-  EXPECT_NEAR(after.person_mean[HRT_PERSON_BIAS], bias_deg - 1.6, 0.05);
+  EXPECT_NEAR(after.person.mean[HRT_PERSON_BIAS], bias_deg - 1.6, 0.05);
   const hrt_reach_summary summary = reach_straight_ahead();
   EXPECT_NEAR(summary.miss_deg, -1.6, 0.05);
   EXPECT_NEAR(summary.miss_sd_deg, deg_per_rad * 0.02 / std::sqrt(5.0), 0.05);
@@ -118,12 +120,12 @@ TEST_F(ContactTest, BeforeTheEndAndAfterItAreTheSame) {
 TEST_F(ContactTest, ABiasThatNoReachHasTaughtStays) {
   hrt_session_config config = registered();
   config.adaptation = HRT_ADAPTATION_REACH;
-  config.bias_deg = 3.0;
+  config.paper.bias_deg = 3.0;
   create(config);
   reach_straight_ahead();
   ASSERT_OK(touch(contact_in(-2.0)));
-  EXPECT_EQ(config_of(session).bias_deg, 3.0);
-  EXPECT_EQ(config_of(session).person_mean[HRT_PERSON_BIAS], 0.0);
+  EXPECT_EQ(config_of(session).paper.bias_deg, 3.0);
+  EXPECT_EQ(config_of(session).person.mean[HRT_PERSON_BIAS], 0.0);
   EXPECT_FALSE(has_no_contacts(config_of(session)));
 }
 
@@ -134,19 +136,19 @@ TEST_F(ContactTest, IsTheRealTargetsNearSideByDefault) {
   slide();
   ASSERT_OK(hrt_reach_touched(session, nullptr));
   end();
-  EXPECT_NEAR(config_of(session).contact_correction[3], 4e-4 * 0.1 / 4.04e-4 * -0.02, 1e-4);
-  EXPECT_NEAR(config_of(session).contact_covariance[9], 4e-4 * (1.0 - 4e-6 / 4.04e-4), 1e-8);
+  EXPECT_NEAR(config_of(session).registration.contact_correction[3], 4e-4 * 0.1 / 4.04e-4 * -0.02, 1e-4);
+  EXPECT_NEAR(config_of(session).registration.contact_covariance[9], 4e-4 * (1.0 - 4e-6 / 4.04e-4), 1e-8);
   create(registered());
   reach_straight_ahead();
   ASSERT_OK(touch(output<hrt_contact>()));
-  EXPECT_NEAR(config_of(session).contact_correction[3], 0.0, 1e-4);
-  EXPECT_NEAR(config_of(session).contact_covariance[9], 4e-4 * (1.0 - 4e-6 / 1.04e-4), 1e-7) << "10 mm";
+  EXPECT_NEAR(config_of(session).registration.contact_correction[3], 0.0, 1e-4);
+  EXPECT_NEAR(config_of(session).registration.contact_covariance[9], 4e-4 * (1.0 - 4e-6 / 1.04e-4), 1e-7) << "10 mm";
 }
 
 TEST_F(ContactTest, APlaceInTheWorldIsTakenToThePlate) {
   hrt_session_config config = registered();
-  config.plate_position_m[0] = 1.0;
-  config.plate_scale = 1.25;
+  config.plate.position_m[0] = 1.0;
+  config.plate.scale = 1.25;
   create(config);
   reach_straight_ahead();
   hrt_contact contact = contact_in(-2.0);
@@ -161,7 +163,7 @@ TEST_F(ContactTest, APlaceInTheWorldIsTakenToThePlate) {
 TEST_F(ContactTest, HoldsUnderBothGuidances) {
   hrt_session_config config = paper_config();
   config.flags = HRT_SESSION_REGISTERED;
-  config.tracker_noise_m = 0.0001;
+  config.tracker.noise_m = 0.0001;
   create(config);
   EXPECT_LT(reach_straight_ahead().distance_to_target_m, 0.0003);
   ASSERT_OK(touch(contact_in(-2.0)));
@@ -238,30 +240,33 @@ class KnownContactTest : public ContactTest {
 // As a drift of 0.2 % has it.
 TEST_F(KnownContactTest, AProfileKeepsItWiderForTheSamePose) {
   const hrt_session_config back = loaded(save_profile(), registered());
-  EXPECT_EQ(std::memcmp(back.contact_correction, known.contact_correction, sizeof known.contact_correction), 0);
+  EXPECT_EQ(std::memcmp(back.registration.contact_correction, known.registration.contact_correction,
+                        sizeof known.registration.contact_correction),
+            0);
   for (int row = 0, at = 0; row < 4; ++row)
     for (int column = 0; column <= row; ++column, ++at)
-      EXPECT_NEAR(back.contact_covariance[at], known.contact_covariance[at] + (row == column ? 4e-6 : 0.0), 1e-18);
+      EXPECT_NEAR(back.registration.contact_covariance[at],
+                  known.registration.contact_covariance[at] + (row == column ? 4e-6 : 0.0), 1e-18);
 }
 
 TEST_F(KnownContactTest, AProfileOfAnotherPoseKeepsNone) {
   const std::string profile = save_profile();
   for (const int coordinate : {0, 1, 2}) {
     hrt_session_config elsewhere = registered();
-    elsewhere.plate_position_m[coordinate] = 0.001;
+    elsewhere.plate.position_m[coordinate] = 0.001;
     const hrt_session_config back = loaded(profile, elsewhere);
     EXPECT_TRUE(has_no_contacts(back));
-    EXPECT_EQ(back.plate_position_m[coordinate], 0.001);
-    EXPECT_EQ(back.person_mean[HRT_PERSON_BIAS], known.person_mean[HRT_PERSON_BIAS]);
+    EXPECT_EQ(back.plate.position_m[coordinate], 0.001);
+    EXPECT_EQ(back.person.mean[HRT_PERSON_BIAS], known.person.mean[HRT_PERSON_BIAS]);
   }
 }
 
 TEST_F(KnownContactTest, AnotherPoseForgetsIt) {
   hrt_session_config config = known;
-  config.horizon = 4;
+  config.paper.horizon = 4;
   ASSERT_OK(hrt_session_set(session, &config));
   EXPECT_FALSE(has_no_contacts(config_of(session)));
-  config.plate_scale = 1.01;
+  config.plate.scale = 1.01;
   ASSERT_OK(hrt_session_set(session, &config));
   EXPECT_TRUE(has_no_contacts(config_of(session)));
 }
@@ -286,10 +291,10 @@ TEST_F(KnownContactTest, WhatNoContactGivesIsRefused) {
     spoil(config);
     expect_error(hrt_session_set(session, &config), HRT_ERROR_OUT_OF_RANGE, part);
   };
-  refuses([](auto& c) { c.contact_covariance[0] = 0.0; }, "contact_covariance is not positive definite");
-  refuses([](auto& c) { c.contact_covariance[9] = -1e-6; }, "contact_covariance is not positive definite");
-  refuses([](auto& c) { c.contact_correction[2] = 0.6; }, "contact_correction[2] is 0.6");
-  refuses([](auto& c) { c.contact_correction[3] = std::nan(""); }, "contact_correction[3] is NaN");
+  refuses([](auto& c) { c.registration.contact_covariance[0] = 0.0; }, "contact_covariance is not positive definite");
+  refuses([](auto& c) { c.registration.contact_covariance[9] = -1e-6; }, "contact_covariance is not positive definite");
+  refuses([](auto& c) { c.registration.contact_correction[2] = 0.6; }, "contact_correction[2] is 0.6");
+  refuses([](auto& c) { c.registration.contact_correction[3] = std::nan(""); }, "contact_correction[3] is NaN");
 }
 
 /// Mean of the size of the true bearing error of 100 people's fifth reaches, in a frame that holds.

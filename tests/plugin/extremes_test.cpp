@@ -71,26 +71,26 @@ class Extremes : public SessionTest {
     const auto share = one_of<std::size_t>({1, 2, 8});
     const auto changes = [&] { return below(share) == 0; };
     for (const Range& range : ranges) {
-      if (changes()) config.*range.member = within(range.low, range.high);
+      if (changes()) range.of(config) = within(range.low, range.high);
     }
-    if (changes()) config.horizon = one_of({1u, 2u, 3u, 10u, 50u});
-    if (changes()) config.step_period_ns = one_of<std::int64_t>({1'000'000, 10'000'000, 10'000'000'000});
+    if (changes()) config.paper.horizon = one_of({1u, 2u, 3u, 10u, 50u});
+    if (changes()) config.paper.step_period_ns = one_of<std::int64_t>({1'000'000, 10'000'000, 10'000'000'000});
     if (changes()) config.control = one_of({HRT_CONTROL_MPC, HRT_CONTROL_MPC, HRT_CONTROL_FIXED_PLATE});
     if (changes()) config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
     config.adaptation = one_of({HRT_ADAPTATION_OFF, HRT_ADAPTATION_REACH, HRT_ADAPTATION_CARRIED});
     if (changes()) config.flags = HRT_SESSION_PLATE_WAITS;
-    if (changes()) config.tracker_latency_ns = one_of<std::int64_t>({1, 30'000'000, 500'000'000});
+    if (changes()) config.tracker.latency_ns = one_of<std::int64_t>({1, 30'000'000, 500'000'000});
     if (changes())
-      config.plate_latency_ns =
-          std::min<std::int64_t>(8 * config.step_period_ns, one_of({1, 30'000'000, 1'000'000'000}));
+      config.plate.latency_ns =
+          std::min<std::int64_t>(8 * config.paper.step_period_ns, one_of({1, 30'000'000, 1'000'000'000}));
     if (changes()) {
-      config.plate_lower_stop_deg = one_of({-3600.0, -90.0, 0.0, 3420.0});
-      config.plate_upper_stop_deg = std::min(3600.0, config.plate_lower_stop_deg + one_of({180.0, 270.0, 7200.0}));
+      config.plate.lower_stop_deg = one_of({-3600.0, -90.0, 0.0, 3420.0});
+      config.plate.upper_stop_deg = std::min(3600.0, config.plate.lower_stop_deg + one_of({180.0, 270.0, 7200.0}));
     }
     for (double& coordinate_m : config.start_position_m) {
       if (changes()) coordinate_m = within(-1000.0, 1000.0);
     }
-    for (double& coordinate_m : config.plate_position_m) {
+    for (double& coordinate_m : config.plate.position_m) {
       if (changes()) coordinate_m = within(-1000.0, 1000.0);
     }
     if (below(4) == 0) believe(&config);
@@ -100,10 +100,10 @@ class Extremes : public SessionTest {
   /// A person within the documented bounds, whose traits are independent.
   void believe(hrt_session_config* config) {
     for (int trait = 0; trait < HRT_PERSON_TRAITS; ++trait)
-      config->person_mean[trait] = within(F::person_mean_elements[trait].low, F::person_mean_elements[trait].high);
-    for (double& covariance : config->person_covariance) covariance = 0.0;
+      config->person.mean[trait] = within(F::person_mean_elements[trait].low, F::person_mean_elements[trait].high);
+    for (double& covariance : config->person.covariance) covariance = 0.0;
     for (int trait = 0, at = 0; trait < HRT_PERSON_TRAITS; at += ++trait + 1)
-      config->person_covariance[at] = within(1e-12, 1e4);
+      config->person.covariance[at] = within(1e-12, 1e4);
   }
 
   hrt_target place(std::uint32_t role) {
@@ -162,9 +162,9 @@ class Extremes : public SessionTest {
   /// What the session knows after a reach is finite, can be configured, and is a profile.
   void check_what_is_kept() {
     hrt_session_config config = config_of(session);
-    for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(config.*range.member));
-    EXPECT_EQ(first_not_finite(config.person_mean, 0), 0u);
-    EXPECT_EQ(first_not_finite(config.person_covariance, 0), 0u);
+    for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(range.of(config)));
+    EXPECT_EQ(first_not_finite(config.person.mean, 0), 0u);
+    EXPECT_EQ(first_not_finite(config.person.covariance, 0), 0u);
     EXPECT_OK(hrt_session_set(session, &config));
     EXPECT_OK(load_profile(save_profile()));
   }
@@ -257,7 +257,7 @@ TEST_F(Extremes, OfOneFieldGiveFiniteNumbers) {
       for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
         SCOPED_TRACE(std::string(range.name) + " at " + std::to_string(value));
         hrt_session_config config = session_config();
-        config.*range.member = value;
+        range.of(config) = value;
         config.guidance = guidance;
         create(config);
         for (int n = 0; n < 3; ++n) {

@@ -56,7 +56,7 @@ TEST_F(FaultTest, PlateIsHeldFlagsSaySoAndTheLogOnce) {
   const hrt_session_config before = config_of(session);
   EXPECT_NE(reach(true).flags & HRT_COMMAND_FAULT, 0u);
   EXPECT_GT(faults_, 10);
-  EXPECT_EQ(config_of(session).person_covariance[0], before.person_covariance[0]) << "it taught something";
+  EXPECT_EQ(config_of(session).person.covariance[0], before.person.covariance[0]) << "it taught something";
   EXPECT_EQ(log_.text, "") << "a call of a reach is real-time";
   ASSERT_OK(hrt_session_set(session, &before));
   EXPECT_EQ(log_.text, std::to_string(HRT_LOG_ERROR) + " session " + std::to_string(session.value) +

@@ -44,7 +44,7 @@ inline hrt_session_config paper_config() {
   hrt_session_config config = session_config();
   config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
   config.adaptation = HRT_ADAPTATION_OFF;
-  config.tactile_weight = 0.15;
+  config.paper.tactile_weight = 0.15;
   return config;
 }
 

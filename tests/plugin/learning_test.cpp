@@ -105,7 +105,7 @@ TEST_F(LearningTest, MotorVarianceComesToBeThePersons) {
     double mean = 0.0, miss = 0.0;
     for (std::uint32_t reach = 0; reach < 60; ++reach) {
       reach_by_direction(with_motor_variance(truth), reach, &miss);
-      if (reach >= 20) mean += config().motor_variance_deg2 / 40.0;
+      if (reach >= 20) mean += config().paper.motor_variance_deg2 / 40.0;
     }
     EXPECT_NEAR(mean, truth, 0.15 * truth);
 
@@ -114,7 +114,7 @@ TEST_F(LearningTest, MotorVarianceComesToBeThePersons) {
     mean = 0.0;
     for (std::uint32_t reach = 0; reach < 160; ++reach) {
       reach_by_position(with_motor_variance(truth, 0.0004), reach, &miss);
-      if (reach >= 80) mean += config().motor_variance_deg2 / 80.0;
+      if (reach >= 80) mean += config().paper.motor_variance_deg2 / 80.0;
     }
     EXPECT_NEAR(mean, truth, 0.2 * truth);
   }
@@ -124,54 +124,54 @@ TEST_F(LearningTest, SummarySaysHowWellTheMotorVarianceIsKnown) {
   double miss = 0.0;
   set(adapting(HRT_ADAPTATION_REACH));
   hrt_reach_summary summary = reach_by_direction(with_motor_variance(1.0), 0, &miss);
-  EXPECT_GT(summary.motor_variance_deg2, 0.6);
-  EXPECT_LT(summary.motor_variance_sd_deg2, 0.2);
-  EXPECT_EQ(config().motor_variance_deg2, 0.5) << "carried, and should not be";
+  EXPECT_GT(summary.learnt.motor_variance_deg2, 0.6);
+  EXPECT_LT(summary.learnt.motor_variance_sd_deg2, 0.2);
+  EXPECT_EQ(config().paper.motor_variance_deg2, 0.5) << "carried, and should not be";
 
   // 1.2 mm of noise shows hardly anything of it.
   summary = reach_by_position(with_motor_variance(1.0, 0.0012), 0, &miss);
-  EXPECT_GT(summary.motor_variance_sd_deg2, 0.95 * 0.5);
-  EXPECT_NEAR(summary.motor_variance_deg2, 0.5, 0.2);
+  EXPECT_GT(summary.learnt.motor_variance_sd_deg2, 0.95 * 0.5);
+  EXPECT_NEAR(summary.learnt.motor_variance_deg2, 0.5, 0.2);
 
   set(adapting(HRT_ADAPTATION_OFF));
   summary = reach_by_direction(with_motor_variance(1.0), 0, &miss);
-  EXPECT_EQ(summary.motor_variance_deg2, 0.5);
-  EXPECT_EQ(summary.motor_variance_sd_deg2, 0.0);
+  EXPECT_EQ(summary.learnt.motor_variance_deg2, 0.5);
+  EXPECT_EQ(summary.learnt.motor_variance_sd_deg2, 0.0);
 }
 
 TEST_F(LearningTest, OneReachCarriesLittle) {
   double miss = 0.0;
   hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
-  assumed.motor_variance_deg2 = 0.1;
+  assumed.paper.motor_variance_deg2 = 0.1;
   set(assumed);
-  EXPECT_GT(reach_by_direction(with_motor_variance(4.0), 0, &miss).motor_variance_deg2, 0.2);
-  EXPECT_EQ(config().motor_variance_deg2, 0.2);
-  EXPECT_EQ(config().motor_variance_sd_deg2, 0.5);
+  EXPECT_GT(reach_by_direction(with_motor_variance(4.0), 0, &miss).learnt.motor_variance_deg2, 0.2);
+  EXPECT_EQ(config().paper.motor_variance_deg2, 0.2);
+  EXPECT_EQ(config().paper.motor_variance_sd_deg2, 0.5);
 
   // The bounds of what is carried, whatever was configured.
-  assumed.motor_variance_deg2 = 1e-9;
+  assumed.paper.motor_variance_deg2 = 1e-9;
   set(assumed);
   reach_by_direction(with_motor_variance(4.0), 0, &miss);
-  EXPECT_EQ(config().motor_variance_deg2, 0.05);
-  assumed.motor_variance_deg2 = 1e4;
+  EXPECT_EQ(config().paper.motor_variance_deg2, 0.05);
+  assumed.paper.motor_variance_deg2 = 1e4;
   set(assumed);
   reach_by_direction(with_motor_variance(4.0), 0, &miss);
-  EXPECT_EQ(config().motor_variance_deg2, 5.0);
+  EXPECT_EQ(config().paper.motor_variance_deg2, 5.0);
 
   // A reach in which nothing was seen carries nothing.
-  assumed.motor_variance_deg2 = 0.7;
+  assumed.paper.motor_variance_deg2 = 0.7;
   set(assumed);
   begin_reach();
   update(hrt_sample_init());
   end();
-  EXPECT_EQ(config().motor_variance_deg2, 0.7);
-  EXPECT_EQ(config().motor_variance_sd_deg2, 0.5);
+  EXPECT_EQ(config().paper.motor_variance_deg2, 0.7);
+  EXPECT_EQ(config().paper.motor_variance_sd_deg2, 0.5);
 }
 
 // With nothing seen but a first direction, w_T becomes less sure; not less than can be configured.
 TEST_F(LearningTest, WhatIsCarriedCanBeConfigured) {
   hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
-  assumed.tactile_weight_sd = 0.49;
+  assumed.paper.tactile_weight_sd = 0.49;
   set(assumed);
   begin_reach();
   update(direction_sample(0, 0.0));
@@ -179,7 +179,7 @@ TEST_F(LearningTest, WhatIsCarriedCanBeConfigured) {
   dropout.flags = 0;
   update(dropout);
   end();
-  EXPECT_EQ(config().tactile_weight_sd, 0.49);
+  EXPECT_EQ(config().paper.tactile_weight_sd, 0.49);
   set(config());
 }
 
@@ -187,7 +187,7 @@ TEST_F(LearningTest, WhatIsCarriedCanBeConfigured) {
 TEST_F(LearningTest, BiasMovesWhereTheUserGoes) {
   const auto reach = [&](double target_deg, double bias_deg) {
     hrt_session_config config = paper_config();
-    config.bias_deg = bias_deg;
+    config.paper.bias_deg = bias_deg;
     create(config);
     const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, target_deg);
     auto gap = output<hrt_gap>();
@@ -204,7 +204,7 @@ TEST_F(LearningTest, BiasMovesWhereTheUserGoes) {
   EXPECT_EQ(one.perceived_error_deg, other.perceived_error_deg);
 
   hrt_session_config config = paper_config();
-  config.bias_deg = 45.0;
+  config.paper.bias_deg = 45.0;
   create(config);
   expect_error(begin(add(HRT_TARGET_REAL, -50.0), add(HRT_TARGET_VIRTUAL, 5.0)), HRT_ERROR_OUT_OF_RANGE,
                "the virtual at 50 with the user's bias; allowed");

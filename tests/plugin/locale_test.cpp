@@ -29,8 +29,8 @@ class LocaleTest : public RecordingTest {
 
 TEST_F(LocaleTest, ProfilesKeepTheirNumbers) {
   hrt_session_config config = session_config();
-  config.sensory_variance_deg2 = 2.7;
-  config.tracker_noise_m = 1.25e-5;
+  config.paper.sensory_variance_deg2 = 2.7;
+  config.tracker.noise_m = 1.25e-5;
   create(config);
   const std::string profile = save_profile();
   EXPECT_NE(profile.find("\"sensory_variance_deg2\":2.7,"), std::string::npos) << profile;
@@ -75,7 +75,7 @@ TEST_F(LocaleTest, ScenesHaveTheSamePlaces) {
 
 TEST_F(LocaleTest, MessagesHavePoints) {
   hrt_session_config config = session_config();
-  config.tactile_weight = 0.625;
+  config.paper.tactile_weight = 0.625;
   hrt_session other{};
   expect_error(hrt_session_create(HRT_VERSION, &config, &other), HRT_ERROR_OUT_OF_RANGE,
                "tactile_weight is 0.625; allowed: 0.001 to 0.499");

@@ -37,8 +37,8 @@ class PersonTest : public SessionTest {
   /// The default session, with what the host knows of its plate.
   static hrt_session_config servo_config() {
     hrt_session_config config = session_config();
-    config.plate_max_speed_deg_s = 400.0;
-    config.plate_latency_ns = 30 * ms;
+    config.plate.max_speed_deg_s = 400.0;
+    config.plate.latency_ns = 30 * ms;
     return config;
   }
 
@@ -98,12 +98,12 @@ class PersonTest : public SessionTest {
 };
 
 bool is_same_person(const hrt_session_config& a, const hrt_session_config& b) {
-  return std::memcmp(a.person_mean, b.person_mean, sizeof a.person_mean) == 0 &&
-         std::memcmp(a.person_covariance, b.person_covariance, sizeof a.person_covariance) == 0;
+  return std::memcmp(a.person.mean, b.person.mean, sizeof a.person.mean) == 0 &&
+         std::memcmp(a.person.covariance, b.person.covariance, sizeof a.person.covariance) == 0;
 }
 
 bool is_unknown(const hrt_session_config& config) {
-  return std::all_of(std::begin(config.person_covariance), std::end(config.person_covariance),
+  return std::all_of(std::begin(config.person.covariance), std::end(config.person.covariance),
                      [](double value) { return value == 0.0; });
 }
 
@@ -188,17 +188,17 @@ TEST_F(PersonTest, WhatIsLearntIsWritten) {
   const hrt_reach_summary summary = lead(condition).summary;
   const hrt_session_config after = config_of(session);
   EXPECT_FALSE(is_unknown(after));
-  EXPECT_EQ(after.person_mean[HRT_PERSON_CURVE], summary.illusion_curve);
-  EXPECT_EQ(after.person_mean[HRT_PERSON_GAIN], summary.gain_per_s);
-  EXPECT_GT(after.person_mean[HRT_PERSON_BIAS], 0.5 * summary.bias_deg);  // the rest is this reach's alone
-  EXPECT_LT(after.person_mean[HRT_PERSON_BIAS], summary.bias_deg);
-  EXPECT_EQ(after.person_mean[HRT_PERSON_HABIT], summary.habit_deg);
-  EXPECT_NEAR(std::exp(-after.person_mean[HRT_PERSON_LOG_RATE]), summary.duration_s, 1e-9);
-  EXPECT_EQ(after.tactile_weight, summary.tactile_weight);
-  EXPECT_GT(after.tactile_weight_sd, summary.tactile_weight_sd);
+  EXPECT_EQ(after.person.mean[HRT_PERSON_CURVE], summary.learnt.illusion_curve);
+  EXPECT_EQ(after.person.mean[HRT_PERSON_GAIN], summary.learnt.gain_per_s);
+  EXPECT_GT(after.person.mean[HRT_PERSON_BIAS], 0.5 * summary.learnt.bias_deg);  // the rest is this reach's alone
+  EXPECT_LT(after.person.mean[HRT_PERSON_BIAS], summary.learnt.bias_deg);
+  EXPECT_EQ(after.person.mean[HRT_PERSON_HABIT], summary.learnt.habit_deg);
+  EXPECT_NEAR(std::exp(-after.person.mean[HRT_PERSON_LOG_RATE]), summary.duration_s, 1e-9);
+  EXPECT_EQ(after.paper.tactile_weight, summary.learnt.tactile_weight);
+  EXPECT_GT(after.paper.tactile_weight_sd, summary.learnt.tactile_weight_sd);
   // The diagonal of a lower triangle of rows 1, 2, 3 ... long: 0, 2, 5, 9, 14.
-  EXPECT_GT(std::sqrt(after.person_covariance[5]), summary.gain_sd_per_s);
-  EXPECT_LT(std::sqrt(after.person_covariance[0]), 0.08);
+  EXPECT_GT(std::sqrt(after.person.covariance[5]), summary.learnt.gain_sd_per_s);
+  EXPECT_LT(std::sqrt(after.person.covariance[0]), 0.08);
 }
 
 TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
@@ -213,7 +213,7 @@ TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
   create(servo_config());
   ASSERT_OK(load_profile(profile));
   EXPECT_TRUE(is_same_person(config_of(session), learnt));
-  EXPECT_EQ(config_of(session).tactile_weight, learnt.tactile_weight);
+  EXPECT_EQ(config_of(session).paper.tactile_weight, learnt.paper.tactile_weight);
   const Led there = lead(drawn_person("mixture", 1.5, 1), 3);
   ASSERT_EQ(here.commands.size(), there.commands.size());
   for (std::size_t i = 0; i < here.commands.size(); ++i)
@@ -223,14 +223,14 @@ TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
   ASSERT_OK(load_profile(
       R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.25,"tactile_weight_sd":0.02})"));
   EXPECT_TRUE(is_unknown(config_of(session)));
-  EXPECT_EQ(config_of(session).person_mean[HRT_PERSON_BIAS], 0.0);
-  EXPECT_EQ(config_of(session).tactile_weight, 0.25);
+  EXPECT_EQ(config_of(session).person.mean[HRT_PERSON_BIAS], 0.0);
+  EXPECT_EQ(config_of(session).paper.tactile_weight, 0.25);
 }
 
 TEST_F(PersonTest, AdaptationOffTakesTheWeightAsKnown) {
   hrt_session_config config = servo_config();
   config.adaptation = HRT_ADAPTATION_OFF;
-  config.tactile_weight = 0.26;
+  config.paper.tactile_weight = 0.26;
   create(config);
   const Led led = lead(steady_person());  // whose weight is 0.2
   for (const hrt_command& command : led.commands) {
@@ -331,29 +331,29 @@ TEST_F(PersonTest, BeliefsThatAreNoneAreRefused) {
     EXPECT_TRUE(is_same_person(config_of(session), learnt));
   };
   const char* const no_belief = "person_covariance is not positive definite";
-  refused([](auto& c) { c.person_covariance[0] = 0.0; }, no_belief);  // a correlation beyond 1
-  refused([](auto& c) { c.person_covariance[2] = -c.person_covariance[2]; }, no_belief);
-  refused([](auto& c) { c.person_mean[HRT_PERSON_WEIGHT] = 0.61; },
+  refused([](auto& c) { c.person.covariance[0] = 0.0; }, no_belief);  // a correlation beyond 1
+  refused([](auto& c) { c.person.covariance[2] = -c.person.covariance[2]; }, no_belief);
+  refused([](auto& c) { c.person.mean[HRT_PERSON_WEIGHT] = 0.61; },
           "person_mean[HRT_PERSON_WEIGHT] is 0.61; allowed: 0.01 to 0.6");
-  refused([](auto& c) { c.person_mean[HRT_PERSON_GAIN] = 0.0; }, "person_mean[HRT_PERSON_GAIN] is 0; allowed: 3 to 20");
-  refused([](auto& c) { c.person_mean[HRT_PERSON_LOG_RATE] = 2.5; },
+  refused([](auto& c) { c.person.mean[HRT_PERSON_GAIN] = 0.0; }, "person_mean[HRT_PERSON_GAIN] is 0; allowed: 3 to 20");
+  refused([](auto& c) { c.person.mean[HRT_PERSON_LOG_RATE] = 2.5; },
           "person_mean[HRT_PERSON_LOG_RATE] is 2.5; allowed: -3 to 2.4");
-  refused([](auto& c) { c.person_covariance[44] = std::nan(""); }, "person_covariance[44] is NaN");
-  refused([](auto& c) { c.person_mean[HRT_PERSON_BIAS] = HUGE_VAL; }, "person_mean[3] is Inf");
+  refused([](auto& c) { c.person.covariance[44] = std::nan(""); }, "person_covariance[44] is NaN");
+  refused([](auto& c) { c.person.mean[HRT_PERSON_BIAS] = HUGE_VAL; }, "person_mean[3] is Inf");
   refused(
       [](auto& c) {
-        std::fill(std::begin(c.person_covariance), std::end(c.person_covariance), 0.0);
-        c.person_covariance[0] = 1.0;  // and the other variances are 0
+        std::fill(std::begin(c.person.covariance), std::end(c.person.covariance), 0.0);
+        c.person.covariance[0] = 1.0;  // and the other variances are 0
       },
       no_belief);
   refused(
       [](auto& c) {
-        std::fill(std::begin(c.person_covariance), std::end(c.person_covariance), 0.0);
-        c.person_mean[0] = std::nan("");  // not read, yet to be written by recordings
+        std::fill(std::begin(c.person.covariance), std::end(c.person.covariance), 0.0);
+        c.person.mean[0] = std::nan("");  // not read, yet to be written by recordings
       },
       "person_mean[0] is NaN");
   hrt_session_config config = learnt;
-  std::fill(std::begin(config.person_covariance), std::end(config.person_covariance), 0.0);
+  std::fill(std::begin(config.person.covariance), std::end(config.person.covariance), 0.0);
   EXPECT_OK(hrt_session_set(session, &config));
   EXPECT_OK(hrt_session_set(session, &learnt));
 }
@@ -375,7 +375,7 @@ TEST_F(PersonTest, DirectionsAloneAreLedAsByThePaper) {
       EXPECT_EQ(end().duration_s, 0.0);
     }
     EXPECT_TRUE(is_unknown(config_of(session)));
-    EXPECT_NE(config_of(session).tactile_weight, 0.2) << "it is carried";
+    EXPECT_NE(config_of(session).paper.tactile_weight, 0.2) << "it is carried";
     return commands;
   };
   const std::vector<hrt_command> arrival = led(HRT_GUIDANCE_ARRIVAL), fixed = led(HRT_GUIDANCE_FIXED_DIRECTION);
@@ -387,8 +387,8 @@ TEST_F(PersonTest, DirectionsAloneAreLedAsByThePaper) {
 // Nothing has been returned, so the plate has not turned.
 TEST_F(PersonTest, ReachWithoutSamplesLeavesThePlate) {
   hrt_session_config config = servo_config();
-  config.plate_max_speed_deg_s = 100.0;
-  config.plate_latency_ns = 0;
+  config.plate.max_speed_deg_s = 100.0;
+  config.plate.latency_ns = 0;
   create(config);
   begin_reach();
   ASSERT_OK(hrt_reach_cancel(session));

@@ -12,24 +12,24 @@ using ProfileTest = SessionTest;
 
 TEST_F(ProfileTest, IsWhatTheHeaderSays) {
   EXPECT_EQ(save_profile(),
-            "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tactile_weight\":0.2,"
-            "\"tactile_weight_sd\":0.05,\"motor_variance_deg2\":0.5,\"sensory_variance_deg2\":0.1,"
-            "\"initial_variance_deg2\":0,\"tracker_noise_m\":0,\"bias_deg\":0,\"motor_variance_sd_deg2\":0.5}\n");
+            "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tracker_noise_m\":0,\"tactile_weight\":0.2,"
+            "\"tactile_weight_sd\":0.05,\"motor_variance_deg2\":0.5,\"motor_variance_sd_deg2\":0.5,"
+            "\"sensory_variance_deg2\":0.1,\"initial_variance_deg2\":0,\"bias_deg\":0}\n");
 }
 
 TEST_F(ProfileTest, ComesBackToTheLastBit) {
   hrt_session_config config = session_config();
-  config.tactile_weight = 0.1 + 1e-17 + 0.02;
-  config.motor_variance_deg2 = 1.0 / 3.0;
-  config.horizon = 9;
+  config.paper.tactile_weight = 0.1 + 1e-17 + 0.02;
+  config.paper.motor_variance_deg2 = 1.0 / 3.0;
+  config.paper.horizon = 9;
   ASSERT_OK(hrt_session_set(session, &config));
   const std::string text = save_profile();
   create(session_config());
   ASSERT_OK(load_profile(text));
   const hrt_session_config back = config_of(session);
-  EXPECT_EQ(back.tactile_weight, config.tactile_weight);
-  EXPECT_EQ(back.motor_variance_deg2, config.motor_variance_deg2);
-  EXPECT_EQ(back.horizon, 3u) << "a profile is the participant's, not the session's";
+  EXPECT_EQ(back.paper.tactile_weight, config.paper.tactile_weight);
+  EXPECT_EQ(back.paper.motor_variance_deg2, config.paper.motor_variance_deg2);
+  EXPECT_EQ(back.paper.horizon, 3u) << "a profile is the participant's, not the session's";
 }
 
 TEST_F(ProfileTest, TheSteeringOfVersion03IsDropped) {
@@ -50,27 +50,27 @@ TEST_F(ProfileTest, ThePersonOfVersion03HasAnUnknownScatter) {
               ",\"person_mean\":[0.2,0,14,1,0,0.1,0.2,-0.5,0],\"person_covariance\":[" + covariance.substr(1) + "]");
   ASSERT_OK(load_profile(text));
   const hrt_session_config config = config_of(session);
-  EXPECT_EQ(config.person_mean[HRT_PERSON_BIAS], 1.0);
-  EXPECT_EQ(config.person_mean[HRT_PERSON_SCATTER], 1.2);
-  EXPECT_EQ(config.person_covariance[44], 0.01);
-  EXPECT_DOUBLE_EQ(config.person_covariance[54], 0.8 * 0.8);
+  EXPECT_EQ(config.person.mean[HRT_PERSON_BIAS], 1.0);
+  EXPECT_EQ(config.person.mean[HRT_PERSON_SCATTER], 1.2);
+  EXPECT_EQ(config.person.covariance[44], 0.01);
+  EXPECT_DOUBLE_EQ(config.person.covariance[54], 0.8 * 0.8);
 }
 
 TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
   hrt_session_config config = session_config();
-  config.bias_deg = 1.5;
-  config.motor_variance_sd_deg2 = 0.25;
-  config.tracker_noise_m = 0.001;
+  config.paper.bias_deg = 1.5;
+  config.paper.motor_variance_sd_deg2 = 0.25;
+  config.tracker.noise_m = 0.001;
   ASSERT_OK(hrt_session_set(session, &config));
   ASSERT_OK(load_profile(
       R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.02,)"
       R"("motor_variance_deg2":0.6,"sensory_variance_deg2":0.2,"initial_variance_deg2":0.1})"));
   const hrt_session_config back = config_of(session);
-  EXPECT_EQ(back.tactile_weight, 0.2);
-  EXPECT_EQ(back.motor_variance_deg2, 0.6);
-  EXPECT_EQ(back.bias_deg, 1.5);
-  EXPECT_EQ(back.motor_variance_sd_deg2, 0.25);
-  EXPECT_EQ(back.tracker_noise_m, 0.001);
+  EXPECT_EQ(back.paper.tactile_weight, 0.2);
+  EXPECT_EQ(back.paper.motor_variance_deg2, 0.6);
+  EXPECT_EQ(back.paper.bias_deg, 1.5);
+  EXPECT_EQ(back.paper.motor_variance_sd_deg2, 0.25);
+  EXPECT_EQ(back.tracker.noise_m, 0.001);
 }
 
 TEST_F(ProfileTest, SmallBufferIsRefused) {

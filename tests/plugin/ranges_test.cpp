@@ -55,14 +55,15 @@ std::set<std::string> try_ranges(Prepare&& prepare, Take&& take) {
     SCOPED_TRACE(field.name);
     const auto with = [&]([[maybe_unused]] auto value, [[maybe_unused]] std::size_t element) {
       S values = prepare(std::string(field.name));
-      if constexpr (std::is_array_v<std::remove_reference_t<decltype(values.*field.member)>>)
-        (values.*field.member)[element] =
-            static_cast<std::remove_reference_t<decltype((values.*field.member)[0])>>(value);
-      else if constexpr (std::is_arithmetic_v<std::remove_reference_t<decltype(values.*field.member)>>)
-        values.*field.member = value;
+      auto& into = field.of(values);
+      using T = std::remove_reference_t<decltype(into)>;
+      if constexpr (std::is_array_v<T>)
+        into[element] = static_cast<std::remove_extent_t<T>>(value);
+      else if constexpr (std::is_arithmetic_v<T>)
+        into = value;
       return take(values);
     };
-    constexpr std::size_t elements = std::extent_v<std::remove_reference_t<decltype(S{}.*field.member)>>;
+    constexpr std::size_t elements = std::extent_v<std::remove_reference_t<decltype(field.of(std::declval<S&>()))>>;
     for (std::size_t i = 0; i < std::max<std::size_t>(elements, 1); ++i) {
       for (const auto value : ends(field)) {
         if (with(value, i) == HRT_OK) continue;
@@ -84,7 +85,7 @@ using Names = std::set<std::string>;
 TEST(Ranges, OfASession) {
   const auto prepare = [](const std::string& field) {
     hrt_session_config config = session_config();
-    if (field == "plate_latency_ns") config.step_period_ns = 1'000'000'000;
+    if (field == "plate_latency_ns") config.paper.step_period_ns = 1'000'000'000;
     return config;
   };
   const auto take = [](const hrt_session_config& config) {

@@ -49,9 +49,9 @@ TEST_F(ReachTest, LeadsTheModelParticipantToTheRealTarget) {
     participant.step(update(direction_sample(step * step_ns, finger_deg)).plate_orientation_deg, 0.0);
   }
   const hrt_reach_summary summary = end();
-  EXPECT_EQ(summary.samples, 30);
-  EXPECT_EQ(summary.dropped_samples, 0);
-  EXPECT_EQ(summary.steps, 30);
+  EXPECT_EQ(summary.counts.samples, 30);
+  EXPECT_EQ(summary.counts.dropped_samples, 0);
+  EXPECT_EQ(summary.counts.steps, 30);
   EXPECT_NEAR(summary.final_direction_deg, -5.0, 0.05);
   EXPECT_NEAR(summary.paper_miss_deg, 0.0, 0.05);
   EXPECT_NEAR(summary.perceived_error_deg, 0.0, 0.05);
@@ -65,7 +65,7 @@ TEST_F(ReachTest, WithoutASampleHasNoSummary) {
   const hrt_command command = update(direction_sample(0, 3.0));
   EXPECT_EQ(command.time_to_go_s, HRT_NOT_MOVING) << "of this controller it is not known";
   ASSERT_OK(hrt_reach_end(session, &summary));
-  EXPECT_EQ(summary.samples, 1);
+  EXPECT_EQ(summary.counts.samples, 1);
   EXPECT_EQ(summary.miss_deg, summary.paper_miss_deg);
   EXPECT_NE(summary.miss_deg, 0.0);
 }
@@ -96,11 +96,11 @@ TEST_F(ReachTest, WorldPositionsAreTakenToThePlate) {
 
   hrt_session_config config = paper_config();
   const double half = std::sqrt(0.5);
-  config.plate_position_m[0] = 1.0;
-  config.plate_position_m[1] = 2.0;
-  config.plate_position_m[2] = 3.0;
-  config.plate_rotation[1] = half;
-  config.plate_rotation[3] = half;
+  config.plate.position_m[0] = 1.0;
+  config.plate.position_m[1] = 2.0;
+  config.plate.position_m[2] = 3.0;
+  config.plate.rotation[1] = half;
+  config.plate.rotation[3] = half;
   create(config);
   begin_reach();
   for (int i = 0; i <= 20; ++i) {
@@ -148,8 +148,8 @@ TEST_F(ReachTest, DropoutsAreHeldThenPredicted) {
   EXPECT_EQ(command.flags & HRT_COMMAND_PREDICTED, 0u);
   EXPECT_EQ(command.step, 5);
   const hrt_reach_summary summary = end();
-  EXPECT_EQ(summary.dropped_samples, 2);
-  EXPECT_EQ(summary.predicted_steps, 4);
+  EXPECT_EQ(summary.counts.dropped_samples, 2);
+  EXPECT_EQ(summary.counts.predicted_steps, 4);
 }
 
 TEST_F(ReachTest, LiftedFingerIsNoObservationWhateverItsDirection) {
@@ -159,7 +159,7 @@ TEST_F(ReachTest, LiftedFingerIsNoObservationWhateverItsDirection) {
   const hrt_command command = update(lifted);
   EXPECT_EQ(command.step, -1);
   EXPECT_NE(command.flags & HRT_COMMAND_LIFTED, 0u);
-  EXPECT_EQ(end().steps, 0);
+  EXPECT_EQ(end().counts.steps, 0);
 }
 
 TEST_F(ReachTest, FixedPlateStaysAtItsOrientation) {
@@ -179,12 +179,12 @@ TEST_F(ReachTest, UnreachablePairIsSaid) {
   EXPECT_NE(command.flags & HRT_COMMAND_SATURATED, 0u);
   // The short way round from 0: ridges at 99.5 feel like ridges at -80.5.
   EXPECT_NEAR(command.plate_orientation_deg, 15.0 + 84.5 - 180.0, 1e-9);
-  EXPECT_EQ(end().saturated_steps, 1);
+  EXPECT_EQ(end().counts.saturated_steps, 1);
 }
 
 TEST_F(ReachTest, PlateTurnsAtItsSpeedFromWhereTheLastReachLeftItUnlessSaid) {
   hrt_session_config config = paper_config();
-  config.plate_max_speed_deg_s = 100.0;
+  config.plate.max_speed_deg_s = 100.0;
   create(config);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
   ASSERT_OK(begin(real, virtual_target));
@@ -206,7 +206,7 @@ TEST_F(ReachTest, PlateTurnsAtItsSpeedFromWhereTheLastReachLeftItUnlessSaid) {
 
 TEST_F(ReachTest, MeasuredPlateOrientationCounts) {
   hrt_session_config config = paper_config();
-  config.plate_max_speed_deg_s = 100.0;
+  config.plate.max_speed_deg_s = 100.0;
   create(config);
   begin_reach();
   hrt_sample sample = direction_sample(0, 0.0);
@@ -232,25 +232,25 @@ TEST_F(ReachTest, AdaptationLearnsTheShareOfTouchAndCarriesIt) {
     return end();
   };
   const hrt_reach_summary first = reach();
-  EXPECT_NEAR(first.tactile_weight, 0.22, 0.02);
-  EXPECT_GT(first.tactile_weight_sd, 0.0);
-  EXPECT_LT(first.tactile_weight_sd, 0.05);
+  EXPECT_NEAR(first.learnt.tactile_weight, 0.22, 0.02);
+  EXPECT_GT(first.learnt.tactile_weight_sd, 0.0);
+  EXPECT_LT(first.learnt.tactile_weight_sd, 0.05);
   EXPECT_NEAR(first.paper_miss_deg, 0.0, 0.5);
   const hrt_session_config learnt = config_of(session);
-  EXPECT_EQ(learnt.tactile_weight, first.tactile_weight);
-  EXPECT_EQ(learnt.tactile_weight_sd, std::max(first.tactile_weight_sd, 0.01));
+  EXPECT_EQ(learnt.paper.tactile_weight, first.learnt.tactile_weight);
+  EXPECT_EQ(learnt.paper.tactile_weight_sd, std::max(first.learnt.tactile_weight_sd, 0.01));
 
   config.adaptation = HRT_ADAPTATION_OFF;
   create(config);
   begin_reach();
   update(direction_sample(0, 0.0));
-  EXPECT_EQ(end().tactile_weight, 0.15);
+  EXPECT_EQ(end().learnt.tactile_weight, 0.15);
 }
 
 TEST_F(ReachTest, StopsKeepThePlateBetweenThem) {
   hrt_session_config config = paper_config();
-  config.plate_lower_stop_deg = -90.0;
-  config.plate_upper_stop_deg = 90.0;
+  config.plate.lower_stop_deg = -90.0;
+  config.plate.upper_stop_deg = 90.0;
   create(config);
   ASSERT_OK(begin(add(HRT_TARGET_REAL, 20.0), add(HRT_TARGET_VIRTUAL, 32.0)));
   for (int i = 0; i < 30; ++i) {
@@ -284,7 +284,7 @@ TEST_F(ReachTest, TimeRunningBackwardsIsRefusedAndChangesNothing) {
                "time_ns is 999; allowed: from the last sample's, 1000");
   EXPECT_EQ(command.step, 77);
   update(direction_sample(1000, 0.0));
-  EXPECT_EQ(end().samples, 2);
+  EXPECT_EQ(end().counts.samples, 2);
 }
 
 TEST_F(ReachTest, SamplesOfTwoPlacesOrWithoutAPoseAreRefusedAndChangeNothing) {
@@ -302,7 +302,7 @@ TEST_F(ReachTest, SamplesOfTwoPlacesOrWithoutAPoseAreRefusedAndChangeNothing) {
   sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
   refused(sample, "plate_rotation is (0, 0, 0, 0)");
   EXPECT_EQ(update(direction_sample(0, 0.0)).plate_orientation_deg, before.plate_orientation_deg);
-  EXPECT_EQ(end().samples, 2);
+  EXPECT_EQ(end().counts.samples, 2);
 }
 
 TEST_F(ReachTest, FieldsThatFlagsDoNotNameAreNotRead) {

@@ -12,8 +12,8 @@ class RegistrationTest : public SessionTest {};
 
 TEST_F(RegistrationTest, TargetsInTheWorldFollowTheScale) {
   hrt_session_config config = session_config();
-  config.plate_scale = 1.25;
-  config.plate_position_m[0] = 1.0;
+  config.plate.scale = 1.25;
+  config.plate.position_m[0] = 1.0;
   create(config);
   hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);
   target.place = HRT_PLACE_WORLD_POSITION;
@@ -31,8 +31,8 @@ TEST_F(RegistrationTest, TargetsInTheWorldFollowTheScale) {
 TEST_F(RegistrationTest, ASceneReplacesIt) {
   hrt_session_config registered = session_config();
   registered.flags = HRT_SESSION_REGISTERED;
-  registered.registration_time_ns = 5;
-  registered.plate_covariance[0] = 1e-4;
+  registered.registration.time_ns = 5;
+  registered.plate.covariance[0] = 1e-4;
   create(registered);
   hrt_scene scene{};
   ASSERT_OK(hrt_scene_load(HRT_DESK_SCENE, nullptr, 0, &scene));
@@ -40,8 +40,8 @@ TEST_F(RegistrationTest, ASceneReplacesIt) {
   ASSERT_OK(hrt_scene_destroy(scene));
   const hrt_session_config config = config_of(session);
   EXPECT_EQ(config.flags, 0u);
-  EXPECT_EQ(config.registration_time_ns, 0);
-  for (const double covariance : config.plate_covariance) EXPECT_EQ(covariance, 0.0);
+  EXPECT_EQ(config.registration.time_ns, 0);
+  for (const double covariance : config.plate.covariance) EXPECT_EQ(covariance, 0.0);
 }
 
 // One sample of a reach to a target 100 mm from the start, which is the centre here.
@@ -59,9 +59,9 @@ class RegisteredReachTest : public SessionTest {
   static hrt_session_config turned_by(double sd_deg) {
     hrt_session_config config = session_config();
     config.start_position_m[2] = 0.0;
-    config.plate_covariance[0] = sd_deg * one_degree * sd_deg * one_degree;
+    config.plate.covariance[0] = sd_deg * one_degree * sd_deg * one_degree;
     config.flags = HRT_SESSION_REGISTERED;
-    config.registration_time_ns = 1000;
+    config.registration.time_ns = 1000;
     return config;
   }
 };
@@ -83,16 +83,16 @@ TEST_F(RegisteredReachTest, OldOnesAreFlagged) {
     return (command_at(time_ns, config).flags & HRT_COMMAND_REGISTRATION) != 0;
   };
   EXPECT_FALSE(flagged(INT64_MAX));  // not checked
-  config.max_registration_age_ns = 500;
+  config.registration.max_age_ns = 500;
   EXPECT_FALSE(flagged(1500));
   EXPECT_EQ(end().flags & HRT_COMMAND_REGISTRATION, 0u);
   EXPECT_TRUE(flagged(1501));
   EXPECT_EQ(end().flags & HRT_COMMAND_REGISTRATION, HRT_COMMAND_REGISTRATION);
   EXPECT_FALSE(flagged(0));
   EXPECT_FALSE(flagged(INT64_MIN));
-  config.registration_time_ns = INT64_MIN;
+  config.registration.time_ns = INT64_MIN;
   EXPECT_TRUE(flagged(INT64_MAX));
-  config.max_registration_age_ns = INT64_MAX;
+  config.registration.max_age_ns = INT64_MAX;
   EXPECT_TRUE(flagged(INT64_MAX));
   EXPECT_FALSE(flagged(-2));
   config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
@@ -102,29 +102,29 @@ TEST_F(RegisteredReachTest, OldOnesAreFlagged) {
 TEST_F(RegisteredReachTest, PoorOrMissingOnesAreFlagged) {
   hrt_session_config config = turned_by(1.0);
   const auto flagged = [&] { return (command_at(1000, config).flags & HRT_COMMAND_REGISTRATION) != 0; };
-  config.max_registration_sd_deg = 1.01;
+  config.registration.max_sd_deg = 1.01;
   EXPECT_FALSE(flagged());
-  config.max_registration_sd_deg = 0.99;
+  config.registration.max_sd_deg = 0.99;
   EXPECT_TRUE(flagged());
-  config.max_registration_sd_deg = 1.01;
+  config.registration.max_sd_deg = 1.01;
   config.flags = 0;
   EXPECT_TRUE(flagged());
-  config.max_registration_sd_deg = 0.0;
+  config.registration.max_sd_deg = 0.0;
   EXPECT_FALSE(flagged());
-  config.max_registration_age_ns = INT64_MAX;
+  config.registration.max_age_ns = INT64_MAX;
   EXPECT_TRUE(flagged());
 }
 
 TEST_F(RegisteredReachTest, TheLogHasItOnceForAConfiguration) {
   const Log log;
   hrt_session_config config = turned_by(1.0);
-  config.max_registration_sd_deg = 0.5;
+  config.registration.max_sd_deg = 0.5;
   create(config);
   begin_reach();
   update(position_sample(0, 0.0, 0.0));
   end();
   EXPECT_EQ(log.text, "");
-  config.max_registration_sd_deg = 2.0;
+  config.registration.max_sd_deg = 2.0;
   ASSERT_OK(hrt_session_set(session, &config));
   ASSERT_OK(hrt_session_destroy(session));
   session.value = 0;
@@ -136,9 +136,9 @@ TEST_F(RegisteredReachTest, TheLogHasItOnceForAConfiguration) {
 // 1 mm to the side is 0.6 degrees of a target 100 mm off, and 1.9 of one 30 mm off.
 TEST_F(RegisteredReachTest, AMovedTargetIsCheckedAnew) {
   hrt_session_config config = turned_by(1.0);
-  config.plate_covariance[0] = 0.0;
-  config.plate_covariance[2] = 1e-6;
-  config.max_registration_sd_deg = 1.0;
+  config.plate.covariance[0] = 0.0;
+  config.plate.covariance[2] = 1e-6;
+  config.registration.max_sd_deg = 1.0;
   create(config);
   const auto add_ahead = [&](std::uint32_t role, double forward_m) {
     hrt_target_config ahead = target_config(role, 0.0);
@@ -162,9 +162,9 @@ TEST_F(RegisteredReachTest, AMovedTargetIsCheckedAnew) {
 // Seen from a start further back than configured, the same frame turns the target by more.
 TEST_F(RegisteredReachTest, StartAtTheFingerIsCheckedThere) {
   hrt_session_config config = turned_by(1.0);
-  config.plate_covariance[0] = 0.0;
-  config.plate_covariance[2] = 1e-6;  // 1 mm to the side
-  config.max_registration_sd_deg = 1.0;
+  config.plate.covariance[0] = 0.0;
+  config.plate.covariance[2] = 1e-6;  // 1 mm to the side
+  config.registration.max_sd_deg = 1.0;
   create(config);
   hrt_target_config ahead = target_config(HRT_TARGET_REAL, 0.0);
   ahead.place = HRT_PLACE_PLATE_POSITION;

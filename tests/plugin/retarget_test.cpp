@@ -236,7 +236,7 @@ TEST_F(RetargetTest, RemovedTargetsStillStartAtTheFinger) {
 // A person whose targets move by 3 cm to the left in the midst of the motion, through the C ABI.
 TEST_F(RetargetTest, BringsAPersonToTheMovedTarget) {
   hrt_session_config config = session_config();
-  config.plate_max_speed_deg_s = 400.0;
+  config.plate.max_speed_deg_s = 400.0;
   create(config);
   const PlatePoint start{0.0, -0.05};
   const PlatePoint real_place = point_ahead(start, -5.0, 0.1), seen_place = point_ahead(start, 5.0, 0.1);

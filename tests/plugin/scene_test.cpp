@@ -58,8 +58,8 @@ TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
   const hrt_session_config config = config_of(session);
   auto info = output<hrt_scene_info>();
   ASSERT_OK(hrt_scene_get_info(scene, &info));
-  EXPECT_EQ(std::memcmp(config.plate_rotation, info.plate_rotation, sizeof info.plate_rotation), 0);
-  EXPECT_EQ(config.plate_radius_m, info.plate_radius_m);
+  EXPECT_EQ(std::memcmp(config.plate.rotation, info.plate_rotation, sizeof info.plate_rotation), 0);
+  EXPECT_EQ(config.plate.radius_m, info.plate_radius_m);
   for (uint32_t i = 0; i < ids.size(); ++i) {
     auto target = output<hrt_scene_target>();
     ASSERT_OK(hrt_scene_get_target(scene, i, &target));

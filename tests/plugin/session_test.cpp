@@ -49,24 +49,24 @@ TEST(Results, LastErrorBelongsToTheThread) {
 TEST(SessionConfig, DefaultsAreTheModels) {
   const hrt_session_config config = session_config();
   const RetargeterConfig core;
-  EXPECT_EQ(config.horizon, static_cast<unsigned>(core.mpc.horizon));
-  EXPECT_EQ(config.step_period_ns, core.step_period_ns);
-  EXPECT_EQ(config.perceived_weight, core.mpc.perceived_weight);
-  EXPECT_EQ(config.actual_weight, core.mpc.actual_weight);
-  EXPECT_EQ(config.plate_bound_deg, core.mpc.plate_bound_deg);
+  EXPECT_EQ(config.paper.horizon, static_cast<unsigned>(core.mpc.horizon));
+  EXPECT_EQ(config.paper.step_period_ns, core.step_period_ns);
+  EXPECT_EQ(config.paper.perceived_weight, core.mpc.perceived_weight);
+  EXPECT_EQ(config.paper.actual_weight, core.mpc.actual_weight);
+  EXPECT_EQ(config.paper.plate_bound_deg, core.mpc.plate_bound_deg);
   EXPECT_EQ(config.fixed_plate_orientation_deg, core.fixed_plate_orientation_deg);
-  EXPECT_EQ(config.tactile_weight, 0.2);
-  EXPECT_EQ(config.tactile_weight_sd, core.estimator.tactile_weight_sd);
-  EXPECT_EQ(config.motor_variance_deg2, core.participant.motor_variance_deg2);
-  EXPECT_EQ(config.motor_variance_sd_deg2, core.estimator.motor_variance_sd_deg2);
-  EXPECT_EQ(config.sensory_variance_deg2, core.participant.sensory_variance_deg2);
-  EXPECT_EQ(config.initial_variance_deg2, core.participant.initial_variance_deg2);
-  EXPECT_EQ(config.tracker_noise_m, core.estimator.tracker_noise_m);
+  EXPECT_EQ(config.paper.tactile_weight, 0.2);
+  EXPECT_EQ(config.paper.tactile_weight_sd, core.estimator.tactile_weight_sd);
+  EXPECT_EQ(config.paper.motor_variance_deg2, core.participant.motor_variance_deg2);
+  EXPECT_EQ(config.paper.motor_variance_sd_deg2, core.estimator.motor_variance_sd_deg2);
+  EXPECT_EQ(config.paper.sensory_variance_deg2, core.participant.sensory_variance_deg2);
+  EXPECT_EQ(config.paper.initial_variance_deg2, core.participant.initial_variance_deg2);
+  EXPECT_EQ(config.tracker.noise_m, core.estimator.tracker_noise_m);
   EXPECT_EQ(config.lift_height_m, PlateSurface().lift_height_m);
   EXPECT_EQ(config.max_felt_error_deg, core.reach.max_felt_error_deg);
   EXPECT_EQ(config.motion_bound_deg, core.reach.bound_deg);
-  EXPECT_EQ(config.tracker_correlated_noise_m, core.estimator.correlated_noise_m);
-  EXPECT_EQ(config.tracker_correlation_s, core.estimator.correlation_s);
+  EXPECT_EQ(config.tracker.correlated_noise_m, core.estimator.correlated_noise_m);
+  EXPECT_EQ(config.tracker.correlation_s, core.estimator.correlation_s);
 }
 
 TEST_F(SessionTest, ConfigComesBackAsGivenAndNullMeansTheDefaults) {
@@ -76,7 +76,7 @@ TEST_F(SessionTest, ConfigComesBackAsGivenAndNullMeansTheDefaults) {
     return std::memcmp(&config, &expected, sizeof config) == 0;
   };
   hrt_session_config other = defaults;
-  other.horizon = 7;
+  other.paper.horizon = 7;
   ASSERT_OK(hrt_session_set(session, &other));
   EXPECT_TRUE(has(other));
   ASSERT_OK(hrt_session_set(session, nullptr));
@@ -116,17 +116,17 @@ TEST(SessionConfig, FieldsThatDependOnEachOtherAreChecked) {
     hrt_session session{7};
     expect_error(hrt_session_create(HRT_VERSION, &config, &session), HRT_ERROR_OUT_OF_RANGE, field);
   };
-  refused([](hrt_session_config& c) { c.horizon = 0; }, "horizon is 0; allowed: 1 to 50");
+  refused([](hrt_session_config& c) { c.paper.horizon = 0; }, "horizon is 0; allowed: 1 to 50");
   refused([](hrt_session_config& c) { c.flags = 4; }, "flags is 4; allowed: the bits of 3");
   refused([](hrt_session_config& c) { c.start_position_m[1] = 1001.0; },
           "start_position_m[1] is 1001; allowed: -1000 to 1000");
-  refused([](hrt_session_config& c) { c.plate_latency_ns = 800'000'001; },
+  refused([](hrt_session_config& c) { c.plate.latency_ns = 800'000'001; },
           "plate_latency_ns is 800000001; allowed: 0 to 800000000");
-  refused([](hrt_session_config& c) { c.plate_upper_stop_deg = 179.0; }, "at least 180 above");
-  refused([](hrt_session_config& c) { c.plate_rotation[3] = 0.9; }, "plate_rotation");
-  refused([](hrt_session_config& c) { c.plate_rotation[0] = std::nan(""); }, "plate_rotation");
-  refused([](hrt_session_config& c) { c.plate_covariance[2] = -0.01; }, "plate_covariance is not positive");
-  refused([](hrt_session_config& c) { c.plate_covariance[1] = 1e-6; }, "plate_covariance is not positive");
+  refused([](hrt_session_config& c) { c.plate.upper_stop_deg = 179.0; }, "at least 180 above");
+  refused([](hrt_session_config& c) { c.plate.rotation[3] = 0.9; }, "plate_rotation");
+  refused([](hrt_session_config& c) { c.plate.rotation[0] = std::nan(""); }, "plate_rotation");
+  refused([](hrt_session_config& c) { c.plate.covariance[2] = -0.01; }, "plate_covariance is not positive");
+  refused([](hrt_session_config& c) { c.plate.covariance[1] = 1e-6; }, "plate_covariance is not positive");
 }
 
 // A caller that was compiled against a later header, whose struct has a further field.

@@ -21,9 +21,9 @@ hrt_setup_result cancelled_result() {
 
 // A belief about the user, with no deviation above 0.1.
 void know_person(hrt_session_config& config, double weight) {
-  config.person_mean[HRT_PERSON_WEIGHT] = weight;
-  config.person_mean[HRT_PERSON_GAIN] = 9.0;
-  for (int i = 0, at = 0; i < HRT_PERSON_TRAITS; at += ++i + 1) config.person_covariance[at] = 0.01;
+  config.person.mean[HRT_PERSON_WEIGHT] = weight;
+  config.person.mean[HRT_PERSON_GAIN] = 9.0;
+  for (int i = 0, at = 0; i < HRT_PERSON_TRAITS; at += ++i + 1) config.person.covariance[at] = 0.01;
 }
 
 class SetupTest : public RecordingTest {
@@ -67,7 +67,7 @@ class SetupTest : public RecordingTest {
 };
 
 double turn_error_deg(const hrt_session_config& config, const GuidedPerson& person) {
-  const double(&q)[4] = config.plate_rotation;
+  const double(&q)[4] = config.plate.rotation;
   const Eigen::Matrix3d found = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).toRotationMatrix();
   const Eigen::Vector3d ahead = found.transpose() * (person.rotation * Eigen::Vector3d(0.0, 0.0, -1.0));
   return atan2_deg(-ahead.x(), -ahead.z());
@@ -108,8 +108,8 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
         weight.lower, weight.upper, bias_deg, result.bias_deg.lower, result.bias_deg.upper, result.slides,
         result.lack_of_fit);
     if (weight.known) {
-      EXPECT_NEAR(config.tactile_weight, weight.value, 1e-12);
-      EXPECT_NE(config.person_covariance[0], 0.0);
+      EXPECT_NEAR(config.paper.tactile_weight, weight.value, 1e-12);
+      EXPECT_NE(config.person.covariance[0], 0.0);
     }
     EXPECT_NE(config.flags & HRT_SESSION_REGISTERED, 0u);
   }
@@ -126,7 +126,7 @@ TEST_F(SetupTest, LeavesOutWhatIsThereOrCannotBeShown) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;
   hrt_session_config config = session_config();
-  config.tracker_latency_ns = 1;
+  config.tracker.latency_ns = 1;
   know_person(config, 0.2);
   create(config);
   begin_setup(HRT_SETUP_ALL_MISSING);
@@ -246,7 +246,7 @@ TEST_F(SetupTest, RetestFindsAnotherPerson) {
   begin_setup(HRT_SETUP_RETEST);
   const hrt_setup_result result = run(person);
   EXPECT_NE(result.differing & HRT_RETEST_TACTILE_WEIGHT, 0u);
-  EXPECT_NEAR(config_of(session).tactile_weight, 0.28, 0.02);
+  EXPECT_NEAR(config_of(session).paper.tactile_weight, 0.28, 0.02);
 }
 
 // Curve, bias and habit become the person whom reaches begin with, in place of what these have learnt.
@@ -267,16 +267,16 @@ TEST_F(SetupTest, ACalibrationBecomesThePerson) {
   const hrt_session_config config = config_of(session);
   const double weight = person.condition.person.illusion.tactile_weight;
   EXPECT_NEAR(result.tactile_weight.value, weight, 0.02);
-  EXPECT_EQ(config.tactile_weight, result.tactile_weight.value);
+  EXPECT_EQ(config.paper.tactile_weight, result.tactile_weight.value);
   const double sd = (result.tactile_weight.upper - result.tactile_weight.lower) / 3.92;
-  EXPECT_NEAR(config.tactile_weight_sd, std::max(sd, 0.01), 1e-5) << "people change";
-  EXPECT_NEAR(config.person_mean[HRT_PERSON_WEIGHT], weight, 0.05);
-  EXPECT_NEAR(config.person_mean[HRT_PERSON_BIAS], 3.0, 1.0);
-  EXPECT_EQ(config.person_mean[HRT_PERSON_BIAS], result.bias_deg.value);
-  EXPECT_EQ(config.bias_deg, result.bias_deg.value);
-  EXPECT_NE(config.person_covariance[0], 0.01);
-  EXPECT_NE(config.person_covariance[1], 0.0) << "of weight and curve";
-  EXPECT_NEAR(config.tracker_noise_m, 0.001, 0.0002);
+  EXPECT_NEAR(config.paper.tactile_weight_sd, std::max(sd, 0.01), 1e-5) << "people change";
+  EXPECT_NEAR(config.person.mean[HRT_PERSON_WEIGHT], weight, 0.05);
+  EXPECT_NEAR(config.person.mean[HRT_PERSON_BIAS], 3.0, 1.0);
+  EXPECT_EQ(config.person.mean[HRT_PERSON_BIAS], result.bias_deg.value);
+  EXPECT_EQ(config.paper.bias_deg, result.bias_deg.value);
+  EXPECT_NE(config.person.covariance[0], 0.01);
+  EXPECT_NE(config.person.covariance[1], 0.0) << "of weight and curve";
+  EXPECT_NEAR(config.tracker.noise_m, 0.001, 0.0002);
   EXPECT_GT(config.motion_bound_deg, 40.0);
 
   double worst_deg = 0.0;
@@ -306,9 +306,9 @@ TEST_F(SetupTest, WhatDoesNotFitTheModelChangesNothingOfThePerson) {
   EXPECT_EQ(result.tactile_weight.known, 0u);
   EXPECT_NE(result.lack_of_fit, 0u);
   const hrt_session_config config = config_of(session);
-  EXPECT_EQ(config.tactile_weight, session_config().tactile_weight);
-  EXPECT_EQ(config.bias_deg, 0.0);
-  EXPECT_EQ(config.person_covariance[0], 0.0);
+  EXPECT_EQ(config.paper.tactile_weight, session_config().paper.tactile_weight);
+  EXPECT_EQ(config.paper.bias_deg, 0.0);
+  EXPECT_EQ(config.person.covariance[0], 0.0);
 }
 
 TEST_F(SetupTest, TheTrackersUnitIsFittedOnRequest) {
@@ -318,11 +318,11 @@ TEST_F(SetupTest, TheTrackersUnitIsFittedOnRequest) {
   setup.fit_scale = 1;
   const hrt_setup_result result = set_up(session, HRT_SETUP_REGISTRATION, &person, setup);
   const hrt_session_config config = config_of(session);
-  EXPECT_NEAR(config.plate_scale, 1.04, 1e-3);
-  EXPECT_NEAR(57.29577951308232 * std::sqrt(config.plate_covariance[0]), result.registration_turn_sd_deg,
+  EXPECT_NEAR(config.plate.scale, 1.04, 1e-3);
+  EXPECT_NEAR(57.29577951308232 * std::sqrt(config.plate.covariance[0]), result.registration_turn_sd_deg,
               0.02 * result.registration_turn_sd_deg);
-  EXPECT_GT(config.plate_covariance[2], 0.0);
-  EXPECT_GT(config.registration_time_ns, 0);
+  EXPECT_GT(config.plate.covariance[2], 0.0);
+  EXPECT_GT(config.registration.time_ns, 0);
 }
 
 TEST_F(SetupTest, ReplaysToTheSameBits) {

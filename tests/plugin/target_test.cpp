@@ -138,7 +138,7 @@ TEST_F(GapTest, OfAPairIsAsDerivedByHand) {
 // has 84.5 x 0.15/0.85 = 14.91.
 TEST_F(GapTest, IsAboutTheMotionUnderArrival) {
   hrt_session_config config = session_config();
-  config.tactile_weight = 0.15;
+  config.paper.tactile_weight = 0.15;
   config.adaptation = HRT_ADAPTATION_OFF;
   create(config);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
@@ -157,11 +157,11 @@ TEST_F(GapTest, IsAboutTheMotionUnderArrival) {
   // A curve of b = 0.05 takes a quarter of it: g(t) = 0.2 t - 0.05 t (t/75)^2 is 11.25 at 75; a bias of 2 of
   // the person widens the gap.
   config = session_config();
-  config.person_mean[HRT_PERSON_WEIGHT] = 0.2;
-  config.person_mean[HRT_PERSON_CURVE] = 0.05;
-  config.person_mean[HRT_PERSON_GAIN] = 9.0;
-  config.person_mean[HRT_PERSON_BIAS] = 2.0;
-  for (int i = 0; i < HRT_PERSON_TRAITS; ++i) config.person_covariance[i * (i + 3) / 2] = 0.01;
+  config.person.mean[HRT_PERSON_WEIGHT] = 0.2;
+  config.person.mean[HRT_PERSON_CURVE] = 0.05;
+  config.person.mean[HRT_PERSON_GAIN] = 9.0;
+  config.person.mean[HRT_PERSON_BIAS] = 2.0;
+  for (int i = 0; i < HRT_PERSON_TRAITS; ++i) config.person.covariance[i * (i + 3) / 2] = 0.01;
   ASSERT_OK(hrt_session_set(session, &config));
   ASSERT_OK(hrt_gap_query(session, real, virtual_target, &gap));
   EXPECT_NEAR(gap.gap_deg, 12.0, 1e-12);
@@ -193,7 +193,7 @@ TEST_F(GapTest, TakesDirectionsFromTheStart) {
 // at x = -0.05, z = -0.1 is 0.1 ahead and 0.1 to the right.
 TEST_F(GapTest, TakesTargetsInTheWorldToThePlate) {
   hrt_session_config config = paper_config();
-  config.plate_rotation[1] = config.plate_rotation[3] = std::sqrt(0.5);
+  config.plate.rotation[1] = config.plate.rotation[3] = std::sqrt(0.5);
   create(config);
   hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);
   target.place = HRT_PLACE_WORLD_POSITION;

@@ -90,14 +90,14 @@ static hrt_sample read_sample(char** cells) {
 static hrt_session create_session(void) {
   hrt_session_config config = hrt_session_config_init();
   hrt_session session;
-  config.horizon = 20;
+  config.paper.horizon = 20;
   config.guidance = HRT_GUIDANCE_ARRIVAL;
   config.adaptation = HRT_ADAPTATION_REACH;
-  config.plate_max_speed_deg_s = 200;
-  config.plate_max_acceleration_deg_s2 = 20000;
-  config.plate_latency_ns = 30000000;
-  config.plate_lower_stop_deg = -360;
-  config.plate_upper_stop_deg = 360;
+  config.plate.max_speed_deg_s = 200;
+  config.plate.max_acceleration_deg_s2 = 20000;
+  config.plate.latency_ns = 30000000;
+  config.plate.lower_stop_deg = -360;
+  config.plate.upper_stop_deg = 360;
   check(hrt_session_create(HRT_VERSION, &config, &session));
   return session;
 }
@@ -147,8 +147,8 @@ int main(int argc, char** argv) {
   check(hrt_session_destroy(session));
 
   printf("hash 0x%016" PRIx64 "\n", hash);
-  printf("updates %ld, steps %d, of these predicted %d\n", updates, (int)(summary.steps + summary.predicted_steps),
-         (int)summary.predicted_steps);
+  printf("updates %ld, steps %d, of these predicted %d\n", updates,
+         (int)(summary.counts.steps + summary.counts.predicted_steps), (int)summary.counts.predicted_steps);
   printf("ended %.2f deg beside the real target, felt error %.2f deg at most (simulated)\n", summary.miss_deg,
          summary.peak_felt_error_deg);
   return 0;

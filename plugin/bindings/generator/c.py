@@ -36,7 +36,7 @@ def _end(name: str, header: str) -> str:
 def _init(struct: Struct) -> str:
     name = struct.name
     fill = "  value.struct_size = sizeof value;\n" + "".join(
-        f"  value.{f.name}{f'[{i}]' if f.length else ''} = {value};\n" for f in struct.fields
+        f"  value.{f.member}{f'[{i}]' if f.length else ''} = {value};\n" for f in struct.fields
         for i, value in enumerate(fields.default_of(f)) if struct.has_default and value.strip("0."))
     what = "Every field with its default" if struct.has_default else "All zero, with its size"
     return (f"/** {what}. [any-thread] */\n"

@@ -14,7 +14,7 @@ def render(abi: Abi, pointer_size: int, exported: str) -> str:
         places, size = abi.layout(struct, pointer_size)
         lines.append(f'_Static_assert(sizeof({struct.name}) == {size}, "size of {struct.name}");')
         for field, place in zip(struct.fields, places):
-            lines.append(f'_Static_assert(offsetof({struct.name}, {field.name}) == {place.offset}, '
+            lines.append(f'_Static_assert(offsetof({struct.name}, {field.member}) == {place.offset}, '
                          f'"offset of {struct.name}::{field.name}");')
     # Declared again: an error unless the types are the same.
     for function in abi.functions:

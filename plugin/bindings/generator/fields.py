@@ -51,9 +51,10 @@ def _fields(abi: Abi, struct: Struct) -> str:
     fields = [f for f in struct.fields if f.name != "struct_size"]
     text = f"template <>\nstruct Fields<{struct.name}> {{\n  using S = {struct.name};\n"
     for f in fields:
-        kind = _CPP.get(f.type.name, f.type.name) + (f"[{f.length}]" if f.length else "")
-        attributes = "".join(f", .{name} = {value}" for name, value in _attributes(abi, f).items())
-        text += f'  static constexpr Field<S, {kind}> {f.name}{{.name = "{f.name}", .member = &S::{f.name}{attributes}}};\n'
+        kind = _kind(f)
+        attributes = "".join(f", .{name} = {value}" for name, value in _attributes(abi, struct, f).items())
+        text += (f'  static constexpr Field<S, {kind}> {f.name}{{.name = "{f.name}", '
+                 f'.offset = offsetof(S, {f.member}){attributes}}};\n')
         elements = _elements(abi, f)
         if elements:
             rows = "".join(f'      {{"{f.name}[{c.name}]", {_literal(f, n.lower)}, {_literal(f, n.upper)}}},\n' for c, n in elements)
@@ -61,11 +62,15 @@ def _fields(abi: Abi, struct: Struct) -> str:
     places, size = abi.layout(struct, 8)
     return (text + f"  static constexpr auto all = std::tuple({', '.join(f.name for f in fields)});\n}};\n"
             + f'static_assert(sizeof({struct.name}) == {size}, "of the model of the headers");\n'
-            + "".join(f"static_assert(offsetof({struct.name}, {f.name}) == {place.offset});\n"
+            + "".join(f"static_assert(offsetof({struct.name}, {f.member}) == {place.offset});\n"
                       for f, place in zip(struct.fields, places)))
 
 
-def _attributes(abi: Abi, f: Field) -> dict[str, str]:
+def _kind(f: Field) -> str:
+    return _CPP.get(f.type.name, f.type.name) + (f"[{f.length}]" if f.length else "")
+
+
+def _attributes(abi: Abi, struct: Struct, f: Field) -> dict[str, str]:
     """What Field has besides the name and the place."""
     numbers = f.numbers
     if f.name == "reserved":
@@ -82,7 +87,8 @@ def _attributes(abi: Abi, f: Field) -> dict[str, str]:
     if numbers.zero:
         attributes["zero"] = "true"
     if numbers.in_profiles:
-        known = f"&is_set<&S::{numbers.known_by}>" if numbers.known_by else "&always<S>"
+        by = next((g for g in struct.fields if g.name == numbers.known_by), None)
+        known = f"&is_set<S, {_kind(by)}, offsetof(S, {by.member})>" if by else "&always<S>"
         attributes |= {"in_profile": known} | ({"optional": "true"} if numbers.known_by else {})
     return attributes
 
@@ -95,9 +101,16 @@ def _elements(abi: Abi, f: Field) -> list[tuple[Constant, comments.Numbers]]:
 
 
 def _defaults(struct: Struct) -> str:
-    values = {"struct_size": f"sizeof({struct.name})"} | {f.name: _default(f) for f in struct.fields if f.name != "struct_size"}
+    text, open_part = "", ""
+    for f in struct.fields:
+        part, name = f.member.split(".") if f.path else ("", f.name)
+        if part != open_part:
+            text += ("},\n" if open_part else "") + (f"    .{part} = {{" if part else "")
+            open_part = part
+        value = f"sizeof({struct.name})" if name == "struct_size" else _default(f)
+        text += f".{name} = {value}, " if part else f"    .{name} = {value},\n"
     return (f"\ntemplate <>\ninline constexpr {struct.name} defaults<{struct.name}>{{\n"
-            + "".join(f"    .{name} = {value},\n" for name, value in values.items()) + "};\n")
+            + text + ("},\n" if open_part else "") + "};\n")
 
 
 def default_of(f: Field) -> list[str]:

@@ -41,7 +41,7 @@ def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
             + "constinit const std::span<const Constant> constants = kConstants;\n"
             + f'constinit const char* const class_reference = R"xml({_reference(abi, plate, setup)})xml";\n\n'
             + f"void copy_hidden(const {settings.STRUCT}& from, {settings.STRUCT}& to) {{\n"
-            + "".join(f"  std::memcpy(to.{f.name}, from.{f.name}, sizeof to.{f.name});\n" for f in settings.hidden(abi))
+            + "".join(f"  std::memcpy(to.{f.member}, from.{f.member}, sizeof to.{f.member});\n" for f in settings.hidden(abi))
             + "}\n\n}  // namespace hrt_godot\n")
 
 
@@ -50,7 +50,7 @@ def _table(abi: Abi, struct: str) -> str:
     for field in (f for f in abi.struct(struct).fields if f.name not in _NO_KEYS):
         parts = _PARTS if field.type.name == "hrt_interval" else {"": ""}
         for end, part in parts.items():
-            member = f"&{struct}::{field.name}" + (f", &hrt_interval::{part}" if part else "")
+            member = field.pointers(struct) + (f", &hrt_interval::{part}" if part else "")
             rows += f'    make_field<{member}>("{field.name}{end}"),\n'
     return rows
 
@@ -65,7 +65,7 @@ def _property(abi: Abi, struct: str, field: Field, prefix: str, group: str) -> s
         unit = _UNITS.get(field.unit, field.unit)
         hint, text = "kRange", ",".join(f"{n.normalize():f}" for n in (numbers.lowest, numbers.upper, _step(field)))
         text += f",suffix:{unit}" if unit else ""
-    return f'    make_field<&{struct}::{field.name}>("{prefix}{field.name}", Hint::{hint}, "{text}", "{group}"),\n'
+    return f'    make_field<{field.pointers(struct)}>("{prefix}{field.name}", Hint::{hint}, "{text}", "{group}"),\n'
 
 
 def _step(field: Field) -> Decimal:

@@ -5,10 +5,14 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from abi import SIZES, Abi, Constant, Field, Function, HeaderError, Parameter, Struct, Type, prefix_of
 
+# Parts of a struct whose fields keep their names where its parts are not shown. Others get the part's name before theirs.
+_PLAIN_PARTS = ("paper", "counts", "learnt")
+_PLAIN_FIELDS = ("contact_correction", "contact_covariance")
 # Headers that are written from the others.
 WRITTEN = ("init.h", "setup_init.h", "study_init.h", "functions.h")
 
@@ -45,6 +49,7 @@ def read(include: Path, plate: bool = False) -> Abi:
     reader = _Reader(folder, names)
     for name in names:
         reader.read(name)
+    reader.name_fields()
     for struct in reader.abi.structs:
         for f in struct.fields if reader.is_filled(struct) else ():
             f.check(struct.name, struct.has_default)
@@ -56,6 +61,7 @@ class _Reader:
     def __init__(self, folder: Path, names: list[str]) -> None:
         self.folder, self.names, self.seen = folder, names, set[str]()
         self.abi = Abi(headers=names)
+        self.parts: dict[str, Struct] = {}  # structs whose comment begins with "Part of "; hosts see their fields in the whole
 
     def read(self, name: str) -> None:
         """A header after those that it includes."""
@@ -98,7 +104,34 @@ class _Reader:
             fields.append(Field(found["name"] or found["callback"] or found["pointed"], kind, length, own,
                                 before.shared_doc if before else own, before.place + 1 if before else 0))
             docs = []
-        self.abi.structs.append(Struct(name, tuple(fields), doc, header))
+        struct = Struct(name, tuple(g for f in fields for g in self.flat(name, f)), doc, header)
+        if doc.startswith("Part of "):
+            self.parts[name] = struct
+        else:
+            self.abi.structs.append(struct)
+
+    def flat(self, struct: str, field: Field) -> list[Field]:
+        """The field, or those of the part that it is."""
+        part = self.parts.get(field.type.name)
+        if part is None:
+            return [field]
+        return [replace(f, name=_flat_name(field.name, f.name), path=((struct, field.name), (part.name, f.name))) for f in part.fields]
+
+    def name_fields(self) -> None:
+        """In comments, as hosts see them: plate.max_speed_deg_s is plate_max_speed_deg_s."""
+        names = {f.member: f.name for s in self.abi.structs for f in s.fields if f.path}
+        if not names:
+            return
+        form = re.compile(rf"\b(?:{'|'.join(map(re.escape, names))})\b")
+
+        def named(item):
+            texts = {key: form.sub(lambda found: names[found[0]], getattr(item, key)) for key in ("doc", "shared_doc", "group")
+                     if hasattr(item, key)}
+            return replace(item, **texts, **({"fields": tuple(map(named, item.fields))} if isinstance(item, Struct) else {}))
+
+        abi = self.abi
+        for items in (abi.constants, abi.structs, abi.callbacks, abi.functions):
+            items[:] = map(named, items)
 
     def constant(self, found: re.Match[str], docs: list[str], prefixes: set[str]) -> Constant:
         if not found["sum"]:
@@ -115,6 +148,11 @@ class _Reader:
         """Whether hosts fill it in, so that every field needs a range; where a call gives defaults, a default too."""
         given = any(p.type == Type(struct.name, pointer=True, const=True) for f in self.abi.functions for p in f.parameters)
         return given and not struct.is_handle and "Set `struct_size` before the call" not in struct.doc
+
+
+def _flat_name(part: str, name: str) -> str:
+    whole = name if part in _PLAIN_PARTS or name in _PLAIN_FIELDS else f"{part}_{name}"
+    return whole.replace("registration_max_", "max_registration_")
 
 
 def _items(pattern: re.Pattern[str], text: str, where: str):

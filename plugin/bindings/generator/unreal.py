@@ -86,7 +86,7 @@ class _Renderer:
 
     def flag(self, field: Field, constant: str) -> _Member:
         name = "b" + _words(constant.removeprefix(field.enumeration))
-        return _Member(field, "bool", name, f"S.{name} ? {constant} : 0u", f"(C.{field.name} & {constant}) != 0", "false")
+        return _Member(field, "bool", name, f"S.{name} ? {constant} : 0u", f"(C.{field.member} & {constant}) != 0", "false")
 
     def member(self, struct: Struct, field: Field) -> _Member:
         base = field.name.removesuffix("_" + field.unit) if field.unit else field.name
@@ -97,8 +97,8 @@ class _Renderer:
         elif field.boolean:
             name = "b" + name
         # To mirror is to exchange the ends of a range.
-        other = re.sub("_(lower|upper)_", lambda m: {"lower": "_upper_", "upper": "_lower_"}[m[1]], field.name)
-        source = other if yaw else field.name
+        other = re.sub("([_.])(lower|upper)_", lambda m: m[1] + {"lower": "upper_", "upper": "lower_"}[m[2]], field.member)
+        source = other if yaw else field.member
         of_other = re.sub("Lower|Upper", lambda m: {"Lower": "Upper", "Upper": "Lower"}[m[0]], name) if yaw else name
         type_, to, taken = self.conversion(field, yaw)
         return _Member(field, type_, name, to.format(f"S.{of_other}"), taken.format(f"C.{source}"),
@@ -114,8 +114,8 @@ class _Renderer:
         def member(end: str, part: str, doc: str) -> _Member:
             part_of = replace(field, name=f"{field.name}_{end.lower()}", doc=doc)
             if end == "Known":
-                return _Member(part_of, "bool", f"b{name}Known", "", f"C.{field.name}.known != 0", "false")
-            return _Member(part_of if end else field, "double", name + end, "", value.format(field.name, part), "0.0")
+                return _Member(part_of, "bool", f"b{name}Known", "", f"C.{field.member}.known != 0", "false")
+            return _Member(part_of if end else field, "double", name + end, "", value.format(field.member, part), "0.0")
 
         return [member("", "value", ""), member("Lower", ends[0], "Lower end of its 95 % interval."),
                 member("Upper", ends[1], "Upper end of its 95 % interval."), member("Known", "", "True if the data determine it.")]
@@ -267,16 +267,16 @@ class _Renderer:
             done.add(m.field.name)
             same = [o for o in self.members[settings.STRUCT] if o.field.name == m.field.name]
             if m.type == "FVector":
-                text += f"\t\tToMetres(S.{m.name}, Config.{m.field.name});\n"
+                text += f"\t\tToMetres(S.{m.name}, Config.{m.field.member});\n"
             else:
                 value = m.to if len(same) == 1 else " | ".join(f"({o.to})" for o in same)
-                text += f"\t\tConfig.{m.field.name} = {value};\n"
+                text += f"\t\tConfig.{m.field.member} = {value};\n"
         return ("\thrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, "
                 "const hrt_session_config& Before)\n\t{\n"
                 "\t\thrt_session_config Config = hrt_session_config_init();\n" + text
-                + "\t\tToMetres(Plate.GetLocation(), Config.plate_position_m);\n"
-                "\t\tToQuaternion(Plate.GetRotation(), Config.plate_rotation);\n"
-                + "".join(f"\t\tstd::memcpy(Config.{f.name}, Before.{f.name}, sizeof Config.{f.name});\n"
+                + "\t\tToMetres(Plate.GetLocation(), Config.plate.position_m);\n"
+                "\t\tToQuaternion(Plate.GetRotation(), Config.plate.rotation);\n"
+                + "".join(f"\t\tstd::memcpy(Config.{f.member}, Before.{f.member}, sizeof Config.{f.member});\n"
                           for f in settings.hidden(self.abi)) + "\t\treturn Config;\n\t}\n")
 
     def take_changes(self) -> str:

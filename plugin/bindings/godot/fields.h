@@ -31,19 +31,16 @@ struct Field {
   const char* group;
 };
 
-/** A field of a struct, or a part of that field. */
-template <auto field, auto part>
+/** A field of a struct, or of a part of that field: each step on the way. */
+template <auto first, auto... path>
 struct Access {
   template <typename Struct, typename T>
   static Struct struct_of(T Struct::*);
-  using Struct = decltype(struct_of(field));
+  using Struct = decltype(struct_of(first));
 
   template <typename Object>
   static auto& of(Object& object) {
-    if constexpr (std::is_null_pointer_v<decltype(part)>)
-      return object.*field;
-    else
-      return object.*field.*part;
+    return ((object.*first).*....*path);
   }
   using T = std::remove_reference_t<decltype(of(std::declval<Struct&>()))>;
   static constexpr bool is_place = std::is_same_v<T, double[3]>;
@@ -86,10 +83,10 @@ struct Access {
   }
 };
 
-template <auto field, auto part = nullptr>
+template <auto... path>
 constexpr Field make_field(const char* name, Hint hint = Hint::kNone, const char* hint_text = "",
                            const char* group = "") {
-  using Own = Access<field, part>;
+  using Own = Access<path...>;
   const bool is_unsigned = std::is_same_v<typename Own::T, uint32_t>;
   const char* allowed = is_unsigned ? "int from 0 to 4294967295" : type_name(Own::type);
   return {name, Own::type, Own::get, Own::set, allowed, hint, hint_text, group};

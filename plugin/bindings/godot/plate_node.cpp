@@ -92,7 +92,7 @@ void PlateNode::set(const Field& property, const Value& value) noexcept try {
 
 std::string PlateNode::warning() {
   hrt_session_config config = config_;
-  if (!read_pose(config.plate_position_m, config.plate_rotation)) return kNotRigid;
+  if (!read_pose(config.plate.position_m, config.plate.rotation)) return kNotRigid;
   hrt_session session{};
   if (hrt_session_create(HRT_VERSION, &config, &session) != HRT_OK) return hrt_last_error();
   hrt_session_destroy(session);
@@ -112,7 +112,7 @@ bool PlateNode::ok(hrt_result result) {
  * checked. */
 bool PlateNode::configure() {
   if (reaching_ || setting_up_) return true;
-  if (!read_pose(config_.plate_position_m, config_.plate_rotation)) {
+  if (!read_pose(config_.plate.position_m, config_.plate.rotation)) {
     engine_.push_error(kNotRigid);
     return false;
   }
@@ -138,8 +138,8 @@ void PlateNode::report_sample(size_t reason, const char* text) {
 bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   const Pose pose = engine_.node_pose();
   if (plate_pose_ && pose == *plate_pose_) {
-    std::copy_n(configured_.plate_position_m, 3, position_m);
-    std::copy_n(configured_.plate_rotation, 4, rotation);
+    std::copy_n(configured_.plate.position_m, 3, position_m);
+    std::copy_n(configured_.plate.rotation, 4, rotation);
     return true;
   }
   if (!is_rigid(pose)) {
@@ -161,10 +161,10 @@ void PlateNode::take_changes() {
   for (const Field& field : config_fields)
     if (const Entry now = field.get(&configured_); now != field.get(&before)) field.set(&config_, to_value(now));
   copy_hidden(configured_, config_);
-  if (std::memcmp(before.plate_position_m, configured_.plate_position_m, sizeof before.plate_position_m) == 0 &&
-      std::memcmp(before.plate_rotation, configured_.plate_rotation, sizeof before.plate_rotation) == 0)
+  if (std::memcmp(before.plate.position_m, configured_.plate.position_m, sizeof before.plate.position_m) == 0 &&
+      std::memcmp(before.plate.rotation, configured_.plate.rotation, sizeof before.plate.rotation) == 0)
     return;
-  engine_.move_node(to_pose(configured_.plate_position_m, configured_.plate_rotation));
+  engine_.move_node(to_pose(configured_.plate.position_m, configured_.plate.rotation));
   plate_pose_ = engine_.node_pose();
 }
 

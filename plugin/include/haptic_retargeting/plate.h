@@ -112,15 +112,15 @@ typedef struct hrt_plate_report {
   /** Time since the report of the orientation arrived. */
   int64_t age_ns;
   /** From a command to the plate's motion: the plate's own, and half of the round trip. For
-   *  hrt_session_config::plate_latency_ns, if it is not 0. */
+   *  hrt_session_config::plate.latency_ns, if it is not 0. */
   int64_t latency_ns;
   /** Of a message and its answer on the line, median. */
   int64_t round_trip_ns;
   /** The plate's own, or less if it was seen to turn slower. For
-   *  hrt_session_config::plate_max_speed_deg_s. */
+   *  hrt_session_config::plate.max_speed_deg_s. */
   double max_speed_deg_s;
   /** As measured by `hrt-plate commission`; 0 without its file. For
-   *  hrt_session_config::plate_max_acceleration_deg_s2. */
+   *  hrt_session_config::plate.max_acceleration_deg_s2. */
   double max_acceleration_deg_s2;
   /** Stops, or both 0 if the plate turns freely. For hrt_session_config, if they are 180 degrees apart or
    * more. */
@@ -166,11 +166,11 @@ HRT_PLATE_API const char* hrt_plate_last_error(void) HRT_NOEXCEPT;
  * apart stay out. [any-thread] */
 static inline void hrt_session_config_from_plate(hrt_session_config* config, const hrt_plate_report* report) {
   const int has_stops = report->upper_stop_deg - report->lower_stop_deg >= 180.0;
-  config->plate_max_speed_deg_s = report->max_speed_deg_s;
-  config->plate_max_acceleration_deg_s2 = report->max_acceleration_deg_s2;
-  config->plate_latency_ns = report->latency_ns;
-  config->plate_lower_stop_deg = has_stops ? report->lower_stop_deg : 0.0;
-  config->plate_upper_stop_deg = has_stops ? report->upper_stop_deg : 0.0;
+  config->plate.max_speed_deg_s = report->max_speed_deg_s;
+  config->plate.max_acceleration_deg_s2 = report->max_acceleration_deg_s2;
+  config->plate.latency_ns = report->latency_ns;
+  config->plate.lower_stop_deg = has_stops ? report->lower_stop_deg : 0.0;
+  config->plate.upper_stop_deg = has_stops ? report->upper_stop_deg : 0.0;
 }
 
 #if defined(__cplusplus)

@@ -24,7 +24,7 @@ typedef struct hrt_reach_config {
   uint32_t struct_size;
   /** HRT_REACH_*. Default 0. */
   uint32_t flags;
-  /** Target of the hand, less than 90 degrees from the virtual direction plus hrt_session_config::bias_deg.
+  /** Target of the hand, less than 90 degrees from the virtual direction plus hrt_session_config::paper.bias_deg.
    * Default null: to be set. */
   hrt_target real_target;
   /** Target that the user goes to. Default null: to be set. */
@@ -155,12 +155,8 @@ typedef struct hrt_command {
   double miss_sd_deg;
 } hrt_command;
 
-/** Result of a reach. Set `struct_size` before the call. */
-typedef struct hrt_reach_summary {
-  uint32_t struct_size;
-  /** HRT_COMMAND_*: UNREACHABLE and CONTACTS at the end, MISFIT and REGISTRATION at any time, OFF_TARGET of
-   * where the finger ended, FAULT. */
-  uint32_t flags;
+/** Part of hrt_reach_summary: what the reach was made of. */
+typedef struct hrt_reach_counts {
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   int64_t samples;
   int64_t dropped_samples;
@@ -172,36 +168,14 @@ typedef struct hrt_reach_summary {
    * under FIXED_DIRECTION alone. */
   int64_t saturated_steps;
   int64_t rate_limited_steps;
-  /** Direction of the finger in the last step, and that direction minus the real target's: what the paper's
-   * results are tested by. */
-  double final_direction_deg;
-  double paper_miss_deg;
-  /** Direction that the user felt in the last step, and that direction minus the virtual target's and the
-   * user's bias as it was known before the reach. */
-  double perceived_direction_deg;
-  double perceived_error_deg;
-  /** Distance along the plate from the last position to the real target; from the start without positions. */
-  double distance_to_target_m;
+} hrt_reach_counts;
+
+/** Part of hrt_reach_summary: what it says of the person, HRT_PERSON_*, and of tracker and model; each with its
+ * standard deviation. */
+typedef struct hrt_reach_learnt {
   /** Tactile weight and deviation at the end; see hrt_command. */
   double tactile_weight;
   double tactile_weight_sd;
-  /** Standard deviation of noise in each tracked coordinate, learnt or configured: of white noise, and under
-   * ARRIVAL of all noise. */
-  double tracker_noise_m;
-  /** Motor variance: the configured one, corrected by this reach. */
-  double motor_variance_deg2;
-  /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little data;
-   * 0: taken as known. */
-  double motor_variance_sd_deg2;
-  /** Where the finger ended beside the real target: the bearing of the last position, seen from the start,
-   * minus the target's. 0 if the finger never moved, which distance_to_target_m shows. Under FIXED_DIRECTION
-   * paper_miss_deg; the following are 0 then. */
-  double miss_deg;
-  /** Largest size of hrt_command::felt_error_deg, and its root mean square while the finger moved. */
-  double peak_felt_error_deg;
-  double rms_felt_error_deg;
-  /** Largest hrt_command::misfit. */
-  double misfit;
   /** What the reach says of the person (HRT_PERSON_*), each with its standard deviation. An illusion_curve of
    * more than 2 deviations says that the illusion is not linear, and tactile_weight holds at 60 degrees
    * only. */
@@ -213,10 +187,48 @@ typedef struct hrt_reach_summary {
   double bias_sd_deg;
   double habit_deg;
   double habit_sd_deg;
-  /** Duration of the motion, as estimated. */
-  double duration_s;
+  /** Standard deviation of noise in each tracked coordinate, learnt or configured: of white noise, and under
+   * ARRIVAL of all noise. */
+  double tracker_noise_m;
+  /** Motor variance: the configured one, corrected by this reach. */
+  double motor_variance_deg2;
+  /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little data;
+   * 0: taken as known. */
+  double motor_variance_sd_deg2;
+} hrt_reach_learnt;
+
+/** Result of a reach. Set `struct_size` before the call. */
+typedef struct hrt_reach_summary {
+  uint32_t struct_size;
+  /** HRT_COMMAND_*: UNREACHABLE and CONTACTS at the end, MISFIT and REGISTRATION at any time, OFF_TARGET of
+   * where the finger ended, FAULT. */
+  uint32_t flags;
+  /** Direction of the finger in the last step, and that direction minus the real target's: what the paper's
+   * results are tested by. */
+  double final_direction_deg;
+  double paper_miss_deg;
+  /** Direction that the user felt in the last step, and that direction minus the virtual target's and the
+   * user's bias as it was known before the reach. */
+  double perceived_direction_deg;
+  double perceived_error_deg;
+  /** Distance along the plate from the last position to the real target; from the start without positions. */
+  double distance_to_target_m;
+  /** Where the finger ended beside the real target: the bearing of the last position, seen from the start,
+   * minus the target's. 0 if the finger never moved, which distance_to_target_m shows. Under FIXED_DIRECTION
+   * paper_miss_deg; the fields below and what ARRIVAL learns are 0 then. */
+  double miss_deg;
   /** The last hrt_command::miss_sd_deg: standard deviation of miss_deg. */
   double miss_sd_deg;
+  /** Largest size of hrt_command::felt_error_deg, and its root mean square while the finger moved. */
+  double peak_felt_error_deg;
+  double rms_felt_error_deg;
+  /** Largest hrt_command::misfit. */
+  double misfit;
+  /** Duration of the motion, as estimated. */
+  double duration_s;
+  /** The parts. */
+  hrt_reach_counts counts;
+  hrt_reach_learnt learnt;
 } hrt_reach_summary;
 
 /** hrt_contact::flags: how the place is given, at most one. With neither, the finger is at the near side of
@@ -250,26 +262,20 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_
 HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 
-/** Leads the reach to other targets from now on, or to the same ones after hrt_target_set() has moved them:
- * every frame, if they move. The plan continues from where the finger is, with all that was learnt.
- * Directions are then seen from the finger, that of the virtual target from where the person feels that the
- * finger is; in a reach of directions alone, from the start. The command follows with the next sample, and
- * its flags say UNREACHABLE if the plate cannot sustain the gap that is left, OFF_TARGET if the path that is
- * left is too short. Distances, predicted_miss_deg and miss_deg are those of the new real target. Errors,
- * after which the reach continues as before: INVALID_HANDLE, OUT_OF_RANGE naming the target, also if, seen
- * from the start, the pair is 90 degrees apart; WRONG_STATE without a reach. [real-time] */
+/** Leads the reach to other targets, or to the same ones after hrt_target_set() has moved them: every frame,
+ * if they move. The plan continues from where the finger is. Directions are then
+ * seen from the finger, the virtual target's from where the person feels it; in a reach of directions alone,
+ * from the start. The next command has UNREACHABLE if the plate cannot sustain the gap left, OFF_TARGET if the path
+ * left is too short. Errors leave the reach as it was: INVALID_HANDLE, OUT_OF_RANGE naming the target, also of a pair
+ * 90 degrees apart; WRONG_STATE. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** The finger has met the real object of the reach: its true place is known, whatever the tracker says. Once
- * a reach, at HRT_COMMAND_ARRIVED for example, or after hrt_reach_end() until the next reach begins or the
- * configuration is set; null `contact`: the default. It is evidence of the tracker's frame about the
- * registration: from the next reach on, positions of the finger are corrected by
- * hrt_session_config::contact_correction, and what reaches have learnt as the person's bias is less by how
- * much that turns. miss_sd_deg is as contacts have it. Errors: OUT_OF_RANGE naming the field, or the place if
- * it is within 10 mm of the start or too far from where the finger was seen: more than a quarter of its
- * distance from the start and 3 deviations; WRONG_STATE without a reach, without HRT_SESSION_REGISTERED, or
- * after a contact; INSUFFICIENT_DATA if the finger was not seen to move. [real-time] */
+/** The finger has met the real object: once a reach, up to the next one; null `contact`: the default. It shows how far
+ * the tracker's frame is off: from the next reach on hrt_session_config::registration.contact_correction corrects the
+ * finger's positions, and the bias learnt of the person is less by as much. Errors: OUT_OF_RANGE naming the field, or
+ * the place if it is within 10 mm of the start or too far from where the finger was seen; WRONG_STATE without a reach,
+ * without HRT_SESSION_REGISTERED, or after a contact; INSUFFICIENT_DATA if the finger did not move. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_touched(hrt_session session, const hrt_contact* contact) HRT_NOEXCEPT;
 
 /** Ends the reach without a summary and learns nothing from it, nor from its contact. The plate is where the

@@ -114,7 +114,7 @@ hrt_result check_value(const char* name, const Field<S, T>& field, const T& valu
 
 template <class S, class T>
 hrt_result check_field(const S& values, const Field<S, T>& field) {
-  return check_value(field.name, field, values.*field.member);
+  return check_value(field.name, field, field.of(values));
 }
 
 /// Fails naming the first field that is out of its range.

@@ -14,17 +14,31 @@ namespace hrt::plugin {
 
 enum class FieldKind : std::uint8_t { free, number, flags, reserved };
 
+/// What stands in a struct, or in a part of it, so many bytes from its beginning.
+template <class T, class S>
+T& at(S& values, std::size_t offset) {
+  return *static_cast<T*>(static_cast<void*>(static_cast<char*>(static_cast<void*>(&values)) + offset));
+}
+template <class T, class S>
+const T& at(const S& values, std::size_t offset) {
+  return *static_cast<const T*>(
+      static_cast<const void*>(static_cast<const char*>(static_cast<const void*>(&values)) + offset));
+}
+
 template <class S, class T>
 struct Field {
   using Element = std::remove_extent_t<T>;
   using Number = std::conditional_t<std::is_arithmetic_v<Element>, Element, int>;
   const char* name;
-  T S::* member;
+  std::size_t offset;
   FieldKind kind = FieldKind::free;
   Number low = 0, high = 0;  ///< of a number, of each in an array; of flags, `high` has all bits
   bool zero = false;         ///< 0 is allowed besides
   bool (*in_profile)(const S&) = nullptr;
   bool optional = false;  ///< in some profiles only
+
+  T& of(S& values) const { return at<T>(values, offset); }
+  const T& of(const S& values) const { return at<T>(values, offset); }
 };
 
 /// The range of one element of an array.
@@ -61,9 +75,9 @@ bool is_not_zero(const T& value) {
   }
 }
 
-template <auto member, class S>
+template <class S, class T, std::size_t offset>
 bool is_set(const S& values) {
-  return is_not_zero(values.*member);
+  return is_not_zero(at<T>(values, offset));
 }
 
 /// Visits every field of a struct that holds something.

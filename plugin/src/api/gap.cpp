@@ -20,12 +20,12 @@ hrt_gap gap_of(const Session& session, hrt_target real_target, hrt_target virtua
   const hrt_session_config& config = session.config();
   const RetargeterConfig core = to_core(config);
   const bool arrival = core.mode == ControlMode::reach;
-  const double bias_deg = arrival ? core.person.mean(PersonTrait::bias) : config.bias_deg;
+  const double bias_deg = arrival ? core.person.mean(PersonTrait::bias) : config.paper.bias_deg;
   const double goal_deg = view(config, virtual_config).direction_deg + bias_deg;
   const Bearing seen = view(config, real);
   const double gap_deg = wrap_deg(goal_deg - seen.direction_deg, 360.0);
   const Authority paper =
-      steering_authority(goal_deg - gap_deg, goal_deg, config.tactile_weight, config.plate_bound_deg);
+      steering_authority(goal_deg - gap_deg, goal_deg, config.paper.tactile_weight, config.paper.plate_bound_deg);
   const Authority authority =
       arrival ? authority_about_motion(goal_deg - gap_deg, goal_deg, illusion_of(config, seen.distance_m),
                                        config.motion_bound_deg)

@@ -56,23 +56,23 @@ std::uint32_t role_of(const SceneTarget& target) {
 
 hrt_session_config with_plate_of(const Scene& scene, hrt_session_config config) {
   copy(scene.start_m, config.start_position_m);
-  copy(scene.plate.pose.position_m, config.plate_position_m);
+  copy(scene.plate.pose.position_m, config.plate.position_m);
   const Quaternion& q = scene.plate.pose.orientation;
-  config.plate_rotation[0] = q.x;
-  config.plate_rotation[1] = q.y;
-  config.plate_rotation[2] = q.z;
-  config.plate_rotation[3] = q.w;
-  config.plate_radius_m = scene.plate.radius_m;
-  if (scene.plate.max_speed_deg_s) config.plate_max_speed_deg_s = *scene.plate.max_speed_deg_s;
+  config.plate.rotation[0] = q.x;
+  config.plate.rotation[1] = q.y;
+  config.plate.rotation[2] = q.z;
+  config.plate.rotation[3] = q.w;
+  config.plate.radius_m = scene.plate.radius_m;
+  if (scene.plate.max_speed_deg_s) config.plate.max_speed_deg_s = *scene.plate.max_speed_deg_s;
   return config;
 }
 
 // The scene's pose takes the place of a registered one.
 hrt_session_config unregistered(hrt_session_config config) {
   config.flags &= ~HRT_SESSION_REGISTERED;
-  config.plate_scale = 1.0;
+  config.plate.scale = 1.0;
   write_frame_covariance(FrameCovariance::Zero(), &config);
-  config.registration_time_ns = 0;
+  config.registration.time_ns = 0;
   forget_contacts(&config);
   return config;
 }
@@ -134,10 +134,10 @@ hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_info* out_info) noexcep
     const hrt_session_config plate = with_plate_of(s, {});
     hrt_scene_info info{};
     info.target_count = static_cast<std::uint32_t>(s.targets.size());
-    std::memcpy(info.plate_position_m, plate.plate_position_m, sizeof info.plate_position_m);
-    std::memcpy(info.plate_rotation, plate.plate_rotation, sizeof info.plate_rotation);
-    info.plate_radius_m = plate.plate_radius_m;
-    info.plate_max_speed_deg_s = plate.plate_max_speed_deg_s;
+    std::memcpy(info.plate_position_m, plate.plate.position_m, sizeof info.plate_position_m);
+    std::memcpy(info.plate_rotation, plate.plate.rotation, sizeof info.plate_rotation);
+    info.plate_radius_m = plate.plate.radius_m;
+    info.plate_max_speed_deg_s = plate.plate.max_speed_deg_s;
     std::memcpy(info.start_position_m, plate.start_position_m, sizeof info.start_position_m);
     write_struct(info, out_info);
     return HRT_OK;

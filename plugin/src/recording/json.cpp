@@ -42,7 +42,7 @@ bool is_of_the_past(std::string_view key) { return key == "steering_rate_per_s" 
 // Each field's key and value.
 template <class Values>
 void visit_fields(Values& values, auto&& visit) {
-  for_each_field<std::remove_const_t<Values>>([&](const auto& field) { visit(field.name, values.*field.member); });
+  for_each_field<std::remove_const_t<Values>>([&](const auto& field) { visit(field.name, field.of(values)); });
 }
 
 void visit_fields(hrt_conditions& conditions, auto&& visit) {
@@ -296,7 +296,7 @@ void write_profile(const hrt_session_config& config, const hrt_conditions& condi
     write("format", profile_format);
     write("version", 1);
     for_each_field<hrt_session_config>([&](const auto& field) {
-      if (field.in_profile && field.in_profile(config)) write(field.name, config.*field.member);
+      if (field.in_profile && field.in_profile(config)) write(field.name, field.of(config));
     });
     if (conditions.time_s != 0) write("measured_at_s", conditions.time_s);
     if (conditions.plate[0] != '\0') write("plate", conditions.plate);
@@ -312,7 +312,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   // What the profile lacks is not known of its person.
   for_each_field<hrt_session_config>([&](const auto& field) {
     constexpr hrt_session_config unknown = defaults<hrt_session_config>;
-    if (field.optional) std::memcpy(&(known.*field.member), &(unknown.*field.member), sizeof(known.*field.member));
+    if (field.optional) std::memcpy(&field.of(known), &field.of(unknown), sizeof(field.of(known)));
   });
   hrt_conditions measured{};
   bool has_format = false, has_version = false;

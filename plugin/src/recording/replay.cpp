@@ -22,8 +22,8 @@ void add(const hrt_command& command, Hash& hash) {
   // As hrt_replay_report::hash says: not of what came later.
   int numbers = 0;
   for_each_field<hrt_command>([&](const auto& field) {
-    if constexpr (std::is_same_v<decltype(field.member), double hrt_command::*>)
-      if (++numbers <= 11) hash.add(std::bit_cast<std::uint64_t>(command.*field.member));
+    if constexpr (std::is_same_v<decltype(field.of(command)), const double&>)
+      if (++numbers <= 11) hash.add(std::bit_cast<std::uint64_t>(field.of(command)));
   });
 }
 

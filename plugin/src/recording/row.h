@@ -59,7 +59,7 @@ class Row {
     std::size_t i = 0;
     for_each_field<S>([&](const auto& field) {
       const std::size_t at = columns_of<S>[i++];
-      if (is_given(field.name)) put(at, values.*field.member);
+      if (is_given(field.name)) put(at, field.of(values));
     });
   }
   template <class S>
@@ -114,7 +114,7 @@ hrt_result read_fields(const Cells& cells, S* values) {
   std::size_t i = 0;
   for_each_field<S>([&](const auto& field) {
     const std::size_t at = columns_of<S>[i++];
-    if (result == HRT_OK) result = read_cell(cells, at, &(values->*field.member));
+    if (result == HRT_OK) result = read_cell(cells, at, &field.of(*values));
   });
   return result;
 }

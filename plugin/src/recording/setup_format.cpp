@@ -28,7 +28,7 @@ void put_setup(const Struct& values, Row& row, SetupCell& cell) {
   for_each_field<Struct>([&](const auto& field) {
     if (std::string_view(field.name) == "text") return;
     cell << (cell.view().empty() ? "" : " ") << field.name << "=";
-    write_value(values.*field.member, cell);
+    write_value(field.of(values), cell);
   });
   row.put(column("setup"), cell.view());
 }

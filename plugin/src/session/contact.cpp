@@ -28,8 +28,8 @@ bool are_same(const double (&one)[size], const double (&other)[size]) {
 }
 
 bool have_same_pose(const hrt_session_config& one, const hrt_session_config& other) {
-  return are_same(one.plate_position_m, other.plate_position_m) && are_same(one.plate_rotation, other.plate_rotation) &&
-         one.plate_scale == other.plate_scale;
+  return are_same(one.plate.position_m, other.plate.position_m) && are_same(one.plate.rotation, other.plate.rotation) &&
+         one.plate.scale == other.plate.scale;
 }
 
 hrt_target_config placed_at(const hrt_contact& contact) {
@@ -42,7 +42,7 @@ hrt_target_config placed_at(const hrt_contact& contact) {
 }  // namespace
 
 bool knows_contacts(const hrt_session_config& config) {
-  return (config.flags & HRT_SESSION_REGISTERED) != 0 && is_not_zero(config.contact_covariance);
+  return (config.flags & HRT_SESSION_REGISTERED) != 0 && is_not_zero(config.registration.contact_covariance);
 }
 
 void forget_contacts(hrt_session_config* config) { write_touched({}, config); }
@@ -50,15 +50,15 @@ void forget_contacts(hrt_session_config* config) { write_touched({}, config); }
 TouchedFrame touched_of(const hrt_session_config& config) {
   TouchedFrame frame{.home = start_of(config)};
   if (!knows_contacts(config)) return frame;
-  const double(&d)[4] = config.contact_correction;
+  const double(&d)[4] = config.registration.contact_correction;
   frame.stretch << d[0], d[1], d[2], d[3];
-  frame.covariance = from_triangle<4>(config.contact_covariance);
+  frame.covariance = from_triangle<4>(config.registration.contact_covariance);
   return frame;
 }
 
 void write_touched(const TouchedFrame& frame, hrt_session_config* config) {
-  for (int i = 0; i < 4; ++i) config->contact_correction[i] = frame.stretch(i / 2, i % 2);
-  write_triangle<4>(frame.covariance, config->contact_covariance);
+  for (int i = 0; i < 4; ++i) config->registration.contact_correction[i] = frame.stretch(i / 2, i % 2);
+  write_triangle<4>(frame.covariance, config->registration.contact_covariance);
 }
 
 hrt_result check_contacts(const hrt_session_config& config) {
@@ -71,8 +71,9 @@ hrt_result check_contacts(const hrt_session_config& config) {
 }
 
 void forget_contacts_elsewhere(const hrt_session_config& before, hrt_session_config* next) {
-  if (!have_same_pose(before, *next) && are_same(before.contact_correction, next->contact_correction) &&
-      are_same(before.contact_covariance, next->contact_covariance))
+  if (!have_same_pose(before, *next) &&
+      are_same(before.registration.contact_correction, next->registration.contact_correction) &&
+      are_same(before.registration.contact_covariance, next->registration.contact_covariance))
     forget_contacts(next);
 }
 
@@ -81,9 +82,9 @@ void take_contacts_of_profile(const hrt_session_config& session, hrt_session_con
     write_touched(drifted(touched_of(*profile)), profile);
   else
     forget_contacts(profile);
-  std::copy(std::begin(session.plate_position_m), std::end(session.plate_position_m), profile->plate_position_m);
-  std::copy(std::begin(session.plate_rotation), std::end(session.plate_rotation), profile->plate_rotation);
-  profile->plate_scale = session.plate_scale;
+  std::copy(std::begin(session.plate.position_m), std::end(session.plate.position_m), profile->plate.position_m);
+  std::copy(std::begin(session.plate.rotation), std::end(session.plate.rotation), profile->plate.rotation);
+  profile->plate.scale = session.plate.scale;
 }
 
 hrt_result read_contact(const hrt_session_config& config, const hrt_contact& given, const PlatePoint& start,
@@ -124,7 +125,7 @@ hrt_session_config after_contact(const hrt_session_config& config, const Contact
   if (!is_valid(learnt.touched)) return config;
   hrt_session_config next = config;
   write_touched(learnt.touched, &next);
-  if (knows_person(config)) next.person_mean[HRT_PERSON_BIAS] = learnt.person.mean(PersonTrait::bias);
+  if (knows_person(config)) next.person.mean[HRT_PERSON_BIAS] = learnt.person.mean(PersonTrait::bias);
   return next;
 }
 

@@ -18,9 +18,9 @@ namespace {
 void write_noise(const RestNoise& rest, hrt_session_config* config) {
   const auto noise = known_noise(rest);
   if (!noise) return;
-  config->tracker_noise_m = noise->white_m;
-  config->tracker_correlated_noise_m = noise->correlated_m;
-  if (noise->correlated_m > 0.0) config->tracker_correlation_s = noise->correlation_s;
+  config->tracker.noise_m = noise->white_m;
+  config->tracker.correlated_noise_m = noise->correlated_m;
+  if (noise->correlated_m > 0.0) config->tracker.correlation_s = noise->correlation_s;
 }
 
 Interval interval_about(double value, double sd) {
@@ -29,8 +29,8 @@ Interval interval_about(double value, double sd) {
 
 Interval believed_trait(const hrt_session_config& config, int trait) {
   if (!knows_person(config)) return {.known = false};
-  const Square<HRT_PERSON_TRAITS> covariance = from_triangle<HRT_PERSON_TRAITS>(config.person_covariance);
-  return interval_about(config.person_mean[trait], std::sqrt(covariance(trait, trait)));
+  const Square<HRT_PERSON_TRAITS> covariance = from_triangle<HRT_PERSON_TRAITS>(config.person.covariance);
+  return interval_about(config.person.mean[trait], std::sqrt(covariance(trait, trait)));
 }
 
 }  // namespace
@@ -38,22 +38,22 @@ Interval believed_trait(const hrt_session_config& config, int trait) {
 void write_registration(const Registration& registration, std::int64_t time_ns, hrt_session_config* config) {
   Eigen::Quaterniond q(registration.rotation);
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  for (int i = 0; i < 3; ++i) config->plate_position_m[i] = registration.position_m(i);
-  for (int i = 0; i < 4; ++i) config->plate_rotation[i] = q.coeffs()(i);
-  config->plate_scale = registration.scale;
+  for (int i = 0; i < 3; ++i) config->plate.position_m[i] = registration.position_m(i);
+  for (int i = 0; i < 4; ++i) config->plate.rotation[i] = q.coeffs()(i);
+  config->plate.scale = registration.scale;
   write_frame_covariance(frame_covariance(registration), config);
   forget_contacts(config);
-  config->registration_time_ns = time_ns;
+  config->registration.time_ns = time_ns;
   config->flags |= HRT_SESSION_REGISTERED;
 }
 
 Registration registration_of(const hrt_session_config& config, double touch_sd_m) {
-  const double(&q)[4] = config.plate_rotation;
+  const double(&q)[4] = config.plate.rotation;
   Registration registration{
       .verdict = RegistrationVerdict::holds,
       .rotation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized().toRotationMatrix(),
-      .position_m = {config.plate_position_m[0], config.plate_position_m[1], config.plate_position_m[2]},
-      .scale = config.plate_scale,
+      .position_m = {config.plate.position_m[0], config.plate.position_m[1], config.plate.position_m[2]},
+      .scale = config.plate.scale,
       .touch_sd_m = touch_sd_m};
   const FrameCovariance plane = frame_covariance_of(config);
   const double height_m2 = 0.5 * (plane(1, 1) + plane(2, 2));
@@ -75,11 +75,12 @@ void write_calibration(const Calibration& calibration, hrt_session_config* confi
   const Interval& weight = calibration.tactile_weight;
   const auto write_weight = [&] {
     if (!weight.known) return;
-    config->tactile_weight = weight.value;
-    config->tactile_weight_sd = std::max(deviation_of_interval(weight.lower, weight.upper), min_carried_weight_sd);
+    config->paper.tactile_weight = weight.value;
+    config->paper.tactile_weight_sd =
+        std::max(deviation_of_interval(weight.lower, weight.upper), min_carried_weight_sd);
   };
   write_weight();
-  if (calibration.bias_deg.known) config->bias_deg = calibration.bias_deg.value;
+  if (calibration.bias_deg.known) config->paper.bias_deg = calibration.bias_deg.value;
   write_noise(calibration.noise, config);
   // What reaches have learnt would override the weight and the bias.
   if (weight.known || calibration.bias_deg.known) forget_person(config);
@@ -97,7 +98,7 @@ void write_calibration(const Calibration& calibration, hrt_session_config* confi
 }
 
 std::uint32_t differing_from(const hrt_session_config& believed, const Calibration& calibration) {
-  Interval weight = interval_about(believed.tactile_weight, believed.tactile_weight_sd);
+  Interval weight = interval_about(believed.paper.tactile_weight, believed.paper.tactile_weight_sd);
   weight.known = knows_person(believed);
   const RepeatedValue values[] = {{weight, calibration.tactile_weight},
                                   {believed_trait(believed, HRT_PERSON_BIAS), calibration.bias_deg},

@@ -19,9 +19,9 @@ template <class Struct>
 bool zero_what_is_not_finite(Struct& values) {
   bool finite = true;
   for_each_field<Struct>([&](const auto& field) {
-    if constexpr (std::is_same_v<decltype(field.member), double Struct::*>) {
-      if (std::isfinite(values.*field.member)) return;
-      values.*field.member = 0.0;
+    if constexpr (std::is_same_v<decltype(field.of(values)), double&>) {
+      if (std::isfinite(field.of(values))) return;
+      field.of(values) = 0.0;
       finite = false;
     }
   });
@@ -34,11 +34,11 @@ PlatePoint real_place(const Reach& reach) {
 
 // Whether there is no registration where one is asked for, or one that turns the real target by too much.
 bool is_registration_poor(const hrt_session_config& config, const Reach& reach) {
-  const bool checked = config.max_registration_age_ns > 0 || config.max_registration_sd_deg > 0.0;
+  const bool checked = config.registration.max_age_ns > 0 || config.registration.max_sd_deg > 0.0;
   if (checked && (config.flags & HRT_SESSION_REGISTERED) == 0) return true;
-  if (config.max_registration_sd_deg == 0.0) return false;
+  if (config.registration.max_sd_deg == 0.0) return false;
   return bearing_sd_deg(touched_of(config), frame_covariance_of(config), reach.start, real_place(reach)) >
-         config.max_registration_sd_deg;
+         config.registration.max_sd_deg;
 }
 
 bool make_finite(hrt_command& command, double held_orientation_deg) {
@@ -101,7 +101,7 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* out) c
   const double goal_deg = goal_direction_deg(to_core(config_).participant, reach.virtual_direction_deg);
   if (!is_valid(reach, goal_deg))
     return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", reach.real_direction_deg, " degrees, the virtual at ",
-                goal_deg, config_.bias_deg != 0.0 ? " with the user's bias" : "",
+                goal_deg, config_.paper.bias_deg != 0.0 ? " with the user's bias" : "",
                 "; allowed: less than 90 degrees apart");
   *out = reach;
   return HRT_OK;
@@ -226,8 +226,8 @@ void Session::judge_registration(const Reach& reach) {
 
 bool Session::is_registration_doubtful(std::int64_t time_ns) const {
   if (registration_poor_) return true;
-  const std::int64_t max_ns = config_.max_registration_age_ns;
-  return max_ns > 0 && time_ns > later_ns(config_.registration_time_ns, max_ns);
+  const std::int64_t max_ns = config_.registration.max_age_ns;
+  return max_ns > 0 && time_ns > later_ns(config_.registration.time_ns, max_ns);
 }
 
 hrt_command Session::command(std::uint32_t flags) const {
@@ -335,36 +335,37 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
   return {
       .struct_size = sizeof(hrt_reach_summary),
       .flags = flags,
-      .samples = summary.samples,
-      .dropped_samples = summary.dropped_samples,
-      .steps = summary.steps,
-      .predicted_steps = summary.predicted_steps,
-      .saturated_steps = summary.saturated_steps,
-      .rate_limited_steps = summary.rate_limited_steps,
       .final_direction_deg = summary.final_direction_deg,
       .paper_miss_deg = summary.final_miss_deg,
       .perceived_direction_deg = summary.perceived_direction_deg,
       .perceived_error_deg = summary.perceived_error_deg,
       .distance_to_target_m = summary.distance_to_target_m,
-      .tactile_weight = estimate.tactile_weight,
-      .tactile_weight_sd = estimate.tactile_weight_sd,
-      .tracker_noise_m = estimate.tracker_noise_m,
-      .motor_variance_deg2 = learns_variance ? estimate.motor_variance_deg2 : config_.motor_variance_deg2,
-      .motor_variance_sd_deg2 = learns_variance ? estimate.motor_variance_sd_deg2 : 0.0,
       .miss_deg = summary.person ? summary.bearing_error_deg : summary.final_miss_deg,
+      .miss_sd_deg = summary.bearing_error_sd_deg,
       .peak_felt_error_deg = summary.peak_felt_error_deg,
       .rms_felt_error_deg = summary.rms_felt_error_deg,
       .misfit = summary.nis,
-      .illusion_curve = person.curve,
-      .illusion_curve_sd = person.curve_sd,
-      .gain_per_s = person.gain_s,
-      .gain_sd_per_s = person.gain_sd_s,
-      .bias_deg = person.bias_deg,
-      .bias_sd_deg = person.bias_sd_deg,
-      .habit_deg = person.habit_deg,
-      .habit_sd_deg = person.habit_sd_deg,
       .duration_s = person.duration_s,
-      .miss_sd_deg = summary.bearing_error_sd_deg,
+      .counts = {.samples = summary.samples,
+                 .dropped_samples = summary.dropped_samples,
+                 .steps = summary.steps,
+                 .predicted_steps = summary.predicted_steps,
+                 .saturated_steps = summary.saturated_steps,
+                 .rate_limited_steps = summary.rate_limited_steps},
+      .learnt = {.tactile_weight = estimate.tactile_weight,
+                 .tactile_weight_sd = estimate.tactile_weight_sd,
+                 .illusion_curve = person.curve,
+                 .illusion_curve_sd = person.curve_sd,
+                 .gain_per_s = person.gain_s,
+                 .gain_sd_per_s = person.gain_sd_s,
+                 .bias_deg = person.bias_deg,
+                 .bias_sd_deg = person.bias_sd_deg,
+                 .habit_deg = person.habit_deg,
+                 .habit_sd_deg = person.habit_sd_deg,
+                 .tracker_noise_m = estimate.tracker_noise_m,
+                 .motor_variance_deg2 =
+                     learns_variance ? estimate.motor_variance_deg2 : config_.paper.motor_variance_deg2,
+                 .motor_variance_sd_deg2 = learns_variance ? estimate.motor_variance_sd_deg2 : 0.0},
   };
 }
 
@@ -380,10 +381,10 @@ void Session::carry(const FingerEstimate& estimate) {
     if (holds_belief(next)) config_ = next;
   } else {
     const RetargeterConfig next = carried(to_core(config_), estimate);
-    config_.tactile_weight = next.participant.tactile_weight;
-    config_.tactile_weight_sd = next.estimator.tactile_weight_sd;
-    config_.motor_variance_deg2 = next.participant.motor_variance_deg2;
-    config_.motor_variance_sd_deg2 = next.estimator.motor_variance_sd_deg2;
+    config_.paper.tactile_weight = next.participant.tactile_weight;
+    config_.paper.tactile_weight_sd = next.estimator.tactile_weight_sd;
+    config_.paper.motor_variance_deg2 = next.participant.motor_variance_deg2;
+    config_.paper.motor_variance_sd_deg2 = next.estimator.motor_variance_sd_deg2;
   }
   *retargeter_ = Retargeter(to_core(config_));
 }

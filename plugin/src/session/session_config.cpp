@@ -17,7 +17,7 @@ namespace {
 using C = hrt_session_config;
 using ConfigFields = Fields<C>;
 
-bool turns_freely(const C& config) { return config.plate_lower_stop_deg == 0.0 && config.plate_upper_stop_deg == 0.0; }
+bool turns_freely(const C& config) { return config.plate.lower_stop_deg == 0.0 && config.plate.upper_stop_deg == 0.0; }
 
 // The core squares it; the square of less would lose its digits, or be 0.
 constexpr double min_tracker_noise_m = 1e-9;
@@ -32,11 +32,12 @@ static_assert(ConfigFields::horizon.high == max_horizon && ConfigFields::tactile
 
 PersonBelief person_of(const C& config) {
   if (config.adaptation == HRT_ADAPTATION_OFF && !knows_person(config))
-    return known_person(config.tactile_weight, config.bias_deg);
-  PersonBelief belief = unknown_person(config.tactile_weight, config.tactile_weight_sd, config.bias_deg);
+    return known_person(config.paper.tactile_weight, config.paper.bias_deg);
+  PersonBelief belief =
+      unknown_person(config.paper.tactile_weight, config.paper.tactile_weight_sd, config.paper.bias_deg);
   if (!knows_person(config)) return belief;
-  for (int i = 0; i < PersonTrait::count; ++i) belief.mean(i) = config.person_mean[i];
-  belief.covariance = from_triangle<PersonTrait::count>(config.person_covariance);
+  for (int i = 0; i < PersonTrait::count; ++i) belief.mean(i) = config.person.mean[i];
+  belief.covariance = from_triangle<PersonTrait::count>(config.person.covariance);
   return belief;
 }
 
@@ -49,7 +50,7 @@ hrt_result check_person(const hrt_session_config& config) {
   if (!knows_person(config)) return HRT_OK;
   for (int i = 0; i < PersonTrait::count; ++i) {
     const Element& trait = ConfigFields::person_mean_elements[i];
-    HRT_RETURN_IF_FAILED(check_range(trait.name, config.person_mean[i], trait.low, trait.high));
+    HRT_RETURN_IF_FAILED(check_range(trait.name, config.person.mean[i], trait.low, trait.high));
   }
   if (holds_belief(config)) return HRT_OK;
   return fail(HRT_ERROR_OUT_OF_RANGE,
@@ -67,38 +68,38 @@ hrt_result check_plate_covariance(const hrt_session_config& config) {
 }  // namespace
 
 FrameCovariance frame_covariance_of(const hrt_session_config& config) {
-  return from_triangle<3>(config.plate_covariance);
+  return from_triangle<3>(config.plate.covariance);
 }
 
 void write_frame_covariance(const FrameCovariance& covariance, hrt_session_config* config) {
-  write_triangle<3>(covariance, config->plate_covariance);
+  write_triangle<3>(covariance, config->plate.covariance);
 }
 
 Vec3 unscaled(const hrt_session_config& config, Vec3 plate_position_m, Vec3 world_position_m) {
-  if (config.plate_scale == 1.0) return world_position_m;
-  return plate_position_m + (world_position_m - plate_position_m) * (1.0 / config.plate_scale);
+  if (config.plate.scale == 1.0) return world_position_m;
+  return plate_position_m + (world_position_m - plate_position_m) * (1.0 / config.plate.scale);
 }
 
-bool knows_person(const hrt_session_config& config) { return is_not_zero(config.person_covariance); }
+bool knows_person(const hrt_session_config& config) { return is_not_zero(config.person.covariance); }
 
 void forget_person(hrt_session_config* config) {
-  std::fill(std::begin(config->person_mean), std::end(config->person_mean), 0.0);
-  std::fill(std::begin(config->person_covariance), std::end(config->person_covariance), 0.0);
+  std::fill(std::begin(config->person.mean), std::end(config->person.mean), 0.0);
+  std::fill(std::begin(config->person.covariance), std::end(config->person.covariance), 0.0);
 }
 
 bool holds_belief(const hrt_session_config& config) { return is_valid(person_of(config)); }
 
 hrt_result check_session_config(const hrt_session_config& config) {
   HRT_RETURN_IF_FAILED(check_fields(config));
-  HRT_RETURN_IF_FAILED(
-      check_range<std::int64_t>("plate_latency_ns", config.plate_latency_ns, 0, max_lead * config.step_period_ns));
-  if (!turns_freely(config) && config.plate_upper_stop_deg - config.plate_lower_stop_deg < 180.0)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "plate_upper_stop_deg is ", config.plate_upper_stop_deg,
-                "; allowed: at least 180 above plate_lower_stop_deg, ", config.plate_lower_stop_deg);
+  HRT_RETURN_IF_FAILED(check_range<std::int64_t>("plate_latency_ns", config.plate.latency_ns, 0,
+                                                 max_lead * config.paper.step_period_ns));
+  if (!turns_freely(config) && config.plate.upper_stop_deg - config.plate.lower_stop_deg < 180.0)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "plate_upper_stop_deg is ", config.plate.upper_stop_deg,
+                "; allowed: at least 180 above plate_lower_stop_deg, ", config.plate.lower_stop_deg);
   HRT_RETURN_IF_FAILED(check_person(config));
   HRT_RETURN_IF_FAILED(check_plate_covariance(config));
   HRT_RETURN_IF_FAILED(check_contacts(config));
-  return check_rotation("plate_rotation", config.plate_rotation);
+  return check_rotation("plate_rotation", config.plate.rotation);
 }
 
 hrt_result read_session_config(const hrt_session_config* given, hrt_session_config* config) {
@@ -108,36 +109,36 @@ hrt_result read_session_config(const hrt_session_config* given, hrt_session_conf
 
 RetargeterConfig to_core(const hrt_session_config& config) {
   return {
-      .participant = {.tactile_weight = config.tactile_weight,
-                      .motor_variance_deg2 = config.motor_variance_deg2,
-                      .sensory_variance_deg2 = config.sensory_variance_deg2,
-                      .initial_variance_deg2 = config.initial_variance_deg2,
-                      .bias_deg = config.bias_deg},
-      .mpc = {.horizon = static_cast<int>(config.horizon),
-              .perceived_weight = config.perceived_weight,
-              .actual_weight = config.actual_weight,
-              .plate_bound_deg = config.plate_bound_deg},
+      .participant = {.tactile_weight = config.paper.tactile_weight,
+                      .motor_variance_deg2 = config.paper.motor_variance_deg2,
+                      .sensory_variance_deg2 = config.paper.sensory_variance_deg2,
+                      .initial_variance_deg2 = config.paper.initial_variance_deg2,
+                      .bias_deg = config.paper.bias_deg},
+      .mpc = {.horizon = static_cast<int>(config.paper.horizon),
+              .perceived_weight = config.paper.perceived_weight,
+              .actual_weight = config.paper.actual_weight,
+              .plate_bound_deg = config.paper.plate_bound_deg},
       .mode = config.control == HRT_CONTROL_FIXED_PLATE ? ControlMode::fixed_plate
               : config.guidance == HRT_GUIDANCE_ARRIVAL ? ControlMode::reach
                                                         : ControlMode::mpc,
       .fixed_plate_orientation_deg = config.fixed_plate_orientation_deg,
       .estimator = {.adapt = config.adaptation != HRT_ADAPTATION_OFF,
-                    .tactile_weight_sd = config.tactile_weight_sd,
-                    .motor_variance_sd_deg2 = config.motor_variance_sd_deg2,
+                    .tactile_weight_sd = config.paper.tactile_weight_sd,
+                    .motor_variance_sd_deg2 = config.paper.motor_variance_sd_deg2,
                     .tracker_noise_m =
-                        config.tracker_noise_m > 0.0 ? std::max(config.tracker_noise_m, min_tracker_noise_m) : 0.0,
-                    .correlated_noise_m = config.tracker_correlated_noise_m,
-                    .correlation_s = config.tracker_correlation_s},
-      .plate = {.max_speed_deg_s = limit_or_none(config.plate_max_speed_deg_s),
-                .max_acceleration_deg_s2 = limit_or_none(config.plate_max_acceleration_deg_s2),
-                .latency_ns = config.plate_latency_ns,
+                        config.tracker.noise_m > 0.0 ? std::max(config.tracker.noise_m, min_tracker_noise_m) : 0.0,
+                    .correlated_noise_m = config.tracker.correlated_noise_m,
+                    .correlation_s = config.tracker.correlation_s},
+      .plate = {.max_speed_deg_s = limit_or_none(config.plate.max_speed_deg_s),
+                .max_acceleration_deg_s2 = limit_or_none(config.plate.max_acceleration_deg_s2),
+                .latency_ns = config.plate.latency_ns,
                 .stops = turns_freely(config) ? PlateStops{}
-                                              : PlateStops{.lower_deg = config.plate_lower_stop_deg,
-                                                           .upper_deg = config.plate_upper_stop_deg}},
-      .step_period_ns = config.step_period_ns,
+                                              : PlateStops{.lower_deg = config.plate.lower_stop_deg,
+                                                           .upper_deg = config.plate.upper_stop_deg}},
+      .step_period_ns = config.paper.step_period_ns,
       .person = person_of(config),
       .reach = {.bound_deg = config.motion_bound_deg, .max_felt_error_deg = config.max_felt_error_deg},
-      .tracker_latency_ns = config.tracker_latency_ns,
+      .tracker_latency_ns = config.tracker.latency_ns,
       .plate_waits = (config.flags & HRT_SESSION_PLATE_WAITS) != 0,
       .frame = frame_covariance_of(config),
       .touched = touched_of(config),
@@ -145,21 +146,21 @@ RetargeterConfig to_core(const hrt_session_config& config) {
 }
 
 void write_person(const PersonBelief& belief, hrt_session_config* config) {
-  for (int i = 0; i < PersonTrait::count; ++i) config->person_mean[i] = belief.mean(i);
-  write_triangle<PersonTrait::count>(belief.covariance, config->person_covariance);
+  for (int i = 0; i < PersonTrait::count; ++i) config->person.mean[i] = belief.mean(i);
+  write_triangle<PersonTrait::count>(belief.covariance, config->person.covariance);
   const LinearIllusion linear = linear_illusion(belief);
-  config->tactile_weight = linear.weight;
-  config->tactile_weight_sd =
+  config->paper.tactile_weight = linear.weight;
+  config->paper.tactile_weight_sd =
       std::clamp(linear.weight_sd, ConfigFields::tactile_weight_sd.low, ConfigFields::tactile_weight_sd.high);
 }
 
 Illusion illusion_of(const hrt_session_config& config, double distance_m) {
-  if (!knows_person(config)) return {config.tactile_weight, 0.0};
+  if (!knows_person(config)) return {config.paper.tactile_weight, 0.0};
   const double distance_mm = 1000.0 * distance_m;
-  return {.weight = config.person_mean[HRT_PERSON_WEIGHT],
-          .curve = config.person_mean[HRT_PERSON_CURVE],
-          .fading = config.person_mean[HRT_PERSON_FADING],
-          .slowness = ridge_slowness(distance_mm * exponential(config.person_mean[HRT_PERSON_LOG_RATE]), distance_mm)};
+  return {.weight = config.person.mean[HRT_PERSON_WEIGHT],
+          .curve = config.person.mean[HRT_PERSON_CURVE],
+          .fading = config.person.mean[HRT_PERSON_FADING],
+          .slowness = ridge_slowness(distance_mm * exponential(config.person.mean[HRT_PERSON_LOG_RATE]), distance_mm)};
 }
 
 PlatePoint start_of(const hrt_session_config& config) {
@@ -167,10 +168,10 @@ PlatePoint start_of(const hrt_session_config& config) {
 }
 
 PlateSurface surface_of(const hrt_session_config& config) {
-  return {.radius_m = config.plate_radius_m, .lift_height_m = config.lift_height_m};
+  return {.radius_m = config.plate.radius_m, .lift_height_m = config.lift_height_m};
 }
 
-Pose plate_pose_of(const hrt_session_config& config) { return to_pose(config.plate_position_m, config.plate_rotation); }
+Pose plate_pose_of(const hrt_session_config& config) { return to_pose(config.plate.position_m, config.plate.rotation); }
 
 Pose to_pose(const double (&position_m)[3], const double (&rotation)[4]) {
   return {.position_m = {position_m[0], position_m[1], position_m[2]},

@@ -41,21 +41,21 @@ static_assert(SetupConfig::max_marks == HRT_MARKS_MAX && 3 * HRT_MARKS_MAX == HR
 std::uint32_t missing(const hrt_session_config& session) {
   return (is_not_zero(session.fingertip_offset_m) ? 0 : HRT_SETUP_FINGERTIP) |
          ((session.flags & HRT_SESSION_REGISTERED) != 0 ? 0 : HRT_SETUP_REGISTRATION) |
-         (session.tracker_latency_ns != 0 ? 0 : HRT_SETUP_LATENCY) |
+         (session.tracker.latency_ns != 0 ? 0 : HRT_SETUP_LATENCY) |
          (knows_person(session) ? 0 : HRT_SETUP_CALIBRATION);
 }
 
 // Straight ahead, on the plate.
 double room_ahead_m(const hrt_session_config& session) {
   const PlatePoint start = start_of(session);
-  const double square_m2 = session.plate_radius_m * session.plate_radius_m - start.right_m * start.right_m;
+  const double square_m2 = session.plate.radius_m * session.plate.radius_m - start.right_m * start.right_m;
   return std::sqrt(std::max(0.0, square_m2)) - start.away_m - rim_margin_m;
 }
 
 // The start, and places on the rim a third of a right angle from the line across: none opposite the start.
 void set_marks(const hrt_session_config& session, const hrt_setup_config& given, SetupConfig* config) {
   const double(&start_m)[3] = session.start_position_m;
-  const double r = session.plate_radius_m;
+  const double r = session.plate.radius_m;
   const double x = r * std::sqrt(0.75);
   const double usual_m[][3] = {{start_m[0], start_m[1], start_m[2]},
                                {0.0, 0.0, r},
@@ -86,7 +86,7 @@ SetupConfig to_setup(const hrt_session_config& session, std::uint32_t what, cons
     config.parts &= ~std::uint32_t{HRT_SETUP_CALIBRATION};
   config.carried = config.start;
   if (std::hypot(config.start.right_m, config.start.away_m) < min_carried_m)
-    config.carried = {.right_m = 0.0, .away_m = -0.7 * session.plate_radius_m};
+    config.carried = {.right_m = 0.0, .away_m = -0.7 * session.plate.radius_m};
   config.lower_plate_deg = given.lower_plate_deg;
   config.upper_plate_deg = given.upper_plate_deg;
   config.enough_weight_width = given.enough_weight_width;
@@ -139,7 +139,7 @@ bool take(const SetupFit& fit, hrt_session_config* session, hrt_setup_result* re
   } else if (fit.check) {
     result->check_distance_m = fit.check->distance_m;
     if (fit.check->holds) {
-      session->registration_time_ns = fit.touched_ns;
+      session->registration.time_ns = fit.touched_ns;
     } else {
       session->flags &= ~HRT_SESSION_REGISTERED;
       forget_contacts(session);
@@ -147,7 +147,7 @@ bool take(const SetupFit& fit, hrt_session_config* session, hrt_setup_result* re
     return fit.check->holds;
   } else if (fit.latency) {
     const TrackerLatency& latency = *fit.latency;
-    session->tracker_latency_ns = std::max<std::int64_t>(0, std::llround(1e9 * latency.latency_s));
+    session->tracker.latency_ns = std::max<std::int64_t>(0, std::llround(1e9 * latency.latency_s));
     result->latency_s = {latency.latency_s, latency.lower_s, latency.upper_s, 1, 0};
   } else if (fit.calibration) {
     describe(*fit.calibration, result);

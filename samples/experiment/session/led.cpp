@@ -148,7 +148,7 @@ std::string LedSubject::description() const {
 
 void LedSubject::plan(hrt_session_config& config) const {
   std::copy(targets_.start_m.begin(), targets_.start_m.end(), config.start_position_m);
-  config.plate_radius_m = targets_.plate_radius_m;
+  config.plate.radius_m = targets_.plate_radius_m;
   config.lift_height_m = reach::lifted_height_m;
   if (placed_) put_registration(*placed_, config);
   if (const hrt_plate_report* report = plate_->report()) hrt_session_config_from_plate(&config, report);
@@ -341,7 +341,7 @@ void LedSubject::home() {
 }
 
 ReachOutcome LedSubject::reach(const ReachOrder& order) {
-  ReachOutcome outcome{.summary = {.samples = 0}};
+  ReachOutcome outcome{.summary = {.counts = {.samples = 0}}};
   const auto at = [&](double direction_deg) {
     constexpr double rad_per_deg = 0.017453292519943295;
     return reach::Point{targets_.start_m[0] - order.distance_m * std::sin(direction_deg * rad_per_deg), 0.0,
@@ -375,8 +375,8 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
     outcome.peak_felt_error_deg = result.peak_felt_error_deg;
     outcome.is_truth = result.is_truth;
     outcome.summary = result.summary;
-    outcome.summary.samples = result.frames;  // the plugin's have the finger's lift at the end
-    outcome.summary.dropped_samples = result.dropouts;
+    outcome.summary.counts.samples = result.frames;  // the plugin's have the finger's lift at the end
+    outcome.summary.counts.dropped_samples = result.dropouts;
   } catch (const Ended& ended) {
     outcome.problem = ended.what();
   } catch (const reach::Failure& failure) {

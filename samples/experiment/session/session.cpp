@@ -43,10 +43,10 @@ json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&st
           {"peak_felt_error_deg", outcome.peak_felt_error_deg},
           {"is_truth", outcome.is_truth},
           {"duration_s", outcome.duration_s},
-          {"samples", summary.samples},
-          {"dropped", summary.dropped_samples},
-          {"tactile_weight", summary.tactile_weight},
-          {"tracker_noise_m", summary.tracker_noise_m},
+          {"samples", summary.counts.samples},
+          {"dropped", summary.counts.dropped_samples},
+          {"tactile_weight", summary.learnt.tactile_weight},
+          {"tracker_noise_m", summary.learnt.tracker_noise_m},
           {"misfit", summary.misfit},
           {"flags", summary.flags}};
 }
@@ -55,8 +55,9 @@ json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&st
 std::string judged(const Validity& rules, const ReachOutcome& outcome) {
   if (!outcome.problem.empty()) return outcome.problem;
   if (!outcome.has_ended) return "did not end";
-  const auto samples = static_cast<double>(std::max<std::int64_t>(1, outcome.summary.samples));
-  if (static_cast<double>(outcome.summary.dropped_samples) > rules.max_dropped_share * samples) return "finger lost";
+  const auto samples = static_cast<double>(std::max<std::int64_t>(1, outcome.summary.counts.samples));
+  if (static_cast<double>(outcome.summary.counts.dropped_samples) > rules.max_dropped_share * samples)
+    return "finger lost";
   if (outcome.duration_s < rules.min_s) return "too fast";
   return outcome.duration_s > rules.max_s ? "too slow" : "";
 }
@@ -263,7 +264,7 @@ class SessionRun {
   void keep_set_up(const LibrarySession& session, const hrt_setup_result& result) {
     const std::string profile = session.profile();
     keep("profile", profile);
-    show_noise(session.config().tracker_noise_m);
+    show_noise(session.config().tracker.noise_m);
     log("set_up", {{"is_known", result.done != 0},
                    {"slides", result.slides},
                    {"tactile_weight", result.tactile_weight.value},
@@ -387,7 +388,7 @@ class SessionRun {
     found["ended_ns"] = ended_ns;
     reach["reason"] = judged(design_.validity, outcome);
     reach["counts"] = reach["reason"] == "";
-    show_noise(outcome.summary.tracker_noise_m);
+    show_noise(outcome.summary.learnt.tracker_noise_m);
     subject_.show({{"measured",
                     {format("missed by %.1f mm", found["miss_mm"].get<double>()),
                      format("largest felt error %.1f°", outcome.peak_felt_error_deg),

@@ -64,8 +64,8 @@ std::string SimulatedSubject::description() const {
 }
 
 void SimulatedSubject::plan(hrt_session_config& config) const {
-  config.plate_max_speed_deg_s = max_speed_deg_s;
-  config.plate_latency_ns = latency_ns;
+  config.plate.max_speed_deg_s = max_speed_deg_s;
+  config.plate.latency_ns = latency_ns;
 }
 
 void SimulatedSubject::pass(double seconds) {

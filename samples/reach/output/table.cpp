@@ -87,7 +87,8 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
       << format("%+9.2f %8s %+8.2f %7.1f  %5s %7.3f %7s %7d %5d %5.0f%%  %s", result.final_direction_deg,
                 result.peak_felt_error_deg > 0.0 ? format("%.1f", result.peak_felt_error_deg).c_str() : "-",
                 result.miss_deg, result.miss_m * 1e3,
-                result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-", result.summary.tactile_weight,
+                result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-",
+                result.summary.learnt.tactile_weight,
                 result.is_truth ? format("%.1f", result.holdable_gap_deg).c_str() : "-", result.frames, result.dropouts,
                 result.saturated_share * 100.0, is_reached(pair, result) ? "reached" : "missed");
   if (result.changed_hands) out << " (hands changed)";
@@ -136,8 +137,8 @@ std::string calibration_text(const hrt_setup_result& result, const hrt_session_c
          line("largest gap that a plate can hold", result.max_gap_deg, "deg") +
          line("bias, left positive", result.bias_deg, "deg") +
          format("%-34s %8.0f deg at most\n", "the plate is turned from the motion", config.motion_bound_deg) +
-         format("%-34s %8.3f mm\n", "tracker noise, white", 1e3 * config.tracker_noise_m) +
-         format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker_correlated_noise_m) +
+         format("%-34s %8.3f mm\n", "tracker noise, white", 1e3 * config.tracker.noise_m) +
+         format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker.correlated_noise_m) +
          lack_of_fit_text(result.lack_of_fit) +
          (is_enough(result) ? "Enough: the share of touch is known as well as was asked.\n"
                             : "The share of touch is not known as well as was asked.\n");

@@ -24,11 +24,11 @@ void copy_name(const std::string& name, char (&out)[HRT_NAME_SIZE]) {
 TargetSet load_targets(const Plugin& plugin, const Options& options) {
   hrt_session_config config = hrt_session_config_init();
   constexpr double paper_tactile_weight = 0.15;
-  if (!options.for_people) config.tactile_weight = paper_tactile_weight;
-  if (options.tactile_weight) config.tactile_weight = *options.tactile_weight;
+  if (!options.for_people) config.paper.tactile_weight = paper_tactile_weight;
+  if (options.tactile_weight) config.paper.tactile_weight = *options.tactile_weight;
   config.adaptation = options.for_people ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
   config.guidance = options.for_people ? HRT_GUIDANCE_ARRIVAL : HRT_GUIDANCE_FIXED_DIRECTION;
-  config.motor_variance_deg2 = options.motor_variance_deg2;
+  config.paper.motor_variance_deg2 = options.motor_variance_deg2;
   config.lift_height_m = lifted_height_m;
   return load_targets(plugin, options.scene, config);
 }
@@ -55,11 +55,11 @@ void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report
   const hrt_session_config before = config;
   hrt_session_config_from_plate(&config, &report);
   constexpr std::int64_t max_steps = 8;  // of latency, that the plugin can plan with
-  config.plate_latency_ns = std::min<std::int64_t>(report.latency_ns, max_steps * config.step_period_ns);
-  if (report.latency_ns == 0) config.plate_latency_ns = before.plate_latency_ns;
+  config.plate.latency_ns = std::min<std::int64_t>(report.latency_ns, max_steps * config.paper.step_period_ns);
+  if (report.latency_ns == 0) config.plate.latency_ns = before.plate.latency_ns;
   const auto plate_of = [](const hrt_session_config& c) {
-    return std::tuple(c.plate_max_speed_deg_s, c.plate_max_acceleration_deg_s2, c.plate_latency_ns,
-                      c.plate_lower_stop_deg, c.plate_upper_stop_deg);
+    return std::tuple(c.plate.max_speed_deg_s, c.plate.max_acceleration_deg_s2, c.plate.latency_ns,
+                      c.plate.lower_stop_deg, c.plate.upper_stop_deg);
   };
   if (plate_of(config) != plate_of(before)) plugin.check(plugin.hrt_session_set(session, &config));
 }

@@ -172,9 +172,9 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
   result.frames = static_cast<int>(moments.size());
   result.dropouts = static_cast<int>(
       std::count_if(moments.begin(), moments.end(), [](const Moment& moment) { return !moment.tracked; }));
-  if (summary.steps > 0)
-    result.saturated_share =
-        static_cast<double>(summary.saturated_steps + summary.rate_limited_steps) / static_cast<double>(summary.steps);
+  if (summary.counts.steps > 0)
+    result.saturated_share = static_cast<double>(summary.counts.saturated_steps + summary.counts.rate_limited_steps) /
+                             static_cast<double>(summary.counts.steps);
   return result;
 }
 

@@ -35,9 +35,9 @@ struct Numbers {
   std::span<double> values;
 };
 std::vector<Numbers> numbers_of(RegisteredPlate& plate) {
-  std::vector<Numbers> all = {{"position_m", plate.found.plate_position_m},
-                              {"rotation", plate.found.plate_rotation},
-                              {"covariance", plate.found.plate_covariance},
+  std::vector<Numbers> all = {{"position_m", plate.found.plate.position_m},
+                              {"rotation", plate.found.plate.rotation},
+                              {"covariance", plate.found.plate.covariance},
                               {"check_m", plate.check.position_m}};
   if (plate.hand) all.push_back({"skin_m", plate.found.fingertip_offset_m});
   return all;
@@ -87,14 +87,14 @@ hrt_setup_config config_of(std::span<const Mark> marks) {
 }
 
 void place_plate(Stage& stage, const RegisteredPlate& plate) {
-  stage.session.place_plate(plate.space, to_xr(plate.found.plate_position_m, plate.found.plate_rotation));
+  stage.session.place_plate(plate.space, to_xr(plate.found.plate.position_m, plate.found.plate.rotation));
   std::copy_n(plate.found.fingertip_offset_m, 3, stage.skin_m.begin());
 }
 
 void put_registration(const RegisteredPlate& plate, hrt_session_config& config) {
-  std::copy_n(plate.found.plate_position_m, 3, config.plate_position_m);
-  std::copy_n(plate.found.plate_rotation, 4, config.plate_rotation);
-  std::copy_n(plate.found.plate_covariance, 6, config.plate_covariance);
+  std::copy_n(plate.found.plate.position_m, 3, config.plate.position_m);
+  std::copy_n(plate.found.plate.rotation, 4, config.plate.rotation);
+  std::copy_n(plate.found.plate.covariance, 6, config.plate.covariance);
   std::copy_n(plate.found.fingertip_offset_m, 3, config.fingertip_offset_m);
   config.flags |= HRT_SESSION_REGISTERED;
 }
@@ -140,9 +140,9 @@ double check_plate(Stage& stage, const RegisteredPlate& plate) {
 
 std::string registration_text(const RegisteredPlate& plate, const XrHeadlessSession& session) {
   RegisteredPlate copy = plate;
-  const auto [q, p] = session.now(plate.space, to_xr(plate.found.plate_position_m, plate.found.plate_rotation));
-  std::copy_n(std::array{p.x, p.y, p.z}.begin(), 3, copy.found.plate_position_m);
-  std::copy_n(std::array{q.x, q.y, q.z, q.w}.begin(), 4, copy.found.plate_rotation);
+  const auto [q, p] = session.now(plate.space, to_xr(plate.found.plate.position_m, plate.found.plate.rotation));
+  std::copy_n(std::array{p.x, p.y, p.z}.begin(), 3, copy.found.plate.position_m);
+  std::copy_n(std::array{q.x, q.y, q.z, q.w}.begin(), 4, copy.found.plate.rotation);
   Json json{{"version", version},
             {"space", plate.space == XR_REFERENCE_SPACE_TYPE_STAGE ? "STAGE" : "LOCAL"},
             {"check", plate.check.name}};

@@ -113,13 +113,13 @@ TEST(UnrealSettings, AreConverted) {
   const hrt_session_config config = HapticConversions::ToConfig(s, somewhere(), hrt_session_config_init());
   EXPECT_EQ(config.control, static_cast<uint32_t>(HRT_CONTROL_FIXED_PLATE));
   EXPECT_EQ(config.flags, HRT_SESSION_PLATE_WAITS);
-  EXPECT_EQ(config.step_period_ns, 50'000'000);
-  EXPECT_EQ(config.plate_lower_stop_deg, -110);
-  EXPECT_EQ(config.plate_upper_stop_deg, 100);
+  EXPECT_EQ(config.paper.step_period_ns, 50'000'000);
+  EXPECT_EQ(config.plate.lower_stop_deg, -110);
+  EXPECT_EQ(config.plate.upper_stop_deg, 100);
   EXPECT_EQ(config.fixed_plate_orientation_deg, -12);
   EXPECT_DOUBLE_EQ(config.start_position_m[2], 0.04);
-  EXPECT_DOUBLE_EQ(config.tracker_noise_m, 0.001);
-  EXPECT_DOUBLE_EQ(config.plate_position_m[2], -1.2);
+  EXPECT_DOUBLE_EQ(config.tracker.noise_m, 0.001);
+  EXPECT_DOUBLE_EQ(config.plate.position_m[2], -1.2);
 }
 
 TEST_F(Component, HasNoStepBeforeTheFirstCommand) {

@@ -40,7 +40,7 @@ TEST_F(ThreadTest, SecondThreadIsRefusedAndNothingIsCorrupted) {
   b.join();
   EXPECT_GT(refused, 0);
   EXPECT_EQ(other, 0);
-  EXPECT_EQ(end().samples, taken);
+  EXPECT_EQ(end().counts.samples, taken);
 }
 
 // What one thread sees of its own session does not depend on what another does with its own.

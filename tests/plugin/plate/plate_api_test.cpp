@@ -147,10 +147,10 @@ TEST_F(PlateApi, OpensWhatWasCommissionedAndReportsWhenItDeviates) {
     EXPECT_NE(report.flags & HRT_PLATE_REPORT_COMMISSIONED, 0U);
     hrt_session_config config{};
     hrt_session_config_from_plate(&config, &report);
-    EXPECT_EQ(config.plate_max_speed_deg_s, 190.0);
-    EXPECT_EQ(config.plate_max_acceleration_deg_s2, 5000.0);
-    EXPECT_EQ(config.plate_latency_ns, 25'000'000 + report.round_trip_ns / 2);
-    EXPECT_EQ(config.plate_upper_stop_deg, 90.0);
+    EXPECT_EQ(config.plate.max_speed_deg_s, 190.0);
+    EXPECT_EQ(config.plate.max_acceleration_deg_s2, 5000.0);
+    EXPECT_EQ(config.plate.latency_ns, 25'000'000 + report.round_trip_ns / 2);
+    EXPECT_EQ(config.plate.upper_stop_deg, 90.0);
     for (const double to_deg : {80.0, -80.0, 80.0}) {
       ASSERT_EQ(hrt_plate_set(plate, to_deg), HRT_OK);
       ASSERT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg - to_deg) < 5.0; }));

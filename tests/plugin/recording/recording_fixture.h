@@ -106,12 +106,12 @@ class RecordingTest : public SessionTest {
     const hrt_target real = add(HRT_TARGET_REAL, -5.0, "cylinder"), cup = add(HRT_TARGET_VIRTUAL, 5.0, "a \"cup\"");
     reach_by_direction(real, cup);
     hrt_session_config config = session_config();
-    config.horizon = 20;
-    config.plate_max_speed_deg_s = 400.0;
-    config.plate_latency_ns = 30 * ms;
-    config.plate_position_m[1] = 0.7;
-    config.plate_rotation[1] = 0.6;
-    config.plate_rotation[3] = 0.8;
+    config.paper.horizon = 20;
+    config.plate.max_speed_deg_s = 400.0;
+    config.plate.latency_ns = 30 * ms;
+    config.plate.position_m[1] = 0.7;
+    config.plate.rotation[1] = 0.6;
+    config.plate.rotation[3] = 0.8;
     ASSERT_OK(hrt_session_set(session, &config));
     reach_by_position(real, cup, HRT_SAMPLE_PLATE_POSITION);
     reach_by_position(real, cup, HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE);

@@ -162,7 +162,7 @@ TEST_F(RecordingTest, SlowDiskLosesRowsAndNoControl) {
     update(direction_sample(i * ms, 0.0));
     std::this_thread::sleep_for(std::chrono::microseconds(20));
   }
-  EXPECT_EQ(end().samples, 40'000);
+  EXPECT_EQ(end().counts.samples, 40'000);
   status = stop();
   slow.join();
   close(ends[0]);

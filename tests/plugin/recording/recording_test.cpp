@@ -346,7 +346,7 @@ TEST_F(RecordingTest, RefusedCallsAreRecordedAndReplayed) {
 // A recording that starts late starts from where plate, targets and what was learnt are then.
 TEST_F(RecordingTest, MayStartAnyTimeBetweenReaches) {
   hrt_session_config config = paper_config();
-  config.plate_max_speed_deg_s = 100.0;
+  config.plate.max_speed_deg_s = 100.0;
   config.adaptation = HRT_ADAPTATION_CARRIED;
   create(config);
   const hrt_target gone = add(HRT_TARGET_REAL, 1.0), real = add(HRT_TARGET_REAL, -5.0),

@@ -59,7 +59,7 @@ bool UHapticRetargetingComponent::Configure()
 		Settings.bRegistered = false;
 	}
 	hrt_session_config Config = ToConfig(Settings, GetComponentTransform(), Configured);
-	PlatePose(Config.plate_position_m, Config.plate_rotation);
+	PlatePose(Config.plate.position_m, Config.plate.rotation);
 	const bool bMade = Session.value == 0;
 	const bool bSame = !bMade && std::memcmp(&Config, &Configured, sizeof Config) == 0;
 	if (bSame || HAPTIC_CALL(bMade ? hrt_session_create(HRT_VERSION, &Config, &Session) : hrt_session_set(Session, &Config)))
@@ -78,7 +78,7 @@ bool UHapticRetargetingComponent::IsAtPlate() const
 /** Puts the component where the session has the plate. */
 void UHapticRetargetingComponent::MoveToPlate()
 {
-	SetWorldTransform(FTransform(FromQuaternion(Configured.plate_rotation), FromMetres(Configured.plate_position_m)));
+	SetWorldTransform(FTransform(FromQuaternion(Configured.plate.rotation), FromMetres(Configured.plate.position_m)));
 	PlatePlace = GetComponentTransform();
 	bPlacedByPlugin = true;
 }
@@ -88,8 +88,8 @@ void UHapticRetargetingComponent::PlatePose(double (&OutPosition)[3], double (&O
 {
 	if (IsAtPlate())
 	{
-		std::copy(std::begin(Configured.plate_position_m), std::end(Configured.plate_position_m), OutPosition);
-		std::copy(std::begin(Configured.plate_rotation), std::end(Configured.plate_rotation), OutRotation);
+		std::copy(std::begin(Configured.plate.position_m), std::end(Configured.plate.position_m), OutPosition);
+		std::copy(std::begin(Configured.plate.rotation), std::end(Configured.plate.rotation), OutRotation);
 		return;
 	}
 	const FTransform& Plate = GetComponentTransform();
@@ -110,8 +110,8 @@ void UHapticRetargetingComponent::TakeFromSession()
 		return;
 	}
 	TakeChanges(Before, Configured, Settings);
-	if (std::memcmp(Before.plate_position_m, Configured.plate_position_m, sizeof Before.plate_position_m) != 0 ||
-		std::memcmp(Before.plate_rotation, Configured.plate_rotation, sizeof Before.plate_rotation) != 0)
+	if (std::memcmp(Before.plate.position_m, Configured.plate.position_m, sizeof Before.plate.position_m) != 0 ||
+		std::memcmp(Before.plate.rotation, Configured.plate.rotation, sizeof Before.plate.rotation) != 0)
 	{
 		MoveToPlate();
 	}
