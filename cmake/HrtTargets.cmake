@@ -36,6 +36,10 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # which look for th
   endforeach()
   target_link_options(hrt_flags INTERFACE LINKER:-z,relro,-z,now,-z,noexecstack)
 endif()
+if(WIN32 AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(hrt_flags INTERFACE -fstack-protector-strong)
+  target_link_options(hrt_flags INTERFACE -fstack-protector-strong)  # its runtime, inside as the others
+endif()
 target_compile_definitions(hrt_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 # For the sanitizers: fast enough to run everything, names and lines in their reports, and half the time to
 # compile of a release with debug information.

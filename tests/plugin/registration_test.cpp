@@ -1,6 +1,7 @@
 // What a registration of the plate means for a session: scale, uncertainty, age.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "fixture.h"
@@ -25,6 +26,26 @@ TEST_F(RegistrationTest, TargetsInTheWorldFollowTheScale) {
   auto gap = output<hrt_gap>();
   ASSERT_OK(hrt_gap_query(session, id, add(HRT_TARGET_VIRTUAL, -45.0), &gap));
   EXPECT_NEAR(gap.gap_deg, 0.0, 1e-9);
+}
+
+// The target is 10 cm ahead of the start, 5 cm beyond the plate's centre, about which a turn of 2 degrees moves it by 1
+// degree of bearing: 2 Phi(-1.5) of reaches end more than 1.5 degrees off. A shift to the right is seen from the start.
+TEST_F(RegistrationTest, AGapHasWhatTheRegistrationAloneCosts) {
+  const hrt_target real = add(HRT_TARGET_REAL, 0.0), felt = add(HRT_TARGET_VIRTUAL, 5.0);
+  const auto gap_with = [&](double turn_deg, double shift_m) {
+    hrt_session_config config = session_config();
+    config.plate.covariance[0] = std::pow(turn_deg * std::numbers::pi / 180.0, 2);
+    config.plate.covariance[2] = shift_m * shift_m;
+    EXPECT_OK(hrt_session_set(session, &config));
+    auto gap = output<hrt_gap>();
+    EXPECT_OK(hrt_gap_query(session, real, felt, &gap));
+    return gap;
+  };
+  EXPECT_EQ(gap_with(0.0, 0.0).registration_sd_deg, 0.0);
+  EXPECT_EQ(gap_with(0.0, 0.0).registration_miss_share, 0.0);
+  EXPECT_NEAR(gap_with(2.0, 0.0).registration_sd_deg, 1.0, 1e-9);
+  EXPECT_NEAR(gap_with(2.0, 0.0).registration_miss_share, 0.133614, 1e-6);
+  EXPECT_NEAR(gap_with(0.0, 0.002).registration_sd_deg, 0.002 / 0.1 * 180.0 / std::numbers::pi, 1e-9);
 }
 
 // A scene says where the plate is, and so replaces what was registered.

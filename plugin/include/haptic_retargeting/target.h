@@ -89,6 +89,12 @@ typedef struct hrt_gap {
   double settling_direction_deg;
   /** max_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. */
   double paper_max_gap_deg;
+  /** Standard deviation of where reaches end about the real target, degrees of bearing, by the plate's
+   * registration alone (hrt_session_config::plate.covariance) or, once there were any, contacts. */
+  double registration_sd_deg;
+  /** Share of reaches that end off the target (HRT_COMMAND_OFF_TARGET) for that alone, whoever makes them:
+   * if it is too large, register again. 0 to 1. */
+  double registration_miss_share;
 } hrt_gap;
 
 /** Returns the gap of a pair, before a reach. [one-thread] */

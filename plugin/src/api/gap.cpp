@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "core/assignment.h"
+#include "core/math/distributions.h"
 #include "core/math/trigonometry.h"
 #include "core/paper/participant.h"
 #include "core/person/illusion.h"
+#include "core/plate/touched_frame.h"
+#include "core/reach/reach.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/session/contact.h"
 
 namespace hrt::plugin {
 namespace {
@@ -30,6 +34,9 @@ hrt_gap gap_of(const Session& session, hrt_target real_target, hrt_target virtua
       arrival ? authority_about_motion(goal_deg - gap_deg, goal_deg, illusion_of(config, seen.distance_m),
                                        config.motion_bound_deg)
               : paper;
+  const PlatePoint start = start_of(config);
+  const double registration_sd_deg = bearing_sd_deg(touched_of(config), frame_covariance_of(config), start,
+                                                    point_ahead(start, seen.direction_deg, seen.distance_m));
   return {
       .struct_size = sizeof(hrt_gap),
       .reachable = authority.reachable ? 1u : 0u,
@@ -41,6 +48,8 @@ hrt_gap gap_of(const Session& session, hrt_target real_target, hrt_target virtua
       .plate_orientation_deg = authority.plate_orientation_deg,
       .settling_direction_deg = authority.settling_direction_deg,
       .paper_max_gap_deg = paper.max_gap_deg,
+      .registration_sd_deg = registration_sd_deg,
+      .registration_miss_share = registration_sd_deg > 0.0 ? 2.0 * normal_cdf(-near_deg / registration_sd_deg) : 0.0,
   };
 }
 

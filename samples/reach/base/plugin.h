@@ -23,6 +23,7 @@ namespace hrt::reach {
   X(hrt_scene_get_target)             \
   X(hrt_scene_register)               \
   X(hrt_scene_destroy)                \
+  X(hrt_gap_query)                    \
   X(hrt_reach_begin)                  \
   X(hrt_reach_update)                 \
   X(hrt_reach_touched)                \

@@ -26,6 +26,19 @@ hrt_setup_result touch(Stage& stage, std::uint32_t what, std::span<const Mark> m
 
 using Json = nlohmann::ordered_json;
 
+// Of the target for which the registration matters most.
+std::string worth_of(const Stage& stage) {
+  hrt_gap worst = hrt_gap_init();
+  for (const TargetPair& pair : stage.targets.pairs) {
+    hrt_gap gap = hrt_gap_init();
+    stage.plugin.check(stage.plugin.hrt_gap_query(stage.targets.session, pair.real_target, pair.virtual_target, &gap));
+    if (gap.registration_sd_deg >= worst.registration_sd_deg) worst = gap;
+  }
+  return format("For that alone reaches end %.2f degrees (SD) beside the target, and %.1f of 100 miss it.",
+                worst.registration_sd_deg, 100.0 * worst.registration_miss_share) +
+         (worst.registration_miss_share > 0.05 ? " Registering once more is worth it." : "");
+}
+
 constexpr int version = 2;
 constexpr const char* hand_names[] = {"left", "right"};
 
@@ -113,6 +126,7 @@ RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool f
   stage.tell_user(format("The plate is registered: residual %.1f mm, its turn known to %.2f degrees.",
                          millimetres * found.registration_residual_m, found.registration_turn_sd_deg));
   place_plate(stage, plate);
+  stage.tell_user(worth_of(stage));
   return plate;
 }
 
