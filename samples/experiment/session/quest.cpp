@@ -10,12 +10,24 @@ namespace {
 constexpr double prior_threshold_deg = 14.0;
 constexpr double prior_sd_log2 = 1.0;
 constexpr int threshold_steps = 61;  // over four standard deviations to either side, as far as it matters
-constexpr double slopes[] = {1.0, 1.5, 2.0, 3.0, 4.5};
-constexpr double lapses[] = {0.0, 0.01, 0.02, 0.03, 0.05};
 
 double entropy(double share) {
   const double other = 1.0 - share;
   return (share > 0.0 ? -share * std::log(share) : 0.0) + (other > 0.0 ? -other * std::log(other) : 0.0);
+}
+
+QuestPlus::Grid grid_between(double min_gap_deg, double max_gap_deg) {
+  QuestPlus::Grid grid{.slopes = {1.0, 1.5, 2.0, 3.0, 4.5}, .lapses = {0.0, 0.01, 0.02, 0.03, 0.05}};
+  constexpr double steps_per_decade = 20.0;
+  const int steps = static_cast<int>(std::lround(steps_per_decade * std::log10(max_gap_deg / min_gap_deg)));
+  for (int i = 0; i <= steps; ++i)
+    grid.gaps.push_back(min_gap_deg * std::pow(max_gap_deg / min_gap_deg, i / (1.0 * steps)));
+  for (int i = 0; i < threshold_steps; ++i) {
+    const double deviations = 4.0 * (2.0 * i / (threshold_steps - 1) - 1.0);
+    grid.thresholds.push_back(prior_threshold_deg * std::exp2(prior_sd_log2 * deviations));
+    grid.prior.push_back(std::exp(-0.5 * deviations * deviations));
+  }
+  return grid;
 }
 
 }  // namespace
@@ -24,19 +36,15 @@ double right_share(double gap, double threshold, double slope, double lapse) {
   return 1.0 - lapse - (0.5 - lapse) * std::exp(-std::pow(gap / threshold, slope));
 }
 
-QuestPlus::QuestPlus(double min_gap_deg, double max_gap_deg) {
-  constexpr double steps_per_decade = 20.0;
-  const int steps = static_cast<int>(std::lround(steps_per_decade * std::log10(max_gap_deg / min_gap_deg)));
-  for (int i = 0; i <= steps; ++i)
-    gaps_.push_back(min_gap_deg * std::pow(max_gap_deg / min_gap_deg, i / (1.0 * steps)));
-  for (int i = 0; i < threshold_steps; ++i) {
-    const double deviations = 4.0 * (2.0 * i / (threshold_steps - 1) - 1.0);
-    for (const double slope : slopes)
-      for (const double lapse : lapses) {
-        people_.push_back({prior_threshold_deg * std::exp2(prior_sd_log2 * deviations), slope, lapse});
-        belief_.push_back(std::exp(-0.5 * deviations * deviations));
+QuestPlus::QuestPlus(double min_gap_deg, double max_gap_deg) : QuestPlus(grid_between(min_gap_deg, max_gap_deg)) {}
+
+QuestPlus::QuestPlus(const Grid& grid) : gaps_(grid.gaps), threshold_count_(grid.thresholds.size()) {
+  for (std::size_t i = 0; i < threshold_count_; ++i)
+    for (const double slope : grid.slopes)
+      for (const double lapse : grid.lapses) {
+        people_.push_back({grid.thresholds[i], slope, lapse});
+        belief_.push_back(grid.prior[i]);
       }
-  }
   const double sum = std::accumulate(belief_.begin(), belief_.end(), 0.0);
   for (double& belief : belief_) belief /= sum;
   for (const double gap : gaps_)
@@ -77,16 +85,17 @@ void QuestPlus::update(double gap_deg, bool is_right) {
 QuestPlus::Threshold QuestPlus::threshold() const {
   double mean_log = 0.0;
   for (std::size_t p = 0; p < people_.size(); ++p) mean_log += belief_[p] * std::log(people_[p].threshold);
+  const std::size_t each = people_.size() / threshold_count_;
+  const double step = std::log(people_[each].threshold / people_.front().threshold);
   const auto quantile = [&](double share) {
     double below = 0.0;
-    for (std::size_t p = 0; p < people_.size(); p += std::size(slopes) * std::size(lapses)) {
-      double here = 0.0;
-      for (std::size_t i = 0; i < std::size(slopes) * std::size(lapses); ++i) here += belief_[p + i];
+    for (std::size_t p = 0; p < people_.size(); p += each) {
+      const auto first = belief_.begin() + static_cast<std::ptrdiff_t>(p);
+      const double here = std::accumulate(first, first + static_cast<std::ptrdiff_t>(each), 0.0);
       below += here;
       if (below < share) continue;
       // Between the grid's values, as if each were spread over its cell.
-      const double step = 8.0 * prior_sd_log2 / (threshold_steps - 1);
-      return people_[p].threshold * std::exp2(step * (0.5 - (below - share) / here));
+      return people_[p].threshold * std::exp(step * (0.5 - (below - share) / here));
     }
     return people_.back().threshold;
   };

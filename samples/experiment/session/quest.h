@@ -2,6 +2,7 @@
 // least is expected to be unknown of threshold, slope and lapses. Our own code, of the published equations.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace hrt::experiment {
@@ -11,6 +12,12 @@ double right_share(double gap, double threshold, double slope, double lapse);
 
 class QuestPlus {
  public:
+  /// Values that gap, threshold, slope and lapses can have. `prior` is of each threshold, in any unit; slopes and
+  /// lapses are as probable as each other. Thresholds are in equal steps of their logarithm.
+  struct Grid {
+    std::vector<double> gaps, thresholds, prior, slopes, lapses;
+  };
+  explicit QuestPlus(const Grid& grid);
   /// Gaps of 1 dB steps of their logarithm between the two. The prior of the threshold is normal in its
   /// logarithm about 14 (touch, Keyson 1995), wide enough for 4.5 (vision): a factor of 2 is a standard
   /// deviation.
@@ -36,6 +43,7 @@ class QuestPlus {
   };
 
   std::vector<double> gaps_;
+  std::size_t threshold_count_;
   std::vector<Person> people_;       // of the grid, by threshold
   std::vector<double> belief_;       // of each
   std::vector<double> right_;        // of each gap and person

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "samples/experiment/design/draws.h"
@@ -20,75 +20,69 @@ TEST(ExperimentQuest, ShareOfRightAnswers) {
   EXPECT_NEAR(right_share(1000, 10, 2, 0.02), 0.98, 1e-12);
 }
 
-// The published method (Watson 2017, section 2), slowly: Bayes over a cube, entropies of both possible
-// posteriors.
-class SlowQuest {
- public:
-  SlowQuest() {
-    for (int t = 0; t < 61; ++t)
-      for (const double slope : {1.0, 1.5, 2.0, 3.0, 4.5})
-        for (const double lapse : {0.0, 0.01, 0.02, 0.03, 0.05}) {
-          const double z = -4.0 + 8.0 * t / 60.0;
-          people_.push_back({14.0 * std::pow(2.0, z), slope, lapse, std::exp(-z * z / 2.0)});
-        }
-  }
-
-  double expected_entropy(double gap) const {
-    double total = 0.0, expected = 0.0;
-    for (const auto& p : people_) total += p[3];
-    for (const bool is_right : {true, false}) {
-      double share = 0.0, entropy = 0.0;
-      for (const auto& p : people_) share += p[3] / total * likelihood(p, gap, is_right);
-      for (const auto& p : people_) {
-        const double posterior = p[3] / total * likelihood(p, gap, is_right) / share;
-        if (posterior > 0.0) entropy -= posterior * std::log(posterior);
-      }
-      expected += share * entropy;
-    }
-    return expected;
-  }
-  void update(double gap, bool is_right) {
-    for (auto& p : people_) p[3] *= likelihood(p, gap, is_right);
-  }
-  double mean() const {
-    double total = 0.0, sum = 0.0;
-    for (const auto& p : people_) {
-      total += p[3];
-      sum += p[3] * std::log(p[0]);
-    }
-    return std::exp(sum / total);
-  }
-
- private:
-  static double likelihood(const std::array<double, 4>& p, double gap, bool is_right) {
-    const double right = 0.5 + (0.5 - p[2]) * (1.0 - std::exp(-std::pow(gap / p[0], p[1])));
-    return is_right ? right : 1.0 - right;
-  }
-
-  std::vector<std::array<double, 4>> people_;  // threshold, slope, lapse, belief
+// A sequence of the Python package questplus 2023.1 (Höchenberger; Weibull in dB, min_entropy, mean): the places in
+// the grid of the gaps that it chose, by these answers (1: right), and its means of the threshold after every
+// `every` of them.
+struct Published {
+  QuestPlus quest;
+  std::vector<std::size_t> chosen;
+  std::string answers;
+  std::size_t every;
+  std::vector<double> means;
 };
 
-TEST(ExperimentQuest, ChoosesAndLearnsAsTheSlowOne) {
-  QuestPlus quest(1, 30);
-  SlowQuest slow;
-  Stream draw(Use::answers, {1});
-  for (int trial = 0; trial < 20; ++trial) {
-    double best = 1e9, best_gap = 0.0;
-    for (const double gap : quest.gaps_deg()) {
-      const double entropy = slow.expected_entropy(gap);
-      if (entropy < best - 1e-12) {
-        best = entropy;
-        best_gap = gap;
-      }
-    }
-    const double gap = quest.next_gap_deg();
-    ASSERT_NEAR(slow.expected_entropy(gap), best, 1e-9) << trial;
-    EXPECT_NEAR(gap, best_gap, 1e-9) << trial;
-    const bool is_right = draw.uniform() < right_share(gap, 8, 2, 0.02);
-    quest.update(gap, is_right);
-    slow.update(gap, is_right);
-    EXPECT_NEAR(quest.threshold().deg, slow.mean(), 1e-9);
+void expect_as_published(Published run) {
+  ASSERT_EQ(run.chosen.size(), run.answers.size());
+  ASSERT_EQ(run.means.size(), run.answers.size() / run.every);
+  for (std::size_t i = 0; i < run.answers.size(); ++i) {
+    const double gap = run.quest.next_gap_deg();
+    ASSERT_NEAR(gap, run.quest.gaps_deg()[run.chosen[i]], 1e-9 * gap) << i;
+    run.quest.update(gap, run.answers[i] == '1');
+    if ((i + 1) % run.every != 0) continue;
+    EXPECT_NEAR(run.quest.threshold().deg, run.means[i / run.every], 2e-6) << i;
   }
+}
+
+// The grid in use. The answers are of observers whose thresholds are 8° and 20°, beyond the prior's mean.
+TEST(ExperimentQuest, ChoosesAndLearnsAsAPublishedOne) {
+  expect_as_published({QuestPlus(1, 30),
+                       {24, 23, 22, 22, 21, 20, 24, 24, 23, 23, 23, 22, 22, 20, 19, 18, 18, 22, 22, 22,
+                        21, 21, 18, 18, 17, 17, 17, 21, 23, 23, 23, 23, 23, 18, 18, 17, 17, 17, 23, 18,
+                        17, 17, 17, 17, 17, 17, 17, 17, 17, 16, 22, 22, 22, 17, 16, 16, 16, 16, 22, 22},
+                       "111110111111111101111111110011111111101111111011101111111011",
+                       10,
+                       {10.093563, 8.815963, 9.128915, 8.453615, 8.075686, 7.687575}});
+  expect_as_published({QuestPlus(1, 30),
+                       {24, 23, 28, 27, 30, 30, 30, 29, 29, 28, 28, 26, 26, 25, 29, 29, 29, 28, 28, 25,
+                        24, 29, 29, 28, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 25, 25, 25,
+                        25, 25, 25, 25, 25, 30, 30, 30, 25, 25, 30, 30, 30, 25, 30, 30, 30, 30, 25, 30},
+                       "101011111111101111110110011110111111111110110111101110111101",
+                       10,
+                       {19.46203, 17.671312, 24.680209, 20.809271, 22.091236, 22.514258}});
+}
+
+// The example of Watson (2017) with threshold, slope and lapses, as that package has it among its tests.
+TEST(ExperimentQuest, ChoosesAsInThePaper) {
+  QuestPlus::Grid grid{.slopes = {2, 3, 4, 5}, .lapses = {0, 0.01, 0.02, 0.03, 0.04}};
+  for (int db = -40; db <= 0; ++db) grid.gaps.push_back(std::pow(10.0, db / 20.0));
+  grid.thresholds = grid.gaps;
+  grid.prior.assign(grid.gaps.size(), 1.0);
+  std::vector<std::size_t> chosen;
+  for (const int db :
+       {-18, -22, -25, -28, -30, -21, -12, -14, -15, -16, -18, -19, -20, -22, -23, -18, -19, -16, -17, -17, -18, -18,
+        -18, -19, -19, -17, -17, -18, -18, -18, -18, -19, -19, -20, -18, -18, -18, -18, -18, -19, -19, -19, -19, -20,
+        -18, -18, -18, -18, -18, -18, -18, -18, -18, -19, -19, -19, -20, -18, -18, -18, -18, -19, -19, -19, -18, -18,
+        -18, -18, -19, -19, -19, -19, -19, -19, -19, -19, -20, -21, -19, -19, -19, -19, -19, -19, -19, -18, -19, -19,
+        -16, -16, -16, -16, -16, -16, 0,   0,   -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19,
+        -21, -21, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19, -19})
+    chosen.push_back(static_cast<std::size_t>(40 + db));
+  std::vector<double> means;
+  for (const double db : {-20.342574, -19.811471, -19.356445, -19.452162, -19.589517, -19.53091, -19.87428, -19.597275})
+    means.push_back(std::pow(10.0, db / 20.0));
+  expect_as_published({QuestPlus(grid), chosen,
+                       "1111001111111101011111110111111110111111111011101111111101111110"
+                       "1111111111111010111101101111111011111111111111101110100111101111",
+                       16, means});
 }
 
 // Observers as the prior has them, with lapses to 3 %. HRT_EXPERIMENT_OBSERVERS has more than the 300 here.
