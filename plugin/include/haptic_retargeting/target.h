@@ -92,7 +92,7 @@ typedef struct hrt_gap {
   /** Standard deviation of where reaches end about the real target, degrees of bearing, by the plate's
    * registration alone (hrt_session_config::plate.covariance) or, once there were any, contacts. */
   double registration_sd_deg;
-  /** Share of reaches that end off the target (HRT_COMMAND_OFF_TARGET) for that alone, whoever makes them:
+  /** Share of reaches that end off the target (HRT_COMMAND_OFF_TARGET) for that alone, of anybody:
    * if it is too large, register again. 0 to 1. */
   double registration_miss_share;
 } hrt_gap;
