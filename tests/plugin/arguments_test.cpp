@@ -144,9 +144,7 @@ void ArgumentsTest::try_reaches() {
   REFUSES(hrt_profile_save, session, text.size(), text.data(), &count);
   REFUSES(hrt_profile_load, session, "{}", 2);
 
-  hrt_reach_config reach = hrt_reach_config_init();
-  reach.real_target = real;
-  reach.virtual_target = seen;
+  const hrt_reach_config reach = reach_config(real, seen);
   hrt_sample sample = direction_sample(0, 0.0);
   auto command = output<hrt_command>();
   auto summary = output<hrt_reach_summary>();

@@ -52,9 +52,7 @@ class ContactTest : public SessionTest {
   void begin_straight_ahead(double radius_m = 0.0) {
     hrt_target_config real = target_config(HRT_TARGET_REAL, 0.0);
     real.radius_m = radius_m;
-    hrt_target target{};
-    ASSERT_OK(hrt_target_add(session, &real, &target));
-    ASSERT_OK(begin(target, add(HRT_TARGET_VIRTUAL, 0.0)));
+    ASSERT_OK(begin(add(real), add(HRT_TARGET_VIRTUAL, 0.0)));
   }
 
   /// The tracker sees a finger that slides straight ahead, 100 mm in 1.5 s.

@@ -120,10 +120,8 @@ class Extremes : public SessionTest {
   }
 
   hrt_result begin_anyhow() {
-    hrt_reach_config reach = hrt_reach_config_init();
-    reach.real_target = place(HRT_TARGET_REAL);
-    reach.virtual_target = place(HRT_TARGET_VIRTUAL);
-    reach.flags = below(2) == 0 ? HRT_REACH_PLATE_ORIENTATION : 0u;
+    const hrt_target real = place(HRT_TARGET_REAL), seen = place(HRT_TARGET_VIRTUAL);
+    hrt_reach_config reach = reach_config(real, seen, below(2) == 0 ? HRT_REACH_PLATE_ORIENTATION : 0u);
     reach.plate_orientation_deg = within(-3600.0, 3600.0);
     reach.duration_s = one_of({0.0, 0.1, 1.0, 20.0});
     auto gap = output<hrt_gap>();

@@ -64,24 +64,21 @@ TEST_F(FaultTest, PlateIsHeldFlagsSaySoAndTheLogOnce) {
                            "held, and the reach taught nothing\n");
   begin_reach();
   reach(true);
-  ASSERT_OK(hrt_session_destroy(session));
-  session.value = 0;
+  destroy();
   EXPECT_EQ(std::count(log_.text.begin(), log_.text.end(), '\n'), 1);
 }
 
 TEST_F(FaultTest, DestroyedSessionLogsIt) {
   begin_reach();
   reach(true);
-  ASSERT_OK(hrt_session_destroy(session));
-  session.value = 0;
+  destroy();
   EXPECT_NE(log_.text.find("a defect of the library"), std::string::npos);
 }
 
 TEST_F(FaultTest, SoundControllerLogsNothing) {
   begin_reach();
   EXPECT_EQ(reach(false).flags & HRT_COMMAND_FAULT, 0u);
-  ASSERT_OK(hrt_session_destroy(session));
-  session.value = 0;
+  destroy();
   EXPECT_EQ(faults_, 0);
   EXPECT_EQ(log_.text, "");
 }

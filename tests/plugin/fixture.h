@@ -74,6 +74,23 @@ inline hrt_target_config target_config(std::uint32_t role, double direction_deg,
   return config;
 }
 
+/// On the plate, `forward_m` along the mid-line away from the user.
+inline hrt_target_config placed(std::uint32_t role, double right_m, double forward_m) {
+  hrt_target_config config = target_config(role, 0.0);
+  config.place = HRT_PLACE_PLATE_POSITION;
+  config.position_m[0] = right_m;
+  config.position_m[2] = -forward_m;
+  return config;
+}
+
+inline hrt_reach_config reach_config(hrt_target real_target, hrt_target virtual_target, std::uint32_t flags = 0) {
+  hrt_reach_config config = hrt_reach_config_init();
+  config.real_target = real_target;
+  config.virtual_target = virtual_target;
+  config.flags = flags;
+  return config;
+}
+
 inline hrt_sample direction_sample(std::int64_t time_ns, double direction_deg) {
   auto sample = output<hrt_sample>();
   sample.flags = HRT_SAMPLE_DIRECTION;
@@ -95,31 +112,38 @@ inline hrt_sample position_sample(std::int64_t time_ns, double right_m, double f
 class SessionTest : public ::testing::Test {
  protected:
   void SetUp() override { create(session_config()); }
-  void TearDown() override {
+  void TearDown() override { destroy(); }
+
+  /// The session, if there is one.
+  void destroy() {
     if (session.value != 0) {
       EXPECT_OK(hrt_session_destroy(session));
     }
+    session.value = 0;
   }
 
   void create(const hrt_session_config& config) {
-    if (session.value != 0) {
-      ASSERT_OK(hrt_session_destroy(session));
-    }
-    session.value = 0;
+    destroy();
     ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   }
 
   hrt_target add(std::uint32_t role, double direction_deg, const char* name = "") {
-    const hrt_target_config config = target_config(role, direction_deg, name);
+    return add(target_config(role, direction_deg, name));
+  }
+  hrt_target add(const hrt_target_config& config) {
     hrt_target target{};
     EXPECT_OK(hrt_target_add(session, &config, &target));
     return target;
   }
 
-  hrt_result begin(hrt_target real_target, hrt_target virtual_target) {
-    hrt_reach_config config = hrt_reach_config_init();
-    config.real_target = real_target;
-    config.virtual_target = virtual_target;
+  hrt_gap gap_of(hrt_target real_target, hrt_target virtual_target) const {
+    auto gap = output<hrt_gap>();
+    EXPECT_OK(hrt_gap_query(session, real_target, virtual_target, &gap));
+    return gap;
+  }
+
+  hrt_result begin(hrt_target real_target, hrt_target virtual_target, std::uint32_t flags = 0) {
+    const hrt_reach_config config = reach_config(real_target, virtual_target, flags);
     return hrt_reach_begin(session, &config);
   }
 

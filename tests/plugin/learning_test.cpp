@@ -190,9 +190,7 @@ TEST_F(LearningTest, BiasMovesWhereTheUserGoes) {
     config.paper.bias_deg = bias_deg;
     create(config);
     const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, target_deg);
-    auto gap = output<hrt_gap>();
-    EXPECT_OK(hrt_gap_query(session, real, cup, &gap));
-    EXPECT_EQ(gap.gap_deg, 12.0);
+    EXPECT_EQ(gap_of(real, cup).gap_deg, 12.0);
     EXPECT_OK(begin(real, cup));
     for (int step = 0; step < steps; ++step) update(direction_sample(step * step_ns, 3.0 - step / 3.0));
     return end();

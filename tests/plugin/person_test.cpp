@@ -63,11 +63,10 @@ class PersonTest : public SessionTest {
   /// One reach, `number` of this person; ended `ended_ns` after its beginning if that is earlier.
   Led lead(const PersonCondition& condition, std::uint32_t number = 0, double duration_s = 0.0,
            std::int64_t ended_ns = std::numeric_limits<std::int64_t>::max()) {
-    hrt_reach_config config = hrt_reach_config_init();
-    config.real_target = add(HRT_TARGET_REAL, condition.real_direction_deg);
-    config.virtual_target = add(HRT_TARGET_VIRTUAL, condition.virtual_direction_deg);
+    hrt_reach_config config =
+        reach_config(add(HRT_TARGET_REAL, condition.real_direction_deg),
+                     add(HRT_TARGET_VIRTUAL, condition.virtual_direction_deg), HRT_REACH_PLATE_ORIENTATION);
     config.duration_s = duration_s;
-    config.flags = HRT_REACH_PLATE_ORIENTATION;
     EXPECT_OK(hrt_reach_begin(session, &config));
 
     const PlatePoint start{0.0, start_forward_m};

@@ -122,9 +122,7 @@ TEST_F(Stack, OfRealTimeCallsIsAsDocumented) {
   for (const std::uint32_t guidance : {HRT_GUIDANCE_ARRIVAL, HRT_GUIDANCE_FIXED_DIRECTION}) {
     config.guidance = guidance;
     create(config);
-    hrt_reach_config reach = hrt_reach_config_init();
-    reach.real_target = add(HRT_TARGET_REAL, -5.0);
-    reach.virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+    const hrt_reach_config reach = reach_config(add(HRT_TARGET_REAL, -5.0), add(HRT_TARGET_VIRTUAL, 5.0));
     max = std::max(max, used([&] {
                      (void)hrt_reach_begin(session, &reach);
                      auto command = output<hrt_command>();

@@ -142,11 +142,7 @@ TEST_F(SessionTest, RangesOfATarget) {
 TEST_F(SessionTest, RangesOfAReach) {
   const hrt_target real = add(HRT_TARGET_REAL, 0.0), seen = add(HRT_TARGET_VIRTUAL, 5.0);
   const auto prepare = [&](const std::string& field) {
-    hrt_reach_config config = hrt_reach_config_init();
-    config.real_target = real;
-    config.virtual_target = seen;
-    if (field == "plate_orientation_deg") config.flags = HRT_REACH_PLATE_ORIENTATION;
-    return config;
+    return reach_config(real, seen, field == "plate_orientation_deg" ? HRT_REACH_PLATE_ORIENTATION : 0u);
   };
   const auto take = [&](const hrt_reach_config& config) {
     const hrt_result result = hrt_reach_begin(session, &config);

@@ -195,10 +195,7 @@ TEST_F(ReachTest, PlateTurnsAtItsSpeedFromWhereTheLastReachLeftItUnlessSaid) {
   ASSERT_OK(begin(real, virtual_target));
   EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, 20.0, 1e-9);
   end();
-  hrt_reach_config reach = hrt_reach_config_init();
-  reach.real_target = real;
-  reach.virtual_target = virtual_target;
-  reach.flags = HRT_REACH_PLATE_ORIENTATION;
+  hrt_reach_config reach = reach_config(real, virtual_target, HRT_REACH_PLATE_ORIENTATION);
   reach.plate_orientation_deg = -20.0;
   ASSERT_OK(hrt_reach_begin(session, &reach));
   EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, -10.0, 1e-9);

@@ -84,9 +84,7 @@ class RealTimeTest : public SessionTest {
     hrt_session_config config = session_config();
     config.flags = HRT_SESSION_REGISTERED;
     create(config);
-    reach = hrt_reach_config_init();
-    reach.real_target = add(HRT_TARGET_REAL, -5.0);
-    reach.virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+    reach = reach_config(add(HRT_TARGET_REAL, -5.0), add(HRT_TARGET_VIRTUAL, 5.0));
   }
 
   /// Every real-time call, and every way in which it can fail. Returns how many did not end as they should.

@@ -20,11 +20,7 @@ TEST_F(RegistrationTest, TargetsInTheWorldFollowTheScale) {
   // 4 cm right and 4 cm ahead of the start on the plate, which is 5 cm towards the user.
   target.position_m[0] = 1.0 + 1.25 * 0.04;
   target.position_m[2] = 1.25 * 0.01;
-  hrt_target id{};
-  ASSERT_OK(hrt_target_add(session, &target, &id));
-  auto gap = output<hrt_gap>();
-  ASSERT_OK(hrt_gap_query(session, id, add(HRT_TARGET_VIRTUAL, -45.0), &gap));
-  EXPECT_NEAR(gap.gap_deg, 0.0, 1e-9);
+  EXPECT_NEAR(gap_of(add(target), add(HRT_TARGET_VIRTUAL, -45.0)).gap_deg, 0.0, 1e-9);
 }
 
 // A scene says where the plate is, and so replaces what was registered.
@@ -126,8 +122,7 @@ TEST_F(RegisteredReachTest, TheLogHasItOnceForAConfiguration) {
   EXPECT_EQ(log.text, "");
   config.registration.max_sd_deg = 2.0;
   ASSERT_OK(hrt_session_set(session, &config));
-  ASSERT_OK(hrt_session_destroy(session));
-  session.value = 0;
+  destroy();
   EXPECT_TRUE(log.text.starts_with(std::to_string(HRT_LOG_WARNING) + " ")) << log.text;
   EXPECT_NE(log.text.find("registration of the plate was older or worse than allowed"), std::string::npos);
   EXPECT_EQ(std::count(log.text.begin(), log.text.end(), '\n'), 1);
@@ -140,22 +135,12 @@ TEST_F(RegisteredReachTest, AMovedTargetIsCheckedAnew) {
   config.plate.covariance[2] = 1e-6;
   config.registration.max_sd_deg = 1.0;
   create(config);
-  const auto add_ahead = [&](std::uint32_t role, double forward_m) {
-    hrt_target_config ahead = target_config(role, 0.0);
-    ahead.place = HRT_PLACE_PLATE_POSITION;
-    ahead.position_m[2] = -forward_m;
-    hrt_target target{};
-    EXPECT_OK(hrt_target_add(session, &ahead, &target));
-    return target;
-  };
-  hrt_reach_config reach = hrt_reach_config_init();
-  reach.real_target = add_ahead(HRT_TARGET_REAL, 0.1);
-  reach.virtual_target = add_ahead(HRT_TARGET_VIRTUAL, 0.1);
-  ASSERT_OK(hrt_reach_begin(session, &reach));
+  const hrt_target real = add(placed(HRT_TARGET_REAL, 0.0, 0.1)), seen = add(placed(HRT_TARGET_VIRTUAL, 0.0, 0.1));
+  ASSERT_OK(begin(real, seen));
   EXPECT_EQ(update(position_sample(0, 0.0, 0.0)).flags & HRT_COMMAND_REGISTRATION, 0u);
-  ASSERT_OK(hrt_reach_retarget(session, add_ahead(HRT_TARGET_REAL, 0.03), reach.virtual_target));
+  ASSERT_OK(hrt_reach_retarget(session, add(placed(HRT_TARGET_REAL, 0.0, 0.03)), seen));
   EXPECT_NE(update(position_sample(10'000'000, 0.0, 0.0)).flags & HRT_COMMAND_REGISTRATION, 0u);
-  ASSERT_OK(hrt_reach_retarget(session, reach.real_target, reach.virtual_target));
+  ASSERT_OK(hrt_reach_retarget(session, real, seen));
   EXPECT_EQ(update(position_sample(20'000'000, 0.0, 0.0)).flags & HRT_COMMAND_REGISTRATION, 0u);
 }
 
@@ -166,14 +151,7 @@ TEST_F(RegisteredReachTest, StartAtTheFingerIsCheckedThere) {
   config.plate.covariance[2] = 1e-6;  // 1 mm to the side
   config.registration.max_sd_deg = 1.0;
   create(config);
-  hrt_target_config ahead = target_config(HRT_TARGET_REAL, 0.0);
-  ahead.place = HRT_PLACE_PLATE_POSITION;
-  ahead.position_m[2] = -0.07;
-  hrt_reach_config reach = hrt_reach_config_init();
-  ASSERT_OK(hrt_target_add(session, &ahead, &reach.real_target));
-  reach.virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
-  reach.flags = HRT_REACH_START_AT_FINGER;
-  ASSERT_OK(hrt_reach_begin(session, &reach));
+  ASSERT_OK(begin(add(placed(HRT_TARGET_REAL, 0.0, 0.07)), add(HRT_TARGET_VIRTUAL, 5.0), HRT_REACH_START_AT_FINGER));
   // 0.82 degrees from the configured start, 1.15 from 5 cm before the target.
   EXPECT_EQ(update(output<hrt_sample>()).flags & HRT_COMMAND_REGISTRATION, 0u);
   const hrt_command command = update(position_sample(10, 0.0, 0.02));

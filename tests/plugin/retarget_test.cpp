@@ -18,26 +18,11 @@ constexpr std::int64_t ms = 1'000'000;
 class RetargetTest : public SessionTest {
  protected:
   hrt_target add_at(std::uint32_t role, double right_m, double forward_m) {
-    hrt_target target{};
-    const hrt_target_config config = placed(role, right_m, forward_m);
-    EXPECT_OK(hrt_target_add(session, &config, &target));
-    return target;
-  }
-
-  static hrt_target_config placed(std::uint32_t role, double right_m, double forward_m) {
-    hrt_target_config config = target_config(role, 0.0);
-    config.place = HRT_PLACE_PLATE_POSITION;
-    config.position_m[0] = right_m;
-    config.position_m[2] = -forward_m;
-    return config;
+    return add(placed(role, right_m, forward_m));
   }
 
   hrt_result begin_at_finger(hrt_target real_target, hrt_target virtual_target) {
-    hrt_reach_config config = hrt_reach_config_init();
-    config.flags = HRT_REACH_START_AT_FINGER;
-    config.real_target = real_target;
-    config.virtual_target = virtual_target;
-    return hrt_reach_begin(session, &config);
+    return begin(real_target, virtual_target, HRT_REACH_START_AT_FINGER);
   }
 
   /// A finger that slides straight ahead from the start, 10 cm in 1.5 s.
@@ -127,10 +112,7 @@ TEST_F(RetargetTest, ThePlateIsWhereACancelledReachLeftIt) {
   const double left_deg = update(direction_sample(0, 1.0)).plate_orientation_deg;
   ASSERT_NE(left_deg, 0.0);
   ASSERT_OK(hrt_reach_cancel(session));
-  hrt_reach_config config = hrt_reach_config_init();
-  config.real_target = add(HRT_TARGET_REAL, 0.0);
-  config.virtual_target = add(HRT_TARGET_VIRTUAL, 0.0);
-  ASSERT_OK(hrt_reach_begin(session, &config));
+  ASSERT_OK(begin(add(HRT_TARGET_REAL, 0.0), add(HRT_TARGET_VIRTUAL, 0.0)));
   auto lost = output<hrt_sample>();
   EXPECT_EQ(update(lost).plate_orientation_deg, left_deg);
 }

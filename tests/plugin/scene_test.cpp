@@ -69,8 +69,7 @@ TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
     if (target.role != HRT_TARGET_VIRTUAL) continue;
     auto real = output<hrt_scene_target>();
     ASSERT_OK(hrt_scene_get_target(scene, static_cast<uint32_t>(target.served_by), &real));
-    auto gap = output<hrt_gap>();
-    ASSERT_OK(hrt_gap_query(session, ids[static_cast<std::size_t>(target.served_by)], ids[i], &gap));
+    const hrt_gap gap = gap_of(ids[static_cast<std::size_t>(target.served_by)], ids[i]);
     EXPECT_NEAR(gap.gap_deg, target.direction_deg - real.direction_deg, 1e-9);
   }
 }

@@ -14,8 +14,7 @@ using GapTest = PaperTest;
 
 TEST_F(TargetTest, ComesBackAsGiven) {
   const hrt_target_config config = target_config(HRT_TARGET_VIRTUAL, 12.5, "cup");
-  hrt_target target{};
-  ASSERT_OK(hrt_target_add(session, &config, &target));
+  const hrt_target target = add(config);
   auto back = output<hrt_target_config>();
   ASSERT_OK(hrt_target_get(session, target, &back));
   EXPECT_EQ(std::memcmp(&back, &config, sizeof config), 0);
@@ -122,8 +121,7 @@ TEST_F(TargetTest, NamesMayBeInAnyScript) {
 // (theta_V - P_R)(1 - w_T)/w_T from theta_V: 10 x 0.85/0.15 = 56.67 for 0.15.
 TEST_F(GapTest, OfAPairIsAsDerivedByHand) {
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
-  auto gap = output<hrt_gap>();
-  ASSERT_OK(hrt_gap_query(session, real, virtual_target, &gap));
+  hrt_gap gap = gap_of(real, virtual_target);
   EXPECT_EQ(gap.reachable, 1u);
   EXPECT_DOUBLE_EQ(gap.gap_deg, 10.0);
   EXPECT_NEAR(gap.max_gap_deg, 84.5 * 0.15 / 0.85, 1e-12);
@@ -142,15 +140,14 @@ TEST_F(GapTest, IsAboutTheMotionUnderArrival) {
   config.adaptation = HRT_ADAPTATION_OFF;
   create(config);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
-  auto gap = output<hrt_gap>();
-  ASSERT_OK(hrt_gap_query(session, real, virtual_target, &gap));
+  hrt_gap gap = gap_of(real, virtual_target);
   EXPECT_EQ(gap.reachable, 1u);
   EXPECT_NEAR(gap.max_gap_deg, 11.25, 1e-9);
   EXPECT_NEAR(gap.margin_deg, 1.25, 1e-9);
   EXPECT_NEAR(gap.plate_orientation_deg, -5.0 + 10.0 / 0.15, 1e-6);
   EXPECT_NEAR(gap.settling_direction_deg, -5.0, 1e-12);
   EXPECT_NEAR(gap.paper_max_gap_deg, 84.5 * 0.15 / 0.85, 1e-12);
-  ASSERT_OK(hrt_gap_query(session, add(HRT_TARGET_REAL, -7.0), virtual_target, &gap));
+  gap = gap_of(add(HRT_TARGET_REAL, -7.0), virtual_target);
   EXPECT_EQ(gap.reachable, 0u);
   EXPECT_NEAR(gap.settling_direction_deg, 5.0 - 11.25, 1e-9);
 
@@ -163,7 +160,7 @@ TEST_F(GapTest, IsAboutTheMotionUnderArrival) {
   config.person.mean[HRT_PERSON_BIAS] = 2.0;
   for (int i = 0; i < HRT_PERSON_TRAITS; ++i) config.person.covariance[i * (i + 3) / 2] = 0.01;
   ASSERT_OK(hrt_session_set(session, &config));
-  ASSERT_OK(hrt_gap_query(session, real, virtual_target, &gap));
+  gap = gap_of(real, virtual_target);
   EXPECT_NEAR(gap.gap_deg, 12.0, 1e-12);
   EXPECT_NEAR(gap.max_gap_deg, 11.25, 1e-9);
   EXPECT_NEAR(gap.paper_max_gap_deg, 84.5 * 0.2 / 0.8, 1e-12);
@@ -172,18 +169,9 @@ TEST_F(GapTest, IsAboutTheMotionUnderArrival) {
 // From the default start, 5 cm towards the user of the plate's centre, a target 5 cm to the right of the
 // centre is 45 degrees to the right, and one straight ahead is at 0.
 TEST_F(GapTest, TakesDirectionsFromTheStart) {
-  hrt_target_config config = target_config(HRT_TARGET_REAL, 0.0);
-  config.place = HRT_PLACE_PLATE_POSITION;
-  config.position_m[0] = 0.05;
-  hrt_target real{};
-  ASSERT_OK(hrt_target_add(session, &config, &real));
-  config.role = HRT_TARGET_VIRTUAL;
-  config.position_m[0] = 0.0;
-  config.position_m[1] = 0.3;
-  hrt_target virtual_target{};
-  ASSERT_OK(hrt_target_add(session, &config, &virtual_target));
-  auto gap = output<hrt_gap>();
-  ASSERT_OK(hrt_gap_query(session, real, virtual_target, &gap));
+  hrt_target_config ahead = placed(HRT_TARGET_VIRTUAL, 0.0, 0.0);
+  ahead.position_m[1] = 0.3;
+  const hrt_gap gap = gap_of(add(placed(HRT_TARGET_REAL, 0.05, 0.0)), add(ahead));
   EXPECT_NEAR(gap.gap_deg, 45.0, 1e-12);
   EXPECT_EQ(gap.reachable, 0u);
   EXPECT_NEAR(gap.settling_direction_deg, -84.5 * 0.15 / 0.85, 1e-12);
@@ -199,18 +187,11 @@ TEST_F(GapTest, TakesTargetsInTheWorldToThePlate) {
   target.place = HRT_PLACE_WORLD_POSITION;
   target.position_m[0] = -0.05;
   target.position_m[2] = -0.1;
-  hrt_target real{};
-  ASSERT_OK(hrt_target_add(session, &target, &real));
-  auto gap = output<hrt_gap>();
-  ASSERT_OK(hrt_gap_query(session, real, add(HRT_TARGET_VIRTUAL, 0.0), &gap));
-  EXPECT_NEAR(gap.gap_deg, 45.0, 1e-9);
+  EXPECT_NEAR(gap_of(add(target), add(HRT_TARGET_VIRTUAL, 0.0)).gap_deg, 45.0, 1e-9);
 }
 
 TEST_F(GapTest, GapGoesTheShortWayRound) {
-  const hrt_target real = add(HRT_TARGET_REAL, 175.0), virtual_target = add(HRT_TARGET_VIRTUAL, -175.0);
-  auto gap = output<hrt_gap>();
-  ASSERT_OK(hrt_gap_query(session, real, virtual_target, &gap));
-  EXPECT_NEAR(gap.gap_deg, 10.0, 1e-12);
+  EXPECT_NEAR(gap_of(add(HRT_TARGET_REAL, 175.0), add(HRT_TARGET_VIRTUAL, -175.0)).gap_deg, 10.0, 1e-12);
 }
 
 class AssignTest : public SessionTest {
@@ -238,8 +219,7 @@ TEST_F(AssignTest, EachIsServedByTheNearestUnlessRealTargetsServeOneEach) {
   EXPECT_EQ(exclusive[0].real_target.value, reals[0].value);
   EXPECT_EQ(exclusive[1].real_target.value, reals[1].value);
   // Each element is what a query says of the pair.
-  auto queried = output<hrt_gap>();
-  ASSERT_OK(hrt_gap_query(session, reals[0], virtuals[0], &queried));
+  const hrt_gap queried = gap_of(reals[0], virtuals[0]);
   EXPECT_EQ(std::memcmp(&exclusive[0], &queried, sizeof queried), 0);
 }
 

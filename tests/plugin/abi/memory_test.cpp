@@ -25,9 +25,7 @@ hrt_result live(hrt_session* session) {
   if (const auto result = hrt_target_add(*session, &virtual_config, &virtual_target); result != HRT_OK) return result;
   const hrt_target_config renamed = target_config(HRT_TARGET_REAL, -5.0, "a third name, no shorter than those");
   if (const auto result = hrt_target_set(*session, real, &renamed); result != HRT_OK) return result;
-  hrt_reach_config reach = hrt_reach_config_init();
-  reach.real_target = real;
-  reach.virtual_target = virtual_target;
+  const hrt_reach_config reach = reach_config(real, virtual_target);
   EXPECT_OK(hrt_reach_begin(*session, &reach));
   return HRT_OK;
 }

@@ -62,11 +62,7 @@ TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayToTheSameBits) {
     for (const bool cancels : {true, false}) {
       EXPECT_EQ(hrt_reach_retarget(session, real, cup), HRT_ERROR_WRONG_STATE);
       EXPECT_EQ(hrt_reach_cancel(session), HRT_ERROR_WRONG_STATE);
-      hrt_reach_config reach = hrt_reach_config_init();
-      reach.flags = HRT_REACH_START_AT_FINGER;
-      reach.real_target = real;
-      reach.virtual_target = cup;
-      ASSERT_OK(hrt_reach_begin(session, &reach));
+      ASSERT_OK(begin(real, cup, HRT_REACH_START_AT_FINGER));
       rows += 3;
       for (int i = 0; i < 200; ++i, ++rows) {
         update(position_sample(i * 10 * ms, 0.001 * noise(), -0.04 + 0.0006 * std::max(0, i - 40)));
@@ -170,13 +166,12 @@ TEST_F(RecordingTest, UnreadFieldsAndNegativeZeroReplay) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   hrt_target_config config = target_config(HRT_TARGET_REAL, -5.0);
   for (double& coordinate_m : config.position_m) coordinate_m = std::nan("");
-  hrt_target real{}, virtual_target{};
-  ASSERT_OK(hrt_target_add(session, &config, &real));
+  const hrt_target real = add(config);
   config = target_config(HRT_TARGET_VIRTUAL, std::nan(""));
   config.place = HRT_PLACE_PLATE_POSITION;
   config.distance_m = std::numeric_limits<double>::infinity();
   config.position_m[2] = -0.1;
-  ASSERT_OK(hrt_target_add(session, &config, &virtual_target));
+  const hrt_target virtual_target = add(config);
   ASSERT_OK(begin(real, virtual_target));
   ASSERT_OK(hrt_reach_cancel(session));
   config = target_config(HRT_TARGET_VIRTUAL, -0.0);
@@ -270,9 +265,7 @@ TEST_F(RecordingTest, RefusedCallsAreRecordedAndReplayed) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   std::vector<std::string> expected;
   const auto begins = [&](auto change, hrt_result result) {
-    hrt_reach_config config = hrt_reach_config_init();
-    config.real_target = real;
-    config.virtual_target = cup;
+    hrt_reach_config config = reach_config(real, cup);
     change(config);
     EXPECT_EQ(hrt_reach_begin(session, &config), result) << hrt_last_error();
     expected.push_back("begin," + std::to_string(result));
@@ -534,8 +527,7 @@ TEST_F(RecordingTest, DestroyedSessionCompletesItsRecording) {
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
   begin_reach();
   update(direction_sample(0, 0.0));
-  ASSERT_OK(hrt_session_destroy(session));
-  session.value = 0;
+  destroy();
   const hrt_replay_report report = replay(read(path()));
   EXPECT_EQ(report.complete, 1u);
   EXPECT_EQ(report.rows, 2u);
