@@ -12,7 +12,6 @@
 #include "samples/reach/base/files.h"
 #include "samples/reach/base/interrupt.h"
 #include "samples/reach/base/say.h"
-#include "samples/reach/output/status_line.h"
 #include "samples/reach/output/table.h"
 #include "samples/reach/run/attendant.h"
 #include "samples/reach/run/choice.h"
@@ -20,7 +19,6 @@
 #include "samples/reach/run/reach.h"
 #include "samples/reach/run/registration.h"
 #include "samples/reach/run/set_up.h"
-#include "samples/reach/scene/scene_place.h"
 
 namespace hrt::reach {
 namespace {
