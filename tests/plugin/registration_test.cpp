@@ -1,6 +1,5 @@
 // What a registration of the plate means for a session: scale, uncertainty, age.
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "fixture.h"
