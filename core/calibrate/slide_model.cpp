@@ -45,7 +45,7 @@ class SteeringDelay {
 
   struct Answer {
     double felt_deg;
-    double share;  //< of the step, in which there is an answer: less than 1 at the first moment that is felt
+    double share;  // of the step, in which there is an answer: less than 1 at the first moment that is felt
   };
   // The answer in the step in which `felt_deg` is felt; none until the first.
   std::optional<Answer> feel(double felt_deg) {
