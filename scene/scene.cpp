@@ -5,7 +5,6 @@
 
 #include "core/math/trigonometry.h"
 #include "scene/gltf_tree.h"
-#include "scene/scene_error.h"
 
 namespace hrt {
 namespace {

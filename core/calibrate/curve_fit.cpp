@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/math/exponential.h"
 #include "core/math/least_squares.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/math/distributions.h"
 #include "core/math/exponential.h"
 
 namespace hrt {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/math/distributions.h"
-
 namespace hrt {
 namespace {
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "core/calibrate/person_fit.h"
 #include "core/math/exponential.h"

@@ -1,6 +1,5 @@
 #include "core/math/distributions.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/math/exponential.h"

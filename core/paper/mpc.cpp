@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/paper/participant.h"
-
 namespace hrt {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "core/paper/mpc_active_set.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace hrt {

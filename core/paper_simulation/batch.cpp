@@ -1,12 +1,9 @@
 #include "core/paper_simulation/batch.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <vector>
 
 #include "core/paper_simulation/trial_table.h"
 

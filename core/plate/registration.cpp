@@ -1,9 +1,7 @@
 #include "core/plate/registration.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "core/math/linear_algebra.h"
 

@@ -1,12 +1,10 @@
 #include "core/tracker/tracker_noise.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 
-#include "core/math/distributions.h"
 #include "core/math/exponential.h"
 #include "core/math/time.h"
 #include "core/tracker/rest_filter.h"

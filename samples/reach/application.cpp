@@ -1,5 +1,6 @@
 #include "samples/reach/application.h"
 
+#include <exception>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -12,21 +13,78 @@
 #include "samples/reach/base/files.h"
 #include "samples/reach/base/interrupt.h"
 #include "samples/reach/base/say.h"
-#include "samples/reach/output/status_line.h"
 #include "samples/reach/output/table.h"
-#include "samples/reach/run/attendant.h"
 #include "samples/reach/run/choice.h"
 #include "samples/reach/run/make_plate.h"
 #include "samples/reach/run/reach.h"
 #include "samples/reach/run/registration.h"
 #include "samples/reach/run/set_up.h"
-#include "samples/reach/scene/scene_place.h"
+#include "samples/reach/run/sighting.h"
 
 namespace hrt::reach {
 namespace {
 
 constexpr int losses_allowed = 3;      // of the session or the instance, in a row
 constexpr int unfinished_allowed = 3;  // reaches in a row
+
+// Thrown out of a reach: the person wants another one.
+struct OtherReach : std::exception {
+  explicit OtherReach(bool previous) : is_previous(previous) {}
+  const char* what() const noexcept override { return "another reach is wanted"; }
+  bool is_previous;  // else the next
+};
+
+// Attends to the person in every frame of one session: keys, and what the runtime does to the plate's place.
+class Attendant {
+ public:
+  Attendant(Prompt& prompt, const Stage& stage) : prompt_(prompt), stage_(stage) {}
+
+  // From now on the fingers' places on the plate are known, and reaches can be left out or repeated.
+  void plate_is_placed() { is_placed_ = true; }
+  void reaches_begin() { in_reaches_ = true; }
+
+  // Obeys the keys that were pressed. Throws OtherReach, and Interrupted for the key that stops.
+  void attend(XrTime time) {
+    if (stage_.session.recentrings() != recentrings_) {
+      recentrings_ = stage_.session.recentrings();
+      prompt_.say("The runtime moved its space, as when the view is recentred. The plate keeps its place in the room.");
+    }
+    while (const std::optional<char> key = prompt_.key()) obey(*key, time);
+  }
+
+ private:
+  void obey(char key, XrTime time) {
+    switch (key) {
+      case 'r':
+        return prompt_.repeat();
+      case 'w':
+        return say_where(time);
+      case 'h':
+      case '?':
+        return prompt_.say(keys_in_words);
+      case 'q':
+        throw Interrupted();
+      case 'n':
+      case 'b':
+        if (in_reaches_) throw OtherReach(key == 'b');
+        return prompt_.say("That key is for reaches.");
+      default:
+        return;
+    }
+  }
+
+  void say_where(XrTime time) {
+    Sightings now(stage_.targets.start_m);
+    for (const Hand hand : {Hand::left, Hand::right}) now.see(hand, locate(stage_, hand, time));
+    prompt_.say(now.where(stage_, is_placed_));
+  }
+
+  Prompt& prompt_;
+  const Stage& stage_;
+  bool is_placed_ = false;
+  bool in_reaches_ = false;
+  int recentrings_ = 0;
+};
 
 // The reaches of one run, across as many sessions and instances as the runtime makes necessary.
 class Run {

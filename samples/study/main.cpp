@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -46,20 +46,13 @@ void count_load(const char* path) {
   end_row("load of the library", 1);
 }
 
-hrt_session_config default_config() {
-  hrt_session_config config = hrt_session_config_init();
-  return config;
-}
-
 // A session with a reach under way.
 class Frames {
  public:
   Frames(const hrt_session_config& config, double real_deg, double virtual_deg) {
     require(api.session_create(HRT_VERSION, &config, &session_) == HRT_OK, "hrt_session_create");
-    hrt_reach_config reach;
-    hrt_target_config target;
-    reach = hrt_reach_config_init();
-    target = hrt_target_config_init();
+    hrt_reach_config reach = hrt_reach_config_init();
+    hrt_target_config target = hrt_target_config_init();
     target.direction_deg = real_deg;
     require(api.target_add(session_, &target, &reach.real_target) == HRT_OK, "hrt_target_add");
     target.role = HRT_TARGET_VIRTUAL;
@@ -82,7 +75,7 @@ class Frames {
 
 void count_sessions() {
   constexpr int sessions = 20;
-  const hrt_session_config config = default_config();
+  const hrt_session_config config = hrt_session_config_init();
   for (int i = 0; i < sessions; ++i) {
     require(counted([&] {
               hrt_session session;
@@ -97,7 +90,7 @@ void count_sessions() {
 // Of a simulated person's first reach, while the finger moves, after half a second of rest.
 std::uint64_t count_updates(std::uint32_t person, int period_ms) {
   const PersonCondition condition = draw_person(people_families()[0], 1.5, 1, person);
-  Frames frames(default_config(), condition.real_direction_deg, condition.virtual_direction_deg);
+  Frames frames(hrt_session_config_init(), condition.real_direction_deg, condition.virtual_direction_deg);
   SlidingPerson finger(condition.person, {}, condition.virtual_direction_deg, condition.distance_m, {1, 0, person, 0});
   Draws noise(1, 1, person, 0);
   std::uint64_t updates = 0;
@@ -155,7 +148,7 @@ void count_setup_updates() {
 
 void count_paper_updates(int horizon) {
   constexpr int updates = 300;
-  hrt_session_config config = default_config();
+  hrt_session_config config = hrt_session_config_init();
   config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
   config.paper.horizon = static_cast<std::uint32_t>(horizon);
   Frames frames(config, -5.0, 5.0);

@@ -1,7 +1,6 @@
 #include "tests/core/heap_guard.h"
 
 #include <atomic>
-#include <cerrno>
 #include <cstddef>
 #include <cstdlib>
 

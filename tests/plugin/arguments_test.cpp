@@ -1,7 +1,6 @@
 // Every call refuses what is null, has a wrong size, or is the handle of nothing, by the argument's name, and
 // changes no output.
 #include <array>
-#include <cstring>
 #include <set>
 #include <string>
 #include <tuple>

@@ -295,49 +295,41 @@ TEST_F(KnownContactTest, WhatNoContactGivesIsRefused) {
   refuses([](auto& c) { c.registration.contact_correction[3] = std::nan(""); }, "contact_correction[3] is NaN");
 }
 
-/// Mean of the size of the true bearing error of 100 people's fifth reaches, in a frame that holds.
-double mean_error_deg(bool touches) {
-  double sum_deg = 0.0;
-  Draws draws(9, 0, 0, 0);
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+// In a frame that holds.
+TEST_F(ContactTest, CostPeopleInAGoodFrameLittle) {
+  const auto mean_error_deg = [&](bool touches) {  // the true bearing's, of 100 people's fifth reaches
+    double sum_deg = 0.0;
+    Draws draws(9, 0, 0, 0);
     hrt_session_config config = session_config();
     config.flags = HRT_SESSION_REGISTERED;
-    hrt_session session{};
-    EXPECT_OK(hrt_session_create(HRT_VERSION, &config, &session));
-    hrt_reach_config reach = hrt_reach_config_init();
-    const hrt_target_config real = target_config(HRT_TARGET_REAL, -5.0), seen = target_config(HRT_TARGET_VIRTUAL, 5.0);
-    EXPECT_OK(hrt_target_add(session, &real, &reach.real_target));
-    EXPECT_OK(hrt_target_add(session, &seen, &reach.virtual_target));
-    hrt_person person{};
-    EXPECT_OK(hrt_person_create(nullptr, seed, &person));
-    auto sample = output<hrt_sample>();
-    auto command = output<hrt_command>();
-    auto summary = output<hrt_reach_summary>();
-    auto state = output<hrt_person_state>();
-    for (int n = 0; n < 5; ++n) {
-      EXPECT_OK(hrt_person_begin(person, session, reach.virtual_target));
-      EXPECT_OK(hrt_reach_begin(session, &reach));
-      for (int frame = 0; frame < 240; ++frame) {
-        EXPECT_OK(hrt_person_move(person, frame * 11 * ms, command.plate_orientation_deg, &sample));
-        EXPECT_OK(hrt_reach_update(session, &sample, &command));
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+      create(config);
+      const hrt_target real = add(HRT_TARGET_REAL, -5.0), seen = add(HRT_TARGET_VIRTUAL, 5.0);
+      hrt_person person{};
+      EXPECT_OK(hrt_person_create(nullptr, seed, &person));
+      auto sample = output<hrt_sample>();
+      auto state = output<hrt_person_state>();
+      double plate_deg = 0.0;
+      for (int n = 0; n < 5; ++n) {
+        EXPECT_OK(hrt_person_begin(person, session, seen));
+        EXPECT_OK(begin(real, seen));
+        for (int frame = 0; frame < 240; ++frame) {
+          EXPECT_OK(hrt_person_move(person, frame * 11 * ms, plate_deg, &sample));
+          plate_deg = update(sample).plate_orientation_deg;
+        }
+        end();
+        EXPECT_OK(hrt_person_get_state(person, &state));
+        const PlatePoint place{state.position_m[0], -state.position_m[2]};
+        if (n == 4) sum_deg += std::abs(bearing_deg(start, place) + 5.0);
+        if (touches) {
+          EXPECT_OK(touch(
+              contact_at({place.right_m + 0.001 * draws.normal(), place.away_m + 0.001 * draws.normal()}, 0.001)));
+        }
       }
-      EXPECT_OK(hrt_reach_end(session, &summary));
-      EXPECT_OK(hrt_person_get_state(person, &state));
-      const PlatePoint place{state.position_m[0], -state.position_m[2]};
-      if (n == 4) sum_deg += std::abs(bearing_deg(start, place) + 5.0);
-      const hrt_contact contact =
-          contact_at({place.right_m + 0.001 * draws.normal(), place.away_m + 0.001 * draws.normal()}, 0.001);
-      if (touches) {
-        EXPECT_OK(hrt_reach_touched(session, &contact));
-      }
+      EXPECT_OK(hrt_person_destroy(person));
     }
-    EXPECT_OK(hrt_person_destroy(person));
-    EXPECT_OK(hrt_session_destroy(session));
-  }
-  return sum_deg / 100.0;
-}
-
-TEST(Contacts, CostPeopleInAGoodFrameLittle) {
+    return sum_deg / 100.0;
+  };
   const double without_deg = mean_error_deg(false);
   EXPECT_LT(mean_error_deg(true), without_deg + 0.1);
   EXPECT_LT(without_deg, 1.0);

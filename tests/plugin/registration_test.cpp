@@ -33,9 +33,7 @@ TEST_F(RegistrationTest, AGapHasWhatTheRegistrationAloneCosts) {
     config.plate.covariance[0] = std::pow(turn_deg * std::numbers::pi / 180.0, 2);
     config.plate.covariance[2] = shift_m * shift_m;
     EXPECT_OK(hrt_session_set(session, &config));
-    auto gap = output<hrt_gap>();
-    EXPECT_OK(hrt_gap_query(session, real, felt, &gap));
-    return gap;
+    return gap_of(real, felt);
   };
   EXPECT_EQ(gap_with(0.0, 0.0).registration_sd_deg, 0.0);
   EXPECT_EQ(gap_with(0.0, 0.0).registration_miss_share, 0.0);

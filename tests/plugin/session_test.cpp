@@ -1,5 +1,4 @@
 // Sessions: made, configured, refused, destroyed.
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <thread>

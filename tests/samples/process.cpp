@@ -25,6 +25,13 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 
 }  // namespace
 
+Outcome expect_exit(int exit_code, Outcome outcome, const char* file, int line) {
+  if (outcome.exit_code != exit_code)
+    ADD_FAILURE_AT(file, line) << "exit code " << outcome.exit_code << ", not " << exit_code << "\n"
+                               << outcome.out << outcome.err;
+  return outcome;
+}
+
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "hrt_test_XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp");

@@ -15,6 +15,10 @@ struct Outcome {
   std::string err;
 };
 
+/// The outcome of a run that is to end with this code; else the test fails where this was called, with what was
+/// printed.
+Outcome expect_exit(int exit_code, Outcome outcome, const char* file = __builtin_FILE(), int line = __builtin_LINE());
+
 /// An empty folder, removed at the end.
 class TemporaryFolder {
  public:

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <string>
 
 namespace hrt {
@@ -15,6 +16,13 @@ inline testing::AssertionResult has(const std::string& text, const std::string& 
   return (found ? testing::AssertionSuccess() : testing::AssertionFailure())
          << "\"" << part << "\" is" << (found ? "" : " not") << " in\n"
          << text;
+}
+
+/// The same of each part.
+inline testing::AssertionResult has(const std::string& text, std::initializer_list<const char*> parts) {
+  for (const char* part : parts)
+    if (const testing::AssertionResult one = has(text, std::string(part)); !one) return one;
+  return testing::AssertionSuccess();
 }
 
 /// As often as it begins.

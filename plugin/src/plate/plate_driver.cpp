@@ -4,18 +4,15 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <memory>
 #include <new>
 #include <utility>
 
 #if !defined(_WIN32)
 #include <unistd.h>
-#include <csignal>
 #endif
 
 #include "plugin/src/abi/quiet_thread.h"
 #include "plugin/src/abi/text.h"
-#include "plugin/src/plate/plate_failure.h"
 #include "plugin/src/plate/same_feel.h"
 
 namespace hrt::plate {

@@ -6,13 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/person/traits.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/abi/text.h"
 #include "plugin/src/session/conditions.h"
 #include "plugin/src/session/contact.h"
 #include "plugin/src/session/session_config.h"

@@ -1,6 +1,5 @@
 // Synchronising and reading actions, haptics, and XR_EXT_conformance_automation, which sets the devices.
 #include <algorithm>
-#include <array>
 
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/space.h"

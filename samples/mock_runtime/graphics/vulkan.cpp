@@ -3,7 +3,6 @@
 
 #include <array>
 #include <bit>
-#include <cstring>
 
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/graphics/device.h"

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <limits>
 #include <string_view>
-#include <utility>
 
 #include "samples/mock_runtime/openxr_1_1.h"
 #include "samples/mock_runtime/playback/members.h"

@@ -4,8 +4,6 @@
 #include <fstream>
 #include <set>
 
-#include "samples/mock_runtime/script/event.h"
-
 namespace hrt::mock {
 namespace {
 

@@ -1,9 +1,6 @@
 #include "samples/mock_runtime/world/hand_model.h"
 
-#include <array>
-
 #include "core/math/trigonometry.h"
-#include "samples/mock_runtime/world/pose.h"
 
 namespace hrt::mock {
 namespace {

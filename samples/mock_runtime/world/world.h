@@ -1,13 +1,13 @@
 // The simulation: a ridged plate on a servo, two hands, and the person whose fingertip slides over
-// the plate. All poses are in world coordinates (origins.h).
+// the plate. All poses are in world coordinates, those of STAGE as it was when the session was created.
 #pragma once
 
 #include <openxr/openxr.h>
 
 #include <array>
 #include <optional>
+#include <vector>
 
-#include "samples/mock_runtime/world/origins.h"
 #include "samples/mock_runtime/world/reach.h"
 #include "samples/mock_runtime/world/settings.h"
 
@@ -27,6 +27,30 @@ struct HandState {
 };
 
 inline constexpr double soon_s = 1e-4;
+
+/// The head of the seated user, and LOCAL space, when the session is created.
+Pose local_space_in_world();
+
+/// Where the origins of the reference spaces are in the world. A user who recentres moves an origin; nothing in
+/// the room moves.
+class Origins {
+ public:
+  /// From `change` on, LOCAL or STAGE is where `pose` is in it before.
+  void recenter(XrReferenceSpaceType type, XrTime change, const Pose& pose);
+
+  /// LOCAL, LOCAL_FLOOR (below LOCAL, on the floor of STAGE) or STAGE, at a time.
+  Pose in_world(XrReferenceSpaceType type, XrTime time) const;
+
+ private:
+  struct Change {
+    XrTime time;
+    Pose in_world;
+  };
+  Pose latest(const std::vector<Change>& changes, const Pose& first, XrTime time) const;
+
+  std::vector<Change> local_;  // in order of time
+  std::vector<Change> stage_;
+};
 
 class World {
  public:

@@ -7,10 +7,7 @@
 #include <optional>
 #include <ostream>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
-#include "plugin/src/plate/device.h"
 #include "plugin/src/plate/plate_failure.h"
 #include "plugin/src/plate/plate_link.h"
 #include "samples/format.h"

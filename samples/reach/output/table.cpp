@@ -1,12 +1,16 @@
 #include "samples/reach/output/table.h"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <ostream>
-#include <string>
 #include <string_view>
 
 #include "samples/format.h"
+#include "samples/reach/base/say.h"
 #include "samples/text.h"
 
 namespace hrt::reach {
@@ -48,7 +52,41 @@ std::string lack_of_fit_text(std::uint32_t lack_of_fit) {
   return text;
 }
 
+constexpr auto refresh_period = std::chrono::milliseconds(50);
+
+// A longer line would wrap, and clear() clears one line only.
+std::size_t columns() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
 }  // namespace
+
+StatusLine::StatusLine(bool verbose) : verbose_(verbose), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+void StatusLine::show(const TargetPair& pair, const Moment& moment) {
+  if (verbose_) {
+    std::fprintf(
+        stderr, "%.9f s  %s  tip %+8.2f right %+8.2f away mm  moves %+7.2f  feels %+7.2f  plate %+7.2f deg%s%s\n",
+        static_cast<double>(moment.time) * 1e-9, pair.virtual_name.c_str(), moment.position_m[0] * 1e3,
+        -moment.position_m[2] * 1e3, moment.finger_direction_deg, moment.felt_direction_deg,
+        moment.plate_orientation_deg, moment.tracked ? "" : "  not tracked", moment.saturated ? "  at its bound" : "");
+    return;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (!on_terminal_ || now - last_ < refresh_period) return;
+  last_ = now;
+  shown_ = true;
+  const std::string text = format(": %5.1f mm to go, moves %+6.1f, feels %+6.1f, plate %+6.1f deg%s",
+                                  moment.distance_to_go_m * 1e3, moment.finger_direction_deg, moment.felt_direction_deg,
+                                  moment.plate_orientation_deg, moment.tracked ? "" : "  (finger not tracked)");
+  std::fprintf(stderr, "\r\033[K%s", cut_to(cut_to(pair.virtual_name, 24) + text, columns() - 1).c_str());
+}
+
+void StatusLine::clear() {
+  if (shown_) say("\r\033[K");
+  shown_ = false;
+}
 
 bool is_within_tolerance(const ReachResult& result) { return std::abs(result.miss_deg) <= tolerance_deg; }
 

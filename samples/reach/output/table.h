@@ -1,6 +1,7 @@
-// The printed results: of reaches, and of a calibration.
+// What is printed: the progress of a reach; results of reaches, and of a calibration.
 #pragma once
 
+#include <chrono>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -15,6 +16,23 @@ bool is_within_tolerance(const ReachResult& result);
 
 /// Ended inside of the real target's radius; if the scene gives it none, within the tolerance.
 bool is_reached(const TargetPair& pair, const ReachResult& result);
+
+/// Progress of a reach: on a terminal, one line that is rewritten; with `verbose`, a line a frame instead.
+class StatusLine {
+ public:
+  explicit StatusLine(bool verbose);
+
+  void show(const TargetPair& pair, const Moment& moment);
+
+  /// Clears the line, so that other output can follow.
+  void clear();
+
+ private:
+  bool verbose_;
+  bool on_terminal_;
+  bool shown_ = false;
+  std::chrono::steady_clock::time_point last_;
+};
 
 /// The table of results, whose columns are as wide as the names of its targets.
 class Table {

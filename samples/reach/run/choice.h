@@ -1,8 +1,11 @@
-// What a run reaches for, and with which controller.
+// What a run reaches for, where, and with which controller.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "samples/reach/person/prompt.h"
 #include "samples/reach/plate/plate.h"
 #include "samples/reach/run/options.h"
 #include "samples/reach/scene/targets.h"
@@ -14,6 +17,19 @@ TargetSet load_targets(const Plugin& plugin, const Options& options);
 
 /// The reaches to make, in order. Throws Failure (ExitCode::scene) for a name that the scene lacks.
 std::vector<TargetPair> choose(const TargetSet& targets, const Options& options);
+
+/// Where the plate of a scene is for a runtime, if nobody has registered it.
+struct ScenePlace {
+  XrReferenceSpaceType space;
+  XrPosef pose;       ///< of the plate's mount in it
+  std::string words;  ///< where that is, for a person
+};
+
+/// The scene's heights are above the floor. In a runtime without a floor they need the height of the eyes, at
+/// which its LOCAL space begins: `eye_height_m`, or else the person's answer on the terminal. Throws Failure
+/// (ExitCode::usage) without either.
+ScenePlace place_of(const TargetSet& targets, const XrHeadlessSession& session, std::optional<double> eye_height_m,
+                    Prompt& prompt);
 
 /// The device's own limits replace the scene's.
 void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report& report);

@@ -1,15 +1,57 @@
 #include "samples/reach/run/make_plate.h"
 
 #include <chrono>
+#include <utility>
 
 #include "samples/format.h"
 #include "samples/reach/base/exit_code.h"
 #include "samples/reach/plate/device_plate.h"
-#include "samples/reach/plate/runtime_plate.h"
 #include "samples/reach/plate/simulated_servo.h"
 
 namespace hrt::reach {
 namespace {
+
+// The plate of a runtime that simulates a user.
+class RuntimePlate : public Plate {
+ public:
+  explicit RuntimePlate(Simulation& simulation) : simulation_(simulation) {}
+
+  void command(XrTime time, double orientation_deg) override {
+    const double from_deg = simulation_.plate_orientation_deg(time);
+    simulation_.set_plate_orientation(orientation_within(-360.0, 360.0, orientation_deg, from_deg));
+  }
+  std::optional<double> orientation_deg(XrTime time) override { return simulation_.plate_orientation_deg(time); }
+  void stop(XrTime time) override {
+    if (is_runtime_blocked()) return;
+    simulation_.set_plate_orientation(simulation_.plate_orientation_deg(time));
+  }
+
+ private:
+  Simulation& simulation_;
+};
+
+// Another one that the simulated user feels: forwards to `plate`, and copies its orientation to the simulation in
+// every frame.
+class FollowedPlate : public Plate {
+ public:
+  FollowedPlate(std::unique_ptr<Plate> plate, Simulation& simulation)
+      : plate_(std::move(plate)), simulation_(simulation) {}
+
+  std::string description() const override { return plate_->description(); }
+  const hrt_plate_report* report() const override { return plate_->report(); }
+  void service(XrTime time) override {
+    plate_->service(time);
+    if (const std::optional<double> orientation_deg = plate_->orientation_deg(time))
+      simulation_.set_plate_orientation(*orientation_deg);
+  }
+  void command(XrTime time, double orientation_deg) override { plate_->command(time, orientation_deg); }
+  std::optional<double> orientation_deg(XrTime time) override { return plate_->orientation_deg(time); }
+  void stop(XrTime time) override { plate_->stop(time); }
+
+ private:
+  std::unique_ptr<Plate> plate_;
+  Simulation& simulation_;
+};
 
 // A device turns in real time: frames of a faster clock, as the mock runtime's manual one, would not wait for
 // it.

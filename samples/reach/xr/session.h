@@ -1,13 +1,13 @@
-// A headless OpenXR session with two hand trackers, located in the plate's space.
+// A headless OpenXR session with two hand trackers, located in the plate's space, wherever the runtime moves its own.
 #pragma once
 
 #include <array>
 #include <chrono>
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "samples/reach/xr/runtime.h"
-#include "samples/reach/xr/space_motion.h"
 
 namespace hrt::reach {
 
@@ -26,6 +26,27 @@ struct Fingertip {
   std::array<double, 3> position_m{};  ///< in plate coordinates
   /// From the joint's axes to the plate's, x, y, z, w; none if the runtime does not know it.
   std::optional<std::array<double, 4>> rotation;
+};
+
+/// Where the runtime moves the origins of its reference spaces, as its user recentres the view
+/// (XrEventDataReferenceSpaceChangePending): what stands still in the room then has another pose in them. Of one
+/// run, across its sessions. One thread.
+class SpaceMotion {
+ public:
+  /// A change that is to come.
+  void announce(const XrEventDataReferenceSpaceChangePending& change);
+
+  enum class Change { none, moved, unknown };
+  /// Makes the announced changes of this space that hold at `time`. `unknown`: the runtime moved its origin
+  /// and did not report where to; the coordinates of the space then begin anew.
+  Change advance(XrReferenceSpaceType space, XrTime time);
+
+  /// The pose now of what stood at `pose_at_first` in the coordinates that the space had at first.
+  XrPosef now(XrReferenceSpaceType space, const XrPosef& pose_at_first) const;
+
+ private:
+  std::vector<XrEventDataReferenceSpaceChangePending> pending_;
+  std::map<XrReferenceSpaceType, XrPosef> first_;  // the first coordinates' origin, in the present ones
 };
 
 /// One session from IDLE to its end. One thread.

@@ -6,11 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <thread>
 
 #include "core/simulation/people.h"
-#include "samples/study/cli/output.h"
 
 namespace hrt::study {
 namespace {

@@ -1,9 +1,7 @@
 #include "samples/study/cli/part.h"
 
 #include <charconv>
-#include <cstddef>
 #include <optional>
-#include <string>
 
 #include "samples/study/cli/arguments.h"
 

@@ -1,7 +1,6 @@
 // hrt-study coverage: how often the calibration's intervals hold the truth.
 #include "samples/study/people/coverage.h"
 
-#include <cmath>
 #include <memory>
 #include <string>
 

@@ -1,7 +1,6 @@
 // hrt-study robustness: the controllers on simulated people who are not their model.
 #include "samples/study/people/robustness.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <memory>

@@ -1,7 +1,6 @@
 #include "samples/study/figures/calibration.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/trigonometry.h"
 #include "core/paper/participant.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"

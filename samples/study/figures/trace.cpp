@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/trigonometry.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/figures/figures.h"
 

@@ -1,7 +1,6 @@
 #include "samples/study/numbers/csv.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace hrt::study {
 namespace {

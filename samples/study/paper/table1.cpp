@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/paper/participant.h"
 #include "samples/study/cli/output.h"

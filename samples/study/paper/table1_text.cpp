@@ -1,7 +1,6 @@
 #include "samples/study/paper/table1.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "samples/study/cli/output.h"
 #include "samples/text.h"

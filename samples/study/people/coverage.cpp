@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/calibrate/slide_plan.h"
 #include "core/math/trigonometry.h"

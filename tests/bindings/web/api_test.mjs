@@ -19,6 +19,14 @@ function newSession(config) {
   return { session, real, virtual };
 }
 
+function sessionTest(name, run, config) {
+  test(name, () => {
+    const made = newSession(config);
+    run(made);
+    made.session.destroy();
+  });
+}
+
 function throws(run, codeName, part) {
   assert.throws(run, (error) => {
     assert.ok(error instanceof hrt.HapticRetargetingError, String(error));
@@ -39,8 +47,7 @@ function slide(session, frames) {
 }
 
 // First: the engine makes room for other kinds of values once a test has put them into fields of numbers.
-test("a frame makes no objects", () => {
-  const { session, real, virtual } = newSession();
+sessionTest("a frame makes no objects", ({ session, real, virtual }) => {
   session.beginReach(real, virtual);
   const frames = (count, from) => {
     const { sample, command } = session;
@@ -60,7 +67,6 @@ test("a frame makes no objects", () => {
   frames(100_000, 200_000);
   const bytes = (process.memoryUsage().heapUsed - before) / 100_000;
   assert.ok(bytes < 48, `${bytes} bytes a frame`);  // a boxed number or two at most, and what measuring takes
-  session.destroy();
 });
 
 test("versions agree", async () => {
@@ -85,19 +91,16 @@ test("a module can be loaded from bytes, from a module, and twice", async () => 
   }
 });
 
-test("a configuration has its defaults, and changes", () => {
-  const { session } = newSession({ plate_latency_ns: 30 * ms, start_position_m: [0, 0, 0.06] });
+sessionTest("a configuration has its defaults, and changes", ({ session }) => {
   assert.equal(session.config.plate_latency_ns, 30_000_000n);
   assert.equal(session.config.tactile_weight, 0.2);
   assert.equal(session.config.person_covariance.length, 45);
   session.configure({ tactile_weight: 0.25 });
   assert.equal(session.config.tactile_weight, 0.25);
   assert.deepEqual(session.config.start_position_m, [0, 0, 0.06]);
-  session.destroy();
-});
+}, { plate_latency_ns: 30 * ms, start_position_m: [0, 0, 0.06] });
 
-test("targets are found, changed, listed and removed", () => {
-  const { session, real, virtual } = newSession();
+sessionTest("targets are found, changed, listed and removed", ({ session, real, virtual }) => {
   assert.deepEqual(session.targets(), [real, virtual]);
   assert.deepEqual(session.targets(hrt.HRT_TARGET_VIRTUAL), [virtual]);
   assert.equal(session.findTarget("cup"), virtual);
@@ -107,7 +110,6 @@ test("targets are found, changed, listed and removed", () => {
   assert.throws(() => session.findTarget("cup"), RangeError);
   session.removeTarget(virtual);
   throws(() => session.target(virtual), "HRT_ERROR_INVALID_HANDLE", "hrt_target_get");
-  session.destroy();
 });
 
 test("what has been destroyed is refused, and writes into no other session", () => {
@@ -137,8 +139,7 @@ test("what is used within a block is destroyed at its end", async () => {
   }
 });
 
-test("objects print and serialise", () => {
-  const { session, real, virtual } = newSession();
+sessionTest("objects print and serialise", ({ session, real, virtual }) => {
   session.beginReach(real, virtual);
   slide(session, 30);
   assert.match(inspect(session.command), /^Command \{\s+flags: \d+,\s+step: \d+,\s+plate_orientation_deg: -?\d/);
@@ -152,11 +153,9 @@ test("objects print and serialise", () => {
   assert.equal(BigInt(real_target), real);  // a number or text, exact either way
   assert.equal(numbers.gap_deg, session.gap(real, virtual).gap_deg);
   session.configure(JSON.parse(JSON.stringify(session.config)));
-  session.destroy();
 });
 
-test("the fingertip is set from a pose, and the plate from a matrix", () => {
-  const { session, real, virtual } = newSession();
+sessionTest("the fingertip is set from a pose, and the plate from a matrix", ({ session, real, virtual }) => {
   const { sample } = session;
   // The mount turned by 90 degrees to the left about +Y: its right (+X) is the world's -Z.
   const matrix = [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0.5, 0.75, -0.25, 1];
@@ -187,7 +186,6 @@ test("the fingertip is set from a pose, and the plate from a matrix", () => {
   for (const bad of [undefined, [1, 2], matrix.map((v, i) => (i < 12 ? 2 * v : v)), matrix.map((v) => -v), matrix.fill(NaN)]) {
     assert.throws(() => session.setPlate(bad), /the matrix is not/);
   }
-  session.destroy();
 });
 
 test("every rotation of a plate is that of its matrix", () => {
@@ -223,19 +221,16 @@ test("without node's own start, a file is not fetched", async () => {
   assert.equal(web.HapticRetargetingError, hrt.HapticRetargetingError);
 });
 
-test("lists are as long as what there is", () => {
-  const { session, real, virtual } = newSession();
+sessionTest("lists are as long as what there is", ({ session, real, virtual }) => {
   assert.equal(session.state, hrt.HRT_STATE_READY);
   session.beginReach(real, virtual, undefined, true);
   assert.equal(session.state, hrt.HRT_STATE_REACHING);
   session.cancelReach();
   const [assigned] = session.assign([virtual], [real], true);
   assert.deepEqual(assigned, session.gap(real, virtual));
-  session.destroy();
 });
 
-test("a reach turns the plate, is recorded, and replays to the same bits", () => {
-  const { session, real, virtual } = newSession();
+sessionTest("a reach turns the plate, is recorded, and replays to the same bits", ({ session, real, virtual }) => {
   session.startRecording();
   session.beginReach(real, virtual, 10);
   slide(session, 270);
@@ -248,17 +243,14 @@ test("a reach turns the plate, is recorded, and replays to the same bits", () =>
   assert.deepEqual([report.complete, report.rows, report.first_different_line], [1, 272n, 0n]);
   throws(() => session.stopRecording(), "HRT_ERROR_WRONG_STATE", "nothing is being recorded");
   throws(() => library.replay("time,x\n"), "HRT_ERROR_BAD_FORMAT", "does not begin");
-  session.destroy();
 });
 
-test("a recording of more calls than wait at a time loses none", () => {
-  const { session, real, virtual } = newSession();
+sessionTest("a recording of more calls than wait at a time loses none", ({ session, real, virtual }) => {
   session.startRecording();
   session.beginReach(real, virtual);
   slide(session, 20_000);
   session.endReach();
   assert.equal(library.replay(session.stopRecording()).rows, 20_002n);
-  session.destroy();
 });
 
 test("the golden recording gives the golden hash", async () => {
@@ -273,8 +265,7 @@ function recordedTimes(recording) {
   return rows.filter((cells) => cells[0] === "update").map((cells) => cells[rows[0].indexOf("time_ns")]);
 }
 
-test("samples arrive as they are written, or are refused by name", () => {
-  const { session, real, virtual } = newSession();
+sessionTest("samples arrive as they are written, or are refused by name", ({ session, real, virtual }) => {
   const { sample } = session;
   session.startRecording();
   session.beginReach(real, virtual);
@@ -297,7 +288,6 @@ test("samples arrive as they are written, or are refused by name", () => {
   }
   session.cancelReach();
   assert.deepEqual(recordedTimes(session.stopRecording()), times.map(String));
-  session.destroy();
 });
 
 test("bad arguments are refused by name", () => {
@@ -316,13 +306,11 @@ test("bad arguments are refused by name", () => {
 });
 
 // readme_test.mjs goes through one, by the README's own loop.
-test("a set-up is refused out of its order", () => {
-  const { session } = newSession();
+sessionTest("a set-up is refused out of its order", ({ session }) => {
   throws(() => session.updateSetup(), "HRT_ERROR_WRONG_STATE", "no set-up is under way");
   session.beginSetup(hrt.HRT_SETUP_FINGERTIP | hrt.HRT_SETUP_REGISTRATION);
   assert.equal(session.state, hrt.HRT_STATE_SETTING_UP);
   throws(() => session.finishSetup(), "HRT_ERROR_WRONG_STATE", "HRT_STEP_FINISH");
-  session.destroy();
 });
 
 test("a set-up finds the simulated person's share of touch", () => {

@@ -1,12 +1,10 @@
 // The library's memory: all of it from the host's allocator, any of it refused.
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <vector>
 
 #include "tests/plugin/counting_allocator.h"
 #include "tests/plugin/guided_person.h"

@@ -120,6 +120,11 @@ class DynamixelTest : public FailingTest {
     return failure_of([&] { open(options); });
   }
 
+  static void turn(Device& device, double orientation_deg, std::chrono::milliseconds time) {
+    device.turn_to(orientation_deg);
+    serve(device, time);
+  }
+
   EmulatedDynamixel servo;
   DynamixelLine* line = nullptr;
 };
@@ -163,8 +168,7 @@ TEST_F(DynamixelTest, OpensWithoutAMotion) {
 // The mark is 3 degrees too far counter-clockwise: the shaft turns back, and is at 0 then.
 TEST_F(DynamixelTest, MovesItsZeroByTheHomingOffset) {
   const auto device = open();
-  device->turn_to(0.0);
-  serve(*device, 100ms);
+  turn(*device, 0.0, 100ms);
   EXPECT_EQ(device->zero_deg(), 0.0);
   device->set_zero(-3.0);
   serve(*device, 300ms);
@@ -187,8 +191,7 @@ TEST_F(DynamixelTest, WritesTheModeOnce) {
 TEST_F(DynamixelTest, TurnsCounterClockwiseByItsProfile) {
   const auto device = open();
   EXPECT_EQ(device->orientation_deg(), 0.0);
-  device->turn_to(90.0);
-  serve(*device, 200ms);
+  turn(*device, 90.0, 200ms);
   EXPECT_GT(servo.orientation_deg(), 40.0);
   EXPECT_LT(servo.orientation_deg(), 60.5);
   serve(*device, 500ms);
@@ -201,8 +204,7 @@ TEST_F(DynamixelTest, TurnsCounterClockwiseByItsProfile) {
 TEST_F(DynamixelTest, TurnsOnPastHalfATurn) {
   const auto device = open();
   for (const double orientation_deg : {170.0, 200.0, -250.0}) {
-    device->turn_to(orientation_deg);
-    serve(*device, 2000ms);
+    turn(*device, orientation_deg, 2000ms);
     EXPECT_NEAR(*device->orientation_deg(), orientation_deg, 0.1);
     EXPECT_NEAR(servo.orientation_deg(), orientation_deg, 0.1);
   }
@@ -213,8 +215,7 @@ TEST_F(DynamixelTest, TurnsOnPastHalfATurn) {
 
 TEST_F(DynamixelTest, StopsWhereItIs) {
   const auto device = open();
-  device->turn_to(90.0);
-  serve(*device, 100ms);
+  turn(*device, 90.0, 100ms);
   device->stop();
   serve(*device, 100ms);
   const double stopped_deg = servo.orientation_deg();
@@ -226,8 +227,7 @@ TEST_F(DynamixelTest, StopsWhereItIs) {
 TEST_F(DynamixelTest, StopsAtTheEnd) {
   {
     const auto device = open();
-    device->turn_to(90.0);
-    serve(*device, 100ms);
+    turn(*device, 90.0, 100ms);
   }
   EXPECT_LT(std::abs(servo.get(116, 4) - 2048), 500);
 }
@@ -236,14 +236,12 @@ TEST_F(DynamixelTest, StopsAtTheEnd) {
 // which the watchdog has cleared.
 TEST_F(DynamixelTest, TheWatchdogStopsItAndTheNextCommandContinues) {
   const auto device = open("?speed=100");
-  device->turn_to(150.0);
-  serve(*device, 100ms);
+  turn(*device, 150.0, 100ms);
   line->pause(2000ms);
   EXPECT_EQ(servo.get(98, 1), -1);
   const double stopped_deg = servo.orientation_deg();
   EXPECT_LT(stopped_deg, 45.0);
-  device->turn_to(150.0);
-  serve(*device, 500ms);
+  turn(*device, 150.0, 500ms);
   EXPECT_EQ(servo.get(98, 1), 15);
   EXPECT_GT(servo.orientation_deg(), stopped_deg + 30.0);
   EXPECT_LT(servo.orientation_deg(), stopped_deg + 51.0);
@@ -311,8 +309,7 @@ TEST_F(DynamixelTest, NoticesASecondProgramOnItsPort) {
 TEST_F(DynamixelTest, WorksOnADisturbedLine) {
   servo.damages_answers = true;
   const auto device = open();
-  device->turn_to(-30.0);
-  serve(*device, 1500ms);
+  turn(*device, -30.0, 1500ms);
   EXPECT_NEAR(*device->orientation_deg(), -30.0, 0.1);
   EXPECT_GT(device->refusals(), 5U);
 }
@@ -324,16 +321,14 @@ TEST_F(DynamixelTest, PassesOverLateAnswers) {
   EXPECT_NE(failure_of([&] { device = open(); }), "");
   servo.delay = 40ms;  // some adapters hold bytes back for 16 ms
   device = open();
-  device->turn_to(30.0);
-  serve(*device, 1500ms);
+  turn(*device, 30.0, 1500ms);
   EXPECT_NEAR(*device->orientation_deg(), 30.0, 0.1);
 }
 
 TEST_F(DynamixelTest, WorksWithAnAdapterThatEchoes) {
   servo.echoes = true;
   const auto device = open();
-  device->turn_to(30.0);
-  serve(*device, 500ms);
+  turn(*device, 30.0, 500ms);
   EXPECT_NEAR(*device->orientation_deg(), 30.0, 0.1);
 }
 

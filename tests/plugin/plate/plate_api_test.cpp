@@ -9,7 +9,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <thread>
@@ -43,6 +42,10 @@ class PlateApi : public testing::Test {
   void TearDown() override { EXPECT_EQ(hrt_plate_close(plate), HRT_OK) << error(); }
   void open(const std::string& device, const hrt_plate_options* options = nullptr) {
     ASSERT_EQ(hrt_plate_open(device.c_str(), options, &plate), HRT_OK) << error();
+  }
+  void open_until_ready(const std::string& device, const hrt_plate_options* options = nullptr) {
+    open(device, options);
+    ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY)) << report_of(plate).message;
   }
   hrt_plate plate{};
 };
@@ -79,8 +82,7 @@ TEST_F(PlateApi, OpensReportsTurnsAndStops) {
 
 TEST_F(PlateApi, NamesWhyAPlateFailed) {
   PtyPlate device;
-  open("serial:" + device.device());
-  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  open_until_ready("serial:" + device.device());
   device.send("STOPPED emergency");
   ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_FAILED));
   const hrt_plate_report report = report_of(plate);
@@ -92,8 +94,7 @@ TEST_F(PlateApi, NamesWhyAPlateFailed) {
 
 TEST_F(PlateApi, TwoPlatesDoNotShareALine) {
   PtyPlate device;
-  open("serial:" + device.device());
-  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  open_until_ready("serial:" + device.device());
   hrt_plate second{};
   ASSERT_EQ(hrt_plate_open(("serial:" + device.device()).c_str(), nullptr, &second), HRT_OK);
   EXPECT_TRUE(comes_to(second, HRT_PLATE_STATE_FAILED));
@@ -107,8 +108,7 @@ TEST_F(PlateApi, HomesAPlateThatDoesNotKnowItsPlaceIfAllowed) {
   for (const std::uint32_t homing : {HRT_PLATE_HOMING_REFUSED, HRT_PLATE_HOMING_SLOW}) {
     const hrt_plate_options options{.struct_size = sizeof options, .homing = homing, .host_timeout_ns = 300'000'000};
     ASSERT_EQ(hrt_plate_close(plate), HRT_OK);
-    open("serial:" + device.device(), &options);
-    ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+    open_until_ready("serial:" + device.device(), &options);
     EXPECT_EQ(report_of(plate).flags,
               HRT_PLATE_REPORT_ROUND_TRIP | HRT_PLATE_REPORT_UNHOMED | HRT_PLATE_REPORT_FIRST_MOTION);
     EXPECT_EQ(hrt_plate_stop(plate), HRT_OK);
@@ -141,8 +141,7 @@ TEST_F(PlateApi, OpensWhatWasCommissionedAndReportsWhenItDeviates) {
   for (const auto& [servo, deviates] : cases) {
     PtyPlate device({.servo = servo});
     write(device.device(), "000007");
-    open(file);
-    ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY)) << report_of(plate).message;
+    open_until_ready(file);
     hrt_plate_report report = report_of(plate);
     EXPECT_NE(report.flags & HRT_PLATE_REPORT_COMMISSIONED, 0U);
     hrt_session_config config{};
@@ -177,8 +176,7 @@ TEST_F(PlateApi, ASilentHostStopsThePlate) {
   PtyPlate device({.settings = slow});
   const hrt_plate_options options{
       .struct_size = sizeof options, .homing = HRT_PLATE_HOMING_REFUSED, .host_timeout_ns = 100'000'000};
-  open("serial:" + device.device(), &options);
-  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  open_until_ready("serial:" + device.device(), &options);
   ASSERT_EQ(hrt_plate_set(plate, 80.0), HRT_OK);
   ASSERT_TRUE(eventually([&] { return device.is_following(); }));
   ASSERT_TRUE(eventually([&] { return !device.is_following(); }));
@@ -205,8 +203,7 @@ TEST_F(PlateApi, ClosesSoon) {
     return std::chrono::steady_clock::now() - began;
   };
   PtyPlate device;
-  open("serial:" + device.device());
-  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  open_until_ready("serial:" + device.device());
   ASSERT_EQ(hrt_plate_set(plate, 45.0), HRT_OK);
   EXPECT_LT(time_to_close(), generous);
   EXPECT_TRUE(eventually([&] { return !device.is_following(); }));
@@ -269,8 +266,7 @@ TEST_F(PlateApi, SixteenPlatesAtMost) {
 // The child has the memory and no thread.
 TEST_F(PlateApi, AChildOfAForkOnlyLetsGo) {
   PtyPlate device;
-  open("serial:" + device.device());
-  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  open_until_ready("serial:" + device.device());
   const pid_t child = fork();
   if (child == 0) _exit(hrt_plate_close(plate) == HRT_OK ? 0 : 1);
   int status = 0;
@@ -281,8 +277,7 @@ TEST_F(PlateApi, AChildOfAForkOnlyLetsGo) {
 
 TEST_F(PlateApi, DrivesADynamixel) {
   PtyDynamixel servo;
-  open("dynamixel:" + servo.device() + "?effort=80");
-  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  open_until_ready("dynamixel:" + servo.device() + "?effort=80");
   EXPECT_STREQ(report_of(plate).description, "Dynamixel XL330-M288, id 1, firmware 52");
   ASSERT_EQ(hrt_plate_set(plate, -45.0), HRT_OK);
   EXPECT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg + 45.0) < 0.1; }));

@@ -1,6 +1,5 @@
 // Actions, bindings and XR_EXT_conformance_automation. Above each test stands the sentence that it tests,
 // from the OpenXR specification 1.0.
-#include <algorithm>
 
 #include "tests/samples/mock_runtime/support.h"
 

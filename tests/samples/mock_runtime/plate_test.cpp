@@ -1,7 +1,5 @@
 // XR_HRTX_ridged_plate: simulated people, as an application sees them.
-#include <array>
 #include <cmath>
-#include <cstring>
 
 #include "core/simulation/person.h"
 #include "plugin/src/recording/hash.h"

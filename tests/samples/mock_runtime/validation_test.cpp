@@ -1,6 +1,5 @@
 // Debian's core validation layer finds nothing wrong with the runtime, nor with an application without
 // mistakes.
-#include <cstdio>
 #include <cstdlib>
 
 #include "tests/samples/mock_runtime/support.h"

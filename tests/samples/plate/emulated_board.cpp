@@ -13,8 +13,6 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "plugin/src/plate/plate_line.h"
-
 namespace hrt::plate {
 namespace {
 

@@ -31,7 +31,11 @@ class Firmware : public testing::Test {
     board_.say("HELLO 2");
     board_.run_for(20ms);
   }
-  void set(double orientation_deg) { board_.say(set_body(orientation_deg, ++sequence_)); }
+  // Commands, and sends heartbeats for so long.
+  void set(double orientation_deg, std::chrono::milliseconds time = 0ms, const char* word = "SET") {
+    board_.say(set_body(orientation_deg, ++sequence_, word));
+    run_with_beats(time);
+  }
   void beat() { board_.say(beat_body("BEAT", ++sequence_)); }
   void run_with_beats(std::chrono::milliseconds time) {
     for (; time > 0ms; time -= 50ms) {
@@ -59,8 +63,7 @@ TEST_F(Firmware, AnnouncesItselfAndGivesNoPulseBeforeACommand) {
 }
 
 TEST_F(Firmware, StartsFromWhereTheServoIs) {
-  set(80.0);
-  run_with_beats(60ms);
+  set(80.0, 60ms);
   EXPECT_NEAR((board_.pulses().front().width_us() - 1500.0) * 0.09, 40.0, 1.0);
   run_with_beats(600ms);
   EXPECT_NEAR(board_.servo.plate_deg(), 80.0, 0.2);
@@ -71,8 +74,7 @@ TEST_F(Firmware, StartsFromWhereTheServoIs) {
 // 1500 us at 0, 2000 us over 180 degrees: the pulse of every angle from -90 to 90 in steps of 0.5 degrees,
 // and the frame of 20 ms.
 TEST_F(Firmware, PulsesAreWithinAMicrosecondOverTheWholeRange) {
-  set(-90.0);
-  run_with_beats(900ms);
+  set(-90.0, 900ms);
   const std::size_t first = board_.pulses().size();
   double worst_us = 0.0;
   for (double angle_deg = -90.0; angle_deg <= 90.0; angle_deg += 0.5) {
@@ -131,8 +133,7 @@ TEST_F(Firmware, StopsWithin300MillisecondsOfSilence) {
 // 5 thousand damaged lines, with good ones in between: the pulse stays, the good ones are all understood, and
 // no flood keeps the main loop from a millisecond.
 TEST_F(Firmware, DamagedLinesMoveNothing) {
-  set(0.0);
-  run_with_beats(600ms);
+  set(0.0, 600ms);
   std::mt19937 random(7);
   const std::size_t before = board_.pulses().size();
   const double held_us = width_us();
@@ -161,8 +162,7 @@ TEST_F(Firmware, DeclaresABrownOutAtFourPointThreeVolts) { EXPECT_EQ(board_.exte
 
 // The host has been sending since before the board started, and continues after a reset.
 TEST_F(Firmware, AResetEndsThePulsesUntilTheNextGreeting) {
-  set(90.0);
-  run_with_beats(150ms);
+  set(90.0, 150ms);
   board_.take_lines();
   board_.reset();
   const std::size_t pulses = board_.pulses().size();
@@ -176,14 +176,12 @@ TEST_F(Firmware, AResetEndsThePulsesUntilTheNextGreeting) {
   EXPECT_TRUE(contains(lines, "ERROR greeting"));
   const double place_deg = board_.servo.plate_deg();
   greet();
-  set(0.0);
-  run_with_beats(60ms);
+  set(0.0, 60ms);
   EXPECT_NEAR((board_.pulses().at(pulses).width_us() - 1500.0) * 0.09, place_deg, 1.0);
 }
 
 TEST_F(Firmware, EmergencyStopCutsNoPulse) {
-  set(90.0);
-  run_with_beats(100ms);
+  set(90.0, 100ms);
   board_.open_emergency_stop(true);
   const auto opened = board_.now();
   board_.run_for(500ms);
@@ -194,12 +192,10 @@ TEST_F(Firmware, EmergencyStopCutsNoPulse) {
 
 // A board without a sensor: its compare unit leaves seven frames of eight without a pulse, for 8 s.
 TEST_F(BlindFirmware, IsHomedByOnePulseInEight) {
-  set(-40.0);
-  run_with_beats(500ms);
+  set(-40.0, 500ms);
   EXPECT_TRUE(contains(board_.take_lines(), "STOPPED unhomed"));
   EXPECT_TRUE(board_.pulses().empty());
-  board_.say(set_body(-40.0, ++sequence_, "HOME"));
-  run_with_beats(7900ms);
+  set(-40.0, 7900ms, "HOME");
   EXPECT_TRUE(has(board_.take_lines().back(), "AT unknown"));
   EXPECT_NEAR(board_.servo.plate_deg(), -40.0, 0.2);
   run_with_beats(500ms);
@@ -215,8 +211,7 @@ TEST_F(BlindFirmware, IsHomedByOnePulseInEight) {
 
 // The watchdog ends the pulses, in whole ones, and resets the board, which then waits for a greeting.
 TEST_F(Firmware, AMainLoopThatHangsLosesItsPulsesAndIsReset) {
-  set(90.0);
-  run_with_beats(100ms);
+  set(90.0, 100ms);
   board_.take_lines();
   board_.hang();
   const auto hung = board_.now();

@@ -6,7 +6,6 @@
 #include <functional>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "tests/plugin/plate/twin_board.h"
 #include "tests/samples/plate/damage.h"
@@ -23,8 +22,12 @@ class FirmwareLogic : public testing::Test {
     board_.run_for(std::chrono::milliseconds(20));  // the sensor is read
   }
 
-  void set(double orientation_deg) { board_.say(set_body(orientation_deg, ++sequence_)); }
-  void home(double orientation_deg) { board_.say(set_body(orientation_deg, ++sequence_, "HOME")); }
+  // Commands, and sends heartbeats for so long.
+  void set(double orientation_deg, std::chrono::milliseconds time = 0ms, const char* word = "SET") {
+    board_.say(set_body(orientation_deg, ++sequence_, word));
+    run_with_beats(time);
+  }
+  void home(double orientation_deg, std::chrono::milliseconds time = 0ms) { set(orientation_deg, time, "HOME"); }
   void beat() { board_.say(beat_body("BEAT", ++sequence_)); }
   void run_with_beats(std::chrono::milliseconds time) {
     for (; time > 0ms; time -= 50ms) {
@@ -118,12 +121,10 @@ TEST_F(FirmwareLogic, AGreetingDoesNotEndAnEmergencyThatLasts) {
 // A servo at a tenth of the motion's speed is far away for seconds, and on its way.
 TEST_F(FirmwareLogic, ASlowServoIsNotStuckAndAJammedOneIs) {
   board_.servo.limit_speed(20.0);
-  set(80.0);
-  run_with_beats(2500ms);
+  set(80.0, 2500ms);
   EXPECT_TRUE(board_.is_following());
   board_.servo.is_jammed = true;
-  set(-80.0);
-  run_with_beats(1300ms);
+  set(-80.0, 1300ms);
   EXPECT_TRUE(has_sent("STOPPED stuck"));
   EXPECT_FALSE(board_.has_pulses());  // no current for a servo that cannot move
 }
@@ -157,8 +158,7 @@ TEST_F(FirmwareLogic, AServoBesideItsSensorOrBeyondItsLimitsIsNoFault) {
     board_.say("HELLO 2");
     board_.servo.turn_by_hand(place_deg);
     run_with_beats(100ms);
-    set(10.0);
-    run_with_beats(2000ms);
+    set(10.0, 2000ms);
     EXPECT_TRUE(board_.is_following()) << place_deg;
     EXPECT_NEAR(board_.servo.plate_deg(), 14.0, 0.5);
   }
@@ -170,16 +170,14 @@ TEST_F(FirmwareLogic, NamesASensorThatRunsAgainstItsServo) {
     board_.say("HELLO 2");
     board_.servo.turn_by_hand(0.0);
     run_with_beats(100ms);
-    set(orientation_deg);
-    run_with_beats(1500ms);
+    set(orientation_deg, 1500ms);
     EXPECT_TRUE(has_sent("STOPPED sensor")) << orientation_deg;
     EXPECT_FALSE(board_.has_pulses());
   }
 }
 
 TEST_F(FirmwareLogic, AGreetingStopsTheMotion) {
-  set(90.0);
-  run_with_beats(200ms);
+  set(90.0, 200ms);
   const double before_deg = position_deg();
   ASSERT_LT(before_deg, 89.0);
   board_.say("HELLO 2");
@@ -189,8 +187,7 @@ TEST_F(FirmwareLogic, AGreetingStopsTheMotion) {
 
 // A trim of 21 us at once would jump by two degrees.
 TEST_F(FirmwareLogic, ASettingMovesTheServoByASmallStepOnly) {
-  set(0.0);
-  run_with_beats(200ms);
+  set(0.0, 200ms);
   const int before = plate_pulse_ticks(&plate_);
   EXPECT_EQ(answer_to("CONF zero 1521"), "ERROR range;");
   EXPECT_EQ(answer_to("CONF zero 1520"), "CONF zero 1520.00;");
@@ -198,8 +195,7 @@ TEST_F(FirmwareLogic, ASettingMovesTheServoByASmallStepOnly) {
 }
 
 TEST_F(FirmwareLogic, SettingsWaitForTheEndOfAMotion) {
-  set(90.0);
-  run_with_beats(150ms);
+  set(90.0, 150ms);
   EXPECT_EQ(answer_to("CONF speed 10"), "ERROR busy;");
   EXPECT_EQ(answer_to("SAVE"), "ERROR busy;");
   EXPECT_EQ(board_.saves(), 0);
@@ -237,8 +233,7 @@ TEST_F(FirmwareLogic, NamesWhatItRefuses) {
 
 // A million damaged lines, a good one after every tenth: the plate stays at 0, and hears the good ones.
 TEST_F(FirmwareLogic, AMillionDamagedLinesMoveNothing) {
-  set(0.0);
-  run_with_beats(600ms);
+  set(0.0, 600ms);
   const int ticks = plate_pulse_ticks(&plate_);
   std::mt19937 random(1);
   std::string bad;
@@ -306,8 +301,7 @@ TEST_F(BlindFirmware, IsHomedSlowly) {
   EXPECT_EQ(place(), "unknown");
   while (board_.now() < 8200ms) run_with_beats(50ms);
   EXPECT_EQ(place(), "-040.00");
-  set(40.0);
-  run_with_beats(600ms);
+  set(40.0, 600ms);
   EXPECT_NEAR(board_.orientation_deg(), 40.0, 0.2);
   EXPECT_EQ(place(), "+040.00");
 }
@@ -316,8 +310,7 @@ TEST_F(BlindFirmware, IsStoppedWhileItIsHomed) {
   const std::function<void()> stops[] = {[&] { board_.say(beat_body("STOP", 9)); }, [&] { board_.run_for(300ms); },
                                          [&] { board_.say("HELLO 2"); }};
   for (const auto& stop : stops) {
-    home(-40.0);
-    run_with_beats(500ms);
+    home(-40.0, 500ms);
     EXPECT_TRUE(board_.has_pulses());
     stop();
     EXPECT_FALSE(board_.has_pulses());
@@ -328,8 +321,7 @@ TEST_F(BlindFirmware, IsStoppedWhileItIsHomed) {
 // The emergency stop's own test: press, turn the plate by hand, release.
 TEST_F(BlindFirmware, ForgetsItsPlaceAtAnEmergencyAndAtAReset) {
   for (const bool reset : {false, true}) {
-    home(0.0);
-    run_with_beats(8200ms);
+    home(0.0, 8200ms);
     EXPECT_EQ(place(), "+000.00");
     board_.press(!reset);
     if (reset) board_.restart();

@@ -37,12 +37,11 @@ double planned(const std::string& recording, const std::string& name) {
 TEST(ReachWithFirmware, ReachesTheTarget) {
   PtyDevice<BoardWithServo> board;
   const std::string recording = reach::scratch_folder() + "/reach.csv";
-  const Outcome outcome = reach::run_scripted(
-      real_time, {desk, "--target", "goblet", "--plate", "serial:" + board.device(), "--record", recording});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(
+      0, reach::run_scripted(
+             real_time, {desk, "--target", "goblet", "--plate", "serial:" + board.device(), "--record", recording}));
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
-  EXPECT_TRUE(has(outcome.out, "protocol 2, firmware 1.0.0"));
-  EXPECT_TRUE(has(outcome.out, "orientation measured"));
+  EXPECT_TRUE(has(outcome.out, {"protocol 2, firmware 1.0.0", "orientation measured"}));
   EXPECT_GT(max_turn_deg(board), 30.0);
   // What was measured is what the controller planned with: 30 ms of the plate's own, and half of the line.
   const std::string recorded = read_file(recording);
@@ -69,8 +68,7 @@ TEST(ReachWithFirmware, IsEndedByAResetOfTheBoardAndByTheEmergencyStop) {
         emulated.open_emergency_stop(true);
       return emulated.pulses().size();
     });
-    const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.exit_code, 9) << outcome.out;
+    const Outcome outcome = expect_exit(9, program.wait());
     const char* const why = reset ? "has restarted" : "was stopped by its emergency stop";
     EXPECT_TRUE(has(outcome.err, why));
     EXPECT_LE(pulses(), before + (reset ? 0 : 2));

@@ -1,10 +1,8 @@
 // hrt-plate: its commands on twins in simulated time, on the firmware's ELF, and as a program.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <deque>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <regex>
@@ -91,13 +89,11 @@ testing::AssertionResult is_in_guide(const std::string& printed, const std::stri
 
 TEST(PlateTool, FindsThePlate) {
   TwinBoard board;
-  const Outcome outcome = run_with(board, {"find"});
-  EXPECT_EQ(outcome.exit_code, 0);
+  const Outcome outcome = expect_exit(0, run_with(board, {"find"}));
   EXPECT_EQ(outcome.out,
             "/nonexistent cannot be opened: No such file or directory\n"
             "serial:board: protocol 2, firmware 1.0.0, serial number 000007\n");
-  const Outcome none = run_with(board, {"find", "/dev/null"});
-  EXPECT_EQ(none.exit_code, 1);
+  const Outcome none = expect_exit(1, run_with(board, {"find", "/dev/null"}));
   EXPECT_EQ(none.out, "/dev/null is not a serial line\n");
   EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /dev/null\n");
 }
@@ -111,11 +107,9 @@ TEST(PlateTool, FindsThePlateToCommission) {
   EXPECT_TRUE(has(found.out, "dynamixel:" + servo.device() + ": Dynamixel XL330-M077, id 1, firmware 52\nHands off"))
       << found.out;
   TwinBoard other;
-  const Outcome two = run_with(other, {"commission"}, {}, {"board", "board"});
-  EXPECT_EQ(two.exit_code, 1);
+  const Outcome two = expect_exit(1, run_with(other, {"commission"}, {}, {"board", "board"}));
   EXPECT_EQ(two.err, "hrt-plate: more than one plate was found: name one of them\n");
-  const Outcome none = run_with(mute, {"commission"});
-  EXPECT_EQ(none.exit_code, 1);
+  const Outcome none = expect_exit(1, run_with(mute, {"commission"}));
   EXPECT_EQ(none.out,
             "/nonexistent cannot be opened: No such file or directory\n"
             "board does not answer as a plate within 5 s\n"
@@ -128,12 +122,11 @@ TEST(PlateTool, FindsThePlateToCommission) {
 
 TEST(PlateTool, ShowsSettingsAndSelfTest) {
   TwinBoard board({.settings = settings_default()});
-  const Outcome outcome = run_with(board, {"show", "board"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* line : {"protocol 2, firmware 1.0.0, serial number 000000\n",
-                           "range -45 to 45 deg, 200 deg/s, latency 32 ms with half of the line, orientation assumed",
-                           "setting zero 1500", "setting serial 0", "test emergency closed"})
-    EXPECT_TRUE(has(outcome.out, line)) << outcome.out;
+  const Outcome outcome = expect_exit(0, run_with(board, {"show", "board"}));
+  EXPECT_TRUE(
+      has(outcome.out, {"protocol 2, firmware 1.0.0, serial number 000000\n",
+                        "range -45 to 45 deg, 200 deg/s, latency 32 ms with half of the line, orientation assumed",
+                        "setting zero 1500", "setting serial 0", "test emergency closed"}));
   EXPECT_FALSE(board.has_pulses());
 }
 
@@ -178,11 +171,9 @@ TEST(PlateTool, TurnsAndHolds) {
 // trim is there after power-off, and after one that was abandoned.
 TEST(PlateTool, TrimsAndSaves) {
   BoardWithServo board;
-  const Outcome outcome = run_with(board, {"trim", "board"}, entered({"x", "31", "3", ""}));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(has(outcome.out, "\"x\" is not a number from -30 to 30"));
-  EXPECT_TRUE(has(outcome.out, "\"31\" is not a number"));
-  EXPECT_TRUE(has(outcome.out, "0 has moved by -2.97 deg."));
+  const Outcome outcome = expect_exit(0, run_with(board, {"trim", "board"}, entered({"x", "31", "3", ""})));
+  EXPECT_TRUE(has(outcome.out,
+                  {"\"x\" is not a number from -30 to 30", "\"31\" is not a number", "0 has moved by -2.97 deg."}));
   const auto& pulses = board.pulses();
   EXPECT_NEAR(pulses.back().width_us(), 1467.0, 4.0);
   for (std::size_t i = 1; i < pulses.size(); ++i)
@@ -198,13 +189,11 @@ TEST(PlateTool, FindsShowsAndTrimsADynamixel) {
   EXPECT_TRUE(is_in_guide(found.out, "board", "/dev/ttyUSB0"));
   EXPECT_TRUE(has(found.out, "dynamixel:board: Dynamixel XL330-M077, id 1, firmware 52\n"));
   const Outcome shown = run_with(servo, {"show", "dynamixel:board"});
-  for (const char* line : {"range -360 to 360 deg, 299.532 deg/s", "orientation measured\n", "operating mode 3\n",
-                           "homing offset 0 steps\n", "hardware error 0\n"})
-    EXPECT_TRUE(has(shown.out, line)) << shown.out;
+  EXPECT_TRUE(has(shown.out, {"range -360 to 360 deg, 299.532 deg/s", "orientation measured\n", "operating mode 3\n",
+                              "homing offset 0 steps\n", "hardware error 0\n"}));
   EXPECT_TRUE(is_in_guide(shown.out, "board", ""));
   EXPECT_EQ(servo.get(64, 1), 0);
-  const Outcome trimmed = run_with(servo, {"trim", "dynamixel:board"}, entered({"3", "-1", ""}));
-  EXPECT_EQ(trimmed.exit_code, 0) << trimmed.err;
+  const Outcome trimmed = expect_exit(0, run_with(servo, {"trim", "dynamixel:board"}, entered({"3", "-1", ""})));
   EXPECT_TRUE(has(trimmed.out, "0 has moved by -2.02 deg."));
   servo.restart();
   EXPECT_EQ(servo.get(20, 4), 23);
@@ -267,8 +256,8 @@ TEST(PlateCommission, RefusesAPlateWithoutASensorAndAnAbsentPerson) {
   TwinBoard board({.settings = settings_default()});
   board.has_sensor = false;
   const TemporaryFolder folder;
-  const Outcome blind = run_with(board, {"commission", "board", "--out", folder / "plate.json"}, scale_readings(board));
-  EXPECT_EQ(blind.exit_code, 9);
+  const Outcome blind =
+      expect_exit(9, run_with(board, {"commission", "board", "--out", folder / "plate.json"}, scale_readings(board)));
   EXPECT_TRUE(has(blind.err, "has no sensor at A0")) << blind.err;
   EXPECT_EQ(run_with(board, {"commission", "board", "--out", folder / "plate.json"}).exit_code, 1);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path));
@@ -472,8 +461,7 @@ TEST(PlateFile, IsRefusedUnlessItIsWhole) {
 }
 
 TEST(PlateTool, RunsAsAProgram) {
-  const Outcome none = Process({HRT_PLATE_PROGRAM, "commission", "/dev/null"}, {}).wait();
-  EXPECT_EQ(none.exit_code, 9);
+  const Outcome none = expect_exit(9, Process({HRT_PLATE_PROGRAM, "commission", "/dev/null"}, {}).wait());
   EXPECT_EQ(none.err, "hrt-plate: the plate at /dev/null is not a serial line\n");
   PtyPlate device;
   const Outcome saved =

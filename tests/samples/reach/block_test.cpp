@@ -1,10 +1,8 @@
 // Whatever call the runtime blocks in, hrt-reach ends: by its limit, and within a second of a signal.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <thread>

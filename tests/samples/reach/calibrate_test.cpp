@@ -2,14 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <thread>
 
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/reach/program.h"
@@ -46,8 +40,7 @@ TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
   for (const double weight : {0.15, 0.25}) {
     const std::string folder = scratch_folder(), profile = folder + "/profile.json", recording = folder + "/slides.csv";
     const std::string script = "{" + person_of(weight) + "}";
-    const Outcome outcome = run_scripted(script, {desk, "--calibrate", profile, "--record", recording});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    const Outcome outcome = expect_exit(0, run_scripted(script, {desk, "--calibrate", profile, "--record", recording}));
     const Found found = weight_of(outcome);
     EXPECT_NEAR(found.value, weight, 0.015) << outcome.out;
     EXPECT_LE(found.upper - found.lower, 0.0205);
@@ -59,26 +52,25 @@ TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
       EXPECT_NE(entry.path().extension(), ".tmp") << "left behind";
     expect_replays(recording);
     EXPECT_TRUE(has(read_file(recording), "\nsetup_finish,0,"));
-    const Outcome reaches = run_scripted(script, {desk, "--profile", profile, "--target", "bottle"});
-    EXPECT_EQ(reaches.exit_code, 0) << reaches.out << reaches.err;
+    const Outcome reaches = expect_exit(0, run_scripted(script, {desk, "--profile", profile, "--target", "bottle"}));
     EXPECT_FALSE(has(reaches.err, "another"));
     const auto rows = rows_of(reaches);
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_NEAR(rows[0].assumed, weight, 0.04);
     EXPECT_TRUE(has(text, "\"plate\":\"runtime\",\"tracker\":\"HRTX mock runtime"));
-    const Outcome other = run_scripted(script, {desk, "--profile", profile, "--target", "bottle", "--plate", "servo"});
-    EXPECT_EQ(other.exit_code, 0) << other.out << other.err;
+    const Outcome other =
+        expect_exit(0, run_scripted(script, {desk, "--profile", profile, "--target", "bottle", "--plate", "servo"}));
     EXPECT_TRUE(has(other.err, "measured with another plate, runtime\n"));
   }
 }
 
 // Beyond 45 degrees this person feels no more: 9 degrees of shift at most.
 TEST(ReachCalibrate, ShowsAnIllusionThatSaturates) {
-  const Outcome outcome = run_scripted(
-      R"({"participants": [{"illusion": "saturating", "illusion_scale_deg": 45, "tactile_weight": 0.2,
+  const Outcome outcome = expect_exit(
+      0, run_scripted(
+             R"({"participants": [{"illusion": "saturating", "illusion_scale_deg": 45, "tactile_weight": 0.2,
           "steering": "continuous", "habit_deg": 0}]})",
-      {desk, "--calibrate", scratch_folder() + "/profile.json"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+             {desk, "--calibrate", scratch_folder() + "/profile.json"}));
   EXPECT_TRUE(has(outcome.out, "The model fits the slides."));
   EXPECT_NEAR(value_of(outcome.out, "largest gap that a plate can hold"), 9.0, 1.0) << outcome.out;
 }
@@ -87,33 +79,28 @@ TEST(ReachCalibrate, WritesWhatItKnowsWhenTheSlidesRunOut) {
   const std::string profile = scratch_folder() + "/profile.json";
   const std::string shaky = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.2,
       "steering": "continuous", "noise_deg2_per_s": 200}]})";
-  const Outcome outcome = run_scripted(shaky, {desk, "--calibrate", profile, "--max-slides", "16"});
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(1, run_scripted(shaky, {desk, "--calibrate", profile, "--max-slides", "16"}));
   EXPECT_TRUE(has(outcome.out, "not known as well as was asked"));
   EXPECT_TRUE(std::filesystem::exists(profile));
 }
 
 TEST(ReachCalibrate, WritesNothingIfTheSlidesDoNotDetermineTheUser) {
   const std::string profile = scratch_folder() + "/profile.json";
-  const Outcome outcome =
-      run_scripted("{" + person_of(0.2, 1500, 4000) + "}", {desk, "--calibrate", profile, "--max-slides", "16"});
-  EXPECT_EQ(outcome.exit_code, 13) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(
+      13, run_scripted("{" + person_of(0.2, 1500, 4000) + "}", {desk, "--calibrate", profile, "--max-slides", "16"}));
   EXPECT_TRUE(has(outcome.err, "no calibration"));
   EXPECT_FALSE(std::filesystem::exists(profile));
 }
 
 TEST(ReachCalibrate, EndsIfNoSlideCounts) {
-  const Outcome outcome =
-      run_scripted("{" + person_of(0.2, 100) + "}", {desk, "--calibrate", scratch_folder() + "/profile.json"});
-  EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
-  EXPECT_TRUE(has(outcome.err, "That was too fast to count."));
-  EXPECT_TRUE(has(outcome.err, "6 slides in a row did not count"));
+  const Outcome outcome = expect_exit(
+      8, run_scripted("{" + person_of(0.2, 100) + "}", {desk, "--calibrate", scratch_folder() + "/profile.json"}));
+  EXPECT_TRUE(has(outcome.err, {"That was too fast to count.", "6 slides in a row did not count"}));
 }
 
 TEST(ReachCalibrate, AProfileThatCannotBeWrittenHasItsExitCode) {
-  const Outcome outcome =
-      run_scripted("{" + person_of(0.2) + "}", {desk, "--calibrate", scratch_folder() + "/none/profile.json"});
-  EXPECT_EQ(outcome.exit_code, 10) << outcome.out << outcome.err;
+  expect_exit(10,
+              run_scripted("{" + person_of(0.2) + "}", {desk, "--calibrate", scratch_folder() + "/none/profile.json"}));
 }
 
 // In real time: until the first slide is there.
@@ -124,8 +111,7 @@ TEST(ReachCalibrate, TurnsASerialPlateToEachAngle) {
       scripted_environment(R"({"clock": "real-time", )" + person_of(0.2, 800) + "}"));
   plate::eventually([&] { return program.out().find("slide   1") != std::string::npos; });
   program.send_signal(SIGINT);
-  const Outcome outcome = program.wait();
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(130, program.wait());
   EXPECT_TRUE(has(outcome.out, "slide   1")) << outcome.err;
   const std::vector<std::string> heard = plate.heard();
   EXPECT_TRUE(std::any_of(heard.begin(), heard.end(), [](const std::string& line) { return line.starts_with("SET"); }));

@@ -113,8 +113,7 @@ TEST(ReachCapture, FileIsWholeWhenTheApplicationIsKilled) {
   program.send_signal(SIGKILL);
   EXPECT_EQ(program.wait().exit_code, -SIGKILL);
   EXPECT_EQ(frames(), 149U);
-  const Outcome outcome = run_program({desk, "--target", "bottle", "--time-limit", "3"}, played(file));
-  EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
+  const Outcome outcome = expect_exit(8, run_program({desk, "--target", "bottle", "--time-limit", "3"}, played(file)));
   EXPECT_TRUE(has(outcome.out, "not made"));
 }
 
@@ -148,8 +147,7 @@ TEST(ReachLayers, CoreValidationHasNothingToSay) {
         Case{Path(plate_of_desk).reach().rest(2000).script(recentred),
              {"--target", "bottle", "--person", "--plate", "servo"}}}) {
     const std::string report = scratch_folder() + "/report.txt";
-    const Outcome outcome = run_with("core_validation", "CORE_VALIDATION", report, script, arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    const Outcome outcome = expect_exit(0, run_with("core_validation", "CORE_VALIDATION", report, script, arguments));
     EXPECT_TRUE(has(outcome.err, "Core Validation output type")) << "the layer is not there";
     EXPECT_EQ(validation_findings(report), "") << script;
     std::vector<std::string> without_layer = arguments;

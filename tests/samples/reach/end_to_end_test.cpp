@@ -14,8 +14,7 @@ namespace {
 const std::string table1 = HRT_SCENES "/table1.gltf";
 
 TEST(ReachEndToEnd, ReachesEveryTargetOfTheDesk) {
-  const Outcome outcome = run_program({desk});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(0, run_program({desk}));
   EXPECT_EQ(outcome.err, "");
   const std::vector<Row> rows = rows_of(outcome);
   ASSERT_EQ(rows.size(), 3U) << outcome.out;
@@ -99,8 +98,7 @@ TEST(ReachEndToEnd, ReachesForChosenTargetsInTheGivenOrder) {
 }
 
 TEST(ReachEndToEnd, ReachesWithTheLeftHand) {
-  const Outcome outcome = run_program({desk, "--hand", "left"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = expect_exit(0, run_program({desk, "--hand", "left"}));
   EXPECT_EQ(rows_of(outcome).size(), 3U);
 }
 
@@ -112,11 +110,9 @@ TEST(ReachEndToEnd, DoesNotCountWhatCannotBeHeld) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{desk, "--target", "pawn", "--controller", "paper", "--tactile-weight", "0.1"},
         std::vector<std::string>{desk, "--target", "pawn", "--tactile-weight", "0.1"}}) {
-    const Outcome outcome = run_scripted(light, arguments);
-    EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_TRUE(has(outcome.out, "(flag: cannot be held)"));
-    EXPECT_TRUE(has(outcome.out, "0 of 0 targets that can be held were reached"));
-    EXPECT_TRUE(has(outcome.out, "; 1 more cannot be held"));
+    const Outcome outcome = expect_exit(0, run_scripted(light, arguments));
+    EXPECT_TRUE(has(outcome.out, {"(flag: cannot be held)", "0 of 0 targets that can be held were reached",
+                                  "; 1 more cannot be held"}));
   }
 }
 
@@ -167,8 +163,7 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
       {{desk, "--record", "/nonexistent/reach.csv"}, 10, "/nonexistent/reach.csv"},
       {{desk, "--record", "/dev/full"}, 10, "/dev/full: not a regular file"}};
   for (const auto& [arguments, exit_code, named, environment] : all) {
-    const Outcome outcome = run_program(arguments, environment);
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    const Outcome outcome = expect_exit(exit_code, run_program(arguments, environment));
     EXPECT_EQ(outcome.out, "") << outcome.err;
     EXPECT_EQ(outcome.err.rfind("hrt-reach: ", 0), 0U) << outcome.err;
     EXPECT_EQ(occurrences(outcome.err, "\n"), 1U) << outcome.err;
@@ -177,10 +172,8 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
 }
 
 TEST(ReachCommandLine, ExplainsItself) {
-  const Outcome help = run_program({"--help"});
-  EXPECT_EQ(help.exit_code, 0);
-  for (const char* part : {"scene", "--plugin", "--target", "--seed", "--hand", "Exit codes", "XR_RUNTIME_JSON"})
-    EXPECT_TRUE(has(help.out, part));
+  const Outcome help = expect_exit(0, run_program({"--help"}));
+  EXPECT_TRUE(has(help.out, {"scene", "--plugin", "--target", "--seed", "--hand", "Exit codes", "XR_RUNTIME_JSON"}));
 }
 
 }  // namespace

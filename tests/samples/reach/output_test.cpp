@@ -81,8 +81,7 @@ TEST(ReachVerbose, PrintsALineAFrame) {
 
 // A plate that never turns leads to no target: the simulated user feels this plate.
 TEST(ReachPlate, ThatHardlyTurnsMissesTheTarget) {
-  const Outcome outcome = run_program({desk, "--target", "pawn", "--plate", "servo:1"});
-  EXPECT_EQ(outcome.exit_code, 1);
+  const Outcome outcome = expect_exit(1, run_program({desk, "--target", "pawn", "--plate", "servo:1"}));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_GT(std::abs(rows_of(outcome)[0].miss_deg), 5.0);
 }
@@ -92,8 +91,8 @@ const std::string real_time = R"({"clock": "real-time", )" + calm + "}";
 
 TEST(ReachPlate, IsAtTheEndOfASerialLine) {
   PtyPlate device;
-  const Outcome outcome = run_scripted(real_time, {desk, "--target", "goblet", "--plate", "serial:" + device.device()});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome =
+      expect_exit(0, run_scripted(real_time, {desk, "--target", "goblet", "--plate", "serial:" + device.device()}));
   EXPECT_EQ(rows_of(outcome).size(), 1U);
   ASSERT_FALSE(device.heard().empty());
   EXPECT_EQ(device.heard().back(), "STOP");
@@ -113,8 +112,8 @@ TEST(ReachPlate, IsPlannedWithAsItSaysItIs) {
 // Ten seconds of a manual clock pass in milliseconds: no device turns so fast. It is not even greeted.
 TEST(ReachPlate, OnASerialLineNeedsRealTime) {
   PtyPlate device;
-  const Outcome outcome = run_program({desk, "--target", "goblet", "--plate", "serial:" + device.device()});
-  EXPECT_EQ(outcome.exit_code, 9);
+  const Outcome outcome =
+      expect_exit(9, run_program({desk, "--target", "goblet", "--plate", "serial:" + device.device()}));
   EXPECT_TRUE(has(outcome.err, "needs real time, but the clock of the OpenXR runtime"));
   EXPECT_TRUE(device.heard().empty());
 }
@@ -148,8 +147,7 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
                     scripted_environment(real_time));
     ASSERT_TRUE(eventually([&] { return device.is_following(); }));
     program.send_signal(signal);
-    const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.exit_code, 130);
+    const Outcome outcome = expect_exit(130, program.wait());
     EXPECT_EQ(outcome.err, "hrt-reach: interrupted; the unfinished reach does not count\n");
     EXPECT_TRUE(has(outcome.out, "0 of 0 targets"));
     EXPECT_TRUE(eventually([&] { return device.heard().back() == "STOP"; }));

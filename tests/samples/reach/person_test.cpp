@@ -6,7 +6,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/reach/hand_path.h"
@@ -23,14 +22,13 @@ const Place start{0.0, 0.05};
 Outcome reach_along(const Path& path) { return run_scripted(path.script(), person_and({"--time-limit", "12"})); }
 
 TEST(ReachPerson, EndsAtTheTargetHoweverSlowlyAndWithPauses) {
-  const Outcome outcome = reach_along(Path(plate_of_desk)
-                                          .hold(start, 2000)
-                                          .slide({0.0, 0.02}, 400)
-                                          .rest(700)
-                                          .slide({0.0, -0.02}, 3000)
-                                          .rest(700)
-                                          .slide({0.0, -0.05}, 1500));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(0, reach_along(Path(plate_of_desk)
+                                                         .hold(start, 2000)
+                                                         .slide({0.0, 0.02}, 400)
+                                                         .rest(700)
+                                                         .slide({0.0, -0.02}, 3000)
+                                                         .rest(700)
+                                                         .slide({0.0, -0.05}, 1500)));
   expect_said(outcome, "Put your index finger on the start. Then slide it to \"bottle\", ");
   expect_said(outcome, "6 degrees to the left of straight ahead");
   EXPECT_FALSE(has(outcome.out, "SIMULATION"));
@@ -50,9 +48,7 @@ TEST(ReachPerson, EndsAtRestBesideTheTarget) {
 }
 
 TEST(ReachPerson, TakesTheHandThatComes) {
-  const Outcome outcome =
-      run_scripted(Path(plate_of_desk).reach().script("", "left"), person_and({"--hand", "either"}));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run_scripted(Path(plate_of_desk).reach().script("", "left"), person_and({"--hand", "either"})));
 }
 
 // A thick finger's joint is 18 mm above the plate when it touches: it slides, for the plugin, too.
@@ -76,8 +72,7 @@ std::string relay(double left_height_m) {
 }
 
 TEST(ReachPerson, ChangesHandsOnTheWay) {
-  const Outcome outcome = run_scripted(relay(0.0), person_and({"--hand", "either"}));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(0, run_scripted(relay(0.0), person_and({"--hand", "either"})));
   EXPECT_TRUE(has(outcome.out, "reached (hands changed)"));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 2);  // 0.3 s
@@ -86,32 +81,29 @@ TEST(ReachPerson, ChangesHandsOnTheWay) {
 // Neither a hand above the plate nor one that must not be used takes over.
 TEST(ReachPerson, DoesNotGoOnWithAHandThatDoesNotTouch) {
   EXPECT_EQ(run_scripted(relay(0.0), person_and({"--time-limit", "8"})).exit_code, 8);
-  const Outcome outcome = run_scripted(relay(0.093), person_and({"--time-limit", "8", "--hand", "either"}));
-  EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
-  expect_said(outcome, "did not end within 8 s");
+  expect_said(expect_exit(8, run_scripted(relay(0.093), person_and({"--time-limit", "8", "--hand", "either"}))),
+              "did not end within 8 s");
 }
 
 TEST(ReachPerson, NeedsAPlate) {
-  const Outcome outcome = run_scripted(R"({"withhold_extensions": ["XR_HRTX_ridged_plate"]})", {desk, "--person"});
-  EXPECT_EQ(outcome.exit_code, 9);
-  expect_said(outcome, "--plate");
+  expect_said(expect_exit(9, run_scripted(R"({"withhold_extensions": ["XR_HRTX_ridged_plate"]})", {desk, "--person"})),
+              "--plate");
 }
 
 TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
   auto environment = scripted_environment(Path(plate_of_desk).reach().rest(2000).script());
   const std::string log = scratch_folder() + "/calls.txt";
   environment["HRT_MOCK_CALL_LOG"] = log;
-  const Outcome outcome = run_program({desk, "--person", "--target", "bottle"}, environment);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run_program({desk, "--person", "--target", "bottle"}, environment));
   const std::string calls = read_file(log);
-  for (const char* function : {"xrPlacePlateHRTX(", "xrSetPlateOrientationHRTX("}) EXPECT_TRUE(has(calls, function));
+  EXPECT_TRUE(has(calls, {"xrPlacePlateHRTX(", "xrSetPlateOrientationHRTX("}));
   EXPECT_FALSE(has(calls, "xrInstructReachHRTX("));
 }
 
 // Where it left the plate, not where it went afterwards.
 TEST(ReachPerson, EndsWithALift) {
-  const Outcome outcome = reach_along(Path(plate_of_desk).hold(start, 2000).slide({0.0, -0.03}, 800).lift());
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  const Outcome outcome =
+      expect_exit(1, reach_along(Path(plate_of_desk).hold(start, 2000).slide({0.0, -0.03}, 800).lift()));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].miss_mm, 20.0, 2.0);
 }
@@ -154,29 +146,26 @@ TEST(ReachPerson, WhatWasNotMadeIsExplained) {
     for (const std::string& said : unmade.said) expect_said(outcome, said);
     EXPECT_TRUE(has(outcome.out, "1 more did not begin or end in time"));
   }
-  const Outcome nobody = run_scripted(R"({"hands": {"right": {"tracked": false}}})", person_and({"--time-limit", "3"}));
-  EXPECT_EQ(nobody.exit_code, 8);
+  const Outcome nobody =
+      expect_exit(8, run_scripted(R"({"hands": {"right": {"tracked": false}}})", person_and({"--time-limit", "3"})));
   expect_said(nobody, "The right hand was not tracked. Hold it where the headset's cameras see it.");
 }
 
 // The first reach gets no end in time, the second one does.
 TEST(ReachPerson, AReachWithoutAnEndLeavesTheOthers) {
-  const Outcome outcome = run_scripted(Path(plate_of_desk).hold(start, 4500).slide({0.0, -0.05}, 800).script(),
-                                       person_and({"--target", "bottle", "--time-limit", "3.5"}));
-  EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
+  const Outcome outcome =
+      expect_exit(8, run_scripted(Path(plate_of_desk).hold(start, 4500).slide({0.0, -0.05}, 800).script(),
+                                  person_and({"--target", "bottle", "--time-limit", "3.5"})));
   EXPECT_EQ(rows_of(outcome).size(), 1U) << outcome.out << outcome.err;
   EXPECT_TRUE(has(outcome.out, "not made"));
-  const Outcome nobody = run_scripted(R"({"hands": {"right": {"tracked": false}}})",
-                                      person_and({"--repeat", "1000", "--time-limit", "1"}));
-  EXPECT_EQ(nobody.exit_code, 8) << nobody.err;
+  const Outcome nobody = expect_exit(8, run_scripted(R"({"hands": {"right": {"tracked": false}}})",
+                                                     person_and({"--repeat", "1000", "--time-limit", "1"})));
   expect_said(nobody, "3 reaches in a row were not made");
 }
 
 // A simulated user's reach, too.
 TEST(ReachPerson, ASimulatedReachWithoutAnEndLeavesTheOthers) {
-  const Outcome outcome = run_program({desk, "--time-limit", "1"});
-  EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
-  expect_said(outcome, "the reach to \"pawn\" did not end within 1 s");
+  expect_said(expect_exit(8, run_program({desk, "--time-limit", "1"})), "the reach to \"pawn\" did not end within 1 s");
 }
 
 // A program that writes what it is to speak into a file.
@@ -193,14 +182,12 @@ struct Voice {
 
 TEST(ReachSpeech, SpeaksWhatAPersonIsAsked) {
   const Voice voice;
-  const Outcome outcome = run_scripted(
-      R"({"clock": "real-time", )" + Path(plate_of_desk).hold(start, 1500).slide({0.0, -0.05}, 800).script().substr(1),
-      person_and({"--speak-with", voice.program}));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run_scripted(R"({"clock": "real-time", )" +
+                                  Path(plate_of_desk).hold(start, 1500).slide({0.0, -0.05}, 800).script().substr(1),
+                              person_and({"--speak-with", voice.program})));
   const std::string heard = voice.heard();
-  for (const char* part : {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres,", "Done.",
-                           "1 of 1 targets that can be held were reached"})
-    EXPECT_TRUE(has(heard, part));
+  EXPECT_TRUE(has(heard, {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres,", "Done.",
+                          "1 of 1 targets that can be held were reached"}));
 }
 
 TEST(ReachSpeech, AVoiceThatHangsDelaysNothingAndEndsWithTheProgram) {
@@ -218,10 +205,9 @@ TEST(ReachSpeech, AVoiceThatHangsDelaysNothingAndEndsWithTheProgram) {
 
 TEST(ReachSpeech, AFailingVoiceIsNamed) {
   const Voice voice("exit 3");
-  const Outcome failing = run_scripted(R"({"clock": "real-time", )" + Path(plate_of_desk).script().substr(1),
-                                       person_and({"--time-limit", "0.5", "--speak-with", voice.program}));
-  EXPECT_EQ(failing.exit_code, 8);
-  expect_said(failing, "the speech program failed: exit code 3");
+  expect_said(expect_exit(8, run_scripted(R"({"clock": "real-time", )" + Path(plate_of_desk).script().substr(1),
+                                          person_and({"--time-limit", "0.5", "--speak-with", voice.program}))),
+              "the speech program failed: exit code 3");
 }
 
 Outcome run_with_keys(const Path& path, const std::string& more_script, const std::string& keys,
@@ -233,22 +219,18 @@ Outcome run_with_keys(const Path& path, const std::string& more_script, const st
 }
 
 TEST(ReachKeys, ListRepeatAndSayWhere) {
-  const Outcome outcome = run_with_keys(Path(plate_of_desk).reach(), "", "hrw", person_and());
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(0, run_with_keys(Path(plate_of_desk).reach(), "", "hrw", person_and()));
   EXPECT_EQ(occurrences(outcome.err, "Put your index finger"), 2U) << outcome.err;
-  expect_said(outcome, "Keys: r repeats");
-  expect_said(outcome, "The right index finger is ");
+  expect_said(outcome, {"Keys: r repeats", "The right index finger is "});
 }
 
 TEST(ReachKeys, NextLeavesATargetOutAndStopEndsTheRun) {
-  const Outcome next = run_with_keys(Path(plate_of_desk).reach(), "", "n", person_and({"--target", "goblet"}));
-  EXPECT_EQ(next.exit_code, 0) << next.out << next.err;
+  const Outcome next =
+      expect_exit(0, run_with_keys(Path(plate_of_desk).reach(), "", "n", person_and({"--target", "goblet"})));
   ASSERT_EQ(rows_of(next).size(), 1U);
   EXPECT_EQ(rows_of(next)[0].virtual_name, "goblet");
   EXPECT_TRUE(has(next.out, "1 more were skipped"));
-  const Outcome stop = run_with_keys(Path(plate_of_desk).reach(), "", "q", person_and());
-  EXPECT_EQ(stop.exit_code, 130) << stop.err;
-  expect_said(stop, "interrupted");
+  expect_said(expect_exit(130, run_with_keys(Path(plate_of_desk).reach(), "", "q", person_and())), "interrupted");
 }
 
 TEST(ReachKeys, BackRepeatsTheLastTarget) {
@@ -272,14 +254,12 @@ TEST(ReachKeys, BackRepeatsTheLastTarget) {
 }
 
 TEST(ReachKeys, AnswerTheHeightOfTheEyes) {
-  const Outcome outcome =
-      run_with_keys(Path(plate_of_desk).reach(), R"("stage": false, "withhold_extensions": ["XR_EXT_local_floor"], )",
-                    "tall\n1.3\x7f"
-                    "2\n",
-                    person_and());
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  expect_said(outcome, "How high are your eyes above the floor");
-  expect_said(outcome, "That is not a number from 0.3 to 2.5.");
+  expect_said(expect_exit(0, run_with_keys(Path(plate_of_desk).reach(),
+                                           R"("stage": false, "withhold_extensions": ["XR_EXT_local_floor"], )",
+                                           "tall\n1.3\x7f"
+                                           "2\n",
+                                           person_and())),
+              {"How high are your eyes above the floor", "That is not a number from 0.3 to 2.5."});
 }
 
 // Registration and reaches, heard and answered by keys alone.
@@ -296,13 +276,11 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
       scripted_environment(path.script(R"("clock": "real-time", )")), -1, terminal.descriptor());
   EXPECT_TRUE(eventually([&] { return voice.heard().find("(1 of 3)") != std::string::npos; }));
   terminal.type("rwn");
-  const Outcome outcome = program.wait();
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, program.wait());
   const std::string heard = voice.heard();
-  for (const char* part :
-       {"Keys: r repeats", "Mark 1 is  start ", "That key is for reaches.", "(3 of 3)", "The plate is registered",
-        "Put your index finger on the start", "Done.", "1 of 1 targets that can be held were reached"})
-    EXPECT_TRUE(has(heard, part));
+  EXPECT_TRUE(has(
+      heard, {"Keys: r repeats", "Mark 1 is  start ", "That key is for reaches.", "(3 of 3)", "The plate is registered",
+              "Put your index finger on the start", "Done.", "1 of 1 targets that can be held were reached"}));
 }
 
 // To its end, in a room without a floor: all that the user needs is spoken, and keys answer. The user feels
@@ -329,12 +307,10 @@ TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   after("Keys: r repeats", "n");
   after("(3 of 16)", "w");
   after("The right index finger is ", "r");
-  const Outcome outcome = program.wait();
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(0, program.wait());
   const std::string heard = voice.heard();
-  for (const char* part : {"You will slide one fingertip straight ahead", "That key is for reaches.",
-                           "Slide evenly towards what feels straight ahead", "share of touch"})
-    EXPECT_TRUE(has(heard, part));
+  EXPECT_TRUE(has(heard, {"You will slide one fingertip straight ahead", "That key is for reaches.",
+                          "Slide evenly towards what feels straight ahead", "share of touch"}));
   EXPECT_NEAR(value_of(outcome.out, "share of touch (w_T) at 60 deg"), 0.2, 0.02) << outcome.out;
   EXPECT_TRUE(has(read_file(profile), "\"tactile_weight\":"));
 }
@@ -347,8 +323,7 @@ TEST(ReachKeys, AStoppedCalibrationWritesNothing) {
   const Program program({desk, "--person", "--plate", "servo", "--calibrate", voice.folder + "/profile.json",
                          "--speak-with", voice.program},
                         scripted_environment("{}"), -1, terminal.descriptor());
-  const Outcome outcome = program.wait();
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
+  expect_exit(130, program.wait());
   EXPECT_TRUE(has(voice.heard(), "interrupted; no profile was written"));
   EXPECT_FALSE(std::filesystem::exists(voice.folder + "/profile.json"));
 }

@@ -30,16 +30,14 @@ TEST(ReachPlace, IsAboveTheFloorOfEverySpace) {
     const Outcome outcome = run_scripted(path.script(script), arguments);
     expect_reached(outcome);
     expect_said(outcome, said);
-    expect_said(outcome, "0.75 m above the floor, 0.12 m to the right and 0.32 m ahead");
-    expect_said(outcome, "--register FILE");
+    expect_said(outcome, {"0.75 m above the floor, 0.12 m to the right and 0.32 m ahead", "--register FILE"});
   }
   // By other eyes the plate is 0.2 m lower, where no finger comes.
   EXPECT_EQ(run_scripted(path.script(no_floor), person_and({"--eye-height", "1.4", "--time-limit", "4"})).exit_code, 8);
 }
 
 TEST(ReachPlace, NeedsTheHeightOfTheEyesWithoutAFloor) {
-  const Outcome outcome = run_scripted(Path(plate_of_desk).reach().script(no_floor), person_and());
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  const Outcome outcome = expect_exit(2, run_scripted(Path(plate_of_desk).reach().script(no_floor), person_and()));
   expect_said(outcome, "--eye-height METRES");
 }
 
@@ -75,8 +73,7 @@ TEST(ReachRecentring, ASimulatedUserNoticesNothing) {
       R"(, "events": [{"frame": 100, "do": "recenter", "space": "STAGE", "position_m": [0.3, 0, 0.2], "yaw_deg": -30},
          {"frame": 150, "do": "recenter", "space": "STAGE", "position_m": [-0.3, 0.1, 0], "yaw_deg": 170},
          {"frame": 400, "do": "recenter", "space": "STAGE", "position_m": [1, 0, 1], "yaw_deg": 90}])";
-  const Outcome outcome = run_scripted(calm_person + moves + "}", {desk});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(0, run_scripted(calm_person + moves + "}", {desk}));
   const std::vector<Row> rows = rows_of(outcome);
   ASSERT_EQ(rows.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -87,12 +84,12 @@ TEST(ReachRecentring, ASimulatedUserNoticesNothing) {
 
 TEST(ReachRecentring, ByAnUnknownAmountEndsTheRun) {
   const std::string folder = scratch_folder();
-  const Outcome outcome = run_scripted(
-      Path(plate_of_desk).reach().script(recentre(R"("space": "STAGE", "position_m": [1, 0, 0], "pose_valid": false)")),
-      person_and({"--record", folder + "/r.csv"}));
-  EXPECT_EQ(outcome.exit_code, 12) << outcome.out << outcome.err;
-  expect_said(outcome, "moved its STAGE space");
-  expect_said(outcome, "register it (--register FILE)");
+  const Outcome outcome = expect_exit(
+      12, run_scripted(Path(plate_of_desk)
+                           .reach()
+                           .script(recentre(R"("space": "STAGE", "position_m": [1, 0, 0], "pose_valid": false)")),
+                       person_and({"--record", folder + "/r.csv"})));
+  expect_said(outcome, {"moved its STAGE space", "register it (--register FILE)"});
   EXPECT_TRUE(has(read_file(folder + "/r.csv"), "\n# end "));
 }
 

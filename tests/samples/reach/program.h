@@ -43,6 +43,9 @@ std::vector<std::string> person_and(const std::vector<std::string>& more = {});
 
 /// On its error output.
 inline void expect_said(const Outcome& outcome, const std::string& text) { EXPECT_TRUE(has(outcome.err, text)); }
+inline void expect_said(const Outcome& outcome, std::initializer_list<const char*> texts) {
+  EXPECT_TRUE(has(outcome.err, texts));
+}
 
 /// A row of the result table.
 struct Row {

@@ -26,11 +26,9 @@ class ReachRegistration : public testing::Test {
 TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
   // Without it nobody comes to the start.
   EXPECT_EQ(run(Path().reach(), {"--time-limit", "8"}).exit_code, 8);
-  const Outcome outcome = run(Path().touch(marks).reach(), {"--register", file});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  for (const char* part : {"touch mark 1 and hold still. Mark 1 is \"start\" (1 of 6).", "\"rim near left\"",
-                           "registered: residual 0.0 mm", "For that alone reaches end 0."})
-    expect_said(outcome, part);
+  const Outcome outcome = expect_exit(0, run(Path().touch(marks).reach(), {"--register", file}));
+  expect_said(outcome, {"touch mark 1 and hold still. Mark 1 is \"start\" (1 of 6).", "\"rim near left\"",
+                        "registered: residual 0.0 mm", "For that alone reaches end 0."});
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
@@ -52,17 +50,13 @@ TEST_F(ReachRegistration, ReachesEndWithAContact) {
 
 TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
   ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
-  const Outcome next = run(Path().hold(marks[0]).reach(), {"--registered", file});
-  EXPECT_EQ(next.exit_code, 0) << next.out << next.err;
-  expect_said(next, "is the plate where it was? Mark 1 is \"start\"");
-  expect_said(next, "It is: the touch was 0 mm off.");
+  const Outcome next = expect_exit(0, run(Path().hold(marks[0]).reach(), {"--registered", file}));
+  expect_said(next, {"is the plate where it was? Mark 1 is \"start\"", "It is: the touch was 0 mm off."});
   EXPECT_TRUE(rows_of(next)[0].reached);
   PlatePose moved;
   moved.x_m += 0.03;
-  const Outcome refused = run(Path(moved).hold(marks[0]).lift().touch({marks[0]}).reach(), {"--registered", file});
-  EXPECT_EQ(refused.exit_code, 12) << refused.out << refused.err;
-  expect_said(refused, "touched 30 mm from where it was registered");
-  expect_said(refused, "register the plate anew (--register)");
+  expect_said(expect_exit(12, run(Path(moved).hold(marks[0]).lift().touch({marks[0]}).reach(), {"--registered", file})),
+              {"touched 30 mm from where it was registered", "register the plate anew (--register)"});
 }
 
 // The joint is 20 mm from the skin, and the hand leans otherwise in the reach than in the touches.
@@ -75,11 +69,9 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
     path.hold_hand({-10, 0, -20}, skin_m).touch(marks);
     return path.hold_hand({-10, 0, 25}, skin_m);
   };
-  const Outcome outcome = run(touched().reach(), {"--register", file, "--fingertip"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  expect_said(outcome, "touch mark 1 with the finger held leant to the left");
-  expect_said(outcome, "The skin is 20.0 mm from the joint");
-  expect_said(outcome, "registered: residual 0.0 mm");
+  const Outcome outcome = expect_exit(0, run(touched().reach(), {"--register", file, "--fingertip"}));
+  expect_said(outcome, {"touch mark 1 with the finger held leant to the left", "The skin is 20.0 mm from the joint",
+                        "registered: residual 0.0 mm", "For that alone reaches end 0."});
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.2);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
@@ -87,13 +79,10 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   auto joint = nlohmann::json::parse(read_file(file));
   EXPECT_EQ(joint["hand"], "right");
   const Path next = Path().hold_hand({-10, 0, 25}, skin_m).hold(marks[0]).reach();
-  const Outcome kept = run(next, {"--registered", file});
-  EXPECT_EQ(kept.exit_code, 0) << kept.out << kept.err;
+  const Outcome kept = expect_exit(0, run(next, {"--registered", file}));
   expect_said(kept, "It is: the touch was 0 mm off.");
   EXPECT_LE(rows_of(kept)[0].miss_mm, 5.1);
-  const Outcome other = run(next, {"--registered", file, "--hand", "left"});
-  EXPECT_EQ(other.exit_code, 12) << other.err;
-  expect_said(other, "by the skin of one hand");
+  expect_said(expect_exit(12, run(next, {"--registered", file, "--hand", "left"})), "by the skin of one hand");
   // Without it the lean of the hand, 45 degrees over 20 mm, is taken for a place.
   joint.erase("hand");
   const Outcome ignored = run(next, {"--registered", written(joint.dump())});
@@ -103,17 +92,14 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
 TEST_F(ReachRegistration, AFingerThatIsHeldAlikeDoesNotShowItsSkin) {
   Path path;
   for (int touch = 0; touch < 18; ++touch) path.touch({marks[0]});
-  const Outcome outcome = run(path, {"--register", file, "--fingertip"});
-  EXPECT_EQ(outcome.exit_code, 12) << outcome.err;
-  expect_said(outcome, "That does not show enough yet.");
-  expect_said(outcome, "three times: ");
+  const Outcome outcome = expect_exit(12, run(path, {"--register", file, "--fingertip"}));
+  expect_said(outcome, {"That does not show enough yet.", "three times: "});
 }
 
 TEST_F(ReachRegistration, IsCheckedBeforeEachReach) {
   ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
   const std::vector<std::string> twice = {"--registered", file, "--check-each", "--repeat", "2"};
-  const Outcome same = run(Path().hold(marks[0]).reach().lift().touch({marks[0]}).reach(), twice);
-  EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
+  const Outcome same = expect_exit(0, run(Path().hold(marks[0]).reach().lift().touch({marks[0]}).reach(), twice));
   EXPECT_EQ(rows_of(same).size(), 2U);
   const std::string question = "is the plate where it was? Mark 1 is \"start\"";
   const std::size_t first = same.err.find(question);
@@ -121,8 +107,7 @@ TEST_F(ReachRegistration, IsCheckedBeforeEachReach) {
   EXPECT_NE(same.err.find(question, first + 1), std::string::npos) << same.err;
   // The mark that is touched before the second reach, twice, is 30 mm from where it was.
   const Place moved{marks[0].right_m + 0.03, marks[0].towards_user_m};
-  const Outcome refused = run(Path().hold(marks[0]).reach().lift().touch({moved, moved}), twice);
-  EXPECT_EQ(refused.exit_code, 12) << refused.out << refused.err;
+  const Outcome refused = expect_exit(12, run(Path().hold(marks[0]).reach().lift().touch({moved, moved}), twice));
   EXPECT_EQ(rows_of(refused).size(), 1U);
   expect_said(refused, "touched 30 mm from where it was registered");
 }
@@ -131,18 +116,15 @@ TEST_F(ReachRegistration, AsksAgainIfTheTouchesDoNotFit) {
   std::vector<Place> confused = marks;
   std::swap(confused[2], confused[5]);
   std::swap(confused[3], confused[4]);
-  const Outcome second = run(Path().touch(confused).touch(marks).reach(), {"--register", file});
-  EXPECT_EQ(second.exit_code, 0) << second.err;
+  const Outcome second = expect_exit(0, run(Path().touch(confused).touch(marks).reach(), {"--register", file}));
   expect_said(second, "left and right were confused");
-  const Outcome never = run(Path().touch(confused).touch(confused).touch(confused), {"--register", file + "2"});
-  EXPECT_EQ(never.exit_code, 12) << never.err;
-  expect_said(never, "three times: By the touches the plate lies upside down");
+  expect_said(expect_exit(12, run(Path().touch(confused).touch(confused).touch(confused), {"--register", file + "2"})),
+              "three times: By the touches the plate lies upside down");
   EXPECT_EQ(read_file(file + "2"), "");
 }
 
 TEST_F(ReachRegistration, WhoDoesNotTouchIsNotWaitedForForever) {
-  const Outcome outcome = run(Path(), {"--register", file, "--time-limit", "4"});
-  EXPECT_EQ(outcome.exit_code, 8);
+  const Outcome outcome = expect_exit(8, run(Path(), {"--register", file, "--time-limit", "4"}));
   expect_said(outcome, "it was not done within 4 s: Lift your finger. Then touch mark 1");
 }
 
@@ -154,8 +136,7 @@ TEST_F(ReachRegistration, TakesMarksFromAFile) {
                         "far left,-0.0762102,-0.001,-0.044,any\n";
   const std::vector<Place> there = {
       {0.0, 0.05}, {0.0, 0.088}, {0.0762102, 0.044}, {0.0762102, -0.044}, {-0.0762102, -0.044}};
-  const Outcome outcome = run(Path().touch(there).reach(), {"--register", file, "--marks", own});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(0, run(Path().touch(there).reach(), {"--register", file, "--marks", own}));
   expect_said(outcome, "Mark 5 is \"far left\" (5 of 5).");
   // A name that is not UTF-8 is kept as far as it is.
   EXPECT_EQ(nlohmann::json::parse(read_file(file))["check"], "d\xef\xbf\xbdpart");
@@ -165,9 +146,7 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
   const auto refused = [&](const std::string& text, const std::string& part, const std::string& option) {
     std::vector<std::string> arguments = {option, written(text)};
     if (option == "--marks") arguments.insert(arguments.end(), {"--register", file + ".out"});
-    const Outcome outcome = run(Path(), arguments);
-    EXPECT_EQ(outcome.exit_code, 12) << outcome.err;
-    expect_said(outcome, part);
+    expect_said(expect_exit(12, run(Path(), arguments)), part);
   };
   const std::string header = "name,x_m,y_m,z_m\n";
   refused("a,b\n", "line 1: the columns are to begin with name,x_m,y_m,z_m", "--marks");
@@ -193,21 +172,17 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
   refused(with("\"check_m\":[0.0", "\"check_m\":[\"0\""), "type must be number", "--registered");
   refused(with("\"check_m\":[0.0,", "\"check_m\":["), "check_m must have 3 numbers", "--registered");
   refused(with("}", ",\"hand\":\"third\"}"), "hand must be left or right", "--registered");
-  const Outcome missing = run(Path(), {"--registered", "/nowhere/plate.txt"});
-  EXPECT_EQ(missing.exit_code, 12);
-  expect_said(missing, "/nowhere/plate.txt cannot be read");
+  expect_said(expect_exit(12, run(Path(), {"--registered", "/nowhere/plate.txt"})),
+              "/nowhere/plate.txt cannot be read");
   // Numbers that are none of a plate are refused by the plugin.
-  const Outcome far = run(Path(), {"--registered", written(with("\"position_m\":[2", "\"position_m\":[20002"))});
-  EXPECT_EQ(far.exit_code, 3) << far.err;
-  expect_said(far, "plate_position_m[0] is");
-  const Outcome unwritten = run(Path().touch(marks), {"--register", "/nowhere/plate.txt"});
-  EXPECT_EQ(unwritten.exit_code, 10) << unwritten.err;
+  expect_said(
+      expect_exit(3, run(Path(), {"--registered", written(with("\"position_m\":[2", "\"position_m\":[20002"))})),
+      "plate_position_m[0] is");
+  expect_exit(10, run(Path().touch(marks), {"--register", "/nowhere/plate.txt"}));
 }
 
 TEST_F(ReachRegistration, NeedsAPerson) {
-  const Outcome outcome = run_program({desk, "--register", file});
-  EXPECT_EQ(outcome.exit_code, 2);
-  expect_said(outcome, "a simulated user touches no marks");
+  expect_said(expect_exit(2, run_program({desk, "--register", file})), "a simulated user touches no marks");
 }
 
 }  // namespace

@@ -70,8 +70,7 @@ TEST(ReachWatchdog, AnErrorOutputThatNobodyReadsDelaysNothing) {
 
 TEST(ReachWatchdog, ARuntimeThatEndsTheProcessIsNoSuccess) {
   const Files files;
-  const Outcome outcome = run_program(files.arguments("60"), faulty("xrWaitFrame 100 exit"));
-  EXPECT_EQ(outcome.exit_code, 7) << outcome.err;
+  const Outcome outcome = expect_exit(7, run_program(files.arguments("60"), faulty("xrWaitFrame 100 exit")));
   EXPECT_TRUE(has(outcome.err, "the OpenXR runtime ended the program in xrWaitFrame"));
   files.expect_whole();
 }
@@ -100,8 +99,8 @@ TEST(ReachWatchdog, ACrashOfTheRuntimeKeepsTheRecording) {
 // The layer refuses LOCAL_FLOOR, the first space that is made, as one does that is older than it.
 TEST(ReachWatchdog, WithoutAFloorThePlateIsPlacedInLocal) {
   const Outcome whole = run_scripted("{" + calm + R"(, "stage": false})", {desk});
-  const Outcome outcome = run_program({desk}, faulty("xrCreateReferenceSpace 1 unknown", R"(, "stage": false)"));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome =
+      expect_exit(0, run_program({desk}, faulty("xrCreateReferenceSpace 1 unknown", R"(, "stage": false)")));
   EXPECT_EQ(rows_of(outcome).size(), 3U) << outcome.out;
   EXPECT_EQ(rows_of(whole).size(), 3U) << whole.out;
 }

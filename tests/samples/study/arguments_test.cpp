@@ -23,8 +23,7 @@ TEST_P(StudyBadArgument, IsOneLineAndExitCodeTwo) {
   std::vector<std::string> arguments = GetParam().arguments;
   if (GetParam().name != "--out" && GetParam().name != "SUBCOMMAND")
     arguments.insert(arguments.begin() + 1, {"--out", folder / "result"});
-  const StudyRun run = run_study(arguments);
-  EXPECT_EQ(run.exit_code, 2);
+  const StudyRun run = expect_exit(2, run_study(arguments));
   EXPECT_EQ(run.out, "");
   ASSERT_EQ(lines(run.err).size(), 1U) << run.err;
   EXPECT_TRUE(run.err.starts_with("hrt-study: " + GetParam().name + ": ")) << run.err;
@@ -95,16 +94,14 @@ INSTANTIATE_TEST_SUITE_P(
         {{"tabel1\n"}, "SUBCOMMAND", "one of table1, ridges"}}));
 
 TEST(StudyArguments, AnUnknownOptionIsNamed) {
-  const StudyRun run = run_study({"trial", "--tactile", "0.1"});
-  EXPECT_EQ(run.exit_code, 2);
+  const StudyRun run = expect_exit(2, run_study({"trial", "--tactile", "0.1"}));
   EXPECT_EQ(lines(run.err).size(), 1U);
   EXPECT_TRUE(has(run.err, "--tactile"));
 }
 
 TEST(StudyArguments, HelpStatesRangesAndDefaultsOfEverySubcommand) {
   for (const std::string subcommand : {"table1", "ridges", "trial", "sweep", "report", "robustness"}) {
-    const StudyRun run = run_study({subcommand, "--help"});
-    EXPECT_EQ(run.exit_code, 0);
+    const StudyRun run = expect_exit(0, run_study({subcommand, "--help"}));
     EXPECT_EQ(run.err, "");
     EXPECT_TRUE(has(run.out, "--out VALUE")) << subcommand;
     EXPECT_TRUE(has(run.out, "Must be a")) << subcommand;

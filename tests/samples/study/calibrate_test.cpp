@@ -136,8 +136,7 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   EXPECT_FALSE(profile.contains("motor_variance_deg2"));
 
   const std::string picture = read_file(folder.path / "me.svg");
-  EXPECT_TRUE(has(picture, "</svg>"));
-  EXPECT_TRUE(has(picture, "Residuals"));
+  EXPECT_TRUE(has(picture, {"</svg>", "Residuals"}));
   EXPECT_EQ(entries(folder.path), (std::vector<std::string>{"me.csv", "me.svg", "profile.json"}));
 }
 
@@ -173,13 +172,11 @@ TEST(StudyCalibrate, RefusesWithAReasonAndWritesNothing) {
                                          folder / "p.json", "--out",          folder / "p.txt"};
   std::vector<std::string> arguments{"calibrate", data};
   arguments.insert(arguments.end(), outputs.begin(), outputs.end());
-  const StudyRun refusal = run_study(arguments);
-  EXPECT_EQ(refusal.exit_code, 1);
+  const StudyRun refusal = expect_exit(1, run_study(arguments));
   EXPECT_TRUE(has(refusal.err, "no calibration: the plate stood at 1 different angles; at least 3"));
 
   write(data, header + "1,0,0,zero,0\n");
-  const StudyRun broken = run_study(arguments);
-  EXPECT_EQ(broken.exit_code, 2);
+  const StudyRun broken = expect_exit(2, run_study(arguments));
   EXPECT_TRUE(has(broken.err, "line 2, column away_m: 'zero' is not allowed; it must be a number in [-10, 10]"));
   EXPECT_EQ(lines(broken.err).size(), 1U);
   EXPECT_EQ(entries(folder.path), std::vector<std::string>{"one_angle.csv"});
@@ -214,8 +211,7 @@ TEST(StudyParticipants, AFileForEachTactileWeight) {
   ASSERT_EQ(run_study({"participants", "--tactile-weight", "0.1,0.3", "--trials", "1", "--out", people}).exit_code, 0);
   EXPECT_EQ(entries(people), (std::vector<std::string>{"participant_1.csv", "participant_2.csv"}));
   const std::string second = read_file(folder.path / "people" / "participant_2.csv");
-  EXPECT_TRUE(has(second, "SIMULATION"));
-  EXPECT_TRUE(has(second, "#   tactile_weight 0.3\n"));
+  EXPECT_TRUE(has(second, {"SIMULATION", "#   tactile_weight 0.3\n"}));
   EXPECT_EQ(run_study({"participants", "--tactile-weight", "0.1,0.3"}).exit_code, 2);
   EXPECT_EQ(run_study({"participants", "--rate", "10000", "--duration", "60", "--trials", "1000"}).exit_code, 2);
 }

@@ -29,8 +29,7 @@ TEST(StudyOutput, EveryByteIsTheSameForAnyNumberOfThreads) {
        {Arguments{"table1", "--trials", "300"}, Arguments{"table1", "--trials", "300", "--format", "csv"},
         Arguments{"table1", "--trials", "300", "--format", "json"},
         Arguments{"sweep", "--gap", "4,10", "--horizon", "2,3", "--trials", "50"}, robustness}) {
-    const StudyRun one = run_study(arguments + Arguments{"--threads", "1"});
-    EXPECT_EQ(one.exit_code, 0) << one.err;
+    const StudyRun one = expect_exit(0, run_study(arguments + Arguments{"--threads", "1"}));
     EXPECT_EQ(one.err, "");
     EXPECT_FALSE(one.out.empty());
     EXPECT_EQ(one.out, run_study(arguments + Arguments{"--threads", "3"}).out) << arguments[0];
@@ -80,8 +79,7 @@ TEST(StudyOutput, PartsConcatenateToTheWhole) {
 
 TEST(StudyOutput, PartsAreCsv) {
   for (const char* command : {"robustness", "coverage"}) {
-    const StudyRun run = run_study({command, "--part", "2/4", "--format", "json"});
-    EXPECT_EQ(run.exit_code, 2);
+    const StudyRun run = expect_exit(2, run_study({command, "--part", "2/4", "--format", "json"}));
     EXPECT_EQ(run.err, "hrt-study: --part: '2/4' is not allowed; it must be given with --format csv\n");
   }
 }
@@ -127,8 +125,7 @@ TEST(StudyOutput, WithoutGnuplotNothingIsWritten) {
   for (const Arguments& arguments :
        {Arguments{"calibrate", data / "me.csv", "--plot", folder / "p.svg", "--out", folder / "p.txt"},
         Arguments{"ridges", "--plot", folder / "r.svg"}, Arguments{"report", "--out", folder / "report"}}) {
-    const StudyRun run = run_study(arguments, "/nowhere");
-    EXPECT_EQ(run.exit_code, 1);
+    const StudyRun run = expect_exit(1, run_study(arguments, "/nowhere"));
     EXPECT_EQ(run.err,
               "hrt-study: gnuplot draws the figures and is not in PATH; on Debian: apt-get install gnuplot-nox\n");
     EXPECT_TRUE(entries(folder.path).empty()) << arguments[0];
@@ -166,8 +163,7 @@ const std::vector<std::string> endless{"table1", "--trials", "100000000"};
 
 TEST(StudyProgress, ABarOnATerminalOnceWorkHasTakenASecond) {
   const Watched watched = watch(endless, "s left", 60.0);
-  EXPECT_TRUE(has(watched.text, "[---"));
-  EXPECT_TRUE(has(watched.text, " %, "));
+  EXPECT_TRUE(has(watched.text, {"[---", " %, "}));
   EXPECT_GE(watched.first_text_s, 0.9);
 }
 

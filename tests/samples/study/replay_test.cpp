@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -145,11 +144,9 @@ TEST(StudyReplay, CalibrationSlidesShowThePerson) {
 
 TEST(StudyReplay, FoldersThatCannotBeReadAreRefused) {
   const TemporaryFolder folder;
-  const StudyRun none = run_study({"robustness", "--replay", folder / "none"});
-  EXPECT_EQ(none.exit_code, 2);
+  const StudyRun none = expect_exit(2, run_study({"robustness", "--replay", folder / "none"}));
   EXPECT_TRUE(has(none.err, "--replay"));
-  const StudyRun empty = run_study({"robustness", "--replay", folder.path.string()});
-  EXPECT_EQ(empty.exit_code, 2);
+  const StudyRun empty = expect_exit(2, run_study({"robustness", "--replay", folder.path.string()}));
   EXPECT_TRUE(has(empty.err, "no file of that ending"));
   std::ofstream(folder / "x.csv") << "nothing";
   EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string()}).exit_code, 2);

@@ -21,8 +21,7 @@ TEST(StudyReport, MakesEveryFigureAndAPageThatShowsThem) {
   }
   const std::string page = read_file(folder / "1/report.html");
   EXPECT_TRUE(page.ends_with("</html>\n"));
-  EXPECT_TRUE(has(page, "There was no human trial."));
-  EXPECT_TRUE(has(page, "NOT reproducible"));
+  EXPECT_TRUE(has(page, {"There was no human trial.", "NOT reproducible"}));
   for (const std::string& file : all_files) {
     const std::string content = read_file(folder / ("1/" + file));
     EXPECT_EQ(content, read_file(folder / ("2/" + file))) << file;
@@ -40,8 +39,8 @@ TEST(StudyReport, AFailingGnuplotLeavesTheLastReportAsItWas) {
   chmod((folder / "gnuplot").c_str(), 0700);
   std::filesystem::create_directory(folder / "report");
   std::ofstream(folder / "report/report.html") << "the last one";
-  const StudyRun run = run_study({"report", "--out", folder / "report", "--trials", "10"}, folder.path.string());
-  EXPECT_EQ(run.exit_code, 1);
+  const StudyRun run =
+      expect_exit(1, run_study({"report", "--out", folder / "report", "--trials", "10"}, folder.path.string()));
   EXPECT_EQ(run.err, "hrt-study: gnuplot failed: out of ink\n");
   EXPECT_EQ(entries(folder / "report"), std::vector<std::string>{"report.html"});
   EXPECT_EQ(read_file(folder / "report/report.html"), "the last one");

@@ -237,15 +237,11 @@ TEST(StudyRobustness, APersonOfOnesOwn) {
     misses_mm.push_back(1e3 * std::abs(simulate_person(condition, &controller, 1, 1, i).front().miss_m));
   EXPECT_DOUBLE_EQ(std::stod(field(rows[0], rows[3], "miss_median_mm")), median(misses_mm));
 
-  const StudyRun both = run_study({"robustness", "--person", folder / "me, myself.json", "--people", "2", "--family",
-                                   "linear", "--durations", "1,3"});
-  EXPECT_EQ(both.exit_code, 0) << both.err;
-  EXPECT_TRUE(has(both.out, "\nlinear "));
-  EXPECT_TRUE(has(both.out, "\nme__myself "));
-  EXPECT_TRUE(has(both.out, " 3 s"));
+  const StudyRun both = expect_exit(0, run_study({"robustness", "--person", folder / "me, myself.json", "--people", "2",
+                                                  "--family", "linear", "--durations", "1,3"}));
+  EXPECT_TRUE(has(both.out, {"\nlinear ", "\nme__myself ", " 3 s"}));
 
-  const StudyRun missing = run_study({"robustness", "--person", folder / "nobody.json"});
-  EXPECT_EQ(missing.exit_code, 2);
+  const StudyRun missing = expect_exit(2, run_study({"robustness", "--person", folder / "nobody.json"}));
   EXPECT_TRUE(has(missing.err, "--person"));
 }
 

@@ -14,8 +14,7 @@ using nlohmann::json;
 
 json table1(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"table1", "--format", "json"});
-  const StudyRun run = run_study(arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(0, run_study(arguments));
   EXPECT_EQ(run.err, "");
   return json::parse(run.out);
 }
@@ -147,8 +146,7 @@ TEST(StudyTable1, SeedAndHorizonMatter) {
 
 TEST(StudyTable1, TextSaysWhatDoesNotReproduce) {
   const StudyRun run = run_study({"table1", "--trials", "200"});
-  EXPECT_TRUE(has(run.out, "NOT reproducible: by the paper's own equations"));
-  EXPECT_TRUE(has(run.out, "the paper calls 10 deg the best"));
+  EXPECT_TRUE(has(run.out, {"NOT reproducible: by the paper's own equations", "the paper calls 10 deg the best"}));
 }
 
 // Rest at -w T / (1 - w): 60 degrees bend the path by 0.15 * 60 / 0.85 = 10.6 to the other side.

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "core/math/trigonometry.h"
 #include "samples/study/figures/figures.h"
 #include "tests/samples/study/process.h"
 
@@ -81,8 +80,7 @@ TEST(StudyTrace, MovingPictureRunsOneTimeThroughout) {
 TEST(StudyTrace, CommandWritesTableAndPictures) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "study_trace";
   std::filesystem::remove_all(folder);
-  const StudyRun result = run_study({"trial", "--trace", folder.string(), "--family", "bias-3", "--reach", "2"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
+  expect_exit(0, run_study({"trial", "--trace", folder.string(), "--family", "bias-3", "--reach", "2"}));
   for (const char* file : {"trace.csv", "trace.svg", "reach.svg"})
     EXPECT_GT(std::filesystem::file_size(folder / file), 1000u) << file;
   EXPECT_EQ(run_study({"trial", "--trace", folder.string(), "--motor-variance", "2"}).exit_code, 2);

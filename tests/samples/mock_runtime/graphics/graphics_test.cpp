@@ -495,8 +495,7 @@ TEST(MockRun, ExitsAsTheApplicationDoesOrSaysWhatIsMissing) {
            {{"--script", folder / "none.json", "--", "true"}, "none.json cannot be read"},
            {{"--script"}, "--script needs a value"},
            {{"--"}, "no application"}}) {
-    const Outcome refused = run(words);
-    EXPECT_EQ(refused.exit_code, 2);
+    const Outcome refused = expect_exit(2, run(words));
     EXPECT_TRUE(has(refused.err, why));
   }
   EXPECT_TRUE(has(run({"--help"}).out, "--frames DIR"));
