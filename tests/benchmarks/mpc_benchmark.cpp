@@ -8,12 +8,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <deque>
 #include <limits>
 #include <vector>
 
 #include "core/paper/mpc.h"
 #include "core/paper/participant.h"
 #include "core/simulation/random.h"
+#include "tests/benchmarks/peers.h"
 #include "tests/core/paper/mpc_random_problem.h"
 
 namespace hrt {
@@ -37,6 +39,13 @@ constexpr LoopConfig loops[] = {
     {"saturated, 40 deg/step", 0.10, 40.0},
 };
 constexpr int horizons[] = {3, 10, 20, 50};
+constexpr std::size_t compared = 500;   // problems that peers solve too, of these
+constexpr std::size_t referenced = 25;  // each so manieth by the reference
+
+struct Case {
+  MpcConfig config;
+  MpcProblem problem;
+};
 
 // Reach after reach of a participant with a virtual target at 5 degrees and the real one at -5.
 class ClosedLoop {
@@ -115,21 +124,58 @@ void print_row(const char* name, int horizon, const char* start, const std::vect
               sorted_us[sorted_us.size() * 99 / 100], sorted_us.back());
 }
 
+// Ours, cold, and each peer in the same run: by how much longer it takes, and the largest error of a first
+// plate offset against the long-double reference.
+void print_peers(const std::vector<Case>& cases) {
+  if (peers().empty()) return;
+  const std::size_t count = std::min(cases.size(), compared);
+  std::vector<DenseProblem> dense;
+  std::vector<double> ours_us, ours_deg, exact_deg;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [of, problem] = cases[i];
+    dense.push_back(dense_problem(of, problem));
+    ours_us.push_back(single_times_us(of, {problem}, true).front());
+    ours_deg.push_back(Mpc(of).solve(problem).plate_offset_deg);
+    if (i % referenced == 0)
+      exact_deg.push_back(static_cast<double>(dense_optimum(dense[i], feasible_start(of, problem))[0]));
+  }
+  const auto print = [&](const char* name, std::vector<double> us, const std::vector<double>& deg) {
+    double error_deg = 0.0;
+    for (std::size_t i = 0; i < exact_deg.size(); ++i)
+      error_deg = std::max(error_deg, std::abs(deg[referenced * i] - exact_deg[i]));
+    std::sort(us.begin(), us.end());
+    std::sort(ours_us.begin(), ours_us.end());
+    std::printf("    %-11s %6.2f times the median, %6.2f the 99th percentile; error %.1e deg\n", name,
+                us[count / 2] / ours_us[count / 2], us[count * 99 / 100] / ours_us[count * 99 / 100], error_deg);
+  };
+  print("ours", ours_us, ours_deg);
+  for (const Peer& peer : peers()) {
+    std::vector<double> us, deg(count);
+    for (std::size_t i = 0; i < count; ++i) us.push_back(peer.solve(dense[i], deg[i]));
+    print(peer.name, us, deg);
+  }
+}
+
 // Random problems with a rate bound from a quarter of a percent of the plate bound to all of it: far harder
 // than a loop's.
 void print_random_times(int horizon, int problems) {
   Random random(static_cast<unsigned>(horizon));
   std::vector<double> times_us;
+  std::deque<RandomProblem> kept;
+  std::vector<Case> cases;
   int cut = 0;
   for (int i = 0; i < problems; ++i) {
-    RandomProblem drawn(random, horizon, true);
+    if (kept.size() > compared) kept.pop_back();
+    RandomProblem& drawn = kept.emplace_back(random, horizon, true);
     drawn.config.plate_rate_bound_deg = drawn.config.plate_bound_deg * std::exp(uniform(random, -6.0, 0.0));
     times_us.push_back(single_times_us(drawn.config, {drawn.problem}, true).front());
     cut += !Mpc(drawn.config).solve(drawn.problem).optimal;
+    if (cases.size() < compared) cases.push_back({drawn.config, drawn.problem});
   }
   std::sort(times_us.begin(), times_us.end());
   print_row("random", horizon, "cold", times_us);
   if (cut > 0) std::printf("of these, %d are not optimal\n", cut);
+  print_peers(cases);
 }
 
 void print_single_times(int random_problems) {
@@ -140,6 +186,9 @@ void print_single_times(int random_problems) {
       const std::vector<MpcProblem> problems = problems_of(loop);
       for (const bool cold : {true, false})
         print_row(loop_config.name, horizon, cold ? "cold" : "warm", single_times_us(loop.config(), problems, cold));
+      std::vector<Case> cases;
+      for (const MpcProblem& problem : problems) cases.push_back({loop.config(), problem});
+      print_peers(cases);
     }
   }
   for (const int horizon : horizons) print_random_times(horizon, random_problems);
