@@ -1,6 +1,7 @@
 #include "samples/text.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace hrt {
 namespace {
@@ -28,6 +29,17 @@ std::string cut_to(std::string_view text, std::size_t length) {
 std::string right(std::string_view text, std::size_t width) { return spaces(text, width) += text; }
 
 std::string left(std::string_view text, std::size_t width) { return std::string(text) += spaces(text, width); }
+
+std::string wrapped(const std::string& text, std::size_t width) {
+  std::string lines, line;
+  std::istringstream words(text);
+  for (std::string word; words >> word; line += (line.empty() ? "" : " ") + word) {
+    if (line.empty() || length_of(line) + 1 + length_of(word) <= width) continue;
+    lines += line + "\n";
+    line.clear();
+  }
+  return lines + line;
+}
 
 std::string escaped(std::string_view text) {
   std::string result;

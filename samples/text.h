@@ -17,6 +17,9 @@ std::string cut_to(std::string_view text, std::size_t length);
 std::string right(std::string_view text, std::size_t width);
 std::string left(std::string_view text, std::size_t width);
 
+/// The words of `text` in lines of `width` characters, or of one longer word.
+std::string wrapped(const std::string& text, std::size_t width);
+
 /// `text` in HTML or XML, in an attribute too; a control character becomes '?'.
 std::string escaped(std::string_view text);
 

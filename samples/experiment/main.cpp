@@ -29,7 +29,6 @@ struct Options {
   unsigned threads = 2;
   bool unblinds = false;
   bool simulated = false;
-  bool speaks = false;
   bool streams = false;
   std::string live;
   std::string plate = "runtime";
@@ -57,7 +56,6 @@ void run_one(const Options& options) {
     reach::Options led = options.reach;
     led.person = !options.simulated;
     led.plate = reach::parse_plate(options.plate).value();
-    if (options.speaks) led.speak_with = "espeak-ng";
     reach::watch_runtime(led.runtime_limit);
     std::optional<Live> live;
     if (!options.live.empty()) std::cerr << live.emplace(options.live == "keys").addresses();
@@ -65,9 +63,12 @@ void run_one(const Options& options) {
     if (options.streams) streams.emplace(format("%s sub-%u", design.title.c_str(), options.participant));
     LedSubject subject(design, options.participant, led, live ? &*live : nullptr, streams ? &*streams : nullptr);
     try {
-      end = run_session(design, place, subject, Disk());
+      end = run_session(design, place, subject, Disk([&subject](const char*) { subject.between_frames(); }));
     } catch (const reach::Interrupted&) {
       end = "left";
+    } catch (const std::exception& error) {
+      subject.speak(error.what());  // main() prints it
+      throw;
     }
   }
   std::cout << "sub-" << options.participant << ": " << end
@@ -142,7 +143,10 @@ void add_commands(CLI::App& app, Options& options) {
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
   run->add_flag("--lsl", options.streams, "Send finger, felt direction, plate and events by liblsl")->needs("--scene");
-  run->add_flag("--speak", options.speaks, "Speak what a participant is asked, with espeak-ng");
+  run->add_flag_callback(
+      "--speak", [&options] { options.reach.speak_with = "espeak-ng"; },
+      "Speak what a participant is asked, with espeak-ng");
+  run->add_option("--speak-with", options.reach.speak_with, "The same, with another program of lines of its input");
   all->add_option("--seed", options.reach.seed, "Of the simulated people [1]");
   all->add_option("--threads", options.threads, "[2]")->check(CLI::Range(1, 64));
   for (CLI::App* command : {run, all, tables})

@@ -200,6 +200,8 @@ Design read_all(Fields& f) {
   f.object("simulated", "Of simulated participants alone", [&](Fields& s) {
     design.simulated.invalid_share = s.number("invalid_share", {0, 0.5}, 0.0, "Reaches in which tracking is lost");
     design.simulated.lapse_share = s.number("lapse_share", {0, 0.5}, 0.02, "Answers that are guesses");
+    design.simulated.weights =
+        s.word("weights", {"uniform", "normal", "skewed"}, "uniform", "Shares of touch, about 0.21 by 0.052");
   });
   return design;
 }

@@ -61,6 +61,7 @@ struct Questionnaire {
 struct SimulatedTraits {
   double invalid_share;  ///< of reaches in which the tracker loses the finger
   double lapse_share;    ///< of answers that are guesses
+  std::string weights;   ///< how people's shares of touch are distributed
 };
 
 struct Design {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 #include <fstream>
+#include <iostream>
 
 #include "samples/format.h"
 #include "samples/reach/base/at_end.h"
@@ -18,15 +19,11 @@ namespace hrt::experiment {
 namespace {
 
 constexpr const char* keys_text =
-    "Keys: x the reach does not count, s STOP THE PLATE, b a break, n a note, u unblind, q leave, to be "
-    "resumed.";
+    "Keys: s or Escape STOP THE PLATE, x the reach does not count, b a break, n a note, u unblind, q leave, to be "
+    "resumed, r what was asked, h these keys.";
+constexpr char erase = 0x7f, escape = 0x1b;
 constexpr XrDuration home_limit_ns = 3'000'000'000;
 constexpr double home_deg = 2.0, no_way_m = 1e-3;
-
-// The experimenter ends what is under way: a reach, which does not count, or else the program, to be resumed.
-struct Ended : reach::Interrupted {
-  using Interrupted::Interrupted;
-};
 
 std::int64_t clock_ns(clockid_t clock) {
   std::timespec time{};
@@ -70,7 +67,10 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const reach::
                                      plate_->orientation_deg(time));
                  }},
       marks_(marks_of(targets_)),
-      last_will_([this] { stop_plate(); }) {
+      last_will_([this] {
+        stop_plate();
+        reach::restore_terminal();
+      }) {
   if (simulation_ && !options_.person) {
     stage_.simulation = &*simulation_;
     stand_in_.emplace(design, participant, options.seed);
@@ -86,13 +86,24 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const reach::
   }
 }
 
+LedSubject::~LedSubject() {
+  prompt_.finish();
+  plugin_.hrt_session_destroy(targets_.session);
+}
+
 void LedSubject::stop_plate() {
   try {
     plate_->stop(0);
   } catch (const std::exception&) {
     // It has failed, and the program ends.
   }
-  reach::restore_terminal();
+}
+
+void LedSubject::between_frames() {
+  while (const std::optional<char> key = keyboard_or_page()) {
+    early_ += *key;
+    if (*key == escape || (*key == 's' && !is_typing_)) stop_plate();
+  }
 }
 
 void LedSubject::take_place() {
@@ -142,8 +153,7 @@ std::string LedSubject::boot() const {
 }
 
 std::string LedSubject::description() const {
-  return (stand_in_ ? stand_in_->description() + ", by " : "a person, by ") + runtime_.name() +
-         (plate_->description().empty() ? "" : ", " + plate_->description());
+  return (stand_in_ ? stand_in_->description() + ", by " : "a person, by ") + runtime_.name();
 }
 
 void LedSubject::plan(hrt_session_config& config) const {
@@ -154,20 +164,23 @@ void LedSubject::plan(hrt_session_config& config) const {
   if (const hrt_plate_report* report = plate_->report()) hrt_session_config_from_plate(&config, report);
 }
 
-// In every frame, in every state: the key that stops the plate does so here, before anything else.
+// In every frame, in every state: the key that stops the plate does so here, before anything else. In a text it is
+// Escape alone.
 void LedSubject::attend(XrTime time) {
   while (const std::optional<char> key = next_key()) {
-    if (is_typing_ || awaited_.find(*key) != std::string::npos) {
+    if (is_typing_ ? *key != escape : awaited_.find(*key) != std::string::npos) {
       typed_ = key;
       return;
     }
     switch (*key) {
       case 's':
+      case escape:
         plate_->stop(time);
         pressed_ = Key::stop_plate;
         throw Ended("the plate was stopped");
       case 'x':
-        throw Ended("refused by the experimenter");
+        if (awaited_.empty()) throw Ended("refused by the experimenter");
+        break;
       case 'q':
         pressed_ = Key::leave;
         throw Ended("the experimenter leaves");
@@ -180,6 +193,12 @@ void LedSubject::attend(XrTime time) {
       case 'u':
         pressed_ = Key::unblind;
         break;
+      case 'r':
+        prompt_.repeat();
+        break;
+      case 'h':
+        prompt_.say(keys_text);
+        break;
       default:
         break;
     }
@@ -189,13 +208,20 @@ void LedSubject::attend(XrTime time) {
 void LedSubject::await(const std::string& keys, bool text) {
   typed_.reset();
   awaited_ = keys;
-  is_typing_ = text;
-  std::string all = "sxbnuq";
+  is_typing_ = text && keys.empty();
+  std::string all = is_typing_ ? std::string{escape} : "sxbnuq";
   std::erase_if(all, [&](char key) { return keys.find(key) != std::string::npos; });
-  show({{"keys", all + keys}, {"is_typing", text}});
+  show({{"keys", text ? all : all + keys}, {"is_typing", text}});
 }
 
 std::optional<char> LedSubject::next_key() {
+  if (early_.empty()) return keyboard_or_page();
+  const char key = early_.front();
+  early_.erase(0, 1);
+  return key;
+}
+
+std::optional<char> LedSubject::keyboard_or_page() {
   const std::optional<char> key = keyboard_.key();
   return key || live_ == nullptr ? key : live_->key();
 }
@@ -211,65 +237,61 @@ void LedSubject::mark(const Event& event) {
 }
 
 Key LedSubject::key() {
-  const Key key = std::exchange(pressed_, Key::none);
-  if (key == Key::stop_plate) {
-    prompt_.say("The plate is stopped. Space continues, q leaves.");
-    if (await_key(" ") == 'q') return Key::leave;
-  }
-  if (key == Key::rest) rest(0.0);
-  return key;
+  await("");  // what was ended awaits nothing
+  const Key pressed = std::exchange(pressed_, Key::none);
+  if (pressed == Key::stop_plate) is_stopped_ = true;
+  if (pressed == Key::rest) rest(0.0);
+  if (pressed != Key::none || !is_stopped_) return pressed;
+  prompt_.ask("The plate is stopped. Space continues, q leaves.");
+  await_key(" ");
+  is_stopped_ = false;
+  return key();
 }
 
-// Frames continue, so the plate is served. 'q' leaves from anywhere.
+// Frames continue, so the plate is served.
 char LedSubject::await_key(const std::string& allowed) {
   await(allowed);
-  while (!typed_) {
-    try {
-      frame();
-    } catch (const Ended&) {
-      if (pressed_ == Key::leave) typed_ = 'q';
-    }
-  }
+  while (!typed_) frame();
   const char key = *typed_;
   await("");
   return key;
 }
 
-std::string LedSubject::typed() {
-  constexpr char erase = 0x7f;
-  await("", true);
+// `keys`: of which the text is made, beside Enter and what erases; empty: all but Escape.
+std::string LedSubject::typed(const std::string& keys) {
+  await(keys.empty() ? keys : keys + "\r\n" + erase, true);
   std::string text;
-  try {
-    for (;; frame()) {
-      const std::optional<char> key = std::exchange(typed_, std::nullopt);
-      if (key == '\n' || key == '\r') break;
-      if (key == erase && !text.empty()) text.pop_back();
-      if (key && static_cast<unsigned char>(*key) >= ' ' && key != erase) text += *key;
+  for (;; frame()) {
+    const std::optional<char> key = std::exchange(typed_, std::nullopt);
+    if (key == '\n' || key == '\r') break;
+    if (key == erase && !text.empty()) {
+      text.pop_back();
+      std::cerr << "\b \b";
+    } else if (key && static_cast<unsigned char>(*key) >= ' ' && key != erase) {
+      std::cerr << (text += *key).back();
     }
-  } catch (const Ended&) {
-    await("");
-    throw;
   }
   await("");
+  std::cerr << "\n";
   return text;
 }
 
 unsigned LedSubject::typed_number(unsigned low, unsigned high) {
   for (;;) {
-    const std::optional<double> number = number_in(typed(), low, high);
+    const std::optional<double> number = number_in(typed("0123456789"), low, high);
     if (number && *number == std::floor(*number)) return static_cast<unsigned>(*number);
     prompt_.say(format("A whole number from %u to %u, and Enter.", low, high));
   }
 }
 
 std::string LedSubject::note() {
-  prompt_.say("A note, and Enter:");
-  return typed();
+  prompt_.ask("A note, and Enter:");
+  return typed("");
 }
 
 bool LedSubject::consents() {
   if (stand_in_) return stand_in_->consents();
-  prompt_.say("Has the participant read the information and given consent? y or n");
+  prompt_.ask("Has the participant read the information and given consent? y or n");
   return await_key("yn") == 'y';
 }
 
@@ -279,6 +301,7 @@ std::vector<unsigned> LedSubject::fill_in(const Questionnaire& paper) {
   for (const std::string& item : paper.items) {
     prompt_.ask(paper.name + ": " + item + format(" (%u to %u, and Enter)", paper.low, paper.high));
     answers.push_back(typed_number(paper.low, paper.high));
+    prompt_.speak(std::to_string(answers.back()));
   }
   return answers;
 }
@@ -286,7 +309,7 @@ std::vector<unsigned> LedSubject::fill_in(const Questionnaire& paper) {
 void LedSubject::rest(double minutes) {
   if (stand_in_) return stand_in_->rest(minutes);
   const std::int64_t until_ns = now().monotonic_ns + static_cast<std::int64_t>(6e10 * minutes);
-  prompt_.say(format("A break of %g minutes. Space continues after it.", minutes));
+  prompt_.ask(format("A break of %g minutes. Space continues after it.", minutes));
   while (await_key(" ") == ' ' && now().monotonic_ns < until_ns) prompt_.say("Not yet.");
 }
 
@@ -299,9 +322,7 @@ unsigned LedSubject::answer(const std::string& question, const std::vector<std::
     text += format(" %zu ", i + 1) + answers[i] + (i + 1 < answers.size() ? "," : ".");
   }
   prompt_.ask(text);
-  const char key = await_key(keys);
-  if (key == 'q') throw reach::Interrupted();
-  return static_cast<unsigned>(key - '1');
+  return static_cast<unsigned>(await_key(keys) - '1');
 }
 
 void LedSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::int64_t from_ns,

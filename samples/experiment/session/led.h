@@ -26,7 +26,8 @@ class LedSubject : public Subject {
   /// reach::XrFailure.
   LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live,
              const LabStreams* streams);
-  ~LedSubject() override { plugin_.hrt_session_destroy(targets_.session); }
+  /// Waits until all is spoken.
+  ~LedSubject() override;
   LedSubject(const LedSubject&) = delete;
   LedSubject& operator=(const LedSubject&) = delete;
 
@@ -34,12 +35,18 @@ class LedSubject : public Subject {
   void continue_after(const Now& last) override;
   std::string boot() const override;
   std::string description() const override;
+  std::string plate() const override { return plate_->description(); }
   void plan(hrt_session_config& config) const override;
   std::optional<hrt_setup_config> marks() const override;
   std::string registered(const hrt_session_config& found) override;
   std::optional<double> verify(const std::string& registration) override;
   Key key() override;
   void say(const std::string& text) override { prompt_.say(text); }
+  /// After each sync of the journal, of which several may last longer than a stop may: the key that stops the plate
+  /// does so; it and the others have their effects at the next frame.
+  void between_frames();
+  /// What is printed elsewhere.
+  void speak(const std::string& text) { prompt_.speak(text); }
   void show(const nlohmann::json& facts) override;
   void mark(const Event& event) override;
   std::string note() override;
@@ -56,11 +63,12 @@ class LedSubject : public Subject {
   void take_place();
   void stop_plate();
   std::optional<char> next_key();
+  std::optional<char> keyboard_or_page();
   void attend(XrTime time);
   XrTime frame() { return next_frame(stage_); }
   void await(const std::string& keys, bool text = false);
   char await_key(const std::string& allowed);
-  std::string typed();
+  std::string typed(const std::string& keys);
   unsigned typed_number(unsigned low, unsigned high);
   void home();
 
@@ -85,8 +93,8 @@ class LedSubject : public Subject {
   std::optional<Live::Clock::time_point> registered_;  // when a touch checked it
   Key pressed_ = Key::none;                            // and not yet asked for
   std::optional<char> typed_;                          // a key that is awaited
-  std::string awaited_;
-  bool is_typing_ = false;
+  std::string awaited_, early_;
+  bool is_typing_ = false, is_stopped_ = false;
   reach::LastWill last_will_;  // a blocked or crashed runtime leaves no turning plate
 };
 

@@ -78,17 +78,19 @@ class SessionRun {
 
   std::string run() {
     open();
-    while (state_.end.empty()) {
-      if (const std::string left = obey(); !left.empty()) return left;
-      const Task task = state_.next();
-      if (task.kind == Task::Kind::end) {
-        log("end", {{"how", "done"}, {"reason", ""}});
-        break;
+    while (state_.end.empty()) try {
+        if (const std::string left = obey(); !left.empty()) return left;
+        const Task task = state_.next();
+        if (task.kind == Task::Kind::end) {
+          log("end", {{"how", "done"}, {"reason", ""}});
+          break;
+        }
+        stop_if_due();
+        subject_.show(standing(task));
+        if (state_.end.empty()) perform(task);
+      } catch (const Ended&) {
+        // It is begun again, after what the experimenter wants instead.
       }
-      stop_if_due();
-      subject_.show(standing(task));
-      if (state_.end.empty()) perform(task);
-    }
     subject_.say(state_.end == "done" ? "The session is done. Thank you." : "The session is stopped.");
     return state_.end;
   }
@@ -121,6 +123,7 @@ class SessionRun {
                    {"sha256", design_.sha256},
                    {"participant", state_.participant},
                    {"subject", subject_.description()},
+                   {"plate", subject_.plate()},
                    {"library", library_version()},
                    {"registers", subject_.marks().has_value()},
                    {"boot", subject_.boot()}});
@@ -389,11 +392,12 @@ class SessionRun {
     reach["reason"] = judged(design_.validity, outcome);
     reach["counts"] = reach["reason"] == "";
     show_noise(outcome.summary.learnt.tracker_noise_m);
+    const std::string counts = reach["counts"] ? "counts" : "does not count: " + reach["reason"].get<std::string>();
+    if (!reach["counts"]) subject_.say("The reach " + counts + ".");
     subject_.show({{"measured",
                     {format("missed by %.1f mm", found["miss_mm"].get<double>()),
                      format("largest felt error %.1f°", outcome.peak_felt_error_deg),
-                     format("misfit %.1f: the model fits below 4.5", outcome.summary.misfit),
-                     reach["counts"] ? "counts" : "does not count: " + reach["reason"].get<std::string>()}}});
+                     format("misfit %.1f: the model fits below 4.5", outcome.summary.misfit), counts}}});
     if (part.condition.controller == Controller::people && reach["counts"]) reach["belief"] = session.profile();
   }
 

@@ -43,14 +43,25 @@ class Person {
   hrt_person person_{};
 };
 
+// A draw of mean 0 and standard deviation 1; "skewed" is lognormal.
+double deviate(const std::string& distribution, Stream& draw) {
+  if (distribution == "uniform") return std::sqrt(12.0) * (draw.uniform() - 0.5);
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - draw.uniform()));
+  const double normal = radius * std::cos(2.0 * std::numbers::pi * draw.uniform());
+  if (distribution == "normal") return normal;
+  constexpr double sd_log = 0.3;
+  const double mean = std::exp(0.5 * sd_log * sd_log);
+  return (std::exp(sd_log * normal) - mean) / (mean * std::sqrt(std::expm1(sd_log * sd_log)));
+}
+
 }  // namespace
 
 // Weights of touch and biases as the library's people have them; thresholds by the prior of QUEST+, narrower.
 SimulatedSubject::SimulatedSubject(const Design& design, unsigned participant, std::uint64_t seed)
     : design_(design), participant_(participant), seed_(seed) {
   Stream draw(Use::person, {seed, participant});
-  constexpr double low_weight = 0.12, weights = 0.18, max_bias_deg = 3.0, low_s = 1.0, pace_s = 1.0;
-  config_.tactile_weight = low_weight + weights * draw.uniform();
+  constexpr double mean_weight = 0.21, sd_weight = 0.0519615, max_bias_deg = 3.0, low_s = 1.0, pace_s = 1.0;
+  config_.tactile_weight = std::clamp(mean_weight + sd_weight * deviate(design.simulated.weights, draw), 0.02, 0.48);
   config_.bias_deg = max_bias_deg * (2.0 * draw.uniform() - 1.0);
   config_.duration_s = low_s + pace_s * draw.uniform();
   constexpr double usual_threshold_deg = 10.0;

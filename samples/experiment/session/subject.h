@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,11 @@ struct ReachOutcome {
 /// Asked for by Subject::key() and during waits.
 enum class Key { none, refuse, note, rest, stop_plate, unblind, leave };
 
+/// The experimenter ends what is under way; key() has what is wanted instead. Calls that wait may throw it.
+struct Ended : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 class Subject {
  public:
   virtual ~Subject() = default;
@@ -51,9 +57,12 @@ class Subject {
   virtual std::string boot() const = 0;
   /// Fills in what the plate can do.
   virtual void plan(hrt_session_config&) const {}
-  /// "simulated, seed 7", or what tracks and turns.
+  /// "simulated, seed 7", or a person and what tracks: the same in each process of a session.
   virtual std::string description() const = 0;
-  /// Key that the experimenter has pressed since.
+  /// What turns, with what was measured of it at this start.
+  virtual std::string plate() const { return {}; }
+  /// Key that the experimenter has pressed since. After Key::stop_plate the next call waits until the session may
+  /// continue.
   virtual Key key() { return Key::none; }
   virtual void say(const std::string& text) = 0;
   /// Of where the session stands, for page.html.

@@ -1,6 +1,5 @@
 #include "samples/reach/output/table.h"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -54,12 +53,6 @@ std::string lack_of_fit_text(std::uint32_t lack_of_fit) {
 
 constexpr auto refresh_period = std::chrono::milliseconds(50);
 
-// A longer line would wrap, and clear() clears one line only.
-std::size_t columns() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
 }  // namespace
 
 StatusLine::StatusLine(bool verbose) : verbose_(verbose), on_terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -80,6 +73,7 @@ void StatusLine::show(const TargetPair& pair, const Moment& moment) {
   const std::string text = format(": %5.1f mm to go, moves %+6.1f, feels %+6.1f, plate %+6.1f deg%s",
                                   moment.distance_to_go_m * 1e3, moment.finger_direction_deg, moment.felt_direction_deg,
                                   moment.plate_orientation_deg, moment.tracked ? "" : "  (finger not tracked)");
+  // A longer line would wrap, and clear() clears one line only.
   std::fprintf(stderr, "\r\033[K%s", cut_to(cut_to(pair.virtual_name, 24) + text, columns() - 1).c_str());
 }
 

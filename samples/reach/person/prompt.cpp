@@ -1,5 +1,7 @@
 #include "samples/reach/person/prompt.h"
 
+#include <unistd.h>
+
 #include <iostream>
 #include <regex>
 #include <thread>
@@ -7,6 +9,8 @@
 
 #include "samples/format.h"
 #include "samples/reach/base/interrupt.h"
+#include "samples/reach/base/say.h"
+#include "samples/text.h"
 
 namespace hrt::reach {
 namespace {
@@ -42,7 +46,7 @@ void Prompt::repeat() { say(asked_); }
 
 void Prompt::say(const std::string& text) {
   before_print_(text);
-  std::cerr << text << "\n";
+  std::cerr << (isatty(STDERR_FILENO) == 1 ? wrapped(text, columns()) : text) << "\n";
   speak(text);
 }
 

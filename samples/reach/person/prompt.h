@@ -23,7 +23,7 @@ class Prompt {
   /// Asks for something: repeat() says it again.
   void ask(const std::string& text);
   void repeat();
-  /// Prints and speaks.
+  /// Prints, on a terminal by whole words, and speaks.
   void say(const std::string& text);
   /// Speaks what is printed elsewhere.
   void speak(const std::string& text);

@@ -76,16 +76,59 @@ def test_level_and_coverage():
         assert power > 80, power
 
 
+# Of mean 0 and standard deviation 1.
+KINDS = {
+    "uniform": lambda draw: draw.uniform(-(3**0.5), 3**0.5, 12),
+    "normal": lambda draw: draw.normal(0, 1, 12),
+    "of two groups": lambda draw: draw.choice((-0.8, 0.8), 12) + draw.normal(0, 0.6, 12),
+    "skewed": lambda draw: (draw.lognormal(0, 0.3, 12) - 1.04603) / 0.32100,
+}
+
+
 def test_population():
-    """Weights of normal people, who are known by 16 to 40 slides: intervals of their mean and scatter have the true ones."""
-    studies, covered = 10 * STUDIES, numpy.zeros(2)
-    for seed in range(studies):
-        draw = numpy.random.default_rng(seed)
-        errors = draw.uniform(0.005, 0.02, 12)
-        found = analysis.population(draw.normal(draw.normal(0.2, 0.03, 12), errors), errors)
-        covered += [low <= true <= high for true, (_, low, high) in zip((0.2, 0.03), found)]
-    print(f"population of touch: {studies} studies of 12: intervals have its mean in {100 * covered[0] / studies:.1f} %, its scatter in {100 * covered[1] / studies:.1f} %")
-    assert all(93 < 100 * share / studies < 97 for share in covered), covered
+    """Weights of people who are known by 16 to 40 slides: intervals of their mean and scatter have the true ones."""
+    studies = 5 * STUDIES
+    for kind, people in KINDS.items():
+        covered = numpy.zeros(2)
+        for seed in range(studies):
+            draw = numpy.random.default_rng(seed)
+            errors = draw.uniform(0.005, 0.02, 12)
+            found = analysis.population(draw.normal(0.2 + 0.03 * people(draw), errors), errors)
+            covered += [low <= true <= high for true, (_, low, high) in zip((0.2, 0.03), found)]
+        mean, scatter = 100 * covered / studies
+        print(f"share of touch, {kind}: {studies} studies of 12: intervals have the mean in {mean:.1f} %, the scatter in {scatter:.1f} %")
+        assert 93 < mean < 97 and 93 < scatter < 97.5, (kind, mean, scatter)
+
+
+def test_whole_studies():
+    """Studies of twelve simulated people, through set-up, reaches and export: intervals of effect, mean and scatter of their weights.
+
+    HRT_EXPERIMENT_SET_UPS has more than two studies of each kind of people. The true effect is that of all of them."""
+    studies = int(os.environ.get("HRT_EXPERIMENT_SET_UPS", "2"))
+    reach = {"virtual_deg": 6, "real_deg": 0}
+    study = {"title": "recovery", "participants": 12, "practice_trials": 0, "repeats": 2, "pairs": [{"name": "left", **reach}],
+             "conditions": [{"name": name, "controller": name} for name in ("people", "none")]}
+    for kind in ("uniform", "normal", "skewed"):
+        effects, found = [], []
+        with tempfile.TemporaryDirectory() as folder:
+            design = pathlib.Path(folder, "study.json")
+            design.write_text(json.dumps({**study, "simulated": {"weights": kind}}))
+            for seed in range(1, studies + 1):
+                data = pathlib.Path(folder, "data")
+                for words in (["simulate", design, "--seed", str(seed)], ["export", "--unblind"]):
+                    subprocess.run([sys.argv[2], *words, "--data", data], check=True, capture_output=True)
+                means = analysis.means_of(analysis.counted(pandas.read_csv(data / "export/trials.csv")), "abs_miss_deg")
+                effects.append(means.people - means.none)
+                people = pandas.read_csv(data / "export/people.csv")
+                errors = (people.tactile_weight_high - people.tactile_weight_low) / (2 * 1.96)
+                found.append((analysis.interval(effects[-1]), *analysis.population(people.tactile_weight, errors)))
+                shutil.rmtree(data)
+        true = (numpy.mean(numpy.concatenate(effects)), 0.21, 0.0519615)
+        hits = [sum(low <= value <= high for (_, low, high) in each) for value, each in zip(true, zip(*found))]
+        print(f"{studies} simulated studies of 12 {kind} people: intervals have the effect, {true[0]:.2f}°, in {100 * hits[0] / studies:.1f} %, "
+              f"the mean share of touch in {100 * hits[1] / studies:.1f} %, its scatter in {100 * hits[2] / studies:.1f} %")
+        slack = 2 * (0.05 * 0.95 * studies) ** 0.5
+        assert all(0.93 * studies - slack <= hit <= 0.97 * studies + slack for hit in hits), (kind, hits)
 
 
 def paired(people, sd):
@@ -213,5 +256,6 @@ def test_bids(data, conditions):
 test_by_hand()
 test_level_and_coverage()
 test_population()
+test_whole_studies()
 test_power()
 test_report()

@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <regex>
+#include <sstream>
 
+#include "samples/text.h"
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/experiment/study.h"
 #include "tests/samples/reach/hand_path.h"
@@ -19,11 +22,11 @@ const std::string scene = HRT_SCENES "/desk.gltf";
 class Program : public Process {
  public:
   explicit Program(std::vector<std::string> arguments, const std::string& script = "", int in = -1,
-                   const std::string& sent = "")
+                   const std::string& sent = "", int err = -1)
       : Process(words_of(std::move(arguments)),
                 {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script,
                  "LD_LIBRARY_PATH=" HRT_LSL_DOUBLE, "LSL_DOUBLE=" + sent},
-                -1, in) {}
+                err, in) {}
 
  private:
   static std::vector<std::string> words_of(std::vector<std::string> arguments) {
@@ -100,32 +103,53 @@ double await_turning(plate::PtyPlate& device) {
   return before;
 }
 
-// It rests within 100 ms.
-void expect_stopped(plate::PtyPlate& device, const std::string& where) {
-  std::this_thread::sleep_for(100ms);
-  const double at_deg = device.orientation_deg();
-  std::this_thread::sleep_for(300ms);
-  EXPECT_NEAR(device.orientation_deg(), at_deg, 0.2) << where;
-  std::vector<std::string> heard = device.heard();
-  std::erase(heard, "BEAT");
-  EXPECT_EQ(heard.back(), "STOP") << where;
+// Within 100 ms of the key, by its own clock, it follows no command, and rests.
+void expect_stopped(plate::PtyPlate& device, const std::function<void()>& press) {
+  struct Seen {
+    plate::TwinBoard::Time time;
+    double deg;
+    bool follows;
+  };
+  const auto look = [&] {
+    return device.with(
+        [](const plate::TwinBoard& board) { return Seen{board.now(), board.orientation_deg(), board.is_following()}; });
+  };
+  const Seen pressed = look();
+  press();
+  Seen moved = pressed, followed = pressed;
+  for (Seen now = pressed; now.time - pressed.time < 400ms; now = look()) {
+    if (std::abs(now.deg - moved.deg) > 0.2) moved = now;
+    if (now.follows) followed = now;
+    std::this_thread::sleep_for(1ms);
+  }
+  using Ms = std::chrono::duration<double, std::milli>;
+  const Ms until_stop = followed.time - pressed.time, until_rest = moved.time - pressed.time;
+  std::printf("stopped after %.0f ms, at rest after %.0f ms\n", until_stop.count(), until_rest.count());
+  EXPECT_LT(until_stop, 100ms);
+  EXPECT_LT(until_rest, 100ms);
 }
+
+std::string journal_of(const TemporaryFolder& folder) { return read_file(folder / "data/sub-01/ses-01/journal.jsonl"); }
 
 // A simulated participant at an emulated plate, in real time.
 struct Led {
-  explicit Led(const char* set_up)
-      : program({"run", written(folder, "study.json", with(set_up)), "--participant", "1", "--simulated", "3",
+  explicit Led(const char* set_up, unsigned practice)
+      : program({"run", written(folder, "study.json", with(set_up, practice)), "--participant", "1", "--simulated", "3",
                  "--scene", scene, "--plate", "serial:" + device.device(), "--data", folder / "data"},
                 written(folder, "script.json", R"({"clock": "real-time"})"), terminal.descriptor()) {}
 
-  static std::string with(const char* set_up) {
+  static std::string with(const char* set_up, unsigned practice) {
     return small_design(2,
                         [&](nlohmann::json& s) {
                           s["set_up"] = set_up;
-                          s["practice_trials"] = 0;
+                          s["practice_trials"] = practice;
                           s["conditions"][1]["controller"] = "people";
                         })
         .text;
+  }
+  // Until the journal has so many events of this name.
+  bool has_come(const std::string& event, std::size_t count) const {
+    return plate::eventually([&] { return count_of(journal_of(folder), "\"event\":\"" + event) >= count; });
   }
 
   TemporaryFolder folder;
@@ -134,29 +158,52 @@ struct Led {
   Program program;
 };
 
-// In a set-up, whose plate goes from slide to slide, and in a reach.
+// While the plate turns: from slide to slide of a set-up, in a reach, and home after it; and when a reach has just
+// ended. Then the session continues.
 TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
-  for (const char* set_up : {"calibration", "none"}) {
-    Led led(set_up);
-    ASSERT_TRUE(plate::eventually([&] { return led.device.is_following(); })) << led.program.err();
-    await_turning(led.device);
-    led.terminal.type("s");
-    expect_stopped(led.device, set_up);
+  struct {
+    const char* state;
+    const char* set_up;
+    unsigned practice;
+    const char* event;
+    std::size_t count;
+    bool turns;
+  } const states[] = {{"set-up", "calibration", 0, "opened", 1, true},
+                      {"practice", "none", 1, "attempt", 1, true},
+                      {"reach", "none", 0, "attempt", 1, true},
+                      {"judge", "none", 0, "reach", 1, false},
+                      {"home", "none", 0, "attempt", 2, true}};
+  for (const auto& [state, set_up, practice, event, count, turns] : states) {
+    SCOPED_TRACE(state);
+    Led led(set_up, practice);
+    ASSERT_TRUE(led.has_come(event, count)) << led.program.err();
+    if (turns) await_turning(led.device);
+    expect_stopped(led.device, [&] { led.terminal.type("s"); });
+    EXPECT_TRUE(led.has_come("plate_stopped", 1));
+    led.terminal.type(" ");
+    EXPECT_TRUE(plate::eventually([&] { return led.device.is_following(); }));
     led.terminal.type("q");
     const Outcome outcome = led.program.wait();
     EXPECT_TRUE(has(outcome.out, "left")) << outcome.out << outcome.err;
+    if (state == std::string("set-up")) continue;
+    // The state was met: home is before the recorded reach begins.
+    const std::string journal = journal_of(led.folder), name = "\"recording\":\"";
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < count; ++i) at = journal.find(name, at) + name.size();
+    const std::string stem =
+        led.folder / "data/sub-01/ses-01/recordings/" + journal.substr(at, journal.find('"', at) - at);
+    EXPECT_EQ(read_file(stem + ".csv").find("\nbegin,") == std::string::npos, state == std::string("home"));
   }
 }
 
 // A person whose hand follows a path, led with these keys until the journal has so many events of a name.
-std::string journal_of(const TemporaryFolder& folder) { return read_file(folder / "data/sub-01/ses-01/journal.jsonl"); }
 Outcome lead(const TemporaryFolder& folder, const reach::Path& path, const std::string& event, std::size_t until,
-             const char* answer = "y") {
+             const char* answer = "y", const std::string& more = "") {
   const plate::Pty terminal(80);
   terminal.type(answer);  // to the first question
   const Program program({"run", folder / "study.json", "--participant", "1", "--scene", scene, "--plate", "servo",
                          "--data", folder / "data"},
-                        written(folder, "script.json", path.script()), terminal.descriptor());
+                        written(folder, "script.json", path.script(more)), terminal.descriptor());
   EXPECT_TRUE(plate::eventually([&] { return count_of(journal_of(folder), "\"event\":\"" + event) >= until; }))
       << program.err();
   terminal.type("q");
@@ -175,7 +222,9 @@ TEST(ExperimentProgram, ASessionRegistersThePlate) {
     s.erase("question");
   };
   written(folder, "study.json", small_design(2, study).text);
-  const Outcome begun = lead(folder, Path().touch({marks[0], marks[1], marks[2]}), "touch", 3);
+  // A hand that stays in the air would touch a fourth mark there.
+  const char* const lost = R"("events": [{"time_ms": 6200, "do": "lose_tracking", "hand": "right"}], )";
+  const Outcome begun = lead(folder, Path().touch({marks[0], marks[1], marks[2]}), "touch", 3, "y", lost);
   EXPECT_TRUE(has(begun.err, "Mark 3 is \"rim near right\" (3 of 6)")) << begun.err;
   const Outcome resumed = lead(folder, Path().touch({marks[3], marks[4], marks[5]}).reach().lift(), "reach", 1);
   EXPECT_FALSE(has(resumed.err, "Mark 3 is")) << resumed.err;
@@ -200,6 +249,102 @@ TEST(ExperimentProgram, ASessionRegistersThePlate) {
   const Outcome last = lead(folder, Path(elsewhere).hold(marks[0]).reach(), "end", 1);
   EXPECT_EQ(last.out, "sub-1: done\n") << last.err;
   EXPECT_TRUE(has(journal_of(folder), "\"is_there\":true"));
+}
+
+// A person in real time, at an emulated plate, a terminal of 80 x 24 and a voice that writes what it is to speak.
+struct Person {
+  Person() {
+    for (const char* file : {"heard", "voice"}) written(folder, file, "#!/bin/sh\ncat >> " + (folder / "heard") + "\n");
+    fs::permissions(folder / "voice", fs::perms::owner_all);
+  }
+  void come(const reach::Path& path) {
+    program.emplace(std::vector<std::string>{"run", folder / "study.json", "--participant", "1", "--scene", scene,
+                                             "--plate", "serial:" + device.device(), "--data", folder / "data",
+                                             "--speak-with", folder / "voice", "--registered", folder / "plate.json"},
+                    written(folder, "script.json", path.script(R"("clock": "real-time", )")), terminal.descriptor(), "",
+                    terminal.descriptor());
+  }
+  // It is spoken and on the screen since the last key; nothing on the screen is wider or higher.
+  void expect_asked(const std::string& text) {
+    EXPECT_TRUE(plate::eventually([&] {
+      screen += terminal.take();
+      return read_file(folder / "heard").find(text, heard) != std::string::npos &&
+             std::regex_replace(screen, std::regex("\\s+"), " ").find(text) != std::string::npos;
+    })) << text
+        << "\nheard: " << read_file(folder / "heard").substr(heard) << "\nscreen: " << screen;
+    std::istringstream lines(screen);
+    unsigned rows = 1;
+    for (std::string line; std::getline(lines, line); ++rows)
+      EXPECT_LE(length_of(line.substr(0, line.find('\r'))), 80U) << line;
+    EXPECT_LE(rows, 24U) << screen;
+    all += screen;
+  }
+  void type(const std::string& keys) {
+    heard = read_file(folder / "heard").size();
+    screen.clear();
+    terminal.type(keys);
+  }
+  // In the state that asks for `text`, and then again, or for something else.
+  void stop(const std::string& text, const std::string& key = "s", const std::string& then = "") {
+    SCOPED_TRACE(text);
+    expect_asked(text);
+    expect_stopped(device, [&] { type(key); });
+    expect_asked("The plate is stopped. Space continues, q leaves.");
+    type(" ");
+    expect_asked(then.empty() ? text : then);
+  }
+  void leave() {
+    type("q");
+    const Outcome outcome = program->wait();
+    EXPECT_TRUE(has(outcome.out, "left")) << outcome.out << screen << terminal.take();
+  }
+
+  TemporaryFolder folder;
+  plate::PtyPlate device;
+  plate::Pty terminal{80};
+  std::optional<Program> program;
+  std::string screen, all;
+  std::size_t heard = 0;
+};
+
+// Each state in which a person is waited for asks by terminal and voice, and stops the plate; no condition is named.
+TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
+  using reach::marks, reach::Path;
+  const auto study = [](nlohmann::json& s) {
+    s["conditions"] = {{{"name", "secret people"}, {"controller", "people"}},
+                       {{"name", "hidden paper"}, {"controller", "paper"}}};
+    s["pairs"] = {{{"name", "left"}, {"virtual_deg", 6}, {"real_deg", 0}, {"radius_mm", 5}}};
+    s["practice_trials"] = 0;
+    s["breaks"] = {{"minutes", 0}};
+    s["questionnaires"] = {{{"name", "SSQ"}, {"when", "before"}, {"low", 0}, {"high", 3}, {"items", {"Nausea"}}}};
+  };
+  Person person;
+  for (const TemporaryFolder& folder = person.folder; const char* done : {"registered"}) {
+    written(folder, "study.json", small_design(1, study).text);
+    lead(folder, Path().touch(marks), done, 1);
+    fs::copy(folder / "data/sub-01/ses-01/registration.json", folder / "plate.json");
+    fs::remove_all(folder / "data");
+  }
+  person.come(Path());
+  person.stop("given consent? y or n");
+  person.type("y");
+  person.stop("Touch");
+  person.leave();
+  person.come(Path().hold(marks[0], 3000).lift());
+  person.stop("SSQ: Nausea (0 to 3, and Enter)");
+  person.type("2\n");
+  person.stop("Put your index finger on the start.");
+  person.leave();
+  person.come(Path().hold(marks[0]).reach());
+  person.stop("Bent? 1 yes, 2 no.");
+  person.type("2");
+  person.stop("A break of 0 minutes. Space continues after it.");
+  person.type("n ");
+  person.stop("A note, and Enter:", "\x1b", "Put your index finger on the start.");
+  person.leave();
+  EXPECT_EQ(count_of(journal_of(person.folder), "plate_stopped"), 7U);
+  for (const char* name : {"secret", "hidden"})
+    EXPECT_FALSE(has(person.all + read_file(person.folder / "heard"), name));
 }
 
 // By a key that is a note where nothing is awaited.
