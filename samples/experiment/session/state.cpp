@@ -116,8 +116,6 @@ void State::apply(const Event& event) {
     awaits_answer = false;
     rest_due = false;
     begin_block(block);
-  } else if (event.name == "unblinded") {
-    is_unblinded = true;
   } else if (event.name == "end") {
     end = data.at("how");
   }

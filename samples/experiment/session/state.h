@@ -64,7 +64,6 @@ struct State {
   std::vector<std::string> beliefs;  ///< profile of each condition after its last reach; empty: the set-up's
   QuestPlus quest;
   std::string end;  ///< "done" or "stopped"; empty: neither
-  bool is_unblinded = false;
   std::int64_t consent_ns = 0;
   std::optional<Now> last;  ///< when the journal was last written
 

@@ -103,8 +103,8 @@ def test_population():
 def test_whole_studies():
     """Studies of twelve simulated people, through set-up, reaches and export: intervals of effect, mean and scatter of their weights.
 
-    HRT_EXPERIMENT_SET_UPS has more than two studies of each kind of people. The true effect is that of all of them."""
-    studies = int(os.environ.get("HRT_EXPERIMENT_SET_UPS", "2"))
+    HRT_EXPERIMENT_SET_UPS has more than one study of each kind of people. The true effect is that of all of them."""
+    studies = int(os.environ.get("HRT_EXPERIMENT_SET_UPS", "1"))
     reach = {"virtual_deg": 6, "real_deg": 0}
     study = {"title": "recovery", "participants": 12, "practice_trials": 0, "repeats": 2, "pairs": [{"name": "left", **reach}],
              "conditions": [{"name": name, "controller": name} for name in ("people", "none")]}

@@ -131,76 +131,73 @@ void expect_stopped(plate::PtyPlate& device, const std::function<void()>& press)
 
 std::string journal_of(const TemporaryFolder& folder) { return read_file(folder / "data/sub-01/ses-01/journal.jsonl"); }
 
-// A simulated participant at an emulated plate, in real time.
-struct Led {
-  explicit Led(const char* set_up, unsigned practice)
-      : program({"run", written(folder, "study.json", with(set_up, practice)), "--participant", "1", "--simulated", "3",
-                 "--scene", scene, "--plate", "serial:" + device.device(), "--data", folder / "data"},
-                written(folder, "script.json", R"({"clock": "real-time"})"), terminal.descriptor()) {}
-
-  static std::string with(const char* set_up, unsigned practice) {
-    return small_design(2,
-                        [&](nlohmann::json& s) {
-                          s["set_up"] = set_up;
-                          s["practice_trials"] = practice;
-                          s["conditions"][1]["controller"] = "people";
-                        })
-        .text;
+// A session in real time, at an emulated plate.
+struct AtPlate {
+  void start(std::vector<std::string> more, const std::string& script, int err = -1) {
+    more.insert(more.begin(), {"run", folder / "study.json", "--participant", "1", "--scene", scene, "--plate",
+                               "serial:" + device.device(), "--data", folder / "data"});
+    program.emplace(more, written(folder, "script.json", script), terminal.descriptor(), "", err);
   }
   // Until the journal has so many events of this name.
   bool has_come(const std::string& event, std::size_t count) const {
     return plate::eventually([&] { return count_of(journal_of(folder), "\"event\":\"" + event) >= count; });
   }
+  void leave() {
+    terminal.type("q");
+    const Outcome outcome = program->wait();
+    EXPECT_TRUE(has(outcome.out, "left")) << outcome.err;
+  }
 
   TemporaryFolder folder;
   plate::PtyPlate device;
   plate::Pty terminal{80};
-  Program program;
+  std::optional<Program> program;
 };
 
 // While the plate turns: from slide to slide of a set-up, in a reach, and home after it; and when a reach has just
 // ended. Then the session continues.
 TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
   struct {
-    const char* state;
-    const char* set_up;
+    std::string state, set_up, event;
     unsigned practice;
-    const char* event;
     std::size_t count;
-    bool turns;
-  } const states[] = {{"set-up", "calibration", 0, "opened", 1, true},
-                      {"practice", "none", 1, "attempt", 1, true},
-                      {"reach", "none", 0, "attempt", 1, true},
-                      {"judge", "none", 0, "reach", 1, false},
-                      {"home", "none", 0, "attempt", 2, true}};
-  for (const auto& [state, set_up, practice, event, count, turns] : states) {
+  } const states[] = {{"set-up", "calibration", "opened", 0, 1},
+                      {"practice", "none", "attempt", 1, 1},
+                      {"reach", "none", "attempt", 0, 1},
+                      {"judge", "none", "reach", 0, 1},
+                      {"home", "none", "attempt", 0, 2}};
+  for (const auto& [state, set_up, event, practice, count] : states) {
     SCOPED_TRACE(state);
-    Led led(set_up, practice);
-    ASSERT_TRUE(led.has_come(event, count)) << led.program.err();
-    if (turns) await_turning(led.device);
+    AtPlate led;
+    const auto change = [&](nlohmann::json& study) {
+      study["set_up"] = set_up;
+      study["practice_trials"] = practice;
+      study["conditions"][1]["controller"] = "people";
+    };
+    written(led.folder, "study.json", small_design(2, change).text);
+    led.start({"--simulated", "3"}, R"({"clock": "real-time"})");
+    ASSERT_TRUE(led.has_come(event, count)) << led.program->err();
+    if (state != "judge") await_turning(led.device);
     expect_stopped(led.device, [&] { led.terminal.type("s"); });
     EXPECT_TRUE(led.has_come("plate_stopped", 1));
     led.terminal.type(" ");
     EXPECT_TRUE(plate::eventually([&] { return led.device.is_following(); }));
-    led.terminal.type("q");
-    const Outcome outcome = led.program.wait();
-    EXPECT_TRUE(has(outcome.out, "left")) << outcome.out << outcome.err;
-    if (state == std::string("set-up")) continue;
+    led.leave();
+    if (state == "set-up") continue;
     // The state was met: home is before the recorded reach begins.
     const std::string journal = journal_of(led.folder), name = "\"recording\":\"";
     std::size_t at = 0;
     for (std::size_t i = 0; i < count; ++i) at = journal.find(name, at) + name.size();
-    const std::string stem =
-        led.folder / "data/sub-01/ses-01/recordings/" + journal.substr(at, journal.find('"', at) - at);
-    EXPECT_EQ(read_file(stem + ".csv").find("\nbegin,") == std::string::npos, state == std::string("home"));
+    const std::string stem = "data/sub-01/ses-01/recordings/" + journal.substr(at, journal.find('"', at) - at);
+    EXPECT_EQ(read_file(led.folder / (stem + ".csv")).find("\nbegin,") == std::string::npos, state == "home");
   }
 }
 
 // A person whose hand follows a path, led with these keys until the journal has so many events of a name.
 Outcome lead(const TemporaryFolder& folder, const reach::Path& path, const std::string& event, std::size_t until,
-             const char* answer = "y", const std::string& more = "") {
+             const std::string& more = "") {
   const plate::Pty terminal(80);
-  terminal.type(answer);  // to the first question
+  terminal.type("y");  // to the first question
   const Program program({"run", folder / "study.json", "--participant", "1", "--scene", scene, "--plate", "servo",
                          "--data", folder / "data"},
                         written(folder, "script.json", path.script(more)), terminal.descriptor());
@@ -224,7 +221,7 @@ TEST(ExperimentProgram, ASessionRegistersThePlate) {
   written(folder, "study.json", small_design(2, study).text);
   // A hand that stays in the air would touch a fourth mark there.
   const char* const lost = R"("events": [{"time_ms": 6200, "do": "lose_tracking", "hand": "right"}], )";
-  const Outcome begun = lead(folder, Path().touch({marks[0], marks[1], marks[2]}), "touch", 3, "y", lost);
+  const Outcome begun = lead(folder, Path().touch({marks[0], marks[1], marks[2]}), "touch", 3, lost);
   EXPECT_TRUE(has(begun.err, "Mark 3 is \"rim near right\" (3 of 6)")) << begun.err;
   const Outcome resumed = lead(folder, Path().touch({marks[3], marks[4], marks[5]}).reach().lift(), "reach", 1);
   EXPECT_FALSE(has(resumed.err, "Mark 3 is")) << resumed.err;
@@ -251,18 +248,19 @@ TEST(ExperimentProgram, ASessionRegistersThePlate) {
   EXPECT_TRUE(has(journal_of(folder), "\"is_there\":true"));
 }
 
-// A person in real time, at an emulated plate, a terminal of 80 x 24 and a voice that writes what it is to speak.
-struct Person {
-  Person() {
-    for (const char* file : {"heard", "voice"}) written(folder, file, "#!/bin/sh\ncat >> " + (folder / "heard") + "\n");
-    fs::permissions(folder / "voice", fs::perms::owner_all);
-  }
+// A program that writes what it is to speak into a file.
+std::string voice_of(const TemporaryFolder& folder) {
+  written(folder, "heard", "");
+  const std::string voice = written(folder, "voice", "#!/bin/sh\ncat >> " + (folder / "heard") + "\n");
+  fs::permissions(voice, fs::perms::owner_all);
+  return voice;
+}
+
+// A person, led at a terminal of 80 x 24 and by a voice.
+struct Person : AtPlate {
   void come(const reach::Path& path) {
-    program.emplace(std::vector<std::string>{"run", folder / "study.json", "--participant", "1", "--scene", scene,
-                                             "--plate", "serial:" + device.device(), "--data", folder / "data",
-                                             "--speak-with", folder / "voice", "--registered", folder / "plate.json"},
-                    written(folder, "script.json", path.script(R"("clock": "real-time", )")), terminal.descriptor(), "",
-                    terminal.descriptor());
+    start({"--speak-with", voice, "--registered", folder / "plate.json"}, path.script(R"("clock": "real-time", )"),
+          terminal.descriptor());
   }
   // It is spoken and on the screen since the last key; nothing on the screen is wider or higher.
   void expect_asked(const std::string& text) {
@@ -293,17 +291,8 @@ struct Person {
     type(" ");
     expect_asked(then.empty() ? text : then);
   }
-  void leave() {
-    type("q");
-    const Outcome outcome = program->wait();
-    EXPECT_TRUE(has(outcome.out, "left")) << outcome.out << screen << terminal.take();
-  }
 
-  TemporaryFolder folder;
-  plate::PtyPlate device;
-  plate::Pty terminal{80};
-  std::optional<Program> program;
-  std::string screen, all;
+  std::string voice = voice_of(folder), screen, all;
   std::size_t heard = 0;
 };
 
@@ -319,12 +308,10 @@ TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
     s["questionnaires"] = {{{"name", "SSQ"}, {"when", "before"}, {"low", 0}, {"high", 3}, {"items", {"Nausea"}}}};
   };
   Person person;
-  for (const TemporaryFolder& folder = person.folder; const char* done : {"registered"}) {
-    written(folder, "study.json", small_design(1, study).text);
-    lead(folder, Path().touch(marks), done, 1);
-    fs::copy(folder / "data/sub-01/ses-01/registration.json", folder / "plate.json");
-    fs::remove_all(folder / "data");
-  }
+  written(person.folder, "study.json", small_design(1, study).text);
+  lead(person.folder, Path().touch(marks), "registered", 1);
+  fs::copy(person.folder / "data/sub-01/ses-01/registration.json", person.folder / "plate.json");
+  fs::remove_all(person.folder / "data");
   person.come(Path());
   person.stop("given consent? y or n");
   person.type("y");
@@ -347,11 +334,17 @@ TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
     EXPECT_FALSE(has(person.all + read_file(person.folder / "heard"), name));
 }
 
-// By a key that is a note where nothing is awaited.
+// By a key that is a note where nothing is awaited. The last words are spoken to their end.
 TEST(ExperimentProgram, WhoGivesNoConsentIsNotLed) {
   const TemporaryFolder folder;
-  written(folder, "study.json", small_design(1).text);
-  EXPECT_TRUE(has(lead(folder, reach::Path(), "consent", 1, "n").out, "stopped"));
+  const plate::Pty terminal(80);
+  terminal.type("n");
+  const std::string study = written(folder, "study.json", small_design(1).text);
+  const Program program({"run", study, "--participant", "1", "--scene", scene, "--plate", "servo", "--data",
+                         folder / "data", "--speak-with", voice_of(folder)},
+                        "", terminal.descriptor());
+  EXPECT_EQ(program.wait().out, "sub-1: stopped\n");
+  EXPECT_TRUE(has(read_file(folder / "heard"), "The session is stopped."));
 }
 
 }  // namespace
