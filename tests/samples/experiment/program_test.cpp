@@ -157,39 +157,40 @@ struct AtPlate {
 // While the plate turns: from slide to slide of a set-up, in a reach, and home after it; and when a reach has just
 // ended. Then the session continues.
 TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
-  struct {
-    std::string state, set_up, event;
+  struct State {
+    std::string name, set_up, event;
     unsigned practice;
     std::size_t count;
-  } const states[] = {{"set-up", "calibration", "opened", 0, 1},
-                      {"practice", "none", "attempt", 1, 1},
-                      {"reach", "none", "attempt", 0, 1},
-                      {"judge", "none", "reach", 0, 1},
-                      {"home", "none", "attempt", 0, 2}};
-  for (const auto& [state, set_up, event, practice, count] : states) {
-    SCOPED_TRACE(state);
+  };
+  const State states[] = {{"set-up", "calibration", "opened", 0, 1},
+                          {"practice", "none", "attempt", 1, 1},
+                          {"reach", "none", "attempt", 0, 1},
+                          {"judge", "none", "reach", 0, 1},
+                          {"home", "none", "attempt", 0, 2}};
+  for (const State& state : states) {
+    SCOPED_TRACE(state.name);
     AtPlate led;
     const auto change = [&](nlohmann::json& study) {
-      study["set_up"] = set_up;
-      study["practice_trials"] = practice;
+      study["set_up"] = state.set_up;
+      study["practice_trials"] = state.practice;
       study["conditions"][1]["controller"] = "people";
     };
     written(led.folder, "study.json", small_design(2, change).text);
     led.start({"--simulated", "3"}, R"({"clock": "real-time"})");
-    ASSERT_TRUE(led.has_come(event, count)) << led.program->err();
-    if (state != "judge") await_turning(led.device);
+    ASSERT_TRUE(led.has_come(state.event, state.count)) << led.program->err();
+    if (state.name != "judge") await_turning(led.device);
     expect_stopped(led.device, [&] { led.terminal.type("s"); });
     EXPECT_TRUE(led.has_come("plate_stopped", 1));
     led.terminal.type(" ");
     EXPECT_TRUE(plate::eventually([&] { return led.device.is_following(); }));
     led.leave();
-    if (state == "set-up") continue;
+    if (state.name == "set-up") continue;
     // The state was met: home is before the recorded reach begins.
     const std::string journal = journal_of(led.folder), name = "\"recording\":\"";
     std::size_t at = 0;
     for (std::size_t i = 0; i < count; ++i) at = journal.find(name, at) + name.size();
     const std::string stem = "data/sub-01/ses-01/recordings/" + journal.substr(at, journal.find('"', at) - at);
-    EXPECT_EQ(read_file(led.folder / (stem + ".csv")).find("\nbegin,") == std::string::npos, state == "home");
+    EXPECT_EQ(read_file(led.folder / (stem + ".csv")).find("\nbegin,") == std::string::npos, state.name == "home");
   }
 }
 
