@@ -188,7 +188,7 @@ TEST(ExperimentProgram, TheStopKeyStopsThePlate) {
     // The state was met: home is before the recorded reach begins.
     const std::string journal = journal_of(led.folder), name = "\"recording\":\"";
     std::size_t at = 0;
-    for (std::size_t i = 0; i < count; ++i) at = journal.find(name, at) + name.size();
+    for (std::size_t i = 0; i < state.count; ++i) at = journal.find(name, at) + name.size();
     const std::string stem = "data/sub-01/ses-01/recordings/" + journal.substr(at, journal.find('"', at) - at);
     EXPECT_EQ(read_file(led.folder / (stem + ".csv")).find("\nbegin,") == std::string::npos, state.name == "home");
   }
