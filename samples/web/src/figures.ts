@@ -1,8 +1,8 @@
 // Four figures that explain the illusion, each with one control. Drawn stronger than it is: touch has a third of the weight.
+import { degree } from "./geometry";
 import { element } from "./page";
 
-const touch = 1 / 3,
-  degree = Math.PI / 180;
+const touch = 1 / 3;
 const length = 130,
   foot = { x: 160, y: 195 };
 
@@ -10,14 +10,9 @@ const at = (angle_deg: number, far: number): string =>
   `${(foot.x - far * Math.sin(angle_deg * degree)).toFixed(1)} ${(foot.y - far * Math.cos(angle_deg * degree)).toFixed(1)}`;
 const arrow = (kind: string, from: string, to: string): string =>
   `<path class="${kind}" marker-end="url(#tip-${kind})" d="M${from} L${to}"/>`;
-const word = (kind: string, place: string, text: string): string => {
-  const [x = "", y = ""] = place.split(" ");
-  return `<text class="${kind}" x="${x}" y="${y}">${text}</text>`;
-};
-const dot = (kind: string, place: string): string => {
-  const [x = "", y = ""] = place.split(" ");
-  return `<circle class="${kind}" r="8" cx="${x}" cy="${y}"/>`;
-};
+const word = (kind: string, place: string, text: string): string =>
+  `<text class="${kind}" transform="translate(${place})">${text}</text>`;
+const dot = (kind: string, place: string): string => `<circle class="${kind}" r="8" transform="translate(${place})"/>`;
 const tips = ["real", "felt", "touch"]
   .map(
     (kind) => `<marker id="tip-${kind}" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="5" markerHeight="5"
@@ -76,17 +71,14 @@ const figures: readonly ((value: number) => string)[] = [
       word("real", at(hand - 15, 90), "true")
     );
   },
-  (hand) => {
-    return (
-      plate((-hand * (1 - touch)) / touch) +
-      arrow("felt", at(0, 0), at(0, length - 4)) +
-      arrow("real", at(0, 0), at(hand, length - 4)) +
-      dot("real", at(hand, length + 16)) +
-      dot("felt", at(0, length + 16)) +
-      word("felt", at(0, length + 32), "glass") +
-      (Math.abs(hand) > 8 ? word("real", at(hand + 24 * Math.sign(hand), length + 8), "cylinder") : "")
-    );
-  },
+  (hand) =>
+    plate((-hand * (1 - touch)) / touch) +
+    arrow("felt", at(0, 0), at(0, length - 4)) +
+    arrow("real", at(0, 0), at(hand, length - 4)) +
+    dot("real", at(hand, length + 16)) +
+    dot("felt", at(0, length + 16)) +
+    word("felt", at(0, length + 32), "glass") +
+    (Math.abs(hand) > 8 ? word("real", at(hand + 24 * Math.sign(hand), length + 8), "cylinder") : ""),
 ];
 
 export function showFigures(): void {

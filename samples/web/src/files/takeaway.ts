@@ -1,16 +1,11 @@
 // Files of the plugin: the last reach and what was learnt, to take away; a recording, which is run again and compared bit
 // for bit, or a scene, to bring. Nothing leaves the machine. What is refused is refused in the plugin's words.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
-import { element, say } from "../page";
+import { element, messageOf, say } from "../page";
 import { type RecordedReach, readReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
 
 const max_bytes = 32 * 1024 * 1024;
-
-export interface Brought {
-  reach(reach: RecordedReach): void;
-  scene(scene: VisitorScene): void;
-}
 
 export class TakeAway {
   readonly #saveRecording = element("save-recording", HTMLButtonElement);
@@ -22,15 +17,13 @@ export class TakeAway {
     private readonly library: Library,
     recording: () => string,
     profile: () => string,
-    brought: Brought,
+    private readonly brought: { reach(reach: RecordedReach): void; scene(scene: VisitorScene): void },
   ) {
     this.#saveRecording.addEventListener("click", () => save("reach.csv", "text/csv", recording()));
     element("save-profile", HTMLButtonElement).addEventListener("click", () =>
       save("profile.json", "application/json", profile()),
     );
-    onFiles(element("open-file", HTMLInputElement), (files) => {
-      void this.#open(files, brought);
-    });
+    onFiles(element("open-file", HTMLInputElement), (files) => this.#open(files));
   }
 
   /** Whether there is a reach to save. */
@@ -39,7 +32,7 @@ export class TakeAway {
   }
 
   /** A recording, or a scene with the buffers that came along. */
-  async #open(files: readonly File[], brought: Brought): Promise<void> {
+  async #open(files: readonly File[]): Promise<void> {
     const file = files.find(({ name }) => /\.(gltf|glb|csv)$/i.test(name)),
       name = file?.name ?? files[0]?.name ?? "";
     try {
@@ -50,11 +43,11 @@ export class TakeAway {
       const size = files.reduce((sum, each) => sum + each.size, 0);
       if (size > max_bytes)
         throw new Error(`${Math.ceil(size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
-      if (/\.csv$/i.test(name)) brought.reach(this.#replay(name, await file.text()));
-      else brought.scene(await this.#scene(file, files));
+      if (/\.csv$/i.test(name)) this.brought.reach(this.#replay(name, await file.text()));
+      else this.brought.scene(await this.#scene(file, files));
       this.#problem.hidden = true;
     } catch (error) {
-      const message = error instanceof Error ? error.message : String(error);
+      const message = messageOf(error);
       this.#problem.hidden = false;
       say(this.#problem, message.startsWith(name) ? message : `${name}: ${message}`);
     }
@@ -72,7 +65,7 @@ export class TakeAway {
       );
       scene.meshes = await readMeshes(bytes, others, position_m, rotation);
     } catch (error) {
-      scene.meshProblem = error instanceof Error ? error.message : String(error);
+      scene.meshProblem = messageOf(error);
     }
     return scene;
   }

@@ -5,14 +5,13 @@ import type { Desk } from "../desk";
 import { length_m, type Place, start, virtualPlace } from "../geometry";
 import type { Hand } from "../hand";
 import { showNow } from "../now";
-import { element, say } from "../page";
+import { element } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import type { Ticks } from "../ticks";
 import type { Voice } from "../voice";
 
 const keySpeed_m_s = 0.06;
-const maxFrame_ms = 100;
 const reveal_ms = 900;
 /** A mouse that comes so near to the ring takes the finger along. */
 const grasp_m = 0.008;
@@ -20,7 +19,6 @@ const grasp_m = 0.008;
 export class Sliding {
   /** Whether this mode is the one that is shown. */
   active = false;
-  readonly #caption = element("caption", HTMLParagraphElement);
   readonly #keys = new Set<string>();
   readonly #pointer: Place = { right_m: 0, away_m: 0 };
   readonly #grip: Place = { right_m: 0, away_m: 0 };
@@ -60,24 +58,23 @@ export class Sliding {
 
   restart(): void {
     this.hand.begin();
-    this.desk.clearPaths();
+    if (this.active) this.desk.clearPaths(); // else they are another mode's
     this.#held = -1;
     this.#keys.clear();
     this.desk.frame.classList.remove("dragging");
   }
 
   frame(elapsed_ms: number): void {
-    const elapsed = Math.min(elapsed_ms, maxFrame_ms),
-      hand = this.hand,
+    const hand = this.hand,
       { phase, ridges } = hand;
-    this.#moveByKeys(elapsed / 1000);
-    this.#owed_ms += elapsed;
+    this.#moveByKeys(elapsed_ms / 1000);
+    this.#owed_ms += elapsed_ms;
     const whole = Math.floor(this.#owed_ms);
     this.#owed_ms -= whole;
     hand.advance(whole);
     if (phase === "sliding" && hand.ridges !== ridges) this.ticks.ridge();
     if (phase !== "arrived" && hand.phase === "arrived") this.#arrive();
-    else if (hand.phase === "arrived") this.#shown_ms += elapsed;
+    else if (hand.phase === "arrived") this.#shown_ms += elapsed_ms;
     this.#draw();
   }
 
@@ -163,11 +160,10 @@ export class Sliding {
       plate_deg = this.world.plate_deg(),
       over = hand.phase === "arrived";
     if (hand.phase !== "waiting") this.desk.extendPaths(hand.finger, hand.felt);
-    this.desk.frame.dataset.phase = hand.phase;
     this.desk.reveal(!over ? 0 : this.still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
     this.desk.draw(plate_deg, hand.finger, hand.felt);
     showNow(plate_deg, hand.finger_deg, hand.felt_deg, pageCourse(this.settings).virtual_deg);
-    say(this.#caption, this.#text());
+    this.desk.caption(hand.phase, this.#text());
     this.desk.write(hand.result);
   }
 

@@ -11,13 +11,11 @@ import type { Watch } from "../watch";
 
 /** Between two reaches. */
 const pause_ms = 2200;
-const maxFrame_ms = 100;
 const step_ms = 100;
 
 export class Watching {
   playing = false;
   #scale = 1;
-  readonly #caption = element("caption", HTMLParagraphElement);
   readonly #play = element("play", HTMLButtonElement);
   readonly #speed = element("speed", HTMLSelectElement);
   readonly #finger: Place = { right_m: 0, away_m: 0 };
@@ -66,12 +64,11 @@ export class Watching {
   /** A frame after `elapsed_ms`. */
   frame(elapsed_ms: number): void {
     if (this.playing) {
-      const elapsed = Math.min(elapsed_ms, maxFrame_ms);
       if (this.watch.phase === "arrived") {
-        this.#shownFor_ms += elapsed;
+        this.#shownFor_ms += elapsed_ms;
         if (this.#shownFor_ms >= pause_ms) this.#begin();
       } else {
-        this.#owed_ms += elapsed * Number(this.#speed.value);
+        this.#owed_ms += elapsed_ms * Number(this.#speed.value);
         const whole = Math.floor(this.#owed_ms);
         this.#owed_ms -= whole;
         this.#advance(whole);
@@ -129,17 +126,15 @@ export class Watching {
   }
 
   #draw(): void {
-    const world = this.world,
-      { phase } = this.watch;
+    const world = this.world;
     this.#extend();
-    this.desk.frame.dataset.phase = phase;
     this.desk.draw(world.plate_deg(), this.#finger, this.#felt);
     const moving = world.moving() !== 0,
       goal_deg = this.watch.course.virtual_deg;
     const finger_deg = moving ? world.finger_deg() : NaN;
     const felt_deg = moving ? goal_deg + world.felt_error_deg() : NaN;
     showNow(world.plate_deg(), finger_deg, felt_deg, goal_deg);
-    say(this.#caption, this.#text(finger_deg, felt_deg));
+    this.desk.caption(this.watch.phase, this.#text(finger_deg, felt_deg));
   }
 
   #text(finger_deg: number, felt_deg: number): string {

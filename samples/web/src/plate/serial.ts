@@ -1,4 +1,5 @@
 // A serial line by the browser's Web Serial. Its types are not among TypeScript's own.
+import { messageOf } from "../page";
 
 export interface SerialPort {
   readonly readable: ReadableStream<Uint8Array> | null;
@@ -10,7 +11,7 @@ interface Serial {
   requestPort(): Promise<SerialPort>;
 }
 
-export const baudRate = 115200;
+const baudRate = 115200;
 /** Bytes that wait to be sent; a line that takes none is broken. */
 const maxUnsent = 4096;
 
@@ -19,17 +20,8 @@ export function serial(): Serial | null {
   return (navigator as { serial?: Serial }).serial ?? null;
 }
 
-export interface OpenLine {
-  send(text: string): void;
-  close(): Promise<void>;
-}
-
 /** `heard` gets bytes as they come; `ended` is called once if the line fails. */
-export async function openPort(
-  port: SerialPort,
-  heard: (bytes: Uint8Array) => void,
-  ended: (why: string) => void,
-): Promise<OpenLine> {
+export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => void, ended: (why: string) => void) {
   await port.open({ baudRate });
   const reader = port.readable?.getReader(),
     writer = port.writable?.getWriter();
@@ -38,7 +30,7 @@ export async function openPort(
   let open = true,
     unsent = 0;
   const fail = (error: unknown): void => {
-    if (open) ended(error instanceof Error ? error.message : String(error));
+    if (open) ended(messageOf(error));
     open = false;
   };
   const read = async (): Promise<void> => {
@@ -50,7 +42,7 @@ export async function openPort(
   };
   const reading = read().catch(fail);
   return {
-    send(text) {
+    send(text: string): void {
       if (!open) return;
       if (unsent > maxUnsent) return fail("it takes no bytes");
       unsent += text.length;
@@ -58,18 +50,13 @@ export async function openPort(
         unsent -= text.length;
       }, fail);
     },
-    async close() {
+    async close(): Promise<void> {
       open = false;
       // A line that hangs is not waited for: what is unsent is dropped, and rule 1 stops the plate.
       const patience = new Promise((done) => setTimeout(done, 300));
-      await Promise.race([writer.close().catch(() => undefined), patience]);
-      await Promise.race([
-        reader
-          .cancel()
-          .then(() => reading)
-          .catch(() => undefined),
-        patience,
-      ]);
+      const patiently = (what: Promise<void>) => Promise.race([what.catch(() => undefined), patience]);
+      await patiently(writer.close());
+      await patiently(reader.cancel().then(() => reading));
       for (const lock of [writer, reader]) lock.releaseLock();
       await port.close().catch(() => undefined);
     },
