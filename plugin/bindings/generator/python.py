@@ -93,9 +93,6 @@ class _Names:
         self.enums = abi.enumeration_names(_ENUMERATIONS, "Flag")
         self.members = {m.name: f"{self.enums[e.prefix]}.{e.short(m)}" for e in abi.enumerations for m in e.members}
 
-    def constant(self, name: str) -> str:
-        return self.members.get(name, name)
-
 
 def _enumeration(enumeration: Enumeration, names: _Names) -> str:
     lines = textwrap.wrap(_renamed(enumeration.doc, names), 104) + [""]
@@ -145,7 +142,7 @@ def _struct(struct: Struct, names: _Names) -> str:
 def _defaults(struct: Struct, names: _Names) -> str:
     """What is not 0."""
     given = {f.name: default_of(f) for f in struct.fields}
-    return ", ".join(f'"{f.name}": ' + (f"({_list(given[f.name])})" if f.length else names.constant(given[f.name][0]))
+    return ", ".join(f'"{f.name}": ' + (f"({_list(given[f.name])})" if f.length else names.members.get(given[f.name][0], given[f.name][0]))
                      for f in struct.fields if any(n.strip("0.") for n in given[f.name]))
 
 
