@@ -143,12 +143,10 @@ class Renderer:
         parameters = [self.parameter(p) for p in function.parameters]
         text = f"    internal static extern {result} {function.name}({', '.join(parameters)});"
         if len(text) + 4 > _WIDTH:
-            text = f"    internal static extern {result} {function.name}("
-            for i, parameter in enumerate(parameters):
-                item = parameter + (");" if i + 1 == len(parameters) else ",")
-                line = text.rpartition("\n")[2]
-                fits = "\n" in text and len(line) + len(item) + 5 <= _WIDTH
-                text += (" " if fits else "\n" + " " * 8) + item
+            # Lines break between parameters only.
+            listed = ", ".join(parameter.replace(" ", "\N{NO-BREAK SPACE}") for parameter in parameters) + ");"
+            lines = textwrap.wrap(listed, _WIDTH - 4, initial_indent=" " * 8, subsequent_indent=" " * 8, break_on_hyphens=False)
+            text = "\n".join([f"    internal static extern {result} {function.name}(", *lines]).replace("\N{NO-BREAK SPACE}", " ")
         return "    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n" + text + "\n"
 
     def parameter(self, parameter: Parameter) -> str:

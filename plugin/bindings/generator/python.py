@@ -173,31 +173,25 @@ def _stored(field: Field, names: _Names) -> str:
         return names.enums[field.enumeration]
     stored = _type(field.type, names)
     if field.length:
-        return f"Annotated[{_hint(field, names)}, {stored} * {field.length}]"
+        return f"Annotated[{'bytes' if field.type.name == 'char' else f'Array[{stored}]'}, {stored} * {field.length}]"
     if field.type.callback:
         return f"Annotated[FunctionPointer, {stored}]"
     return "Pointer" if field.type.pointer else _ANNOTATED.get(field.type.name, stored)
 
 
-def _hint(field: Field, names: _Names) -> str:
+def _given_hint(field: Field, names: _Names, numbers: str = "Numbers") -> str:
+    """The type of what may be given."""
+    if field.length:
+        return "str | bytes" if field.type.name == "char" else numbers
+    if field.boolean:
+        return "bool | int"
     if field.enumeration:
         return names.enums[field.enumeration]
-    if field.length:
-        return "bytes" if field.type.name == "char" else f"Array[{_CTYPES[field.type.name]}]"
     if field.type.callback:
         return "FunctionPointer"
     if field.type.pointer:
         return "int | None"
-    if field.type.name == "double":
-        return "float"
-    return names.structs.get(field.type.name, "int")
-
-
-def _given_hint(field: Field, names: _Names, numbers: str = "Numbers") -> str:
-    """As _hint(), of what may be given."""
-    if field.length:
-        return "str | bytes" if field.type.name == "char" else numbers
-    return "bool | int" if field.boolean else _hint(field, names)
+    return "float" if field.type.name == "double" else names.structs.get(field.type.name, "int")
 
 
 def _wrapped(parameters: list[str], indent: int) -> str:

@@ -55,7 +55,10 @@ namespace Hrt.Tests
         public void TheCommandIsThatOfTheSameReachInPlateCoordinates()
         {
             component.BeginReach(virtualTarget);
-            using (var session = new HapticRetargetingSession(SameUser()))
+            SessionConfig config = SessionConfig.Default;
+            config.guidance = component.guidance;
+            config.adaptation = component.adaptation;
+            using (var session = new HapticRetargetingSession(config))
             {
                 session.BeginReach(session.AddTarget(TargetRole.Real, -5), session.AddTarget(TargetRole.Virtual, 5));
                 for (int frame = 0; frame <= 90; ++frame)
@@ -341,14 +344,6 @@ namespace Hrt.Tests
             var gameObject = new GameObject(name);
             made.Add(gameObject);
             return gameObject;
-        }
-
-        SessionConfig SameUser()
-        {
-            SessionConfig config = SessionConfig.Default;
-            config.guidance = component.guidance;
-            config.adaptation = component.adaptation;
-            return config;
         }
     }
 }
