@@ -107,16 +107,11 @@ class Field:
             return comments.Numbers()
         return comments.numbers(self.shared_doc, self.unit, self.place)
 
-    @property
-    def is_value(self) -> bool:
-        """A number or text that a host chooses."""
-        return self.type.name in SIZES and not self.type.pointer and self.name not in ("struct_size", "reserved")
-
     def check(self, struct: str, needs_default: bool) -> None:
         """Of a struct that hosts fill in, a field without range, unit or default is an error."""
         numbers = self.numbers
-        if not self.is_value:
-            return
+        if self.type.name not in SIZES or self.type.pointer or self.name in ("struct_size", "reserved"):
+            return  # no number or text that a host chooses
         if not numbers.has_range or needs_default and not numbers.has_default:
             raise HeaderError(f"{struct}::{self.name}: its comment does not end with a range{' and a default' * needs_default}, "
                               "as generator/comments.py reads them")

@@ -17,20 +17,17 @@ LAYERS = {"init.h": ("base.h", "reach.h", "session.h", "target.h"),
 
 def render_init(abi: Abi, notice: str, name: str) -> str:
     structs = [s for s in abi.structs if s.fields[0].name == "struct_size" and s.header in LAYERS[name]]
+    # The layer's own header includes its structs by value at its end.
+    own = {name.replace("_init", ""): "  /* NOLINT(misc-header-include-cycle) */"}
     guard = f"HAPTIC_RETARGETING_{name.upper().replace('.', '_')}"
     return (f"/*\n * {notice}\n *\n"
             " * Each struct by value, ready for use: with its defaults, or zero with its size.\n"
             " *\n *   hrt_session_config config = hrt_session_config_init();\n */\n"
             f"/* clang-format off */\n#ifndef {guard}\n#define {guard}\n\n"
-            + "".join(f'#include "{header}"{_end(name, header)}\n' for header in LAYERS[name])
+            + "".join(f'#include "{header}"{own.get(header, "")}\n' for header in LAYERS[name])
             + "\n#if defined(__cplusplus)\n#define HRT_EMPTY {}\n#else\n#define HRT_EMPTY {0}\n#endif\n\n"
             + "\n".join(map(_init, structs))
             + "\n#undef HRT_EMPTY\n\n#endif\n")
-
-
-def _end(name: str, header: str) -> str:
-    """The layer's own header includes its structs by value at its end."""
-    return "  /* NOLINT(misc-header-include-cycle) */" if name == header.replace(".", "_init.") else ""
 
 
 def _init(struct: Struct) -> str:

@@ -10,7 +10,7 @@ import re
 import textwrap
 
 import fields
-from abi import Abi, Constant, Enumeration, Field, Function, Parameter, Struct, Type, pascal
+from abi import Abi, Enumeration, Field, Function, Parameter, Struct, Type, pascal
 
 # Whose names in C# are not those of the headers.
 _ENUMS = {"HRT_ERROR_": "Result", "HRT_LOG_": "LogLevel", "HRT_TARGET_": "TargetRole"}
@@ -20,10 +20,6 @@ _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "
 # Written by hand in Runtime/Values.cs.
 _ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name"}
 _WIDTH = 110
-
-
-def render(abi: Abi, notice: str) -> str:
-    return Renderer(abi).render(notice)
 
 
 def render_plate(abi: Abi, plugin: Abi, notice: str) -> str:
@@ -80,10 +76,7 @@ class Renderer:
         text = self.doc(enumeration.doc, "") + ("[Flags]\n" if enumeration.flags else "")
         text += f"public enum {name} : {'int' if name == 'Result' else 'uint'}\n{{\n"
         text += "    None = 0,\n" if enumeration.flags else "    Ok = 0,\n" if name == "Result" else ""
-        return text + "".join(self.enumerator(c) for c in enumeration.members) + "}\n"
-
-    def enumerator(self, constant: Constant) -> str:
-        return self.doc(constant.doc, "    ") + f"    {self.members[constant.name][1]} = {constant.value},\n"
+        return text + "".join(self.doc(c.doc, "    ") + f"    {self.members[c.name][1]} = {c.value},\n" for c in enumeration.members) + "}\n"
 
     def struct(self, struct: Struct) -> str:
         name = self.types[struct.name]
@@ -122,9 +115,8 @@ class Renderer:
         """A fixed array, which C# has not. Its elements are named by the constants of which the comment speaks."""
         if field.type.name == "char":
             return self.text(struct, field)
-        named = re.search(r"\b(HRT_[A-Z_]+_)\*", field.doc)
-        names = {c.value: camel(c.name.removeprefix(named[1])) for c in reversed(self.abi.constants)
-                 if named and c.name.startswith(named[1])}
+        prefix = field.named_prefix
+        names = {c.value: camel(c.name.removeprefix(prefix)) for c in reversed(self.abi.constants) if prefix and c.name.startswith(prefix)}
         text = self.doc(field.doc, "") + "[Serializable, StructLayout(LayoutKind.Sequential)]\n"
         text += f"public struct {self.arrays[struct.name, field.name]}\n{{\n"
         elements = ", ".join(names.get(i, f"value{i}") for i in range(field.length))
@@ -151,12 +143,10 @@ class Renderer:
         parameters = [self.parameter(p) for p in function.parameters]
         text = f"    internal static extern {result} {function.name}({', '.join(parameters)});"
         if len(text) + 4 > _WIDTH:
-            text = f"    internal static extern {result} {function.name}("
-            for i, parameter in enumerate(parameters):
-                item = parameter + (");" if i + 1 == len(parameters) else ",")
-                line = text.rpartition("\n")[2]
-                fits = "\n" in text and len(line) + len(item) + 5 <= _WIDTH
-                text += (" " if fits else "\n" + " " * 8) + item
+            # Lines break between parameters only.
+            listed = ", ".join(parameter.replace(" ", "\N{NO-BREAK SPACE}") for parameter in parameters) + ");"
+            lines = textwrap.wrap(listed, _WIDTH - 4, initial_indent=" " * 8, subsequent_indent=" " * 8, break_on_hyphens=False)
+            text = "\n".join([f"    internal static extern {result} {function.name}(", *lines]).replace("\N{NO-BREAK SPACE}", " ")
         return "    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n" + text + "\n"
 
     def parameter(self, parameter: Parameter) -> str:
@@ -171,9 +161,6 @@ class Renderer:
 
     def value(self, type_: Type) -> str:
         return "IntPtr" if type_.pointer else _TYPES.get(type_.name) or self.types[type_.name]
-
-    def members_of(self, prefix: str) -> list[Constant]:
-        return next(e.distinct for e in self.abi.enumerations if e.prefix == prefix)
 
     def renamed(self, text: str) -> str:
         """A header's comment with the names as they are here."""

@@ -134,10 +134,20 @@ class _Reader:
             items[:] = map(named, items)
 
     def constant(self, found: re.Match[str], docs: list[str], prefixes: set[str]) -> Constant:
-        if not found["sum"]:
-            return _constant(found, int((found["macro"] or found["plain"]).rstrip("u"), 0), docs, prefixes)
-        terms = [[self.number(factor) for factor in term.split(" * ")] for term in found["sum"].split(" + ")]
-        return _constant(found, sum(map(math.prod, terms)), docs, prefixes)
+        """With what is said of it, and of the group that it begins."""
+        if found["sum"]:
+            value = sum(math.prod(map(self.number, term.split(" * "))) for term in found["sum"].split(" + "))
+        else:
+            value = int((found["macro"] or found["plain"]).rstrip("u"), 0)
+        prefix = prefix_of(found["constant"])
+        unsigned = found["macro"] is not None or (found["plain"] or "").endswith("u")
+        doc, group = docs[-1] if docs else "", docs[-2] if len(docs) > 1 else ""
+        if found["behind"] is not None:
+            doc, group = _plain(found["behind"]), doc
+        elif len(docs) == 1 and prefix not in prefixes and re.match(rf"\n#define {prefix}", found.string[found.end():]):
+            doc, group = "", doc  # no comment stands between: this one is of all
+        prefixes.add(prefix)
+        return Constant(found["constant"], value, unsigned, doc, group)
 
     def number(self, written: str | None) -> int:
         if not written or written.isdigit():
@@ -166,19 +176,6 @@ def _items(pattern: re.Pattern[str], text: str, where: str):
             raise HeaderError(f"{where}: no form of a constant that generator/headers.py reads: {found.group()}")
         yield found
         at = found.end()
-
-
-def _constant(found: re.Match[str], value: int, docs: list[str], prefixes: set[str]) -> Constant:
-    """With what is said of it, and of the group that it begins."""
-    name, prefix = found["constant"], prefix_of(found["constant"])
-    unsigned = found["macro"] is not None or (found["plain"] or "").endswith("u")
-    doc, group = docs[-1] if docs else "", docs[-2] if len(docs) > 1 else ""
-    if found["behind"] is not None:
-        doc, group = _plain(found["behind"]), doc
-    elif len(docs) == 1 and prefix not in prefixes and re.match(rf"\n#define {prefix}", found.string[found.end():]):
-        doc, group = "", doc  # no comment stands between: this one is of all
-    prefixes.add(prefix)
-    return Constant(name, value, unsigned, doc, group)
 
 
 def _function(name: str, result: str, parameters: str, docs: list[str]) -> Function:

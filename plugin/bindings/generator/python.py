@@ -93,9 +93,6 @@ class _Names:
         self.enums = abi.enumeration_names(_ENUMERATIONS, "Flag")
         self.members = {m.name: f"{self.enums[e.prefix]}.{e.short(m)}" for e in abi.enumerations for m in e.members}
 
-    def constant(self, name: str) -> str:
-        return self.members.get(name, name)
-
 
 def _enumeration(enumeration: Enumeration, names: _Names) -> str:
     lines = textwrap.wrap(_renamed(enumeration.doc, names), 104) + [""]
@@ -145,7 +142,7 @@ def _struct(struct: Struct, names: _Names) -> str:
 def _defaults(struct: Struct, names: _Names) -> str:
     """What is not 0."""
     given = {f.name: default_of(f) for f in struct.fields}
-    return ", ".join(f'"{f.name}": ' + (f"({_list(given[f.name])})" if f.length else names.constant(given[f.name][0]))
+    return ", ".join(f'"{f.name}": ' + (f"({_list(given[f.name])})" if f.length else names.members.get(given[f.name][0], given[f.name][0]))
                      for f in struct.fields if any(n.strip("0.") for n in given[f.name]))
 
 
@@ -176,31 +173,25 @@ def _stored(field: Field, names: _Names) -> str:
         return names.enums[field.enumeration]
     stored = _type(field.type, names)
     if field.length:
-        return f"Annotated[{_hint(field, names)}, {stored} * {field.length}]"
+        return f"Annotated[{'bytes' if field.type.name == 'char' else f'Array[{stored}]'}, {stored} * {field.length}]"
     if field.type.callback:
         return f"Annotated[FunctionPointer, {stored}]"
     return "Pointer" if field.type.pointer else _ANNOTATED.get(field.type.name, stored)
 
 
-def _hint(field: Field, names: _Names) -> str:
+def _given_hint(field: Field, names: _Names, numbers: str = "Numbers") -> str:
+    """The type of what may be given."""
+    if field.length:
+        return "str | bytes" if field.type.name == "char" else numbers
+    if field.boolean:
+        return "bool | int"
     if field.enumeration:
         return names.enums[field.enumeration]
-    if field.length:
-        return "bytes" if field.type.name == "char" else f"Array[{_CTYPES[field.type.name]}]"
     if field.type.callback:
         return "FunctionPointer"
     if field.type.pointer:
         return "int | None"
-    if field.type.name == "double":
-        return "float"
-    return names.structs.get(field.type.name, "int")
-
-
-def _given_hint(field: Field, names: _Names, numbers: str = "Numbers") -> str:
-    """As _hint(), of what may be given."""
-    if field.length:
-        return "str | bytes" if field.type.name == "char" else numbers
-    return "bool | int" if field.boolean else _hint(field, names)
+    return "float" if field.type.name == "double" else names.structs.get(field.type.name, "int")
 
 
 def _wrapped(parameters: list[str], indent: int) -> str:

@@ -12,8 +12,7 @@ FOUND = ("fingertip_offset_m",)  # by a set-up
 
 
 def shown(abi: Abi) -> list[Field]:
-    fields = [f for f in abi.struct(STRUCT).fields if f.name not in ("struct_size", "reserved", *POSE, *FOUND)]
-    return [f for f in fields if f.length in (0, 3)]
+    return [f for f in abi.struct(STRUCT).fields if f.length in (0, 3) and f.name not in ("struct_size", "reserved", *POSE, *FOUND)]
 
 
 def hidden(abi: Abi) -> list[Field]:

@@ -7,7 +7,7 @@ import textwrap
 from decimal import Decimal
 
 import settings
-from abi import Abi, Constant, Field, HeaderError
+from abi import Abi, Field, HeaderError
 from csharp import Renderer, camel
 
 _WIDTH = 110
@@ -81,7 +81,7 @@ def _tooltip(names: Renderer, field: Field) -> str:
     if field.unit == "ns":
         text += " Shown in milliseconds."
     if field.enumeration:
-        members: list[Constant] = names.members_of(field.enumeration)
+        members = next(e.distinct for e in names.abi.enumerations if e.prefix == field.enumeration)
         text = re.sub(r"^\w+\. ", "", text)
         text = " ".join(f"{names.members[m.name][1]}: {names.renamed(m.doc).rstrip('.')}." for m in members) + " " + text
     lines = textwrap.wrap(text, _WIDTH - 8 - 15, drop_whitespace=False, break_on_hyphens=False)

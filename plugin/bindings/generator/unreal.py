@@ -13,7 +13,7 @@ from decimal import Decimal
 
 import comments
 import settings
-from abi import Abi, Enumeration, Field, HeaderError, Struct, pascal
+from abi import Abi, Constant, Enumeration, Field, HeaderError, Struct, pascal
 
 _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand", "hrt_reach_summary": "FHapticSummary",
             "hrt_gap": "FHapticGap", "hrt_scene_target": "FHapticSceneTarget",
@@ -79,14 +79,15 @@ class _Renderer:
         members = []
         for f in (f for fields in settings.by_section(self.abi).values() for f in fields):
             if self.is_flags(f):
-                members += [self.flag(f, c.name) for c in self.enumerations[f.enumeration].members]
+                members += [self.flag(f, c) for c in self.enumerations[f.enumeration].members]
             else:
                 members.append(self.member(struct, f))
         return members
 
-    def flag(self, field: Field, constant: str) -> _Member:
-        name = "b" + _words(constant.removeprefix(field.enumeration))
-        return _Member(field, "bool", name, f"S.{name} ? {constant} : 0u", f"(C.{field.member} & {constant}) != 0", "false")
+    def flag(self, field: Field, constant: Constant) -> _Member:
+        name = "b" + _words(constant.name.removeprefix(field.enumeration))
+        return _Member(replace(field, shared_doc=constant.doc), "bool", name, f"S.{name} ? {constant.name} : 0u",
+                       f"(C.{field.member} & {constant.name}) != 0", "false")
 
     def member(self, struct: Struct, field: Field) -> _Member:
         base = field.name.removesuffix("_" + field.unit) if field.unit else field.name
@@ -203,9 +204,7 @@ class _Renderer:
         """Without range and default, which Unreal shows in its own way and unit, except where they need words."""
         field = member.field
         if self.is_flags(field) and member.type == "bool":
-            constant = next(c for c in self.enumerations[field.enumeration].members
-                            if member.name == "b" + _words(c.name.removeprefix(field.enumeration)))
-            return self.doc(constant.doc)
+            return self.doc(field.shared_doc)
         if field.enumeration and not self.is_flags(field):
             return self.doc(self.enumerations[field.enumeration].doc)
         text = comments.without_range(field.shared_doc)
@@ -316,7 +315,7 @@ def render_types(abi: Abi, notice: str) -> str:
             + "\n".join([r.enum(e) for e in r.shown] + [target] + [r.struct(name) for name in _STRUCTS]))
 
 
-def render_header(abi: Abi, notice: str) -> str:
+def render_header(notice: str) -> str:
     outputs = [name for name in _STRUCTS if name != settings.STRUCT]
     return (f"// {notice}\n#pragma once\n\n"
             '#include "HapticRetargetingTypes.h"\n#include "haptic_retargeting/setup.h"\n\n'

@@ -10,6 +10,7 @@ from abi import Abi, Field, Function, HeaderError, Struct, Type
 _POINTER_SIZE = 4
 _ELEMENTS = {"char": "u8", "int32_t": "i32", "uint32_t": "u32", "int64_t": "i64", "uint64_t": "u64",
              "double": "f64", "size_t": "u32"}
+_IN_FRAMES = ("f64", "u32", "i64")  # what numbers.mjs writes and reads without making objects
 
 
 def render_script(abi: Abi, notice: str) -> str:
@@ -33,10 +34,13 @@ def render_frames(abi: Abi, notice: str) -> str:
     text = f"// {notice}\n" + 'import { writeF64s, writeI64, writeU32, readI64 } from "./numbers.mjs";\n'
     for name, title in (("hrt_sample", "Sample"), ("hrt_command", "Command")):
         places = {f: p for f, p in _places(abi, abi.struct(name)).items() if f not in ("struct_size", "reserved")}
-        _check_frames(name, places)
+        for field, place in places.items():
+            if place["type"] not in _IN_FRAMES:
+                raise HeaderError(f"{name}::{field}: the web's frames have {', '.join(_IN_FRAMES)}, not {place['type']}")
         arrays = [f for f, place in places.items() if "length" in place]
         text += f"\nexport class {title} {{\n"
-        text += "".join(f"  {f} = {_initial(place)};\n" for f, place in places.items())
+        text += "".join(f"  {f} = " + (f"new Float64Array({place['length']})" if "length" in place else "0") + ";\n"
+                        for f, place in places.items())
         text += "  constructor() { Object.preventExtensions(this); }\n"
         if arrays:
             parts = ", ".join(f"{f}: [...this.{f}]" for f in arrays)
@@ -60,20 +64,6 @@ def _defaults(abi: Abi, struct: Struct) -> str:
 
 def _parameters(abi: Abi, function: Function) -> str:
     return "".join(f"{', ' if i else '  // '}{p.name}: {_element(abi, p.type)}" for i, p in enumerate(function.parameters))
-
-
-def _initial(place: dict[str, object]) -> str:
-    return f"new Float64Array({place['length']})" if "length" in place else "0"
-
-
-# What numbers.mjs writes and reads without making objects.
-_IN_FRAMES = ("f64", "u32", "i64")
-
-
-def _check_frames(name: str, places: dict[str, dict[str, object]]) -> None:
-    for field, place in places.items():
-        if place["type"] not in _IN_FRAMES:
-            raise HeaderError(f"{name}::{field}: the web's frames have {', '.join(_IN_FRAMES)}, not {place['type']}")
 
 
 def _write(field: str, place: dict[str, object]) -> str:

@@ -111,16 +111,13 @@ def test_samples_are_made_of_columns() -> None:
 
 
 def test_wrong_columns_are_refused() -> None:
-    with pytest.raises(ValueError, match="whole numbers"):
-        hrt.samples([0.5, 1.0])
-    with pytest.raises(ValueError, match=r"finger_position_m must have the shape \(2, 3\)"):
-        hrt.samples([0, 1], position_m=[[0, 0, 0]])
-    with pytest.raises(ValueError, match="finger_direction_deg"):
-        hrt.samples([0, 1], direction_deg=[1, 2, 3])
-    with pytest.raises(ValueError, match=r"lifted must have the shape \(2,\)"):
-        hrt.samples([0, 1], lifted=[True])
-    with pytest.raises(TypeError, match="finger_position_m must be numbers"):
-        hrt.samples([0, 1], position_m="here")
+    for error, text, columns in ((ValueError, "whole numbers", {"time_ns": [0.5, 1.0]}),
+                                 (ValueError, r"finger_position_m must have the shape \(2, 3\)", {"position_m": [[0, 0, 0]]}),
+                                 (ValueError, "finger_direction_deg", {"direction_deg": [1, 2, 3]}),
+                                 (ValueError, r"lifted must have the shape \(2,\)", {"lifted": [True]}),
+                                 (TypeError, "finger_position_m must be numbers", {"position_m": "here"})):
+        with pytest.raises(error, match=text):
+            hrt.samples(**{"time_ns": [0, 1], **columns})
 
 
 def test_what_is_no_array_is_refused(session: hrt.Session) -> None:
@@ -147,7 +144,7 @@ def test_a_reach_is_retargeted_and_cancelled(session: hrt.Session, straight: np.
     assert session.state == hrt.StateFlag.READY
 
 
-def test_a_simulated_person_is_led(straight: np.ndarray) -> None:
+def test_a_simulated_person_is_led() -> None:
     with hrt.Session() as session, hrt.Person(7, tactile_weight=0.2) as person:
         real, virtual = session.add_real(direction_deg=-5), session.add_virtual(direction_deg=5)
         with pytest.raises(hrt.Error, match="hrt_person_begin"):

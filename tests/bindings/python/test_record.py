@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import BINDINGS, ROOT
+from conftest import BINDINGS
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import haptic_retargeting as hrt

@@ -1,6 +1,7 @@
 """The scenario of all hosts (../scenario.txt), through Session and the functions beside it."""
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,56 +13,34 @@ import haptic_retargeting as hrt
 SCENARIO = Path(os.environ["HRT_SCENARIO"])
 
 
-class Player:
-    def __init__(self) -> None:
-        self.session = hrt.Session()
-        self.targets: dict[str, hrt.Target] = {}
-        self.reach: Any = None
+def calls_of(session: hrt.Session) -> dict[str, Callable[..., Any]]:
+    """The calls of the scenario, by name, whose arguments are its words."""
+    targets: dict[str, hrt.Target] = {}
+    kept: dict[str, Any] = {}  # the reach under way, and the profile that was saved
 
-    def configure(self, tactile_weight: str) -> None:
-        self.session.configure(tactile_weight=float(tactile_weight))
+    def target(role: str, name: str, direction_deg: str, distance_m: str) -> None:
+        add = session.add_real if role == "real" else session.add_virtual
+        targets[name] = add(name, direction_deg=float(direction_deg), distance_m=float(distance_m))
 
-    def target(self, role: str, name: str, direction_deg: str, distance_m: str) -> None:
-        add = self.session.add_real if role == "real" else self.session.add_virtual
-        self.targets[name] = add(name, direction_deg=float(direction_deg), distance_m=float(distance_m))
-
-    def remove(self, name: str) -> None:
-        self.targets[name].remove()
-
-    def gap(self, real: str, virtual: str) -> hrt.Gap:
-        return self.session.gap(self.targets[real], self.targets[virtual])
-
-    def begin(self, real: str, virtual: str) -> None:
-        self.reach = self.session.reach(self.targets[real], self.targets[virtual])
-        self.reach.__enter__()
-
-    def retarget(self, real: str, virtual: str) -> None:
-        self.reach.retarget(self.targets[real], self.targets[virtual])
-
-    def touched(self, at: str, sd_m: str) -> None:
-        self.reach.touched(numbers(at), float(sd_m))
-
-    def update(self, time_ns: str, at: str) -> hrt.Command:
-        return self.reach.update(int(time_ns), position_m=numbers(at))
-
-    def lost(self, time_ns: str) -> hrt.Command:
-        return self.reach.update(int(time_ns))
-
-    def slide(self, to: str, frames: str) -> None:
+    def slide(to: str, frames: str) -> None:
         places = np.linspace([0, 0, 0.05], numbers(to), int(frames))
-        self.reach.run(hrt.samples(np.arange(int(frames)) * 11_111_111, position_m=places))
+        kept["reach"].run(hrt.samples(np.arange(int(frames)) * 11_111_111, position_m=places))
 
-    def cancel(self) -> None:
-        self.reach.cancel()
-
-    def end(self) -> hrt.ReachSummary:
-        return self.reach.end()
-
-    def save_profile(self) -> None:
-        self.saved = self.session.profile
-
-    def load_profile(self, text: str | None = None) -> None:
-        self.session.load_profile(self.saved if text is None else text)
+    return {
+        "target": target, "slide": slide,
+        "configure": lambda tactile_weight: session.configure(tactile_weight=float(tactile_weight)),
+        "remove": lambda name: targets[name].remove(),
+        "gap": lambda real, virtual: session.gap(targets[real], targets[virtual]),
+        "begin": lambda real, virtual: kept.update(reach=session.reach(targets[real], targets[virtual])),
+        "retarget": lambda real, virtual: kept["reach"].retarget(targets[real], targets[virtual]),
+        "touched": lambda at, sd_m: kept["reach"].touched(numbers(at), float(sd_m)),
+        "update": lambda time_ns, at: kept["reach"].update(int(time_ns), position_m=numbers(at)),
+        "lost": lambda time_ns: kept["reach"].update(int(time_ns)),
+        "cancel": lambda: kept["reach"].cancel(),
+        "end": lambda: kept["reach"].end(),
+        "save_profile": lambda: kept.update(profile=session.profile),
+        "load_profile": lambda text=None: session.load_profile(kept["profile"] if text is None else text),
+    }
 
 
 def numbers(text: str) -> list[float]:
@@ -77,7 +56,7 @@ def lines() -> list[str]:
 
 
 def test_scenario_of_all_hosts() -> None:
-    player = Player()
+    calls = calls_of(hrt.Session())
     for line in lines():
         call, _, refused = line.partition(" ! ")
         call, _, gives = call.partition(" -> ")
@@ -85,10 +64,10 @@ def test_scenario_of_all_hosts() -> None:
         if refused:
             code, text = refused.split(" ", 1)
             with pytest.raises(hrt.Error, match=text) as caught:
-                getattr(player, name)(**words(arguments))
+                calls[name](**words(arguments))
             assert caught.value.code.name == code, line
             continue
-        answer = getattr(player, name)(**words(arguments))
+        answer = calls[name](**words(arguments))
         for field, wanted in words(gives).items():
             value = answer[field] if isinstance(answer, dict) else getattr(answer, field)
             assert value & int(wanted) if field == "flags" else value == pytest.approx(float(wanted), abs=1e-4), line

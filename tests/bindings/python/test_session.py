@@ -85,14 +85,11 @@ def test_targets_are_found_listed_changed_and_removed(session: hrt.Session) -> N
 
 
 def test_targets_are_placed_in_one_way(session: hrt.Session) -> None:
-    with pytest.raises(TypeError, match="placed by"):
-        session.add_real("nowhere")
-    with pytest.raises(TypeError, match="placed by"):
-        session.add_real("twice", direction_deg=1, position_m=(0, 0, 0))
-    with pytest.raises(ValueError, match="64 are allowed"):
-        session.add_real("x" * 64, direction_deg=0)
-    with pytest.raises(ValueError, match="zero"):
-        session.add_real("a\0b", direction_deg=0)
+    for error, text, name, place in ((TypeError, "placed by", "nowhere", {}), (ValueError, "64 are allowed", "x" * 64, {"direction_deg": 0}),
+                                     (TypeError, "placed by", "twice", {"direction_deg": 1, "position_m": (0, 0, 0)}),
+                                     (ValueError, "zero", "a\0b", {"direction_deg": 0})):
+        with pytest.raises(error, match=text):
+            session.add_real(name, **place)
     with pytest.raises(TypeError, match="TargetConfig.name is 5: a text"):
         session.target("cup").configure(name=5)
 
@@ -135,18 +132,14 @@ def test_scene_is_registered() -> None:
 
 def test_what_is_no_target_or_text_is_named(session: hrt.Session) -> None:
     cup = session.target("cup")
-    with pytest.raises(TypeError, match="real is 'cylinder': a Target is needed"):
-        session.reach("cylinder", cup)
-    with pytest.raises(TypeError, match="virtual is None: a Target"):
-        session.gap(cup, None)
-    with pytest.raises(TypeError, match=r"reals\[1\] is 5: a Target"):
-        session.assign([cup], [cup, 5])
-    with pytest.raises(TypeError, match="name is 5: a text"):
-        session.target(5)
-    with pytest.raises(TypeError, match="profile is a int"):
-        session.load_profile(5)
-    with pytest.raises(TypeError, match="ReachConfig.real_target is 7: a TargetHandle"):
-        hrt._abi.ReachConfig(real_target=7)
+    for text, call in (("real is 'cylinder': a Target is needed", lambda: session.reach("cylinder", cup)),
+                       ("virtual is None: a Target", lambda: session.gap(cup, None)),
+                       (r"reals\[1\] is 5: a Target", lambda: session.assign([cup], [cup, 5])),
+                       ("name is 5: a text", lambda: session.target(5)),
+                       ("profile is a int", lambda: session.load_profile(5)),
+                       ("ReachConfig.real_target is 7: a TargetHandle", lambda: hrt._abi.ReachConfig(real_target=7))):
+        with pytest.raises(TypeError, match=text):
+            call()
     assert session.state == hrt.StateFlag.READY
 
 

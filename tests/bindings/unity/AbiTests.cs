@@ -16,10 +16,7 @@ namespace Hrt.HostTests
         string[] lines;
 
         [SetUp]
-        public void SetUp()
-        {
-            lines = File.ReadAllLines(Environment.GetEnvironmentVariable("HRT_ABI_TXT"));
-        }
+        public void SetUp() => lines = File.ReadAllLines(Environment.GetEnvironmentVariable("HRT_ABI_TXT"));
 
         [Test]
         public void StructsHaveTheCompilersSizesAndOffsets()

@@ -55,22 +55,15 @@ namespace Hrt.HostTests
         [Test]
         public void FramesMakeNoGarbage()
         {
-            var component = new GameObject("retargeting").AddComponent<HapticRetargeting>();
-            component.plate = new GameObject("plate").transform;
-            component.finger = new GameObject("finger").transform;
+            HapticRetargeting component = UnityTests.Component();
             component.ridges = new GameObject("ridges").transform;
-            Transform real = new GameObject("cylinder").transform, bottle = new GameObject("bottle").transform;
-            real.position = new Vector3(0.01f, 0, 0.05f);
-            bottle.position = new Vector3(-0.01f, 0, 0.05f);
-            component.realTargets.Add(real);
-            component.virtualTargets.Add(bottle);
             int commands = 0, orientations = 0, flags = 0;
             component.Commanded += command => ++commands;
             component.onPlateOrientation.AddListener(orientation => ++orientations);
             component.FlagsChanged += changed => ++flags;
             component.MeasuredPlateOrientationDeg = 0;
             Time.unscaledTimeAsDouble = 0;
-            component.BeginReach(bottle);
+            component.BeginReach(component.virtualTargets[0]);
             Action lateUpdate = component.Message("LateUpdate");
             AssertNoGarbage(i =>
             {
@@ -109,10 +102,7 @@ namespace Hrt.HostTests
             GC.WaitForPendingFinalizers();
         }
 
-        static void Forget()
-        {
-            new HapticRetargetingSession().AddTarget(TargetRole.Real, 0);
-        }
+        static void Forget() => new HapticRetargetingSession().AddTarget(TargetRole.Real, 0);
 
         static void AssertNoGarbage(Action<int> step)
         {
@@ -124,14 +114,11 @@ namespace Hrt.HostTests
             Assert.Greater(GC.GetAllocatedBytesForCurrentThread() - before, garbage.Length);
         }
 
-        static Sample StraightAhead(int frame)
+        static Sample StraightAhead(int frame) => new Sample
         {
-            return new Sample
-            {
-                flags = SampleFlags.PlatePosition,
-                timeNs = frame * 11111111L,
-                fingerPositionM = new Double3(0, 0, 0.05 - frame % 300 * 0.1 / 300)
-            };
-        }
+            flags = SampleFlags.PlatePosition,
+            timeNs = frame * 11111111L,
+            fingerPositionM = new Double3(0, 0, 0.05 - frame % 300 * 0.1 / 300)
+        };
     }
 }

@@ -20,10 +20,7 @@ namespace Hrt.HostTests
         }
 
         [TearDown]
-        public void TearDown()
-        {
-            Debug.Logged -= Log;
-        }
+        public void TearDown() => Debug.Logged -= Log;
 
         [Test]
         public void TheScriptedReachSaysWhetherTheHashIsThatOfAllHosts()

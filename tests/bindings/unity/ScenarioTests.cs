@@ -13,6 +13,7 @@ namespace Hrt.HostTests
         readonly Dictionary<string, TargetId> targets = new Dictionary<string, TargetId>();
         HapticRetargetingSession session;
         Dictionary<string, string> arguments;
+        readonly Dictionary<string, double> values = new Dictionary<string, double>();
         string saved;
 
         [Test]
@@ -21,23 +22,25 @@ namespace Hrt.HostTests
             string[] lines = File.ReadAllLines(Environment.GetEnvironmentVariable("HRT_SCENARIO"))
                 .Where(line => line != "" && line[0] != '#').ToArray();
             Assert.Greater(lines.Length, 30);
+            Dictionary<string, Action> calls = Calls();
             using (session = new HapticRetargetingSession())
-                foreach (string line in lines) Play(line);
+                foreach (string line in lines) Play(line, calls);
         }
 
-        void Play(string line)
+        void Play(string line, Dictionary<string, Action> calls)
         {
             string[] refused = Split(line, " ! "), gives = Split(refused[0], " -> "), call = Split(gives[0], " ");
             arguments = Pairs(call[1]);
-            Dictionary<string, double> values = null;
+            values.Clear();
+            Assert.IsTrue(calls.TryGetValue(call[0], out Action make), line);
             if (refused[1] == "")
             {
-                values = Made(call[0]);
+                make();
             }
             else
             {
                 string[] wanted = Split(refused[1], " ");
-                var refusal = Assert.Throws<HapticRetargetingException>(() => Made(call[0]));
+                var refusal = Assert.Throws<HapticRetargetingException>(() => make());
                 Assert.AreEqual(wanted[0].Replace("_", ""), refusal.Result.ToString().ToUpperInvariant());
                 StringAssert.Contains(wanted[1], refusal.Message);
             }
@@ -46,72 +49,47 @@ namespace Hrt.HostTests
                 else Assert.AreEqual(Parse(pair.Value), values[pair.Key], 1e-4);
         }
 
-        Dictionary<string, double> Made(string call)
+        // A call of the scenario, by its words in `arguments`; what it gives goes to `values`.
+        Dictionary<string, Action> Calls() => new Dictionary<string, Action>
         {
-            switch (call)
+            { "configure", () => session.Config = With(session.Config, Number("tactile_weight")) },
             {
-                case "configure":
-                    SessionConfig config = session.Config;
-                    config.tactileWeight = Number("tactile_weight");
-                    session.Config = config;
-                    return null;
-                case "target":
-                    TargetRole role = arguments["role"] == "real" ? TargetRole.Real : TargetRole.Virtual;
-                    targets[arguments["name"]] =
-                        session.AddTarget(role, Number("direction_deg"), Number("distance_m"), arguments["name"]);
-                    return null;
-                case "remove":
-                    session.RemoveTarget(Target("name"));
-                    return null;
-                case "gap":
-                    return Values(session.QueryGap(Target("real"), Target("virtual")));
-                case "begin":
-                    session.BeginReach(Target("real"), Target("virtual"));
-                    return null;
-                case "retarget":
-                    session.RetargetReach(Target("real"), Target("virtual"));
-                    return null;
-                case "touched":
-                    session.ReachTouched(new Contact { flags = ContactFlags.PlatePosition, positionM = Place("at"), sdM = Number("sd_m") });
-                    return null;
-                case "cancel":
-                    session.CancelReach();
-                    return null;
-                case "end":
-                    return new Dictionary<string, double> { { "samples", session.EndReach().samples } };
-                case "update":
-                    return Update(SampleFlags.PlatePosition, (long)Number("time_ns"), Place("at"));
-                case "lost":
-                    return Update(SampleFlags.None, (long)Number("time_ns"), new Double3());
-                case "slide":
-                    return Slide(Place("to"), (int)Number("frames"));
-                case "save_profile":
-                    saved = session.SaveProfile();
-                    return null;
-                case "load_profile":
-                    session.LoadProfile(arguments.ContainsKey("text") ? arguments["text"] : saved);
-                    return null;
-                default:
-                    throw new NotSupportedException(call);
-            }
-        }
+                "target", () => targets[arguments["name"]] =
+                    session.AddTarget(arguments["role"] == "real" ? TargetRole.Real : TargetRole.Virtual,
+                                      Number("direction_deg"), Number("distance_m"), arguments["name"])
+            },
+            { "remove", () => session.RemoveTarget(Target("name")) },
+            { "gap", () => Give(session.QueryGap(Target("real"), Target("virtual"))) },
+            { "begin", () => session.BeginReach(Target("real"), Target("virtual")) },
+            { "retarget", () => session.RetargetReach(Target("real"), Target("virtual")) },
+            { "touched", () => session.ReachTouched(new Contact { flags = ContactFlags.PlatePosition, positionM = Place("at"), sdM = Number("sd_m") }) },
+            { "cancel", () => session.CancelReach() },
+            { "end", () => values["samples"] = session.EndReach().samples },
+            { "update", () => Update(SampleFlags.PlatePosition, (long)Number("time_ns"), Place("at")) },
+            { "lost", () => Update(SampleFlags.None, (long)Number("time_ns"), new Double3()) },
+            { "slide", () => Slide(Place("to"), (int)Number("frames")) },
+            { "save_profile", () => saved = session.SaveProfile() },
+            { "load_profile", () => session.LoadProfile(arguments.ContainsKey("text") ? arguments["text"] : saved) }
+        };
 
-        static Dictionary<string, double> Values(Gap gap)
+        static SessionConfig With(SessionConfig config, double tactileWeight)
         {
-            return new Dictionary<string, double>
-            {
-                { "gap_deg", gap.gapDeg }, { "max_gap_deg", gap.maxGapDeg },
-                { "margin_deg", gap.marginDeg }, { "reachable", gap.IsReachable ? 1 : 0 }
-            };
+            config.tactileWeight = tactileWeight;
+            return config;
         }
 
-        Dictionary<string, double> Update(SampleFlags flags, long timeNs, Double3 fingerM)
+        void Give(Gap gap)
         {
-            Command command = session.Update(new Sample { flags = flags, timeNs = timeNs, fingerPositionM = fingerM });
-            return new Dictionary<string, double> { { "flags", (double)command.flags } };
+            values["gap_deg"] = gap.gapDeg;
+            values["max_gap_deg"] = gap.maxGapDeg;
+            values["margin_deg"] = gap.marginDeg;
+            values["reachable"] = gap.IsReachable ? 1 : 0;
         }
 
-        Dictionary<string, double> Slide(Double3 to, int frames)
+        void Update(SampleFlags flags, long timeNs, Double3 fingerM) => values["flags"] =
+            (double)session.Update(new Sample { flags = flags, timeNs = timeNs, fingerPositionM = fingerM }).flags;
+
+        void Slide(Double3 to, int frames)
         {
             for (int i = 0; i < frames; ++i)
             {
@@ -119,7 +97,6 @@ namespace Hrt.HostTests
                 Update(SampleFlags.PlatePosition, 11111111L * i,
                        new Double3(share * to.x, share * to.y, 0.05 + share * (to.z - 0.05)));
             }
-            return null;
         }
 
         TargetId Target(string key) => targets[arguments[key]];

@@ -11,25 +11,17 @@ namespace Hrt.HostTests
     public sealed class UnityTests
     {
         HapticRetargeting component;
-        Transform real, bottle;
+        Transform bottle;
 
         [SetUp]
         public void SetUp()
         {
-            component = new GameObject("retargeting").AddComponent<HapticRetargeting>();
-            component.plate = new GameObject("plate").transform;
-            component.finger = new GameObject("finger").transform;
-            real = Place("cylinder", -5);
-            bottle = Place("bottle", 5);
-            component.realTargets.Add(real);
-            component.virtualTargets.Add(bottle);
+            component = Component();
+            bottle = component.virtualTargets[0];
         }
 
         [TearDown]
-        public void TearDown()
-        {
-            UnityEngine.Object.DestroyImmediate(component.gameObject);
-        }
+        public void TearDown() => UnityEngine.Object.DestroyImmediate(component.gameObject);
 
         [Test]
         public void FramesAreStampedWithUnitysUnscaledTime()
@@ -102,16 +94,21 @@ namespace Hrt.HostTests
             Assert.AreEqual(TargetRole.Virtual, component.Session.GetTarget(found).role);
         }
 
+        internal static HapticRetargeting Component()
+        {
+            var made = new GameObject("retargeting").AddComponent<HapticRetargeting>();
+            made.plate = new GameObject("plate").transform;
+            made.finger = new GameObject("finger").transform;
+            made.realTargets.Add(Place("cylinder", -5));
+            made.virtualTargets.Add(Place("bottle", 5));
+            return made;
+        }
+
         static Transform Place(string name, double directionDeg)
         {
             Transform target = new GameObject(name).transform;
-            Put(target, directionDeg);
-            return target;
-        }
-
-        static void Put(Transform target, double directionDeg)
-        {
             target.position = new Vector3(0, 0, -0.05f) + Axes.Direction(directionDeg) * 0.1f;
+            return target;
         }
     }
 }

@@ -110,19 +110,12 @@ def test_whole_studies():
              "conditions": [{"name": name, "controller": name} for name in ("people", "none")]}
     for kind in ("uniform", "normal", "skewed"):
         effects, found = [], []
-        with tempfile.TemporaryDirectory() as folder:
-            design = pathlib.Path(folder, "study.json")
-            design.write_text(json.dumps({**study, "simulated": {"weights": kind}}))
-            for seed in range(1, studies + 1):
-                data = pathlib.Path(folder, "data")
-                for words in (["simulate", design, "--seed", str(seed)], ["export", "--unblind"]):
-                    subprocess.run([sys.argv[2], *words, "--data", data], check=True, capture_output=True)
-                means = analysis.means_of(analysis.counted(pandas.read_csv(data / "export/trials.csv")), "abs_miss_deg")
-                effects.append(means.people - means.none)
-                people = pandas.read_csv(data / "export/people.csv")
-                errors = (people.tactile_weight_high - people.tactile_weight_low) / (2 * 1.96)
-                found.append((analysis.interval(effects[-1]), *analysis.population(people.tactile_weight, errors)))
-                shutil.rmtree(data)
+        for seed in range(1, studies + 1):
+            trials, people = power.simulated(sys.argv[2], {**study, "simulated": {"weights": kind}}, 12, seed)
+            means = analysis.means_of(trials, "abs_miss_deg")
+            effects.append(means.people - means.none)
+            errors = (people.tactile_weight_high - people.tactile_weight_low) / (2 * 1.96)
+            found.append((analysis.interval(effects[-1]), *analysis.population(people.tactile_weight, errors)))
         true = (numpy.mean(numpy.concatenate(effects)), 0.21, 0.0519615)
         hits = [sum(low <= value <= high for (_, low, high) in each) for value, each in zip(true, zip(*found))]
         print(f"{studies} simulated studies of 12 {kind} people: intervals have the effect, {true[0]:.2f}°, in {100 * hits[0] / studies:.1f} %, "

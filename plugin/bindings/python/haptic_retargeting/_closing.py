@@ -19,10 +19,12 @@ class Closing:
         """`destroy` gets the handle when this is closed, leaves its context, or is collected."""
         self._destroy = weakref.finalize(self, destroy, handle)
 
+    _check = staticmethod(check)  # of the library that the object is of
+
     def close(self) -> None:
         """Destroys it. A second call does nothing."""
         if self._destroy.alive:
-            check(self._destroy() or _abi.OK)
+            self._check(self._destroy() or _abi.OK)
 
     def __enter__(self: _T) -> _T:
         return self

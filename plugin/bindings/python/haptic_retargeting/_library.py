@@ -26,11 +26,8 @@ class Error(RuntimeError):
 
 def _default_name() -> str:
     major = _abi.VERSION[0]
-    if sys.platform == "win32":
-        return "haptic_retargeting.dll"
-    if sys.platform == "darwin":
-        return f"libhaptic_retargeting.{major}.dylib"
-    return f"libhaptic_retargeting.so.{major}"
+    names = {"win32": "haptic_retargeting.dll", "darwin": f"libhaptic_retargeting.{major}.dylib"}
+    return names.get(sys.platform, f"libhaptic_retargeting.so.{major}")
 
 
 @functools.cache

@@ -70,15 +70,12 @@ class Struct(_Base):
             setattr(self, name, value)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        super().__setattr__(name, self._checked(name, value))
-
-    def _checked(self, name: str, value: Any) -> Any:
-        """`value` as ctypes takes it; ctypes itself would cut off what doesn't fit."""
+        """With `value` as ctypes takes it; ctypes itself would cut off what doesn't fit."""
         kind = _kinds(type(self)).get(name)
         if kind is None:
             raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(self.names())}")
         try:
-            return _converted(kind, value)
+            super().__setattr__(name, _converted(kind, value))
         except (TypeError, ValueError) as error:
             raise type(error)(f"{type(self).__name__}.{name} is {value!r}: {error}") from None
 

@@ -85,10 +85,3 @@ def expect_rows(array: Array, name: str, dtype: np.dtype[Any]) -> None:
         raise TypeError(f"{name} must be one contiguous row of haptic_retargeting.{kind}, as {kind.lower()}s() makes")
     if (array["struct_size"] != dtype.itemsize).any():
         raise ValueError(f"{name} must have struct_size {dtype.itemsize} in each row")
-
-
-def expect_samples(samples: Array) -> None:
-    """Raises unless this is a whole slide or reach."""
-    expect_rows(samples, "samples", SAMPLE)
-    if len(samples) == 0:
-        raise ValueError("samples is empty; at least one is needed")

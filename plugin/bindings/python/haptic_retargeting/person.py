@@ -27,8 +27,7 @@ class Person(PersonKeywords, Closing):
 
     def _create(self, seed: int, fields: dict[str, Any]) -> None:
         self.handle = _abi.PersonHandle()
-        config = PersonConfig(**fields)
-        check(library().hrt_person_create(byref(config), seed, byref(self.handle)))
+        check(library().hrt_person_create(byref(PersonConfig(**fields)), seed, byref(self.handle)))
         self._own(self.handle, library().hrt_person_destroy)
 
     def begin(self, session: Session, virtual: HasHandle) -> None:

@@ -14,10 +14,10 @@ import os
 import sys
 import time
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 from . import _abi, _plate_abi
+from ._closing import Closing
 from ._library import Error, declare
 from ._plate_abi import *
 
@@ -45,8 +45,11 @@ def _check(result: int) -> None:
         raise Error(result, _library().hrt_plate_last_error().decode(errors="replace"))
 
 
-class Plate:
-    """A plate, which a thread of the library talks to: no call waits for it, except wait_until_ready() and close()."""
+class Plate(Closing):
+    """A plate, which a thread of the library talks to: no call waits for it, except wait_until_ready() and close(), which
+    stops it and restores its line within 0.5 s."""
+
+    _check = staticmethod(_check)
 
     def __init__(self, device: str, host_timeout_s: float = 0.3, homing: PlateHoming = PlateHoming.REFUSED) -> None:
         """Starts to open it: "serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0?id=1", or the file of `hrt-plate
@@ -54,6 +57,7 @@ class Plate:
         self._handle = _plate_abi.PlateHandle()
         options = _plate_abi.PlateOptions(homing=homing, host_timeout_ns=round(host_timeout_s * 1e9))
         _check(_library().hrt_plate_open(device.encode(), ctypes.byref(options), ctypes.byref(self._handle)))
+        self._own(self._handle, _library().hrt_plate_close)
 
     def set(self, orientation_deg: float) -> None:
         """Turns the plate there, or to an orientation that feels the same."""
@@ -86,19 +90,3 @@ class Plate:
         if report.state == PlateState.FAILED:
             raise RuntimeError(report.message.decode(errors="replace"))
         return report
-
-    def close(self) -> None:
-        """Stops it, and restores its line: within 0.5 s."""
-        handle, self._handle = self._handle, _plate_abi.PlateHandle()
-        _check(_library().hrt_plate_close(handle))
-
-    def __enter__(self) -> Plate:
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
-                 trace: TracebackType | None) -> None:
-        self.close()
-
-    def __del__(self) -> None:
-        if getattr(self, "_handle", None) is not None and self._handle.value:
-            self.close()

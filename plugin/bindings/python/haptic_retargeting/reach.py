@@ -51,6 +51,14 @@ def handle_of(target: HasHandle, name: str) -> _abi.TargetHandle:
     return handle
 
 
+def _given(struct: Sample | Contact, field: str, value: object, flag: int) -> int:
+    """Sets a field that is given, and returns the flag that says so, or 0."""
+    if value is None:
+        return 0
+    setattr(struct, field, value)
+    return int(flag)
+
+
 class Reach:
     """A running reach, made by Session.reach(). Leaving its context ends it and fills in `summary`."""
 
@@ -82,20 +90,11 @@ class Reach:
         """Processes one sample and returns the command for the plate. The arguments are those of samples(); without
         a direction or position the finger is not seen."""
         sample = Sample(time_ns=time_ns)
-        flags = SampleFlag.LIFTED if lifted else SampleFlag(0)
-        if direction_deg is not None:
-            flags |= SampleFlag.DIRECTION
-            sample.finger_direction_deg = direction_deg
-        if position_m is not None:
-            flags |= SampleFlag.PLATE_POSITION
-            setattr(sample, "finger_position_m", position_m)
-        if world_position_m is not None:
-            flags |= SampleFlag.WORLD_POSITION
-            setattr(sample, "finger_position_m", world_position_m)
-        if plate_orientation_deg is not None:
-            flags |= SampleFlag.PLATE_ORIENTATION
-            sample.plate_orientation_deg = plate_orientation_deg
-        sample.flags = flags
+        sample.flags = SampleFlag((SampleFlag.LIFTED if lifted else 0)
+                                  | _given(sample, "finger_direction_deg", direction_deg, SampleFlag.DIRECTION)
+                                  | _given(sample, "finger_position_m", position_m, SampleFlag.PLATE_POSITION)
+                                  | _given(sample, "finger_position_m", world_position_m, SampleFlag.WORLD_POSITION)
+                                  | _given(sample, "plate_orientation_deg", plate_orientation_deg, SampleFlag.PLATE_ORIENTATION))
         return self.update_sample(sample)
 
     def update_sample(self, sample: Sample) -> Command:
@@ -144,14 +143,8 @@ class Reach:
         that is known to `sd_m`, by default to the real target's radius. Later reaches correct the tracker's frame, about
         a registration. Once a reach, before its end or after it."""
         contact = Contact(sd_m=sd_m)
-        flags = ContactFlag(0)
-        if position_m is not None:
-            flags |= ContactFlag.PLATE_POSITION
-            setattr(contact, "position_m", position_m)
-        if world_position_m is not None:
-            flags |= ContactFlag.WORLD_POSITION
-            setattr(contact, "position_m", world_position_m)
-        contact.flags = flags
+        contact.flags = ContactFlag(_given(contact, "position_m", position_m, ContactFlag.PLATE_POSITION)
+                                    | _given(contact, "position_m", world_position_m, ContactFlag.WORLD_POSITION))
         check(library().hrt_reach_touched(self._session, byref(contact)))
 
     def cancel(self) -> None:

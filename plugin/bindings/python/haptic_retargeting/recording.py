@@ -6,13 +6,14 @@ import json
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from . import _abi
 from ._abi import ReplayReport, SessionConfig, TargetConfig
 from ._library import library, output
+from ._struct import Struct
 from .arrays import COMMAND, SAMPLE
 from .record import ReachRecord
 
@@ -53,6 +54,7 @@ _CALLS = ("begin", "update", "retarget", "touched", "cancel", "end")
 _NEEDED_COLUMNS = (*_TEXTS, *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
 
 _Row = dict[str, Any]
+_S = TypeVar("_S", bound=Struct)
 
 
 @dataclass
@@ -126,9 +128,9 @@ def _read(lines: Iterable[str]) -> Recording:
             if line.startswith("# end "):
                 complete = True
             elif line.startswith("# config "):
-                config = _from_json(SessionConfig(), line.removeprefix("# config "))
+                config = _from_json(SessionConfig, line.removeprefix("# config "))
             elif line.startswith(("# target added ", "# target set ")):
-                targets.append(_from_json(TargetConfig(), line.split(" ", 4)[4]))
+                targets.append(_from_json(TargetConfig, line.split(" ", 4)[4]))
             elif line.startswith("#"):
                 continue
             elif header is None:
@@ -142,13 +144,10 @@ def _read(lines: Iterable[str]) -> Recording:
     return Recording([rows.record() for rows in reaches], complete, targets)
 
 
-def _from_json(struct: Any, text: str) -> Any:
-    """`struct` with the values of the text; what only newer structs have is left out."""
+def _from_json(kind: type[_S], text: str) -> _S:
+    """A struct with the values of the text; what only newer structs have is left out."""
     values = json.loads(text)
-    for name in struct.names():
-        if name in values:
-            setattr(struct, name, values[name])
-    return struct
+    return kind(**{name: values[name] for name in kind.names() if name in values})
 
 
 def _header(line: str) -> list[str]:

@@ -32,10 +32,7 @@ class Scene(Closing):
     @property
     def targets(self) -> list[SceneTarget]:
         """All targets, real and virtual."""
-        targets = [SceneTarget() for _ in range(self.info.target_count)]
-        for index, target in enumerate(targets):
-            check(library().hrt_scene_get_target(self.handle, index, byref(target)))
-        return targets
+        return [output(SceneTarget, library().hrt_scene_get_target, self.handle, i) for i in range(self.info.target_count)]
 
     def register(self, session: Session) -> list[Target]:
         """Sets the session's plate and start, and adds all targets, in the order of `targets`."""

@@ -21,7 +21,7 @@ from ._closing import Closing
 from ._keywords import SessionKeywords, TargetKeywords
 from ._library import Error, check, library, output
 from ._struct import short
-from .arrays import Array, expect_samples
+from .arrays import SAMPLE, Array, expect_rows
 from .reach import Pace, Reach, handle_of
 from .record import RunRecord, target_place
 from .setup import SetUp
@@ -101,9 +101,8 @@ class Session(SessionKeywords, Closing):
     """
 
     def _create(self, fields: dict[str, Any]) -> None:
-        config = SessionConfig(**fields)
         self.handle = _abi.SessionHandle()
-        check(library().hrt_session_create(_abi.VERSION_NUMBER, byref(config), byref(self.handle)))
+        check(library().hrt_session_create(_abi.VERSION_NUMBER, byref(SessionConfig(**fields)), byref(self.handle)))
         self._own(self.handle, library().hrt_session_destroy)
         self._pace: Pace | None = None
 
@@ -217,7 +216,9 @@ class Session(SessionKeywords, Closing):
     def run_reach(self, real: Target, virtual: Target, samples: Array, *,
                   plate_orientation_deg: float | None = None) -> RunRecord:
         """Runs a whole reach over an array of SAMPLE, without copying it."""
-        expect_samples(samples)
+        expect_rows(samples, "samples", SAMPLE)
+        if len(samples) == 0:
+            raise ValueError("samples is empty; at least one is needed")
         handle_of(real, "real"), handle_of(virtual, "virtual")
         config = self.config
         real_deg, real_distance_m = target_place(real.config, config)
@@ -264,14 +265,12 @@ class Session(SessionKeywords, Closing):
         check(library().hrt_profile_save(self.handle, 0, None, byref(length)))
         text = ctypes.create_string_buffer(length.value + 1)
         check(library().hrt_profile_save(self.handle, len(text), text, byref(length)))
-        profile: dict[str, Any] = json.loads(text.value)
-        return profile
+        return dict(json.loads(text.value))
 
     def set_conditions(self, *, plate: str = "", tracker: str = "", time_s: int = 0) -> None:
         """Names the plate, the tracker and the time (seconds since 1970) of now: a calibration is measured under them,
         and a profile compared with them. Empty and 0: unknown."""
-        conditions = Conditions(plate=plate, tracker=tracker, time_s=time_s)
-        check(library().hrt_profile_set_conditions(self.handle, byref(conditions)))
+        check(library().hrt_profile_set_conditions(self.handle, byref(Conditions(plate=plate, tracker=tracker, time_s=time_s))))
 
     @property
     def conditions(self) -> Conditions:

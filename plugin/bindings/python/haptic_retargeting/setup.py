@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from ctypes import byref
-from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from ._abi import Sample, SetupConfig, SetupFlag, SetupResidual, SetupResult, SetupStep, Step
@@ -53,6 +52,6 @@ class SetUp:
     def __enter__(self) -> SetUp:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(self, *_: object) -> None:
         if not self.over:
             self.cancel()

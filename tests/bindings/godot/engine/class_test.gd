@@ -132,10 +132,9 @@ func test_refusals() -> void:
 	check_equal(plate.end(), OK, "end")
 
 func test_retarget() -> void:
-	var plate := new_plate()
-	var real := plate.add_real_target("real", -5.0, 0.1)
-	var felt := plate.add_virtual_target("felt", 5.0, 0.1)
-	check_equal(plate.begin(real, felt), OK, "begin")
+	var plate := reaching_plate()
+	var real := plate.find_target("real")
+	var felt := plate.find_target("felt")
 	check_equal(plate.move_target_to(felt, Vector3(-0.02, 0, -0.05)), OK, "a target that moves")
 	check_equal(plate.retarget(real, felt), OK, "retarget")
 	check_equal(plate.cancel(), OK, "cancel")

@@ -17,7 +17,7 @@ func _process(_delta: float) -> void:
 	if not step:
 		return
 	var is_lifted := Time.get_ticks_msec() - since_ms < 150
-	rotation = preload("res://tests/setup_test.gd").TURNS[step.number % 6 if step.part == HapticRetargeting.SETUP_FINGERTIP else 0]
+	rotation = SimulatedFinger.TURNS[step.number % 6 if step.part == HapticRetargeting.SETUP_FINGERTIP else 0]
 	position = PLATE + step.place_m + (Vector3(0, 0.05, 0) if is_lifted else Vector3())
 	if plate.position.distance_to(PLATE) < 0.002 and step.instruction != HapticRetargeting.STEP_FINISH:
 		print("the plate is found; next: ", $"../Label".text)

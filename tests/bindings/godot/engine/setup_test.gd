@@ -2,10 +2,6 @@
 extends "res://tests/checks.gd"
 
 const FRAME_NS := 11111111
-const OFFSET := Vector3(0, -0.008, -0.012)  # from the joint to the skin, in its axes
-# How the joint is turned for the six touches that find the skin.
-const TURNS: Array[Vector3] = [Vector3(), Vector3(0.9, 0, 0), Vector3(-0.3, 0, 0.6), Vector3(-0.3, 0, -0.6), Vector3(-0.2, 0.7, 0),
-		Vector3(-0.2, -0.7, 0)]
 
 var steps: Array[Dictionary] = []
 var results: Array[Dictionary] = []
@@ -27,10 +23,10 @@ func touch_marks(plate: HapticRetargeting, pose: Transform3D) -> Dictionary:
 			lifted = 8
 		shown = steps.size()
 		lifted -= 1
-		var turned := Basis.from_euler(TURNS[step.number % 6] if step.part == HapticRetargeting.SETUP_FINGERTIP else Vector3())
+		var turned := Basis.from_euler(SimulatedFinger.TURNS[step.number % 6] if step.part == HapticRetargeting.SETUP_FINGERTIP else Vector3())
 		var skin: Vector3 = pose * step.place_m + (Vector3(0, 0.05, 0) if lifted > 0 else Vector3())
 		time_ns += FRAME_NS
-		check_equal(plate.update_joint(Transform3D(turned, skin - turned * OFFSET), time_ns), OK, "update")
+		check_equal(plate.update_joint(Transform3D(turned, skin - turned * SimulatedFinger.SKIN), time_ns), OK, "update")
 		if steps[-1].instruction != HapticRetargeting.STEP_FINISH:
 			continue
 		var found := plate.finish_setup()

@@ -9,10 +9,7 @@ namespace AOT
     [AttributeUsage(AttributeTargets.Method)]
     public sealed class MonoPInvokeCallbackAttribute : Attribute
     {
-        public MonoPInvokeCallbackAttribute(Type type)
-        {
-            DelegateType = type;
-        }
+        public MonoPInvokeCallbackAttribute(Type type) => DelegateType = type;
 
         public Type DelegateType { get; }
     }
@@ -221,8 +218,6 @@ namespace UnityEngine
                 : Over(Quaternion.Inverse(parent.rotation) * (value - parent.position), parent.localScale);
         }
 
-        public Vector3 up => rotation * Vector3.up;
-
         public Vector3 TransformPoint(Vector3 local) => position + rotation * Scaled(local, localScale);
 
         public Quaternion rotation
@@ -298,7 +293,6 @@ namespace UnityEngine
     {
         public static Camera main { get; } = new GameObject("camera").AddComponent<Camera>();
         public float nearClipPlane { get; set; }
-
     }
 
     public static class Time
@@ -316,7 +310,6 @@ namespace UnityEngine
         public static void LogError(object message) => Logged?.Invoke("error", message.ToString());
         public static void LogError(object message, Object context) => LogError(message);
     }
-
 }
 
 namespace UnityEngine.Events

@@ -199,10 +199,7 @@ namespace Hrt
             return sample;
         }
 
-        void OnEnable()
-        {
-            Session = new HapticRetargetingSession(Configuration());
-        }
+        void OnEnable() => Session = new HapticRetargetingSession(Configuration());
 
         void OnDisable()
         {
@@ -223,14 +220,15 @@ namespace Hrt
         // Makes no garbage: it runs each frame.
         internal void Step(Sample sample)
         {
-            if (!Session.TryUpdate(sample, out Command command))
-            {
-                // The command stays as it was. Said once in a reach, not in each frame.
-                if (!refused) Debug.LogError("Haptic retargeting: " + HapticRetargetingLibrary.LastError, this);
-                refused = true;
-                return;
-            }
-            Apply(command);
+            if (Session.TryUpdate(sample, out Command command)) Apply(command);
+            else Refuse(HapticRetargetingLibrary.LastError);
+        }
+
+        // The command stays as it was. Said once in a reach or set-up, not in each frame.
+        void Refuse(string why)
+        {
+            if (!refused) Debug.LogError("Haptic retargeting: " + why, this);
+            refused = true;
         }
 
         internal void Guide(Sample sample)
@@ -242,8 +240,7 @@ namespace Hrt
             }
             catch (HapticRetargetingException e)
             {
-                if (!refused) Debug.LogError("Haptic retargeting: " + e.Message, this);
-                refused = true;
+                Refuse(e.Message);
                 return;
             }
             bool first = !commanded;

@@ -8,9 +8,6 @@ namespace Hrt
     {
         public Result Result { get; }
 
-        public HapticRetargetingException(Result result, string message) : base(message)
-        {
-            Result = result;
-        }
+        public HapticRetargetingException(Result result, string message) : base(message) => Result = result;
     }
 }

@@ -22,7 +22,7 @@ namespace Hrt
         public HapticRetargetingPlate(string device, PlateOptions options)
             : base(value => PlateNative.hrt_plate_close(new PlateHandle { value = value }))
         {
-            PlateLibrary.Load();
+            Load();
             byte[] name = Utf8.ZeroEnded(device, nameof(device));
             options.structSize = SizeOf<PlateOptions>.Value;
             Check(PlateNative.hrt_plate_open(name, ref options, out PlateHandle handle));
@@ -39,34 +39,13 @@ namespace Hrt
             return report;
         }
 
-        internal override string LastError => PlateLibrary.LastError;
+        internal override string LastError => Utf8.Read(PlateNative.hrt_plate_last_error());
 
         internal PlateHandle Handle => new PlateHandle { value = Value };
-    }
 
-    public partial struct SessionConfig
-    {
-        /// <summary>Takes speed, acceleration, latency and stops of a ready plate; stops that are less than 180 degrees
-        /// apart are left out.</summary>
-        public void TakePlate(PlateReport report)
-        {
-            bool hasStops = report.upperStopDeg - report.lowerStopDeg >= 180;
-            plateMaxSpeedDegS = report.maxSpeedDegS;
-            plateMaxAccelerationDegS2 = report.maxAccelerationDegS2;
-            plateLatencyNs = report.latencyNs;
-            plateLowerStopDeg = hasStops ? report.lowerStopDeg : 0;
-            plateUpperStopDeg = hasStops ? report.upperStopDeg : 0;
-        }
-    }
-
-    /// <summary>The native library of the plate, a second one.</summary>
-    static class PlateLibrary
-    {
-        internal static string LastError => Utf8.Read(PlateNative.hrt_plate_last_error());
-
-        /// <summary>Comes before the first call into the library: refuses a missing one, and has plates closed before
-        /// managed code goes.</summary>
-        internal static void Load()
+        // Comes before the first call into the plate's library, a second one: refuses a missing one, and has plates closed
+        // before managed code goes.
+        static void Load()
         {
             HapticRetargetingLibrary.Load();
             try
@@ -81,10 +60,20 @@ namespace Hrt
                     e);
             }
         }
+    }
 
-        internal static void Check(Result result)
+    public partial struct SessionConfig
+    {
+        /// <summary>Takes speed, acceleration, latency and stops of a ready plate; stops that are less than 180 degrees
+        /// apart are left out.</summary>
+        public void TakePlate(PlateReport report)
         {
-            if (result != Result.Ok) throw new HapticRetargetingException(result, LastError);
+            bool hasStops = report.upperStopDeg - report.lowerStopDeg >= 180;
+            plateMaxSpeedDegS = report.maxSpeedDegS;
+            plateMaxAccelerationDegS2 = report.maxAccelerationDegS2;
+            plateLatencyNs = report.latencyNs;
+            plateLowerStopDeg = hasStops ? report.lowerStopDeg : 0;
+            plateUpperStopDeg = hasStops ? report.upperStopDeg : 0;
         }
     }
 }

@@ -23,8 +23,7 @@ namespace Hrt
         {
             HapticRetargetingLibrary.Load();
             config.structSize = SizeOf<SessionConfig>.Value;
-            HapticRetargetingLibrary.Check(
-                Native.hrt_session_create(Constants.Version, ref config, out SessionHandle handle));
+            Check(Native.hrt_session_create(Constants.Version, ref config, out SessionHandle handle));
             Own(handle.value);
         }
 

@@ -13,15 +13,9 @@ namespace Hrt
         readonly Func<ulong, Result> destroy;
         ulong handle;
 
-        internal NativeObject(Func<ulong, Result> destroy)
-        {
-            this.destroy = destroy;
-        }
+        internal NativeObject(Func<ulong, Result> destroy) => this.destroy = destroy;
 
-        ~NativeObject()
-        {
-            Destroy();
-        }
+        ~NativeObject() => Destroy();
 
         /// <summary>Throws <see cref="Result.Busy"/>, and can be called again, while another thread is in a call
         /// on this.</summary>

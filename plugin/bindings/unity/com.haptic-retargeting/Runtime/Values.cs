@@ -9,9 +9,7 @@ namespace Hrt
     [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct Double3
     {
-        public double x;
-        public double y;
-        public double z;
+        public double x, y, z;
 
         public Double3(double x, double y, double z)
         {
@@ -27,10 +25,7 @@ namespace Hrt
     [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct Double4
     {
-        public double x;
-        public double y;
-        public double z;
-        public double w;
+        public double x, y, z, w;
 
         public Double4(double x, double y, double z, double w)
         {
@@ -48,14 +43,7 @@ namespace Hrt
     [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct Name
     {
-        public ulong word0;
-        public ulong word1;
-        public ulong word2;
-        public ulong word3;
-        public ulong word4;
-        public ulong word5;
-        public ulong word6;
-        public ulong word7;
+        public ulong word0, word1, word2, word3, word4, word5, word6, word7;
 
         public Name(string text)
         {

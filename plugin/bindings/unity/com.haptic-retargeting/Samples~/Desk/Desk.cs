@@ -17,10 +17,7 @@ namespace HrtSamples
         public HapticRetargeting Retargeting { get; private set; }
 
         /// <summary>Called by the editor where the component is added: a table's height, within reach.</summary>
-        void Reset()
-        {
-            transform.position = new Vector3(0, 0.75f, 0.4f);
-        }
+        void Reset() => transform.position = new Vector3(0, 0.75f, 0.4f);
 
         void Awake()
         {
@@ -49,16 +46,11 @@ namespace HrtSamples
         }
 
         // 10 cm from the start.
-        Transform MakeTarget(string targetName, double directionDeg)
-        {
-            return Make(PrimitiveType.Cylinder, targetName, new Vector3(0.015f, 0.02f, 0.015f),
-                        new Vector3(0, 0, -0.05f) + Axes.Direction(directionDeg) * 0.1f);
-        }
+        Transform MakeTarget(string targetName, double directionDeg) =>
+            Make(PrimitiveType.Cylinder, targetName, new Vector3(0.015f, 0.02f, 0.015f),
+                 new Vector3(0, 0, -0.05f) + Axes.Direction(directionDeg) * 0.1f);
 
-        Transform Empty(string objectName, Vector3 place)
-        {
-            return Placed(new GameObject(objectName).transform, place);
-        }
+        Transform Empty(string objectName, Vector3 place) => Placed(new GameObject(objectName).transform, place);
 
         Transform Make(PrimitiveType shape, string objectName, Vector3 size, Vector3 place)
         {

@@ -51,11 +51,9 @@ namespace HrtSamples
             Begin();
         }
 
-        void Report(ReachSummary summary)
-        {
+        void Report(ReachSummary summary) =>
             Debug.Log($"To the {retargeting.virtualTargets[chosen].name}, simulated: the hand ended " +
                       $"{summary.distanceToTargetM * 1000:0} mm from the cylinder; felt, as the model has it, " +
                       $"{summary.perceivedErrorDeg:0.0} degrees beside the virtual one", this);
-        }
     }
 }

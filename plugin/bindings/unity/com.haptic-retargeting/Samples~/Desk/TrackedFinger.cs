@@ -38,11 +38,8 @@ namespace HrtSamples
             retargeting.fingerIsJoint = true;
         }
 #else
-        void Start()
-        {
-            Debug.LogError("Install the package XR Hands (com.unity.xr.hands, 1.1 or later): without it there is no hand",
-                           this);
-        }
+        void Start() =>
+            Debug.LogError("Install the package XR Hands (com.unity.xr.hands, 1.1 or later): without it there is no hand", this);
 #endif
     }
 }

@@ -56,18 +56,14 @@ namespace HrtSamples
             }
         }
 
-        static Sample ReadSample(string[] columns, string[] cells)
+        static Sample ReadSample(string[] columns, string[] cells) => new Sample
         {
-            return new Sample
-            {
-                timeNs = long.Parse(Cell(columns, cells, "time_ns"), CultureInfo.InvariantCulture),
-                flags = (SampleFlags)uint.Parse(Cell(columns, cells, "sample_flags"), CultureInfo.InvariantCulture),
-                fingerPositionM = new Double3(Number(columns, cells, "sample_x_m"),
-                                              Number(columns, cells, "sample_y_m"),
-                                              Number(columns, cells, "sample_z_m")),
-                plateOrientationDeg = Number(columns, cells, "measured_plate_deg")
-            };
-        }
+            timeNs = long.Parse(Cell(columns, cells, "time_ns"), CultureInfo.InvariantCulture),
+            flags = (SampleFlags)uint.Parse(Cell(columns, cells, "sample_flags"), CultureInfo.InvariantCulture),
+            fingerPositionM = new Double3(Number(columns, cells, "sample_x_m"), Number(columns, cells, "sample_y_m"),
+                                          Number(columns, cells, "sample_z_m")),
+            plateOrientationDeg = Number(columns, cells, "measured_plate_deg")
+        };
 
         // An empty cell is 0, which is right for what the flags do not name. Mono's double.Parse is off in the last
         // bit now and then; a whole number of few digits, divided by a power of ten, is not.
@@ -99,22 +95,13 @@ namespace HrtSamples
         {
             Add((ulong)command.flags);
             Add((ulong)command.step);
-            Add(command.plateOrientationDeg);
-            Add(command.fingerDirectionDeg);
-            Add(command.perceivedDirectionDeg);
-            Add(command.aimedDirectionDeg);
-            Add(command.distanceToGoM);
-            Add(command.tactileWeight);
-            Add(command.tactileWeightSd);
-            Add(command.timeToGoS);
-            Add(command.feltErrorDeg);
-            Add(command.predictedMissDeg);
-            Add(command.misfit);
-        }
-
-        void Add(double number)
-        {
-            Add((ulong)BitConverter.DoubleToInt64Bits(number));
+            double[] numbers =
+            {
+                command.plateOrientationDeg, command.fingerDirectionDeg, command.perceivedDirectionDeg, command.aimedDirectionDeg,
+                command.distanceToGoM, command.tactileWeight, command.tactileWeightSd, command.timeToGoS, command.feltErrorDeg,
+                command.predictedMissDeg, command.misfit
+            };
+            foreach (double number in numbers) Add((ulong)BitConverter.DoubleToInt64Bits(number));
         }
 
         void Add(ulong word)

@@ -10,10 +10,7 @@ namespace Hrt.Tests
         [Test]
         public void ForwardIsAwayFromTheUser()
         {
-            Double3 position = Axes.FromUnity(new Vector3(1, 2, 3));
-            Assert.AreEqual(1, position.x);
-            Assert.AreEqual(2, position.y);
-            Assert.AreEqual(-3, position.z);
+            Assert.AreEqual(new Double3(1, 2, -3), Axes.FromUnity(new Vector3(1, 2, 3)));
         }
 
         [Test]
@@ -43,10 +40,8 @@ namespace Hrt.Tests
                 Assert.That(again.y, Is.EqualTo(rotation.y).Within(1e-6));
                 Assert.That(again.z, Is.EqualTo(rotation.z).Within(1e-6));
                 Assert.That(again.w, Is.EqualTo(rotation.w).Within(1e-6));
-                Vector3 place = RandomPlace(random), placeAgain = Axes.ToUnity(Axes.FromUnity(place));
-                Assert.AreEqual(place.x, placeAgain.x);
-                Assert.AreEqual(place.y, placeAgain.y);
-                Assert.AreEqual(place.z, placeAgain.z);
+                Vector3 place = RandomPlace(random);
+                Assert.AreEqual(place, Axes.ToUnity(Axes.FromUnity(place)));
             }
         }
 
@@ -62,10 +57,8 @@ namespace Hrt.Tests
         [TestCase(-90, 1, 0)]
         public void DirectionsAreCounterClockwiseSeenFromAbove(double directionDeg, float right, float forward)
         {
-            Vector3 direction = Axes.Direction(directionDeg);
-            Assert.That(direction.x, Is.EqualTo(right).Within(1e-6));
-            Assert.That(direction.y, Is.EqualTo(0).Within(1e-6));
-            Assert.That(direction.z, Is.EqualTo(forward).Within(1e-6));
+            Vector3 expected = new Vector3(right, 0, forward);
+            Assert.That((Axes.Direction(directionDeg) - expected).magnitude, Is.EqualTo(0).Within(1e-6));
         }
 
         [Test]

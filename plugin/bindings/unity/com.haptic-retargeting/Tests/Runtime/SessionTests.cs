@@ -10,16 +10,10 @@ namespace Hrt.Tests
         HapticRetargetingSession session;
 
         [SetUp]
-        public void SetUp()
-        {
-            session = new HapticRetargetingSession();
-        }
+        public void SetUp() => session = new HapticRetargetingSession();
 
         [TearDown]
-        public void TearDown()
-        {
-            session.Dispose();
-        }
+        public void TearDown() => session.Dispose();
 
         [Test]
         public void TheLibraryIsOfThisPackagesVersion()
@@ -142,7 +136,7 @@ namespace Hrt.Tests
             try
             {
                 session.StartRecording(path);
-                BeginReach();
+                session.BeginReach(session.AddTarget(TargetRole.Real, -5), session.AddTarget(TargetRole.Virtual, 5));
                 for (int frame = 0; frame <= 50; ++frame) session.Update(StraightAhead(frame));
                 session.EndReach();
                 Assert.AreEqual(0, session.GetRecordingStatus().rowsLost);
@@ -177,19 +171,11 @@ namespace Hrt.Tests
             Assert.Throws<ObjectDisposedException>(() => session.TryUpdate(StraightAhead(0), out Command command));
         }
 
-        void BeginReach()
+        static Sample StraightAhead(int frame) => new Sample
         {
-            session.BeginReach(session.AddTarget(TargetRole.Real, -5), session.AddTarget(TargetRole.Virtual, 5));
-        }
-
-        static Sample StraightAhead(int frame)
-        {
-            return new Sample
-            {
-                flags = SampleFlags.PlatePosition,
-                timeNs = frame * 11111111L,
-                fingerPositionM = new Double3(0, 0, 0.05 - frame * 0.1 / 270)
-            };
-        }
+            flags = SampleFlags.PlatePosition,
+            timeNs = frame * 11111111L,
+            fingerPositionM = new Double3(0, 0, 0.05 - frame * 0.1 / 270)
+        };
     }
 }
