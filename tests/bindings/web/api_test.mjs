@@ -94,7 +94,7 @@ test("a module can be loaded from bytes, from a module, and twice", async () => 
 sessionTest("a configuration has its defaults, and changes", ({ session }) => {
   assert.equal(session.config.plate_latency_ns, 30_000_000n);
   assert.equal(session.config.tactile_weight, 0.2);
-  assert.equal(session.config.person_covariance.length, 45);
+  assert.equal(session.config.person_covariance.length, 55);
   session.configure({ tactile_weight: 0.25 });
   assert.equal(session.config.tactile_weight, 0.25);
   assert.deepEqual(session.config.start_position_m, [0, 0, 0.06]);
@@ -287,7 +287,7 @@ sessionTest("samples arrive as they are written, or are refused by name", ({ ses
 });
 
 test("bad arguments are refused by name", () => {
-  assert.throws(() => library.createSession({ horizont: 3 }), /no field horizont; it has horizon,/);
+  assert.throws(() => library.createSession({ horizont: 3 }), /no field horizont; it has control, guidance,/);
   assert.throws(() => library.createSession({ struct_size: 3 }), TypeError);
   assert.throws(() => library.createSession({ horizon: 2.5 }), /horizon is 2.5; a whole number/);
   assert.throws(() => library.createSession({ horizon: -1 }), /horizon is -1/);
