@@ -17,12 +17,11 @@ enum class FieldKind : std::uint8_t { free, number, flags, reserved };
 /// What stands in a struct, or in a part of it, so many bytes from its beginning.
 template <class T, class S>
 T& at(S& values, std::size_t offset) {
-  return *static_cast<T*>(static_cast<void*>(static_cast<char*>(static_cast<void*>(&values)) + offset));
+  return *reinterpret_cast<T*>(reinterpret_cast<char*>(&values) + offset);
 }
 template <class T, class S>
 const T& at(const S& values, std::size_t offset) {
-  return *static_cast<const T*>(
-      static_cast<const void*>(static_cast<const char*>(static_cast<const void*>(&values)) + offset));
+  return *reinterpret_cast<const T*>(reinterpret_cast<const char*>(&values) + offset);
 }
 
 template <class S, class T>
