@@ -83,7 +83,10 @@ void refuse_each_request(CountingAllocator& allocator, Operation&& operation) {
 
 class SessionMemory : public SessionTest {
  protected:
-  ~SessionMemory() override { EXPECT_EQ(allocator.held, 0); }
+  void TearDown() override {
+    SessionTest::TearDown();
+    EXPECT_EQ(allocator.held, 0);
+  }
   CountingAllocator allocator;
 };
 
