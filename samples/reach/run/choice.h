@@ -18,7 +18,7 @@ TargetSet load_targets(const Plugin& plugin, const Options& options);
 /// The reaches to make, in order. Throws Failure (ExitCode::scene) for a name that the scene lacks.
 std::vector<TargetPair> choose(const TargetSet& targets, const Options& options);
 
-/// Where the plate of a scene is for a runtime, if nobody has registered it.
+/// Place of a scene's plate without a registration, as a runtime has it.
 struct ScenePlace {
   XrReferenceSpaceType space;
   XrPosef pose;       ///< of the plate's mount in it
