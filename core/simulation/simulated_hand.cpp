@@ -27,10 +27,12 @@ PlatePoint SimulatedHand::move(std::int64_t time_ns, double plate_orientation_de
   if (!moved_) {
     moved_ = true;
     began_ns_ = now_ns_ = time_ns;
+    commanded_deg_ = plate_orientation_deg;
     plate_ = PlateModel(condition_.plate, plate_orientation_deg);
     plate_.advance(time_ns);
   }
-  plate_.command(plate_orientation_deg);
+  commanded_deg_ = nearest_equivalent_deg(plate_orientation_deg, commanded_deg_, {});
+  plate_.command(commanded_deg_);
   now_ns_ = time_ns;
   const std::int64_t ticks = (time_ns - began_ns_) / hand_tick_ns;
   while (ticks_ < ticks && !finger_->done()) {

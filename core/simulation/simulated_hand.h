@@ -39,6 +39,7 @@ class SimulatedHand {
   std::optional<SlidingPerson> finger_;
   std::optional<Draws> tracking_;
   PlateModel plate_{PlateDynamics{}, 0.0};
+  double commanded_deg_ = 0.0;  // of the orientations that feel the same the nearest to the last
   std::int64_t began_ns_ = 0;
   std::int64_t now_ns_ = 0;
   std::int64_t ticks_ = 0;  // of a millisecond, of this reach

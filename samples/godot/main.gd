@@ -30,6 +30,7 @@ var finger: Finger
 var time_ns := 0
 var _state := State.OVER
 var _to_set_up: Array[int] = []
+var _served := PackedStringArray()
 var _gap := {}
 var _rest_place := Vector3.INF
 var _rested_s := 0.0
@@ -144,8 +145,21 @@ func _on_setup_finished(_result: Dictionary) -> void:
 	if _to_set_up:
 		_begin_set_up(_to_set_up.pop_front())
 	else:
-		_plate.assign_targets(false)
+		_choose_targets()
 		_go_to_start()
+
+
+## Who feels the ridges little is led less far: what no real object can stand in for is left out.
+func _choose_targets() -> void:
+	_plate.assign_targets(false)
+	var served := PackedStringArray()
+	var unserved := PackedStringArray()
+	for virtual_target in virtual_targets:
+		var gap := _plate.get_assigned(_plate.find_target(virtual_target))
+		(served if gap.get("reachable") else unserved).append(virtual_target)
+	if unserved:
+		_notice = "No real object can stand in for %s." % ", ".join(unserved)
+	_served = served
 
 
 ## The headset sees the room from elsewhere: what was under way is repeated once the plate is found.
@@ -167,6 +181,8 @@ func _cancel() -> void:
 
 
 func _go_to_start() -> void:
+	if not _served:
+		return _stop(_notice)
 	if _results.count == reaches:
 		_finish()
 		return
@@ -179,7 +195,7 @@ func _go_to_start() -> void:
 
 
 func _target_name() -> String:
-	return virtual_targets[_results.count % virtual_targets.size()]
+	return _served[_results.count % _served.size()]
 
 
 func _begin_reach() -> void:

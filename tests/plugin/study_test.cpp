@@ -144,6 +144,9 @@ TEST_F(SimulatedPersonTest, ThePlateTakesItsTime) {
   EXPECT_EQ(sample.plate_orientation_deg, 20.0);
   ASSERT_OK(hrt_person_move(person, 1'150'000'000, 60.0, &sample));
   EXPECT_NEAR(sample.plate_orientation_deg, 30.0, 1e-9);
+  ASSERT_OK(hrt_person_move(person, 2'000'000'000, 10130.0, &sample));  // what feels the same as 50
+  ASSERT_OK(hrt_person_move(person, 3'000'000'000, 10130.0, &sample));
+  EXPECT_NEAR(sample.plate_orientation_deg, 50.0, 1e-9);
   EXPECT_OK(hrt_person_destroy(person));
 }
 

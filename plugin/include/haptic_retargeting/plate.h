@@ -142,7 +142,7 @@ typedef struct hrt_plate_report {
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
                                                       hrt_plate* out_plate) HRT_NOEXCEPT;
 
-/** Turns the plate to this orientation, -3600 to 3600 degrees, or to one that feels the same (ridges repeat
+/** Turns the plate to this orientation, -1e6 to 1e6 degrees, or to one that feels the same (ridges repeat
  *  every 180 degrees): the nearest within the stops; if there is none, the nearest stop. Holds until the next
  *  one, or hrt_plate_stop(). Sent within 5 ms, unless the computer is busy. Errors: WRONG_STATE unless the
  * plate is READY, and while it is UNHOMED, unless hrt_plate_options::homing is HRT_PLATE_HOMING_SLOW.

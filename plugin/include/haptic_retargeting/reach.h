@@ -29,7 +29,7 @@ typedef struct hrt_reach_config {
   hrt_target real_target;
   /** Target that the user goes to. Default null: to be set. */
   hrt_target virtual_target;
-  /** Plate orientation (base.h) before the reach, clamped to the stops. -3600 to 3600. Default 0. */
+  /** Plate orientation (base.h) before the reach, clamped to the stops. -1e6 to 1e6. Default 0. */
   double plate_orientation_deg;
   /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the host knows it; it is learnt from the
    * finger's progress otherwise. 0.1 to 20 s; 0: unknown. Default 0. */
@@ -64,8 +64,8 @@ typedef struct hrt_sample {
   /** Position of the fingertip. Each within 1000. */
   double finger_position_m[3];
   /** Measured plate orientation (base.h). With stops it is taken as measured. Without stops half turns do not
-   * count: the model takes the orientation with the same ridges that is nearest to the expected one. -3600 to
-   * 3600. */
+   * count: the model takes the orientation with the same ridges that is nearest to the expected one. -1e6 to
+   * 1e6. */
   double plate_orientation_deg;
   /** Pose of the plate in the world; see hrt_session_config. Each within 1000. */
   double plate_position_m[3];
@@ -124,7 +124,8 @@ typedef struct hrt_command {
   int64_t step;
   /** Plate orientation (base.h) to turn to now. Of the orientations with the same ridges between the stops it
    * is the nearest one, if the configured speed and acceleration are unlimited. Otherwise the plate stays in
-   * one half turn for the whole reach, limited by the stops. */
+   * one half turn for the whole reach, limited by the stops. Without stops reaches may wind it up, by some 10
+   * degrees each: it is the device's to count turns, or to leave whole ones out. */
   double plate_orientation_deg;
   /** Direction of the finger in the last step, observed or predicted. */
   double finger_direction_deg;

@@ -82,8 +82,8 @@ HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session session,
                                                   hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** Commands the servo to the plate orientation (base.h), lets time pass until `time_ns`, and returns what
- * tracker and servo then report: a sample with PLATE_POSITION and PLATE_ORIENTATION. Set
+/** Commands the servo to the plate orientation (base.h), or the nearest that feels the same, lets time pass until
+ * `time_ns`, and returns what tracker and servo then report: a sample with PLATE_POSITION and PLATE_ORIENTATION. Set
  * `out_sample->struct_size` before the call. The first call after hrt_person_begin() has the rest begin, and
  * the plate stand where it says. Errors: OUT_OF_RANGE naming plate_orientation_deg, TIME_REVERSED,
  * WRONG_STATE before hrt_person_begin(). [one-thread] */

@@ -36,7 +36,7 @@ class SlidesReader {
     const double trial = csv_.number("trial", {.low = 0.0, .high = 1e9, .whole = true});
     const double time_s = csv_.number("time_s", {-1e9, 1e9});
     const PlatePoint place{csv_.number("right_m", place_range), csv_.number("away_m", place_range)};
-    const double plate_deg = csv_.number("plate_orientation_deg", {-3600.0, 3600.0});
+    const double plate_deg = csv_.number("plate_orientation_deg", {-1e6, 1e6});
     if (trials_.empty() || trial != number_) begin_trial(trial, plate_deg);
     add({std::llround(time_s * 1e9), place}, plate_deg);
   }
