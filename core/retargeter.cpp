@@ -48,6 +48,7 @@ PersonReachConfig person_config(const RetargeterConfig& config) {
           .tracker_latency_ns = config.tracker_latency_ns,
           .step_period_ns = config.step_period_ns,
           .plate_waits = config.plate_waits,
+          .start_is_felt = config.start_is_felt,
           .frame = config.frame,
           .touched = config.touched};
 }

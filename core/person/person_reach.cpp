@@ -99,10 +99,18 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   }
 }
 
+// A finger that feels the start is there when it rests, wherever it is seen.
+PlatePoint PersonReach::on_plate(const PlaceMm& seen) const {
+  const PlatePoint place{seen.right_mm / mm_per_m, seen.away_mm / mm_per_m};
+  if (!config_.start_is_felt) return place;
+  const PlaceMm& rest = estimator_.origin();
+  return {place.right_m - rest.right_mm / mm_per_m + reach_.start.right_m,
+          place.away_m - rest.away_mm / mm_per_m + reach_.start.away_m};
+}
+
 std::optional<PlatePoint> PersonReach::place() const {
   if (estimator_.motion() == FingerMotion::resting) return std::nullopt;
-  const PlaceMm place = estimator_.place();
-  return PlatePoint{place.right_mm / mm_per_m, place.away_mm / mm_per_m};
+  return on_plate(estimator_.place());
 }
 
 double PersonReach::place_variance_m2() const {
@@ -173,7 +181,7 @@ PersonReach::Decision PersonReach::decide(double now_s) {
 
 ReachAim PersonReach::aim() const {
   const PlaceMm target = to_mm(target_);
-  const PlaceMm& origin = estimator_.origin();
+  const PlaceMm origin = to_mm(on_plate(estimator_.origin()));
   ReachAim aim{target.right_mm - origin.right_mm, target.away_mm - origin.away_mm};
   if (aimed_from_) {
     aim.from_right_mm = mm_per_m * aimed_from_->right_m - origin.right_mm;
@@ -213,8 +221,7 @@ double PersonReach::bearing_error_sd_deg() const {
 PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool decided) {
   const PersonNow now = estimator_.filter().now();
   const PersonState& x = now.mean;
-  const PlaceMm place_mm = estimator_.place();
-  const PlatePoint place{place_mm.right_mm / mm_per_m, place_mm.away_mm / mm_per_m};
+  const PlatePoint place = on_plate(estimator_.place());
   const bool begun = estimator_.motion() != FingerMotion::resting;
   const bool moving = estimator_.motion() == FingerMotion::moving;
   const double to_go_m = begun || counts_.samples > 0 ? distance_m(place, target_) : reach_.real_distance_m;
@@ -272,8 +279,7 @@ ReachSummary PersonReach::summary() const {
   ReachSummary summary = counts_;
   const PersonFilter& filter = estimator_.filter();
   const PersonState x = filter.state(), sd = filter.deviation();
-  const PlaceMm place = estimator_.place();
-  const PlatePoint ended{place.right_mm / mm_per_m, place.away_mm / mm_per_m};
+  const PlatePoint ended = on_plate(estimator_.place());
   const bool begun = estimator_.motion() != FingerMotion::resting;
   summary.predicted_steps = command_.step + 1 - counts_.steps;
   summary.final_direction_deg = command_.finger_direction_deg;

@@ -24,6 +24,7 @@ struct PersonReachConfig {
   std::int64_t tracker_latency_ns = 0;  ///< from a motion to the time of its sample, 0 to 0.5 s
   std::int64_t step_period_ns = 100'000'000;
   bool plate_waits = false;                         ///< the plate stays where it stands until the finger moves
+  bool start_is_felt = false;                       ///< where the finger is seen to rest is the start
   FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; is_frame_covariance()
   TouchedFrame touched;                             ///< what contacts have shown
 };
@@ -70,6 +71,7 @@ class PersonReach {
   PlateCommand publish(const FingerSample& sample, double now_s, bool decided);
   void count(const PlateCommand& command, bool observed);
   ReachAim aim() const;
+  PlatePoint on_plate(const PlaceMm& seen) const;
   double time_to_go_s(double now_s) const;
   bool can_be_held() const;
   double bearing_error_sd_deg() const;

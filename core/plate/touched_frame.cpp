@@ -48,8 +48,28 @@ Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place
 
 Eigen::Matrix2d matrix(const TouchedFrame& frame) { return Eigen::Matrix2d::Identity() + frame.stretch; }
 
+// Of the frame's entries before a contact, and of its place.
+struct Expectation {
+  Eigen::Matrix4d entries;
+  Matrix24 by;
+  Eigen::Vector2d innovation_m;
+  Eigen::Matrix2d covariance_m2;  // of the innovation
+};
+
 PlatePoint to_place(const TouchedFrame& frame, const Eigen::Vector2d& r) {
   return {frame.home.right_m + r.x(), frame.home.away_m + r.y()};
+}
+
+Expectation expect(const TouchedFrame& before, const FrameCovariance& registered, const Contact& contact) {
+  Expectation expected{
+      .entries = drifted(before).covariance,
+      .by = by_entries(matrix(before).inverse() * from_home(before, contact.finger)),
+      .innovation_m = {contact.place.right_m - contact.finger.right_m, contact.place.away_m - contact.finger.away_m},
+      .covariance_m2 = contact.variance_m2 * Eigen::Matrix2d::Identity()};
+  if (!before.known())
+    expected.entries = prior(registered, contact.place, from_home(before, contact.place).squaredNorm());
+  expected.covariance_m2 += expected.by * expected.entries * expected.by.transpose();
+  return expected;
 }
 
 }  // namespace
@@ -71,22 +91,23 @@ TouchedFrame drifted(const TouchedFrame& frame) {
   return later;
 }
 
+bool is_elsewhere(const TouchedFrame& before, const Contact& contact) {
+  const Expectation expected = expect(before, FrameCovariance::Zero(), contact);
+  return expected.innovation_m.dot(expected.covariance_m2.inverse() * expected.innovation_m) > chi_squared_999_of_2;
+}
+
 TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered, const Contact& contact) {
-  TouchedFrame after = drifted(before);
+  const auto [entries, by, innovation_m, expected_m2] = expect(before, registered, contact);
+  TouchedFrame after = before;
   Eigen::Matrix4d& covariance = after.covariance;
-  if (!before.known()) covariance = prior(registered, contact.place, from_home(before, contact.place).squaredNorm());
-  const Matrix24 by = by_entries(matrix(before).inverse() * from_home(before, contact.finger));
-  const Eigen::Vector2d innovation{contact.place.right_m - contact.finger.right_m,
-                                   contact.place.away_m - contact.finger.away_m};
-  const Eigen::Matrix2d expected = by * covariance * by.transpose() + contact.variance_m2 * Eigen::Matrix2d::Identity();
-  const Eigen::Matrix<double, 4, 2> gain = covariance * by.transpose() * expected.inverse();
-  const Eigen::Vector4d change = gain * innovation;
+  const Eigen::Matrix<double, 4, 2> gain = entries * by.transpose() * expected_m2.inverse();
+  const Eigen::Vector4d change = gain * innovation_m;
   after.stretch.row(0) += change.head<2>().transpose();
   after.stretch.row(1) += change.tail<2>().transpose();
   after.stretch = after.stretch.cwiseMax(-max_entry).cwiseMin(max_entry).eval();
   // As Joseph has it, which stays positive definite.
   const Eigen::Matrix4d kept = Eigen::Matrix4d::Identity() - gain * by;
-  covariance = (kept * covariance * kept.transpose() + contact.variance_m2 * gain * gain.transpose()).eval();
+  covariance = (kept * entries * kept.transpose() + contact.variance_m2 * gain * gain.transpose()).eval();
   covariance = (0.5 * (covariance + covariance.transpose())).eval();
   return after;
 }

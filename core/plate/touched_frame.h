@@ -50,6 +50,9 @@ struct Contact {
 /// is not `home`. No heap.
 TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered, const Contact& contact);
 
+/// A contact is further off than the frame allows in 99.9 %: it is of another place. Requires before.known().
+bool is_elsewhere(const TouchedFrame& before, const Contact& contact);
+
 /// The frame when trackers have drifted, as between contacts.
 TouchedFrame drifted(const TouchedFrame& frame);
 

@@ -7,6 +7,8 @@ namespace {
 
 constexpr std::uint32_t slide_parts_of_setup = setup_calibration | setup_retest;
 constexpr std::uint32_t touch_parts = setup_fingertip | setup_registration | setup_check;
+constexpr SetupPart in_order[] = {setup_fingertip, setup_registration, setup_check, setup_guides,
+                                  setup_latency,   setup_calibration,  setup_retest};
 // Four seconds at 250 Hz, on average.
 constexpr std::size_t samples_a_slide = 1000;
 // Beyond 0.8 a person with a usual weight comes to move along the ridges.
@@ -23,21 +25,29 @@ double planned_share(int i) {
 }
 
 Setup::Setup(const SetupConfig& config)
-    : config_(config), left_(config.parts), plate_orientation_deg_(config.plate_orientation_deg) {
+    : config_(config),
+      left_(config.parts),
+      guided_(config.start, config.guides, config.guide_count),
+      plate_orientation_deg_(config.plate_orientation_deg) {
   if (left_ & slide_parts_of_setup)
     slides_.emplace(config.max_slides, samples_a_slide * static_cast<std::size_t>(config.max_slides));
   begin_part();
 }
 
-SetupPart Setup::part() const { return static_cast<SetupPart>(left_ & (~left_ + 1)); }
+SetupPart Setup::part() const {
+  for (const SetupPart part : in_order)
+    if (left_ & part) return part;
+  return {};
+}
 
 void Setup::begin_part() {
   const int per_mark = config_.mark_count * config_.touches_per_mark;
   touches_.begin(has_part(setup_fingertip) ? finger_attitudes : has_part(setup_registration) ? per_mark : 1);
   carrying_ = false;
+  guided_.restart();
   if (has_part(slide_parts_of_setup)) {
     if (slides_->count() < wanted_slides_) next_slide();
-  } else if (has_part(touch_parts)) {
+  } else if (has_part(touch_parts | setup_guides)) {
     plate_orientation_deg_ = 0.0;  // a mark on the plate is where it is at this orientation only
   }
 }
@@ -55,6 +65,7 @@ bool Setup::slides_are_full() const { return wanted_slides_ >= config_.max_slide
 bool Setup::finish_is_due() const {
   if (left_ == 0) return true;
   if (has_part(touch_parts)) return touches_.complete();
+  if (has_part(setup_guides)) return guided_.complete();
   if (has_part(setup_latency)) return carrying_ && carried_.complete();
   return slides_->count() >= wanted_slides_ || slides_->full();
 }
@@ -86,6 +97,9 @@ void Setup::update(const SetupSample& sample) {
     const int before = touches_.count();
     touches_.observe(sample);
     if (touches_.count() > before && !touches_.complete()) problem_ = SetupProblem::none;
+  } else if (has_part(setup_guides)) {
+    guided_.observe(sample);
+    if (guided_.has_begun() || guided_.problem() != SetupProblem::none) problem_ = guided_.problem();
   } else if (has_part(setup_latency)) {
     carry(sample);
   } else {
@@ -132,6 +146,14 @@ void Setup::describe_slide(SetupStep* step) const {
   }
 }
 
+void Setup::describe_guide(SetupStep* step) const {
+  step->number = guided_.object();
+  step->done = guided_.done();
+  step->of = guided_.of();
+  step->place_m = place_of(guided_.next());
+  step->instruction = guided_.has_begun() ? Instruction::slide : Instruction::rest_at_start;
+}
+
 SetupStep Setup::step() const {
   SetupStep step{.part = part(),
                  .instruction = Instruction::wait,
@@ -143,6 +165,8 @@ SetupStep Setup::step() const {
                  .plate_orientation_deg = plate_orientation_deg_};
   if (has_part(slide_parts_of_setup)) {
     describe_slide(&step);
+  } else if (has_part(setup_guides)) {
+    describe_guide(&step);
   } else if (has_part(setup_latency)) {
     step.place_m = place_of(config_.carried);
     step.instruction = carrying_ ? Instruction::hold_still : Instruction::touch_mark;

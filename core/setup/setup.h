@@ -6,6 +6,7 @@
 
 #include "core/plate/registration.h"
 #include "core/setup/carried_finger.h"
+#include "core/setup/guided_slides.h"
 #include "core/setup/mark_touches.h"
 #include "core/setup/slide_store.h"
 #include "core/setup/slide_watch.h"
@@ -25,6 +26,8 @@ struct SetupConfig {
   int check_mark = 0;
   RegistrationConfig registration;
   PlatePoint start;
+  std::array<PlatePoint, GuidedSlides::max_objects> guides;  ///< where they end
+  int guide_count = 0;
   double slide_distance_m = 0.1;  ///< straight ahead
   PlatePoint carried;             ///< where the finger rests while the plate turns under it
   double lower_plate_deg = -75.0;
@@ -64,6 +67,7 @@ class Setup {
 
   const MarkTouches& touches() const { return touches_; }
   const CarriedFinger& carried() const { return carried_; }
+  const GuidedSlides& guided() const { return guided_; }
   const SlideStore& slides() const { return *slides_; }
 
  private:
@@ -73,6 +77,7 @@ class Setup {
   void carry(const SetupSample& sample);
   bool has_part(std::uint32_t parts) const { return (part() & parts) != 0; }
   void describe_slide(SetupStep* step) const;
+  void describe_guide(SetupStep* step) const;
 
   SetupConfig config_;
   std::uint32_t left_;
@@ -80,6 +85,7 @@ class Setup {
   MarkTouches touches_;
   CarriedFinger carried_;
   bool carrying_ = false;
+  GuidedSlides guided_;
   SlideWatch watch_;
   std::optional<SlideStore> slides_;
   int wanted_slides_ = first_slides;

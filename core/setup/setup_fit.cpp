@@ -79,6 +79,10 @@ SetupFit finish_part(Setup* setup, const Registration& registered) {
     case setup_check:
       fit.problem = check_of(*setup, registered, &fit);
       break;
+    case setup_guides:
+      fit.guided = setup->guided().fit();
+      if (!fit.guided) fit.problem = SetupProblem::disagrees;
+      break;
     case setup_latency:
       fit.problem = fit_latency_of(*setup, &fit);
       break;

@@ -15,6 +15,7 @@ struct SetupFit {
   std::optional<FingertipOffset> fingertip;   ///< known
   std::optional<Registration> registration;   ///< that holds
   std::optional<RegistrationCheck> check;
+  std::optional<TouchedFrame> guided;
   std::optional<TrackerLatency> latency;  ///< known
   std::optional<Calibration> calibration;
   int slides = 0;               ///< that were made

@@ -9,7 +9,8 @@
 
 namespace hrt {
 
-/// The parts of a set-up, as bits, in the order in which they are done: each uses what those before it found.
+/// The parts of a set-up, as bits. They are done in this order, but guides before the latency: each uses what
+/// those before it found.
 enum SetupPart : std::uint32_t {
   setup_fingertip = 1,     ///< the skin beside the tracked joint
   setup_registration = 2,  ///< the plate's pose, from touches of marks
@@ -17,6 +18,7 @@ enum SetupPart : std::uint32_t {
   setup_latency = 8,       ///< of the tracker, from a finger that the plate carries
   setup_calibration = 16,  ///< the person, from slides
   setup_retest = 32,       ///< the same, compared with what was believed of the person
+  setup_guides = 128,      ///< the tracker's frame about the start, from slides along guides
 };
 
 enum class Instruction : std::uint32_t {
@@ -38,7 +40,7 @@ enum class SetupProblem : std::uint32_t {
   lost,          ///< the tracker lost it
   moved,         ///< the plate turned within the slide
   plate,         ///< the plate has not turned to where it was asked within 5 s
-  disagrees,     ///< the touches do not fit the marks, or the mark is elsewhere
+  disagrees,     ///< touches do not fit their marks, or slides each other
   upside_down,   ///< by the touches the plate lies upside down
   undetermined,  ///< the fit does not know enough: more is needed
 };

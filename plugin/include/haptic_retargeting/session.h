@@ -56,6 +56,10 @@ typedef struct hrt_session {
 /** The plate's pose is from a registration made at registration.time_ns. A set-up sets this;
  * hrt_scene_register(), which writes the scene's pose, clears it. Either one forgets contacts. */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
+/** The finger finds start_position_m by touch, as in a dimple: it is there when it rests before a reach,
+ * wherever the tracker sees it, and places count from there. A skin that touches elsewhere and a shifted frame then
+ * turn no reach. Read under GUIDANCE_ARRIVAL. HRT_SETUP_GUIDES sets this. */
+#define HRT_SESSION_START_FELT UINT32_C(4)
 
 /** Traits of a person, in this order, in hrt_session_config::person.mean. */
 /** w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t. 0.01 to 0.6. */

@@ -25,7 +25,8 @@
 extern "C" {
 #endif
 
-/** What a set-up is about, in the order in which its parts are done: each uses what those before it found. */
+/** What a set-up is about, in the order in which its parts are done, with GUIDES before LATENCY: each uses what
+ * those before it found. */
 /** The skin that touches, beside the tracked joint, from six touches of one mark with the finger held
  *  differently: hrt_session_config::fingertip_offset_m. Needs HRT_SAMPLE_JOINT_ROTATION. */
 #define HRT_SETUP_FINGERTIP UINT32_C(1)
@@ -47,6 +48,12 @@ extern "C" {
 /** Those of FINGERTIP, REGISTRATION, LATENCY and CALIBRATION of which the session has no result, and which
  * the samples can show. Alone. */
 #define HRT_SETUP_ALL_MISSING UINT32_C(64)
+/** What is left of the registration's error at the real targets, from slides to and fro along a guide from the
+ * start to each of them, the first 8 in the order of their addition: a strip with an end at the object, and a
+ * dimple at the start. Six slides a target, with a rest of 1.4 s at each end and without a lift. Sets
+ * registration.contact_correction and HRT_SESSION_START_FELT. Halves the error of six marks, and more where the
+ * tracker's frame is not rigid. Needs HRT_SESSION_REGISTERED. Not with REGISTRATION. */
+#define HRT_SETUP_GUIDES UINT32_C(128)
 
 /** Maximum number of marks. */
 #define HRT_MARKS_MAX 8
@@ -94,7 +101,7 @@ typedef struct hrt_setup_config {
 #define HRT_STEP_TOUCH_MARK UINT32_C(1)    /**< lift the finger, and touch the mark at place_m */
 #define HRT_STEP_HOLD_STILL UINT32_C(2)    /**< there */
 #define HRT_STEP_REST_AT_START UINT32_C(3) /**< put the finger to the start, and let it rest */
-#define HRT_STEP_SLIDE UINT32_C(4)         /**< slide towards place_m, straight ahead, and rest there */
+#define HRT_STEP_SLIDE UINT32_C(4)         /**< slide towards place_m, and rest there */
 #define HRT_STEP_FINISH UINT32_C(5)        /**< nothing: hrt_setup_finish() is to be called */
 
 /** What was wrong with the last try, which is repeated. */
@@ -106,7 +113,7 @@ typedef struct hrt_setup_config {
 #define HRT_PROBLEM_LOST UINT32_C(5)          /**< the tracker lost the finger */
 #define HRT_PROBLEM_MOVED UINT32_C(6)         /**< the plate turned during the slide */
 #define HRT_PROBLEM_PLATE UINT32_C(7)         /**< the plate has not turned as it was asked, for 5 s */
-#define HRT_PROBLEM_DISAGREES UINT32_C(8)     /**< the touches do not fit the marks, or each other */
+#define HRT_PROBLEM_DISAGREES UINT32_C(8)     /**< touches, or guided slides, do not fit the marks or each other */
 #define HRT_PROBLEM_UPSIDE_DOWN UINT32_C(9)   /**< by the touches the plate lies upside down: marks were confused */
 #define HRT_PROBLEM_UNDETERMINED UINT32_C(10) /**< what was done does not determine the result: more is needed */
 
@@ -122,7 +129,7 @@ typedef struct hrt_setup_step {
   /** Touches, slides or seconds that are done, of so many in this part. */
   uint32_t done;
   uint32_t of;
-  /** Number of the mark, or of the way to hold the finger, from 0. */
+  /** Number of the mark, of the way to hold the finger, or of the guide, from 0. */
   uint32_t number;
   uint32_t reserved;
   /** Where the finger is to go, in plate coordinates. */
@@ -208,8 +215,9 @@ typedef struct hrt_setup_result {
  * over no reach can begin, and the configuration does not change but by the set-up. Takes 1.3 MB for slides.
  * After a cancel, ALL_MISSING continues with the part that was under way: parts that are done are not
  * missing. `config` may be null: the defaults. Errors: OUT_OF_RANGE naming the field, for CALIBRATION also if
- * the plate has less than 50 mm ahead of start_position_m; WRONG_STATE during a reach or a set-up, for CHECK
- * without a registration; OUT_OF_MEMORY. [one-thread] */
+ * the plate has less than 50 mm ahead of start_position_m, and for GUIDES if a real target's nearer side is less than
+ * 40 mm from it; WRONG_STATE during a reach or a set-up, for CHECK and GUIDES without a registration, for GUIDES
+ * without a real target; OUT_OF_MEMORY. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_begin(hrt_session session, uint32_t what,
                                                  const hrt_setup_config* config) HRT_NOEXCEPT;
 

@@ -270,8 +270,8 @@ hrt_result Session::check_setup() const {
 hrt_result Session::begin_setup(std::uint32_t what, const hrt_setup_config& config) {
   HRT_RETURN_IF_FAILED(check_no_reach());
   HRT_RETURN_IF_FAILED(check_setup_config(config));
-  HRT_RETURN_IF_FAILED(SessionSetup::check(config_, what));
-  setup_ = std::make_unique<SessionSetup>(config_, what, config, plate_orientation_deg_);
+  HRT_RETURN_IF_FAILED(SessionSetup::check(config_, targets, what));
+  setup_ = std::make_unique<SessionSetup>(config_, targets, what, config, plate_orientation_deg_);
   return HRT_OK;
 }
 

@@ -140,6 +140,7 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .reach = {.bound_deg = config.motion_bound_deg, .max_felt_error_deg = config.max_felt_error_deg},
       .tracker_latency_ns = config.tracker.latency_ns,
       .plate_waits = (config.flags & HRT_SESSION_PLATE_WAITS) != 0,
+      .start_is_felt = (config.flags & HRT_SESSION_START_FELT) != 0,
       .frame = frame_covariance_of(config),
       .touched = touched_of(config),
   };

@@ -18,7 +18,7 @@
 namespace hrt::plugin {
 namespace {
 
-constexpr std::uint32_t all_parts = 63;
+constexpr std::uint32_t all_parts = 63 | HRT_SETUP_GUIDES;
 constexpr std::uint32_t slide_parts_asked = HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST;
 constexpr double min_range_deg = 40.0;
 constexpr double max_slide_m = 0.1;
@@ -29,7 +29,8 @@ constexpr double min_carried_m = 0.03;
 
 static_assert(setup_fingertip == HRT_SETUP_FINGERTIP && setup_registration == HRT_SETUP_REGISTRATION &&
               setup_check == HRT_SETUP_CHECK && setup_latency == HRT_SETUP_LATENCY &&
-              setup_calibration == HRT_SETUP_CALIBRATION && setup_retest == HRT_SETUP_RETEST);
+              setup_calibration == HRT_SETUP_CALIBRATION && setup_retest == HRT_SETUP_RETEST &&
+              setup_guides == HRT_SETUP_GUIDES);
 static_assert(static_cast<std::uint32_t>(Instruction::finish) == HRT_STEP_FINISH &&
               static_cast<std::uint32_t>(Instruction::slide) == HRT_STEP_SLIDE &&
               static_cast<std::uint32_t>(SetupProblem::undetermined) == HRT_PROBLEM_UNDETERMINED &&
@@ -71,8 +72,28 @@ void set_marks(const hrt_session_config& session, const hrt_setup_config& given,
   config->check_mark = std::min(static_cast<int>(given.check_mark), config->mark_count - 1);
 }
 
-SetupConfig to_setup(const hrt_session_config& session, std::uint32_t what, const hrt_setup_config& given,
-                     double plate_orientation_deg) {
+// From the start to each real target's nearer side, in the order in which they were added. Fails if one cannot be
+// slid along.
+hrt_result find_guides(const hrt_session_config& session, const Targets& targets, SetupConfig* config) {
+  config->start = start_of(session);
+  config->guide_count = 0;
+  for (const auto& [id, target] : targets.all()) {
+    if (target.role != HRT_TARGET_REAL) continue;
+    const Bearing at = view(session, target);
+    const double length_m = at.distance_m - target.radius_m;
+    if (length_m < GuidedSlides::min_guide_m)
+      return fail(HRT_ERROR_OUT_OF_RANGE, "real target \"", target.name, "\" is ", length_m,
+                  " m from start_position_m; allowed for a guide: at least ", GuidedSlides::min_guide_m);
+    if (config->guide_count == GuidedSlides::max_objects) break;
+    config->guides[static_cast<std::size_t>(config->guide_count++)] =
+        point_ahead(config->start, at.direction_deg, length_m);
+  }
+  if (config->guide_count > 0) return HRT_OK;
+  return fail(HRT_ERROR_WRONG_STATE, "the session has no real target, to which a guide would lead");
+}
+
+SetupConfig to_setup(const hrt_session_config& session, const Targets& targets, std::uint32_t what,
+                     const hrt_setup_config& given, double plate_orientation_deg) {
   SetupConfig config;
   config.only_possible = what == HRT_SETUP_ALL_MISSING;
   config.parts = config.only_possible ? missing(session) : what;
@@ -80,6 +101,7 @@ SetupConfig to_setup(const hrt_session_config& session, std::uint32_t what, cons
   config.touches_per_mark = static_cast<int>(given.touches_per_mark);
   config.registration = {
       .touch_sd_m = given.touch_sd_m, .fit_scale = given.fit_scale != 0, .up = {given.up[0], given.up[1], given.up[2]}};
+  if ((what & HRT_SETUP_GUIDES) != 0) static_cast<void>(find_guides(session, targets, &config));  // checked before
   config.start = start_of(session);
   config.slide_distance_m = std::min(max_slide_m, room_ahead_m(session));
   if (config.only_possible && config.slide_distance_m < min_slide_room_m)
@@ -145,6 +167,9 @@ bool take(const SetupFit& fit, hrt_session_config* session, hrt_setup_result* re
       forget_contacts(session);
     }
     return fit.check->holds;
+  } else if (fit.guided) {
+    write_touched(*fit.guided, session);
+    session->flags |= HRT_SESSION_START_FELT;
   } else if (fit.latency) {
     const TrackerLatency& latency = *fit.latency;
     session->tracker.latency_ns = std::max<std::int64_t>(0, std::llround(1e9 * latency.latency_s));
@@ -173,32 +198,38 @@ hrt_result check_setup_config(const hrt_setup_config& config) {
   return HRT_OK;
 }
 
-hrt_result SessionSetup::check(const hrt_session_config& session, std::uint32_t what) {
-  constexpr std::uint32_t either[] = {slide_parts_asked, HRT_SETUP_REGISTRATION | HRT_SETUP_CHECK};
+hrt_result SessionSetup::check(const hrt_session_config& session, const Targets& targets, std::uint32_t what) {
+  constexpr std::uint32_t either[] = {slide_parts_asked, HRT_SETUP_REGISTRATION | HRT_SETUP_CHECK,
+                                      HRT_SETUP_REGISTRATION | HRT_SETUP_GUIDES};
   const bool both =
       std::any_of(std::begin(either), std::end(either), [&](std::uint32_t parts) { return (what & parts) == parts; });
   if (what != HRT_SETUP_ALL_MISSING && (what == 0 || (what & ~all_parts) != 0 || both))
     return fail(HRT_ERROR_OUT_OF_RANGE, "what is ", what,
-                "; allowed: bits of HRT_SETUP_*, without CALIBRATION and RETEST or REGISTRATION and CHECK "
-                "together, or ALL_MISSING");
-  if ((what & HRT_SETUP_CHECK) != 0 && (session.flags & HRT_SESSION_REGISTERED) == 0)
-    return fail(HRT_ERROR_WRONG_STATE, "the plate is not registered, so there is nothing to check");
+                "; allowed: bits of HRT_SETUP_*, without CALIBRATION and RETEST, or REGISTRATION and CHECK or "
+                "GUIDES, together, or ALL_MISSING");
+  if ((what & (HRT_SETUP_CHECK | HRT_SETUP_GUIDES)) != 0 && (session.flags & HRT_SESSION_REGISTERED) == 0)
+    return fail(HRT_ERROR_WRONG_STATE, "the plate is not registered, so there is nothing to check or to refine");
+  if ((what & HRT_SETUP_GUIDES) != 0) {
+    SetupConfig guides;
+    HRT_RETURN_IF_FAILED(find_guides(session, targets, &guides));
+  }
   if ((what & slide_parts_asked) != 0 && room_ahead_m(session) < min_slide_room_m)
     return fail(HRT_ERROR_OUT_OF_RANGE, "start_position_m leaves ", room_ahead_m(session),
                 " m for a slide straight ahead; allowed: at least ", min_slide_room_m);
   return HRT_OK;
 }
 
-SessionSetup::SessionSetup(const hrt_session_config& session, std::uint32_t what,
+SessionSetup::SessionSetup(const hrt_session_config& session, const Targets& targets, std::uint32_t what,
                            const hrt_setup_config& checked_config, double plate_orientation_deg)
     : touch_sd_m_(checked_config.touch_sd_m),
-      setup_(to_setup(session, what, checked_config, plate_orientation_deg)),
+      setup_(to_setup(session, targets, what, checked_config, plate_orientation_deg)),
       plate_orientation_deg_(plate_orientation_deg) {
   result_.struct_size = sizeof result_;
 }
 
 SetupSample SessionSetup::seen(const hrt_session_config& session, const hrt_sample& sample) const {
   hrt_session_config config = session;
+  if (setup_.part() == setup_guides) forget_contacts(&config);
   if (setup_.part() == setup_fingertip) std::memset(config.fingertip_offset_m, 0, sizeof config.fingertip_offset_m);
   std::uint32_t flags = 0;
   SetupSample seen{.time_ns = sample.time_ns,

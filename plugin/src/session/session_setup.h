@@ -7,6 +7,7 @@
 #include "core/setup/setup.h"
 #include "haptic_retargeting/setup.h"
 #include "haptic_retargeting/study.h"
+#include "plugin/src/session/targets.h"
 
 namespace hrt::plugin {
 
@@ -17,9 +18,9 @@ hrt_result check_setup_config(const hrt_setup_config& config);
 class SessionSetup {
  public:
   /// Whether one can be made: of a checked configuration.
-  static hrt_result check(const hrt_session_config& session, std::uint32_t what);
-  SessionSetup(const hrt_session_config& session, std::uint32_t what, const hrt_setup_config& checked_config,
-               double plate_orientation_deg);
+  static hrt_result check(const hrt_session_config& session, const Targets& targets, std::uint32_t what);
+  SessionSetup(const hrt_session_config& session, const Targets& targets, std::uint32_t what,
+               const hrt_setup_config& checked_config, double plate_orientation_deg);
 
   /// Real-time.
   hrt_result update(const hrt_session_config& session, const hrt_sample& sample, hrt_setup_step* out);

@@ -26,7 +26,7 @@ const char* problem_text(SetupProblem problem) {
     case SetupProblem::plate:
       return "The plate does not turn as it should. ";
     case SetupProblem::disagrees:
-      return "The touches do not fit the marks: once more, each in its turn, with the plate still. ";
+      return "That does not fit together: once more, each in its turn, with the plate still. ";
     case SetupProblem::upside_down:
       return "By the touches the plate lies upside down: left and right were confused. ";
     case SetupProblem::undetermined:
@@ -78,7 +78,11 @@ void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]) {
       text << "Put your finger to the start and let it rest.";
       break;
     case Instruction::slide:
-      text << "Slide evenly towards what feels straight ahead, as far as is comfortable, and rest there.";
+      if (step.part == setup_guides)
+        text << "Slide along guide " << step.number + 1
+             << (step.done % 2 == 0 ? " to the object" : " back to the start") << ", without a lift, and rest there.";
+      else
+        text << "Slide evenly towards what feels straight ahead, as far as is comfortable, and rest there.";
       break;
     case Instruction::finish:
       text << "One moment.";

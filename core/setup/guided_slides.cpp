@@ -1,0 +1,124 @@
+#include "core/setup/guided_slides.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/time.h"
+
+namespace hrt {
+namespace {
+
+constexpr int rest_tenths = 14;
+constexpr int stop_tenths = 20;
+// A rest is at an end of a guide within this share of the guide's length, and within this.
+constexpr double near_share = 0.3;
+constexpr double max_near_m = 0.03;
+constexpr double max_lost_s = 0.5;
+constexpr double max_lifted_s = 0.1;
+// Of one slide to an object from the mean of the others: the finger was not at the guide's end.
+constexpr double max_deviation_m = 0.0048;
+// Scatter of a coordinate that is expected, as good as so many that were seen.
+constexpr double expected_sd_m = 0.001;
+constexpr double expected_count = 6.0;
+// What a tracker that sees a finger at rest may have otherwise in motion, and an end that is not quite met.
+constexpr double hold_sd_m = 0.0007;
+// Of an entry of the frame's stretch.
+constexpr double stretch_sd = 0.05;
+
+}  // namespace
+
+GuidedSlides::GuidedSlides(const PlatePoint& start, const std::array<PlatePoint, max_objects>& ends, int count)
+    : start_(start), ends_(ends), count_(count) {}
+
+void GuidedSlides::restart() {
+  object_ = 0;
+  again(SetupProblem::none);
+}
+
+void GuidedSlides::again(SetupProblem problem) {
+  problem_ = problem;
+  rests_ = 0;
+  still_.restart();
+}
+
+const PlatePoint& GuidedSlides::next() const {
+  return rests_ % 2 == 0 || complete() ? start_ : ends_[static_cast<std::size_t>(object_)];
+}
+
+void GuidedSlides::observe(const SetupSample& sample) {
+  if (complete()) return;
+  const Observation observation = sample.on_plate.observation;
+  if (observation != Observation::position || sample.off_plate) {
+    const bool lost = observation == Observation::none;
+    if (elapsed_s(seen_ns_, sample.time_ns) <= (lost ? max_lost_s : max_lifted_s)) return;
+    // A finger that goes before it has slid is no failure: it may come again.
+    if (rests_ > 0) again(lost ? SetupProblem::lost : SetupProblem::left_plate);
+    still_.restart();
+    return;
+  }
+  seen_ns_ = sample.time_ns;
+  const PlatePoint& at = sample.on_plate.position;
+  still_.observe(sample.time_ns, {at.right_m, 0.0, -at.away_m});
+  if (const auto rest_m = still_.rest(rest_tenths))
+    come_to_rest({rest_m->x(), -rest_m->z()}, still_.rest(stop_tenths).has_value());
+}
+
+void GuidedSlides::come_to_rest(const PlatePoint& place, bool long_since) {
+  const PlatePoint& end = ends_[static_cast<std::size_t>(object_)];
+  const double near_m = std::min(max_near_m, near_share * distance_m(start_, end));
+  const PlatePoint& last = rests_ % 2 == 0 ? end : start_;
+  if (distance_m(place, next()) > near_m) {
+    const bool stays = distance_m(place, last) <= near_m;
+    if (rests_ > 0 && !stays && long_since) again(SetupProblem::stopped);
+    return;
+  }
+  problem_ = SetupProblem::none;
+  seen_[static_cast<std::size_t>(object_)][static_cast<std::size_t>(rests_++)] = place;
+  still_.restart();
+  if (rests_ < rests_an_object) return;
+  rests_ = 0;
+  ++object_;
+}
+
+std::optional<GuidedSlides::Seen> GuidedSlides::seen(const Rests& rests) const {
+  constexpr int count = slides_an_object / 2;
+  Eigen::Matrix<double, 2, count> to_m;
+  for (int i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(2 * i);
+    to_m.col(i) =
+        Eigen::Vector2d(rests[at + 1].right_m, rests[at + 1].away_m) -
+        0.5 * Eigen::Vector2d(rests[at].right_m + rests[at + 2].right_m, rests[at].away_m + rests[at + 2].away_m);
+  }
+  const Eigen::Vector2d mean_m = to_m.rowwise().mean();
+  to_m.colwise() -= mean_m;
+  if (to_m.colwise().norm().maxCoeff() > max_deviation_m) return std::nullopt;
+  return Seen{mean_m, to_m.squaredNorm()};
+}
+
+std::optional<TouchedFrame> GuidedSlides::fit() const {
+  constexpr int means = slides_an_object / 2;
+  std::array<Eigen::Vector2d, max_objects> from_start_m;
+  double square_m2 = expected_count * expected_sd_m * expected_sd_m;
+  double freedom = expected_count;
+  for (int i = 0; i < count_; ++i) {
+    const std::optional<Seen> object = seen(seen_[static_cast<std::size_t>(i)]);
+    if (!object) return std::nullopt;
+    from_start_m[static_cast<std::size_t>(i)] = object->from_start_m;
+    square_m2 += object->square_m2;
+    freedom += 2.0 * (means - 1);
+  }
+  const double variance_m2 = square_m2 / freedom / means + hold_sd_m * hold_sd_m;
+  TouchedFrame frame{.home = start_};
+  frame.covariance.diagonal().setConstant(stretch_sd * stretch_sd);
+  for (int i = 0; i < count_; ++i) {
+    const Eigen::Vector2d& r = from_start_m[static_cast<std::size_t>(i)];
+    const Contact contact{.finger = corrected(frame, {start_.right_m + r.x(), start_.away_m + r.y()}),
+                          .place = ends_[static_cast<std::size_t>(i)],
+                          .variance_m2 = variance_m2};
+    if (is_elsewhere(frame, contact)) return std::nullopt;
+    frame = after_contact(frame, FrameCovariance::Zero(), contact);
+  }
+  return frame;
+}
+
+}  // namespace hrt
