@@ -8,13 +8,13 @@
 namespace hrt {
 namespace {
 
-constexpr int rest_tenths = 14;
-constexpr int stop_tenths = 20;
+constexpr int guide_rest_tenths = 14;
+constexpr int guide_stop_tenths = 20;
 // A rest is at an end of a guide within this share of the guide's length, and within this.
 constexpr double near_share = 0.3;
 constexpr double max_near_m = 0.03;
-constexpr double max_lost_s = 0.5;
-constexpr double max_lifted_s = 0.1;
+constexpr double max_unseen_s = 0.5;
+constexpr double max_raised_s = 0.1;
 // Of one slide to an object from the mean of the others: the finger was not at the guide's end.
 constexpr double max_deviation_m = 0.0048;
 // Scatter of a coordinate that is expected, as good as so many that were seen.
@@ -50,7 +50,7 @@ void GuidedSlides::observe(const SetupSample& sample) {
   const Observation observation = sample.on_plate.observation;
   if (observation != Observation::position || sample.off_plate) {
     const bool lost = observation == Observation::none;
-    if (elapsed_s(seen_ns_, sample.time_ns) <= (lost ? max_lost_s : max_lifted_s)) return;
+    if (elapsed_s(seen_ns_, sample.time_ns) <= (lost ? max_unseen_s : max_raised_s)) return;
     // A finger that goes before it has slid is no failure: it may come again.
     if (rests_ > 0) again(lost ? SetupProblem::lost : SetupProblem::left_plate);
     still_.restart();
@@ -59,8 +59,8 @@ void GuidedSlides::observe(const SetupSample& sample) {
   seen_ns_ = sample.time_ns;
   const PlatePoint& at = sample.on_plate.position;
   still_.observe(sample.time_ns, {at.right_m, 0.0, -at.away_m});
-  if (const auto rest_m = still_.rest(rest_tenths))
-    come_to_rest({rest_m->x(), -rest_m->z()}, still_.rest(stop_tenths).has_value());
+  if (const auto rest_m = still_.rest(guide_rest_tenths))
+    come_to_rest({rest_m->x(), -rest_m->z()}, still_.rest(guide_stop_tenths).has_value());
 }
 
 void GuidedSlides::come_to_rest(const PlatePoint& place, bool long_since) {

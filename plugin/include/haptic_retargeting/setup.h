@@ -52,7 +52,8 @@ extern "C" {
  * start to each of them, the first 8 in the order of their addition: a strip with an end at the object, and a
  * dimple at the start. Six slides a target, with a rest of 1.4 s at each end and without a lift. Sets
  * registration.contact_correction and HRT_SESSION_START_FELT. Halves the error of six marks, and more where the
- * tracker's frame is not rigid. Needs HRT_SESSION_REGISTERED. Not with REGISTRATION. */
+ * tracker's frame is not rigid. Needs HRT_SESSION_REGISTERED, and real targets whose nearer sides are at least 40 mm
+ * from the start. Not with REGISTRATION. */
 #define HRT_SETUP_GUIDES UINT32_C(128)
 
 /** Maximum number of marks. */
@@ -215,9 +216,8 @@ typedef struct hrt_setup_result {
  * over no reach can begin, and the configuration does not change but by the set-up. Takes 1.3 MB for slides.
  * After a cancel, ALL_MISSING continues with the part that was under way: parts that are done are not
  * missing. `config` may be null: the defaults. Errors: OUT_OF_RANGE naming the field, for CALIBRATION also if
- * the plate has less than 50 mm ahead of start_position_m, and for GUIDES if a real target's nearer side is less than
- * 40 mm from it; WRONG_STATE during a reach or a set-up, for CHECK and GUIDES without a registration, for GUIDES
- * without a real target; OUT_OF_MEMORY. [one-thread] */
+ * the plate has less than 50 mm ahead of start_position_m, for GUIDES if a target is too near; WRONG_STATE during
+ * a reach or a set-up, for CHECK and GUIDES without what they need; OUT_OF_MEMORY. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_begin(hrt_session session, uint32_t what,
                                                  const hrt_setup_config* config) HRT_NOEXCEPT;
 

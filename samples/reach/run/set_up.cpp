@@ -64,7 +64,8 @@ SetUp::~SetUp() {
 void SetUp::count_failure(const hrt_setup_step& step) {
   if (step.problem == HRT_PROBLEM_NONE) return;
   if (step.problem == HRT_PROBLEM_PLATE) throw Failure(ExitCode::plate, step.text);
-  if ((step.part & world_parts) != 0 && asked_.instruction == HRT_STEP_FINISH && ++refused_ == max_refused)
+  if ((step.part & (world_parts | HRT_SETUP_GUIDES)) != 0 && asked_.instruction == HRT_STEP_FINISH &&
+      ++refused_ == max_refused)
     throw Failure(ExitCode::registration, format("three times: %s", step.text));
   if (step.instruction == HRT_STEP_WAIT && ++failed_ > failures_allowed)
     throw Failure(ExitCode::no_hand, format("%d slides in a row did not count; the last one: %s", failed_, step.text));

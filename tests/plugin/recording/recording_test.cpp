@@ -276,7 +276,7 @@ TEST_F(RecordingTest, RefusedCallsAreRecordedAndReplayed) {
   begins([&](auto& c) { c.real_target = behind; }, HRT_ERROR_OUT_OF_RANGE);
   begins([](auto& c) { c.flags = 6; }, HRT_ERROR_OUT_OF_RANGE);
   begins([](auto& c) { c.flags = 1, c.plate_orientation_deg = std::nan(""); }, HRT_ERROR_OUT_OF_RANGE);
-  begins([](auto& c) { c.flags = 1, c.plate_orientation_deg = -3601.0; }, HRT_ERROR_OUT_OF_RANGE);
+  begins([](auto& c) { c.flags = 1, c.plate_orientation_deg = -1.1e6; }, HRT_ERROR_OUT_OF_RANGE);
   begins([](auto& c) { c.struct_size = 8; }, HRT_ERROR_STRUCT_SIZE);
   EXPECT_EQ(hrt_reach_begin(session, nullptr), HRT_ERROR_NULL_ARGUMENT);
   expected.emplace_back("begin,-1");
