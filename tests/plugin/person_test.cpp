@@ -54,12 +54,6 @@ class PersonTest : public SessionTest {
     return draw_person(*people_family(family), duration_s, 5, index);
   }
 
-  static hrt_sample lost_sample(std::int64_t time_ns) {
-    auto sample = output<hrt_sample>();
-    sample.time_ns = time_ns;
-    return sample;
-  }
-
   /// One reach, `number` of this person; ended `ended_ns` after its beginning if that is earlier.
   Led lead(const PersonCondition& condition, std::uint32_t number = 0, double duration_s = 0.0,
            std::int64_t ended_ns = std::numeric_limits<std::int64_t>::max()) {

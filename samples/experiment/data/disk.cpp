@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "samples/experiment/design/fields.h"
+#include "samples/members.h"
 #include "samples/whole_file.h"
 
 namespace hrt::experiment {

@@ -10,8 +10,8 @@
 #include <ctime>
 #include <optional>
 
-#include "samples/experiment/design/fields.h"
 #include "samples/format.h"
+#include "samples/members.h"
 
 namespace hrt::experiment {
 namespace {

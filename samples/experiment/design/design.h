@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/experiment/design/fields.h"
+#include "samples/members.h"
 
 namespace hrt::experiment {
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "samples/experiment/design/fields.h"
+#include "samples/members.h"
 
 namespace hrt::experiment {
 namespace {

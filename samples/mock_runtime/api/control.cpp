@@ -43,6 +43,8 @@ std::string obey(Session& session, const std::string& line) {
     if (advance_ns > 0) advance_time(session.instance(), advance_ns);
   } catch (const Error& error) {
     reply["error"] = error.why;
+  } catch (const Refusal& refusal) {
+    reply["error"] = refusal.what();
   } catch (const Json::exception& error) {
     reply["error"] = std::string("control: ") + error.what();
   }

@@ -7,8 +7,8 @@
 #include <limits>
 #include <string_view>
 
+#include "samples/members.h"
 #include "samples/mock_runtime/openxr_1_1.h"
-#include "samples/mock_runtime/playback/members.h"
 
 namespace hrt::mock {
 
@@ -183,7 +183,7 @@ XrEventDataBuffer as_buffer(const Event& event) {
 }
 
 // None for an event that this runtime does not know.
-std::optional<XrEventDataBuffer> read_event(Fields& fields) {
+std::optional<XrEventDataBuffer> read_runtime_event(Fields& fields) {
   const std::string kind = fields.text();
   if (kind == "state")
     return as_buffer(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, nullptr,
@@ -287,7 +287,7 @@ constexpr std::pair<std::string_view, Reader> session_readers[] = {
     {"event",
      [](Fields& fields, RecordedSession& in, const Recording&) {
        RecordedEvent event{fields.whole<std::size_t>(), fields.whole<std::size_t>(), {}};
-       const auto buffer = read_event(fields);
+       const auto buffer = read_runtime_event(fields);
        if (!buffer) return;
        event.buffer = *buffer;
        in.events.push_back(event);

@@ -27,20 +27,20 @@ PlateDynamics read_servo(Members& members) {
 
 PlateSettings read_plate(Members& members) {
   PlateSettings plate{{turn(members.number("yaw_deg", 0.0, -180.0, 180.0), Eigen::Vector3d::UnitY()),
-                       members.vector("position_m", 100.0)},
+                       read_vector(members, "position_m", 100.0)},
                       members.number("radius_m", 0.15, 0.001, 10.0),
                       {}};
-  if (members.has("terminal")) {
-    const Json& path = members.at("terminal", {{"type", "string"}});
-    if (!path.is_string() || path.get<std::string>().empty())
-      refuse(members.where("terminal"), "must be a path, such as \"/tmp/plate\"");
-    plate.terminal = path.get<std::string>();
-  }
+  plate.terminal = members.text("terminal", "");
   return plate;
 }
 
+Eigen::Vector3d read_vector(Members& members, const std::string& key, double max) {
+  const std::vector<double> xyz = members.numbers(key, 3, -max, max);
+  return {xyz[0], xyz[1], xyz[2]};
+}
+
 Pose read_pose(Members& members, const Eigen::Quaterniond& otherwise) {
-  Pose pose{otherwise, members.vector("position_m", 100.0)};
+  Pose pose{otherwise, read_vector(members, "position_m", 100.0)};
   if (members.has("orientation")) {
     const std::vector<double> q = members.numbers("orientation", 4, -1.0, 1.0);
     pose.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
@@ -56,7 +56,7 @@ namespace {
 // `further(point)` reads what else a keyframe has.
 template <typename Further>
 void read_path(Members& members, const Eigen::Quaterniond& orientation, std::vector<Keyframe>& path, Further further) {
-  members.each("path", [&](Members& point) {
+  members.each("path", {}, [&](Members& point) {
     path.push_back({point.nanoseconds("time_ms", 0.0), read_pose(point, orientation)});
     if (path.size() > 1 && path.back().time_ns <= path[path.size() - 2].time_ns)
       refuse(point.where("time_ms"), "must be later than the keyframe before");
@@ -78,7 +78,7 @@ void read_hand(Members& members, HandSettings& hand) {
   // Paths and slides are there to be seen.
   hand.tracked = members.boolean("tracked", hand.tracked || members.has("path") || members.has("slides"));
   members.object("slides", [&](Members& slides) {
-    hand.slides = {slides.vector("start_m", 10.0), slides.number("direction_deg", 0.0, -180.0, 180.0),
+    hand.slides = {read_vector(slides, "start_m", 10.0), slides.number("direction_deg", 0.0, -180.0, 180.0),
                    slides.number("length_m", 0.1, 0.001, 10.0), slides.nanoseconds("rest_ms", 500.0)};
   });
   read_path(members, resting_hand_orientation(), hand.path, [&](Members& point) {

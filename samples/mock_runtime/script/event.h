@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "samples/members.h"
 #include "samples/mock_runtime/calls/faults.h"
-#include "samples/mock_runtime/playback/members.h"
 #include "samples/mock_runtime/world/pose.h"
 #include "samples/mock_runtime/world/settings.h"
 
@@ -73,6 +73,7 @@ struct ScriptEvent {
   Happening what;
 };
 
+Eigen::Vector3d read_vector(Members& members, const std::string& key, double max);
 PersonSettings read_person(Members& members);
 TrackerSettings read_tracker(Members& members);
 PlateDynamics read_servo(Members& members);

@@ -17,7 +17,7 @@ Recenter read_recenter(Members& members) {
     recenter.space = members.choice<XrReferenceSpaceType>(
         "space", {{"LOCAL", XR_REFERENCE_SPACE_TYPE_LOCAL}, {"STAGE", XR_REFERENCE_SPACE_TYPE_STAGE}});
   recenter.delay_ns = members.nanoseconds("delay_ms", 0.0);
-  if (members.has("position_m")) recenter.pose.position_m = members.vector("position_m", 100.0);
+  if (members.has("position_m")) recenter.pose.position_m = read_vector(members, "position_m", 100.0);
   recenter.pose.orientation = turn(members.number("yaw_deg", 0.0, -180.0, 180.0), Eigen::Vector3d::UnitY());
   recenter.pose_valid = members.boolean("pose_valid", true);
   return recenter;
@@ -117,7 +117,7 @@ Happening read_happening(Members& members) {
     return HeadEvent{lost};
   }
   hand->hand = members.choice<XrHandEXT>("hand", hands());
-  if (hand->fault == HandFault::jump) hand->jump_m = members.vector("by_mm", 1e5) * 1e-3;
+  if (hand->fault == HandFault::jump) hand->jump_m = read_vector(members, "by_mm", 1e5) * 1e-3;
   return what;
 }
 

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <set>
 
+#include "samples/mock_runtime/error.h"
+
 namespace hrt::mock {
 namespace {
 
@@ -44,7 +46,7 @@ Json parse_json(std::string_view text, Recording& recording) {
   try {
     return Json::parse(text, check);
   } catch (const Json::exception& error) {  // also a number beyond all numbers
-    throw Error{XR_ERROR_VALIDATION_FAILURE, std::string("script: ") + error.what()};
+    throw Refusal(error.what());
   }
 }
 
@@ -94,7 +96,7 @@ Script read_script(Members& members, const Json& json, Recording& recording) {
   script.world.seed = members.count("seed", script.world.seed, 0);
   if (members.has("participants")) {
     script.world.participants.clear();
-    members.each("participants", [&](Members& each) { script.world.participants.push_back(read_person(each)); });
+    members.each("participants", {}, [&](Members& each) { script.world.participants.push_back(read_person(each)); });
     if (script.world.participants.empty()) refuse(members.where("participants"), "must have one at least");
   }
   members.object("tracker", [&](Members& tracker) { script.world.tracker = read_tracker(tracker); });
@@ -111,8 +113,8 @@ Script read_script(Members& members, const Json& json, Recording& recording) {
     controllers.object("left", [&](Members& each) { read_controller(each, script.world.controllers[0]); });
     controllers.object("right", [&](Members& each) { read_controller(each, script.world.controllers[1]); });
   });
-  members.each("events", [&](Members& event) { script.events.push_back(read_event(event)); });
-  members.each("calls", [&](Members& call) { script.calls.push_back(read_call(call)); });
+  members.each("events", {}, [&](Members& event) { script.events.push_back(read_event(event)); });
+  members.each("calls", {}, [&](Members& call) { script.calls.push_back(read_call(call)); });
   members.object("playback", [&](Members& playback) {
     read_playback(playback, json, recording);
     script.hand_tracking = recording.hand_tracking;
@@ -125,13 +127,15 @@ Script read_script(Members& members, const Json& json, Recording& recording) {
 
 }  // namespace
 
-Script parse_script(std::string_view text) {
+Script parse_script(std::string_view text) try {
   Recording recording;
   const Json json = parse_json(text, recording);
   Members members(json, "script");
   Script script = read_script(members, json, recording);
   members.finish();
   return script;
+} catch (const Refusal& refusal) {
+  throw Error{XR_ERROR_VALIDATION_FAILURE, std::string("script: ") + refusal.what()};
 }
 
 std::string script_schema() {

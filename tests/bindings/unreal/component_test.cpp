@@ -5,7 +5,6 @@
 
 #include <array>
 #include <bit>
-#include <chrono>
 #include <cinttypes>
 #include <cstdlib>
 #include <cstring>
@@ -14,13 +13,14 @@
 #include <map>
 #include <numbers>
 #include <sstream>
-#include <thread>
 
 #include "HapticConversions.h"
 #include "HapticRetargetingComponent.h"
-#include "haptic_retargeting/plate.h"
+#include "tests/plugin/plate/eventually.h"
 
 namespace {
+
+using hrt::plate::eventually;
 
 constexpr auto kReal = EHapticTargetRole::Real;
 constexpr auto kVirtual = EHapticTargetRole::Virtual;
@@ -462,12 +462,6 @@ uint64_t hash_command(uint64_t hash, const hrt_command& command) {
  command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit})
     hash = hash_word(hash, std::bit_cast<uint64_t>(number));
   return hash;
-}
-
-bool eventually(auto&& holds) {
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (!holds() && std::chrono::steady_clock::now() < give_up) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  return holds();
 }
 
 // A commissioned servo, emulated: run by with_plate.

@@ -3,9 +3,6 @@
 #define NOMINMAX
 #include <windows.h>
 // After it.
-#include <gtest/gtest.h>
-#include <haptic_retargeting/plate.h>
-
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -16,6 +13,7 @@
 
 #include "plugin/src/plate/plate_file.h"
 #include "tests/plugin/plate/emulated_dynamixel.h"
+#include "tests/plugin/plate/eventually.h"
 
 namespace hrt::plate {
 namespace {
@@ -74,21 +72,6 @@ class PipeDynamixel {
   std::atomic<bool> ending_ = false;
   std::thread thread_;
 };
-
-hrt_plate_report report_of(hrt_plate plate) {
-  hrt_plate_report report{};
-  report.struct_size = sizeof report;
-  EXPECT_EQ(hrt_plate_get(plate, &report), HRT_OK) << hrt_plate_last_error();
-  return report;
-}
-
-template <class Condition>
-bool eventually(Condition condition) {
-  for (const auto give_up = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < give_up;
-       std::this_thread::sleep_for(5ms))
-    if (condition()) return true;
-  return false;
-}
 
 TEST(WindowsLine, DrivesAServoOverANamedPipe) {
   PipeDynamixel servo;

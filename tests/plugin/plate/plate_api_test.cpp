@@ -24,13 +24,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-hrt_plate_report report_of(hrt_plate plate) {
-  hrt_plate_report report{};
-  report.struct_size = sizeof report;
-  EXPECT_EQ(hrt_plate_get(plate, &report), HRT_OK) << hrt_plate_last_error();
-  return report;
-}
-
 bool comes_to(hrt_plate plate, std::uint32_t state) {
   return eventually([&] { return report_of(plate).state == state; });
 }

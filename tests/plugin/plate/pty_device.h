@@ -8,20 +8,11 @@
 #include <thread>
 
 #include "tests/plugin/plate/emulated_dynamixel.h"
+#include "tests/plugin/plate/eventually.h"
 #include "tests/plugin/plate/pseudo_terminal.h"
 #include "tests/plugin/plate/twin_board.h"
 
 namespace hrt::plate {
-
-/// True as soon as `condition` is, false if it is not within 20 seconds.
-template <class Condition>
-bool eventually(Condition condition) {
-  using Clock = std::chrono::steady_clock;
-  for (const auto give_up = Clock::now() + std::chrono::seconds(20); !condition();
-       std::this_thread::sleep_for(std::chrono::milliseconds(2)))
-    if (Clock::now() > give_up) return false;
-  return true;
-}
 
 template <class Device>
 class PtyDevice {

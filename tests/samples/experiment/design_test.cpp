@@ -111,32 +111,31 @@ struct Wrong {
 
 TEST(ExperimentDesign, RefusalsNameThePlace) {
   const Wrong wrongs[] = {
-      {"/title: is missing", [](json& s) { s.erase("title"); }},
-      {"/titel: is unknown", [](json& s) { s["titel"] = "x"; }},
-      {"/repeats: 0 is not a whole number from 1 to 100", [](json& s) { s["repeats"] = 0; }},
-      {"/repeats: 2.5 is not", [](json& s) { s["repeats"] = 2.5; }},
-      {"/participants: 3 is not a multiple of 2", [](json& s) { s["participants"] = 3; }},
-      {"/conditions/1/controller: \"mpc\" is none of people",
+      {".title is missing", [](json& s) { s.erase("title"); }},
+      {".titel is not known; known are \"title\", \"seed\"", [](json& s) { s["titel"] = "x"; }},
+      {".repeats must be a whole number from 1 to 100", [](json& s) { s["repeats"] = 0; }},
+      {".repeats must be a whole", [](json& s) { s["repeats"] = 2.5; }},
+      {".participants must be a multiple of 2", [](json& s) { s["participants"] = 3; }},
+      {".conditions[1].controller must be one of \"people\", \"paper\"",
        [](json& s) { s["conditions"][1]["controller"] = "mpc"; }},
-      {"/conditions/1/name: \"secret people\" is another",
-       [](json& s) { s["conditions"][1]["name"] = "secret people"; }},
-      {"/pairs/0/virtual_deg: 61 is not a number", [](json& s) { s["pairs"][0]["virtual_deg"] = 61; }},
-      {"/pairs/0/name: is not a text", [](json& s) { s["pairs"][0]["name"] = "a\nb"; }},
-      {"/pairs/1: is not an object", [](json& s) { s["pairs"][1] = 4; }},
-      {"/listed_orders: goes with", [](json& s) { s["order"] = "listed"; }},
-      {"/listed_orders/0: does not have each",
+      {".conditions[1].name is another", [](json& s) { s["conditions"][1]["name"] = "secret people"; }},
+      {".pairs[0].virtual_deg must be a number from -60 to 60", [](json& s) { s["pairs"][0]["virtual_deg"] = 61; }},
+      {".pairs[0].name must be a text", [](json& s) { s["pairs"][0]["name"] = "a\nb"; }},
+      {".pairs[1] must be an object", [](json& s) { s["pairs"][1] = 4; }},
+      {".listed_orders goes with", [](json& s) { s["order"] = "listed"; }},
+      {".listed_orders[0] must have each",
        [](json& s) {
          s["order"] = "listed";
          s["listed_orders"] = json::parse(R"([["secret people", "secret people"]])");
        }},
-      {"/validity/max_s: is not above min_s", [](json& s) { s["validity"] = {{"min_s", 2}, {"max_s", 1}}; }},
-      {"/noticeability/condition: \"x\" is no condition; there are secret people, hidden none",
+      {".validity.max_s must be above min_s", [](json& s) { s["validity"] = {{"min_s", 2}, {"max_s", 1}}; }},
+      {".noticeability.condition must be a condition: \"secret people\", \"hidden none\"",
        [](json& s) { s["noticeability"] = {{"condition", "x"}}; }},
-      {"/questionnaires/0/items: is missing", [](json& s) { s["questionnaires"] = {{{"name", "SSQ"}}}; }},
-      {"/analysis/reference: \"x\" is no", [](json& s) { s["analysis"] = {{"reference", "x"}}; }}};
+      {".questionnaires[0].items is missing", [](json& s) { s["questionnaires"] = {{{"name", "SSQ"}}}; }},
+      {".analysis.reference must be a condition", [](json& s) { s["analysis"] = {{"reference", "x"}}; }}};
   for (const Wrong& wrong : wrongs) {
     const std::string why = refusal_of([&] { small_design(2, wrong.change); });
-    EXPECT_TRUE(why.starts_with("study.json:") && why.find(wrong.place) != std::string::npos)
+    EXPECT_TRUE(why.starts_with("study.json.") && why.find(wrong.place) != std::string::npos)
         << wrong.place << ": " << why;
   }
   EXPECT_NE(refusal_of([] { parse_design("{", "study.json"); }).find("study.json"), std::string::npos);

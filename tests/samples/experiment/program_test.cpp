@@ -66,12 +66,12 @@ TEST(ExperimentProgram, ThroughTheMockRuntime) {
   EXPECT_TRUE(has(streams, "stream HapticRetargeting MoCap 9 0 1 small sub-1 MoCap\nlabel x_m\n"))
       << streams.substr(0, 500);
   // A marker an event; felt and plate are sent while a reach is under way.
-  EXPECT_EQ(count_of(streams, "\ntext {"), count_of(read_file(folder / "one/sub-01/ses-01/journal.jsonl"), "\n"));
+  EXPECT_EQ(occurrences(streams, "\ntext {"), occurrences(read_file(folder / "one/sub-01/ses-01/journal.jsonl"), "\n"));
   EXPECT_TRUE(std::regex_search(streams, std::regex(R"(text .*"condition":"[AB]","event":"attempt")")));
   EXPECT_TRUE(std::regex_search(streams, std::regex(R"(\nfloats( -?[0-9.e-]+){9}\n)")));
   EXPECT_FALSE(has(streams, "secret"));
   const Tables tables = export_study(design, folder / "one", false);
-  EXPECT_EQ(count_of(tables.trials, ",counted,"), 1U + 4 + 5);
+  EXPECT_EQ(occurrences(tables.trials, ",counted,"), 1U + 4 + 5);
 }
 
 TEST(ExperimentProgram, RefusesInOneLine) {
@@ -79,7 +79,7 @@ TEST(ExperimentProgram, RefusesInOneLine) {
   const std::string study = written(folder, "study.json", R"({"title": "x"})");
   const Outcome design = Program({"design", study}).wait();
   EXPECT_EQ(design.exit_code, 1);
-  EXPECT_EQ(design.err, "hrt-experiment: study.json:/participants: is missing: Planned number\n");
+  EXPECT_EQ(design.err, "hrt-experiment: study.json.participants is missing\n");
   written(folder, "good.json", small_design(1).text);
   const Outcome nobody = Program({"run", folder / "good.json", "--participant", "1"}).wait();
   EXPECT_EQ(nobody.exit_code, 1);
@@ -140,7 +140,7 @@ struct AtPlate {
   }
   // Until the journal has so many events of this name.
   bool has_come(const std::string& event, std::size_t count) const {
-    return plate::eventually([&] { return count_of(journal_of(folder), "\"event\":\"" + event) >= count; });
+    return plate::eventually([&] { return occurrences(journal_of(folder), "\"event\":\"" + event) >= count; });
   }
   void leave() {
     terminal.type("q");
@@ -202,7 +202,7 @@ Outcome lead(const TemporaryFolder& folder, const reach::Path& path, const std::
   const Program program({"run", folder / "study.json", "--participant", "1", "--scene", scene, "--plate", "servo",
                          "--data", folder / "data"},
                         written(folder, "script.json", path.script(more)), terminal.descriptor());
-  EXPECT_TRUE(plate::eventually([&] { return count_of(journal_of(folder), "\"event\":\"" + event) >= until; }))
+  EXPECT_TRUE(plate::eventually([&] { return occurrences(journal_of(folder), "\"event\":\"" + event) >= until; }))
       << program.err();
   terminal.type("q");
   return program.wait();
@@ -227,7 +227,7 @@ TEST(ExperimentProgram, ASessionRegistersThePlate) {
   const Outcome resumed = lead(folder, Path().touch({marks[3], marks[4], marks[5]}).reach().lift(), "reach", 1);
   EXPECT_FALSE(has(resumed.err, "Mark 3 is")) << resumed.err;
   const std::string journal = journal_of(folder);
-  EXPECT_EQ(count_of(journal, "\"event\":\"touch"), 6U);
+  EXPECT_EQ(occurrences(journal, "\"event\":\"touch"), 6U);
   EXPECT_TRUE(has(journal, "\"counts\":true")) << journal;
   EXPECT_TRUE(has(journal, "contact_covariance")) << journal;
   const fs::path session = folder.path / "data/sub-01/ses-01";
@@ -330,7 +330,7 @@ TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
   person.type("n ");
   person.stop("A note, and Enter:", "\x1b", "Put your index finger on the start.");
   person.leave();
-  EXPECT_EQ(count_of(journal_of(person.folder), "plate_stopped"), 7U);
+  EXPECT_EQ(occurrences(journal_of(person.folder), "plate_stopped"), 7U);
   for (const char* name : {"secret", "hidden"})
     EXPECT_FALSE(has(person.all + read_file(person.folder / "heard"), name));
 }

@@ -24,7 +24,7 @@ std::string lasting(const Design& design, const fs::path& study) {
   return std::regex_replace(export_study(design, study, false).trials, changing, "$1$3\n");
 }
 
-std::size_t counted_rows(const std::string& rows) { return count_of(rows, ",counted,"); }
+std::size_t counted_rows(const std::string& rows) { return occurrences(rows, ",counted,"); }
 
 // Ends like kill -9 at the step of a number. Returns false if the session ended before it.
 bool killed_at(const Design& design, const fs::path& study, unsigned number) {

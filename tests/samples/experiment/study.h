@@ -11,6 +11,7 @@
 #include "samples/experiment/session/session.h"
 #include "samples/experiment/session/simulated.h"
 #include "tests/samples/process.h"
+#include "tests/samples/text.h"
 
 namespace hrt::experiment {
 
@@ -37,12 +38,6 @@ inline std::string run_simulated(const Design& design, const std::filesystem::pa
                                  const Disk& disk = Disk({}, false), unsigned participant = 1) {
   SimulatedSubject subject(design, participant, 7);
   return run_session(design, {study, participant, 1}, subject, disk);
-}
-
-inline std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
-  return count;
 }
 
 /// Why it is refused; empty: it is not.

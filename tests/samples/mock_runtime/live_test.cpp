@@ -1,10 +1,8 @@
 // A plate that any program turns by its pseudo-terminal, as it would turn a real one.
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
-#include "haptic_retargeting/plate.h"
+#include "tests/plugin/plate/eventually.h"
 #include "tests/samples/mock_runtime/support.h"
 #include "tests/samples/process.h"
 #include "tests/samples/text.h"
@@ -12,7 +10,7 @@
 namespace hrt::mock {
 namespace {
 
-constexpr hrt_plate_report empty_report{.struct_size = sizeof(hrt_plate_report)};
+using plate::eventually;
 
 class MockPlateTerminal : public MockRuntime {
  protected:
@@ -37,21 +35,11 @@ class MockPlateTerminal : public MockRuntime {
     ASSERT_EQ(hrt_plate_open(("serial:" + terminal()).c_str(), nullptr, &plate_), HRT_OK) << hrt_plate_last_error();
     ASSERT_TRUE(eventually([&] { return report().state == HRT_PLATE_STATE_READY; })) << report().message;
   }
-  hrt_plate_report report() {
-    hrt_plate_report now = empty_report;
-    EXPECT_EQ(hrt_plate_get(plate_, &now), HRT_OK);
-    return now;
-  }
+  hrt_plate_report report() const { return plate::report_of(plate_); }
   double true_orientation_deg() {
     double orientation_deg = 0.0;
     EXPECT_XR(XR_SUCCESS, functions->get_plate_orientation(session, 1, &orientation_deg));
     return orientation_deg;
-  }
-  template <typename Condition>
-  static bool eventually(Condition condition) {
-    for (int tries = 0; tries < 4000; ++tries, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
-      if (condition()) return true;
-    return false;
   }
 
   const TemporaryFolder folder_;

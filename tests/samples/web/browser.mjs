@@ -31,11 +31,13 @@ after(async () => {
 
 /** Opens the page on "Watch" with its folds open, after `script` has run in it, and uses it once the element `ready` is there. With `motion` false each
  *  change shows its reach at once; with `motion` true the page's time stands still until frames(). Fails at the end of `use`
- *  on any error of the page, and on any request except those for its own files. */
+ *  on any error of the page, and on any request except those for its own files, which are those of `folder` if one is named. */
 export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "#mode=watch", from = browser,
-                            base = address, strict = true, script = null, ready = "html[data-ready=yes]" } = {}) {
+                            base = address, folder = null, strict = true, script = null, ready = "html[data-ready=yes]" } = {}) {
   const context = await from.newContext({ viewport, colorScheme, reducedMotion: motion ? "no-preference" : "reduce" });
   const page = await context.newPage(), faults = [];
+  const file = (request) => join(folder, new URL(request.url()).pathname.replace(/\/$/, "/index.html"));
+  if (folder) await context.route(`${base}**`, (route) => route.fulfill({ path: file(route.request()) }));
   if (script) await page.addInitScript(script);
   if (motion) await page.addInitScript(stopTime);
   page.on("pageerror", (error) => faults.push(error.message));

@@ -1,23 +1,21 @@
 // The examples for three.js, A-Frame and react-three-fiber as the package's README has them: the packed package and the library in
-// node_modules, a static server, an emulated headset.
+// node_modules, an emulated headset.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { copyFile, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from "node:fs/promises";
-import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
-import { dirname, extname, join, normalize } from "node:path";
+import { dirname, extname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { frames, pageFolder, sources, visit } from "./browser.mjs";
 import { optional, without } from "./emulated.mjs";
 
 const newest = join(dirname(fileURLToPath(import.meta.url)), "../../bindings/web/node_modules");
-const types = { ".html": "text/html", ".mjs": "text/javascript", ".js": "text/javascript", ".wasm": "application/wasm" };
 /** How a visitor enters, and which three.js comes with the library. */
 const examples = { "three.html": ["#VRButton", "three"], "aframe.html": [".a-enter-vr-button", "aframe/node_modules/three"],
                    "fiber.jsx": ["#VRButton", "three"] };
-let folder, server, address;
+let folder;
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), "hrt_examples_"));
   execFileSync("npm", ["pack", "--silent", join(pageFolder, "../npm")], { cwd: folder });
@@ -39,23 +37,8 @@ before(async () => {
     await copyFile(join(folder, "package/haptic_retargeting.wasm"), join(to, "haptic_retargeting.wasm"));
     await writeFile(join(to, "index.html"), '<!doctype html><meta charset="utf-8"><body><script type="module" src="page.js"></script>');
   }
-  server = createServer(async (request, response) => {
-    const path = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname)).replace(/\/$/, "/index.html");
-    try {
-      const bytes = await readFile(join(folder, path));
-      response.writeHead(200, { "content-type": types[extname(path)] ?? "application/octet-stream" }).end(bytes);
-    } catch {
-      response.writeHead(path === "/favicon.ico" ? 204 : 404).end();
-    }
-  });
-  await new Promise((done) => server.listen(0, "127.0.0.1", done));
-  address = `http://127.0.0.1:${server.address().port}/`;
 });
-after(async () => {
-  server?.closeAllConnections();
-  server?.close();
-  await rm(folder, { recursive: true, force: true });
-});
+after(() => rm(folder, { recursive: true, force: true }));
 
 // Each with all that browsers have, and with none that is optional; three.js' without each of it too.
 const runs = Object.keys(examples).flatMap((name) => [[name, []], [name, optional]]);
@@ -75,4 +58,4 @@ for (const [name, lacking] of [...runs, ...optional.map((each) => ["three.html",
   });
   await page.locator("#words", { hasText: /^The finger ended (4|5)\.\d degrees from the cylinder\.$/ }).waitFor({ state: "attached" });  // straight ahead, 5 degrees from it
   await frames(page, 11, 2);
-}, { motion: true, viewport: { width: 500, height: 400 }, script: without(lacking), base: address, link: `${name}/`, ready: examples[name][0] }));
+}, { motion: true, viewport: { width: 500, height: 400 }, script: without(lacking), folder, link: `${name}/`, ready: examples[name][0] }));
