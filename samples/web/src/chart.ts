@@ -12,11 +12,10 @@ export interface ChartGoals {
   readonly weight: number;
 }
 
-type Values = (trace: Trace, goals: ChartGoals, i: number) => number | undefined;
 interface Line {
   readonly label: string;
   readonly colour: keyof Colours;
-  readonly value: Values;
+  readonly value: (at: Trace[number], goals: ChartGoals) => number;
   readonly dash?: number[];
   readonly width?: number;
 }
@@ -33,7 +32,7 @@ const strips: readonly {
     title: "plate: normal of the ridges",
     range: [-95, 95],
     unit: "°",
-    lines: [{ label: "plate", colour: "chartPlate", value: (trace, _, i) => trace.plate_deg[i] }],
+    lines: [{ label: "plate", colour: "chartPlate", value: ({ plate_deg }) => plate_deg }],
   },
   {
     title: "direction: finger, and as felt",
@@ -42,8 +41,8 @@ const strips: readonly {
     lines: [
       { label: "cylinder", colour: "real", value: (_, goals) => goals.real_deg, ...level },
       { label: "ghost", colour: "felt", value: (_, goals) => goals.virtual_deg, ...level },
-      { label: "finger", colour: "real", value: (trace, _, i) => trace.finger_deg[i] },
-      { label: "felt", colour: "felt", value: (trace, _, i) => trace.felt_deg[i], dash: [6, 4] },
+      { label: "finger", colour: "real", value: ({ finger_deg }) => finger_deg },
+      { label: "felt", colour: "felt", value: ({ felt_deg }) => felt_deg, dash: [6, 4] },
     ],
   },
   {
@@ -53,19 +52,9 @@ const strips: readonly {
     band: [2, 3],
     lines: [
       { label: "true", colour: "text", value: (_, goals) => goals.weight, ...level },
-      {
-        label: "at most",
-        colour: "weight",
-        value: (trace, _, i) => trace.weight[i]! + 1.96 * trace.weight_sd[i]!,
-        width: 0,
-      },
-      {
-        label: "at least",
-        colour: "weight",
-        value: (trace, _, i) => trace.weight[i]! - 1.96 * trace.weight_sd[i]!,
-        width: 0,
-      },
-      { label: "believed", colour: "weight", value: (trace, _, i) => trace.weight[i] },
+      { label: "at most", colour: "weight", value: ({ weight, weight_sd }) => weight + 1.96 * weight_sd, width: 0 },
+      { label: "at least", colour: "weight", value: ({ weight, weight_sd }) => weight - 1.96 * weight_sd, width: 0 },
+      { label: "believed", colour: "weight", value: ({ weight }) => weight },
     ],
   },
 ];
@@ -138,13 +127,9 @@ export class Chart {
     const said = Object.values(goals).join();
     if (trace === this.#trace && trace.length === this.#length && said === this.#goals) return;
     [this.#trace, this.#length, this.#goals] = [trace, trace.length, said];
-    const each = (value: (i: number) => number | undefined) =>
-      Array.from({ length: trace.length }, (_, i) => {
-        const number = value(i);
-        return number === undefined || Number.isNaN(number) ? null : number;
-      });
-    const times = each((i) => (i * tracePeriod_ms) / 1000) as number[];
+    const times = trace.map((_, i) => (i * tracePeriod_ms) / 1000),
+      drawn = (value: number) => (Number.isNaN(value) ? null : value);
     for (const [i, plot] of this.#plots.entries())
-      plot.setData([times, ...strips[i]!.lines.map(({ value }) => each((k) => value(trace, goals, k)))]);
+      plot.setData([times, ...strips[i]!.lines.map(({ value }) => trace.map((at) => drawn(value(at, goals))))]);
   }
 }

@@ -20,12 +20,6 @@ const margin_px = 4,
   rings = 6;
 const turn_rad = 0.15;
 
-interface Box {
-  x: number;
-  y: number;
-  width: number;
-  height: number;
-}
 interface Label {
   readonly element: HTMLElement;
   /** Where it points to, on the canvas. */
@@ -67,13 +61,10 @@ export class Desk {
   readonly #over = [element("caption", HTMLParagraphElement), element("legend", HTMLParagraphElement)];
   #glass: Place = { ...start };
   readonly #at = { x: 0, y: 0 };
-  // What was drawn last, and whether anything else has changed since: a picture at rest costs nothing.
-  #stale = true;
+  /** What was drawn last; empty: something else has changed since. A picture at rest costs nothing. */
+  #drawn = "";
   #revealed = 1;
   #slowFrames = 0; // in a row
-  #plate_deg = NaN;
-  readonly #finger: Place = { right_m: NaN, away_m: NaN };
-  readonly #felt: Place = { right_m: NaN, away_m: NaN };
 
   constructor() {
     try {
@@ -81,9 +72,7 @@ export class Desk {
     } catch {
       this.stage = null;
     }
-    this.stage?.orbit.addEventListener("change", () => {
-      this.#stale = true;
-    });
+    this.stage?.orbit.addEventListener("change", () => this.#change(() => {}));
     if (!this.stage) {
       this.canvas.hidden = true;
       element("no-view", HTMLParagraphElement).hidden = false;
@@ -114,7 +103,7 @@ export class Desk {
   /** The hand's own shape, once it has come. */
   async bringHand(): Promise<void> {
     await this.stage?.finger.become((await import("./stage/hand_model")).pointingHand);
-    this.#stale = true;
+    this.#drawn = "";
     this.frame.dataset.hand = "yes";
   }
   clearPaths(): void {
@@ -142,7 +131,7 @@ export class Desk {
   /** Labels for the visitor who is the finger, or for one who watches. */
   nameLabels(own: boolean): void {
     for (const name of labelNames) say(this.#named[name], words[name][own ? 0 : 1]);
-    this.#stale = true;
+    this.#drawn = "";
   }
 
   /** Plate and targets of a visitor's scene instead of the page's own; null: the page's own. */
@@ -182,8 +171,10 @@ export class Desk {
   }
 
   draw(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
-    const stage = this.stage;
-    if (!stage || !this.#changes(plate_deg, finger, felt)) return;
+    const stage = this.stage,
+      state = [plate_deg, finger.right_m, finger.away_m, felt.right_m, felt.away_m].join();
+    if (!stage || state === this.#drawn) return;
+    this.#drawn = state;
     stage.place(plate_deg, finger, felt);
     stage.draw();
     this.#drawLabels(stage);
@@ -191,22 +182,13 @@ export class Desk {
 
   /** Each beside its thing, within the picture, off the others and off the words that lie on the picture. */
   #drawLabels(stage: Stage): void {
-    const within: Box = {
-      x: margin_px,
-      y: margin_px,
-      width: this.canvas.clientWidth - 2 * margin_px,
-      height: this.canvas.clientHeight - 2 * margin_px,
-    };
-    const taken: Box[] = this.#over.map((each) => ({
-      x: each.offsetLeft,
-      y: each.offsetTop,
-      width: each.offsetWidth,
-      height: each.offsetHeight,
-    }));
+    const { clientWidth, clientHeight } = this.canvas,
+      within = new DOMRect(margin_px, margin_px, clientWidth - 2 * margin_px, clientHeight - 2 * margin_px);
+    const taken = this.#over.map((on) => new DOMRect(on.offsetLeft, on.offsetTop, on.offsetWidth, on.offsetHeight));
     for (const { element: label, at, sides } of this.#labels) {
       if (label.hidden) continue;
       at(stage, this.#at);
-      const box: Box = { x: 0, y: 0, width: label.offsetWidth, height: label.offsetHeight };
+      const box = new DOMRect(0, 0, label.offsetWidth, label.offsetHeight);
       place(box, this.#at, sides, within, taken);
       taken.push(box);
       label.style.transform = `translate(${box.x.toFixed(1)}px, ${box.y.toFixed(1)}px)`;
@@ -216,10 +198,7 @@ export class Desk {
   /** For those who check: the truth in numbers, beside the picture, and where ring and glass stand in it. */
   write(result: SlideEnd | null): void {
     const { dataset } = this.frame;
-    for (const [name, place] of [
-      ["start", start],
-      ["glass", this.#glass],
-    ] as const) {
+    for (const [name, place] of Object.entries({ start, glass: this.#glass })) {
       this.stage?.targetToCanvas(place, this.#at, 0);
       dataset[name] = `${this.#at.x.toFixed(1)} ${this.#at.y.toFixed(1)}`;
     }
@@ -232,17 +211,7 @@ export class Desk {
   /** Anything but what draw() is given. */
   #change(how: (stage: Stage) => void): void {
     if (this.stage) how(this.stage);
-    this.#stale = true;
-  }
-
-  #changes(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): boolean {
-    const same =
-      !this.#stale && plate_deg === this.#plate_deg && isSame(finger, this.#finger) && isSame(felt, this.#felt);
-    this.#stale = false;
-    this.#plate_deg = plate_deg;
-    Object.assign(this.#finger, finger);
-    Object.assign(this.#felt, felt);
-    return !same;
+    this.#drawn = "";
   }
 
   /** The place on the plate under a pointer; false beyond the horizon, or without a picture. */
@@ -252,39 +221,27 @@ export class Desk {
   }
 }
 
-function isSame(one: Readonly<Place>, other: Readonly<Place>): boolean {
-  return one.right_m === other.right_m && one.away_m === other.away_m;
-}
-
 /** Puts the box beside `at`: on the first side and in the nearest ring where it is free, else where it is within. */
 function place(
-  box: Box,
+  box: DOMRect,
   at: Readonly<{ x: number; y: number }>,
   sides: Label["sides"],
-  within: Box,
-  taken: readonly Box[],
+  within: DOMRect,
+  taken: readonly DOMRect[],
 ): void {
   for (let ring = 1; ring <= rings; ++ring) {
     for (const [right, down] of sides) {
       box.x = at.x + right * (box.width / 2 + ring * gap_px) - box.width / 2;
       box.y = at.y + down * (box.height / 2 + (ring * gap_px) / 2) - box.height / 2;
       const inside =
-        box.x >= within.x &&
-        box.y >= within.y &&
-        box.x + box.width <= within.x + within.width &&
-        box.y + box.height <= within.y + within.height;
+        box.left >= within.left && box.top >= within.top && box.right <= within.right && box.bottom <= within.bottom;
       if (inside && !taken.some((other) => meet(box, other))) return;
     }
   }
-  box.x = Math.min(Math.max(at.x - box.width / 2, within.x), within.x + within.width - box.width);
-  box.y = Math.min(Math.max(at.y - 2 * box.height, within.y), within.y + within.height - box.height);
+  box.x = Math.min(Math.max(at.x - box.width / 2, within.x), within.right - box.width);
+  box.y = Math.min(Math.max(at.y - 2 * box.height, within.y), within.bottom - box.height);
 }
 
-function meet(one: Box, other: Box): boolean {
-  return (
-    one.x < other.x + other.width &&
-    other.x < one.x + one.width &&
-    one.y < other.y + other.height &&
-    other.y < one.y + one.height
-  );
+function meet(one: DOMRect, other: DOMRect): boolean {
+  return one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom;
 }

@@ -1,8 +1,8 @@
 // Four figures that explain the illusion, each with one control. Drawn stronger than it is: touch has a third of the weight.
+import { degree } from "./geometry";
 import { element } from "./page";
 
-const touch = 1 / 3,
-  degree = Math.PI / 180;
+const touch = 1 / 3;
 const length = 130,
   foot = { x: 160, y: 195 };
 
@@ -76,17 +76,14 @@ const figures: readonly ((value: number) => string)[] = [
       word("real", at(hand - 15, 90), "true")
     );
   },
-  (hand) => {
-    return (
-      plate((-hand * (1 - touch)) / touch) +
-      arrow("felt", at(0, 0), at(0, length - 4)) +
-      arrow("real", at(0, 0), at(hand, length - 4)) +
-      dot("real", at(hand, length + 16)) +
-      dot("felt", at(0, length + 16)) +
-      word("felt", at(0, length + 32), "glass") +
-      (Math.abs(hand) > 8 ? word("real", at(hand + 24 * Math.sign(hand), length + 8), "cylinder") : "")
-    );
-  },
+  (hand) =>
+    plate((-hand * (1 - touch)) / touch) +
+    arrow("felt", at(0, 0), at(0, length - 4)) +
+    arrow("real", at(0, 0), at(hand, length - 4)) +
+    dot("real", at(hand, length + 16)) +
+    dot("felt", at(0, length + 16)) +
+    word("felt", at(0, length + 32), "glass") +
+    (Math.abs(hand) > 8 ? word("real", at(hand + 24 * Math.sign(hand), length + 8), "cylinder") : ""),
 ];
 
 export function showFigures(): void {

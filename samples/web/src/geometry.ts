@@ -24,7 +24,7 @@ export interface Course {
   readonly virtual_m: number;
 }
 
-const degree = Math.PI / 180;
+export const degree = Math.PI / 180;
 
 export function ahead(from: Readonly<Place>, direction_deg: number, length_m: number): Place {
   return {

@@ -5,7 +5,9 @@ import { pageCourse } from "./controller";
 import { Felt } from "./felt";
 import {
   ahead,
+  degree,
   direction_deg,
+  distance_m,
   length_m,
   type Place,
   ridgeSpacing_m,
@@ -22,7 +24,6 @@ import type { Settings } from "./settings";
 export const minReach_m = 0.03;
 /** A finger that is felt this near to the ghost has reached it. */
 const near_m = 0.005;
-const degree = Math.PI / 180;
 
 export class Hand extends Led {
   /** Sliding from the first motion to end(). */
@@ -31,8 +32,9 @@ export class Hand extends Led {
   /** Ridges that the true finger has crossed, by its own motion or the plate's. */
   ridges = 0;
 
-  #wanted: Place = { ...start };
-  readonly #felt: Place = { ...start };
+  /** Where the finger is to be felt. */
+  readonly wanted: Place = { ...start };
+  readonly felt: Place = { ...start };
   // From felt to true: the sum of touch the other way round.
   readonly #true = new Felt();
   readonly #back_deg = (felt_deg: number): number => {
@@ -49,9 +51,6 @@ export class Hand extends Led {
 
   get finger(): Readonly<Place> {
     return this.#true.place;
-  }
-  get felt(): Readonly<Place> {
-    return this.#felt;
   }
   /** Of the motion; NaN at rest. */
   get finger_deg(): number {
@@ -74,8 +73,8 @@ export class Hand extends Led {
     this.world.begin_hand(0);
     this.lead(0);
     this.#true.begin(start);
-    Object.assign(this.#felt, start);
-    Object.assign(this.#wanted, start);
+    Object.assign(this.felt, start);
+    Object.assign(this.wanted, start);
     this.#ridge = this.#ridgeUnder();
     this.phase = "waiting";
     this.result = null;
@@ -84,11 +83,7 @@ export class Hand extends Led {
   /** Where the finger is to be felt from now on. */
   moveTo(right_m: number, away_m: number): void {
     if (!Number.isFinite(right_m) || !Number.isFinite(away_m) || this.phase === "arrived") return;
-    Object.assign(this.#wanted, { right_m, away_m });
-  }
-
-  get wanted(): Readonly<Place> {
-    return this.#wanted;
+    Object.assign(this.wanted, { right_m, away_m });
   }
 
   /** The next whole milliseconds, with one sample of the finger at their end, as an engine's frame has it. A finger that is
@@ -100,36 +95,30 @@ export class Hand extends Led {
       this.tick();
       if (this.phase === "sliding") this.record(this.finger_deg, this.felt_deg);
     }
-    const to = this.#next(),
-      over = this.#isOver(to);
-    this.#true.move(to.right_m - this.#felt.right_m, to.away_m - this.#felt.away_m, milliseconds, this.#back_deg);
-    Object.assign(this.#felt, to);
+    const to = this.#next();
+    this.#true.move(to.right_m - this.felt.right_m, to.away_m - this.felt.away_m, milliseconds, this.#back_deg);
+    Object.assign(this.felt, to);
     if (length_m(start, to) > 0.002) this.phase = "sliding";
     const ridge = this.#ridgeUnder();
     this.ridges += Math.abs(ridge - this.#ridge);
     this.#ridge = ridge;
     this.see(world.time_ms(), this.finger.right_m, this.finger.away_m);
-    if (over) this.end();
+    if (length_m(start, to) > distance_m - 1e-6) this.end();
   }
 
   /** No further than the ghost, and onto it from nearby. */
   #next(): Place {
-    const { virtual_m } = pageCourse(this.settings),
-      ghost = virtualPlace(pageCourse(this.settings));
-    const from_m = length_m(start, this.#felt),
-      to_m = length_m(start, this.#wanted);
-    const share = to_m > virtual_m ? Math.max(0, (virtual_m - from_m) / (to_m - from_m)) : 1;
-    const right_m = this.#felt.right_m + share * (this.#wanted.right_m - this.#felt.right_m);
-    const away_m = this.#felt.away_m + share * (this.#wanted.away_m - this.#felt.away_m);
+    const ghost = virtualPlace(pageCourse(this.settings)),
+      from_m = length_m(start, this.felt),
+      to_m = length_m(start, this.wanted);
+    const share = to_m > distance_m ? Math.max(0, (distance_m - from_m) / (to_m - from_m)) : 1;
+    const right_m = this.felt.right_m + share * (this.wanted.right_m - this.felt.right_m);
+    const away_m = this.felt.away_m + share * (this.wanted.away_m - this.felt.away_m);
     const to =
       share < 1
-        ? ahead(start, direction_deg(right_m - start.right_m, away_m - start.away_m), virtual_m)
+        ? ahead(start, direction_deg(right_m - start.right_m, away_m - start.away_m), distance_m)
         : { right_m, away_m };
     return length_m(to, ghost) < near_m ? ghost : to;
-  }
-
-  #isOver(to: Place): boolean {
-    return length_m(start, to) > pageCourse(this.settings).virtual_m - 1e-6;
   }
 
   /** Number of the ridge that the true finger is nearest to. */
@@ -142,9 +131,9 @@ export class Hand extends Led {
   /** The finger is lifted. A slide that is too short begins anew. */
   end(): void {
     if (this.phase !== "sliding") return;
-    if (length_m(start, this.#felt) < minReach_m) return this.begin();
+    if (length_m(start, this.felt) < minReach_m) return this.begin();
     this.recording = this.drop();
     this.phase = "arrived";
-    this.result = slideEnd(this.finger, this.#felt, pageCourse(this.settings));
+    this.result = slideEnd(this.finger, this.felt, pageCourse(this.settings));
   }
 }

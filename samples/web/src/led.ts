@@ -4,10 +4,10 @@ import { sessions } from "./controller";
 import type { Course } from "./geometry";
 import type { World } from "./person";
 import type { Settings } from "./settings";
-import { Trace, tracePeriod_ms } from "./trace";
+import { maxTrace, type Trace, tracePeriod_ms } from "./trace";
 
 export abstract class Led {
-  readonly trace = new Trace();
+  readonly trace: Trace = [];
   /** Where a connected plate is, which is felt instead of the simulated one; NaN: there is none. */
   plateConnected_deg = NaN;
   /** Of the last reach that has ended, as CSV. */
@@ -70,7 +70,7 @@ export abstract class Led {
     this.drop();
     this.world.set_person(this.settings.person, this.settings.tactile_weight, this.settings.pace_s);
     this.world.set_apparatus(this.settings.noise_mm / 1000, this.settings.plate_deg_s);
-    this.trace.clear();
+    this.trace.length = 0;
   }
 
   /** A reach begins, and is recorded. */
@@ -99,15 +99,9 @@ export abstract class Led {
 
   /** Directions are NaN at rest. */
   protected record(finger_deg: number, felt_deg: number): void {
-    if (this.world.time_ms() % tracePeriod_ms !== 0) return;
-    const { tactile_weight, tactile_weight_sd } = this.command,
-      learns = this.settings.controller !== "off";
-    this.trace.add(
-      this.world.plate_deg(),
-      finger_deg,
-      felt_deg,
-      learns ? tactile_weight : NaN,
-      learns ? tactile_weight_sd : NaN,
-    );
+    if (this.world.time_ms() % tracePeriod_ms !== 0 || this.trace.length === maxTrace) return;
+    const { tactile_weight, tactile_weight_sd: weight_sd } = this.command,
+      weight = this.settings.controller === "off" ? NaN : tactile_weight;
+    this.trace.push({ plate_deg: this.world.plate_deg(), finger_deg, felt_deg, weight, weight_sd });
   }
 }

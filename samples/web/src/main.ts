@@ -13,7 +13,7 @@ import { Replaying } from "./modes/replaying";
 import { Sliding } from "./modes/sliding";
 import { Viewing } from "./modes/viewing";
 import { Watching } from "./modes/watching";
-import { element, radios, say } from "./page";
+import { check, chosen, element, messageOf, radios, say } from "./page";
 import { Panel } from "./panel";
 import { createWorld } from "./person";
 import { Connecting } from "./plate/connecting";
@@ -26,6 +26,9 @@ import { Voice } from "./voice";
 import { Watch } from "./watch";
 import type { Wear } from "./wear/wear";
 import type { Wearing } from "./wear/wearing";
+
+/** A page that was hidden continues where it was. */
+const maxFrame_ms = 100;
 
 async function main(): Promise<void> {
   // The first picture needs no plugin, which is on its way meanwhile.
@@ -54,7 +57,7 @@ async function main(): Promise<void> {
   const hand = new Hand(library, handWorld, linked.settings);
   const voice = new Voice(),
     plate = new Connecting(),
-    results = new Results(element("results", HTMLTableElement));
+    results = new Results();
   const table = new TraceTable(),
     researchers = element("researchers", HTMLDetailsElement);
   const watching = new Watching(watch, watchWorld, desk, results, linked.settings, voice, still);
@@ -107,7 +110,7 @@ async function main(): Promise<void> {
   }
 
   function showMode(): void {
-    mode = modes.find((name) => radios("mode").some((radio) => radio.checked && radio.value === name)) ?? "hand";
+    mode = modes.find((name) => name === chosen("mode")) ?? "hand";
     sliding.active = mode === "hand";
     const { frame } = desk;
     frame.classList.toggle("hand", sliding.active);
@@ -117,12 +120,11 @@ async function main(): Promise<void> {
         ? "The plate: arrow keys slide the finger from the ring to the glass, ahead and somewhat to the left; Enter ends the slide"
         : "The plate and the hand: arrow keys turn the view",
     );
-    for (const name of modes) {
-      for (const part of document.querySelectorAll<HTMLElement>(`.${name}-only`)) part.hidden = mode !== name;
-    }
     const played = mode === "watch" || (mode === "scene" && viewing.course !== null);
-    for (const part of document.querySelectorAll<HTMLElement>(".played-only")) part.hidden = !played;
-    for (const part of document.querySelectorAll<HTMLElement>(".own-only")) part.hidden = mode === "scene";
+    for (const name of [...modes, "played", "own"]) {
+      const shown = name === "played" ? played : name === "own" ? mode !== "scene" : name === mode;
+      for (const part of document.querySelectorAll<HTMLElement>(`.${name}-only`)) part.hidden = !shown;
+    }
     element("legend", HTMLParagraphElement).hidden = mode === "replay";
     say(
       element("now-title", HTMLHeadingElement),
@@ -162,7 +164,7 @@ async function main(): Promise<void> {
   }
 
   function choose(wanted: Mode): void {
-    for (const radio of radios("mode")) radio.checked = radio.value === wanted;
+    check("mode", wanted);
     showMode();
   }
 
@@ -192,8 +194,7 @@ async function main(): Promise<void> {
       each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
   }
 
-  plate.onReady = ({ speed_deg_s }) =>
-    panel.replace({ ...panel.settings, plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
+  plate.onReady = ({ speed_deg_s }) => panel.change({ plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
 
   let before_ms = performance.now();
   function frame(now_ms: number): void {
@@ -202,7 +203,8 @@ async function main(): Promise<void> {
     if (!wearing?.worn) {
       if (!still) desk.ease(elapsed_ms);
       follow(elapsed_ms);
-      ({ watch: watching, hand: sliding, wear: wearing, replay: replaying, scene: watching })[mode]?.frame(elapsed_ms);
+      const shown = { watch: watching, hand: sliding, wear: wearing, replay: replaying, scene: watching }[mode];
+      shown?.frame(Math.min(elapsed_ms, maxFrame_ms));
     }
     const { trace } = mode === "replay" ? replaying : reaches();
     if (researchers.open) chart?.draw(trace, goals);
@@ -213,9 +215,8 @@ async function main(): Promise<void> {
 
   for (const radio of radios("mode")) {
     radio.addEventListener("change", () => {
-      if (wearing?.worn)
-        choose("wear"); // the headset's session goes first
-      else showMode();
+      if (wearing?.worn) check("mode", "wear"); // the headset's session goes first
+      showMode();
       address();
     });
   }
@@ -234,7 +235,7 @@ async function main(): Promise<void> {
     const { settings, mode: wanted, problems } = fromLink(location.hash.slice(1));
     showProblems(problems);
     choose(wanted);
-    panel.replace(settings);
+    panel.change(settings);
   });
   for (const button of document.querySelectorAll<HTMLButtonElement>("button[data-open]")) {
     const part = element(button.dataset.open ?? "", HTMLDetailsElement);
@@ -259,6 +260,6 @@ function showProblems(problems: readonly string[]): void {
 
 main().catch((error: unknown) => {
   const caption = document.getElementById("caption");
-  if (caption) caption.textContent = `The page cannot start: ${error instanceof Error ? error.message : String(error)}`;
+  if (caption) caption.textContent = `The page cannot start: ${messageOf(error)}`;
   throw error;
 });

@@ -11,6 +11,26 @@ export function radios(name: string): HTMLInputElement[] {
   return [...document.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`)];
 }
 
+/** The value of the radio button that is chosen. */
+export function chosen(name: string): string | undefined {
+  return radios(name).find(({ checked }) => checked)?.value;
+}
+export function check(name: string, value: string): void {
+  for (const radio of radios(name)) radio.checked = radio.value === value;
+}
+
+/** A row of a table; `index` -1: its last. */
+export function addRow(body: HTMLTableSectionElement, texts: readonly string[], index = -1): HTMLTableRowElement {
+  const row = body.insertRow(index);
+  for (const text of texts) row.insertCell().textContent = text;
+  return row;
+}
+
+/** What a caught error says. */
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
 /** Sets a text if it is another one: unchanged texts cost no layout. */
 export function say(where: Element, text: string): void {
   if (where.textContent !== text) where.textContent = text;

@@ -1,31 +1,25 @@
 // The table of reaches, the newest first.
 import { warnings } from "./controller";
+import { addRow, element } from "./page";
 import type { ControllerName } from "./settings";
 import type { ReachResult } from "./watch";
 
 const rowsKept = 10;
 const arrived_deg = 1.5;
-export const controllerTexts: Readonly<Record<ControllerName, string>> = {
+const controllerTexts: Readonly<Record<ControllerName, string>> = {
   off: "still",
   paper: "the paper's",
   ours: "ours",
 };
 
 export class Results {
-  readonly #body: HTMLTableSectionElement;
-
-  constructor(table: HTMLTableElement) {
-    const body = table.tBodies[0];
-    if (!body) throw new Error("the table of reaches has no body");
-    this.#body = body;
-  }
+  readonly #body = element("result-rows", HTMLTableSectionElement);
 
   clear(): void {
     this.#body.replaceChildren();
   }
 
   add(result: Readonly<ReachResult>): void {
-    const row = this.#body.insertRow(0);
     const off = `${Math.abs(result.bearingError_deg).toFixed(1)}°, ${result.toCylinder_mm.toFixed(1)} mm`;
     const hit = Math.abs(result.bearingError_deg) <= arrived_deg;
     const learns = result.weightSd > 0 && result.controller === "ours";
@@ -42,7 +36,7 @@ export class Results {
       believed,
       result.controller === "off" ? "" : warnings(result.flags).join("; "),
     ];
-    for (const text of cells) row.insertCell().textContent = text;
+    const row = addRow(this.#body, cells, 0);
     for (const [name, value] of Object.entries(result)) {
       // peakFeltError_deg is peakFeltErrorDeg there
       row.dataset[name.replace(/_(.)/g, (_, letter: string) => letter.toUpperCase())] = String(value);

@@ -9,8 +9,6 @@ import type { ControllerName, Settings } from "./settings";
 
 const trackerRate_hz = 90;
 
-export type Phase = "waiting" | "sliding" | "arrived";
-
 /** How a reach ended: the simulation's truth, except what the controller believes. */
 export interface ReachResult extends SlideEnd {
   /** Of this person under this controller, from 1. */
@@ -32,11 +30,11 @@ export interface ReachResult extends SlideEnd {
 }
 
 export class Watch extends Led {
-  phase: Phase = "waiting";
+  phase: "waiting" | "sliding" | "arrived" = "waiting";
   result: ReachResult | null = null;
 
-  #course: Course;
-  #number = 1;
+  course: Course;
+  number = 1;
   #samples = 0;
   #startedAt_ms = -1;
   #stoppedAt_ms = -1;
@@ -52,7 +50,7 @@ export class Watch extends Led {
     private readonly courseOf: (settings: Readonly<Settings>) => Course = pageCourse,
   ) {
     super(library, world, settings, courseOf(settings));
-    this.#course = courseOf(settings);
+    this.course = courseOf(settings);
     this.begin();
   }
 
@@ -60,19 +58,13 @@ export class Watch extends Led {
   get profile(): string {
     return this.session.profile;
   }
-  get number(): number {
-    return this.#number;
-  }
-  get course(): Course {
-    return this.#course;
-  }
 
   /** A new reach under these settings. What was learnt of the person stays, unless they are another one, or the
    *  controller is: then the result is true. */
   apply(settings: Readonly<Settings>): boolean {
     const before = this.settings;
     this.settings = { ...settings };
-    this.#course = this.courseOf(settings);
+    this.course = this.courseOf(settings);
     this.drop();
     const unknown =
       before.person !== settings.person ||
@@ -80,11 +72,11 @@ export class Watch extends Led {
       before.pace_s !== settings.pace_s ||
       before.controller !== settings.controller;
     if (unknown) {
-      this.renew(this.#course);
-      this.#number = 1;
+      this.renew(this.course);
+      this.number = 1;
       this.phase = "waiting";
     } else {
-      this.follow(this.#course);
+      this.follow(this.course);
     }
     this.begin();
     return unknown;
@@ -93,10 +85,10 @@ export class Watch extends Led {
   /** The next reach. One under way is cancelled; one whose finger has not moved begins anew. */
   begin(): void {
     const world = this.world;
-    if (this.phase !== "waiting") ++this.#number;
+    if (this.phase !== "waiting") ++this.number;
     this.prepare();
-    const { start, virtual_deg, virtual_m } = this.#course;
-    world.begin_reach(this.#number, start.right_m, start.away_m, virtual_deg, virtual_m, 0);
+    const { start, virtual_deg, virtual_m } = this.course;
+    world.begin_reach(this.number, start.right_m, start.away_m, virtual_deg, virtual_m, 0);
     this.lead(0);
     this.phase = "waiting";
     this.result = null;
@@ -114,7 +106,7 @@ export class Watch extends Led {
     const now_ms = world.time_ms();
     if (now_ms >= (this.#samples * 1000) / trackerRate_hz) this.#look(now_ms);
     this.#measure(now_ms);
-    if (world.moving()) this.record(world.finger_deg(), this.#course.virtual_deg + world.felt_error_deg());
+    if (world.moving()) this.record(world.finger_deg(), this.course.virtual_deg + world.felt_error_deg());
     else this.record(NaN, NaN);
     if (world.over()) this.#end();
   }
@@ -153,12 +145,12 @@ export class Watch extends Led {
     const felt = { right_m: world.felt_right_m(), away_m: world.felt_away_m() };
     this.phase = "arrived";
     this.result = {
-      number: this.#number,
+      number: this.number,
       controller: settings.controller,
       tactileWeight: settings.tactile_weight,
-      gap_deg: this.#course.virtual_deg - this.#course.real_deg,
-      bearingError_deg: bearingError_deg(finger, this.#course),
-      ...slideEnd(finger, felt, this.#course),
+      gap_deg: this.course.virtual_deg - this.course.real_deg,
+      bearingError_deg: bearingError_deg(finger, this.course),
+      ...slideEnd(finger, felt, this.course),
       peakFeltError_deg: world.peak_felt_error_deg(),
       weight: tactile_weight,
       weightSd: tactile_weight_sd,

@@ -115,7 +115,7 @@ test("each slider does what it says", () => {
 test("no frame makes the trace longer than its memory, and no number in it is infinite", () => {
   const { trace } = watch({ pace_s: 4, plate_deg_s: 50 });
   assert.equal(trace.length, 490);  // 0.6 s at rest, 4 s, 0.3 s at rest
-  for (let i = 0; i < trace.length; ++i) assert.ok(Math.abs(trace.plate_deg[i]) <= 90 && trace.weight[i] > 0);
+  for (const { plate_deg, weight } of trace) assert.ok(Math.abs(plate_deg) <= 90 && weight > 0);
 });
 
 /** A visitor goes straight to the ghost, as they feel it, in `time_ms`. */

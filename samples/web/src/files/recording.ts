@@ -1,18 +1,10 @@
 // A recording of the plugin, read for the picture: the tracked finger, the commanded plate, and what the controller
 // made of them. Library.replay() checks it; this reads columns by their names.
 import { HRT_SAMPLE_PLATE_POSITION } from "haptic-retargeting";
-import { start } from "../geometry";
+import { type Place, start } from "../geometry";
+import type { Trace } from "../trace";
 
-export interface RecordedSample {
-  readonly time_ms: number;
-  readonly right_m: number;
-  readonly away_m: number;
-  readonly plate_deg: number;
-  readonly finger_deg: number;
-  readonly felt_deg: number;
-  readonly weight: number;
-  readonly weight_sd: number;
-}
+export type RecordedSample = Trace[number] & Readonly<Place> & { readonly time_ms: number };
 
 export interface RecordedReach {
   readonly real_deg: number;

@@ -1,7 +1,7 @@
 // Files of the plugin: the last reach and what was learnt, to take away; a recording, which is run again and compared bit
 // for bit, or a scene, to bring. Nothing leaves the machine. What is refused is refused in the plugin's words.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
-import { element, say } from "../page";
+import { element, messageOf, say } from "../page";
 import { type RecordedReach, readReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
 
@@ -28,9 +28,7 @@ export class TakeAway {
     element("save-profile", HTMLButtonElement).addEventListener("click", () =>
       save("profile.json", "application/json", profile()),
     );
-    onFiles(element("open-file", HTMLInputElement), (files) => {
-      void this.#open(files, brought);
-    });
+    onFiles(element("open-file", HTMLInputElement), (files) => this.#open(files, brought));
   }
 
   /** Whether there is a reach to save. */
@@ -54,7 +52,7 @@ export class TakeAway {
       else brought.scene(await this.#scene(file, files));
       this.#problem.hidden = true;
     } catch (error) {
-      const message = error instanceof Error ? error.message : String(error);
+      const message = messageOf(error);
       this.#problem.hidden = false;
       say(this.#problem, message.startsWith(name) ? message : `${name}: ${message}`);
     }
@@ -72,7 +70,7 @@ export class TakeAway {
       );
       scene.meshes = await readMeshes(bytes, others, position_m, rotation);
     } catch (error) {
-      scene.meshProblem = error instanceof Error ? error.message : String(error);
+      scene.meshProblem = messageOf(error);
     }
     return scene;
   }

@@ -1,20 +1,17 @@
 // The mode "Replay": a recorded reach as it was tracked and commanded. What was felt is not in a recording; the chart
 // shows what the controller believed of it.
 import type { Desk } from "../desk";
-import type { RecordedReach } from "../files/recording";
-import type { Place } from "../geometry";
+import type { RecordedReach, RecordedSample } from "../files/recording";
 import { showNow } from "../now";
 import { element, say, sideways } from "../page";
-import { Trace, tracePeriod_ms } from "../trace";
+import { maxTrace, type Trace, tracePeriod_ms } from "../trace";
 
 const pause_ms = 2200;
-const maxFrame_ms = 100;
 
 export class Replaying {
-  readonly trace = new Trace();
+  readonly trace: Trace = [];
   readonly #caption = element("caption", HTMLParagraphElement);
-  readonly #finger: Place = { right_m: 0, away_m: 0 };
-  #reach: RecordedReach | null = null;
+  reach: RecordedReach | null = null;
   #next = 0;
   #time_ms = 0;
 
@@ -24,30 +21,29 @@ export class Replaying {
     private readonly still: boolean,
   ) {}
 
-  get reach(): RecordedReach | null {
-    return this.#reach;
-  }
-
   /** From its start. */
   show(reach: RecordedReach): void {
-    this.#reach = reach;
+    this.reach = reach;
     this.#next = this.#time_ms = 0;
-    this.trace.clear();
+    this.trace.length = 0;
     this.desk.clearPaths();
     if (this.still) this.#time_ms = this.#last_ms(reach);
   }
 
   frame(elapsed_ms: number): void {
-    const reach = this.#reach;
+    const { reach } = this;
     if (!reach) return;
-    if (!this.still) this.#time_ms += Math.min(elapsed_ms, maxFrame_ms);
+    if (!this.still) this.#time_ms += elapsed_ms;
     if (this.#time_ms > this.#last_ms(reach) + pause_ms) this.show(reach);
-    while ((reach.samples[this.#next]?.time_ms ?? Infinity) <= this.#time_ms) this.#take(reach, this.#next++);
+    for (const next of reach.samples.slice(this.#next)) {
+      if (next.time_ms > this.#time_ms) break;
+      this.#take(next);
+    }
     const sample = reach.samples[Math.max(0, this.#next - 1)];
     if (!sample) return;
     const over = this.#next === reach.samples.length;
     this.desk.frame.dataset.phase = over ? "arrived" : Number.isNaN(sample.finger_deg) ? "waiting" : "sliding";
-    this.desk.draw(sample.plate_deg, this.#finger, this.#finger);
+    this.desk.draw(sample.plate_deg, sample, sample);
     showNow(sample.plate_deg, sample.finger_deg, sample.felt_deg, reach.virtual_deg);
     say(
       this.#caption,
@@ -60,14 +56,10 @@ export class Replaying {
     return reach.samples.at(-1)?.time_ms ?? 0;
   }
 
-  #take(reach: RecordedReach, index: number): void {
-    const sample = reach.samples[index];
-    if (!sample) return;
-    this.#finger.right_m = sample.right_m;
-    this.#finger.away_m = sample.away_m;
-    this.desk.extendPaths(this.#finger, this.#finger);
-    while (this.trace.length * tracePeriod_ms <= sample.time_ms && this.trace.length < this.trace.capacity) {
-      this.trace.add(sample.plate_deg, sample.finger_deg, sample.felt_deg, sample.weight, sample.weight_sd);
-    }
+  #take(sample: RecordedSample): void {
+    ++this.#next;
+    this.desk.extendPaths(sample, sample);
+    while (this.trace.length * tracePeriod_ms <= sample.time_ms && this.trace.length < maxTrace)
+      this.trace.push(sample);
   }
 }

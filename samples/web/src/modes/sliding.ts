@@ -12,7 +12,6 @@ import type { Ticks } from "../ticks";
 import type { Voice } from "../voice";
 
 const keySpeed_m_s = 0.06;
-const maxFrame_ms = 100;
 const reveal_ms = 900;
 /** A mouse that comes so near to the ring takes the finger along. */
 const grasp_m = 0.008;
@@ -67,17 +66,16 @@ export class Sliding {
   }
 
   frame(elapsed_ms: number): void {
-    const elapsed = Math.min(elapsed_ms, maxFrame_ms),
-      hand = this.hand,
+    const hand = this.hand,
       { phase, ridges } = hand;
-    this.#moveByKeys(elapsed / 1000);
-    this.#owed_ms += elapsed;
+    this.#moveByKeys(elapsed_ms / 1000);
+    this.#owed_ms += elapsed_ms;
     const whole = Math.floor(this.#owed_ms);
     this.#owed_ms -= whole;
     hand.advance(whole);
     if (phase === "sliding" && hand.ridges !== ridges) this.ticks.ridge();
     if (phase !== "arrived" && hand.phase === "arrived") this.#arrive();
-    else if (hand.phase === "arrived") this.#shown_ms += elapsed;
+    else if (hand.phase === "arrived") this.#shown_ms += elapsed_ms;
     this.#draw();
   }
 

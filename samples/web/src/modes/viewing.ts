@@ -3,7 +3,7 @@
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "../controller";
 import { type VisitorScene, weights } from "../files/scene";
-import { element, say, sideways } from "../page";
+import { addRow, element, say, sideways } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import { Watch } from "../watch";
@@ -28,13 +28,10 @@ export class Viewing {
 
   show(scene: VisitorScene): void {
     this.scene = scene;
-    const table = element("held", HTMLTableElement),
-      head = table.tHead,
-      body = table.tBodies[0];
-    if (!head || !body) throw new Error("the table of targets has no head or no body");
-    head.replaceChildren();
+    const titles = element("held-titles", HTMLTableRowElement),
+      body = element("held-rows", HTMLTableSectionElement);
+    titles.replaceChildren();
     body.replaceChildren();
-    const titles = head.insertRow();
     for (const title of ["ghost", "real", "gap", ...weights.map((weight) => `w = ${weight}`)]) {
       const cell = document.createElement("th");
       cell.scope = "col";
@@ -42,9 +39,8 @@ export class Viewing {
       titles.append(cell);
     }
     for (const { virtual, real, gap_deg, plates_deg } of scene.pairs) {
-      const row = body.insertRow();
       const plates = plates_deg.map((plate_deg) => (Number.isNaN(plate_deg) ? "–" : sideways(plate_deg)));
-      for (const text of [virtual, real, `${gap_deg.toFixed(1)}°`, ...plates]) row.insertCell().textContent = text;
+      addRow(body, [virtual, real, `${gap_deg.toFixed(1)}°`, ...plates]);
     }
     this.#pair.replaceChildren(
       ...scene.pairs.map(({ virtual, real }) => new Option(`${virtual}, felt; ${real}, reached`)),

@@ -11,7 +11,6 @@ import type { Watch } from "../watch";
 
 /** Between two reaches. */
 const pause_ms = 2200;
-const maxFrame_ms = 100;
 const step_ms = 100;
 
 export class Watching {
@@ -66,12 +65,11 @@ export class Watching {
   /** A frame after `elapsed_ms`. */
   frame(elapsed_ms: number): void {
     if (this.playing) {
-      const elapsed = Math.min(elapsed_ms, maxFrame_ms);
       if (this.watch.phase === "arrived") {
-        this.#shownFor_ms += elapsed;
+        this.#shownFor_ms += elapsed_ms;
         if (this.#shownFor_ms >= pause_ms) this.#begin();
       } else {
-        this.#owed_ms += elapsed * Number(this.#speed.value);
+        this.#owed_ms += elapsed_ms * Number(this.#speed.value);
         const whole = Math.floor(this.#owed_ms);
         this.#owed_ms -= whole;
         this.#advance(whole);

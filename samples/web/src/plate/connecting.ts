@@ -1,5 +1,5 @@
 // "A plate": connects one, says how it does, and gives it what the controller commands.
-import { element, say } from "../page";
+import { element, messageOf, say } from "../page";
 import { FirmwarePlate, type PlateDevice, SerialPlate } from "./device";
 import type { PlateFacts } from "./link";
 import { serial } from "./serial";
@@ -19,28 +19,16 @@ export class Connecting {
     const available = serial() !== null;
     this.#serial.disabled = !available;
     element("plate-unavailable", HTMLParagraphElement).hidden = available;
-    this.#serial.addEventListener(
-      "click",
-      () =>
-        void this.#connect(this.#serial, async () => {
-          const port = await serial()?.requestPort();
-          return port ? SerialPlate.open(port) : null;
-        }),
-    );
-    this.#firmware.addEventListener(
-      "click",
-      () =>
-        void this.#connect(this.#firmware, async () => {
-          const { Board } = await import("./board"); // with the emulator
-          return new FirmwarePlate(new Board());
-        }),
-    );
-    this.#stop.addEventListener("click", () => {
-      void this.#end("The plate was disconnected.");
+    this.#connects(this.#serial, async () => {
+      const port = await serial()?.requestPort();
+      return port ? SerialPlate.open(port) : null;
     });
-    window.addEventListener("pagehide", () => {
-      void this.#device?.close();
+    this.#connects(this.#firmware, async () => {
+      const { Board } = await import("./board"); // with the emulator
+      return new FirmwarePlate(new Board());
     });
+    this.#stop.addEventListener("click", () => this.#end("The plate was disconnected."));
+    window.addEventListener("pagehide", () => this.#device?.close());
   }
 
   /** Where the connected plate is; NaN: none is, or it is not ready. */
@@ -65,34 +53,31 @@ export class Connecting {
     say(this.#state, `${device.state}.`);
   }
 
-  async #connect(button: HTMLButtonElement, open: () => Promise<PlateDevice | null>): Promise<void> {
-    button.disabled = true;
-    try {
-      const device = await open();
-      if (device) this.#begin(device);
-    } catch (error) {
-      say(this.#state, `No plate is connected: ${error instanceof Error ? error.message : String(error)}`);
-    }
-    if (!this.#device) button.disabled = false;
-  }
-
-  #begin(device: PlateDevice): void {
-    this.#device = device;
-    this.#known = false;
-    this.#shownAt_ms = -Infinity;
-    this.#show(true);
+  #connects(button: HTMLButtonElement, open: () => Promise<PlateDevice | null>): void {
+    button.addEventListener("click", async () => {
+      button.disabled = true;
+      try {
+        this.#device = (await open()) ?? this.#device;
+        this.#known = false;
+        this.#shownAt_ms = -Infinity;
+      } catch (error) {
+        say(this.#state, `No plate is connected: ${messageOf(error)}`);
+      }
+      this.#show();
+    });
   }
 
   async #end(why: string): Promise<void> {
     const device = this.#device;
     if (!device) return;
     this.#device = null;
-    this.#show(false);
+    this.#show();
     say(this.#state, why);
     await device.close();
   }
 
-  #show(connected: boolean): void {
+  #show(): void {
+    const connected = this.#device !== null;
     this.#serial.disabled = connected || serial() === null;
     this.#firmware.disabled = connected;
     this.#stop.hidden = !connected;

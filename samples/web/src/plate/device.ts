@@ -11,7 +11,7 @@ export interface PlateDevice {
   advance(elapsed_ms: number): void;
   /** What there is to say of it, for people. */
   readonly state: string;
-  close(): Promise<void>;
+  close(): Promise<void> | void;
 }
 
 function stateOf(link: PlateLink): string {
@@ -54,9 +54,8 @@ export class FirmwarePlate implements PlateDevice {
     }
   }
 
-  close(): Promise<void> {
+  close(): void {
     this.link.stop(this.board.time_ms);
-    return Promise.resolve();
   }
 }
 

@@ -1,4 +1,5 @@
 // A serial line by the browser's Web Serial. Its types are not among TypeScript's own.
+import { messageOf } from "../page";
 
 export interface SerialPort {
   readonly readable: ReadableStream<Uint8Array> | null;
@@ -10,7 +11,7 @@ interface Serial {
   requestPort(): Promise<SerialPort>;
 }
 
-export const baudRate = 115200;
+const baudRate = 115200;
 /** Bytes that wait to be sent; a line that takes none is broken. */
 const maxUnsent = 4096;
 
@@ -38,7 +39,7 @@ export async function openPort(
   let open = true,
     unsent = 0;
   const fail = (error: unknown): void => {
-    if (open) ended(error instanceof Error ? error.message : String(error));
+    if (open) ended(messageOf(error));
     open = false;
   };
   const read = async (): Promise<void> => {

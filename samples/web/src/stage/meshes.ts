@@ -7,19 +7,8 @@ const glbMagic = 0x46546c67,
   jsonChunk = 0x4e4f534a,
   binaryChunk = 0x004e4942;
 
-/** What is kept of a file, and of each material. */
-const kept = [
-  "asset",
-  "scene",
-  "scenes",
-  "nodes",
-  "meshes",
-  "accessors",
-  "bufferViews",
-  "buffers",
-  "materials",
-] as const;
-const keptOfMaterial = ["name", "doubleSided", "alphaMode", "alphaCutoff", "emissiveFactor"] as const;
+/** What is kept of a file, beside its nodes and materials. */
+const kept = ["asset", "scene", "scenes", "meshes", "accessors", "bufferViews", "buffers"] as const;
 
 /** A page that holds more would stand still. */
 const maxNodes = 10_000,
@@ -46,8 +35,8 @@ export async function readMeshes(
   const { json, binary } = parts(bytes),
     file = pick(json, kept);
   file.materials = list(json.materials).map((material) => ({
-    ...pick(material, keptOfMaterial),
-    pbrMetallicRoughness: plain(material.pbrMetallicRoughness),
+    ...pick(material, ["name", "doubleSided", "alphaMode", "alphaCutoff", "emissiveFactor"]),
+    pbrMetallicRoughness: pick(material.pbrMetallicRoughness, ["baseColorFactor", "metallicFactor", "roughnessFactor"]),
   }));
   file.nodes = list(json.nodes).map((node) =>
     pick(node, ["name", "children", "mesh", "matrix", "translation", "rotation", "scale", "extras"]),
@@ -80,7 +69,8 @@ export async function readMeshes(
   scene.traverse((node) => {
     const { haptic } = node.userData as { haptic?: { role?: unknown; name?: unknown } };
     if (haptic?.role === "plate") left.push(...node.children.filter((child) => !child.userData.haptic), node);
-    else if (haptic && hasMesh(node)) names.add(typeof haptic.name === "string" ? haptic.name : node.name);
+    else if (haptic && node.getObjectByProperty("isMesh", true))
+      names.add(typeof haptic.name === "string" ? haptic.name : node.name);
   });
   for (const node of left) if (node instanceof Mesh) node.visible = false;
   const pose = new Matrix4().compose(
@@ -92,14 +82,6 @@ export async function readMeshes(
   group.add(scene);
   scene.applyMatrix4(pose.invert());
   return { group, targets: names };
-}
-
-function hasMesh(node: Object3D): boolean {
-  let found = false;
-  node.traverse((part) => {
-    found ||= part instanceof Mesh;
-  });
-  return found;
 }
 
 function parts(bytes: ArrayBuffer): { json: Json; binary: ArrayBuffer } {
@@ -146,17 +128,14 @@ function buffer(uri: unknown, others: ReadonlyMap<string, ArrayBuffer>): ArrayBu
 }
 
 function list(value: unknown): Json[] {
-  return Array.isArray(value)
-    ? value.filter((entry): entry is Json => typeof entry === "object" && entry !== null)
-    : [];
+  return Array.isArray(value) ? value.filter(isJson) : [];
 }
 
-function pick(from: Json, names: readonly string[]): Json {
+function isJson(value: unknown): value is Json {
+  return typeof value === "object" && value !== null;
+}
+
+function pick(from: unknown, names: readonly string[]): Json {
+  if (!isJson(from)) return {};
   return Object.fromEntries(names.filter((name) => from[name] !== undefined).map((name) => [name, from[name]]));
-}
-
-function plain(value: unknown): Json {
-  return typeof value === "object" && value !== null
-    ? pick(value as Json, ["baseColorFactor", "metallicFactor", "roughnessFactor"])
-    : {};
 }

@@ -1,6 +1,5 @@
 // What lies and moves about the plate: the real cylinder, the ghost, the hand, the felt fingertip.
 import {
-  type ColorRepresentation,
   CylinderGeometry,
   EdgesGeometry,
   Group,
@@ -16,26 +15,35 @@ import {
   SphereGeometry,
   Vector2,
 } from "three";
+import type { Colours } from "../theme";
+
+/** What real and felt things are made of, in the page's colours. */
+const solid = new MeshStandardMaterial({ roughness: 0.35, metalness: 0.2 });
+const glass = new MeshBasicMaterial({ transparent: true, opacity: 0.25, depthWrite: false });
+const outlines = new LineBasicMaterial();
+const ballGlass = new MeshBasicMaterial({ transparent: true, opacity: 0.4, depthWrite: false });
+const ringPaint = new MeshBasicMaterial({ depthTest: false, transparent: true });
+const startPaint = new MeshBasicMaterial({ depthTest: false, transparent: true });
+
+export function colourThings({ real, felt, text }: Colours): void {
+  solid.color.set(real);
+  for (const material of [glass, outlines, ballGlass, ringPaint]) material.color.set(felt);
+  startPaint.color.set(text);
+}
 
 /** A solid cylinder that stands at its origin. */
 export class RealCylinder extends Group {
-  readonly #material = new MeshStandardMaterial({ roughness: 0.35, metalness: 0.2 });
   constructor() {
     super();
-    const cylinder = new Mesh(new CylinderGeometry(0.0055, 0.0055, 0.03, 32), this.#material);
+    const cylinder = new Mesh(new CylinderGeometry(0.0055, 0.0055, 0.03, 32), solid);
     cylinder.position.y = 0.015;
     cylinder.castShadow = true;
     this.add(cylinder);
-  }
-  setColour(colour: ColorRepresentation): void {
-    this.#material.color.set(colour);
   }
 }
 
 /** A goblet that is seen, or imagined, and not there. */
 export class Ghost extends Group {
-  readonly #body = new MeshBasicMaterial({ transparent: true, opacity: 0.25, depthWrite: false });
-  readonly #lines = new LineBasicMaterial();
   constructor() {
     super();
     const outline = [
@@ -51,55 +59,42 @@ export class Ghost extends Group {
       outline.map(([r, y]) => new Vector2(r, y)),
       12,
     );
-    this.add(new Mesh(shape, this.#body), new LineSegments(new EdgesGeometry(shape, 1), this.#lines));
-  }
-  setColour(colour: ColorRepresentation): void {
-    this.#body.color.set(colour);
-    this.#lines.color.set(colour);
+    this.add(new Mesh(shape, glass), new LineSegments(new EdgesGeometry(shape, 1), outlines));
   }
 }
 
 /** A pointing hand whose fingertip touches its origin, once the model has come. */
 export class Finger extends Group {
-  readonly #skin = new MeshStandardMaterial({ roughness: 0.6, transparent: true });
+  readonly skin = new MeshStandardMaterial({ roughness: 0.6, transparent: true });
   /** `model`: of hand_model.ts. */
   async become(model: (skin: Material) => Promise<Object3D>): Promise<void> {
-    this.add(await model(this.#skin));
-  }
-  setColour(colour: ColorRepresentation): void {
-    this.#skin.color.set(colour);
+    this.add(await model(this.skin));
   }
   /** From 0, not there, to 1. */
   fade(share: number): void {
     this.visible = share > 0;
-    this.#skin.opacity = share;
+    this.skin.opacity = share;
   }
 }
 
 /** Where the owner feels that the fingertip is: a ring, and a glassy ball. */
 export class FeltTip extends Group {
-  readonly #ball = new MeshBasicMaterial({ transparent: true, opacity: 0.4, depthWrite: false });
-  readonly #ring = new MeshBasicMaterial({ depthTest: false, transparent: true });
   constructor() {
     super();
-    const ball = new Mesh(new SphereGeometry(0.006, 20, 14), this.#ball);
+    const ball = new Mesh(new SphereGeometry(0.006, 20, 14), ballGlass);
     ball.position.y = 0.006;
-    const ring = new Mesh(new RingGeometry(0.0062, 0.0078, 36), this.#ring);
+    const ring = new Mesh(new RingGeometry(0.0062, 0.0078, 36), ringPaint);
     ring.rotation.x = -Math.PI / 2;
     ring.position.y = 0.003;
     ring.renderOrder = 6;
     this.add(ball, ring);
   }
-  setColour(colour: ColorRepresentation): void {
-    this.#ball.color.set(colour);
-    this.#ring.color.set(colour);
-  }
 }
 
 /** Where a slide starts. */
-export class StartMark extends Mesh<RingGeometry, MeshBasicMaterial> {
+export class StartMark extends Mesh {
   constructor() {
-    super(new RingGeometry(0.0085, 0.0095, 40), new MeshBasicMaterial({ depthTest: false, transparent: true }));
+    super(new RingGeometry(0.0085, 0.0095, 40), startPaint);
     this.rotation.x = -Math.PI / 2;
     this.position.y = 0.003;
     this.renderOrder = 4;

@@ -1,5 +1,5 @@
 // A path drawn flat on the plate, as a line that grows with the finger. Memory is taken once.
-import type { ColorRepresentation, InterleavedBufferAttribute } from "three";
+import type { InterleavedBufferAttribute } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -36,10 +36,6 @@ export class Ribbon extends LineSegments2 {
     this.frustumCulled = false;
     this.renderOrder = 5;
     this.reset();
-  }
-
-  setColour(colour: ColorRepresentation): void {
-    this.material.color.set(colour);
   }
 
   reset(): void {

@@ -22,7 +22,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { VisitorScene } from "../files/scene";
 import { ahead, type Place, radius_m, ridgeSpacing_m, start } from "../geometry";
 import type { Colours } from "../theme";
-import { colourTargets, FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";
+import { colourTargets, colourThings, FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";
 import { Ribbon } from "./ribbon";
 
 const fieldOfView_deg = 40; // from top to bottom, in a window at least this wide over its height:
@@ -113,22 +113,15 @@ export class Stage {
   setColours(colours: Colours): void {
     this.colours = colours;
     colourTargets(this.#visited, colours.real, colours.felt);
-    for (const thing of this.#visited.children) {
-      if (thing instanceof RealCylinder) thing.setColour(colours.real);
-      else if (thing instanceof Ghost) thing.setColour(colours.felt);
-    }
+    colourThings(colours);
     this.scene.background = new Color(colours.stage);
     this.desk.material.color.set(colours.desk);
     this.#disc.color.set(colours.plate);
     this.#ridges.color.set(colours.ridges);
     this.#mark.color.set(colours.chartPlate);
-    this.#real.setColour(colours.real);
-    this.truePath.setColour(colours.real);
-    this.#ghost.setColour(colours.felt);
-    this.#felt.setColour(colours.felt);
-    this.feltPath.setColour(colours.felt);
-    this.finger.setColour(colours.hand);
-    this.#start.material.color.set(colours.text);
+    this.truePath.material.color.set(colours.real);
+    this.feltPath.material.color.set(colours.felt);
+    this.finger.skin.color.set(colours.hand);
   }
 
   setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
@@ -160,7 +153,6 @@ export class Stage {
     for (const { name, real, drawn } of scene?.targets ?? []) {
       if (scene?.meshes?.targets.has(name)) continue;
       const thing = real ? new RealCylinder() : new Ghost();
-      if (this.colours) thing.setColour(real ? this.colours.real : this.colours.felt);
       thing.position.set(drawn.right_m, 0, -drawn.away_m);
       this.#visited.add(thing);
     }

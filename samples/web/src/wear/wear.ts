@@ -6,6 +6,7 @@ import { Quaternion, Vector3 } from "three";
 import { pageCourse } from "../controller";
 import { Felt } from "../felt";
 import { length_m, type Place, type SlideEnd, slideEnd, start } from "../geometry";
+import { minReach_m } from "../hand";
 import { Led } from "../led";
 import type { World } from "../person";
 import type { Settings } from "../settings";
@@ -16,8 +17,7 @@ const startRadius_m = 0.015; // about the start, in each coordinate's plane
 const startHeight_m = 0.03;
 const startRest_ms = 400;
 const lostLimit_ms = 1000; // a shorter loss is bridged: the plugin holds, and continues
-const minReach_m = 0.03,
-  beyond_m = 0.15;
+const beyond_m = 0.15;
 const liftHeight_m = 0.05; // without a plate nothing holds the finger down
 const maxFrame_ms = 100;
 
@@ -40,7 +40,7 @@ export class Wear extends Led {
   /** Called when the plate has been placed: in the space of the frames. */
   onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
 
-  readonly #felt = new Felt();
+  readonly felt = new Felt();
   readonly #shift_deg = (finger_deg: number): number => this.world.felt_shift_deg(this.world.plate_deg(), finger_deg);
   readonly #rest = new Rest(startRadius_m, startRest_ms);
   readonly #tip = new Vector3();
@@ -66,18 +66,8 @@ export class Wear extends Led {
     this.session.configure({ lift_height_m: liftHeight_m });
     this.#reach = new HandReach(this.session, plate);
     this.#placing = new Placing(null);
-    this.#restart();
+    this.restart();
     this.phase = "placing";
-  }
-
-  get felt(): Readonly<Place> {
-    return this.#felt.place;
-  }
-  get finger_deg(): number {
-    return this.#felt.finger_deg;
-  }
-  get felt_deg(): number {
-    return this.#felt.felt_deg;
   }
 
   /** Another session of a headset, or another room: the plate is placed anew, as it is said after `why`. */
@@ -85,7 +75,7 @@ export class Wear extends Led {
     this.#byMarks = byMarks;
     this.#placing = new Placing(byMarks ? this.session : null);
     this.#time_ms = NaN;
-    this.#restart();
+    this.restart();
     this.phase = "placing";
     this.#why = why;
     this.text = why + this.#placing.text;
@@ -106,12 +96,7 @@ export class Wear extends Led {
     });
     this.#reach = new HandReach(this.session, this.plate);
     if (this.phase === "placing") this.begin(this.#byMarks);
-    else this.#restart();
-  }
-
-  /** The session is over. A reach under way is cancelled. */
-  end(): void {
-    this.#restart();
+    else this.restart();
   }
 
   /** One frame of the headset, at the time of its callback. `hand`: the one that slides; undefined: it is not tracked. */
@@ -122,8 +107,7 @@ export class Wear extends Led {
     if (this.phase === "sliding") return this.#slide(frame, hand, space, elapsed_ms);
     const tip = this.#locate(frame, hand, space);
     if (this.phase === "placing") return this.#place(frame, tip, space);
-    const resting = this.#rest.update(now_ms, tip && this.#atStart(tip) ? tip : null);
-    if (resting) this.#start();
+    if (this.#rest.update(now_ms, tip && this.#atStart(tip) ? tip : null)) this.#start();
   }
 
   /** The plate follows its command; time passes in whole milliseconds. */
@@ -131,7 +115,7 @@ export class Wear extends Led {
     this.#owed_ms += elapsed_ms;
     for (; this.#owed_ms >= 1; --this.#owed_ms) {
       this.tick();
-      if (this.phase === "sliding") this.record(this.finger_deg, this.felt_deg);
+      if (this.phase === "sliding") this.record(this.felt.finger_deg, this.felt.felt_deg);
     }
   }
 
@@ -156,15 +140,16 @@ export class Wear extends Led {
     this.text = this.#why + this.#placing.text;
     if (!placed) return;
     this.onPlaced(this.#placing.position, this.#placing.rotation);
-    this.#restart();
+    this.restart();
   }
 
-  #restart(): void {
+  /** Back to the ring. A reach under way is cancelled. */
+  restart(): void {
     this.prepare();
     this.world.begin_hand(0);
     this.plate.orientation_deg = this.world.plate_deg();
     Object.assign(this.finger, start);
-    this.#felt.begin(start);
+    this.felt.begin(start);
     this.#rest.reset();
     this.phase = "ready";
     this.result = null;
@@ -178,7 +163,7 @@ export class Wear extends Led {
   }
 
   #start(): void {
-    this.#restart();
+    this.restart();
     this.lead(this.world.plate_deg());
     this.#seen_ms = this.#time_ms;
     this.phase = "sliding";
@@ -194,7 +179,7 @@ export class Wear extends Led {
     this.lost = reach.lost;
     if (reach.lost) {
       if (this.#time_ms - this.#seen_ms <= lostLimit_ms) return;
-      this.#restart();
+      this.restart();
       this.text = `The hand was not seen for a second. ${this.text}`;
       return;
     }
@@ -203,7 +188,7 @@ export class Wear extends Led {
       x = position[0] ?? 0,
       y = position[1] ?? 0,
       z = position[2] ?? 0;
-    this.#felt.move(x - this.finger.right_m, -z - this.finger.away_m, Math.max(1, elapsed_ms), this.#shift_deg);
+    this.felt.move(x - this.finger.right_m, -z - this.finger.away_m, Math.max(1, elapsed_ms), this.#shift_deg);
     this.finger.right_m = x;
     this.finger.away_m = -z;
     this.#endIfOver(y);
@@ -212,7 +197,7 @@ export class Wear extends Led {
   #endIfOver(height_m: number): void {
     const gone_m = length_m(start, this.finger),
       lifted = height_m > liftHeight_m;
-    if (lifted && gone_m < minReach_m) return this.#restart();
+    if (lifted && gone_m < minReach_m) return this.restart();
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
@@ -220,7 +205,7 @@ export class Wear extends Led {
   #arrive(): void {
     if (!Number.isNaN(this.plateConnected_deg)) this.session.endReach();
     this.recording = this.drop();
-    this.result = slideEnd(this.finger, this.felt, pageCourse(this.settings));
+    this.result = slideEnd(this.finger, this.felt.place, pageCourse(this.settings));
     this.phase = "arrived";
     this.#rest.reset();
     const { toCylinder_mm, toGhost_mm, feltToGhost_mm } = this.result;

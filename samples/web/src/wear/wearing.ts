@@ -3,7 +3,7 @@
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
 import { showNow } from "../now";
-import { element, radios, say } from "../page";
+import { chosen, element, messageOf, say } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import { Headset } from "../stage/headset";
@@ -43,17 +43,10 @@ export class Wearing {
   ) {
     this.#headset = desk.stage && new Headset(desk.stage);
     wear.onPlaced = (position, rotation) => this.#headset?.put(position, rotation);
-    for (const { kind, button } of this.#buttons)
-      button.addEventListener("click", () => {
-        void this.#enter(kind);
-      });
-    this.#leave.addEventListener("click", () => {
-      void this.#session?.end();
-    });
+    for (const { kind, button } of this.#buttons) button.addEventListener("click", () => this.#enter(kind));
+    this.#leave.addEventListener("click", () => this.#session?.end());
     void this.#ask();
-    navigator.xr?.addEventListener("devicechange", () => {
-      void this.#ask();
-    });
+    navigator.xr?.addEventListener("devicechange", () => this.#ask());
   }
 
   /** A headset shows the reaches now: the page must not draw. */
@@ -70,7 +63,7 @@ export class Wearing {
   /** A frame of the page, while no headset is worn. */
   frame(): void {
     this.desk.frame.dataset.phase = this.wear.phase;
-    this.desk.draw(this.world.plate_deg(), this.wear.finger, this.wear.felt);
+    this.desk.draw(this.world.plate_deg(), this.wear.finger, this.wear.felt.place);
     this.#show();
   }
 
@@ -108,7 +101,7 @@ export class Wearing {
         () => this.#moved(),
       );
     } catch (error) {
-      this.#message = `The headset cannot be entered: ${error instanceof Error ? error.message : String(error)}${advice(error)}`;
+      this.#message = `The headset cannot be entered: ${messageOf(error)}${advice(error)}`;
       if (session && this.#session) await session.end().catch(() => this.#left());
       else this.#left();
     }
@@ -117,7 +110,7 @@ export class Wearing {
   #left(): void {
     const was = this.#session;
     this.#session = null;
-    this.wear.end();
+    this.wear.restart();
     this.#leave.hidden = true;
     for (const { button, supported } of this.#buttons) button.disabled = !supported;
     this.#headset?.show(false);
@@ -135,7 +128,7 @@ export class Wearing {
   }
 
   get #byMarks(): boolean {
-    return radios("placement").some((radio) => radio.checked && radio.value === "marks");
+    return chosen("placement") === "marks";
   }
 
   /** `now_ms`: of the frame's callback, since most browsers have no predictedDisplayTime. */
@@ -151,8 +144,8 @@ export class Wearing {
     const hand = this.#hand(frame, space);
     wear.frame(now_ms, frame, hand, space);
     if (wear.phase !== phase && wear.phase === "sliding") this.desk.clearPaths();
-    if (wear.phase === "sliding" && !wear.lost) this.desk.extendPaths(wear.finger, wear.felt);
-    stage.place(this.world.plate_deg(), wear.finger, wear.felt);
+    if (wear.phase === "sliding" && !wear.lost) this.desk.extendPaths(wear.finger, wear.felt.place);
+    stage.place(this.world.plate_deg(), wear.finger, wear.felt.place);
     this.#headset?.say(this.#title(), wear.text);
     this.desk.frame.dataset.phase = wear.phase;
     this.#show();
@@ -195,8 +188,9 @@ export class Wearing {
   }
 
   #show(): void {
-    const wear = this.wear;
-    showNow(this.world.plate_deg(), wear.finger_deg, wear.felt_deg, pageCourse(this.settings).virtual_deg);
+    const wear = this.wear,
+      { finger_deg, felt_deg } = wear.felt;
+    showNow(this.world.plate_deg(), finger_deg, felt_deg, pageCourse(this.settings).virtual_deg);
     const text = this.#session ? wear.text : this.#message;
     say(this.#caption, text);
     this.desk.frame.dataset.lost = String(wear.lost);
