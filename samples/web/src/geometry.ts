@@ -38,16 +38,20 @@ export function direction_deg(right_m: number, away_m: number): number {
   return Math.atan2(-right_m, away_m) / degree;
 }
 
+export function bearing_deg(from: Readonly<Place>, to: Readonly<Place>): number {
+  return direction_deg(to.right_m - from.right_m, to.away_m - from.away_m);
+}
+
 export function length_m(from: Readonly<Place>, to: Readonly<Place>): number {
   return Math.hypot(to.right_m - from.right_m, to.away_m - from.away_m);
 }
 
 /** Bearing of `place`, seen from the course's start, less the real target's. */
 export function bearingError_deg(place: Readonly<Place>, course: Course): number {
-  return direction_deg(place.right_m - course.start.right_m, place.away_m - course.start.away_m) - course.real_deg;
+  return bearing_deg(course.start, place) - course.real_deg;
 }
 
-export function realPlace(course: Course): Place {
+function realPlace(course: Course): Place {
   return ahead(course.start, course.real_deg, course.real_m);
 }
 export function virtualPlace(course: Course): Place {

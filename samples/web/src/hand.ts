@@ -5,8 +5,8 @@ import { pageCourse } from "./controller";
 import { Felt } from "./felt";
 import {
   ahead,
+  bearing_deg,
   degree,
-  direction_deg,
   distance_m,
   length_m,
   type Place,
@@ -112,12 +112,11 @@ export class Hand extends Led {
       from_m = length_m(start, this.felt),
       to_m = length_m(start, this.wanted);
     const share = to_m > distance_m ? Math.max(0, (distance_m - from_m) / (to_m - from_m)) : 1;
-    const right_m = this.felt.right_m + share * (this.wanted.right_m - this.felt.right_m);
-    const away_m = this.felt.away_m + share * (this.wanted.away_m - this.felt.away_m);
-    const to =
-      share < 1
-        ? ahead(start, direction_deg(right_m - start.right_m, away_m - start.away_m), distance_m)
-        : { right_m, away_m };
+    const gone = {
+      right_m: this.felt.right_m + share * (this.wanted.right_m - this.felt.right_m),
+      away_m: this.felt.away_m + share * (this.wanted.away_m - this.felt.away_m),
+    };
+    const to = share < 1 ? ahead(start, bearing_deg(start, gone), distance_m) : gone;
     return length_m(to, ghost) < near_m ? ghost : to;
   }
 

@@ -19,7 +19,7 @@ import { createWorld } from "./person";
 import { Connecting } from "./plate/connecting";
 import { Results } from "./results";
 import { defaultSettings, fromLink, type Mode, modes, onSlider, toLink } from "./settings";
-import { onSchemeChange, readColours } from "./theme";
+import { readColours } from "./theme";
 import { Ticks } from "./ticks";
 import { TraceTable } from "./trace";
 import { Voice } from "./voice";
@@ -230,7 +230,7 @@ async function main(): Promise<void> {
   desk.frame.addEventListener("keydown", (event) => {
     if (!sliding.active && desk.turn(event.key)) event.preventDefault();
   });
-  onSchemeChange(colour);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", colour);
   window.addEventListener("hashchange", () => {
     const { settings, mode: wanted, problems } = fromLink(location.hash.slice(1));
     showProblems(problems);

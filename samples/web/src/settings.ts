@@ -1,54 +1,38 @@
 // What can be set on the page: ranges, defaults, and the link that carries them.
 
-export type ControllerName = "off" | "paper" | "ours";
+export const controllerNames = ["off", "paper", "ours"] as const;
+export type ControllerName = (typeof controllerNames)[number];
 
 /** What the visitor does. The last two need a file. */
 export const modes = ["hand", "watch", "wear", "replay", "scene"] as const;
 export type Mode = (typeof modes)[number];
 const linkedModes = modes.slice(0, 3);
 
-export interface Settings {
+export const sliders = {
   /** Share of touch in the direction that is felt; the controller does not know it. */
-  tactile_weight: number;
+  tactile_weight: { min: 0.05, max: 0.4, step: 0.01, start: 0.17 },
   /** Between the real and the virtual target, seen from the start. */
-  gap_deg: number;
+  gap_deg: { min: 0, max: 20, step: 0.5, start: 10 },
   /** White noise of the tracker, standard deviation of a coordinate. */
-  noise_mm: number;
+  noise_mm: { min: 0, max: 3, step: 0.1, start: 1.2 },
   /** Duration of a reach; the controller does not know it. */
-  pace_s: number;
+  pace_s: { min: 0.6, max: 4, step: 0.1, start: 1.5 },
   /** Greatest speed of the plate's servo. */
-  plate_deg_s: number;
+  plate_deg_s: { min: 50, max: 800, step: 10, start: 400 },
+};
+export type SliderName = keyof typeof sliders;
+export const sliderNames = Object.keys(sliders) as SliderName[];
+const maxPerson = 9999;
+
+export interface Settings extends Record<SliderName, number> {
   controller: ControllerName;
   /** Chooses the person: how fast they correct, how late they feel, where they set out. */
   person: number;
 }
 
-export type SliderName = "tactile_weight" | "gap_deg" | "noise_mm" | "pace_s" | "plate_deg_s";
-
-export interface Range {
-  readonly min: number;
-  readonly max: number;
-  readonly step: number;
-  readonly start: number;
-}
-
-export const sliders: Readonly<Record<SliderName, Range>> = {
-  tactile_weight: { min: 0.05, max: 0.4, step: 0.01, start: 0.17 },
-  gap_deg: { min: 0, max: 20, step: 0.5, start: 10 },
-  noise_mm: { min: 0, max: 3, step: 0.1, start: 1.2 },
-  pace_s: { min: 0.6, max: 4, step: 0.1, start: 1.5 },
-  plate_deg_s: { min: 50, max: 800, step: 10, start: 400 },
-};
-export const sliderNames = Object.keys(sliders) as SliderName[];
-export const controllerNames: readonly ControllerName[] = ["off", "paper", "ours"];
-const maxPerson = 9999;
-
 export function defaultSettings(): Settings {
-  const starts = Object.fromEntries(sliderNames.map((name) => [name, sliders[name].start])) as Record<
-    SliderName,
-    number
-  >;
-  return { ...starts, controller: "ours", person: 1 };
+  const starts = Object.fromEntries(sliderNames.map((name) => [name, sliders[name].start]));
+  return { ...starts, controller: "ours", person: 1 } as Settings;
 }
 
 /** The nearest value that the slider has. */

@@ -25,8 +25,3 @@ export function readColours(): Colours {
     Object.entries(names).map(([key, name]) => [key, style.getPropertyValue(name).trim()]),
   ) as Colours;
 }
-
-/** Calls back when the system's colour scheme changes. */
-export function onSchemeChange(changed: () => void): void {
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
-}

@@ -188,8 +188,7 @@ sessionTest("the fingertip is set from a pose, and the plate from a matrix", ({ 
   }
 });
 
-test("every rotation of a plate is that of its matrix", () => {
-  const session = library.createSession();
+sessionTest("every rotation of a plate is that of its matrix", ({ session }) => {
   let seed = 7;
   const random = () => (seed = (seed * 16807) % 2147483647) / 1073741823.5 - 1;
   for (let i = 0; i < 200; ++i) {
@@ -205,15 +204,12 @@ test("every rotation of a plate is that of its matrix", () => {
     const cosine = Math.abs(found.reduce((sum, part, j) => sum + part * q[j], 0));  // q and -q are one rotation
     assert.ok(cosine > 1 - 1e-12, `${q}: ${found}`);
   }
-  session.destroy();
 });
 
-test("registrations end where a plate is set", () => {
-  const session = library.createSession({ flags: hrt.HRT_SESSION_REGISTERED | hrt.HRT_SESSION_PLATE_WAITS });
+sessionTest("registrations end where a plate is set", ({ session }) => {
   session.setPlate([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
   assert.equal(session.config.flags, hrt.HRT_SESSION_PLATE_WAITS);
-  session.destroy();
-});
+}, { flags: hrt.HRT_SESSION_REGISTERED | hrt.HRT_SESSION_PLATE_WAITS });
 
 test("without node's own start, a file is not fetched", async () => {
   const web = await import(pathToFileURL(`${folder}/index.mjs`));
@@ -300,9 +296,7 @@ test("bad arguments are refused by name", () => {
   assert.throws(() => library.createSession({ start_position_m: [1, 2] }), /start_position_m is not an array of 3/);
   throws(() => library.createSession({ horizon: 51 }), "HRT_ERROR_OUT_OF_RANGE", "horizon is 51; allowed: 1 to 50");
   throws(() => library.createSession({ tactile_weight: NaN }), "HRT_ERROR_OUT_OF_RANGE", "tactile_weight");
-  const { session } = newSession();
-  assert.throws(() => session.addTarget({ name: "ü".repeat(32) }), /64 bytes in UTF-8; up to 63/);
-  session.destroy();
+  assert.throws(() => library.createSession().addTarget({ name: "ü".repeat(32) }), /64 bytes in UTF-8; up to 63/);
 });
 
 // readme_test.mjs goes through one, by the README's own loop.
@@ -354,15 +348,13 @@ test("a scene is registered", async () => {
   session.destroy();
 });
 
-test("a session continues when the memory grows", () => {
-  const { session, real, virtual } = newSession();
+sessionTest("a session continues when the memory grows", ({ session, real, virtual }) => {
   const others = Array.from({ length: 12 }, () => library.createSession());
   others.forEach((other) => other.startRecording());  // a few MB each, more than the module begins with
-  session.sample.finger_position_m[1] = 0;
   session.beginReach(real, virtual);
   slide(session, 30);
   assert.equal(session.endReach().samples, 30n);
-  [session, ...others].forEach((each) => each.destroy());
+  others.forEach((other) => other.destroy());
 });
 
 // What all hosts play, by the methods of sessions and of the library.

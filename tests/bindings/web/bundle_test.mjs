@@ -61,14 +61,20 @@ async function runs(folder) {
   }
 }
 
-async function esbuildBundle(name, module, options) {
-  const folder = await project(name, module), out = join(folder, "dist");
-  const { warnings } = await esbuild.build({
-    absWorkingDir: folder, entryPoints: ["main.js"], outdir: out, bundle: true, minify: true, logLevel: "silent", ...options });
-  assert.deepEqual(warnings, []);
+/** A bundle within its page. */
+async function served(folder) {
+  const out = join(folder, "dist");
   await writeFile(join(out, "index.html"), html("/main.js"));
   await cp(join(folder, "public"), out, { recursive: true });
   return out;
+}
+
+async function esbuildBundle(name, module, options) {
+  const folder = await project(name, module);
+  const { warnings } = await esbuild.build({ absWorkingDir: folder, entryPoints: ["main.js"], outdir: join(folder, "dist"), bundle: true,
+    minify: true, format: "esm", logLevel: "silent", ...options });
+  assert.deepEqual(warnings, []);
+  return served(folder);
 }
 
 test("no bundler, the package's folder on the server", async () => {
@@ -83,19 +89,13 @@ test("no bundler, the package's folder on the server", async () => {
 });
 
 test("esbuild, with the module copied beside the bundle", async () => {
-  const out = await esbuildBundle("esbuild", "", { format: "esm" });
+  const out = await esbuildBundle("esbuild", "");
   await cp(join(packageFolder, "haptic_retargeting.wasm"), join(out, "haptic_retargeting.wasm"));
   await runs(out);
 });
 
-test("esbuild, with the module as a file of its own", async () => {
-  await runs(await esbuildBundle("esbuild_file", 'import wasm from "haptic-retargeting/haptic_retargeting.wasm";',
-    { format: "esm", loader: { ".wasm": "file" } }));
-});
-
-test("esbuild, with the module inside the bundle", async () => {
-  await runs(await esbuildBundle("esbuild_inside", 'import wasm from "haptic-retargeting/haptic_retargeting.wasm";',
-    { format: "esm", loader: { ".wasm": "binary" } }));
+for (const [loader, where] of [["file", "as a file of its own"], ["binary", "inside the bundle"]]) test(`esbuild, with the module ${where}`, async () => {
+  await runs(await esbuildBundle(`esbuild_${loader}`, 'import wasm from "haptic-retargeting/haptic_retargeting.wasm";', { loader: { ".wasm": loader } }));
 });
 
 // Vite's configuration as the README has it.
@@ -128,12 +128,10 @@ test("Vite, served while developing", async () => {
 });
 
 test("webpack", async () => {
-  const folder = await project("webpack"), out = join(folder, "dist");
-  const stats = await promisify(webpack)({ context: folder, entry: "./main.js", mode: "production", output: { path: out },
+  const folder = await project("webpack");
+  const stats = await promisify(webpack)({ context: folder, entry: "./main.js", mode: "production", output: { path: join(folder, "dist") },
     performance: { hints: false } });
-  assert.deepEqual(stats.toJson({ errors: true, warnings: true }).errors, []);
-  assert.deepEqual(stats.toJson({ errors: true, warnings: true }).warnings, []);
-  await writeFile(join(out, "index.html"), html("/main.js"));
-  await cp(join(folder, "public"), out, { recursive: true });
-  await runs(out);
+  const { errors, warnings } = stats.toJson({ errors: true, warnings: true });
+  assert.deepEqual([errors, warnings], [[], []]);
+  await runs(await served(folder));
 });

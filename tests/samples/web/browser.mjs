@@ -88,10 +88,32 @@ export function drop(page, name, content) {
   }, [name, content]);
 }
 
+/** What an element carries for tests. */
+async function numbers(locator) {
+  const data = await locator.evaluate((element) => ({ ...element.dataset }));
+  return Object.fromEntries(Object.entries(data).map(([name, text]) => [name, Number.isNaN(Number(text)) ? text : Number(text)]));
+}
 /** What the newest row of the table stands for. */
-export async function newest(page) {
-  const row = await page.locator("#results tbody tr").first().evaluate((element) => ({ ...element.dataset }));
-  return Object.fromEntries(Object.entries(row).map(([name, text]) => [name, Number.isNaN(Number(text)) ? text : Number(text)]));
+export const newest = (page) => numbers(page.locator("#results tbody tr").first());
+/** Where a slide has ended. */
+export async function ended(page) {
+  assert.equal(await phase(page), "arrived", await text(page, "#caption"));
+  return numbers(page.locator("#stage"));
+}
+
+/** What a button saves. */
+export async function saved(page, button) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+  return { name: download.suggestedFilename(), content: await readFile(await download.path(), "utf8") };
+}
+
+/** A file that is dropped is refused in these words, and gives no such mode. */
+export async function refuses(page, name, content, words, mode) {
+  await drop(page, name, content);
+  await page.waitForSelector("#problem:not([hidden])");
+  assert.match(await text(page, "#problem"), words);
+  assert.equal(await page.locator(`#${mode}-mode`).isVisible(), false);
+  await page.evaluate(() => { document.getElementById("problem").hidden = true; });
 }
 export const arrived = (result) => Math.abs(result.bearingErrorDeg) <= 1.5;
 export const phase = (page) => page.locator("#stage").getAttribute("data-phase");

@@ -4,7 +4,7 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { test as once } from "node:test";
 import { pathToFileURL } from "node:url";
-import { accessible, frames, pageFolder, phase, shoot, sources, text, visit } from "./browser.mjs";
+import { accessible, ended, frames, pageFolder, phase, saved, shoot, sources, text, visit } from "./browser.mjs";
 import { optional, without } from "./emulated.mjs";
 
 const hrt = await import(pathToFileURL(join(pageFolder, "../npm/node.mjs"))), library = await hrt.load();
@@ -58,17 +58,8 @@ function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = fa
   }, { from, first_deg, length_m, follows, unseen, until });
 }
 
-async function ended(page) {
-  assert.equal(await phase(page), "arrived", await caption(page));
-  const numbers = await page.locator("#stage").evaluate((stage) => ({ ...stage.dataset }));
-  return Object.fromEntries(Object.entries(numbers).map(([name, number]) => [name, Number(number)]));
-}
-
 /** The recording of the last reach, saved after the headset is left. */
-async function recorded(page) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save-recording")]);
-  return readFile(await download.path(), "utf8");
-}
+const recorded = async (page) => (await saved(page, "#save-recording")).content;
 
 const leave = async (page) => {
   await page.evaluate(() => globalThis.headset.leave());

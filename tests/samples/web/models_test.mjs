@@ -23,15 +23,20 @@ function watch(changes, count = 1) {
 }
 const hits = (results) => results.filter((result) => Math.abs(result.bearingError_deg) <= 1.5).length;
 
+/** A session within a reach. */
+function reaching() {
+  const { hrt } = models, session = library.createSession();
+  session.beginReach(session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 }),
+                     session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 }));
+  return session;
+}
+
 // The first of all: code that has met the other tests' doubles of hands and frames boxes more numbers.
 test("a frame of a hand makes no objects", (t) => {
   const plate = new models.HapticPlate(), position = { x: 0, y: 0.002, z: 0.05 }, pose = { transform: { position } };
   const hand = new Map([["index-finger-tip", 1]]), frame = { getJointPose: () => pose };
   let time_ms = 0;
-  const { hrt } = models, session = library.createSession();
-  session.beginReach(session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 }),
-                     session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 }));
-  const reach = new models.HandReach(session, plate);
+  const session = reaching(), reach = new models.HandReach(session, plate);
   const run = (count) => {
     for (let i = 0; i < count; ++i) {
       time_ms += 11;
@@ -181,11 +186,7 @@ test("a hand does as it should at its limits", () => {
 
 /** A reach of a straight, slow slide: `see(frame, place)` gives the plugin each position, in plate coordinates. */
 function slide(see) {
-  const { hrt } = models, session = library.createSession();
-  const real = session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 });
-  const virtual = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 });
-  session.beginReach(real, virtual);
-  const seeing = see(session), commands = [];
+  const session = reaching(), seeing = see(session), commands = [];
   for (let i = 0; i < 200; ++i) {
     seeing(i * 11, new models.Vector3(0.0001 * i, 0.002, 0.05 - 0.0005 * Math.max(0, i - 40)));
     commands.push([session.command.plate_orientation_deg, session.command.step, session.command.flags]);

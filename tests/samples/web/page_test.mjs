@@ -5,15 +5,9 @@ import { readFile } from "node:fs/promises";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { accessible, arrived, desk, desktop, drawn, drop, frames, launch, newest, pageFolder, phase, phone, recorded, require, shoot, tablet, text, visit } from "./browser.mjs";
+import { accessible, arrived, desk, desktop, drawn, drop, ended, frames, launch, newest, pageFolder, phase, phone, recorded, refuses, require, saved, shoot, tablet, text, visit } from "./browser.mjs";
 
 const { PNG } = require("pngjs");
-
-async function handEnd(page) {
-  assert.equal(await phase(page), "arrived");
-  const numbers = await page.locator("#stage").evaluate((stage) => ({ ...stage.dataset }));
-  return Object.fromEntries(Object.entries(numbers).map(([name, number]) => [name, Number(number)]));
-}
 
 test("the first words say that this is simulation", () => visit(async (page) => {
   assert.match((await page.innerText("body")).trim(), /^This is a simulation\./);
@@ -68,9 +62,7 @@ test("each slider moves by keyboard, and the next reach shows it", () => visit(a
 test("a gap that cannot be held is said so", () => visit(async (page) => {
   assert.match(await text(page, "#holds"), /^Too far: .* 6\.0°/);
   assert.equal(arrived(await newest(page)), false);
-  for (let i = 0; i < 4; ++i) {
-    await page.click("#again");
-  }
+  for (let i = 0; i < 4; ++i) await page.click("#again");
   assert.match(await page.locator("#results tbody tr").first().innerText(), /cannot be held/);
   await shoot(page, "watch_too_far");
 }, { link: "#mode=watch&tactile_weight=0.08&gap_deg=15" }));
@@ -140,7 +132,7 @@ test("who goes to the glass by mouse is shown the hand at the cylinder, within a
       await shoot(page, "hand_sliding");
     }
   }
-  const { toCylinderMm, toGhostMm, feltToGhostMm } = await handEnd(page);
+  const { toCylinderMm, toGhostMm, feltToGhostMm } = await ended(page);
   assert.equal(feltToGhostMm, 0, "an overshoot ends at the glass");
   assert.ok(toCylinderMm < 3 && toGhostMm > 14, `${toCylinderMm} mm from the cylinder, ${toGhostMm} from the glass`);
   await frames(page, 100, 4);
@@ -168,7 +160,7 @@ test("by keyboard, with the plate off, the hand stays at the glass", () => visit
     await page.keyboard.up("ArrowUp");
     await page.keyboard.press("Enter");
     await frames(page, 100, 10);
-    const { toGhostMm } = await handEnd(page);
+    const { toGhostMm } = await ended(page);
     assert.ok(toGhostMm < 3, `${toGhostMm} mm from the glass`);
   }
   assert.match(await text(page, "#caption"), /^You went to the glass\. Your hand is here, [12] mm away: the plate was off\.$/);
@@ -225,15 +217,11 @@ test("ridges are heard, and one button, which is remembered, turns them off", ()
 }})()` }));
 
 test("a reach and what was learnt are saved, and the reach replays", () => visit(async (page) => {
-  const saved = async (button) => {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
-    return { name: download.suggestedFilename(), path: await download.path() };
-  };
   await drawn(page);
-  const recording = await saved("#save-recording"), profile = await saved("#save-profile");
+  const recording = await saved(page, "#save-recording"), profile = await saved(page, "#save-profile");
   assert.deepEqual([recording.name, profile.name], ["reach.csv", "profile.json"]);
-  assert.ok(JSON.parse(await readFile(profile.path, "utf8")).tactile_weight > 0);
-  const lines = (await readFile(recording.path, "utf8")).split("\n");
+  assert.ok(JSON.parse(profile.content).tactile_weight > 0);
+  const lines = recording.content.split("\n");
   assert.match(lines[0], /^# haptic retargeting recording/);
   assert.ok(lines.filter((line) => line.startsWith("update,0,")).length > 200);
 
@@ -254,11 +242,7 @@ test("a dropped recording of another host replays, and a bad one is refused in t
   const reach = await readFile(recorded, "utf8");
   for (const [content, words] of [["", /^x\.csv: .*does not begin/], ["call,result\n<script>", /does not begin/],
                                   [reach.replace(/version \d+/, "version 999"), /^x\.csv: .+/]]) {
-    await drop(page, "x.csv", content);
-    await page.waitForSelector("#problem:not([hidden])");
-    assert.match(await text(page, "#problem"), words);
-    assert.equal(await page.locator("#replay-mode").isVisible(), false);
-    await page.evaluate(() => { document.getElementById("problem").hidden = true; });
+    await refuses(page, "x.csv", content, words, "replay");
   }
   const lines = reach.split("\n"), rows = lines.filter((line) => /^(begin|update|end),/.test(line)).length;
   const altered = lines.map((line) => line.startsWith("update,")).lastIndexOf(true), cells = lines[altered].split(",");
@@ -300,11 +284,7 @@ test("a bad scene is refused in the loader's words", () => visit(async (page) =>
   for (const [content, words] of [["", /^bad\.gltf: /], ["{", /^bad\.gltf: /], ["{}", /^bad\.gltf: /],
                                   [scene.replace('"radius_m": 0.075', '"radius_m": -1'), /^bad\.gltf: .*Plate.*radius_m/],
                                   [scene.replace('"role": "real"', '"role": "<img src=x>"'), /^bad\.gltf: .*role/]]) {
-    await drop(page, "bad.gltf", content);
-    await page.waitForSelector("#problem:not([hidden])");
-    assert.match(await text(page, "#problem"), words);
-    assert.equal(await page.locator("#scene-mode").isVisible(), false);
-    await page.evaluate(() => { document.getElementById("problem").hidden = true; });
+    await refuses(page, "bad.gltf", content, words, "scene");
   }
 }));
 

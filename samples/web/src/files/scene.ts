@@ -1,7 +1,7 @@
 // A scene of the visitor's own: plate and targets of a glTF file, by the plugin's loader, and what can be held for whom.
 import * as hrt from "haptic-retargeting";
 import { motionBound_deg } from "../controller";
-import { type Course, direction_deg, length_m, type Place, radius_m } from "../geometry";
+import { bearing_deg, type Course, length_m, type Place, radius_m } from "../geometry";
 import type { SceneMeshes } from "../stage/meshes";
 
 /** Weights of touch for which it is computed what can be held. */
@@ -47,16 +47,14 @@ export function readScene(library: hrt.Library, bytes: ArrayBuffer, name: string
     const { info, targets } = scene,
       ids = scene.register(session),
       scale = radius_m / info.plate_radius_m;
-    const onPlate = ([x = 0, , z = 0]: readonly number[]): Place => ({ right_m: x, away_m: -z });
-    const place = (position_m: readonly number[]): Place => {
-      const { right_m, away_m } = onPlate(position_m);
-      return { right_m: scale * right_m, away_m: scale * away_m };
-    };
-    const from = onPlate(info.start_position_m);
+    const onPlate = ([x = 0, , z = 0]: readonly number[], by = 1): Place => ({ right_m: by * x, away_m: -by * z });
+    const start = onPlate(info.start_position_m);
     const course = (real: Place, virtual: Place): Course => ({
-      start: from,
-      ...seen(from, real, "real"),
-      ...seen(from, virtual, "virtual"),
+      start,
+      real_deg: bearing_deg(start, real),
+      real_m: length_m(start, real),
+      virtual_deg: bearing_deg(start, virtual),
+      virtual_m: length_m(start, virtual),
     });
     return {
       name,
@@ -65,39 +63,24 @@ export function readScene(library: hrt.Library, bytes: ArrayBuffer, name: string
       meshes: null,
       meshProblem: "",
       plate: { position_m: info.plate_position_m, rotation: info.plate_rotation },
-      start: place(info.start_position_m),
+      start: onPlate(info.start_position_m, scale),
       targets: targets.map((target) => ({
         name: target.name,
         real: target.role === hrt.HRT_TARGET_REAL,
-        drawn: place(target.position_m),
+        drawn: onPlate(target.position_m, scale),
       })),
       pairs: targets.flatMap((target, i) => {
-        const real = targets[target.served_by],
-          id = ids[i],
-          realId = ids[target.served_by];
-        return real && id !== undefined && realId !== undefined
-          ? [
-              {
-                virtual: target.name,
-                real: real.name,
-                course: course(onPlate(real.position_m), onPlate(target.position_m)),
-                ...heldBy(session, realId, id),
-              },
-            ]
-          : [];
+        const real = targets[target.served_by];
+        if (!real) return [];
+        const held = heldBy(session, ids[target.served_by]!, ids[i]!),
+          leads = course(onPlate(real.position_m), onPlate(target.position_m));
+        return [{ virtual: target.name, real: real.name, course: leads, ...held }];
       }),
     };
   } finally {
     session.destroy();
     scene.destroy();
   }
-}
-
-function seen<Name extends "real" | "virtual">(from: Place, to: Place, name: Name) {
-  return {
-    [`${name}_deg`]: direction_deg(to.right_m - from.right_m, to.away_m - from.away_m),
-    [`${name}_m`]: length_m(from, to),
-  } as Record<`${Name}_deg` | `${Name}_m`, number>;
 }
 
 function heldBy(session: hrt.Session, real: hrt.TargetId, virtual: hrt.TargetId) {

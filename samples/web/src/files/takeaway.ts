@@ -7,11 +7,6 @@ import { readScene, type VisitorScene } from "./scene";
 
 const max_bytes = 32 * 1024 * 1024;
 
-export interface Brought {
-  reach(reach: RecordedReach): void;
-  scene(scene: VisitorScene): void;
-}
-
 export class TakeAway {
   readonly #saveRecording = element("save-recording", HTMLButtonElement);
   readonly #problem = element("problem", HTMLParagraphElement);
@@ -22,13 +17,13 @@ export class TakeAway {
     private readonly library: Library,
     recording: () => string,
     profile: () => string,
-    brought: Brought,
+    private readonly brought: { reach(reach: RecordedReach): void; scene(scene: VisitorScene): void },
   ) {
     this.#saveRecording.addEventListener("click", () => save("reach.csv", "text/csv", recording()));
     element("save-profile", HTMLButtonElement).addEventListener("click", () =>
       save("profile.json", "application/json", profile()),
     );
-    onFiles(element("open-file", HTMLInputElement), (files) => this.#open(files, brought));
+    onFiles(element("open-file", HTMLInputElement), (files) => this.#open(files));
   }
 
   /** Whether there is a reach to save. */
@@ -37,7 +32,7 @@ export class TakeAway {
   }
 
   /** A recording, or a scene with the buffers that came along. */
-  async #open(files: readonly File[], brought: Brought): Promise<void> {
+  async #open(files: readonly File[]): Promise<void> {
     const file = files.find(({ name }) => /\.(gltf|glb|csv)$/i.test(name)),
       name = file?.name ?? files[0]?.name ?? "";
     try {
@@ -48,8 +43,8 @@ export class TakeAway {
       const size = files.reduce((sum, each) => sum + each.size, 0);
       if (size > max_bytes)
         throw new Error(`${Math.ceil(size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
-      if (/\.csv$/i.test(name)) brought.reach(this.#replay(name, await file.text()));
-      else brought.scene(await this.#scene(file, files));
+      if (/\.csv$/i.test(name)) this.brought.reach(this.#replay(name, await file.text()));
+      else this.brought.scene(await this.#scene(file, files));
       this.#problem.hidden = true;
     } catch (error) {
       const message = messageOf(error);

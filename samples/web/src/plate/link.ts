@@ -30,11 +30,8 @@ export class PlateLink {
   orientation_deg = NaN;
   /** Why the plate was given up; empty: it was not. After that nothing is sent. */
   failure = "";
-  /** From a line to its echo, the last one; NaN: none yet. */
-  roundTrip_ms = NaN;
 
   readonly #reader = new LineReader();
-  readonly #sentAt_ms = new Map<number, number>();
   #began_ms = NaN;
   #heard_ms = NaN;
   #reported_ms = NaN;
@@ -112,7 +109,7 @@ export class PlateLink {
     this.#heard_ms = now_ms;
     if (message.kind === "plate") return this.#takeGreeting(message, now_ms);
     if (!this.facts) return;
-    if (message.kind === "at") return this.#takeReport(message.orientation_deg, message.sequence, now_ms);
+    if (message.kind === "at") return this.#takeReport(message.orientation_deg, now_ms);
     const restarted = message.kind === "boot" || (message.kind === "error" && message.why === "greeting");
     if (restarted) this.#fail("has restarted: its supply or its line failed");
     if (message.kind !== "stopped") return;
@@ -131,7 +128,7 @@ export class PlateLink {
     --this.#unanswered;
   }
 
-  #takeReport(orientation_deg: number, sequence: number, now_ms: number): void {
+  #takeReport(orientation_deg: number, now_ms: number): void {
     const facts = this.facts;
     if (!facts) return;
     if (orientation_deg < facts.min_deg - limitSlack_deg || orientation_deg > facts.max_deg + limitSlack_deg) {
@@ -143,11 +140,6 @@ export class PlateLink {
       return this.#fail("does not know its place: this page drives plates with a sensor");
     this.orientation_deg = orientation_deg;
     this.#reported_ms = now_ms;
-    const sent_ms = this.#sentAt_ms.get(sequence);
-    if (sent_ms !== undefined) {
-      this.roundTrip_ms = now_ms - sent_ms;
-      this.#sentAt_ms.clear();
-    }
     this.#heardOf = true;
     this.#expectMotion(orientation_deg, now_ms);
   }
@@ -164,7 +156,6 @@ export class PlateLink {
 
   #drive(words: string, now_ms: number): void {
     this.#sequence = (this.#sequence + 1) & 0xffff;
-    if (this.#sentAt_ms.size < 64) this.#sentAt_ms.set(this.#sequence, now_ms);
     this.#say(`${words} ${String(this.#sequence).padStart(5, "0")}`, now_ms);
   }
 

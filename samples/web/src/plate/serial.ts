@@ -20,17 +20,8 @@ export function serial(): Serial | null {
   return (navigator as { serial?: Serial }).serial ?? null;
 }
 
-export interface OpenLine {
-  send(text: string): void;
-  close(): Promise<void>;
-}
-
 /** `heard` gets bytes as they come; `ended` is called once if the line fails. */
-export async function openPort(
-  port: SerialPort,
-  heard: (bytes: Uint8Array) => void,
-  ended: (why: string) => void,
-): Promise<OpenLine> {
+export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => void, ended: (why: string) => void) {
   await port.open({ baudRate });
   const reader = port.readable?.getReader(),
     writer = port.writable?.getWriter();
@@ -51,7 +42,7 @@ export async function openPort(
   };
   const reading = read().catch(fail);
   return {
-    send(text) {
+    send(text: string): void {
       if (!open) return;
       if (unsent > maxUnsent) return fail("it takes no bytes");
       unsent += text.length;
@@ -59,18 +50,13 @@ export async function openPort(
         unsent -= text.length;
       }, fail);
     },
-    async close() {
+    async close(): Promise<void> {
       open = false;
       // A line that hangs is not waited for: what is unsent is dropped, and rule 1 stops the plate.
       const patience = new Promise((done) => setTimeout(done, 300));
-      await Promise.race([writer.close().catch(() => undefined), patience]);
-      await Promise.race([
-        reader
-          .cancel()
-          .then(() => reading)
-          .catch(() => undefined),
-        patience,
-      ]);
+      const patiently = (what: Promise<void>) => Promise.race([what.catch(() => undefined), patience]);
+      await patiently(writer.close());
+      await patiently(reader.cancel().then(() => reading));
       for (const lock of [writer, reader]) lock.releaseLock();
       await port.close().catch(() => undefined);
     },

@@ -93,7 +93,7 @@ export class Headset {
 }
 
 /** Words that stand behind the plate. Drawn anew only when they change. */
-export class WordBoard extends Group {
+class WordBoard extends Group {
   readonly #canvas = document.createElement("canvas");
   readonly #texture: CanvasTexture;
   #text = "";

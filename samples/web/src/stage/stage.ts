@@ -225,13 +225,9 @@ export class Stage {
 
   /** Where a label belongs on the canvas, in CSS pixels from its corner. */
   toCanvas(label: LabelName, out: { x: number; y: number }): void {
-    const thing = { real: this.#real, ghost: this.#ghost, finger: this.finger, felt: this.#felt }[label];
-    this.#toCanvas(
-      thing.position.x,
-      label === "real" || label === "ghost" ? headHeight_m : 0.006,
-      thing.position.z,
-      out,
-    );
+    const things = { real: this.#real, ghost: this.#ghost, finger: this.finger, felt: this.#felt },
+      { x, z } = things[label].position;
+    this.#toCanvas(x, label === "real" || label === "ghost" ? headHeight_m : 0.006, z, out);
   }
 
   /** The same for the label of a target of a visitor's scene. */

@@ -21,17 +21,9 @@ const beyond_m = 0.15;
 const liftHeight_m = 0.05; // without a plate nothing holds the finger down
 const maxFrame_ms = 100;
 
-export type WearPhase = "placing" | "ready" | "sliding" | "arrived";
-
-/** What wear needs of an XRFrame. */
-export interface WearFrame {
-  getJointPose?(joint: XRJointSpace, space: XRSpace): XRJointPose | undefined;
-  getViewerPose(space: XRReferenceSpace): XRViewerPose | undefined;
-}
-
 export class Wear extends Led {
   readonly finger: Place = { ...start };
-  phase: WearPhase = "placing";
+  phase: "placing" | "ready" | "sliding" | "arrived" = "placing";
   result: SlideEnd | null = null;
   /** What the visitor is to do, or has done. */
   text = "";
@@ -100,7 +92,7 @@ export class Wear extends Led {
   }
 
   /** One frame of the headset, at the time of its callback. `hand`: the one that slides; undefined: it is not tracked. */
-  frame(now_ms: number, frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
+  frame(now_ms: number, frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
     const elapsed_ms = Math.min(maxFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
     this.#time_ms = now_ms;
     this.#advance(elapsed_ms);
@@ -119,7 +111,7 @@ export class Wear extends Led {
     }
   }
 
-  #locate(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace): Vector3 | null {
+  #locate(frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace): Vector3 | null {
     const joint = hand?.get("index-finger-tip"),
       pose = joint && frame.getJointPose?.(joint, space);
     if (!pose) return null;
@@ -127,7 +119,7 @@ export class Wear extends Led {
     return Number.isFinite(x + y + z) ? this.#tip.set(x, y, z) : null;
   }
 
-  #place(frame: WearFrame, tip: Vector3 | null, space: XRReferenceSpace): void {
+  #place(frame: XRFrame, tip: Vector3 | null, space: XRReferenceSpace): void {
     const viewer = frame.getViewerPose(space);
     if (viewer) {
       const { x, y, z, w } = viewer.transform.orientation;
@@ -170,7 +162,7 @@ export class Wear extends Led {
     this.text = "Slide to the ghost, the orange goblet. Stop there.";
   }
 
-  #slide(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {
+  #slide(frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {
     const reach = this.#reach,
       { sample } = this.session;
     reach.measuredPlate_deg = this.plateConnected_deg;

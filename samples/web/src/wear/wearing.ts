@@ -146,15 +146,10 @@ export class Wearing {
     if (wear.phase !== phase && wear.phase === "sliding") this.desk.clearPaths();
     if (wear.phase === "sliding" && !wear.lost) this.desk.extendPaths(wear.finger, wear.felt.place);
     stage.place(this.world.plate_deg(), wear.finger, wear.felt.place);
-    this.#headset?.say(this.#title(), wear.text);
+    const unfelt = Number.isNaN(wear.plateConnected_deg);
+    this.#headset?.say(unfelt ? "SIMULATION: no plate is under your finger" : "A plate is connected", wear.text);
     this.desk.frame.dataset.phase = wear.phase;
     this.#show();
-  }
-
-  #title(): string {
-    return Number.isNaN(this.wear.plateConnected_deg)
-      ? "SIMULATION: no plate is under your finger"
-      : "A plate is connected";
   }
 
   /** Before the plate has a place, it stands ahead of the eyes, level. */
