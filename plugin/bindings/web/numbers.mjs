@@ -2,7 +2,6 @@
 
 // How a field's type is read and written; `least` and `most` are what is allowed of integers.
 export const types = {
-  u8: { size: 1 },
   u32: { size: 4, least: 0, most: 2 ** 32 - 1, get: "getUint32", set: "setUint32" },
   i32: { size: 4, least: -(2 ** 31), most: 2 ** 31 - 1, get: "getInt32", set: "setInt32" },
   u64: { size: 8, least: 0n, most: 2n ** 64n - 1n, get: "getBigUint64", set: "setBigUint64" },

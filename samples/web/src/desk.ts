@@ -1,7 +1,7 @@
 // The picture with its labels, in the size of its place on the page. Without WebGL the rest of the page still works.
 
 import type { VisitorScene } from "./files/scene";
-import { ahead, type Place, type SlideEnd, start } from "./geometry";
+import { ahead, degree, type Place, type SlideEnd, start } from "./geometry";
 import { element, say } from "./page";
 import { type LabelName, Stage } from "./stage/stage";
 import type { Colours } from "./theme";
@@ -24,8 +24,8 @@ interface Label {
   readonly element: HTMLElement;
   /** Where it points to, on the canvas. */
   readonly at: (stage: Stage, out: { x: number; y: number }) => void;
-  /** Sides on which it may stand, the best one first: right and down are positive. */
-  readonly sides: readonly (readonly [number, number])[];
+  /** Sides on which it may stand, the best one first: clockwise from the right. */
+  readonly sides_deg: readonly number[];
 }
 
 export class Desk {
@@ -37,28 +37,17 @@ export class Desk {
     labelNames.map((name) => [name, element(`label-${name}`, HTMLSpanElement)]),
   ) as Record<LabelName, HTMLElement>;
   readonly #own: readonly Label[] = labelNames.map((name) => {
-    const beside = name === "finger" || name === "felt",
-      side = name === "real" || name === "finger" ? 1 : -1;
+    const sides_deg = name === "finger" || name === "felt" ? [0, 45, -45, 90] : [-90, -45, 0, 180],
+      mirrored = name === "felt" || name === "ghost";
     return {
       element: this.#named[name],
       at: (stage, out) => stage.toCanvas(name, out),
-      sides: beside
-        ? [
-            [side, 0],
-            [side, 1],
-            [side, -1],
-            [0, 1],
-          ]
-        : [
-            [0, -1],
-            [side, -1],
-            [side, 0],
-            [-side, 0],
-          ],
+      sides_deg: mirrored ? sides_deg.map((angle) => 180 - angle) : sides_deg,
     };
   });
   #labels = [...this.#own];
-  readonly #over = [element("caption", HTMLParagraphElement), element("legend", HTMLParagraphElement)];
+  readonly #caption = element("caption", HTMLParagraphElement);
+  readonly #over = [this.#caption, element("legend", HTMLParagraphElement)];
   #glass: Place = { ...start };
   readonly #at = { x: 0, y: 0 };
   /** What was drawn last; empty: something else has changed since. A picture at rest costs nothing. */
@@ -148,15 +137,15 @@ export class Desk {
       this.#labels.push({
         element: label,
         at: (stage, out) => stage.targetToCanvas(target.drawn, out),
-        sides: [
-          [0, -1],
-          [1, -1],
-          [-1, -1],
-          [1, 0],
-          [-1, 0],
-        ],
+        sides_deg: [-90, -45, -135, 0, 180],
       });
     }
+  }
+
+  /** The phase, for those who check, and the words on the picture. */
+  caption(phase: string, words: string): void {
+    this.frame.dataset.phase = phase;
+    say(this.#caption, words);
   }
 
   showFelt(shown: boolean): void {
@@ -185,11 +174,11 @@ export class Desk {
     const { clientWidth, clientHeight } = this.canvas,
       within = new DOMRect(margin_px, margin_px, clientWidth - 2 * margin_px, clientHeight - 2 * margin_px);
     const taken = this.#over.map((on) => new DOMRect(on.offsetLeft, on.offsetTop, on.offsetWidth, on.offsetHeight));
-    for (const { element: label, at, sides } of this.#labels) {
+    for (const { element: label, at, sides_deg } of this.#labels) {
       if (label.hidden) continue;
       at(stage, this.#at);
       const box = new DOMRect(0, 0, label.offsetWidth, label.offsetHeight);
-      place(box, this.#at, sides, within, taken);
+      place(box, this.#at, sides_deg, within, taken);
       taken.push(box);
       label.style.transform = `translate(${box.x.toFixed(1)}px, ${box.y.toFixed(1)}px)`;
     }
@@ -225,12 +214,14 @@ export class Desk {
 function place(
   box: DOMRect,
   at: Readonly<{ x: number; y: number }>,
-  sides: Label["sides"],
+  sides_deg: readonly number[],
   within: DOMRect,
   taken: readonly DOMRect[],
 ): void {
   for (let ring = 1; ring <= rings; ++ring) {
-    for (const [right, down] of sides) {
+    for (const side_deg of sides_deg) {
+      const right = Math.round(Math.cos(side_deg * degree)),
+        down = Math.round(Math.sin(side_deg * degree));
       box.x = at.x + right * (box.width / 2 + ring * gap_px) - box.width / 2;
       box.y = at.y + down * (box.height / 2 + (ring * gap_px) / 2) - box.height / 2;
       const inside =

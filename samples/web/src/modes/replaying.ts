@@ -3,14 +3,13 @@
 import type { Desk } from "../desk";
 import type { RecordedReach, RecordedSample } from "../files/recording";
 import { showNow } from "../now";
-import { element, say, sideways } from "../page";
+import { sideways } from "../page";
 import { maxTrace, type Trace, tracePeriod_ms } from "../trace";
 
 const pause_ms = 2200;
 
 export class Replaying {
   readonly trace: Trace = [];
-  readonly #caption = element("caption", HTMLParagraphElement);
   reach: RecordedReach | null = null;
   #next = 0;
   #time_ms = 0;
@@ -42,11 +41,10 @@ export class Replaying {
     const sample = reach.samples[Math.max(0, this.#next - 1)];
     if (!sample) return;
     const over = this.#next === reach.samples.length;
-    this.desk.frame.dataset.phase = over ? "arrived" : Number.isNaN(sample.finger_deg) ? "waiting" : "sliding";
     this.desk.draw(sample.plate_deg, sample, sample);
     showNow(sample.plate_deg, sample.finger_deg, sample.felt_deg, reach.virtual_deg);
-    say(
-      this.#caption,
+    this.desk.caption(
+      over ? "arrived" : Number.isNaN(sample.finger_deg) ? "waiting" : "sliding",
       `${(sample.time_ms / 1000).toFixed(1)} s of ${(this.#last_ms(reach) / 1000).toFixed(1)} s: the ` +
         `plate is sent to ${sideways(sample.plate_deg)}.`,
     );

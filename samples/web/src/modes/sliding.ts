@@ -5,7 +5,7 @@ import type { Desk } from "../desk";
 import { length_m, type Place, start, virtualPlace } from "../geometry";
 import type { Hand } from "../hand";
 import { showNow } from "../now";
-import { element, say } from "../page";
+import { element } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import type { Ticks } from "../ticks";
@@ -19,7 +19,6 @@ const grasp_m = 0.008;
 export class Sliding {
   /** Whether this mode is the one that is shown. */
   active = false;
-  readonly #caption = element("caption", HTMLParagraphElement);
   readonly #keys = new Set<string>();
   readonly #pointer: Place = { right_m: 0, away_m: 0 };
   readonly #grip: Place = { right_m: 0, away_m: 0 };
@@ -161,11 +160,10 @@ export class Sliding {
       plate_deg = this.world.plate_deg(),
       over = hand.phase === "arrived";
     if (hand.phase !== "waiting") this.desk.extendPaths(hand.finger, hand.felt);
-    this.desk.frame.dataset.phase = hand.phase;
     this.desk.reveal(!over ? 0 : this.still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
     this.desk.draw(plate_deg, hand.finger, hand.felt);
     showNow(plate_deg, hand.finger_deg, hand.felt_deg, pageCourse(this.settings).virtual_deg);
-    say(this.#caption, this.#text());
+    this.desk.caption(hand.phase, this.#text());
     this.desk.write(hand.result);
   }
 

@@ -16,7 +16,6 @@ const step_ms = 100;
 export class Watching {
   playing = false;
   #scale = 1;
-  readonly #caption = element("caption", HTMLParagraphElement);
   readonly #play = element("play", HTMLButtonElement);
   readonly #speed = element("speed", HTMLSelectElement);
   readonly #finger: Place = { right_m: 0, away_m: 0 };
@@ -127,17 +126,15 @@ export class Watching {
   }
 
   #draw(): void {
-    const world = this.world,
-      { phase } = this.watch;
+    const world = this.world;
     this.#extend();
-    this.desk.frame.dataset.phase = phase;
     this.desk.draw(world.plate_deg(), this.#finger, this.#felt);
     const moving = world.moving() !== 0,
       goal_deg = this.watch.course.virtual_deg;
     const finger_deg = moving ? world.finger_deg() : NaN;
     const felt_deg = moving ? goal_deg + world.felt_error_deg() : NaN;
     showNow(world.plate_deg(), finger_deg, felt_deg, goal_deg);
-    say(this.#caption, this.#text(finger_deg, felt_deg));
+    this.desk.caption(this.watch.phase, this.#text(finger_deg, felt_deg));
   }
 
   #text(finger_deg: number, felt_deg: number): string {

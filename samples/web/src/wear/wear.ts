@@ -40,7 +40,7 @@ export class Wear extends Led {
   readonly #forward = new Vector3();
   readonly #view = new Quaternion();
   #reach: HandReach;
-  #placing: Placing;
+  #placing!: Placing;
   #byMarks = false;
   #why = "";
   #time_ms = NaN;
@@ -57,9 +57,7 @@ export class Wear extends Led {
     super(library, world, settings, pageCourse(settings));
     this.session.configure({ lift_height_m: liftHeight_m });
     this.#reach = new HandReach(this.session, plate);
-    this.#placing = new Placing(null);
-    this.restart();
-    this.phase = "placing";
+    this.begin(false);
   }
 
   /** Another session of a headset, or another room: the plate is placed anew, as it is said after `why`. */

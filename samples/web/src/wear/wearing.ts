@@ -3,7 +3,7 @@
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
 import { showNow } from "../now";
-import { chosen, element, messageOf, say } from "../page";
+import { chosen, element, messageOf } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import { Headset } from "../stage/headset";
@@ -21,7 +21,6 @@ const ahead_m = 0.45,
 
 export class Wearing {
   readonly #headset: Headset | null;
-  readonly #caption = element("caption", HTMLParagraphElement);
   readonly #leave = element("leave", HTMLButtonElement);
   readonly #buttons = kinds.map(([kind, id]) => ({ kind, button: element(id, HTMLButtonElement), supported: false }));
   #session: XRSession | null = null;
@@ -62,7 +61,6 @@ export class Wearing {
 
   /** A frame of the page, while no headset is worn. */
   frame(): void {
-    this.desk.frame.dataset.phase = this.wear.phase;
     this.desk.draw(this.world.plate_deg(), this.wear.finger, this.wear.felt.place);
     this.#show();
   }
@@ -148,7 +146,6 @@ export class Wearing {
     stage.place(this.world.plate_deg(), wear.finger, wear.felt.place);
     const unfelt = Number.isNaN(wear.plateConnected_deg);
     this.#headset?.say(unfelt ? "SIMULATION: no plate is under your finger" : "A plate is connected", wear.text);
-    this.desk.frame.dataset.phase = wear.phase;
     this.#show();
   }
 
@@ -187,7 +184,7 @@ export class Wearing {
       { finger_deg, felt_deg } = wear.felt;
     showNow(this.world.plate_deg(), finger_deg, felt_deg, pageCourse(this.settings).virtual_deg);
     const text = this.#session ? wear.text : this.#message;
-    say(this.#caption, text);
+    this.desk.caption(wear.phase, text);
     this.desk.frame.dataset.lost = String(wear.lost);
     if (this.#session && text !== this.#spoken) this.voice.say(text);
     this.#spoken = text;
