@@ -10,14 +10,9 @@ const at = (angle_deg: number, far: number): string =>
   `${(foot.x - far * Math.sin(angle_deg * degree)).toFixed(1)} ${(foot.y - far * Math.cos(angle_deg * degree)).toFixed(1)}`;
 const arrow = (kind: string, from: string, to: string): string =>
   `<path class="${kind}" marker-end="url(#tip-${kind})" d="M${from} L${to}"/>`;
-const word = (kind: string, place: string, text: string): string => {
-  const [x = "", y = ""] = place.split(" ");
-  return `<text class="${kind}" x="${x}" y="${y}">${text}</text>`;
-};
-const dot = (kind: string, place: string): string => {
-  const [x = "", y = ""] = place.split(" ");
-  return `<circle class="${kind}" r="8" cx="${x}" cy="${y}"/>`;
-};
+const word = (kind: string, place: string, text: string): string =>
+  `<text class="${kind}" transform="translate(${place})">${text}</text>`;
+const dot = (kind: string, place: string): string => `<circle class="${kind}" r="8" transform="translate(${place})"/>`;
 const tips = ["real", "felt", "touch"]
   .map(
     (kind) => `<marker id="tip-${kind}" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="5" markerHeight="5"
