@@ -7,7 +7,8 @@ import type { Settings } from "./settings";
 import { maxTrace, type Trace, tracePeriod_ms } from "./trace";
 
 export abstract class Led {
-  readonly trace: Trace = [];
+  /** Of the reach; another one for each. */
+  trace: Trace = [];
   /** Where a connected plate is, which is felt instead of the simulated one; NaN: there is none. */
   plateConnected_deg = NaN;
   /** Of the last reach that has ended, as CSV. */
@@ -70,7 +71,7 @@ export abstract class Led {
     this.drop();
     this.world.set_person(this.settings.person, this.settings.tactile_weight, this.settings.pace_s);
     this.world.set_apparatus(this.settings.noise_mm / 1000, this.settings.plate_deg_s);
-    this.trace.length = 0;
+    this.trace = [];
   }
 
   /** A reach begins, and is recorded. */

@@ -33,6 +33,7 @@ test("without a plate that turns, and with the paper's for another person, the r
   assert.ok(off.bearingErrorDeg > 8, "towards the ghost");
   await drawn(page);
   assert.match(await text(page, "#caption"), /^The finger is 2\d\.\d mm from the real cylinder/);
+  assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+straight ahead/, "the table is this reach's");
   await shoot(page, "watch_still_plate");
 }, { link: "#mode=watch&tactile_weight=0.3" }));
 

@@ -9,7 +9,7 @@ import { maxTrace, type Trace, tracePeriod_ms } from "../trace";
 const pause_ms = 2200;
 
 export class Replaying {
-  readonly trace: Trace = [];
+  trace: Trace = [];
   reach: RecordedReach | null = null;
   #next = 0;
   #time_ms = 0;
@@ -24,7 +24,7 @@ export class Replaying {
   show(reach: RecordedReach): void {
     this.reach = reach;
     this.#next = this.#time_ms = 0;
-    this.trace.length = 0;
+    this.trace = [];
     this.desk.clearPaths();
     if (this.still) this.#time_ms = this.#last_ms(reach);
   }

@@ -58,7 +58,7 @@ export class Sliding {
 
   restart(): void {
     this.hand.begin();
-    this.desk.clearPaths();
+    if (this.active) this.desk.clearPaths(); // else they are another mode's
     this.#held = -1;
     this.#keys.clear();
     this.desk.frame.classList.remove("dragging");
