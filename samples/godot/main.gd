@@ -19,7 +19,7 @@ const REOPENING_S := 3.0
 ## The device that turns the plate, such as serial:/dev/ttyACM0; empty: it is drawn only.
 @export var device := ""
 ## Parts of the set-up; none: the plate stands where the scene's file has it.
-@export_flags("Fingertip:1", "Registration:2", "Latency:8", "Calibration:16", "All that is missing:64") var set_up := 64
+@export_flags("Fingertip:1", "Registration:2", "Latency:8", "Calibration:16", "All that is missing:64", "Guides:128") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]
 ## For which the finger rests at the start before a reach.
@@ -69,7 +69,9 @@ func _ready() -> void:
 	if device:
 		_plate.open_device(device)
 		_plate.plate_commanded.connect(_plate.turn_device)
-	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION if finger is MouseFinger else set_up)
+	if set_up & HapticRetargeting.SETUP_GUIDES:  # of a plate that is registered
+		_to_set_up.append(HapticRetargeting.SETUP_GUIDES)
+	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION if finger is MouseFinger else set_up & ~HapticRetargeting.SETUP_GUIDES)
 
 
 func _process(delta: float) -> void:

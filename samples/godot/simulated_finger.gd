@@ -50,7 +50,10 @@ func do_step(step: Dictionary) -> void:
 		HapticRetargeting.STEP_REST_AT_START:
 			touch(step.place_m)
 		HapticRetargeting.STEP_SLIDE:
-			slide(_ahead)
+			if step.part == HapticRetargeting.SETUP_GUIDES:
+				_go([step.place_m])
+			else:
+				slide(_ahead)
 
 
 ## Lifts the finger, and touches a place of the plate.
