@@ -1,5 +1,4 @@
-# Draws the sample's session only where the mock runtime keeps a picture, since the processor draws: around every EVERY-th frame, and at
-# its end. The session is the child Main, or the scene of a project that loads this beside it.
+# Draws a session, the child Main or the project's scene, around every EVERY-th frame, of which the mock runtime keeps a picture.
 extends Node
 
 const EVERY := 500
