@@ -18,14 +18,14 @@ void ReachEnd::observe(const FingerSample& sample) {
   if (sample.observation == Observation::lifted) finger_.restart();
   if (sample.observation != Observation::position) return;
   const PlatePoint& place = sample.position;
-  finger_.observe(sample.time_ns, {place.right_m, 0.0, -place.away_m});
-  if (distance_m(start_, place) < far_share * distance_m_) return;
   const auto rests_at_share = [&](int tenths, double share, double max_drift_m_s) {
     const auto rest_m = finger_.rest(tenths, max_drift_m_s);
     return rest_m && distance_m(start_, {rest_m->x(), -rest_m->z()}) >= share * distance_m_;
   };
-  over_ = rests_at_share(near_rest_tenths, near_share, StillFinger::max_drift_m_s) ||
-          rests_at_share(far_rest_tenths, far_share, max_far_drift_m_s);
+  if (finger_.observe(sample.time_ns, {place.right_m, 0.0, -place.away_m}))
+    rests_ = rests_at_share(near_rest_tenths, near_share, StillFinger::max_drift_m_s) ||
+             rests_at_share(far_rest_tenths, far_share, max_far_drift_m_s);
+  over_ = rests_ && distance_m(start_, place) >= far_share * distance_m_;
 }
 
 }  // namespace hrt

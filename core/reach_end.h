@@ -21,6 +21,7 @@ class ReachEnd {
   PlatePoint start_;
   double distance_m_ = 1.0;
   StillFinger finger_;
+  bool rests_ = false;  // far enough from the start
   bool over_ = false;
 };
 

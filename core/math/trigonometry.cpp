@@ -97,8 +97,4 @@ double atan2_deg(double y, double x) {
   return y < 0.0 ? -upper_deg : upper_deg;
 }
 
-double wrap_deg(double angle_deg, double period_deg) {
-  return angle_deg - period_deg * std::floor(angle_deg / period_deg + 0.5);
-}
-
 }  // namespace hrt

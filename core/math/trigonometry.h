@@ -2,6 +2,8 @@
 // library's own differ in the last bit between hosts, and a recording must replay to the same bits on all.
 #pragma once
 
+#include <cmath>
+
 namespace hrt {
 
 inline constexpr double rad_per_deg = 0.017453292519943295;
@@ -26,6 +28,8 @@ SinCos sin_cos_deg(double angle_deg);
 double atan2_deg(double y, double x);
 
 /// `angle_deg` less the whole turns of `period_deg` that bring it into [-period/2, period/2).
-double wrap_deg(double angle_deg, double period_deg);
+inline double wrap_deg(double angle_deg, double period_deg) {
+  return angle_deg - period_deg * std::floor(angle_deg / period_deg + 0.5);
+}
 
 }  // namespace hrt

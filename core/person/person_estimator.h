@@ -54,6 +54,8 @@ class PersonEstimator {
   void retarget(double time_s, double virtual_direction_deg, double longer_mm);
 
   FingerMotion motion() const { return motion_; }
+  /// The last position was averaged into the one before it, which leaves the filter as it is.
+  bool merged() const { return places_.merged(); }
   /// The filter has taken in all that was seen.
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }

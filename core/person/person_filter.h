@@ -126,7 +126,7 @@ class PersonFilter {
   /// order.
   double shift_variance_deg2(const FeltShift& slopes, double by_bias) const;
 
-  /// The same in this file's order, for tests of the filter.
+  /// The same in this file's order.
   const State& vector() const { return state_; }
   const Covariance& covariance() const { return covariance_; }
   /// At a speed of the finger, which has come `travelled_mm`.

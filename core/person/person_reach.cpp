@@ -83,6 +83,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   const double longer_mm = mm_per_m * (now.real_distance_m - distance_m(now.start, target_));
   limits_.turn_goal(now.virtual_direction_deg - reach_.virtual_direction_deg);
   reach_.virtual_direction_deg = now.virtual_direction_deg;
+  settled_ = false;
   // The short way round.
   reach_.real_direction_deg =
       now.real_direction_deg + wrap_deg(bearing_deg(reach_.start, real) - now.real_direction_deg, 360.0);
@@ -133,6 +134,7 @@ PlateCommand PersonReach::update(const FingerSample& sample) {
   trace_.add(now_s, plate_.orientation_deg());
 
   const bool observed = observe(sample, now_s - 1e-9 * static_cast<double>(config_.tracker_latency_ns));
+  settled_ = settled_ && sample.observation == Observation::position && estimator_.merged();
   const bool decides = observed && estimator_.motion() == FingerMotion::moving && estimator_.caught_up() &&
                        estimator_.filter().state().phase < last_phase;
   if (decides) {
@@ -141,6 +143,7 @@ PlateCommand PersonReach::update(const FingerSample& sample) {
   }
   const bool turned_ready = std::exchange(turned_ready_, false);
   command_ = publish(sample, now_s, decides || turned_ready);
+  settled_ = true;
   count(command_, observed);
   return command_;
 }
@@ -235,8 +238,9 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .plate_orientation_deg = decision_.plate.orientation_deg,
       .finger_direction_deg = x.direction_deg,
       .perceived_direction_deg = felt_deg,
-      .aimed_direction_deg =
-          to_go_m > 0.1 * reach_.real_distance_m ? bearing_deg(place, target_) : command_.aimed_direction_deg,
+      .aimed_direction_deg = to_go_m > 0.1 * reach_.real_distance_m && !(settled_ && begun)
+                                 ? bearing_deg(place, target_)
+                                 : command_.aimed_direction_deg,
       .tactile_weight = linear.weight,
       .tactile_weight_sd = linear.weight_sd,
       .distance_to_go_m = to_go_m,
@@ -245,7 +249,7 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
                                                      : -1.0,
       .felt_error_deg = begun ? felt_deg - now.goal_deg : 0.0,
       .predicted_miss_deg = miss_deg,
-      .bearing_error_sd_deg = bearing_error_sd_deg(),
+      .bearing_error_sd_deg = settled_ ? command_.bearing_error_sd_deg : bearing_error_sd_deg(),
       .nis = estimator_.fit().nis,
       .step = begun ? static_cast<std::int64_t>(std::min(1e9 * (now_s - estimator_.onset_s()), max_ns)) /
                           config_.step_period_ns
@@ -253,7 +257,7 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .active = decision_.plate.active,
       .held = !decided,
       .predicted = begun && sample.observation == Observation::none,
-      .unreachable = begun && !can_be_held(),
+      .unreachable = settled_ ? command_.unreachable : begun && !can_be_held(),
       .misfit = begun && !estimator_.fit().holds(),
       .off_target = begun && x.phase > first_judged_phase && std::abs(miss_deg) > near_deg,
       .resting = estimator_.motion() == FingerMotion::paused,

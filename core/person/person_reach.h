@@ -93,6 +93,7 @@ class PersonReach {
   PlateCommand command_;
   ReachSummary counts_;
   bool turned_ready_ = false;  // since the last sample
+  bool settled_ = false;       // command_ was made of the filter and the aim that still stand
   double seen_s_ = 0.0;        // time of the last sample
   double square_felt_sum_deg2_ = 0.0;
   std::int64_t felt_samples_ = 0;

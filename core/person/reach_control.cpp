@@ -119,7 +119,8 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
 
   // At rest nothing is felt: the plate stands for the motion to come.
   Illusion illusion = filter.illusion(filter.mean_speed_mm_s() * std::max(p.rate, min_speed_share), filter.path_mm());
-  illusion.weight = std::max(0.03, illusion.weight - weight_caution * filter.deviation().weight);
+  const double weight_sd = std::sqrt(std::max(0.0, filter.covariance()(PersonFilter::weight, PersonFilter::weight)));
+  illusion.weight = std::max(0.03, illusion.weight - weight_caution * weight_sd);
   const MaxShift max = max_shift(illusion, config.bound_deg);
   const double given_deg = std::clamp(shift_deg, -max.felt.shift_deg, max.felt.shift_deg);
   return {.plate_deg = motion.direction_deg + offset_for_shift(illusion, given_deg, max),

@@ -32,6 +32,7 @@ void PlateModel::advance(std::int64_t time_ns) {
   }
   if (time_ns <= motion_.now_ns) return;
   const int due = turn_until(time_ns, motion_);
+  if (due == 0) return;
   std::move(pending_.begin() + due, pending_.begin() + pending_count_, pending_.begin());
   pending_count_ -= due;
 }
@@ -44,11 +45,12 @@ int PlateModel::turn_until(std::int64_t time_ns, Motion& motion) const {
   while (motion.now_ns < time_ns) {
     while (due < pending_count_ && pending_[due].effective_ns <= motion.now_ns)
       motion.target_deg = pending_[due++].orientation_deg;
-    if (due == pending_count_ && motion.orientation_deg == motion.target_deg) break;
-    std::int64_t until_ns = time_ns;
+    std::int64_t until_ns = due < pending_count_ ? std::min(time_ns, pending_[due].effective_ns) : time_ns;
+    if (motion.orientation_deg == motion.target_deg &&
+        (due == pending_count_ || (until_ns == time_ns && motion.speed_deg_s == 0.0)))
+      break;
     if (std::isfinite(dynamics_.max_acceleration_deg_s2))
       until_ns = std::min(until_ns, later_ns(motion.now_ns, step_ns));
-    if (due < pending_count_) until_ns = std::min(until_ns, pending_[due].effective_ns);
     turn(elapsed_s(motion.now_ns, until_ns), motion);
     motion.now_ns = until_ns;
   }

@@ -22,6 +22,18 @@ double with_rest(double time_s, double at_s, double rest_s) {
   return time_s <= at_s ? time_s : std::max(at_s, time_s - rest_s);
 }
 
+double with_pauses_s(const Person& person) {
+  switch (person.pace) {
+    case Pace::stop_and_go:
+    case Pace::pause:
+      return person.duration_s + 0.6;
+    case Pace::reversal:
+      return person.duration_s * 1.4;
+    default:
+      return person.duration_s;
+  }
+}
+
 }  // namespace
 
 double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
@@ -55,21 +67,22 @@ double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double
 }
 
 SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
-                             double distance_m, Draws draws)
+                             double distance_m, Draws draws, bool feels_place)
     : person_(person),
       virtual_direction_deg_(virtual_direction_deg),
       distance_m_(distance_m * person.path_scale),
+      total_s_(with_pauses_s(person)),
       virtual_place_(point_ahead(start, virtual_direction_deg, distance_m_)),
       draws_(draws),
       position_(start),
       felt_position_(start),
+      feels_place_(feels_place || seeks_place()),
       delay_(std::clamp(static_cast<int>(std::lround(person.delay_s / tick_s)), 0, history_size - 1)),
       noise_sd_deg_(std::sqrt(person.noise_deg2_per_s * tick_s)),
       direction_deg_(person.start_direction_deg),
       felt_deg_(person.start_direction_deg),
       goal_deg_(virtual_direction_deg + person.bias_deg + person.habit_deg) {
   draw_reach();
-  felt_history_.fill(goal_deg_);
 }
 
 // What differs from reach to reach.
@@ -83,18 +96,6 @@ void SlidingPerson::draw_reach() {
   parts_[0] = {0.4 + 0.25 * draws_.uniform(), first};
   parts_[1] = {0.75 + 0.1 * draws_.uniform(), first + (1.0 - first) * (0.6 + 0.3 * draws_.uniform())};
   parts_[2] = {1.0, 1.0};
-}
-
-double SlidingPerson::total_s() const {
-  switch (person_.pace) {
-    case Pace::stop_and_go:
-    case Pace::pause:
-      return person_.duration_s + 0.6;
-    case Pace::reversal:
-      return person_.duration_s * 1.4;
-    default:
-      return person_.duration_s;
-  }
 }
 
 double SlidingPerson::progress(double time_s) const {
@@ -141,7 +142,7 @@ void SlidingPerson::answer() {
   const double left = 1.0 - share_;
   distance_m_ = left > 0.1 ? left_m / left : left_m;
   if (left > 0.1) return;
-  millisecond_ = 0;
+  millisecond_ = rested_ms_ = 0;
   time_s_ = share_ = 0.0;
   done_ = false;
 }
@@ -158,15 +159,16 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   felt_deg_ = motion_deg + person_.own_bias_deg + felt_shift_deg(plate_orientation_deg - motion_deg, travel_m);
 
   goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s);
-  const SinCos felt = sin_cos_deg(felt_deg_);
-  felt_position_.right_m -= travel_m * felt.sine;
-  felt_position_.away_m += travel_m * felt.cosine;
-  const bool seeks_place = person_.steering == Steering::place || person_.steering == Steering::placing_arm;
-  if (seeks_place && hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
+  if (feels_place_) {
+    const SinCos felt = sin_cos_deg(felt_deg_);
+    felt_position_.right_m -= travel_m * felt.sine;
+    felt_position_.away_m += travel_m * felt.cosine;
+  }
+  if (seeks_place() && hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
     goal_deg_ += bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   }
   steer(motion_deg);
-  done_ = time_s_ >= total_s() + (is_arm() ? 0.25 : 0.0);
+  done_ = time_s_ >= total_s_ + (is_arm() ? 0.25 : 0.0);
 }
 
 // Along the present direction; a heavy arm is pulled that way. Returns the direction of the motion.
@@ -192,8 +194,8 @@ double SlidingPerson::move(double travel_m) {
 
 double SlidingPerson::felt_shift_deg(double offset_deg, double travel_m) {
   SimulatedIllusion illusion = person_.illusion;
-  illusion.tactile_weight =
-      std::clamp(illusion.tactile_weight + person_.weight_drift * (time_s_ / total_s()), 0.01, 0.49);
+  if (person_.weight_drift != 0.0) illusion.tactile_weight += person_.weight_drift * (time_s_ / total_s_);
+  illusion.tactile_weight = std::clamp(illusion.tactile_weight, 0.01, 0.49);
   const double shift_deg = hrt::felt_shift_deg(illusion, offset_deg);
   if (person_.touch_s > 0.0) return touched_shift_deg_ += (shift_deg - touched_shift_deg_) * tick_s / person_.touch_s;
   if (person_.steering != Steering::crossings) return shift_deg;
@@ -213,7 +215,8 @@ void SlidingPerson::steer(double motion_deg) {
   const double answered_deg = predicts ? felt_deg_ - motion_deg : felt_deg_;
   // A finger at rest feels no motion to steer.
   if (std::abs(speed_m_s_) < min_felt_speed_m_s) {
-    felt_history_.fill(answered_deg);
+    rested_ms_ = millisecond_;
+    felt_at_rest_deg_ = answered_deg;
     return;
   }
   if (person_.steering == Steering::steps) {
@@ -227,7 +230,9 @@ void SlidingPerson::steer(double motion_deg) {
   }
   felt_history_[static_cast<std::size_t>(millisecond_ % history_size)] = answered_deg;
   if (millisecond_ > delay_) {
-    double delayed = felt_history_[static_cast<std::size_t>((millisecond_ - delay_) % history_size)];
+    const int felt_ms = millisecond_ - delay_;
+    double delayed =
+        felt_ms <= rested_ms_ ? felt_at_rest_deg_ : felt_history_[static_cast<std::size_t>(felt_ms % history_size)];
     if (predicts) delayed += direction_deg_;
     const double k = person_.gain_per_s;
     double answered = k * tick_s;

@@ -89,9 +89,10 @@ inline constexpr double reaction_s = 0.2;
 /// One reach of a person. Advances in milliseconds.
 class SlidingPerson {
  public:
-  /// At rest at `start`, asked to go `distance_m` to the virtual target in `virtual_direction_deg`.
+  /// At rest at `start`, asked to go `distance_m` to the virtual target in `virtual_direction_deg`. Without
+  /// `feels_place` felt_position() is void unless the person seeks a place, and the target cannot move.
   SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg, double distance_m,
-                Draws draws);
+                Draws draws, bool feels_place = true);
 
   /// The virtual target is at `place` from now on. They answer after `reaction_s`, as seen from where they
   /// feel that the finger is: by the same motion, stretched or cut, or by another one near its end.
@@ -115,21 +116,23 @@ class SlidingPerson {
  private:
   void draw_reach();
   double progress(double time_s) const;
-  double total_s() const;
   void answer();
   double move(double travel_m);
   double felt_shift_deg(double offset_deg, double travel_m);
   void steer(double motion_deg);
   bool is_arm() const { return person_.steering == Steering::heavy_arm || person_.steering == Steering::placing_arm; }
+  bool seeks_place() const { return person_.steering == Steering::place || person_.steering == Steering::placing_arm; }
 
   Person person_;
   double virtual_direction_deg_;
   double distance_m_;
+  double total_s_;  // with pauses
   PlatePoint virtual_place_;
   int answers_in_ms_ = 0;  // to a target that has moved; 0: answered
   Draws draws_;
   PlatePoint position_;
   PlatePoint felt_position_;
+  bool feels_place_;
   int delay_;            // milliseconds
   double noise_sd_deg_;  // a millisecond's
   double direction_deg_;
@@ -149,8 +152,11 @@ class SlidingPerson {
   std::array<Part, 3> parts_{};
   int millisecond_ = 0;
   bool done_ = false;
+  // What the person answers, a millisecond each; until the last one at rest it was all alike.
   static constexpr int history_size = 256;
   std::array<double, history_size> felt_history_{};
+  int rested_ms_ = 0;
+  double felt_at_rest_deg_ = 0.0;
 };
 
 }  // namespace hrt

@@ -51,7 +51,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
   const double rest_s = 0.4 + 0.4 * draws.uniform();
   Tracker tracker(condition.tracker, start, draws);
   SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_m,
-                       Draws(seed, PersonStream::steering, index, reach_number));
+                       Draws(seed, PersonStream::steering, index, reach_number), watch || condition.move);
   PlateModel plate(condition.plate, 0.0);
   plate.advance(0);
   if (controller) {
@@ -75,11 +75,12 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
     }
     targets.follow(person, controller);
     if (person.done() && ended_s < 0.0) ended_s = now_s;
-    if (ended_s >= 0.0 && now_s > ended_s + reach_tail_s + condition.tracker.latency_s + condition.tracker.late_s)
+    if (ended_s >= 0.0 &&
+        (!controller || now_s > ended_s + reach_tail_s + condition.tracker.latency_s + condition.tracker.late_s))
       break;
+    if (!controller) continue;
     tracker.look(now_s, person.position());
     while (auto sample = tracker.arrived(now_ns)) {
-      if (!controller) continue;
       sample->position = corrected(frame, sample->position);
       const PlateCommand command = controller->update(*sample);
       plate.command(command.plate_orientation_deg);

@@ -8,19 +8,17 @@
 namespace hrt {
 
 Tracker::Tracker(const TrackerModel& model, const PlatePoint& about, Draws draws)
-    : model_(model), about_(about), draws_(draws) {
+    : model_(model), about_(about), draws_(draws), kept_(exponential(-1.0 / model.rate_hz / model.correlation_s)) {
   right_m_ = model.correlated_m * draws_.normal();
   away_m_ = model.correlated_m * draws_.normal();
 }
 
-void Tracker::look(double time_s, const PlatePoint& finger) {
-  if (time_s < next_s_) return;
+void Tracker::see(double time_s, const PlatePoint& finger) {
   const double period_s = 1.0 / model_.rate_hz;
   next_s_ += period_s * (1.0 + model_.jitter_share * (2.0 * draws_.uniform() - 1.0));
-  const double kept = exponential(-period_s / model_.correlation_s);
-  const double fresh_m = model_.correlated_m * std::sqrt(1.0 - kept * kept);
-  right_m_ = kept * right_m_ + fresh_m * draws_.normal();
-  away_m_ = kept * away_m_ + fresh_m * draws_.normal();
+  const double fresh_m = model_.correlated_m * std::sqrt(1.0 - kept_ * kept_);
+  right_m_ = kept_ * right_m_ + fresh_m * draws_.normal();
+  away_m_ = kept_ * away_m_ + fresh_m * draws_.normal();
   const double away_m = model_.scale * (finger.away_m - about_.away_m);
   const double right_m = model_.scale * (finger.right_m - about_.right_m) + model_.shear * away_m;
   const double sine = sin_deg(model_.turned_deg);

@@ -38,15 +38,20 @@ class Tracker {
   Tracker(const TrackerModel& model, const PlatePoint& about, Draws draws);
 
   /// Sees the finger if a sample is due at `time_s`.
-  void look(double time_s, const PlatePoint& finger);
+  void look(double time_s, const PlatePoint& finger) {
+    if (time_s >= next_s_) see(time_s, finger);
+  }
 
   /// The next sample that has come by `time_ns`; none if there is none.
   std::optional<FingerSample> arrived(std::int64_t time_ns);
 
  private:
+  void see(double time_s, const PlatePoint& finger);
+
   TrackerModel model_;
   PlatePoint about_;
   Draws draws_;
+  double kept_;  // of the correlated noise from sample to sample
   double next_s_ = 0.0;
   double right_m_, away_m_;  // correlated noise
   bool lost_ = false;

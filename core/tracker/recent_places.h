@@ -21,6 +21,9 @@ class RecentPlaces {
   /// False if the position was averaged into the last place, which is less than 4 ms before it.
   bool add(double time_s, const PlaceMm& position);
 
+  /// The last position was.
+  bool merged() const { return merged_ > 1; }
+
   /// From 0 to `capacity`.
   int count() const { return count_; }
   /// `back` of 0 is the last one; less than count().

@@ -18,24 +18,25 @@ const StillFinger::Mean& StillFinger::back(int tenths) const {
   return means_[static_cast<std::size_t>(at < 0 ? at + max_tenths + 1 : at)];
 }
 
-void StillFinger::observe(std::int64_t time_ns, const Eigen::Vector3d& place_m) {
+bool StillFinger::observe(std::int64_t time_ns, const Eigen::Vector3d& place_m) {
   const std::uint64_t elapsed = tenths_ > 0 ? elapsed_ns(began_ns_, time_ns) : 0;
   if (tenths_ == 0 || elapsed >= 3 * tenth_ns) {  // a gap of more than a whole tenth
     tenths_ = 1;
     began_ns_ = time_ns;
     means_[static_cast<std::size_t>(last_)] = {1.0, place_m};
-    return;
+    return true;
   }
   if (elapsed >= tenth_ns) {
     began_ns_ += static_cast<std::int64_t>(tenth_ns * (elapsed / tenth_ns));
     tenths_ = std::min(tenths_ + 1, max_tenths + 1);
     last_ = (last_ + 1) % (max_tenths + 1);
     means_[static_cast<std::size_t>(last_)] = {1.0, place_m};
-    return;
+    return true;
   }
   Mean& mean = means_[static_cast<std::size_t>(last_)];
   mean.count += 1.0;
   mean.place_m += (place_m - mean.place_m) / mean.count;
+  return false;
 }
 
 std::optional<Eigen::Vector3d> StillFinger::rest(int tenths, double drifting_m_s) const {

@@ -14,7 +14,8 @@ class StillFinger {
  public:
   static constexpr int max_tenths = 20;
 
-  void observe(std::int64_t time_ns, const Eigen::Vector3d& place_m);
+  /// True if another tenth of a second begins: rest() may have changed, as at no other place.
+  bool observe(std::int64_t time_ns, const Eigen::Vector3d& place_m);
   /// The finger was lost or lifted.
   void restart() { tenths_ = 0; }
 

@@ -3,9 +3,9 @@ class_name Finger
 extends Node3D
 
 ## What the session asks for; a real finger's owner reads it on the board.
-signal asked_for_step(step: Dictionary)
-signal asked_to_touch(place: Vector3)
-signal asked_to_slide(virtual_target: int)
+@warning_ignore("unused_signal") signal asked_for_step(step: Dictionary)
+@warning_ignore("unused_signal") signal asked_to_touch(place: Vector3)
+@warning_ignore("unused_signal") signal asked_to_slide(virtual_target: int)
 
 ## Whether it is tracked now.
 var seen := true

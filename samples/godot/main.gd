@@ -108,7 +108,7 @@ func _make_finger(headset: bool) -> Finger:
 		return made
 	if not headset:
 		print("No headset: OpenXR has not started.")
-	made = MouseFinger.new(_plate) if "--mouse" in arguments else SimulatedFinger.new(_plate, seed_of_person)
+	made = (MouseFinger.new(_plate) as Finger) if "--mouse" in arguments else SimulatedFinger.new(_plate, seed_of_person)
 	add_child(made)
 	return made
 

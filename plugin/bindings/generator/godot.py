@@ -84,7 +84,7 @@ def _reference(abi: Abi, plate: Abi, setup: list[Field]) -> str:
 
     members = [(f.name, f) for f in settings.shown(abi)] + [(f"setup_{f.name}", f) for f in setup]
     readme = (Path(__file__).parent.parent / "godot/README.md").read_text(encoding="utf-8")
-    intro = readme[readme.index("A node of this class is"):].split("\n\n", maxsplit=1)[0]
+    intro = readme[readme.index("A node of this class is"):].split("\n\n", maxsplit=1)[0].replace("\n", " ")
     text = ('<class name="HapticRetargeting" inherits="Node3D">\n<brief_description>A ridged plate and the user whose hand it '
             f"guides.</brief_description>\n<description>{doc(intro)}</description>\n")
     for kind in ("method", "signal"):

@@ -25,11 +25,6 @@ void Share::count(bool hit) {
   ++of;
 }
 
-void Share::add(const Share& other) {
-  hits += other.hits;
-  of += other.of;
-}
-
 double Share::percent() const {
   if (of == 0) return std::numeric_limits<double>::quiet_NaN();
   return 100.0 * static_cast<double>(hits) / static_cast<double>(of);

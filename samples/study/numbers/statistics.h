@@ -27,7 +27,6 @@ struct Share {
   std::uint64_t of = 0;
 
   void count(bool hit);
-  void add(const Share& other);
   double percent() const;            ///< NaN of no cases
   PercentInterval interval() const;  ///< Wilson's 95 %; NaN of no cases
 };

@@ -12,8 +12,7 @@ namespace hrt::study {
 namespace {
 
 constexpr int reaches = 5;
-
-using PersonResults = std::array<ReachResult, leadings.size()>;
+constexpr std::uint64_t people_between_looks = 100;
 
 // w_T at the end of a reach, as commands define it: the felt shift over the offset, at 60 degrees to the side
 // that leads to the real target.
@@ -33,39 +32,29 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
           .miss_mm = 1e3 * std::abs(outcome.miss_m),
           .peak_felt_error_deg = outcome.peak_felt_error_deg,
           .unreachable = summary.unreachable,
-          .found = summary.unreachable,
           .misfit = summary.misfit,
           .off_target = summary.off_target,
           .weight_estimated = summary.person.has_value() && weight_sd > 0.0,
           .weight_covered = std::abs(weight_error) <= normal_975 * weight_sd};
 }
 
-PersonResults simulate(const PersonCondition& condition, std::uint64_t seed, std::uint32_t index) {
-  const auto lead = [&](const RetargeterConfig* controller, int count) {
-    return simulate_person(condition, controller, count, seed, index);
-  };
-  const RetargeterConfig paper = paper_controller();
-  const RetargeterConfig ours = people_controller(condition);
-  const RetargeterConfig informed = informed_controller(condition);
-  const std::vector<PersonOutcome> carried = lead(&ours, reaches);
-  ReachResult fifth = result(condition, carried.back());
-  for (const PersonOutcome& outcome : carried) fifth.found = fifth.found || outcome.summary.unreachable;
-  return {result(condition, lead(nullptr, 1).front()), result(condition, lead(&paper, 1).front()),
-          result(condition, carried.front()), fifth, result(condition, lead(&informed, 1).front())};
+// All reaches up to the one that is asked for.
+std::vector<ReachResult> simulate(const PersonCondition& condition, Leading leading, std::uint64_t seed,
+                                  std::uint32_t index) {
+  const RetargeterConfig controller = leading == Leading::paper      ? paper_controller()
+                                      : leading == Leading::informed ? informed_controller(condition)
+                                                                     : people_controller(condition);
+  std::vector<ReachResult> results;
+  bool found = false;
+  for (const PersonOutcome& outcome : simulate_person(condition, leading == Leading::none ? nullptr : &controller,
+                                                      leading == Leading::fifth ? reaches : 1, seed, index)) {
+    results.push_back(result(condition, outcome));
+    results.back().found = found = found || outcome.summary.unreachable;
+  }
+  return results;
 }
 
 }  // namespace
-
-const char* leading_name(Leading leading) {
-  static constexpr const char* names[] = {"none", "paper", "first", "fifth", "informed"};
-  return names[static_cast<std::size_t>(leading)];
-}
-
-const char* leading_title(Leading leading) {
-  static constexpr const char* titles[] = {"no controller", "the paper's", "ours, first reach", "ours, fifth reach",
-                                           "ours, informed"};
-  return titles[static_cast<std::size_t>(leading)];
-}
 
 bool ReachResult::near() const { return std::abs(bearing_error_deg) <= near_deg; }
 
@@ -98,6 +87,11 @@ ReachGroup summarise(std::span<const ReachResult> results, bool can_hold) {
 
 }  // namespace
 
+double half_interval(const Share& share) {
+  const PercentInterval interval = share.interval();
+  return 0.5 * (interval.high - interval.low);
+}
+
 RobustnessCell summarise(std::span<const ReachResult> results) {
   RobustnessCell cell{.can_hold = summarise(results, true), .cannot_hold = summarise(results, false)};
   for (const ReachResult& reach : results) {
@@ -127,28 +121,34 @@ std::vector<RobustnessRow> simulate_robustness(
       rows.push_back({.people = sort, .duration_s = duration_s, .cells = {}});
   rows = options.part.of(rows);
 
-  std::vector<PersonResults> reached(rows.size() * options.people);
-  const auto work = [&](std::uint64_t i) {
-    const RobustnessRow& row = rows[i / options.people];
-    const auto index = static_cast<std::uint32_t>(i % options.people);
-    reached[i] = simulate(row.people.draw(row.duration_s, options.seed, index), options.seed, index);
-  };
-  for_each_part(reached.size(), options.threads, work, progress);
-
-  std::vector<ReachResult> results(options.people);
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    for (std::size_t column = 0; column < leadings.size(); ++column) {
-      for (std::size_t i = 0; i < results.size(); ++i) results[i] = reached[row * options.people + i][column];
-      rows[row].cells[column] = summarise(results);
+  constexpr std::size_t columns = leadings.size();
+  std::vector<std::vector<ReachResult>> results(rows.size() * columns);  // of each cell, by person
+  for (std::uint64_t before = 0, now = 0; before < options.people; before += now) {
+    now = std::min(people_between_looks, options.people - before);
+    std::vector<std::size_t> taking;
+    for (std::size_t cell = 0; cell < results.size(); ++cell) {
+      if (half_interval(rows[cell / columns].cells[cell % columns].can_hold.near) <= options.points) continue;
+      taking.push_back(cell);
+      results[cell].resize(before + now);
     }
+    const auto work = [&](std::uint64_t i) {
+      const std::size_t cell = taking[i / now];
+      const std::uint64_t index = before + i % now;
+      const auto is = [&](Leading leading) { return leadings[cell % columns] == leading; };
+      if (is(Leading::first) && results[cell + 1].size() > index) return;  // the reaches to the fifth have it
+      const RobustnessRow& row = rows[cell / columns];
+      const auto person = static_cast<std::uint32_t>(index);
+      const std::vector<ReachResult> reached = simulate(row.people.draw(row.duration_s, options.seed, person),
+                                                        leadings[cell % columns], options.seed, person);
+      results[cell][index] = reached.back();
+      if (is(Leading::fifth) && results[cell - 1].size() > index) results[cell - 1][index] = reached.front();
+    };
+    for_each_part(taking.size() * now, options.threads, work, [&](std::uint64_t done, std::uint64_t) {
+      if (progress) progress(before * results.size() + done, options.people * results.size());
+    });
+    for (const std::size_t cell : taking) rows[cell / columns].cells[cell % columns] = summarise(results[cell]);
+  }
   return rows;
-}
-
-std::vector<RobustnessRow> at_duration(std::span<const RobustnessRow> rows, double duration_s) {
-  std::vector<RobustnessRow> found;
-  for (const RobustnessRow& row : rows)
-    if (row.duration_s == duration_s) found.push_back(row);
-  return found;
 }
 
 double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading) {
@@ -165,20 +165,19 @@ double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading) {
 
 Share pooled(std::span<const RobustnessRow> rows, Leading leading,
              const std::function<Share(const RobustnessCell&)>& share) {
-  Share total;
-  for (const RobustnessRow& row : rows) total.add(share(row.cell(leading)));
-  return total;
-}
-
-double widest_near_interval(std::span<const RobustnessRow> rows) {
-  double widest = 0.0;
-  for (const RobustnessRow& row : rows)
-    for (const RobustnessCell& cell : row.cells) {
-      if (cell.can_hold.near.of == 0) continue;
-      const PercentInterval interval = cell.can_hold.near.interval();
-      widest = std::max(widest, 0.5 * (interval.high - interval.low));
-    }
-  return widest;
+  double hits = 0.0, of = 0.0, squares = 0.0;
+  for (const RobustnessRow& row : rows) {
+    const Share counted = share(row.cell(leading));
+    if (counted.of == 0) continue;
+    const double weight = 1.0 / static_cast<double>(row.cell(leading).people());
+    hits += weight * static_cast<double>(counted.hits);
+    of += weight * static_cast<double>(counted.of);
+    squares += weight * weight * static_cast<double>(counted.of);
+  }
+  const auto cases = [&](double weighed) {
+    return of > 0.0 ? static_cast<std::uint64_t>(std::llround(weighed * of / squares)) : 0;
+  };
+  return {cases(hits), cases(of)};
 }
 
 }  // namespace hrt::study

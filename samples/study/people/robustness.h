@@ -26,8 +26,10 @@ enum class Leading {
 };
 inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::fifth, Leading::informed};
 
-const char* leading_name(Leading leading);   ///< in CSV and JSON
-const char* leading_title(Leading leading);  ///< in text
+/// Of each, in CSV and JSON, and in text.
+inline constexpr const char* leading_names[] = {"none", "paper", "first", "fifth", "informed"};
+inline constexpr const char* leading_titles[] = {"no controller", "the paper's", "ours, first reach",
+                                                 "ours, fifth reach", "ours, informed"};
 
 /// The result of one reach. Angles in degrees.
 struct ReachResult {
@@ -68,6 +70,7 @@ struct RobustnessCell {
   Share off_target;
   Share weight_covered;  ///< of those whose w_T was estimated
 
+  std::uint64_t people() const { return can_hold.near.of + cannot_hold.near.of; }
   /// Of people who can hold the gap, or of those who cannot.
   const ReachGroup& group(bool holds) const { return holds ? can_hold : cannot_hold; }
 };
@@ -94,8 +97,12 @@ struct RobustnessRow {
   const RobustnessCell& cell(Leading leading) const { return cells[static_cast<std::size_t>(leading)]; }
 };
 
+/// Half the width of its interval, in points; NaN of no cases.
+double half_interval(const Share& share);
+
 struct RobustnessOptions {
-  std::uint64_t people = 100;  ///< of each sort at each duration
+  std::uint64_t people = 100;  ///< of each sort at each duration, at most
+  double points = 4.0;         ///< a cell whose share within near_deg has such a half_interval() takes no more people
   std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
@@ -103,24 +110,20 @@ struct RobustnessOptions {
 };
 
 /// All people at every duration, the durations of one sort one after another, or the rows of a part of that.
-/// Person i of a sort and duration is the same with every controller. The same for any number of threads.
+/// Person i of a sort and duration is the same with every controller; a cell takes them in order, and looks at
+/// its interval after each 100. The same for any number of threads, and whatever else is simulated.
 /// `progress` is called on this thread.
 std::vector<RobustnessRow> simulate_robustness(
     std::span<const SimulatedPeople> people, const RobustnessOptions& options,
     const std::function<void(std::uint64_t done, std::uint64_t total)>& progress = {});
 
-/// The rows of one duration, in their order.
-std::vector<RobustnessRow> at_duration(std::span<const RobustnessRow> rows, double duration_s);
-
 /// Mean over rows of the percentage within near_deg, each row the same; NaN without any who can hold.
 double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading);
 
-/// One share, of all rows together.
+/// One share, of all rows together, each counted as if it had taken as many people as the others: of Kish's
+/// effective number of cases, which is their sum if they have.
 Share pooled(std::span<const RobustnessRow> rows, Leading leading,
              const std::function<Share(const RobustnessCell&)>& share);
-
-/// Half the width of the widest interval of a share within near_deg, in percentage points; 0 without any.
-double widest_near_interval(std::span<const RobustnessRow> rows);
 
 struct RobustnessStudy {
   RobustnessOptions options;

@@ -19,25 +19,26 @@ std::string rounded(const Share& share) {
   return fixed(share.hits < share.of ? std::min(percent, 99.0) : percent, 0);
 }
 
-std::string near_line(const std::string& name, const Rows& rows, const std::vector<double>& durations_s,
-                      const std::function<std::string(const Rows&, Leading)>& words) {
-  std::string line = left(name, 15);
-  for (const double duration_s : durations_s) {
-    const Rows of_duration = at_duration(rows, duration_s);
-    for (const Leading leading : leadings) line += right(words(of_duration, leading), leading == Leading::none ? 5 : 4);
-  }
-  return line + '\n';
-}
-
-Rows rows_where(const Rows& rows, const std::function<bool(const SimulatedPeople&)>& is) {
+Rows rows_where(const Rows& rows, const std::function<bool(const RobustnessRow&)>& is) {
   Rows found;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(found),
-               [&](const RobustnessRow& row) { return is(row.people); });
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(found), is);
   return found;
 }
 
 Rows of_people(const Rows& rows, const std::string& name) {
-  return rows_where(rows, [&](const SimulatedPeople& people) { return people.name == name; });
+  return rows_where(rows, [&](const RobustnessRow& row) { return row.people.name == name; });
+}
+
+bool misplaced(const RobustnessRow& row) { return row.people.misplaced; }
+
+std::string near_line(const std::string& name, const Rows& rows, const std::vector<double>& durations_s,
+                      const std::function<std::string(const Rows&, Leading)>& words) {
+  std::string line = left(name, 15);
+  for (const double duration_s : durations_s) {
+    const Rows of_duration = rows_where(rows, [&](const RobustnessRow& row) { return row.duration_s == duration_s; });
+    for (const Leading leading : leadings) line += right(words(of_duration, leading), leading == Leading::none ? 5 : 4);
+  }
+  return line + '\n';
 }
 
 std::string near_table(const RobustnessStudy& study) {
@@ -58,10 +59,10 @@ std::string near_table(const RobustnessStudy& study) {
   };
   const auto mean_line = [&](const std::string& name, bool tuned, bool misplaced) {
     const Rows of = rows_where(
-        rows, [&](const SimulatedPeople& people) { return people.tuned == tuned && people.misplaced == misplaced; });
+        rows, [&](const RobustnessRow& row) { return row.people.tuned == tuned && row.people.misplaced == misplaced; });
     return of.empty() ? "" : near_line(name, of, durations_s, mean);
   };
-  const Rows placed = rows_where(rows, [](const SimulatedPeople& people) { return !people.misplaced; });
+  const Rows placed = rows_where(rows, std::not_fn(misplaced));
   return page + '\n' + mean_line("mean, tuned on", true, false) + mean_line("mean, apart *", false, false) +
          (placed.empty() ? "" : near_line("mean of both", placed, durations_s, mean)) +
          mean_line("mean, off +", false, true);
@@ -80,8 +81,8 @@ std::string with_interval(const Share& share) {
 }
 
 std::string flags_table(const Rows& all) {
-  const Rows rows = rows_where(all, [](const SimulatedPeople& people) { return !people.misplaced; });
-  const Rows off = rows_where(all, [](const SimulatedPeople& people) { return people.misplaced; });
+  const Rows rows = rows_where(all, std::not_fn(misplaced));
+  const Rows off = rows_where(all, misplaced);
   constexpr Leading flagging[] = {Leading::paper, Leading::first, Leading::fifth, Leading::informed};
   const auto line = [&](const std::string& name, const Rows& of,
                         const std::function<Share(const RobustnessCell&)>& share) {
@@ -124,7 +125,7 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
       for (const Leading leading : leadings) {
         const ReachGroup& of = row.cell(leading).group(can_hold);
         page += right(leading == Leading::none ? number(row.duration_s) : "", 4) + "  " +
-                left(leading_title(leading), 18) + right(with_interval(of.near), 19) +
+                left(leading_titles[static_cast<std::size_t>(leading)], 18) + right(with_interval(of.near), 19) +
                 right(with_interval(of.miss_median_mm, 1), 18) + right(with_interval(of.miss_95_mm, 1), 18) +
                 right(with_interval(of.peak_felt_error_median_deg, 1), 18) +
                 right(leading == Leading::none ? "" : with_interval(of.silent), 18) + '\n';
@@ -160,7 +161,7 @@ void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
 // The condition common to all reaches.
 std::string condition_words(const RobustnessStudy& study) {
   const RobustnessOptions& options = study.options;
-  return std::to_string(options.people) + " people of each family at each duration (seed " +
+  return std::to_string(options.people) + " people of each family at each duration at most (seed " +
          std::to_string(options.seed) +
          "), except where a family says otherwise: 100 mm, a gap of 10°, w_T 0.12 to 0.30, 1.2 mm of tracker "
          "noise at 90 Hz, a servo of 400°/s after 30 ms; our controller does not know the duration.";
@@ -173,13 +174,21 @@ std::string label(const SimulatedPeople& people) {
 }
 
 std::string robustness_text(const RobustnessStudy& study) {
+  double widest = 0.0, people = 0.0;
+  for (const RobustnessRow& row : study.rows)
+    for (const RobustnessCell& cell : row.cells) {
+      if (cell.can_hold.near.of > 0) widest = std::max(widest, half_interval(cell.can_hold.near));
+      people += static_cast<double>(cell.people()) / static_cast<double>(study.rows.size() * leadings.size());
+    }
   std::string page =
       wrapped("Simulated reaches; there was no human trial. " + condition_words(study)) + '\n' +
       wrapped(
           "Percent of reaches that end within 1.5 deg of the real target's bearing, of people who can hold "
           "the gap; the 95 % interval of a cell is at most +-" +
-          fixed(widest_near_interval(study.rows), 1) +
-          " points. no: no controller; pap: the paper's; 1st: ours on a person's first reach; 5th: on the "
+          fixed(widest, 1) + " points, and a cell that is within " + number(study.options.points) +
+          " takes no more people: here " + fixed(people, 0) +
+          " in the mean (--format csv: each). no: no controller; pap: the paper's; 1st: ours on a person's first "
+          "reach; 5th: on the "
           "fifth; inf: ours, informed of the person's traits; -: nobody can hold the gap; *: kept apart from "
           "the search for our controller's numbers; +: tracker or plate is off, which no controller sees.") +
       '\n' + near_table(study);
@@ -199,8 +208,8 @@ Results robustness_results(const RobustnessStudy& study) {
               {"tuned", of.people.tuned},
               {"misplaced", of.people.misplaced},
               {"duration_s", of.duration_s},
-              {"controller", leading_name(leading)},
-              {"people", study.options.people},
+              {"controller", leading_names[static_cast<std::size_t>(leading)]},
+              {"people", of.cell(leading).people()},
               {"seed", study.options.seed}};
       put_numbers(row, of.cell(leading), leading != Leading::none);
       row["description"] = of.people.says;

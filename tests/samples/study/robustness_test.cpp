@@ -97,10 +97,43 @@ TEST(StudyRobustness, MeansWeighFamiliesAndPooledSharesWeighPeople) {
   const auto near = [&](std::size_t row) -> Share& { return rows[row].cells[0].can_hold.near; };
   near(0) = {.hits = 1, .of = 1};
   near(1) = {.hits = 0, .of = 3};  // the third has nobody
+  rows[0].cells[0].cannot_hold.near = {.hits = 0, .of = 2};
   EXPECT_EQ(mean_near_percent(rows, Leading::none), 50.0);
-  EXPECT_EQ(pooled(rows, Leading::none, [](const RobustnessCell& cell) { return cell.can_hold.near; }).percent(), 25.0);
-  // Of one reach, the interval of 100 % is the widest: from 1 / (1 + 1.96^2) to 1.
-  EXPECT_NEAR(widest_near_interval(rows), 50.0 * (1.0 - 1.0 / (1.0 + 1.959963984540054 * 1.959963984540054)), 1e-9);
+  const auto all_near = [&] {
+    return pooled(rows, Leading::none, [](const RobustnessCell& cell) { return cell.can_hold.near; });
+  };
+  EXPECT_EQ(all_near().hits, 1U);
+  EXPECT_EQ(all_near().of, 4U);
+  // Weights 2 and 1: 2 of 2 and 0 of 6, of (2 + 6)^2 / (4 + 6) cases.
+  near(1) = {.hits = 0, .of = 6};
+  EXPECT_EQ(all_near().hits, 2U);  // 1.6
+  EXPECT_EQ(all_near().of, 6U);    // 6.4
+}
+
+// Wilson's, of all of n: z^2 / (n + z^2) / 2; of half of n: z / sqrt(n + z^2) / 2.
+TEST(StudyRobustness, HalfIntervalsByHand) {
+  const double z = 1.959963984540054;
+  EXPECT_NEAR(half_interval({.hits = 61, .of = 61}), 50.0 * z * z / (61.0 + z * z), 1e-9);
+  EXPECT_NEAR(half_interval({.hits = 500, .of = 1000}), 50.0 * z / std::sqrt(1000.0 + z * z), 1e-9);
+  EXPECT_TRUE(std::isnan(half_interval({})));
+}
+
+// Without a controller nobody arrives, and 0 of 100 is narrow; the paper's brings about a third, which 200 are not.
+TEST(StudyRobustness, ACellTakesTheFirstPeopleUntilItIsNarrow) {
+  const auto row_of = [](std::uint64_t people, double points) {
+    return rows_of({"linear"}, {.people = people, .points = points, .durations_s = {1.0}, .threads = 2}).front();
+  };
+  const RobustnessRow row = row_of(200, 3.0), hundred = row_of(100, 0.0), all = row_of(200, 0.0);
+  EXPECT_EQ(row.cell(Leading::none).people(), 100U);
+  EXPECT_EQ(row.cell(Leading::paper).people(), 200U);
+  for (const Leading leading : leadings) {
+    const bool stops = half_interval(hundred.cell(leading).can_hold.near) <= 3.0;
+    const ReachGroup& same = (stops ? hundred : all).cell(leading).can_hold;
+    EXPECT_EQ(all.cell(leading).people(), 200U);
+    EXPECT_EQ(row.cell(leading).can_hold.near.of, same.near.of);
+    EXPECT_EQ(row.cell(leading).can_hold.miss_95_mm.value, same.miss_95_mm.value);
+    EXPECT_EQ(row.cell(leading).can_hold.found.hits, same.found.hits);
+  }
 }
 
 // What the controller for people is for, over those whom it is made for.
@@ -150,7 +183,7 @@ TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
   EXPECT_EQ(value(6, "family"), "linear");
   EXPECT_EQ(value(6, "tuned"), "1");
   for (std::size_t i = 0; i < leadings.size(); ++i) {
-    EXPECT_EQ(value(1 + i, "controller"), leading_name(leadings[i]));
+    EXPECT_EQ(value(1 + i, "controller"), leading_names[i]);
     EXPECT_EQ(std::stoi(value(1 + i, "can_hold")) + std::stoi(value(1 + i, "cannot_hold")), 5);
     EXPECT_EQ(value(1 + i, "seed"), "3");
     EXPECT_EQ(value(1 + i, "misfit_percent").empty(), leadings[i] == Leading::none);
@@ -171,10 +204,12 @@ TEST(StudyRobustness, AFamilyAloneIsThatFamilyAmongOthers) {
     EXPECT_EQ(many.back().cells[i].can_hold.miss_95_mm.value, one.front().cells[i].can_hold.miss_95_mm.value);
 }
 
-TEST(StudyRobustness, TextAndJsonHaveTheFamilies) {
-  const StudyRun text = run_study({"robustness", "--people", "1"});
-  for (const PeopleFamily& family : people_families())
+TEST(StudyRobustness, TextHelpAndJsonHaveTheFamilies) {
+  const StudyRun text = run_study({"robustness", "--people", "1"}), help = run_study({"robustness", "--help"});
+  for (const PeopleFamily& family : people_families()) {
     EXPECT_TRUE(has(text.out, std::string("\n") + family.name + ' ')) << family.name;
+    EXPECT_TRUE(has(help.out, std::string("  ") + family.name) && has(help.out, family.says)) << family.name;
+  }
   const json page = json::parse(
       run_study({"robustness", "--people", "1", "--family", "bias-3", "--durations", "1", "--format", "json"}).out);
   EXPECT_EQ(page["simulation"], true);
@@ -182,14 +217,6 @@ TEST(StudyRobustness, TextAndJsonHaveTheFamilies) {
   EXPECT_EQ(page["rows"][0]["family"], "bias-3");
   EXPECT_EQ(page["rows"][0]["controller"], "none");
   EXPECT_TRUE(page["rows"][0]["misfit_percent"].is_null());
-}
-
-TEST(StudyRobustness, HelpListsEveryFamily) {
-  const StudyRun help = run_study({"robustness", "--help"});
-  for (const PeopleFamily& family : people_families()) {
-    EXPECT_TRUE(has(help.out, std::string("  ") + family.name)) << family.name;
-    EXPECT_TRUE(has(help.out, family.says)) << family.name;
-  }
 }
 
 TEST(StudyRobustness, NumbersGoToAFileBesideTheText) {

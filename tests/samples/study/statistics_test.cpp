@@ -23,14 +23,14 @@ TEST(StudyStatistics, WilsonByHand) {
   EXPECT_NEAR(half.high - half.low, 100.0 * std::sqrt(z2 / (50.0 + z2)), 1e-12);
 }
 
-// One of three, then two of five together; 0 of 0 has no share.
+// One of three, then two of five; 0 of 0 has no share.
 TEST(StudyStatistics, ShareByHand) {
   Share share;
   EXPECT_TRUE(std::isnan(share.percent()));
   EXPECT_TRUE(std::isnan(share.interval().low));
   for (const bool hit : {false, true, false}) share.count(hit);
   EXPECT_DOUBLE_EQ(share.percent(), 100.0 / 3.0);
-  share.add({.hits = 1, .of = 2});
+  for (const bool hit : {true, false}) share.count(hit);
   EXPECT_DOUBLE_EQ(share.percent(), 40.0);
   EXPECT_EQ(share.interval().low, wilson_interval(40.0, 5.0).low);
 }

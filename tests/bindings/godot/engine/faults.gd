@@ -18,7 +18,7 @@ func _process(_delta: float) -> void:
 		lines.append(line)
 	if plate.is_setting_up() and session.time_ns > 20e9 and not recentred_set_up:
 		recentred_set_up = true
-		$Main/Wearer.recentred.emit()
+		recentre()
 	if plate.is_reaching() and not was_reaching:
 		reaches_begun += 1
 	was_reaching = plate.is_reaching()
@@ -29,15 +29,20 @@ func _process(_delta: float) -> void:
 		1:
 			lose_hand(command)
 		2:
-			$Main/Wearer.recentred.emit()
+			recentre()
 		4:
 			session.device = "serial:/nonexistent"  # pulled out
 			plate.open_device(session.device)
 			await get_tree().create_timer(1.0).timeout
-			session.device = ""
+			session.device = OS.get_environment("HRT_PLATE_DEVICE")  # plugged in again; the session finds that
 		5:
 			session.notification(NOTIFICATION_WM_CLOSE_REQUEST)
 			report()
+
+func recentre() -> void:
+	$Main/Wearer.recentred.emit()
+	if not plate.is_setting_up():
+		push_error("the plate is not placed again")
 
 func lose_hand(command: Dictionary) -> void:
 	frames_lost += 1
@@ -50,5 +55,4 @@ func lose_hand(command: Dictionary) -> void:
 func report() -> void:
 	set_process(false)
 	var rows := FileAccess.get_file_as_string("user://results.csv").strip_edges().get_slice_count("\n") - 1
-	print("board: ", " | ".join(lines))
-	print("%d lines on the board, %d reaches begun, %d kept" % [lines.size(), reaches_begun, rows])
+	print("%d reaches begun, %d kept; %s" % [reaches_begun, rows, " | ".join(lines)])

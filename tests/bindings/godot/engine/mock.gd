@@ -1,4 +1,4 @@
-# Draws the sample's session only where the mock runtime keeps a picture, since the processor draws: around every EVERY-th frame.
+# Draws a session, the child Main or the project's scene, around every EVERY-th frame, of which the mock runtime keeps a picture.
 extends Node
 
 const EVERY := 500
@@ -6,11 +6,9 @@ const AROUND := 4
 
 var frames := 0
 
-func _ready() -> void:
-	$Main.ended.connect(func() -> void: get_viewport().disable_3d = false)
-	get_viewport().disable_3d = true
-
 func _process(_delta: float) -> void:
 	frames += 1
-	var drawn := frames % EVERY < AROUND
-	$Main/Wearer.render_target_update_mode = SubViewport.UPDATE_ALWAYS if drawn else SubViewport.UPDATE_DISABLED
+	var session := get_node("Main") if has_node("Main") else get_tree().current_scene
+	var drawn: bool = frames % EVERY < AROUND or session._is_finished
+	get_viewport().disable_3d = not drawn
+	session.get_node("Wearer").render_target_update_mode = SubViewport.UPDATE_ALWAYS if drawn else SubViewport.UPDATE_DISABLED

@@ -7,12 +7,19 @@ func test_scene_without_a_plate() -> void:
 	refused("no node has a haptic role", add_child.bind(session))
 	var board: Label3D = session.get_node("Wearer/Origin/Board")
 	check_equal(board.text, "res://tests/no_plate.gltf is no scene with a plate; the log says why.\n", "board")
+	check(not session.get_node("Desk/Plate").is_setting_up(), "it does not begin")
 
 func test_headset_without_hand_tracking() -> void:
-	var hand: HandFinger = load("res://hand_finger.tscn").instantiate()
-	add_child(hand)
-	hand.advance(0)
-	check(not hand.seen and hand.problem().begins_with("This headset tracks no hands."), hand.problem())
+	var session: Node = load("res://main.tscn").instantiate()
+	add_child(session)
+	var board: Label3D = session.get_node("Wearer/Origin/Board")
+	var asked := board.text
+	session.finger = load("res://hand_finger.tscn").instantiate()
+	add_child(session.finger)
+	for i in 1000:
+		session._process(0.02)
+	check(board.text.begins_with("This headset tracks no hands."), board.text)
+	check(board.text.ends_with(asked) and session.get_node("Desk/Plate").is_setting_up(), "it waits")
 
 func test_finger_of_the_keys() -> void:
 	var camera := Camera3D.new()
