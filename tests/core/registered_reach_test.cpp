@@ -30,19 +30,6 @@ RetargeterConfig registered(double turn_sd_deg) {
   return config;
 }
 
-// 100 mm at 1 degree: 1.7 mm, which the command says before the finger moves.
-TEST(RegisteredReach, OneDegreeOfTheFrameIsOneDegreeOfBearing) {
-  Retargeter exact(registered(0.0));
-  Retargeter registered_by_touch(registered(1.0));
-  const Reach reach{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0, .real_distance_m = 0.1};
-  exact.begin(reach);
-  registered_by_touch.begin(reach);
-  EXPECT_EQ(exact.command().bearing_error_sd_deg, 0.0);
-  const double sd_deg = registered_by_touch.command().bearing_error_sd_deg;
-  EXPECT_NEAR(sd_deg, 1.0, 1e-9);
-  EXPECT_NEAR(0.1 * sd_deg * rad_per_deg, 0.001745, 1e-6);
-}
-
 // Where the plate leads does not depend on it.
 TEST(RegisteredReach, CommandsAreThoseOfAnExactPlate) {
   Retargeter exact(registered(0.0));

@@ -93,11 +93,5 @@ TEST(Retargeter, AReachThatStartsElsewhereKeepsThePlateUnderWay) {
   }
 }
 
-TEST(Retargeter, AFixedPlateStays) {
-  Retargeter retargeter({.mode = ControlMode::fixed_plate, .fixed_plate_orientation_deg = 30.0});
-  retargeter.begin(reach);
-  for (int i = 0; i < 10; ++i) EXPECT_EQ(retargeter.update(direction(i)).plate_orientation_deg, 30.0);
-}
-
 }  // namespace
 }  // namespace hrt

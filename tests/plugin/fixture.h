@@ -3,15 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <string>
+#include <vector>
 
 #include "haptic_retargeting/haptic_retargeting.h"
 #include "haptic_retargeting/setup.h"
 #include "haptic_retargeting/study.h"
 
 namespace hrt::test {
+
+inline constexpr std::int64_t ms = 1'000'000;
 
 /// Fails the test with the library's own words unless the call succeeds.
 #define ASSERT_OK(call) ASSERT_EQ((call), HRT_OK) << hrt_last_error()
@@ -29,6 +34,17 @@ Output output() {
   Output out{};
   out.struct_size = sizeof out;
   return out;
+}
+
+/// Bit by bit.
+template <class Struct>
+bool same(const Struct& a, const Struct& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+inline void expect_same(const std::vector<hrt_command>& a, const std::vector<hrt_command>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_TRUE(same(a[i], b[i])) << i;
 }
 
 inline hrt_session_config session_config() { return hrt_session_config_init(); }
@@ -136,6 +152,10 @@ class SessionTest : public ::testing::Test {
     return target;
   }
 
+  void change(hrt_target target, const hrt_target_config& config) {
+    EXPECT_OK(hrt_target_set(session, target, &config));
+  }
+
   hrt_gap gap_of(hrt_target real_target, hrt_target virtual_target) const {
     auto gap = output<hrt_gap>();
     EXPECT_OK(hrt_gap_query(session, real_target, virtual_target, &gap));
@@ -153,6 +173,16 @@ class SessionTest : public ::testing::Test {
   hrt_command update(const hrt_sample& sample) {
     auto command = output<hrt_command>();
     EXPECT_OK(hrt_reach_update(session, &sample, &command));
+    return command;
+  }
+
+  /// A finger that slides straight ahead from the start, 10 cm in 1.5 s.
+  hrt_command slide(std::int64_t from_ms = 0, std::int64_t until_ms = 2210) {
+    hrt_command command{};
+    for (std::int64_t t = from_ms; t < until_ms; t += 10) {
+      const double u = std::clamp(static_cast<double>(t - 300) / 1500.0, 0.0, 1.0);
+      command = update(position_sample(t * ms, 0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))));
+    }
     return command;
   }
 

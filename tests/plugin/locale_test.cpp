@@ -2,7 +2,6 @@
 // it.
 #include <clocale>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -36,8 +35,7 @@ TEST_F(LocaleTest, ProfilesKeepTheirNumbers) {
   EXPECT_NE(profile.find("\"sensory_variance_deg2\":2.7,"), std::string::npos) << profile;
   create(session_config());
   ASSERT_OK(load_profile(profile));
-  const hrt_session_config loaded = config_of(session);
-  EXPECT_EQ(std::memcmp(&loaded, &config, sizeof config), 0);
+  EXPECT_TRUE(same(config_of(session), config));
 }
 
 TEST_F(LocaleTest, RecordingsReplay) {
@@ -70,7 +68,7 @@ TEST_F(LocaleTest, ScenesHaveTheSamePlaces) {
   ASSERT_GE(targets[0].size(), 2u);
   ASSERT_EQ(targets[0].size(), targets[1].size());
   for (std::size_t i = 0; i < targets[0].size(); ++i)
-    EXPECT_EQ(std::memcmp(&targets[0][i], &targets[1][i], sizeof targets[0][i]), 0) << targets[0][i].name;
+    EXPECT_TRUE(same(targets[0][i], targets[1][i])) << targets[0][i].name;
 }
 
 TEST_F(LocaleTest, MessagesHavePoints) {

@@ -2,7 +2,6 @@
 // positions alone.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <string>
@@ -15,7 +14,6 @@
 namespace hrt::test {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
 constexpr std::int64_t rest_ns = 500 * ms;
 constexpr double start_forward_m = -0.05;
 
@@ -91,8 +89,7 @@ class PersonTest : public SessionTest {
 };
 
 bool is_same_person(const hrt_session_config& a, const hrt_session_config& b) {
-  return std::memcmp(a.person.mean, b.person.mean, sizeof a.person.mean) == 0 &&
-         std::memcmp(a.person.covariance, b.person.covariance, sizeof a.person.covariance) == 0;
+  return same(a.person.mean, b.person.mean) && same(a.person.covariance, b.person.covariance);
 }
 
 bool is_unknown(const hrt_session_config& config) {
@@ -208,9 +205,7 @@ TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
   EXPECT_TRUE(is_same_person(config_of(session), learnt));
   EXPECT_EQ(config_of(session).paper.tactile_weight, learnt.paper.tactile_weight);
   const Led there = lead(drawn_person("mixture", 1.5, 1), 3);
-  ASSERT_EQ(here.commands.size(), there.commands.size());
-  for (std::size_t i = 0; i < here.commands.size(); ++i)
-    ASSERT_EQ(std::memcmp(&here.commands[i], &there.commands[i], sizeof(hrt_command)), 0) << i;
+  expect_same(here.commands, there.commands);
 
   // A profile without them is of another person.
   ASSERT_OK(load_profile(
@@ -230,8 +225,7 @@ TEST_F(PersonTest, AdaptationOffTakesTheWeightAsKnown) {
     EXPECT_NEAR(command.tactile_weight, 0.26, 0.01);
     EXPECT_LT(command.tactile_weight_sd, 0.01);
   }
-  const hrt_session_config after = config_of(session);
-  EXPECT_EQ(std::memcmp(&after, &config, sizeof config), 0);
+  EXPECT_TRUE(same(config_of(session), config));
 }
 
 // The finger rests for half a second and then moves for a third of its time.
@@ -240,11 +234,9 @@ TEST_F(PersonTest, AbortedReachWritesNothing) {
   const hrt_session_config before = config_of(session);
   const Led led = lead(steady_person(), 0, 0.0, rest_ns + 500 * ms);
   EXPECT_GE(led.commands.back().step, 0);
-  hrt_session_config after = config_of(session);
-  EXPECT_EQ(std::memcmp(&after, &before, sizeof before), 0);
+  EXPECT_TRUE(same(config_of(session), before));
   lead(steady_person());
-  after = config_of(session);
-  EXPECT_FALSE(is_unknown(after));
+  EXPECT_FALSE(is_unknown(config_of(session)));
 }
 
 // 75 degrees of plate give a person of 0.2 a shift of 15; a gap of 30 is out of reach, and a gap that half of
@@ -291,8 +283,7 @@ TEST_F(PersonTest, MotionThatIsNoReachIsAMisfitAndTeachesNothing) {
   EXPECT_NE(summary.flags & HRT_COMMAND_MISFIT, 0u);
   EXPECT_GE(innovation, 4.5);
   EXPECT_EQ(summary.misfit, innovation);
-  const hrt_session_config after = config_of(session);
-  EXPECT_EQ(std::memcmp(&after, &before, sizeof before), 0);
+  EXPECT_TRUE(same(config_of(session), before));
 }
 
 // The finger rests for 0.6 s half way: the plate is held, and the reach continues afterwards.
@@ -371,10 +362,7 @@ TEST_F(PersonTest, DirectionsAloneAreLedAsByThePaper) {
     EXPECT_NE(config_of(session).paper.tactile_weight, 0.2) << "it is carried";
     return commands;
   };
-  const std::vector<hrt_command> arrival = led(HRT_GUIDANCE_ARRIVAL), fixed = led(HRT_GUIDANCE_FIXED_DIRECTION);
-  ASSERT_EQ(arrival.size(), fixed.size());
-  for (std::size_t i = 0; i < fixed.size(); ++i)
-    ASSERT_EQ(std::memcmp(&arrival[i], &fixed[i], sizeof(hrt_command)), 0) << i;
+  expect_same(led(HRT_GUIDANCE_ARRIVAL), led(HRT_GUIDANCE_FIXED_DIRECTION));
 }
 
 // Nothing has been returned, so the plate has not turned.

@@ -11,19 +11,6 @@ namespace {
 
 class RegistrationTest : public SessionTest {};
 
-TEST_F(RegistrationTest, TargetsInTheWorldFollowTheScale) {
-  hrt_session_config config = session_config();
-  config.plate.scale = 1.25;
-  config.plate.position_m[0] = 1.0;
-  create(config);
-  hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);
-  target.place = HRT_PLACE_WORLD_POSITION;
-  // 4 cm right and 4 cm ahead of the start on the plate, which is 5 cm towards the user.
-  target.position_m[0] = 1.0 + 1.25 * 0.04;
-  target.position_m[2] = 1.25 * 0.01;
-  EXPECT_NEAR(gap_of(add(target), add(HRT_TARGET_VIRTUAL, -45.0)).gap_deg, 0.0, 1e-9);
-}
-
 // The target is 10 cm ahead of the start, 5 cm beyond the plate's centre, about which a turn of 2 degrees moves it by 1
 // degree of bearing: 2 Phi(-1.5) of reaches end more than 1.5 degrees off. A shift to the right is seen from the start.
 TEST_F(RegistrationTest, AGapHasWhatTheRegistrationAloneCosts) {
@@ -40,23 +27,6 @@ TEST_F(RegistrationTest, AGapHasWhatTheRegistrationAloneCosts) {
   EXPECT_NEAR(gap_with(2.0, 0.0).registration_sd_deg, 1.0, 1e-9);
   EXPECT_NEAR(gap_with(2.0, 0.0).registration_miss_share, 0.133614, 1e-6);
   EXPECT_NEAR(gap_with(0.0, 0.002).registration_sd_deg, 0.002 / 0.1 * 180.0 / std::numbers::pi, 1e-9);
-}
-
-// A scene says where the plate is, and so replaces what was registered.
-TEST_F(RegistrationTest, ASceneReplacesIt) {
-  hrt_session_config registered = session_config();
-  registered.flags = HRT_SESSION_REGISTERED;
-  registered.registration.time_ns = 5;
-  registered.plate.covariance[0] = 1e-4;
-  create(registered);
-  hrt_scene scene{};
-  ASSERT_OK(hrt_scene_load(HRT_DESK_SCENE, nullptr, 0, &scene));
-  ASSERT_OK(hrt_scene_register(scene, session, 0, nullptr));
-  ASSERT_OK(hrt_scene_destroy(scene));
-  const hrt_session_config config = config_of(session);
-  EXPECT_EQ(config.flags, 0u);
-  EXPECT_EQ(config.registration.time_ns, 0);
-  for (const double covariance : config.plate.covariance) EXPECT_EQ(covariance, 0.0);
 }
 
 // One sample of a reach to a target 100 mm from the start, which is the centre here.

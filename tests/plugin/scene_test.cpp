@@ -1,5 +1,4 @@
 // Scenes through the C ABI: samples/scenes/desk.gltf, whose numbers scene/ derives and tests.
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -58,7 +57,7 @@ TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
   const hrt_session_config config = config_of(session);
   auto info = output<hrt_scene_info>();
   ASSERT_OK(hrt_scene_get_info(scene, &info));
-  EXPECT_EQ(std::memcmp(config.plate.rotation, info.plate_rotation, sizeof info.plate_rotation), 0);
+  EXPECT_TRUE(same(config.plate.rotation, info.plate_rotation));
   EXPECT_EQ(config.plate.radius_m, info.plate_radius_m);
   for (uint32_t i = 0; i < ids.size(); ++i) {
     auto target = output<hrt_scene_target>();
@@ -87,8 +86,7 @@ TEST_F(SceneAbiTest, RegistersAllOrNothing) {
   uint64_t count = 0;
   ASSERT_OK(hrt_target_list(session, 0, 0, nullptr, &count));
   EXPECT_EQ(count, 1u);
-  const hrt_session_config after = config_of(session);
-  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
+  EXPECT_TRUE(same(config_of(session), before));
 }
 
 TEST_F(SceneAbiTest, LoadsFromMemory) {

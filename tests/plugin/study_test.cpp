@@ -18,10 +18,14 @@ class SimulatedPersonTest : public SessionTest {
     seen = add(HRT_TARGET_VIRTUAL, 5.0);
   }
 
+  void TearDown() override {
+    for (const hrt_person person : people) EXPECT_OK(hrt_person_destroy(person));
+    SessionTest::TearDown();
+  }
+
   hrt_person person_of(std::uint64_t seed, const hrt_person_config* config = nullptr) {
-    hrt_person person{};
-    EXPECT_OK(hrt_person_create(config, seed, &person));
-    return person;
+    EXPECT_OK(hrt_person_create(config, seed, &people.emplace_back()));
+    return people.back();
   }
 
   struct Slide {
@@ -58,6 +62,7 @@ class SimulatedPersonTest : public SessionTest {
   }
 
   hrt_target real{}, seen{};
+  std::vector<hrt_person> people;
 };
 
 TEST_F(SimulatedPersonTest, IsLedToTheRealTargetAndFeelsTheVirtualOne) {
@@ -68,7 +73,6 @@ TEST_F(SimulatedPersonTest, IsLedToTheRealTargetAndFeelsTheVirtualOne) {
     EXPECT_EQ(led.end.done, 1u);
     on_target += std::abs(bearing_deg(led.end.position_m) + 5.0) < 1.5;
     EXPECT_NEAR(bearing_deg(led.end.felt_position_m), 5.0, 4.0) << seed;
-    EXPECT_OK(hrt_person_destroy(person));
   }
   EXPECT_GE(on_target, 33);  // 92 % of first reaches: at most 33 in one of 100 runs
 }
@@ -98,14 +102,12 @@ TEST_F(SimulatedPersonTest, ArrivesSoonAfterTheMotion) {
     ASSERT_OK(hrt_reach_update(session, &sample, &command));
     EXPECT_EQ(command.flags & HRT_COMMAND_ARRIVED, 0u);
     ASSERT_OK(hrt_reach_cancel(session));
-    EXPECT_OK(hrt_person_destroy(person));
   }
 }
 
 TEST_F(SimulatedPersonTest, GoesToTheVirtualTargetOverAPlateThatStands) {
   const hrt_person person = person_of(3);
   EXPECT_NEAR(bearing_deg(slide(person, false).end.felt_position_m), 5.0, 1.5);
-  EXPECT_OK(hrt_person_destroy(person));
 }
 
 TEST_F(SimulatedPersonTest, FollowsFromTheSeed) {
@@ -114,7 +116,6 @@ TEST_F(SimulatedPersonTest, FollowsFromTheSeed) {
   EXPECT_EQ(first.seen_right_m, slide(same, false).seen_right_m);
   EXPECT_NE(first.seen_right_m, slide(other, false).seen_right_m);
   EXPECT_NE(first.seen_right_m, slide(one, false).seen_right_m);  // a further reach
-  for (const hrt_person person : {one, same, other}) EXPECT_OK(hrt_person_destroy(person));
 }
 
 TEST_F(SimulatedPersonTest, SeesABiasAndMovesForAsLongAsConfigured) {
@@ -128,7 +129,6 @@ TEST_F(SimulatedPersonTest, SeesABiasAndMovesForAsLongAsConfigured) {
   const double end_m = biased.end.position_m[0];
   EXPECT_NE(std::abs(biased.seen_right_m[100] - end_m), 0.0);
   EXPECT_NEAR(biased.seen_right_m[146], end_m, 1e-7);  // 1.6 s
-  EXPECT_OK(hrt_person_destroy(person));
 }
 
 TEST_F(SimulatedPersonTest, ThePlateTakesItsTime) {
@@ -147,7 +147,6 @@ TEST_F(SimulatedPersonTest, ThePlateTakesItsTime) {
   ASSERT_OK(hrt_person_move(person, 2'000'000'000, 10130.0, &sample));  // what feels the same as 50
   ASSERT_OK(hrt_person_move(person, 3'000'000'000, 10130.0, &sample));
   EXPECT_NEAR(sample.plate_orientation_deg, 50.0, 1e-9);
-  EXPECT_OK(hrt_person_destroy(person));
 }
 
 TEST_F(SimulatedPersonTest, RefusesWhatIsOutOfPlace) {
@@ -161,7 +160,6 @@ TEST_F(SimulatedPersonTest, RefusesWhatIsOutOfPlace) {
   ASSERT_OK(hrt_person_move(person, 100, 0.0, &sample));
   expect_error(hrt_person_move(person, 99, 0.0, &sample), HRT_ERROR_TIME_REVERSED, "99");
   expect_error(hrt_person_move(person, 100, std::nan(""), &sample), HRT_ERROR_OUT_OF_RANGE, "plate_orientation_deg");
-  EXPECT_OK(hrt_person_destroy(person));
 }
 
 }  // namespace

@@ -17,13 +17,12 @@ TEST_F(TargetTest, ComesBackAsGiven) {
   const hrt_target target = add(config);
   auto back = output<hrt_target_config>();
   ASSERT_OK(hrt_target_get(session, target, &back));
-  EXPECT_EQ(std::memcmp(&back, &config, sizeof config), 0);
+  EXPECT_TRUE(same(back, config));
 }
 
 TEST_F(TargetTest, RenamedLeavesItsNameToOthers) {
   const hrt_target target = add(HRT_TARGET_REAL, 0.0, "cup");
-  const hrt_target_config renamed = target_config(HRT_TARGET_REAL, 0.0, "mug");
-  ASSERT_OK(hrt_target_set(session, target, &renamed));
+  change(target, target_config(HRT_TARGET_REAL, 0.0, "mug"));
   add(HRT_TARGET_REAL, 1.0, "cup");
   const hrt_target_config taken = target_config(HRT_TARGET_REAL, 0.0, "cup");
   expect_error(hrt_target_set(session, target, &taken), HRT_ERROR_NAME_TAKEN, "\"cup\"");
@@ -178,15 +177,16 @@ TEST_F(GapTest, TakesDirectionsFromTheStart) {
 }
 
 // The plate's mid-line is the world's -x (see reach_test.cpp), and its start 5 cm back at x = 0.05: a target
-// at x = -0.05, z = -0.1 is 0.1 ahead and 0.1 to the right.
+// at x = -0.05, z = -0.1 in the plate's unit is 0.1 ahead and 0.1 to the right.
 TEST_F(GapTest, TakesTargetsInTheWorldToThePlate) {
   hrt_session_config config = paper_config();
   config.plate.rotation[1] = config.plate.rotation[3] = std::sqrt(0.5);
+  config.plate.scale = 1.25;
   create(config);
   hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);
   target.place = HRT_PLACE_WORLD_POSITION;
-  target.position_m[0] = -0.05;
-  target.position_m[2] = -0.1;
+  target.position_m[0] = 1.25 * -0.05;
+  target.position_m[2] = 1.25 * -0.1;
   EXPECT_NEAR(gap_of(add(target), add(HRT_TARGET_VIRTUAL, 0.0)).gap_deg, 45.0, 1e-9);
 }
 
@@ -219,8 +219,7 @@ TEST_F(AssignTest, EachIsServedByTheNearestUnlessRealTargetsServeOneEach) {
   EXPECT_EQ(exclusive[0].real_target.value, reals[0].value);
   EXPECT_EQ(exclusive[1].real_target.value, reals[1].value);
   // Each element is what a query says of the pair.
-  const hrt_gap queried = gap_of(reals[0], virtuals[0]);
-  EXPECT_EQ(std::memcmp(&exclusive[0], &queried, sizeof queried), 0);
+  EXPECT_TRUE(same(exclusive[0], gap_of(reals[0], virtuals[0])));
 }
 
 TEST_F(AssignTest, WhatCannotBeServedIsNamed) {
@@ -255,7 +254,7 @@ TEST_F(AssignTest, RefusesWhatIsNoSet) {
   expect_error(assign(reals, 1, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "a virtual one is needed");
   expect_error(assign(cups, 1, reals, 1, 2, 2, out), HRT_ERROR_OUT_OF_RANGE, "flags is 2");
   expect_error(assign(cups, 1, reals, 1, 0, 0, out), HRT_ERROR_BUFFER_TOO_SMALL, "capacity is 0");
-  EXPECT_EQ(std::memcmp(&out[0], &before, sizeof before), 0);
+  EXPECT_TRUE(same(out[0], before));
 }
 
 // The elements of a caller with later headers are as far apart as its struct is large.

@@ -16,6 +16,7 @@
 
 #include "HapticConversions.h"
 #include "HapticRetargetingComponent.h"
+#include "plugin/src/recording/hash.h"
 #include "tests/plugin/plate/eventually.h"
 
 namespace {
@@ -35,14 +36,18 @@ class Component : public testing::Test {
   void SetUp() override { FLogCategory::Lines.clear(); }
   void TearDown() override { component_.BeginDestroy(); }
 
+  void add_pair() {
+    ASSERT_TRUE(component_.AddTarget(kReal, TEXT("cylinder"), 5, 10, real_));
+    ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("cup"), -5, 10, felt_));
+  }
+
   void begin() {
-    FHapticTarget real, felt;
-    ASSERT_TRUE(component_.AddTarget(kReal, TEXT("cylinder"), 5, 10, real));
-    ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("cup"), -5, 10, felt));
-    ASSERT_TRUE(component_.BeginReach(real, felt)) << last_log();
+    add_pair();
+    ASSERT_TRUE(component_.BeginReach(real_, felt_)) << last_log();
   }
 
   UHapticRetargetingComponent component_;
+  FHapticTarget real_, felt_;
 };
 
 /** Moved, and turned about no axis of its own. */
@@ -150,13 +155,11 @@ TEST_F(Component, TakesWhatAPlateReports) {
 
 // The same samples through the component's own terms and through the C interface's.
 TEST_F(Component, TakesAMeasuredPlate) {
-  FHapticTarget real, felt;
-  ASSERT_TRUE(component_.AddTarget(kReal, TEXT("real"), 5, 10, real));
-  ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("felt"), -5, 10, felt));
+  add_pair();
   const auto run = [&](const std::function<bool(const FVector&, double, double)>& update) {
     component_.bPlateIsMeasured = true;
     component_.MeasuredPlateYaw = 30;
-    EXPECT_TRUE(component_.BeginReach(real, felt, 2)) << last_log();
+    EXPECT_TRUE(component_.BeginReach(real_, felt_, 2)) << last_log();
     for (int frame = 0; frame <= 180; ++frame) {
       const double part = frame / 180.0;
       EXPECT_TRUE(update(FVector(-5 + 10 * part, 0.4 * part, 0.2), 30 - 70 * part, frame / 90.0)) << last_log();
@@ -185,9 +188,9 @@ TEST_F(Component, TakesAMeasuredPlate) {
   EXPECT_NE(measured.plate_orientation_deg, without.plate_orientation_deg);
   component_.bPlateIsMeasured = true;
   component_.MeasuredPlateYaw = kNan;
-  EXPECT_FALSE(component_.BeginReach(real, felt, 2));
+  EXPECT_FALSE(component_.BeginReach(real_, felt_, 2));
   component_.MeasuredPlateYaw = 0;
-  EXPECT_FALSE(component_.BeginReach(real, felt, 0.01));
+  EXPECT_FALSE(component_.BeginReach(real_, felt_, 0.01));
   EXPECT_NE(last_log().find("duration_s"), std::string::npos) << last_log();
 }
 
@@ -403,12 +406,10 @@ TEST_F(Component, IsLedThroughByASimulatedFinger) {
   EXPECT_FALSE(component_.UpdateSimulatedFinger(0, place));
   EXPECT_NE(last_log().find("person 0 does not exist"), std::string::npos) << last_log();
   component_.SetWorldTransform(somewhere());
-  FHapticTarget real, felt;
-  ASSERT_TRUE(component_.AddTarget(kReal, TEXT("cylinder"), 5, 10, real));
-  ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("cup"), -5, 10, felt));
-  EXPECT_FALSE(component_.BeginSimulatedFinger(real, 1));
-  ASSERT_TRUE(component_.BeginReach(real, felt));
-  ASSERT_TRUE(component_.BeginSimulatedFinger(felt, 1)) << last_log();
+  add_pair();
+  EXPECT_FALSE(component_.BeginSimulatedFinger(real_, 1));
+  ASSERT_TRUE(component_.BeginReach(real_, felt_));
+  ASSERT_TRUE(component_.BeginSimulatedFinger(felt_, 1)) << last_log();
   for (int frame = 0; frame < 220; ++frame)
     ASSERT_TRUE(component_.UpdateSimulatedFinger(frame / 90.0, place)) << last_log();
   const double yaw = 5 * std::numbers::pi / 180;
@@ -448,20 +449,14 @@ TEST(UnrealComponents, EndTheirSessions) {
   }
 }
 
-uint64_t hash_word(uint64_t hash, uint64_t word) {
-  for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (word >> (8 * byte) & 0xff)) * 0x100000001b3u;
-  return hash;
-}
-
-uint64_t hash_command(uint64_t hash, const hrt_command& command) {
-  hash = hash_word(hash, command.flags);
-  hash = hash_word(hash, static_cast<uint64_t>(command.step));
+void add_to(hrt::plugin::Hash& hash, const hrt_command& command) {
+  hash.add(command.flags);
+  hash.add(static_cast<uint64_t>(command.step));
   for (const double number : {command.plate_orientation_deg, command.finger_direction_deg,
                               command.perceived_direction_deg, command.aimed_direction_deg,
                               command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd,
  command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit})
-    hash = hash_word(hash, std::bit_cast<uint64_t>(number));
-  return hash;
+    hash.add(std::bit_cast<uint64_t>(number));
 }
 
 // A commissioned servo, emulated: run by with_plate.
@@ -512,7 +507,7 @@ TEST_F(Component, RunsTheReachOfAllHosts) {
 
   std::ifstream recording(HRT_REACH);
   std::map<std::string, size_t> columns;
-  uint64_t hash = 0xcbf29ce484222325u;
+  hrt::plugin::Hash hash;
   for (std::string line; std::getline(recording, line);) {
     if (line.starts_with('#')) continue;
     std::vector<std::string> cells;
@@ -531,7 +526,7 @@ TEST_F(Component, RunsTheReachOfAllHosts) {
     sample.finger_position_m[2] = real("sample_z_m");
     sample.plate_orientation_deg = real("measured_plate_deg");
     ASSERT_TRUE(component_.UpdateSample(sample)) << last_log();
-    hash = hash_command(hash, component_.GetRawCommand());
+    add_to(hash, component_.GetRawCommand());
   }
   FHapticSummary summary;
   ASSERT_TRUE(component_.EndReach(summary));
@@ -539,7 +534,7 @@ TEST_F(Component, RunsTheReachOfAllHosts) {
   std::string expected;
   std::ifstream(HRT_REACH_HASH) >> expected;
   char found[32];
-  std::snprintf(found, sizeof found, "0x%016" PRIx64, hash);
+  std::snprintf(found, sizeof found, "0x%016" PRIx64, hash.value());
   std::printf("hash %s\n", found);
   EXPECT_EQ(found, expected);
 }

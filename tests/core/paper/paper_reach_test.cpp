@@ -30,20 +30,6 @@ TEST(PaperReach, LeadsAParticipantToTheRealTargetAndAFixedPlateDoesNot) {
   EXPECT_NEAR(final_direction_deg({.fixed_plate_orientation_deg = 0.0}, reach), -5.0 / 0.85, 1e-9);
 }
 
-// A person with a bias of 3 who sees the target at 2 goes for 5.
-TEST(PaperReach, APersonsBiasShiftsTheGoal) {
-  PaperReachConfig biased;
-  biased.participant.bias_deg = 3.0;
-  PaperReach a(biased, {.real_direction_deg = -5, .virtual_direction_deg = 2});
-  PaperReach b({}, {.real_direction_deg = -5, .virtual_direction_deg = 5});
-  for (int k = 0; k < 10; ++k) {
-    const PlateCommand command = a.step(std::sin(k));
-    EXPECT_EQ(command.plate_orientation_deg, b.step(std::sin(k)).plate_orientation_deg);
-    EXPECT_NE(command.plate_orientation_deg, 0.0);
-  }
-  EXPECT_EQ(a.summary().perceived_error_deg, b.summary().perceived_error_deg);
-}
-
 constexpr std::int64_t ms = 1'000'000;
 
 FingerSample position(std::int64_t time_ns, const PlatePoint& place) {
@@ -306,16 +292,6 @@ TEST(PaperReach, PredictionEndsAfterTwoSeconds) {
   for (; i < 1150; ++i) led.update({.time_ns = i * 10 * ms});
   EXPECT_NEAR(seen_m - led.command().distance_to_go_m, 2.0 * 0.033, 0.01);
 }
-
-TEST(PaperReach, ASummarySaysThatTheGapCannotBeHeld) {
-  PaperReach led({}, {.real_direction_deg = -15, .virtual_direction_deg = 15});
-  for (int i = 0; i < 10; ++i) EXPECT_TRUE(led.update(direction(i * 100 * ms, 0.0)).unreachable);
-  EXPECT_TRUE(led.summary().unreachable);
-}
-
-}  // namespace
-
-namespace {
 
 std::vector<std::int64_t> ends_until(StepClock& clock, std::int64_t time_ns) {
   std::vector<std::int64_t> ends;

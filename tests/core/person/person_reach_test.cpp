@@ -75,14 +75,6 @@ TEST(PersonReach, HoldsThePlateWhileTheFingerRests) {
   EXPECT_FALSE(reach.learnt());
 }
 
-TEST(PersonReach, APlateThatWaitsStaysWhereItStands) {
-  Reach reach = gap_of_ten;
-  reach.plate_orientation_deg = -12.0;
-  PersonReach waits({.person = unknown_person(), .plate_waits = true}, reach);
-  EXPECT_EQ(waits.command().plate_orientation_deg, -12.0);
-  for (int i = 0; i < 20; ++i) EXPECT_EQ(waits.update(seen(i * 11 * ms, {})).plate_orientation_deg, -12.0);
-}
-
 TEST(PersonReach, BringsPeopleToTheRealTarget) {
   for (const double weight : {0.2, 0.3}) {
     for (const double duration_s : {1.0, 2.0}) {
@@ -107,13 +99,6 @@ TEST(PersonReach, TimeToGoIsWhatTheMotionTakes) {
   // It passes in a dropout too.
   const PlateCommand later = trial.reach.update({.time_ns = trial.time_ns - 10 * ms + 300 * ms});
   EXPECT_NEAR(later.time_to_go_s, to_go_s - 0.3, 1e-6);
-}
-
-TEST(PersonReach, TimeToGoIsKnownOnceTheMotionIsSeen) {
-  Trial trial(linear_person(0.25, 2.0));
-  EXPECT_EQ(trial.last.time_to_go_s, -1.0);
-  while (trial.last.step < 0) trial.run_for(10);
-  EXPECT_GT(trial.last.time_to_go_s, 0.5);
 }
 
 // The person goes for 5 + 3 degrees, and feels so.
@@ -156,21 +141,6 @@ TEST(PersonReach, AWeakIllusionIsFoundUnreachable) {
   Trial strong(linear_person(0.3, 2.0), {.person = known_person(0.3, 0.0)});
   strong.run_for(500);
   EXPECT_FALSE(strong.last.unreachable);
-}
-
-// A finger that zigzags, 20 mm to either side every 80 ms, is none of the model's.
-TEST(PersonReach, PositionsThatContradictTheModelAreAMisfit) {
-  Trial trial(linear_person());
-  for (int i = 0; i < 120; ++i) trial.sample({i / 8 % 2 ? 0.02 : -0.02, 0.0008 * i});
-  EXPECT_TRUE(trial.reach.summary().misfit);
-  EXPECT_FALSE(trial.reach.learnt());
-}
-
-TEST(PersonReach, AReachThatEndsEarlyTeachesNothing) {
-  Trial trial(linear_person(0.25, 2.0));
-  trial.run_for(600);
-  EXPECT_GE(trial.last.step, 0);
-  EXPECT_FALSE(trial.reach.learnt());
 }
 
 TEST(PersonReach, SummaryCountsStepsAndSamples) {

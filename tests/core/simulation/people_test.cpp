@@ -203,16 +203,11 @@ TEST(SimulationPeople, WithoutIllusionNobodyIsLed) {
     for (const RetargeterConfig* config : {none, &controller}) {
       const PersonOutcome outcome = simulate_person(person, config, 1, 1, 0).front();
       EXPECT_NEAR(outcome.bearing_error_deg, 10.0 * side, 1e-6);
+      EXPECT_EQ(outcome.summary.person.has_value(), config != none);
       EXPECT_NEAR(outcome.miss_m, side * 0.1 * std::sin(10.0 * 3.14159265358979 / 180.0), 1e-9);
       EXPECT_NEAR(outcome.peak_felt_error_deg, 0.0, 1e-6);
     }
   }
-}
-
-TEST(SimulationPeople, WithoutAControllerThereIsNoSummary) {
-  const PersonOutcome outcome = simulate_person(draw("linear"), nullptr, 1, 1, 0).front();
-  EXPECT_EQ(outcome.summary.samples, 0);
-  EXPECT_FALSE(outcome.summary.person.has_value());
 }
 
 // 90 Hz over rest, 1.5 s of motion and 0.3 s after it.
@@ -364,10 +359,6 @@ TEST(SimulationPeople, ContactsFindATurnedFrame) {
   EXPECT_GE(hits("headset-touch", 5), 95.0);
   EXPECT_GE(hits("placed-touch3", 5), 95.0);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(SlidingFinger, RestsBeforeAndAfterItsPath) {
   SlidingFinger finger({0.01, -0.05}, 0.1, 2.0);

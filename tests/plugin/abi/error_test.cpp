@@ -22,7 +22,6 @@ class ErrorTextTest : public SessionTest {
     EXPECT_EQ(text.find("\u0085"), std::string::npos) << "a line break";
   }
 
-  hrt_result load(const std::string& profile) { return hrt_profile_load(session, profile.data(), profile.size()); }
   /// 300 characters of two bytes, at an odd offset.
   static std::string long_text() {
     std::string text = "x";
@@ -32,8 +31,8 @@ class ErrorTextTest : public SessionTest {
 };
 
 TEST_F(ErrorTextTest, KeysOfProfiles) {
-  expect_line(load(R"({"a\nb\u001b[31m\u0085c":1})"), HRT_ERROR_BAD_FORMAT, "is not a field of a profile");
-  expect_line(load("{\"" + long_text() + "\":1}"), HRT_ERROR_BAD_FORMAT, "is not a field of a profile");
+  expect_line(load_profile(R"({"a\nb\u001b[31m\u0085c":1})"), HRT_ERROR_BAD_FORMAT, "is not a field of a profile");
+  expect_line(load_profile("{\"" + long_text() + "\":1}"), HRT_ERROR_BAD_FORMAT, "is not a field of a profile");
 }
 
 TEST_F(ErrorTextTest, NamesOfTargets) {

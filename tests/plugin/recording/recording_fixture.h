@@ -14,8 +14,6 @@
 
 namespace hrt::test {
 
-inline constexpr std::int64_t ms = 1'000'000;
-
 inline std::string read(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   EXPECT_TRUE(file) << path;

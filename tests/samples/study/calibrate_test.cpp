@@ -75,8 +75,7 @@ TEST(StudyCalibrate, SlidesOverATurningPlateAreLeftOut) {
            std::to_string(trials[0].samples[i].position.away_m) + (i < 150 ? ",0\n" : ",30\n");
   EXPECT_EQ(parse_calibration_csv("data.csv", csv).back().plate_deg.back(), 30.0);
   write(folder / "me.csv", csv);
-  const StudyRun run = run_study({"calibrate", folder / "me.csv", "--format", "json"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(0, run_study({"calibrate", folder / "me.csv", "--format", "json"}));
   const json page = json::parse(run.out);
   EXPECT_EQ(page["slides_turned"], 1);
   EXPECT_EQ(page["slides"].size(), 22U);
@@ -109,9 +108,8 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   ASSERT_EQ(
       run_study({"participants", "--tactile-weight", "0.2", "--bias", "-2", "--goal", "3", "--out", data}).exit_code,
       0);
-  const StudyRun run = run_study({"calibrate", data, "--goal", "3", "--format", "json", "--plot", folder / "me.svg",
-                                  "--profile", folder / "profile.json"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(0, run_study({"calibrate", data, "--goal", "3", "--format", "json", "--plot",
+                                                 folder / "me.svg", "--profile", folder / "profile.json"}));
   EXPECT_EQ(run.err, "");
   const json page = json::parse(run.out);
   EXPECT_EQ(page["trials"], 55);
@@ -153,13 +151,11 @@ TEST(StudyCalibrate, RetestShowsWhatDiffers) {
   };
   const std::string test = data("test.csv", "0.2", "1"), again = data("again.csv", "0.2", "2"),
                     other = data("other.csv", "0.27", "3");
-  const StudyRun same = run_study({"calibrate", test, "--retest", again, "--format", "json"});
-  ASSERT_EQ(same.exit_code, 0) << same.err;
+  const StudyRun same = expect_exit(0, run_study({"calibrate", test, "--retest", again, "--format", "json"}));
   const json page = json::parse(same.out);
   EXPECT_FALSE(page["retest"]["values"]["tactile_weight"]["differs"].get<bool>());
   EXPECT_EQ(page["retest"]["calibration"]["data"], again);
-  const StudyRun changed = run_study({"calibrate", test, "--retest", other});
-  ASSERT_EQ(changed.exit_code, 0) << changed.err;
+  const StudyRun changed = expect_exit(0, run_study({"calibrate", test, "--retest", other}));
   EXPECT_TRUE(has(changed.out, "They differ: tactile weight w_T at 60°"));
   EXPECT_EQ(run_study({"calibrate", test, "--retest", folder / "none.csv"}).exit_code, 2);
 }

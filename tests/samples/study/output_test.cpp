@@ -67,9 +67,8 @@ TEST(StudyOutput, PartsConcatenateToTheWhole) {
       std::string joined;
       for (int part = 1; part <= parts; ++part) {
         const StudyRun run =
-            run_study(arguments + Arguments{"--part", std::to_string(part) + "/" + std::to_string(parts), "--out",
-                                            folder / "part"});
-        ASSERT_EQ(run.exit_code, 0) << run.err;
+            expect_exit(0, run_study(arguments + Arguments{"--part", std::to_string(part) + "/" + std::to_string(parts),
+                                                           "--out", folder / "part"}));
         joined += read_file(folder / "part");
       }
       EXPECT_EQ(joined, whole) << arguments[0] << ", " << parts << " parts";
@@ -131,10 +130,6 @@ TEST(StudyOutput, WithoutGnuplotNothingIsWritten) {
     EXPECT_TRUE(entries(folder.path).empty()) << arguments[0];
   }
 }
-
-}  // namespace
-
-namespace {
 
 using Clock = std::chrono::steady_clock;
 

@@ -125,8 +125,7 @@ TEST(StudyReplay, AReachOfTheControllersOwnIsCommandedAndBelievedAgain) {
 TEST(StudyReplay, CalibrationSlidesShowThePerson) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_study({"participants", "--out", folder / "me.csv"}).exit_code, 0);
-  const StudyRun run = run_study({"robustness", "--replay", folder.path.string(), "--format", "json"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(0, run_study({"robustness", "--replay", folder.path.string(), "--format", "json"}));
   const auto page = nlohmann::json::parse(run.out);
   EXPECT_TRUE(has(page["open_loop"].get<std::string>(), "the finger could not answer"));
   ASSERT_EQ(page["rows"].size(), 55U);

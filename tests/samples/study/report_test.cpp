@@ -14,8 +14,8 @@ const std::vector<std::string> all_files{"fig1c.svg", "fig4.svg", "fig5.svg",   
 TEST(StudyReport, MakesEveryFigureAndAPageThatShowsThem) {
   const TemporaryFolder folder;
   for (const char* threads : {"1", "2"}) {
-    const StudyRun run = run_study({"report", "--out", folder / threads, "--trials", "40", "--threads", threads});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const StudyRun run =
+        expect_exit(0, run_study({"report", "--out", folder / threads, "--trials", "40", "--threads", threads}));
     EXPECT_EQ(run.err, "");
     EXPECT_EQ(entries(folder / threads), all_files);
   }

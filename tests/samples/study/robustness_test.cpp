@@ -165,9 +165,8 @@ TEST(StudyRobustness, PeopleWhoCannotHoldAreCountedApartAndFound) {
 }
 
 TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
-  const StudyRun run = run_study({"robustness", "--people", "5", "--durations", "1", "--family", "place,linear",
-                                  "--format", "csv", "--seed", "3"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(0, run_study({"robustness", "--people", "5", "--durations", "1", "--family",
+                                                 "place,linear", "--format", "csv", "--seed", "3"}));
   const auto rows = lines(run.out);
   ASSERT_EQ(rows.size(), 1 + 2 * leadings.size());
   EXPECT_TRUE(rows[0].starts_with(
@@ -247,9 +246,8 @@ TEST(StudyRobustness, WhatIsMisplacedMissesSilently) {
 TEST(StudyRobustness, APersonOfOnesOwn) {
   const TemporaryFolder folder;
   std::ofstream(folder / "me, myself.json") << R"({"tactile_weight": 0.25, "duration_s": 2})";
-  const StudyRun run =
-      run_study({"robustness", "--person", folder / "me, myself.json", "--people", "8", "--format", "csv"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(
+      0, run_study({"robustness", "--person", folder / "me, myself.json", "--people", "8", "--format", "csv"}));
   const auto rows = lines(run.out);
   ASSERT_EQ(rows.size(), 1 + leadings.size());
   EXPECT_EQ(field(rows[0], rows[3], "family"), "me__myself");

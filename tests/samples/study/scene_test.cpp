@@ -13,8 +13,7 @@ const std::string scenes = HRT_SCENES;
 // The real cylinder is straight ahead. At rest w T + 0.9 * 0 = theta_V, so T is 6 / 0.1 = 60, -8 / 0.1 = -80;
 // 12 needs 120, which is 108 from the virtual direction and further than 84.5. At 0.15 it needs 80.
 TEST(StudyScene, DeskByHand) {
-  const StudyRun run = run_study({"scene", scenes + "/desk.gltf"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(0, run_study({"scene", scenes + "/desk.gltf"}));
   const auto rows = lines(run.out);
   EXPECT_EQ(rows[0], "Plate Desk/Apparatus/Plate: radius 75.0 mm, at most 400 deg/s");
   EXPECT_EQ(rows[1], "Start (default): x 0.0 mm, z 50.0 mm from the plate's centre");
@@ -29,8 +28,7 @@ TEST(StudyScene, DeskByHand) {
 }
 
 TEST(StudyScene, Table1AsJson) {
-  const StudyRun run = run_study({"scene", scenes + "/table1.gltf", "--format", "json"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(0, run_study({"scene", scenes + "/table1.gltf", "--format", "json"}));
   const auto page = nlohmann::json::parse(run.out);
   ASSERT_EQ(page["rows"].size(), 18U);
   for (const auto& pair : page["rows"]) {
@@ -47,8 +45,7 @@ TEST(StudyScene, GapIsTheShorterWayRound) {
     {"name":"Plate","extras":{"haptic_role":"plate","haptic_radius_m":0.075}},
     {"name":"Real","translation":[-0.0087155743,0,0.1496194698],"extras":{"haptic_role":"real"}},
     {"name":"Virtual","translation":[0.0087155743,0,0.1496194698],"extras":{"haptic_role":"virtual"}}]})";
-  const StudyRun run = run_study({"scene", file, "--format", "json", "--tactile-weight", "0.15"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(0, run_study({"scene", file, "--format", "json", "--tactile-weight", "0.15"}));
   EXPECT_NEAR(nlohmann::json::parse(run.out)["rows"][0]["gap_deg"].get<double>(), 10.0, 1e-6);
 }
 

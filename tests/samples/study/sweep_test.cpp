@@ -25,8 +25,7 @@ std::string column(const std::string& csv, std::size_t row, const std::string& n
 
 // The last list varies fastest: gap, tactile weight, horizon.
 TEST(StudySweep, RowsAreEveryCombinationInOrder) {
-  const StudyRun run = run_study(small_grid);
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(0, run_study(small_grid));
   EXPECT_EQ(run.err, "");
   ASSERT_EQ(lines(run.out).size(), 13U);
   std::size_t row = 0;
@@ -45,9 +44,9 @@ TEST(StudySweep, RowsAreEveryCombinationInOrder) {
 }
 
 TEST(StudySweep, ResultsAreTheLibrarysToTheBit) {
-  const StudyRun run = run_study({"sweep", "--gap", "10", "--virtual", "0,10", "--assumed-tactile-weight", "0.12",
-                                  "--plate-rate-bound", "40", "--trials", "70", "--seed", "5"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run =
+      expect_exit(0, run_study({"sweep", "--gap", "10", "--virtual", "0,10", "--assumed-tactile-weight", "0.12",
+                                "--plate-rate-bound", "40", "--trials", "70", "--seed", "5"}));
   Condition condition{.real_direction_deg = 0.0, .virtual_direction_deg = 10.0};
   condition.controller.participant.tactile_weight = 0.12;
   condition.controller.mpc.plate_rate_bound_deg = 40.0;

@@ -152,8 +152,8 @@ TEST(StudyTable1, TextSaysWhatDoesNotReproduce) {
 // Rest at -w T / (1 - w): 60 degrees bend the path by 0.15 * 60 / 0.85 = 10.6 to the other side.
 TEST(StudyRidges, PathsBendAwayFromTheRidges) {
   const TemporaryFolder folder;
-  const StudyRun run = run_study({"ridges", "--trials", "200", "--format", "json", "--plot", folder / "fig1c.svg"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run =
+      expect_exit(0, run_study({"ridges", "--trials", "200", "--format", "json", "--plot", folder / "fig1c.svg"}));
   const json page = json::parse(run.out);
   const double plates_deg[] = {-60.0, -30.0, 0.0, 30.0, 60.0};
   ASSERT_EQ(page["rows"].size(), 5U);

@@ -17,10 +17,9 @@ const std::string header =
 // sensory variance of 0.5: h_0 = 0.25 * 10 + 0.75 * 0, theta_0 = 4 + 2/3 (2.5 - 4) = 3, u_0 = 1, P_1 = 1 plus
 // the estimation noise, which the row states.
 TEST(StudyTrial, FirstStepByHand) {
-  const StudyRun run =
-      run_study({"trial", "--real", "0", "--virtual", "4", "--tactile-weight", "0.25", "--motor-variance", "0",
-                 "--sensory-variance", "0.5", "--initial-variance", "1", "--steps", "2", "--fixed-plate", "10"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(
+      0, run_study({"trial", "--real", "0", "--virtual", "4", "--tactile-weight", "0.25", "--motor-variance", "0",
+                    "--sensory-variance", "0.5", "--initial-variance", "1", "--steps", "2", "--fixed-plate", "10"}));
   EXPECT_EQ(run.err, "");
   const auto rows = lines(run.out);
   ASSERT_EQ(rows.size(), 4U);
@@ -38,10 +37,9 @@ TEST(StudyTrial, FirstStepByHand) {
 }
 
 TEST(StudyTrial, RowsReadBackToTheBitsOfTheLibrary) {
-  const StudyRun run =
-      run_study({"trial", "--real", "0", "--virtual", "10", "--seed", "18446744073709551615", "--condition", "7",
-                 "--trial", "11", "--tactile-weight", "0.1", "--plate-rate-bound", "40", "--horizon", "5"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StudyRun run = expect_exit(
+      0, run_study({"trial", "--real", "0", "--virtual", "10", "--seed", "18446744073709551615", "--condition", "7",
+                    "--trial", "11", "--tactile-weight", "0.1", "--plate-rate-bound", "40", "--horizon", "5"}));
   Condition condition{.real_direction_deg = 0.0, .virtual_direction_deg = 10.0};
   condition.participant.tactile_weight = condition.controller.participant.tactile_weight = 0.1;
   condition.controller.mpc.plate_rate_bound_deg = 40.0;
@@ -75,8 +73,7 @@ TEST(StudyTrial, RowsReadBackToTheBitsOfTheLibrary) {
 TEST(StudyTrial, FileHoldsWhatStandardOutputWould) {
   const TemporaryFolder folder;
   const StudyRun shown = run_study({"trial"});
-  const StudyRun written = run_study({"trial", "--out", folder / "trial.csv"});
-  ASSERT_EQ(written.exit_code, 0) << written.err;
+  const StudyRun written = expect_exit(0, run_study({"trial", "--out", folder / "trial.csv"}));
   EXPECT_EQ(written.out, "");
   EXPECT_EQ(read_file(folder / "trial.csv"), shown.out);
   EXPECT_EQ(entries(folder.path), std::vector<std::string>{"trial.csv"});
