@@ -124,8 +124,8 @@ typedef struct hrt_command {
   int64_t step;
   /** Plate orientation (base.h) to turn to now. Of the orientations with the same ridges between the stops it
    * is the nearest one, if the configured speed and acceleration are unlimited. Otherwise the plate stays in
-   * one half turn for the whole reach, limited by the stops. Without stops reaches may wind it up, by some 10
-   * degrees each: it is the device's to count turns, or to leave whole ones out. */
+   * one half turn for the whole reach, limited by the stops. Without stops one reach after another may wind it
+   * up: it is the device's to count turns, or to leave whole ones out. */
   double plate_orientation_deg;
   /** Direction of the finger in the last step, observed or predicted. */
   double finger_direction_deg;

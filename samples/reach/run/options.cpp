@@ -113,7 +113,7 @@ void add_place(CLI::App& app, Options& options) {
       ->needs(anew);
   app.add_flag("--guides", options.guides,
                "When registering, ask after it for slides along a guide to each real target, such as the plate's\n"
-               "printed strip: three times as exact; the file keeps it")
+               "printed strip: half the error or less; the file keeps it")
       ->needs(anew);
   app.add_flag("--check-each", options.check_each,
                "Ask for the touch that checks a registered plate before every reach, not only the first");
