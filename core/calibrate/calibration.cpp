@@ -18,6 +18,8 @@ constexpr double min_offset_deg = 60.0;
 constexpr double max_weight_width = 0.1;
 constexpr double max_angle_width_deg = 10.0;
 constexpr int band_steps = 15;  // to either side, of 5 degrees
+// Between two knots a curve may be higher by this share of what it bends there (SD).
+constexpr double peak_share = 0.25;
 // A slow start is no noise of a finger at rest.
 constexpr std::int64_t before_onset_ns = 50'000'000;
 
@@ -50,32 +52,18 @@ std::string three_digits(double value) {
   return text.substr(0, text.find('.') + 4);
 }
 
-// The controller's curve from the fit of its own family: exact for no other, but the nearest of its kind. Its
-// covariance holds whatever the family is.
+// The controller's curve, the nearest of its kind.
 void describe_controllers_curve(const PersonFit& person, Calibration* calibration) {
-  const auto own = std::find_if(person.families.begin(), person.families.end(), [](const FamilyFit& family) {
-    return family.fit.person.curve.family == CurveFamily::cubic;
-  });
-  const CurveFit& fit = own != person.families.end() ? own->fit : person.best();
-  const auto interval = [](const FitValue& value) {
-    return Interval{value.value, value.value - normal_975 * value.deviation, value.value + normal_975 * value.deviation,
-                    true};
-  };
-  const FitValue slope = fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.first; });
-  calibration->slope = interval(slope);
-  if (fit.person.curve.family != CurveFamily::cubic) {
-    calibration->curve = {0.0, -0.1, 0.5, false};
-    return;
-  }
-  const FitValue curve = fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.second; });
-  const FitValue sum = fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.first + p.curve.second; });
-  calibration->curve = interval(curve);
-  const double product = slope.deviation * curve.deviation;
-  if (product > 0.0)
+  const auto slope = [](const SlidingPersonModel& p) { return controllers_curve(p.curve).weight; };
+  const auto curve = [](const SlidingPersonModel& p) { return controllers_curve(p.curve).curve; };
+  calibration->slope = person.value(slope);
+  calibration->curve = person.value(curve);
+  const double slope_sd = fit_value(person.fit, slope).deviation;
+  const double curve_sd = fit_value(person.fit, curve).deviation;
+  const double sum_sd = fit_value(person.fit, [&](const auto& p) { return slope(p) + curve(p); }).deviation;
+  if (slope_sd * curve_sd > 0.0)
     calibration->slope_curve_correlation = std::clamp(
-        (sum.deviation * sum.deviation - slope.deviation * slope.deviation - curve.deviation * curve.deviation) /
-            (2.0 * product),
-        -1.0, 1.0);
+        (sum_sd * sum_sd - slope_sd * slope_sd - curve_sd * curve_sd) / (2.0 * slope_sd * curve_sd), -1.0, 1.0);
 }
 
 std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::size_t trials) {
@@ -108,18 +96,21 @@ std::vector<TimedPoint> rest_of(const CalibrationTrial& trial, const SlideTrack&
           })};
 }
 
+void widen(double half, Interval* interval) {
+  interval->lower = interval->value - std::hypot(interval->value - interval->lower, half);
+  interval->upper = interval->value + std::hypot(interval->upper - interval->value, half);
+}
+
 Calibration described(const PersonFit& person) {
   Calibration calibration;
   calibration.lack_of_fit = person.lack_of_fit;
-  calibration.illusion = person.best().person.curve;
-  for (const FamilyFit& family : person.families)
-    calibration.families.push_back(
-        {family.fit.person.curve.family, family.probability, curve_weight(family.fit.person.curve)});
   calibration.tactile_weight = person.value([](const auto& p) { return curve_weight(p.curve); });
   calibration.bias_deg = person.value([](const auto& p) { return p.bias_deg; });
   calibration.habit_deg = person.value([](const auto& p) { return p.habit_deg; });
+  const CurvePeak peak = weaker_peak(person.fit.person.curve);
   calibration.max_gap_deg = person.value([](const auto& p) { return weaker_peak(p.curve).shift_deg; });
-  calibration.peak_offset_deg = weaker_peak(calibration.illusion).offset_deg;
+  widen(normal_975 * peak_share * curve_bend_deg(person.fit.person.curve, peak.offset_deg), &calibration.max_gap_deg);
+  calibration.peak_offset_deg = peak.offset_deg;
   describe_controllers_curve(person, &calibration);
   for (int step = -band_steps; step <= band_steps; ++step) {
     const double offset_deg = curve_bound_deg * step / band_steps;
@@ -129,7 +120,6 @@ Calibration described(const PersonFit& person) {
 
   const bool fits = calibration.fits();
   const bool reaches = std::min(person.max_left_deg, person.max_right_deg) >= min_offset_deg;
-  const bool curved = calibration.families.size() > 1;
   const auto is_within = [](const Interval& interval, double width) {
     return interval.upper - interval.lower <= width;
   };
@@ -137,8 +127,8 @@ Calibration described(const PersonFit& person) {
   calibration.slope.known = fits;
   calibration.bias_deg.known = fits && is_within(calibration.bias_deg, max_angle_width_deg);
   calibration.habit_deg.known = fits && is_within(calibration.habit_deg, max_angle_width_deg);
-  calibration.curve.known = fits && curved;
-  calibration.max_gap_deg.known = fits && curved && reaches && is_within(calibration.max_gap_deg, max_angle_width_deg);
+  calibration.curve.known = fits;
+  calibration.max_gap_deg.known = fits && reaches && is_within(calibration.max_gap_deg, max_angle_width_deg);
   return calibration;
 }
 
@@ -154,11 +144,10 @@ std::size_t Calibration::count(SlideVerdict verdict) const {
 }
 
 std::vector<std::string> Calibration::advice() const {
-  static_assert(min_curve_angles == 7);
   std::vector<std::string> sentences;
   if (lack_of_fit.angle_p < min_fit_p)
     sentences.emplace_back(
-        "no family of curves fits the directions over the plate's angle: check the plate's "
+        "no curve fits the directions over the plate's angle: check the plate's "
         "angles and the target's direction, then add slides at the angles that are off");
   if (lack_of_fit.order_p < min_fit_p)
     sentences.emplace_back(
@@ -168,9 +157,7 @@ std::vector<std::string> Calibration::advice() const {
     sentences.emplace_back(
         "the paths bend in a way that neither a habit nor the steering law explains: ask for "
         "one even motion, slower and longer, and repeat the calibration");
-  if (families.size() == 1)
-    sentences.emplace_back("the illusion was taken for linear: a curve takes slides at 7 plate angles or more");
-  else if (fits() && !max_gap_deg.known)
+  if (fits() && !max_gap_deg.known)
     sentences.emplace_back(
         "the largest gap is extrapolated: add slides with the plate farther from the goal, on "
         "both sides");
@@ -220,7 +207,7 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
     calibration.slides.push_back({.trial = trial,
                                   .plate_deg = track.plate_deg,
                                   .parts_deg = track.direction_deg,
-                                  .fitted_deg = predicted_directions(track, person.best().person),
+                                  .fitted_deg = predicted_directions(track, person.fit.person),
                                   .verdict = person.verdicts[i]});
     if (person.verdicts[i] != SlideVerdict::used) continue;
     rests.push_back(rest_of(trials[trial], track));

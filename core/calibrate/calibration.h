@@ -30,13 +30,6 @@ struct CurvePoint {
   Interval shift_deg;
 };
 
-/// How a family of curves fares.
-struct FamilyScore {
-  CurveFamily family;
-  double probability;
-  double weight;
-};
-
 /// `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not show it.
 struct Calibration {
   Interval tactile_weight;                   ///< felt shift over offset at 60 degrees, mean of both sides
@@ -49,9 +42,7 @@ struct Calibration {
   double slope_curve_correlation = 0.0;
   RestNoise noise;  ///< of the tracker, from the finger at rest before each slide
 
-  IllusionCurve illusion;             ///< of the likeliest family
-  std::vector<FamilyScore> families;  ///< compared, the likeliest first; linear alone with few angles
-  std::vector<CurvePoint> band;       ///< from -75 to 75 degrees
+  std::vector<CurvePoint> band;  ///< from -75 to 75 degrees
   LackOfFit lack_of_fit;
   std::vector<CalibratedSlide> slides;  ///< every trial with a slide over a plate at rest
   std::size_t slides_turned = 0;        ///< left out: the plate turned within them
@@ -80,8 +71,7 @@ struct CalibrationRefusal {
 /// `goal_direction_deg`: direction of the target that the participant goes for, finite.
 ///
 /// Needs at least `min_trials` slides of at least 30 mm that count, at three plate angles or more that span
-/// 40 degrees: one angle alone cannot separate w_T from a bias. A curve takes `min_curve_angles`; with
-/// fewer the illusion is taken for linear. Refuses a w_T whose interval is not within the usable range
+/// 40 degrees: one angle alone cannot separate w_T from a bias. Refuses a w_T whose interval is not within the usable range
 /// (0.02, 0.48).
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         double goal_direction_deg = 0.0);

@@ -23,109 +23,81 @@ constexpr std::array<double, slide_parts> law_deviation_deg{2.0, 0.7, 0.25, 0.1}
 // The same of all slides of a person, in proportion to the plate's angle, as a share of that.
 constexpr double common_share = 0.45;
 constexpr double common_angle_deg = 60.0;
-// The mean turn of a habit may be wrong by this share of it, and is then taken for a bias.
-constexpr double habit_as_bias = 0.04;
-// People who steer to a place, not in a direction, turn back what they have felt: as by a curve that is
-// larger by twice this share. Half of it is allowed for, since most people need none.
-constexpr double place_as_curve = 0.005;
 // The rate k of correction is 1.6 to 37 /s, D up to 0.2 s as in slide_model.h, L within 0.15 s.
 constexpr double min_log_gain = 0.5;
 constexpr double max_log_gain = 3.6;
 constexpr double max_delay_s = 0.2;
 constexpr double max_goal_delay_s = 0.15;
-// Directions are within max_direction_deg; a curve's first number within these, with room about those of
-// people.
-constexpr double min_first = -0.2;
-constexpr double max_first = 0.8;
+// The slope of the curve; wide about those of people, as is a bend of one knot.
+constexpr double min_slope = -0.2;
+constexpr double max_slope = 0.8;
+constexpr double max_bend_deg = 20.0;
+constexpr double max_drift = 0.6;
 constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
-// The weight from which a fit sets out.
-constexpr double first_weight = 0.18;
+// The slope from which a fit sets out.
+constexpr double first_slope = 0.18;
+// Before any slide the slope may change at a knot by as much as it is (SD), as where an illusion saturates.
+constexpr double min_steepness = 0.02;
 
-enum Parameter { bias, habit, start, log_gain, delay, goal_delay, start_share, first, second };
+// One-sided differences take smaller steps.
+constexpr double rough_share = 1e-4;
 
-struct Limits {
-  double min;
-  double max;
-};
+enum Parameter { bias, habit, start, log_gain, delay, goal_delay, start_share, drift, slope, bends };
+static_assert(bends + curve_bends == fit_parameters);
 
-Limits limits(CurveFamily family, int parameter) {
-  switch (parameter) {
-    case log_gain:
-      return {min_log_gain, max_log_gain};
-    case delay:
-      return {0.0, max_delay_s};
-    case goal_delay:
-      return {-max_goal_delay_s, max_goal_delay_s};
-    case start_share:
-      return {min_start_share, max_start_share};
-    case first:
-      return {min_first, max_first};
-    case second: {
-      const CurveRange range = second_range(family);
-      return {range.min, range.max};
-    }
-    default:
-      return {-max_direction_deg, max_direction_deg};
-  }
-}
-
-FitVector clamped(CurveFamily family, FitVector parameters) {
-  for (int i = 0; i < parameters.size(); ++i) {
-    const Limits range = limits(family, i);
-    parameters(i) = std::clamp(parameters(i), range.min, range.max);
-  }
+FitVector clamped(FitVector parameters) {
+  for (const int i : {bias, habit, start})
+    parameters(i) = std::clamp(parameters(i), -max_direction_deg, max_direction_deg);
+  parameters(log_gain) = std::clamp(parameters(log_gain), min_log_gain, max_log_gain);
+  parameters(delay) = std::clamp(parameters(delay), 0.0, max_delay_s);
+  parameters(goal_delay) = std::clamp(parameters(goal_delay), -max_goal_delay_s, max_goal_delay_s);
+  parameters(start_share) = std::clamp(parameters(start_share), min_start_share, max_start_share);
+  parameters(drift) = std::clamp(parameters(drift), -max_drift, max_drift);
+  parameters(slope) = std::clamp(parameters(slope), min_slope, max_slope);
+  for (int i = bends; i < fit_parameters; ++i) parameters(i) = std::clamp(parameters(i), -max_bend_deg, max_bend_deg);
   return parameters;
 }
 
-Prior prior(CurveFamily family, int parameter) {
-  constexpr std::array<Prior, second> priors{
-      {{0.0, 100.0}, {0.0, 20.0}, {0.0, 10.0}, {2.2, 1.0}, {0.06, 0.2}, {0.0, 0.05}, {0.0, 0.3}, {0.2, 1.0}}};
-  if (parameter < second) return priors[static_cast<std::size_t>(parameter)];
-  const CurveRange range = second_range(family);
-  return {0.5 * (range.min + range.max), range.max - range.min};
-}
-
-// By family, in the parameters' order.
-void set_prior(CurveFamily family, LeastSquares* problem) {
-  const auto count = static_cast<Eigen::Index>(first + curve_parameters(family));
-  problem->prior_mean.resize(count);
-  problem->prior_deviation.resize(count);
-  for (int i = 0; i < count; ++i) {
-    const Prior expected = prior(family, i);
+void set_prior(LeastSquares* problem) {
+  constexpr std::array<Prior, bends> priors{
+      {{0.0, 100.0}, {0.0, 20.0}, {0.0, 10.0}, {2.2, 1.0}, {0.06, 0.2}, {0.0, 0.05}, {0.0, 0.3}, {0.0, 0.1}, {0.2, 1.0}}};
+  problem->prior_mean.resize(fit_parameters);
+  problem->prior_deviation.resize(fit_parameters);
+  for (int i = 0; i < fit_parameters; ++i) {
+    const Prior expected = i < bends ? priors[static_cast<std::size_t>(i)] : Prior{0.0, first_slope * IllusionCurve::spacing_deg};
     problem->prior_mean(i) = expected.mean;
     problem->prior_deviation(i) = expected.deviation;
   }
 }
 
 SlideJacobian rough_jacobian(const SlideTrack& track, const SlidingPersonModel& person) {
-  const CurveFamily family = person.curve.family;
   const FitVector middle = fit_vector(person);
   const SlideDirections here_deg = predicted_directions(track, person);
   SlideJacobian jacobian(slide_parts, middle.size());
   for (int i = 0; i < middle.size(); ++i) {
-    const double step = fit_derivative_step(family, i);
     FitVector above = middle;
+    const double step = rough_share * fit_step(i);
     above(i) += step;
-    jacobian.col(i) = (predicted_directions(track, fitted_person(family, above)) - here_deg) / step;
+    jacobian.col(i) = (predicted_directions(track, fitted_person(above)) - here_deg) / step;
   }
   return jacobian;
 }
 
 // Residuals and derivatives are multiplied by `root`: root' root is the weight.
-LeastSquares problem_of(CurveFamily family, std::span<const SlideTrack> slides, const Eigen::MatrixXd& root) {
+LeastSquares problem_of(std::span<const SlideTrack> slides, const Eigen::MatrixXd& root) {
   LeastSquares problem;
-  set_prior(family, &problem);
-  problem.clamped = [family](const FitVector& parameters) { return clamped(family, parameters); };
+  set_prior(&problem);
+  problem.clamped = clamped;
   problem.residuals = [=](const FitVector& parameters) {
-    const SlidingPersonModel person = fitted_person(family, parameters);
+    const SlidingPersonModel person = fitted_person(parameters);
     std::vector<Eigen::VectorXd> residuals;
     for (const SlideTrack& slide : slides)
       residuals.emplace_back(product(root, slide.direction_deg - predicted_directions(slide, person)));
     return residuals;
   };
   problem.derivatives = [=](const FitVector& parameters) {
-    const SlidingPersonModel person = fitted_person(family, parameters);
+    const SlidingPersonModel person = fitted_person(parameters);
     std::vector<Eigen::MatrixXd> derivatives;
     for (const SlideTrack& slide : slides) derivatives.push_back(product(root, rough_jacobian(slide, person)));
     return derivatives;
@@ -141,29 +113,7 @@ FitMatrix common_covariance(const CurveFit& fit, std::span<const SlideTrack> sli
     tilted += (slides[i].plate_deg / common_angle_deg) * product(weight, fit.jacobians[i]);
   for (int part = 0; part < slide_parts; ++part) tilted.row(part) *= common_deviation_deg(part);
   FitMatrix common = congruence(product(tilted, inverted), PartsMatrix::Identity());
-  common(bias, bias) += habit_as_bias * habit_as_bias * fit.person.habit_deg * fit.person.habit_deg;
-  const IllusionCurve& curve = fit.person.curve;
-  FitVector larger = FitVector::Zero(common.rows());
-  larger(first) = place_as_curve * curve.first;
-  if (curve.family == CurveFamily::unequal || curve.family == CurveFamily::cubic)
-    larger(second) = place_as_curve * curve.second;
-  common += product(larger, larger.transpose());
   return common;
-}
-
-std::vector<double> first_guesses(CurveFamily family) {
-  switch (family) {
-    case CurveFamily::saturating:
-      return {62.0, 45.0};
-    case CurveFamily::tanh:
-      return {70.0};
-    case CurveFamily::dead_band:
-      return {8.0};
-    case CurveFamily::unequal:
-      return {0.15};
-    default:
-      return {0.0};
-  }
 }
 
 }  // namespace
@@ -177,14 +127,13 @@ PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
   return inverse(covariance);
 }
 
-double fit_derivative_step(CurveFamily family, int parameter) {
-  const bool angle = parameter == second && (family == CurveFamily::saturating || family == CurveFamily::tanh ||
-                                             family == CurveFamily::dead_band);
-  return angle ? 0.5 : fit_step[parameter];
+double fit_step(int parameter) {
+  constexpr std::array<double, bends> steps{0.05, 0.05, 0.05, 0.02, 0.003, 0.003, 0.01, 0.01, 0.002};
+  return parameter < bends ? steps[static_cast<std::size_t>(parameter)] : 0.03;
 }
 
 FitVector fit_vector(const SlidingPersonModel& person) {
-  FitVector parameters(first + curve_parameters(person.curve.family));
+  FitVector parameters(fit_parameters);
   parameters(bias) = person.bias_deg;
   parameters(habit) = person.habit_deg;
   parameters(start) = person.start_deg;
@@ -192,15 +141,20 @@ FitVector fit_vector(const SlidingPersonModel& person) {
   parameters(delay) = person.delay_s;
   parameters(goal_delay) = person.goal_delay_s;
   parameters(start_share) = person.start_share;
-  parameters(first) = person.curve.first;
-  if (parameters.size() > second) parameters(second) = person.curve.second;
+  parameters(drift) = person.curve_drift;
+  parameters(slope) = curve_slope(person.curve);
+  const CurveBends bend_deg = bends_of(person.curve);
+  for (int i = 0; i < curve_bends; ++i) parameters(bends + i) = bend_deg[static_cast<std::size_t>(i)];
   return parameters;
 }
 
-SlidingPersonModel fitted_person(CurveFamily family, const FitVector& parameters) {
-  return {.curve = {family, parameters(first), parameters.size() > second ? parameters(second) : 0.0},
+SlidingPersonModel fitted_person(const FitVector& parameters) {
+  CurveBends bend_deg{};
+  for (int i = 0; i < curve_bends; ++i) bend_deg[static_cast<std::size_t>(i)] = parameters(bends + i);
+  return {.curve = bent_curve(parameters(slope), bend_deg),
           .bias_deg = parameters(bias),
           .habit_deg = parameters(habit),
+          .curve_drift = parameters(drift),
           .start_deg = parameters(start),
           .start_share = parameters(start_share),
           .log_gain = parameters(log_gain),
@@ -212,26 +166,28 @@ SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& 
   const FitVector middle = fit_vector(person);
   SlideJacobian jacobian(slide_parts, middle.size());
   for (int i = 0; i < middle.size(); ++i)
-    jacobian.col(i) = fit_derivative(person.curve.family, middle, i, [&](const SlidingPersonModel& other) {
+    jacobian.col(i) = fit_derivative(middle, i, [&](const SlidingPersonModel& other) {
       return predicted_directions(track, other);
     });
   return jacobian;
 }
 
-CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance) {
+CurveFit fit_curve(std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance) {
   const PartsMatrix weight = fit_weight(parts_covariance);
   const Eigen::MatrixXd root = cholesky_factor(weight).transpose();
-  const LeastSquares problem = problem_of(family, slides, root);
-  LeastSquaresFit found;
-  for (const double guess : first_guesses(family)) {
-    const LeastSquaresFit tried = descend(problem, fit_vector({.curve = {family, first_weight, guess}}));
-    if (found.parameters.size() == 0 || tried.misfit < found.misfit) found = tried;
-  }
+  LeastSquares problem = problem_of(slides, root);
+  LeastSquaresFit found = descend(problem, fit_vector({.curve = bent_curve(first_slope)}));
+
+  const IllusionCurve first_curve = fitted_person(found.parameters).curve;
+  const double steepness = std::max({curve_slope(first_curve), curve_weight(first_curve), min_steepness});
+  problem.prior_deviation.tail(curve_bends).setConstant(steepness * IllusionCurve::spacing_deg);
+  found = descend(problem, found.parameters);
 
   CurveFit best;
-  best.person = fitted_person(family, found.parameters);
+  best.person = fitted_person(found.parameters);
   best.misfit = found.misfit;
-  best.bic = best.misfit + static_cast<double>(found.parameters.size()) * logarithm(static_cast<double>(slides.size()));
+  best.prior_deviation = problem.prior_deviation;
+  best.prior_off = (problem.prior_mean - found.parameters).cwiseQuotient(problem.prior_deviation);
   std::vector<Eigen::VectorXd> residuals;
   std::vector<Eigen::MatrixXd> derivatives;
   for (const SlideTrack& slide : slides) {
@@ -241,6 +197,8 @@ CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides, const
     derivatives.push_back(product(root, best.jacobians.back()));
   }
   best.information = information_of(derivatives, problem.prior_deviation);
+  best.effective = static_cast<double>(fit_parameters) -
+                   inverse(best.information).diagonal().cwiseQuotient(problem.prior_deviation.cwiseAbs2()).sum();
   best.covariance =
       jackknife_covariance(residuals, derivatives, problem.prior_deviation) + common_covariance(best, slides, weight);
   return best;

@@ -10,10 +10,12 @@ namespace {
 
 constexpr double rank_threshold = 1e-5;
 
-// Residuals and derivatives of all slides, in units in which residuals are independent with one variance.
+// Residuals and derivatives of all slides, in units in which residuals are independent with one variance, and below
+// them what the parameters' prior expects.
 struct Whitened {
   Eigen::VectorXd residuals;
   Eigen::MatrixXd derivatives;
+  double degrees;  ///< of freedom that the fit leaves
 };
 
 // The probability of the share that `patterns` explain beyond the fit's own derivatives, and beyond what the
@@ -24,7 +26,7 @@ double pattern_p(const Whitened& whitened, const Eigen::MatrixXd& patterns, cons
   both << whitened.derivatives, patterns;
   const LinearFit with = linear_fit(both, whitened.residuals, rank_threshold);
   const auto gained = static_cast<double>(with.rank - without.rank);
-  const auto degrees = static_cast<double>(whitened.residuals.size() - with.rank);
+  const double degrees = whitened.degrees - gained;
   if (gained < 1.0 || degrees < 4.0) return 1.0;
   double allowed = 0.0;
   for (Eigen::Index i = 0; i < patterns.cols(); ++i)
@@ -38,11 +40,14 @@ LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, s
                       const PartsMatrix& parts_covariance, int degree) {
   const auto count = static_cast<Eigen::Index>(slides.size());
   const PartsMatrix whitening = whitening_of(parts_covariance);
-  Whitened whitened{Eigen::VectorXd(count * slide_parts),
-                    Eigen::MatrixXd(count * slide_parts, fit.jacobians.front().cols())};
-  Eigen::MatrixXd angle = Eigen::MatrixXd::Zero(count * slide_parts, degree - 1);
-  Eigen::MatrixXd trend = Eigen::MatrixXd::Zero(count * slide_parts, 2);
-  Eigen::MatrixXd path = Eigen::MatrixXd::Zero(count * slide_parts, Eigen::Index{2} * slide_parts);
+  const Eigen::Index rows = count * slide_parts + fit_parameters;
+  Whitened whitened{Eigen::VectorXd(rows), Eigen::MatrixXd::Zero(rows, fit_parameters),
+                    static_cast<double>(count * slide_parts) - fit.effective};
+  whitened.residuals.tail(fit_parameters) = fit.prior_off;
+  whitened.derivatives.bottomRows(fit_parameters).diagonal() = fit.prior_deviation.cwiseInverse();
+  Eigen::MatrixXd angle = Eigen::MatrixXd::Zero(rows, degree - 1);
+  Eigen::MatrixXd trend = Eigen::MatrixXd::Zero(rows, 2);
+  Eigen::MatrixXd path = Eigen::MatrixXd::Zero(rows, Eigen::Index{2} * slide_parts);
   const double last = *std::max_element(order.begin(), order.end());
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/math/exponential.h"
-
 namespace hrt {
 namespace {
 
@@ -18,13 +16,9 @@ constexpr int enough_angles = 5;
 }  // namespace
 
 Interval PersonFit::value(const std::function<double(const SlidingPersonModel&)>& number) const {
-  std::vector<NormalPart> parts;
-  for (const FamilyFit& family : families) {
-    const FitValue value = fit_value(family.fit, number);
-    const double degrees = static_cast<double>(used.size()) - static_cast<double>(family.fit.covariance.rows());
-    parts.push_back({family.probability, value.value, value.deviation * student_975(degrees) / normal_975});
-  }
-  return mixture_interval(parts);
+  const FitValue found = fit_value(fit, number);
+  const double half = found.deviation * student_975(static_cast<double>(used.size()) - fit.effective);
+  return {found.value, found.value - half, found.value + half};
 }
 
 CurvePeak weaker_peak(const IllusionCurve& curve) {
@@ -80,19 +74,9 @@ PersonFit fit_person(std::span<const SlideTrack> slides, std::span<const double>
     person.max_right_deg = std::max(person.max_right_deg, -offset_deg);
   }
 
-  const int compared = different_angles(fitted) >= min_curve_angles ? curve_families : 1;
-  for (int i = 0; i < compared; ++i)
-    person.families.push_back({fit_curve(static_cast<CurveFamily>(i), fitted, person.scatter.covariance), 0.0});
-  // Not std::stable_sort, which takes memory and does without if there is none.
-  std::sort(person.families.begin(), person.families.end(), [](const FamilyFit& a, const FamilyFit& b) {
-    return std::pair(a.fit.bic, a.fit.person.curve.family) < std::pair(b.fit.bic, b.fit.person.curve.family);
-  });
-  double sum = 0.0;
-  for (FamilyFit& family : person.families)
-    sum += family.probability = exponential(-0.5 * (family.fit.bic - person.best().bic));
-  for (FamilyFit& family : person.families) family.probability /= sum;
+  person.fit = fit_curve(fitted, person.scatter.covariance);
   person.lack_of_fit =
-      lack_of_fit(person.best(), fitted, fitted_order, person.scatter.covariance, polynomial_degree(fitted));
+      lack_of_fit(person.fit, fitted, fitted_order, person.scatter.covariance, polynomial_degree(fitted));
   return person;
 }
 

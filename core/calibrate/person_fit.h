@@ -1,4 +1,4 @@
-// Who made these slides: all families of illusion curves fitted to them and compared.
+// Who made these slides: the fit of a person to those of them that count.
 #pragma once
 
 #include <functional>
@@ -17,27 +17,19 @@ enum class SlideVerdict {
                  ///< flips
 };
 
-struct FamilyFit {
-  CurveFit fit;
-  double probability;  ///< of this family among those compared, by BIC
-};
-
 struct PersonFit {
   std::vector<SlideVerdict> verdicts;  ///< one a slide
   std::vector<std::size_t> used;       ///< which slides are fitted
   SlideScatter scatter;                ///< of those, and of the outliers among them
-  std::vector<FamilyFit> families;     ///< the likeliest first; linear alone with few angles
-  LackOfFit lack_of_fit;               ///< of the likeliest
+  CurveFit fit;
+  LackOfFit lack_of_fit;
   double max_left_deg = 0.0;           ///< settled offset from motion to ridge normal, over the slides used
   double max_right_deg = 0.0;
 
-  const CurveFit& best() const { return families.front().fit; }
-  /// A number's median over the families' estimates, and the 95 % interval of their mixture.
+  /// A number that depends on the person, and its 95 % interval.
   Interval value(const std::function<double(const SlidingPersonModel&)>& number) const;
 };
 
-/// A curve, not a line, takes at least this many different plate angles.
-inline constexpr int min_curve_angles = 7;
 /// Beyond this offset from motion to ridge normal a slide does not count: a person who overshoots crosses 90.
 /// If that leaves fewer than 10 slides or 5 angles, the second limit holds.
 inline constexpr double max_offset_deg = 78.0;

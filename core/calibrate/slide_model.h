@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibrate/slide_track.h"
-#include "core/person/illusion_curve.h"
+#include "core/calibrate/illusion_curve.h"
 
 namespace hrt {
 
@@ -14,6 +14,7 @@ struct SlidingPersonModel {
   IllusionCurve curve;
   double bias_deg = 0.0;      ///< goal at the middle of the path
   double habit_deg = 0.0;     ///< goal at the start less the bias; the goal turns evenly to -habit at the end
+  double curve_drift = 0.0;   ///< by this share the curve is larger at the path's end than in its middle
   double start_deg = 0.0;     ///< direction in which they set out
   double start_share = 0.0;   ///< of the direction in which they end, added to it: 1 if nothing settles
   double log_gain = 2.2;      ///< natural logarithm of the rate k of correction, 1/s

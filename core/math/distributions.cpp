@@ -49,30 +49,6 @@ double incomplete_beta(double a, double b, double x) {
                                        : 1.0 - front * beta_fraction(b, a, 1.0 - x) / b;
 }
 
-// Beyond this many deviations from every part nothing is left of a mixture.
-constexpr double beyond_deviations = 8.0;
-constexpr int halvings = 60;
-
-// The x with P(mixture <= x) = `share`.
-double mixture_quantile(std::span<const NormalPart> parts, double share) {
-  double low = parts.front().mean;
-  double high = low;
-  for (const NormalPart& part : parts) {
-    low = std::min(low, part.mean - beyond_deviations * part.deviation);
-    high = std::max(high, part.mean + beyond_deviations * part.deviation);
-  }
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    double below = 0.0;
-    for (const NormalPart& part : parts) {
-      const double off = middle - part.mean;
-      below += part.probability * (part.deviation > 0.0 ? normal_cdf(off / part.deviation) : (off >= 0.0));
-    }
-    (below < share ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 }  // namespace
 
 double normal_cdf(double x) {
@@ -99,10 +75,6 @@ double student_975(double degrees) {
   const double n = std::max(degrees, 3.0);
   return z + (z3 + z) / (4.0 * n) + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * n * n) +
          (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * n * n * n);
-}
-
-Interval mixture_interval(std::span<const NormalPart> parts) {
-  return {mixture_quantile(parts, 0.5), mixture_quantile(parts, 0.025), mixture_quantile(parts, 0.975), true};
 }
 
 }  // namespace hrt

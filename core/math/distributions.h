@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace hrt {
@@ -33,16 +32,6 @@ double f_tail(double f, double numerator, double denominator);
 /// The 97.5 % point of Student's t with `degrees` of freedom, clamped to 3 or more; to 0.05 at 3 and to 0.003
 /// from 8 on.
 double student_975(double degrees);
-
-/// A normal distribution of a mixture.
-struct NormalPart {
-  double probability;
-  double mean;
-  double deviation;  ///< >= 0
-};
-
-/// The median and the 95 % interval of a mixture of at least one part, whose probabilities sum to 1.
-Interval mixture_interval(std::span<const NormalPart> parts);
 
 /// The standard deviation of normal values over the median of their absolute values: 1 / 0.6745.
 inline constexpr double mad_to_deviation = 1.4826;

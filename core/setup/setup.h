@@ -32,7 +32,7 @@ struct SetupConfig {
   PlatePoint carried;             ///< where the finger rests while the plate turns under it
   double lower_plate_deg = -75.0;
   double upper_plate_deg = 75.0;
-  double enough_weight_width = 0.02;  ///< of the 95 % interval of w_T
+  double enough_weight_width = 0.04;  ///< of the 95 % interval of w_T
   int max_slides = 40;                ///< at least `first_slides`
   double plate_orientation_deg = 0.0;
 };

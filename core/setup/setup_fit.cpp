@@ -55,8 +55,7 @@ SetupProblem calibrate_of(const Setup& setup, SetupFit* fit) {
   auto found = calibrate(setup.slides().trials());
   if (auto* calibration = std::get_if<Calibration>(&found)) {
     const Interval& weight = calibration->tactile_weight;
-    const bool enough = weight.known && calibration->families.size() > 1 &&
-                        weight.upper - weight.lower <= setup.config().enough_weight_width;
+    const bool enough = weight.known && weight.upper - weight.lower <= setup.config().enough_weight_width;
     if (enough || setup.slides_are_full()) fit->calibration = std::move(*calibration);
   }
   return fit->calibration || setup.slides_are_full() ? SetupProblem::none : SetupProblem::undetermined;

@@ -53,6 +53,8 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
       return w * std::copysign(std::max(0.0, std::abs(t) - scale), t);
     case IllusionFamily::unequal:
       return t > 0.0 ? w * t : 0.5 * w * t;
+    case IllusionFamily::peaked:
+      return w * std::copysign(std::min(std::abs(t), scale * (90.0 - std::abs(t)) / (90.0 - scale)), t);
   }
   return 0.0;
 }

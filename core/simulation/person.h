@@ -21,6 +21,7 @@ enum class IllusionFamily {
   tanh,        ///< w scale_deg tanh(t / scale_deg)
   dead_band,   ///< nothing within scale_deg of 0, w (|t| - scale_deg) beyond
   unequal,     ///< w t to the left, half of w t to the right
+  peaked,      ///< w t within scale_deg, and evenly back to 0 at 90
 };
 
 struct SimulatedIllusion {

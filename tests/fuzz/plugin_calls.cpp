@@ -132,6 +132,7 @@ class Caller {
     hrt_session_config config = hrt_session_config_init();
     disturb(config);
     check(hrt_session_set(session(), &config));
+    if (bytes_.ConsumeBool()) check(hrt_session_new_person(session()));
   }
 
   void add_target() {

@@ -125,6 +125,7 @@ void ArgumentsTest::try_reaches() {
   REFUSES_BUT(({"out_config", "out_state"}), hrt_session_get, session, &config, &number);
   REFUSES(hrt_session_destroy, hrt_session{0});
   REFUSES_BUT(({"config"}), hrt_session_set, session, &config);
+  REFUSES(hrt_session_new_person, hrt_session{0});
 
   hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);
   REFUSES(hrt_target_add, session, &target, targets.data());

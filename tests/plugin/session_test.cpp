@@ -67,6 +67,27 @@ TEST(SessionConfig, DefaultsAreTheModels) {
   EXPECT_EQ(config.tracker.correlation_s, core.estimator.correlation_s);
 }
 
+// The plate, the tracker and the registration are not the user's.
+TEST_F(SessionTest, ANewPersonIsUnknown) {
+  const hrt_session_config defaults = session_config();
+  hrt_session_config apparatus = defaults;
+  apparatus.flags = HRT_SESSION_REGISTERED;
+  apparatus.plate.position_m[0] = 0.3;
+  apparatus.tracker.latency_ns = 30'000'000;
+  apparatus.paper.horizon = 7;
+  hrt_session_config known = apparatus;
+  known.paper.tactile_weight = 0.3;
+  known.paper.bias_deg = -2.0;
+  known.motion_bound_deg = 50.0;
+  known.fingertip_offset_m[2] = 0.01;
+  for (int i = 0, place = 0; i < HRT_PERSON_TRAITS; place += i++ + 2) known.person.covariance[place] = 0.01;
+  constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 1.0, 0.0, 0.1, 0.2, -0.5, 0.0, 1.2};
+  std::copy(std::begin(mean), std::end(mean), known.person.mean);
+  ASSERT_OK(hrt_session_set(session, &known));
+  ASSERT_OK(hrt_session_new_person(session));
+  EXPECT_TRUE(same(config_of(session), apparatus));
+}
+
 TEST_F(SessionTest, ConfigComesBackAsGivenAndNullMeansTheDefaults) {
   const hrt_session_config defaults = session_config();
   hrt_session_config other = defaults;

@@ -299,7 +299,7 @@ TEST_F(SetupTest, WhatDoesNotFitTheModelChangesNothingOfThePerson) {
   setup.max_slides = 16;
   begin_setup(HRT_SETUP_CALIBRATION, &setup);
   const hrt_setup_result result = run(person, [&](const hrt_setup_step& step) {
-    person.condition.person.illusion.tactile_weight = step.done < 8 ? 0.08 : 0.4;
+    person.condition.person.illusion.tactile_weight = step.done < 8 ? 0.1 : 0.35;
     return true;
   });
   EXPECT_EQ(result.done, 0u);

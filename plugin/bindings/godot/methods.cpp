@@ -61,6 +61,7 @@ const Method kMethods[] = {
     METHOD(finish_setup),
     METHOD(cancel_setup),
     METHOD(is_setting_up),
+    METHOD(new_person),
     METHOD(begin_simulated_finger, "virtual_target", "seed"),
     METHOD(move_simulated_finger, "time_ns"),
     METHOD(update_simulated_finger, "time_ns"),

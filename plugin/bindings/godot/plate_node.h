@@ -119,6 +119,7 @@ class PlateNode {
   Error begin_setup(int64_t what);
   Record finish_setup();
   Error cancel_setup();
+  Error new_person();
   bool is_setting_up() { return setting_up_; }
 
   Error load_profile(std::string json);

@@ -48,4 +48,9 @@ Error PlateNode::cancel_setup() {
   return error();
 }
 
+Error PlateNode::new_person() {
+  if (ok(hrt_session_new_person(session_))) take_changes();
+  return error();
+}
+
 }  // namespace hrt_godot

@@ -134,6 +134,9 @@ export interface Session {
   /** What was found before stays. */
   cancelSetup(): void;
 
+  /** Forgets the user, who is another one from now on: a set-up of all that is missing asks for them. */
+  newPerson(): void;
+
   /** Records all calls in memory, until stopRecording() returns them as CSV. */
   startRecording(): void;
   /** Rows so far. */

@@ -253,6 +253,8 @@ class Session {
   finishSetup() { return this.#memory.get("hrt_setup_result", "hrt_setup_finish", this.#handle); }
   cancelSetup() { this.#memory.call("hrt_setup_cancel", this.#handle); }
 
+  newPerson() { this.#memory.call("hrt_session_new_person", this.#handle); }
+
   startRecording() {
     this.#memory.withText(this.#path, (at) => this.#memory.call("hrt_recording_start", this.#handle, at));
   }

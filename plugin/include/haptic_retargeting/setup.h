@@ -92,8 +92,9 @@ typedef struct hrt_setup_config {
    *  Default -75 and 75. */
   double lower_plate_deg;
   double upper_plate_deg;
-  /** Width of the 95 % interval of the tactile weight at which slides are enough. Lowering it asks for more.
-   *  0.001 to 0.5. Default 0.02. */
+  /** Width of the 95 % interval of the tactile weight at which slides are enough. Lowering it asks for more
+   *  slides, of use for a study of people: no reach relies on a narrower one than the default. 0.001 to 0.5.
+   *  Default 0.04. */
   double enough_weight_width;
 } hrt_setup_config;
 
@@ -152,16 +153,6 @@ typedef struct hrt_interval {
   uint32_t reserved;
 } hrt_interval;
 
-/** Families of illusion curves: the felt shift over the offset t from the motion to the ridge normal. */
-#define HRT_ILLUSION_LINEAR UINT32_C(0)     /**< w t */
-#define HRT_ILLUSION_SATURATING UINT32_C(1) /**< w t within the scale, constant beyond */
-#define HRT_ILLUSION_SINE UINT32_C(2)       /**< w 45 sin 2t */
-#define HRT_ILLUSION_TANH UINT32_C(3)       /**< w scale tanh(t / scale) */
-#define HRT_ILLUSION_DEAD_BAND UINT32_C(4)  /**< nothing within the scale, w (|t| - scale) beyond */
-#define HRT_ILLUSION_UNEQUAL UINT32_C(5)    /**< different slopes to the left and to the right */
-#define HRT_ILLUSION_CUBIC UINT32_C(6)      /**< w t - b t (t / 75)^2, the controller's model */
-#define HRT_ILLUSION_NONE UINT32_C(7)       /**< no family fits the slides */
-
 /** Patterns in what the fit leaves unexplained: hrt_setup_result::lack_of_fit. */
 /** Over the plate orientation: no curve fits. Check the plate's orientations and the goal direction. */
 #define HRT_LACK_OF_FIT_ANGLE UINT32_C(1)
@@ -186,14 +177,13 @@ typedef struct hrt_setup_result {
   uint32_t left;
   /** HRT_RETEST_*, by Holm's procedure: if nothing has changed, any of them is set in 5 % of retests. */
   uint32_t differing;
-  /** HRT_ILLUSION_*, the likeliest family. */
-  uint32_t illusion;
   /** HRT_LACK_OF_FIT_*: the user is not like the model, and nothing of them is known. 0: none was found, each
    * at 1 % of people whom the model fits. */
   uint32_t lack_of_fit;
   /** Slides that were made, and those of them that count. */
   uint32_t slides;
   uint32_t slides_used;
+  uint32_t reserved;
   /** Root mean square distance of the touches from their marks, and the standard deviation of the plate's
    *  turn about its normal, which turns every reach. */
   double registration_residual_m;
@@ -237,6 +227,12 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_finish(hrt_session session, hrt_setup
 /** Ends the set-up. What hrt_setup_finish() has applied stays. Errors: WRONG_STATE without a set-up.
  * [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_cancel(hrt_session session) HRT_NOEXCEPT;
+
+/** Another user comes: what is known of the last one is the default again, which is the part person, what profiles
+ * hold of the part paper, motion_bound_deg and fingertip_offset_m. Plate, tracker, registration and targets stay,
+ * so that HRT_SETUP_ALL_MISSING asks for the user alone. Errors: WRONG_STATE during a reach or a set-up.
+ * [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_session_new_person(hrt_session session) HRT_NOEXCEPT;
 
 /** Returns a target. Set `out_config->struct_size` before the call. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target target,

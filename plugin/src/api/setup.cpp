@@ -4,6 +4,7 @@
 #include "haptic_retargeting/study.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/session/session_config.h"
 
 using namespace hrt::plugin;
 
@@ -49,5 +50,15 @@ hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide, hrt_setup
     HRT_RETURN_IF_FAILED(s.session().get_residual(slide, &known));
     write_struct(known, out_residual);
     return HRT_OK;
+  });
+}
+
+hrt_result hrt_session_new_person(hrt_session session) noexcept {
+  return with_session("hrt_session_new_person", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    s.log_findings(session.value);
+    hrt_session_config config = s.session().config();
+    forget_user(&config);
+    return s.set_config(config);
   });
 }

@@ -87,6 +87,21 @@ void forget_person(hrt_session_config* config) {
   std::fill(std::begin(config->person.covariance), std::end(config->person.covariance), 0.0);
 }
 
+void forget_user(hrt_session_config* config) {
+  const hrt_session_config unknown = hrt_session_config_init();
+  forget_person(config);
+  hrt_session_paper& paper = config->paper;
+  paper.tactile_weight = unknown.paper.tactile_weight;
+  paper.tactile_weight_sd = unknown.paper.tactile_weight_sd;
+  paper.motor_variance_deg2 = unknown.paper.motor_variance_deg2;
+  paper.motor_variance_sd_deg2 = unknown.paper.motor_variance_sd_deg2;
+  paper.sensory_variance_deg2 = unknown.paper.sensory_variance_deg2;
+  paper.initial_variance_deg2 = unknown.paper.initial_variance_deg2;
+  paper.bias_deg = unknown.paper.bias_deg;
+  config->motion_bound_deg = unknown.motion_bound_deg;
+  std::copy(std::begin(unknown.fingertip_offset_m), std::end(unknown.fingertip_offset_m), config->fingertip_offset_m);
+}
+
 bool holds_belief(const hrt_session_config& config) { return is_valid(person_of(config)); }
 
 hrt_result check_session_config(const hrt_session_config& config) {

@@ -24,6 +24,8 @@ bool holds_belief(const hrt_session_config& config);
 
 /// Leaves an unknown person.
 void forget_person(hrt_session_config* config);
+/// All that is known of the user.
+void forget_user(hrt_session_config* config);
 
 /// Writes what is believed of the person into person_mean, person_covariance, tactile_weight and its
 /// deviation.

@@ -127,8 +127,6 @@ void describe(const Calibration& calibration, hrt_setup_result* result) {
   result->lack_of_fit = (lack.angle_p < min_fit_p ? HRT_LACK_OF_FIT_ANGLE : 0) |
                         (lack.order_p < min_fit_p ? HRT_LACK_OF_FIT_ORDER : 0) |
                         (lack.path_p < min_fit_p ? HRT_LACK_OF_FIT_PATH : 0);
-  result->illusion =
-      lack.angle_p < min_fit_p ? HRT_ILLUSION_NONE : static_cast<std::uint32_t>(calibration.illusion.family);
   result->tactile_weight = as_found(calibration.tactile_weight);
   result->bias_deg = as_found(calibration.bias_deg);
   result->max_gap_deg = as_found(calibration.max_gap_deg);

@@ -20,15 +20,6 @@ constexpr std::size_t widest_name = 32;
 // Directions are shown in tenths of a degree, in which -0.01 would be "-0.0".
 double without_minus_zero(double value) { return std::abs(value) < 0.05 ? 0.0 : value; }
 
-const char* illusion_text(std::uint32_t illusion) {
-  constexpr const char* families[] = {
-      "in proportion to the offset",        "in proportion, constant beyond some offset",
-      "as the sine of twice the offset",    "levels off (hyperbolic tangent)",
-      "nothing within some offset",         "unequal to the left and to the right",
-      "levels off (the controller's curve)"};
-  return illusion < std::size(families) ? families[illusion] : "no curve fits";
-}
-
 std::string line(const char* name, const hrt_interval& interval, const char* unit) {
   if (interval.known == 0) return format("%-34s not known\n", name);
   return format("%-34s %8.3f %-3s  95 %% within %.3f to %.3f\n", name, interval.value, unit, interval.lower,
@@ -164,7 +155,6 @@ bool is_enough(const hrt_setup_result& result) {
 
 std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config) {
   return format("%u slides, %u used\n", result.slides, result.slides_used) +
-         format("%-34s %s\n", "illusion", illusion_text(result.illusion)) +
          line("share of touch (w_T) at 60 deg", result.tactile_weight, "") +
          line("largest gap that a plate can hold", result.max_gap_deg, "deg") +
          line("bias, left positive", result.bias_deg, "deg") +

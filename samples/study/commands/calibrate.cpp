@@ -161,11 +161,10 @@ void add_calibrate(CLI::App& app) {
 a row a tracked position of the fingertip (right of and away along the mid-line), the rows of a trial
 together, its time increasing. Lines that start with # and other columns are ignored.
 
-Let the person slide to one target, four or five times at each of the plate orientations -75 to 75 in
-steps of 15 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed are
-ten such slides at three orientations that span 40 deg; with fewer than seven orientations the illusion
-is taken for linear. Slides within which the plate turned are left out. If the data do not suffice, the
-reason is on standard error, and the exit code is 1. If the person is unlike the model, the page says so and what to do, and their values are not
+Let the person slide to one target, twice at each of the plate orientations -75 to 75 in steps of 7.5 in
+random order; a slide of 30 mm or more, and half a second at rest before it. Needed are ten such slides at
+three orientations that span 40 deg; between orientations that are far apart the curve is not known.
+Slides within which the plate turned are left out. If the data do not suffice, the reason is on standard error, and the exit code is 1. If the person is unlike the model, the page says so and what to do, and their values are not
 determined. Published human data cover orientations of -60 to 60.
 
 Examples:

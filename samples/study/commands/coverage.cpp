@@ -16,12 +16,11 @@ namespace hrt::study {
 namespace {
 
 struct CoverageOptions {
-  CoverageSession session{.plate_angles_deg = coverage_angles()};
-  std::uint64_t slides_an_angle = 4;
+  CoverageSession session;
+  std::uint64_t slides = 32;
   std::uint64_t people = 50;
   std::uint64_t threads = 2;
   std::string kind = "all";
-  std::string angles = "grid";
   Writing writing;
 };
 
@@ -49,8 +48,7 @@ std::string text(const CoverageStudy& study) {
   const CoverageOptions& options = study.options;
   std::string page =
       "Calibrations of simulated people; there was no human trial. " + std::to_string(options.people) +
-      " people a kind, " + std::to_string(options.session.plate_angles_deg.size() * options.slides_an_angle) +
-      (options.session.planned ? " slides, angles as the plan chooses them, " : " slides over -75 to 75 deg, ") +
+      " people a kind, " + std::to_string(options.slides) + " slides at the angles of a set-up, " +
       number(options.session.duration_s) +
       " s each.\nknown: % of people of whom the calibration says that it knows the value; cover: % of those "
       "whose 95 %\ninterval holds the truth, and the 95 % interval of that share; error: mean of estimate "
@@ -86,7 +84,7 @@ Results results(const CoverageStudy& study) {
                           {"people", study.options.people},
                           {"seed", study.options.session.seed},
                           {"duration_s", study.options.session.duration_s},
-                          {"planned", study.options.session.planned}},
+                          {"slides", study.options.slides}},
                 .rows = {}};
   for (const KindRow& kind : study.rows) {
     const Coverage& coverage = kind.coverage;
@@ -106,8 +104,7 @@ Results results(const CoverageStudy& study) {
 }
 
 CoverageStudy simulate(CoverageOptions options) {
-  options.session.slides_an_angle = static_cast<int>(options.slides_an_angle);
-  options.session.planned = options.angles == "planned";
+  options.session.slides = static_cast<int>(options.slides);
   CoverageStudy study{.options = options, .rows = {}};
   std::vector<KindRow> rows;
   for (const CoverageKind& kind : coverage_kinds())
@@ -133,15 +130,13 @@ session. 50 people of all kinds take some ten minutes.
                       R"(
 Examples:
   hrt-study coverage --kind habit-5
-  hrt-study coverage --angles planned --trials 2 --people 200)",
+  hrt-study coverage --slides 16 --people 200)",
                   [options] { options->writing.write([options] { return simulate(*options); }, results, text); });
   std::vector<std::string> kinds{"all"};
   for (const CoverageKind& kind : coverage_kinds()) kinds.emplace_back(kind.name);
   add_choice(command, "--kind", &options->kind, kinds, "Kind of people.");
   add_integer(command, "--people", &options->people, 1, 100'000, "People of each kind.");
-  add_integer(command, "--trials", &options->slides_an_angle, 1, 100, "Slides at each of the 11 angles.");
-  add_choice(command, "--angles", &options->angles, {"grid", "planned"},
-             "Each angle as often as every other, or chosen one after another by what they show.");
+  add_integer(command, "--slides", &options->slides, 16, 200, "Slides of each person.");
   add_number(command, "--duration", &options->session.duration_s, {0.3, 20.0}, "Time of a slide, s.");
   add_integer(command, "--threads", &options->threads, 1, 64, "Threads.");
   add_seed(command, &options->session.seed);

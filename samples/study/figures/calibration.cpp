@@ -27,14 +27,6 @@ std::string row(const std::string& name, const std::string& value, const std::st
 double direction_deg(const CalibratedSlide& slide) { return settled_direction_deg(slide.parts_deg); }
 double fitted_deg(const CalibratedSlide& slide) { return settled_direction_deg(slide.fitted_deg); }
 
-// The likeliest family in words.
-std::string family_text(const Calibration& calibration) {
-  const FamilyScore& best = calibration.families.front();
-  if (calibration.families.size() == 1) return "linear, taken for granted";
-  return std::string(curve_name[static_cast<int>(best.family)]) + " (" + fixed(100.0 * best.probability, 0) +
-         " % of those compared), largest at " + fixed(calibration.peak_offset_deg, 0) + "°";
-}
-
 std::string fit_text(const Calibration& calibration) {
   const LackOfFit& lack = calibration.lack_of_fit;
   const auto line = [](const char* over, double p) {
@@ -84,7 +76,7 @@ std::string calibration_text(const CalibrationReport& report) {
     text += trait.interval.known ? row(trait.words, value, interval_text(trait))
                                  : row(trait.words, "not determined", "best fit " + value);
   }
-  text += "  illusion: " + family_text(calibration) + '\n' + fit_text(calibration);
+  text += row("largest gap with the plate at", fixed(calibration.peak_offset_deg, 0) + "°", "") + fit_text(calibration);
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
 }
 
@@ -107,10 +99,6 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
                          {"order_p", calibration.lack_of_fit.order_p},
                          {"path_p", calibration.lack_of_fit.path_p}};
   page["peak_offset_deg"] = calibration.peak_offset_deg;
-  for (const FamilyScore& family : calibration.families)
-    page["families"].push_back({{"name", curve_name[static_cast<int>(family.family)]},
-                                {"probability", family.probability},
-                                {"tactile_weight", family.weight}});
   for (const CurvePoint& point : calibration.band)
     page["curve"].push_back({{"offset_deg", point.offset_deg},
                              {"shift_deg", point.shift_deg.value},
@@ -207,8 +195,7 @@ std::string curve_and_directions(const Calibration& calibration) {
   const char* const rings = " with points pt 6 ps 0.8 lc rgb '#999999' ";
   return "set grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset offsets graph 0.03, graph 0.03, graph 0.05, "
          "graph 0.05\nset lmargin 10\nset rmargin 3\nset multiplot\n"
-         "set origin 0,0.66\nset size 1,0.34\nset title \"Illusion: " +
-         family_text(calibration) + "\\nw_T = " + fixed(all[0].interval.value, 3) + " (" + interval_text(all[0]) +
+         "set origin 0,0.66\nset size 1,0.34\nset title \"Illusion\\nw_T = " + fixed(all[0].interval.value, 3) + " (" + interval_text(all[0]) +
          "), largest gap " + fixed(all[3].interval.value, 1) + "° (" + interval_text(all[3]) +
          ")\" font ',12'\nset key top left\nset xrange "
          "[-80:80]\nset xtics 15\n"

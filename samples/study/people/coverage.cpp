@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/calibrate/slide_plan.h"
+#include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
+#include "core/setup/setup.h"
 #include "core/simulation/slide.h"
 #include "samples/study/cli/output.h"
 #include "samples/text.h"
@@ -13,6 +14,16 @@ namespace hrt::study {
 namespace {
 
 constexpr std::uint32_t session_stream = 18;
+
+template <int min, int max>
+void weighs(PersonCondition& condition, Draws& draws) {
+  condition.person.illusion.tactile_weight = 0.01 * (min + (max - min) * draws.uniform());
+}
+void peaked(PersonCondition& condition, Draws&) {
+  condition.person.illusion.family = IllusionFamily::peaked;
+  condition.person.illusion.scale_deg = 50.0;
+}
+void biased(PersonCondition& condition, Draws& draws) { condition.person.bias_deg = draws.uniform() < 0.5 ? -3.0 : 3.0; }
 
 constexpr CoverageKind all_kinds[] = {
     {"linear", "linear illusion, continuous steering", "linear"},
@@ -32,6 +43,12 @@ constexpr CoverageKind all_kinds[] = {
     {"slow-tracker", "30 Hz, uneven", "slow-tracker"},
     {"slips", "5 % of slides go 15 to 40° off", "linear", 0.0, 0.05},
     {"trend", "w changes by ±0.06 over the session", "linear", 0.06},
+    {"strong", "linear, w_T of 0.3 to 0.45", "linear", 0.0, 0.0, weighs<30, 45>},
+    {"strong-clip", "saturating at 60°, w_T of 0.3 to 0.45", "clip-60", 0.0, 0.0, weighs<30, 45>},
+    {"weak", "linear, w_T of 0.05 to 0.12", "linear", 0.0, 0.0, weighs<5, 12>},
+    {"peaked", "illusion rises to 50° and falls to 0 at 90°", "linear", 0.0, 0.0, peaked},
+    {"drift", "w changes by ±0.05 within each slide", "drift"},
+    {"place-bias", "seek the target's place, bias of ±3°", "place", 0.0, 0.0, biased},
     {"place", "seek the target's place", "place"},
     {"heavy-arm", "1 kg, muscles of 40 ms", "heavy-arm"},
     {"crossings", "ridges felt as they are crossed", "crossings"},
@@ -41,51 +58,38 @@ constexpr CoverageKind all_kinds[] = {
 
 std::span<const CoverageKind> coverage_kinds() { return all_kinds; }
 
-std::vector<double> coverage_angles() {
-  std::vector<double> angles;
-  for (int angle = -75; angle <= 75; angle += 15) angles.push_back(angle);
-  return angles;
-}
-
 std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const CoverageSession& session,
                                               std::uint32_t index, std::array<double, quantities>* truth) {
   PersonCondition condition = draw_person(*people_family(kind.family), session.duration_s, session.seed, index);
+  Draws draws(session.seed, session_stream, index, 0);
+  if (kind.change) kind.change(condition, draws);
   const Person& person = condition.person;
-  const SimulatedIllusion& illusion = person.illusion;
+  SimulatedIllusion illusion = person.illusion;
+  illusion.tactile_weight += 0.5 * person.weight_drift;  // in the middle of the path
   const auto either = [&](double t) { return felt_shift_deg(illusion, t); };
-  *truth = {(either(60.0) - either(-60.0)) / 120.0, person.bias_deg - person.own_bias_deg, person.habit_deg,
+  double bias_deg = person.bias_deg - person.own_bias_deg;
+  double habit_deg = person.habit_deg;
+  if (person.steering == Steering::place) {
+    // They aim beside the place until they are near: the goal is bias (1 + log(1 - s)) at the share s of the path.
+    habit_deg = -0.5 * bias_deg * logarithm(0.15);
+    bias_deg *= 1.0 + logarithm(0.5);
+  }
+  *truth = {(either(60.0) - either(-60.0)) / 120.0, bias_deg, habit_deg,
             std::min(max_shift_deg(illusion, curve_bound_deg, 1.0), max_shift_deg(illusion, curve_bound_deg, -1.0))};
 
-  std::vector<double> angles;
-  for (int i = 0; i < session.slides_an_angle; ++i)
-    angles.insert(angles.end(), session.plate_angles_deg.begin(), session.plate_angles_deg.end());
-  Draws draws(session.seed, session_stream, index, 0);
-  for (std::size_t i = angles.size(); i > 1; --i)
-    std::swap(angles[i - 1], angles[static_cast<std::size_t>(draws.uniform() * static_cast<double>(i))]);
   const double trend = draws.uniform() < 0.5 ? -kind.weight_trend : kind.weight_trend;
-
-  // Slides chosen one after another see those before, reduced to what the plan needs.
-  std::vector<SlideTrack> tracks;
-  std::vector<double> order;
   std::vector<CalibrationTrial> trials;
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    if (session.planned) angles[i] = next_slide(tracks, order, {}).plate_deg;
+  for (int i = 0; i < session.slides; ++i) {
     PersonCondition now = condition;
     now.person.illusion.tactile_weight +=
-        trend * (static_cast<double>(i) / static_cast<double>(angles.size() - 1) - 0.5);
-    CalibrationTrial trial = simulate_slide(now, angles[i], session.seed, index, static_cast<std::uint32_t>(i));
+        trend * (static_cast<double>(i) / static_cast<double>(session.slides - 1) - 0.5);
+    CalibrationTrial trial = simulate_slide(now, curve_bound_deg * planned_share(i), session.seed, index, static_cast<std::uint32_t>(i));
     if (draws.uniform() < kind.outlying_share) {
       const double off_deg = (draws.uniform() < 0.5 ? -1.0 : 1.0) * (15.0 + 25.0 * draws.uniform());
       for (TimedPoint& sample : trial.samples) {
         const PlatePoint& p = sample.position;
         sample.position = {p.right_m * cos_deg(off_deg) - p.away_m * sin_deg(off_deg),
                            p.right_m * sin_deg(off_deg) + p.away_m * cos_deg(off_deg)};
-      }
-    }
-    if (session.planned) {
-      if (const auto track = track_slide(trial, 0.0)) {
-        tracks.push_back(*track);
-        order.push_back(static_cast<double>(i));
       }
     }
     trials.push_back(std::move(trial));

@@ -22,18 +22,16 @@ struct CoverageKind {
   const char* family;
   double weight_trend = 0.0;    ///< w changes by this, to either side, from the first slide to the last
   double outlying_share = 0.0;  ///< of slides that go 15 to 40 degrees off
+  void (*change)(PersonCondition& condition, Draws& draws) = nullptr;  ///< of the person, before the session
 };
 std::span<const CoverageKind> coverage_kinds();
 
+/// Slides at the angles of a set-up (core/setup).
 struct CoverageSession {
-  std::vector<double> plate_angles_deg;  ///< each as often as every other, in random order
-  int slides_an_angle = 5;
-  bool planned = false;  ///< as many slides, at angles that next_slide() chooses
+  int slides = 32;
   double duration_s = 2.0;
   std::uint64_t seed = 1;
 };
-/// -75 to 75 in steps of 15.
-std::vector<double> coverage_angles();
 
 enum Quantity { weight, bias, habit, max_gap, quantities };
 inline constexpr const char* quantity_name[quantities] = {"weight", "bias", "habit", "max_gap"};

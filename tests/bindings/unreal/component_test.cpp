@@ -364,6 +364,7 @@ TEST_F(Component, IsMovedByASetupToWhereItIsTouched) {
   ASSERT_TRUE(component_.BeginSetup(static_cast<int32>(HRT_SETUP_CHECK))) << "the session keeps the pose to the last bit";
   ASSERT_TRUE(component_.CancelSetup());
   EXPECT_FALSE(component_.CancelSetup());
+  EXPECT_TRUE(component_.NewPerson());
   component_.SetWorldTransform(FTransform());
   EXPECT_NE(component_.GetSession().value, 0u);
   EXPECT_FALSE(component_.Settings.bRegistered) << "moved elsewhere";

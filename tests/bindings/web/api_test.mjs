@@ -330,6 +330,8 @@ test("a set-up finds the simulated person's share of touch", () => {
   assert.deepEqual({ ...session.conditions }, { differing: 0, time_s: 1767225600n, plate: "desk 1", tracker: "Ultraleap" });
   session.beginSetup();
   session.cancelSetup();
+  session.newPerson();
+  assert.equal(session.config.tactile_weight, 0.2);
   person.destroy();
   throws(() => person.begin(session, ahead), "HRT_ERROR_INVALID_HANDLE", "person");
   session.destroy();

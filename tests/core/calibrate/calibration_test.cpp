@@ -37,7 +37,7 @@ TEST(Calibration, StraightPathsByHand) {
     }
   }
   const Calibration calibration = calibrated(trials);
-  EXPECT_NEAR(calibration.tactile_weight.value, 0.2, 1e-3);
+  EXPECT_NEAR(calibration.tactile_weight.value, 0.2, 3e-3);
   EXPECT_NEAR(calibration.bias_deg.value, 2.0, 0.05);
   EXPECT_NEAR(calibration.habit_deg.value, 0.0, 0.1);
   EXPECT_LT(calibration.tactile_weight.lower, 0.2);
@@ -164,8 +164,8 @@ TEST(Calibration, MirrorSymmetry) {
     for (TimedPoint& sample : trial.samples) sample.position.right_m = -sample.position.right_m;
   }
   const Calibration other = calibrated(trials);
-  EXPECT_NEAR(one.tactile_weight.value, other.tactile_weight.value, 1e-5);
-  EXPECT_NEAR(one.bias_deg.value, -other.bias_deg.value, 1e-3);
+  EXPECT_NEAR(one.tactile_weight.value, other.tactile_weight.value, 1e-4);
+  EXPECT_NEAR(one.bias_deg.value, -other.bias_deg.value, 0.01);
 }
 
 }  // namespace

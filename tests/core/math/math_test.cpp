@@ -125,20 +125,6 @@ TEST(Distributions, Student) {
   EXPECT_NEAR(student_975(1e9), 1.960, 0.001);
 }
 
-// Two sharp parts: the quantiles lie in them. One part: its own. Equal parts about 0: the median is 0.
-TEST(Distributions, IntervalOfAMixture) {
-  const NormalPart sharp[] = {{0.03, -5.0, 0.0}, {0.97, 7.0, 0.0}};
-  EXPECT_NEAR(mixture_interval(sharp).lower, -5.0, 1e-9);
-  EXPECT_NEAR(mixture_interval(sharp).value, 7.0, 1e-9);
-  const NormalPart one[] = {{1.0, 2.0, 3.0}};
-  EXPECT_NEAR(mixture_interval(one).lower, 2.0 - 3.0 * 1.959964, 1e-4);
-  EXPECT_NEAR(mixture_interval(one).upper, 2.0 + 3.0 * 1.959964, 1e-4);
-  EXPECT_TRUE(mixture_interval(one).known);
-  const NormalPart two[] = {{0.5, -4.0, 1.0}, {0.5, 4.0, 1.0}};
-  EXPECT_NEAR(mixture_interval(two).value, 0.0, 1e-5);
-  EXPECT_NEAR(mixture_interval(two).upper, 4.0 + 1.644854, 1e-4);
-}
-
 }  // namespace
 
 }  // namespace hrt

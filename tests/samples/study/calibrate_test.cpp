@@ -66,7 +66,7 @@ TEST(StudyCalibrate, ReadsOtherOrdersCommentsAndLineEndings) {
 // The middle of a trial's rows has another orientation, so its slide is left out.
 TEST(StudyCalibrate, SlidesOverATurningPlateAreLeftOut) {
   const TemporaryFolder folder;
-  std::string csv = session_csv({.trials_per_angle = 2});
+  std::string csv = session_csv({.trials_per_angle = 1});
   const std::vector<CalibrationTrial> trials = parse_calibration_csv("data.csv", csv);
   EXPECT_TRUE(trials[0].plate_deg.empty());
   for (std::size_t i = 0; i < trials[0].samples.size(); ++i)
@@ -78,7 +78,7 @@ TEST(StudyCalibrate, SlidesOverATurningPlateAreLeftOut) {
   const StudyRun run = expect_exit(0, run_study({"calibrate", folder / "me.csv", "--format", "json"}));
   const json page = json::parse(run.out);
   EXPECT_EQ(page["slides_turned"], 1);
-  EXPECT_EQ(page["slides"].size(), 22U);
+  EXPECT_EQ(page["slides"].size(), 21U);
   EXPECT_TRUE(has(page["advice"].dump(), "the plate turned within slides"));
 }
 
@@ -112,15 +112,14 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
                                                  folder / "me.svg", "--profile", folder / "profile.json"}));
   EXPECT_EQ(run.err, "");
   const json page = json::parse(run.out);
-  EXPECT_EQ(page["trials"], 55);
-  EXPECT_EQ(page["slides"].size(), 55U);
-  EXPECT_GE(page["trials_used"], 40);
+  EXPECT_EQ(page["trials"], 42);
+  EXPECT_EQ(page["slides"].size(), 42U);
+  EXPECT_GE(page["trials_used"], 32);
   EXPECT_TRUE(page["fits"].get<bool>());
-  EXPECT_NEAR(page["tactile_weight"]["value"], 0.2, 0.01);
+  EXPECT_NEAR(page["tactile_weight"]["value"], 0.2, 0.02);
   EXPECT_NEAR(page["bias_deg"]["value"], -2.0, 0.3);
   EXPECT_NEAR(page["tracker_noise_mm"]["value"], 1.2, 0.1);
   EXPECT_EQ(page["curve"].size(), 31U);
-  EXPECT_EQ(page["families"].size(), 7U);
 
   const json profile = json::parse(read_file(folder.path / "profile.json"));
   EXPECT_EQ(profile["format"], "haptic retargeting profile");
@@ -192,9 +191,9 @@ TEST(StudyParticipants, EveryAngleAsOftenInRandomOrder) {
     ++count[one[i].plate_orientation_deg];
     rising += i > 0 && one[i].plate_orientation_deg > one[i - 1].plate_orientation_deg;
   }
-  EXPECT_EQ(count.size(), 11U);
+  EXPECT_EQ(count.size(), 21U);
   for (const auto& [angle_deg, times] : count) EXPECT_EQ(times, 4) << angle_deg;
-  EXPECT_NE(rising, 40);  // as often as in the order given
+  EXPECT_NE(rising, 80);  // as often as in the order given
   EXPECT_EQ(session_csv(session), session_csv(session));
   const std::string first = session_csv(session);
   session.seed = 2;

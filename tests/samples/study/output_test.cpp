@@ -53,14 +53,14 @@ TEST(StudyOutput, PartsAreEveryRowOnce) {
     }
 }
 
-// Twelve points, six families and durations, twenty kinds.
+// Twelve points, six families and durations, 26 kinds.
 TEST(StudyOutput, PartsConcatenateToTheWhole) {
   const TemporaryFolder folder;
   for (const Arguments& arguments :
        {Arguments{"sweep", "--gap", "4,10", "--tactile-weight", "0.1:0.2:3", "--horizon", "2,3", "--trials", "50"},
         Arguments{"robustness", "--people", "2", "--durations", "0.8,1.2,1.5", "--family", "linear,place", "--format",
                   "csv"},
-        Arguments{"coverage", "--people", "1", "--trials", "1", "--format", "csv"}}) {
+        Arguments{"coverage", "--people", "1", "--slides", "16", "--format", "csv"}}) {
     const std::string whole = run_study(arguments).out;
     EXPECT_GE(lines(whole).size(), 13U) << arguments[0];
     for (const int parts : {2, 7}) {

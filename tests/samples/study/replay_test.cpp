@@ -128,7 +128,7 @@ TEST(StudyReplay, CalibrationSlidesShowThePerson) {
   const StudyRun run = expect_exit(0, run_study({"robustness", "--replay", folder.path.string(), "--format", "json"}));
   const auto page = nlohmann::json::parse(run.out);
   EXPECT_TRUE(has(page["open_loop"].get<std::string>(), "the finger could not answer"));
-  ASSERT_EQ(page["rows"].size(), 55U);
+  ASSERT_EQ(page["rows"].size(), 42U);
   const auto& last = page["rows"].back();
   EXPECT_EQ(last["plate"], "resting");
   EXPECT_EQ(last["file"], "me.csv");

@@ -125,6 +125,10 @@ class Session(SessionKeywords, Closing):
             setattr(config, name, value)
         check(library().hrt_session_set(self.handle, byref(config)))
 
+    def new_person(self) -> None:
+        """Forgets the user, who is another one from now on: set_up() asks for what is missing of them."""
+        check(library().hrt_session_new_person(self.handle))
+
     # Targets
 
     def add_real(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,

@@ -65,6 +65,8 @@ func test_registration() -> void:
 	check_equal(plate.cancel_setup(), OK, "cancelled")
 	check(not plate.is_setting_up(), "over")
 	check_equal(refused("hrt_setup_cancel", plate.cancel_setup), ERR_UNAVAILABLE, "cancel twice")
+	check_equal(plate.new_person(), OK, "another user")
+	check_near(plate.tactile_weight, 0.2, "is not known", 1e-9)
 	check(refused("hrt_setup_finish", plate.finish_setup).is_empty(), "finish without a set-up")
 
 # A registration ends where the node is moved by others.

@@ -62,3 +62,13 @@ bool UHapticRetargetingComponent::CancelSetup()
 	bSettingUp = bSettingUp && !bCancelled;
 	return bCancelled;
 }
+
+bool UHapticRetargetingComponent::NewPerson()
+{
+	const bool bForgotten = HAPTIC_CALL(hrt_session_new_person(Session));
+	if (bForgotten)
+	{
+		TakeFromSession();
+	}
+	return bForgotten;
+}

@@ -136,6 +136,10 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool CancelSetup();
 
+	/** Forgets the user, who is another one from now on: a set-up of all that is missing asks for them. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
+	bool NewPerson();
+
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting|Setup")
 	bool IsSettingUp() const { return bSettingUp; }
 
