@@ -71,8 +71,8 @@ struct CalibrationRefusal {
 /// `goal_direction_deg`: direction of the target that the participant goes for, finite.
 ///
 /// Needs at least `min_trials` slides of at least 30 mm that count, at three plate angles or more that span
-/// 40 degrees: one angle alone cannot separate w_T from a bias. Refuses a w_T whose interval is not within the usable range
-/// (0.02, 0.48).
+/// 40 degrees: one angle alone cannot separate w_T from a bias. Refuses a w_T whose interval is not within the usable
+/// range (0.02, 0.48).
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         double goal_direction_deg = 0.0);
 

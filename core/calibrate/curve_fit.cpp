@@ -60,12 +60,20 @@ FitVector clamped(FitVector parameters) {
 }
 
 void set_prior(LeastSquares* problem) {
-  constexpr std::array<Prior, bends> priors{
-      {{0.0, 100.0}, {0.0, 20.0}, {0.0, 10.0}, {2.2, 1.0}, {0.06, 0.2}, {0.0, 0.05}, {0.0, 0.3}, {0.0, 0.1}, {0.2, 1.0}}};
+  constexpr std::array<Prior, bends> priors{{{0.0, 100.0},
+                                             {0.0, 20.0},
+                                             {0.0, 10.0},
+                                             {2.2, 1.0},
+                                             {0.06, 0.2},
+                                             {0.0, 0.05},
+                                             {0.0, 0.3},
+                                             {0.0, 0.1},
+                                             {0.2, 1.0}}};
   problem->prior_mean.resize(fit_parameters);
   problem->prior_deviation.resize(fit_parameters);
   for (int i = 0; i < fit_parameters; ++i) {
-    const Prior expected = i < bends ? priors[static_cast<std::size_t>(i)] : Prior{0.0, first_slope * IllusionCurve::spacing_deg};
+    const Prior expected =
+        i < bends ? priors[static_cast<std::size_t>(i)] : Prior{0.0, first_slope * IllusionCurve::spacing_deg};
     problem->prior_mean(i) = expected.mean;
     problem->prior_deviation(i) = expected.deviation;
   }
@@ -166,9 +174,8 @@ SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& 
   const FitVector middle = fit_vector(person);
   SlideJacobian jacobian(slide_parts, middle.size());
   for (int i = 0; i < middle.size(); ++i)
-    jacobian.col(i) = fit_derivative(middle, i, [&](const SlidingPersonModel& other) {
-      return predicted_directions(track, other);
-    });
+    jacobian.col(i) =
+        fit_derivative(middle, i, [&](const SlidingPersonModel& other) { return predicted_directions(track, other); });
   return jacobian;
 }
 

@@ -23,12 +23,12 @@ using PartsMatrix = Eigen::Matrix<double, slide_parts, slide_parts>;
 
 struct CurveFit {
   SlidingPersonModel person;
-  double misfit = 0.0;    ///< sum of squared residuals in units of their deviation
-  double effective = 0.0;  ///< number of parameters that the slides determine, and not the prior
-  FitVector prior_deviation;   ///< of each parameter
-  FitVector prior_off;         ///< prior mean less parameter, in deviations
-  FitMatrix information;  ///< of the parameters if the given covariance is right
-  FitMatrix covariance;   ///< of the parameters, whatever the covariance is: jackknife over slides, and the law
+  double misfit = 0.0;        ///< sum of squared residuals in units of their deviation
+  double effective = 0.0;     ///< number of parameters that the slides determine, and not the prior
+  FitVector prior_deviation;  ///< of each parameter
+  FitVector prior_off;        ///< prior mean less parameter, in deviations
+  FitMatrix information;      ///< of the parameters if the given covariance is right
+  FitMatrix covariance;       ///< of the parameters, whatever the covariance is: jackknife over slides, and the law
   std::vector<SlideDirections> residuals;  ///< one a slide, degrees
   std::vector<SlideJacobian> jacobians;
 };

@@ -8,7 +8,7 @@
 namespace hrt {
 
 /// Values at knots, with a cubic between each two that has the slopes of the chords over its neighbours (Catmull
-/// and Rom's). 0 at 0: a shift there could not be told from a bias.
+/// and Rom's). 0 at 0: a shift there would look like a bias.
 struct IllusionCurve {
   static constexpr int knots = 21;
   static constexpr int middle = knots / 2;

@@ -23,7 +23,7 @@ struct PersonFit {
   SlideScatter scatter;                ///< of those, and of the outliers among them
   CurveFit fit;
   LackOfFit lack_of_fit;
-  double max_left_deg = 0.0;           ///< settled offset from motion to ridge normal, over the slides used
+  double max_left_deg = 0.0;  ///< settled offset from motion to ridge normal, over the slides used
   double max_right_deg = 0.0;
 
   /// A number that depends on the person, and its 95 % interval.

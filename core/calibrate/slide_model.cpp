@@ -87,9 +87,8 @@ SlideDirections predicted_directions(const SlideTrack& track, const SlidingPerso
       steering.rest();
       continue;
     }
-    const double felt_deg =
-        direction_deg + (1.0 + person.curve_drift * (2.0 * step.share - 1.0)) *
-                            curve_shift_deg(person.curve, track.plate_deg - direction_deg);
+    const double felt_deg = direction_deg + (1.0 + person.curve_drift * (2.0 * step.share - 1.0)) *
+                                                curve_shift_deg(person.curve, track.plate_deg - direction_deg);
     const double goal_deg =
         person.bias_deg + person.habit_deg * (1.0 - 2.0 * share_at(track, static_cast<double>(i) - goal_delay));
     if (const auto answer = steering.feel(felt_deg))

@@ -1,8 +1,8 @@
 // A person's slide over a plate at rest, by the continuous steering law, as a function of who they are.
 #pragma once
 
-#include "core/calibrate/slide_track.h"
 #include "core/calibrate/illusion_curve.h"
+#include "core/calibrate/slide_track.h"
 
 namespace hrt {
 

@@ -170,6 +170,20 @@ TEST_F(GuidesTest, BearingsAreGoodAndCovered) {
     }
 }
 
+// What reaches in a frame turned by 2 degrees have shown of an unbiased person is the frame's.
+TEST_F(GuidesTest, ABiasThatWasTheFramesIsTheFrames) {
+  make_session();
+  Tracked tracked(Tracked::Frame::turned, 300);
+  tracked.stretch = Eigen::Matrix2d{{0.0, -2.0 * radian}, {2.0 * radian, 0.0}};
+  hrt_session_config config = config_of(session);
+  constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 2.0, 0.0, 0.1, 0.2, -0.5, 0.0, 1.2};
+  std::copy(std::begin(mean), std::end(mean), config.person.mean);
+  for (int i = 0, place = 0; i < HRT_PERSON_TRAITS; place += i++ + 2) config.person.covariance[place] = 0.01;
+  ASSERT_OK(hrt_session_set(session, &config));
+  ASSERT_EQ(set_up(tracked).done, HRT_SETUP_GUIDES);
+  EXPECT_NEAR(config_of(session).person.mean[HRT_PERSON_BIAS], 0.0, 0.5);
+}
+
 TEST_F(GuidesTest, WhatIsWrongIsNamed) {
   int named = 0;
   for (std::uint32_t i = 0; i < 40; ++i) {

@@ -7,6 +7,7 @@
 
 #include "core/math/exponential.h"
 #include "generated/fields.h"
+#include "haptic_retargeting/init.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/session/contact.h"
 #include "plugin/src/session/triangle.h"

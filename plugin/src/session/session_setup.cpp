@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "core/person/traits.h"
 #include "core/plate/plate_limits.h"
 #include "core/setup/setup_fit.h"
 #include "generated/fields.h"
@@ -146,8 +147,20 @@ void write_residuals(const Calibration& calibration, std::vector<hrt_setup_resid
   }
 }
 
+// What had been learnt as the person's bias moves to the frame, as far as the frame turns.
+void take_guides(const TouchedFrame& found, const SetupConfig& config, hrt_session_config* session) {
+  double turned = 0.0;
+  for (int i = 0; i < config.guide_count; ++i)
+    turned += turned_deg(touched_of(*session), found, config.guides[static_cast<std::size_t>(i)]) / config.guide_count;
+  const Trait& bias = person_traits[PersonTrait::bias];
+  double& believed_deg = session->person.mean[HRT_PERSON_BIAS];
+  if (knows_person(*session)) believed_deg = std::clamp(believed_deg + turned, bias.min, bias.max);
+  write_touched(found, session);
+  session->flags |= HRT_SESSION_START_FELT;
+}
+
 // What the fit found, described and written into the configuration. False if it is nothing to be applied.
-bool take(const SetupFit& fit, hrt_session_config* session, hrt_setup_result* result) {
+bool take(const SetupFit& fit, const SetupConfig& config, hrt_session_config* session, hrt_setup_result* result) {
   if (fit.fingertip) {
     for (int i = 0; i < 3; ++i) session->fingertip_offset_m[i] = fit.fingertip->offset_m(i);
     result->fingertip_sd_m = fit.fingertip->sd_m.maxCoeff();
@@ -166,8 +179,7 @@ bool take(const SetupFit& fit, hrt_session_config* session, hrt_setup_result* re
     }
     return fit.check->holds;
   } else if (fit.guided) {
-    write_touched(*fit.guided, session);
-    session->flags |= HRT_SESSION_START_FELT;
+    take_guides(*fit.guided, config, session);
   } else if (fit.latency) {
     const TrackerLatency& latency = *fit.latency;
     session->tracker.latency_ns = std::max<std::int64_t>(0, std::llround(1e9 * latency.latency_s));
@@ -313,7 +325,7 @@ hrt_result SessionSetup::finish(hrt_session_config* session, std::vector<hrt_set
     if (fit.slides > 0) result_.slides = static_cast<std::uint32_t>(fit.slides);
     hrt_session_config next = *session;
     const ThreadError before = thread_error;
-    const bool found = take(fit, &next, &result_);
+    const bool found = take(fit, setup_.config(), &next, &result_);
     if (check_session_config(next) == HRT_OK) {
       *session = next;
       if (found) result_.done |= fit.part;

@@ -195,8 +195,9 @@ std::string curve_and_directions(const Calibration& calibration) {
   const char* const rings = " with points pt 6 ps 0.8 lc rgb '#999999' ";
   return "set grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset offsets graph 0.03, graph 0.03, graph 0.05, "
          "graph 0.05\nset lmargin 10\nset rmargin 3\nset multiplot\n"
-         "set origin 0,0.66\nset size 1,0.34\nset title \"Illusion\\nw_T = " + fixed(all[0].interval.value, 3) + " (" + interval_text(all[0]) +
-         "), largest gap " + fixed(all[3].interval.value, 1) + "° (" + interval_text(all[3]) +
+         "set origin 0,0.66\nset size 1,0.34\nset title \"Illusion\\nw_T = " +
+         fixed(all[0].interval.value, 3) + " (" + interval_text(all[0]) + "), largest gap " +
+         fixed(all[3].interval.value, 1) + "° (" + interval_text(all[3]) +
          ")\" font ',12'\nset key top left\nset xrange "
          "[-80:80]\nset xtics 15\n"
          "set xlabel 'ridge normal less motion, °'\nset ylabel 'felt shift, °'\n"

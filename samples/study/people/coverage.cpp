@@ -23,7 +23,9 @@ void peaked(PersonCondition& condition, Draws&) {
   condition.person.illusion.family = IllusionFamily::peaked;
   condition.person.illusion.scale_deg = 50.0;
 }
-void biased(PersonCondition& condition, Draws& draws) { condition.person.bias_deg = draws.uniform() < 0.5 ? -3.0 : 3.0; }
+void biased(PersonCondition& condition, Draws& draws) {
+  condition.person.bias_deg = draws.uniform() < 0.5 ? -3.0 : 3.0;
+}
 
 constexpr CoverageKind all_kinds[] = {
     {"linear", "linear illusion, continuous steering", "linear"},
@@ -83,7 +85,8 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
     PersonCondition now = condition;
     now.person.illusion.tactile_weight +=
         trend * (static_cast<double>(i) / static_cast<double>(session.slides - 1) - 0.5);
-    CalibrationTrial trial = simulate_slide(now, curve_bound_deg * planned_share(i), session.seed, index, static_cast<std::uint32_t>(i));
+    CalibrationTrial trial =
+        simulate_slide(now, curve_bound_deg * planned_share(i), session.seed, index, static_cast<std::uint32_t>(i));
     if (draws.uniform() < kind.outlying_share) {
       const double off_deg = (draws.uniform() < 0.5 ? -1.0 : 1.0) * (15.0 + 25.0 * draws.uniform());
       for (TimedPoint& sample : trial.samples) {

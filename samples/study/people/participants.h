@@ -19,7 +19,7 @@ inline constexpr const char* calibration_header = "trial,time_s,right_m,away_m,p
 struct Session {
   CalibrationCondition condition;
   std::vector<double> plate_angles_deg{-75.0, -67.5, -60.0, -52.5, -45.0, -37.5, -30.0, -22.5, -15.0, -7.5, 0.0,
-                                       7.5,   15.0,  22.5,  30.0,  37.5,  45.0,  52.5,  60.0,  67.5, 75.0};
+                                       7.5,   15.0,  22.5,  30.0,  37.5,  45.0,  52.5,  60.0,  67.5,  75.0};
   std::uint64_t trials_per_angle = 2;
   std::uint64_t seed = 1;
   std::uint32_t person = 0;  ///< people of one seed differ by this

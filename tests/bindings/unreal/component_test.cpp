@@ -376,11 +376,11 @@ TEST_F(Component, CalibratesASimulatedFinger) {
   FHapticTarget ahead;
   ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("ahead"), 0, 10, ahead));
   FHapticSetupStep step;
-  int slides = 0, turns = 0;
+  int turns = 0;
   component_.OnSetupStepped.Add([&](const FHapticSetupStep& next) { step = next; });
   component_.OnPlateCommanded.Add([&](double) { ++turns; });
   ASSERT_TRUE(component_.BeginSetup(static_cast<int32>(HRT_SETUP_CALIBRATION)));
-  ASSERT_TRUE(component_.BeginSimulatedFinger(ahead, ++slides));
+  ASSERT_TRUE(component_.BeginSimulatedFinger(ahead, 1));
   FHapticSetupResult result;
   FVector place;
   for (int frame = 0; component_.IsSettingUp() && frame < 40000; ++frame) {

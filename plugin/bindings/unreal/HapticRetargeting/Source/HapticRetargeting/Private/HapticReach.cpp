@@ -148,13 +148,17 @@ bool UHapticRetargetingComponent::BeginSimulatedFinger(const FHapticTarget& Virt
 	{
 		return false;
 	}
-	if (Person.value != 0)
+	if (Person.value != 0 && Seed != PersonSeed)
 	{
 		hrt_person_destroy(Person);
 		Person = {};
 	}
-	return HAPTIC_CALL(hrt_person_create(nullptr, static_cast<uint64_t>(Seed), &Person)) &&
-		HAPTIC_CALL(hrt_person_begin(Person, Session, ToTarget(Virtual)));
+	if (Person.value == 0 && !HAPTIC_CALL(hrt_person_create(nullptr, static_cast<uint64_t>(Seed), &Person)))
+	{
+		return false;
+	}
+	PersonSeed = Seed;
+	return HAPTIC_CALL(hrt_person_begin(Person, Session, ToTarget(Virtual)));
 }
 
 bool UHapticRetargetingComponent::UpdateSimulatedFinger(double Time, FVector& OutLocation)

@@ -214,6 +214,7 @@ private:
 
 	hrt_session Session{};
 	hrt_person Person{};
+	int64 PersonSeed = 0;
 	hrt_plate Device{};
 	bool bDeviceIsTaken = false;
 	bool bDeviceIsRefused = false;
