@@ -61,6 +61,8 @@ class Setup {
 
   /// After the fit of the part under way: it is done with, or it is to be repeated, for more slides.
   void close();
+  /// Parts that can show nothing any more.
+  void leave_out(std::uint32_t parts) { left_ &= ~parts; }
   void repeat(SetupProblem problem);
   /// No more slides can be asked for.
   bool slides_are_full() const;

@@ -91,6 +91,8 @@ SetupFit finish_part(Setup* setup, const Registration& registered) {
       fit.problem = calibrate_of(*setup, &fit);
       break;
   }
+  // Along guides of a plate that is elsewhere there is nothing to be seen.
+  if (fit.check && !fit.check->holds) setup->leave_out(setup_guides);
   if (fit.problem == SetupProblem::none)
     setup->close();
   else

@@ -185,9 +185,11 @@ TEST_F(SetupTest, SwappedMarksAreTouchedAgain) {
   EXPECT_EQ(run(person).done, HRT_SETUP_CHECK);
   problems = 0;
   person.position_m.x() += 0.03;
-  begin_setup(HRT_SETUP_CHECK);
+  add(HRT_TARGET_REAL, 0.0);
+  begin_setup(HRT_SETUP_CHECK | HRT_SETUP_GUIDES);
   result = run(person);
   EXPECT_EQ(result.done, 0u);
+  EXPECT_EQ(result.left, 0u) << "no guides on a plate that has moved";
   EXPECT_NEAR(result.check_distance_m, 0.03, 0.002);
   EXPECT_NE(problems & 1u << HRT_PROBLEM_DISAGREES, 0u) << "a second touch decides";
   EXPECT_EQ(config_of(session).flags & HRT_SESSION_REGISTERED, 0u);

@@ -76,7 +76,7 @@ std::string calibration_text(const CalibrationReport& report) {
     text += trait.interval.known ? row(trait.words, value, interval_text(trait))
                                  : row(trait.words, "not determined", "best fit " + value);
   }
-  text += row("largest gap with the plate at", fixed(calibration.peak_offset_deg, 0) + "°", "") + fit_text(calibration);
+  text += row("largest gap, plate from motion, °", fixed(calibration.peak_offset_deg, 0), "") + fit_text(calibration);
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
 }
 
@@ -226,7 +226,7 @@ std::string residual_panels(const LackOfFit& lack) {
          "angle\\n" +
          said(lack.angle_p) + "\" font ',11'\nset xtics 60\nset xlabel 'plate, °'\nset ylabel 'slide less fit, °'\n" +
          residuals("1") +
-         "set xrange [0:*]\nset xtics auto\nset origin 0.38,0\nset size 0.33,0.33\nset title \"over the "
+         "set xrange [0:*]\nset xtics 20\nset origin 0.38,0\nset size 0.33,0.33\nset title \"over the "
          "order\\n" +
          said(lack.order_p) + "\" font ',11'\nset xlabel 'trial'\nunset ylabel\n" + residuals("4") +
          "set xrange [0.5:4.5]\nset xtics 1\nset origin 0.71,0\nset size 0.29,0.33\nset title \"along the "

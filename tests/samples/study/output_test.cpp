@@ -63,16 +63,12 @@ TEST(StudyOutput, PartsConcatenateToTheWhole) {
         Arguments{"coverage", "--people", "1", "--slides", "16", "--format", "csv"}}) {
     const std::string whole = run_study(arguments).out;
     EXPECT_GE(lines(whole).size(), 13U) << arguments[0];
-    for (const int parts : {2, 7}) {
-      std::string joined;
-      for (int part = 1; part <= parts; ++part) {
-        const StudyRun run =
-            expect_exit(0, run_study(arguments + Arguments{"--part", std::to_string(part) + "/" + std::to_string(parts),
-                                                           "--out", folder / "part"}));
-        joined += read_file(folder / "part");
-      }
-      EXPECT_EQ(joined, whole) << arguments[0] << ", " << parts << " parts";
+    std::string joined;
+    for (const char* part : {"1/4", "2/4", "3/4", "4/4"}) {
+      expect_exit(0, run_study(arguments + Arguments{"--part", part, "--out", folder / "part"}));
+      joined += read_file(folder / "part");
     }
+    EXPECT_EQ(joined, whole) << arguments[0];
   }
 }
 
