@@ -90,14 +90,10 @@ TEST(PersonFit, IntervalsCoverWhereKnown) {
 }
 
 TEST(PersonFit, FindsWhereAnIllusionIsLargest) {
-  int sine = 0;
-  int linear = 0;
-  for (std::uint32_t index = 0; index < 4; ++index) {
-    sine += calibrated(slides(drawn("sine-45", index), index, grid(4))).peak_offset_deg < 55.0;
-    linear += calibrated(slides(drawn("linear", index), index, grid(4))).peak_offset_deg > 65.0;
+  for (std::uint32_t index = 0; index < 2; ++index) {
+    EXPECT_LT(calibrated(slides(drawn("sine-45", index), index, grid(3))).peak_offset_deg, 55.0) << index;
+    EXPECT_GT(calibrated(slides(drawn("linear", index), index, grid(3))).peak_offset_deg, 65.0) << index;
   }
-  EXPECT_GE(sine, 3);
-  EXPECT_GE(linear, 3);
 }
 
 TEST(PersonFit, NamesSlidesThatWentElsewhere) {
@@ -118,7 +114,7 @@ TEST(PersonFit, NamesSlidesThatWentElsewhere) {
 // A person whose weight falls over the session.
 TEST(PersonFit, WithholdsWhatChangesOverTheSession) {
   int found = 0;
-  for (std::uint32_t index = 0; index < 5; ++index) {
+  for (std::uint32_t index = 0; index < 3; ++index) {
     std::vector<CalibrationTrial> trials;
     const std::vector<double> angles = grid(4);
     for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -132,7 +128,7 @@ TEST(PersonFit, WithholdsWhatChangesOverTheSession) {
     EXPECT_FALSE(calibration.tactile_weight.known);
     EXPECT_FALSE(calibration.advice().empty());
   }
-  EXPECT_GE(found, 4);
+  EXPECT_EQ(found, 3);
 }
 
 // Their direction swings across the ridges: an answer too strong for how late it is.
