@@ -37,7 +37,8 @@ constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
 // The slope from which a fit sets out.
 constexpr double first_slope = 0.18;
-// Before any slide the slope may change at a knot by as much as it is (SD), as where an illusion saturates.
+// Before any slide the slope may change at a knot by as much as it is (SD), as where an illusion saturates: at least by
+// this.
 constexpr double min_steepness = 0.02;
 
 // One-sided differences take smaller steps.
@@ -113,6 +114,24 @@ LeastSquares problem_of(std::span<const SlideTrack> slides, const Eigen::MatrixX
   return problem;
 }
 
+// The inverse of a slide's covariance, to which what the steering law may be wrong by is added.
+PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
+  PartsMatrix covariance = parts_covariance;
+  for (int part = 0; part < slide_parts; ++part)
+    covariance(part, part) += law_deviation_deg[part] * law_deviation_deg[part];
+  return inverse(covariance);
+}
+
+// The derivatives of one slide's predicted directions.
+SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& person) {
+  const FitVector middle = fit_vector(person);
+  SlideJacobian jacobian(slide_parts, middle.size());
+  for (int i = 0; i < middle.size(); ++i)
+    jacobian.col(i) =
+        fit_derivative(middle, i, [&](const SlidingPersonModel& other) { return predicted_directions(track, other); });
+  return jacobian;
+}
+
 // What the steering law gets wrong in all slides alike, in parameters.
 FitMatrix common_covariance(const CurveFit& fit, std::span<const SlideTrack> slides, const PartsMatrix& weight) {
   const FitMatrix inverted = inverse(fit.information);
@@ -127,13 +146,6 @@ FitMatrix common_covariance(const CurveFit& fit, std::span<const SlideTrack> sli
 }  // namespace
 
 double common_deviation_deg(int part) { return common_share * law_deviation_deg[static_cast<std::size_t>(part)]; }
-
-PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
-  PartsMatrix covariance = parts_covariance;
-  for (int part = 0; part < slide_parts; ++part)
-    covariance(part, part) += law_deviation_deg[part] * law_deviation_deg[part];
-  return inverse(covariance);
-}
 
 double fit_step(int parameter) {
   constexpr std::array<double, bends> steps{0.05, 0.05, 0.05, 0.02, 0.003, 0.003, 0.01, 0.01, 0.002};
@@ -170,15 +182,6 @@ SlidingPersonModel fitted_person(const FitVector& parameters) {
           .goal_delay_s = parameters(goal_delay)};
 }
 
-SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& person) {
-  const FitVector middle = fit_vector(person);
-  SlideJacobian jacobian(slide_parts, middle.size());
-  for (int i = 0; i < middle.size(); ++i)
-    jacobian.col(i) =
-        fit_derivative(middle, i, [&](const SlidingPersonModel& other) { return predicted_directions(track, other); });
-  return jacobian;
-}
-
 CurveFit fit_curve(std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance) {
   const PartsMatrix weight = fit_weight(parts_covariance);
   const Eigen::MatrixXd root = cholesky_factor(weight).transpose();
@@ -192,7 +195,6 @@ CurveFit fit_curve(std::span<const SlideTrack> slides, const PartsMatrix& parts_
 
   CurveFit best;
   best.person = fitted_person(found.parameters);
-  best.misfit = found.misfit;
   best.prior_deviation = problem.prior_deviation;
   best.prior_off = (problem.prior_mean - found.parameters).cwiseQuotient(problem.prior_deviation);
   std::vector<Eigen::VectorXd> residuals;

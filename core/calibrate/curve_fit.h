@@ -23,7 +23,6 @@ using PartsMatrix = Eigen::Matrix<double, slide_parts, slide_parts>;
 
 struct CurveFit {
   SlidingPersonModel person;
-  double misfit = 0.0;        ///< sum of squared residuals in units of their deviation
   double effective = 0.0;     ///< number of parameters that the slides determine, and not the prior
   FitVector prior_deviation;  ///< of each parameter
   FitVector prior_off;        ///< prior mean less parameter, in deviations
@@ -40,14 +39,8 @@ SlidingPersonModel fitted_person(const FitVector& parameters);
 /// How far the steering law may be wrong about a part in all slides alike, degrees.
 double common_deviation_deg(int part);
 
-/// The inverse of a slide's covariance, to which what the steering law may be wrong by is added.
-PartsMatrix fit_weight(const PartsMatrix& parts_covariance);
-
 /// `parts_covariance`: of one slide's directions about the fit, positive definite.
 CurveFit fit_curve(std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance);
-
-/// The derivatives of one slide's predicted directions.
-SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& person);
 
 /// The step of a numerical derivative by a parameter.
 double fit_step(int parameter);

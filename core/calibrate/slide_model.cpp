@@ -11,10 +11,6 @@
 namespace hrt {
 namespace {
 
-// A motion along the ridges, except for a hair, so that its side is known.
-constexpr double along_ridges_deg = 89.99;
-constexpr int halvings = 40;
-
 // The tangent within max_direction_deg, by its continued fraction; to 1e-5.
 double tangent(double angle_deg) {
   const double x = rad_per_deg * angle_deg;
@@ -100,22 +96,6 @@ SlideDirections predicted_directions(const SlideTrack& track, const SlidingPerso
   for (int part = 0; part < slide_parts; ++part)
     directions(part) = atan2_deg(left_m(part) - (part > 0 ? left_m(part - 1) : 0.0), track.advance_m(part));
   return directions;
-}
-
-double settled_model_deg(const SlidingPersonModel& person, double plate_deg) {
-  // Between the goal and the motion along the ridges, what is felt passes the goal at most once.
-  const auto felt_error_deg = [&](double direction_deg) {
-    return direction_deg + curve_shift_deg(person.curve, plate_deg - direction_deg) - person.bias_deg;
-  };
-  double goal_deg = person.bias_deg;
-  double along_deg = plate_deg + (plate_deg > goal_deg ? -along_ridges_deg : along_ridges_deg);
-  const bool rises = felt_error_deg(goal_deg) > 0.0;
-  if ((felt_error_deg(along_deg) > 0.0) == rises) return along_deg;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle_deg = 0.5 * (goal_deg + along_deg);
-    ((felt_error_deg(middle_deg) > 0.0) == rises ? goal_deg : along_deg) = middle_deg;
-  }
-  return 0.5 * (goal_deg + along_deg);
 }
 
 }  // namespace hrt

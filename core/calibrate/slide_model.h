@@ -29,8 +29,4 @@ struct SlidingPersonModel {
 /// along the slide's own pace.
 SlideDirections predicted_directions(const SlideTrack& track, const SlidingPersonModel& person);
 
-/// The direction of motion at rest for a plate at `plate_deg`: P + g(T - P) = bias, on the branch that a
-/// motion from 0 comes to; along the ridges if there is none.
-double settled_model_deg(const SlidingPersonModel& person, double plate_deg);
-
 }  // namespace hrt

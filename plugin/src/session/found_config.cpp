@@ -93,7 +93,7 @@ void write_calibration(const Calibration& calibration, hrt_session_config* confi
                                   .bias_deg = calibration.bias_deg,
                                   .habit_deg = calibration.habit_deg}),
                config);
-  write_weight();  // at 60 degrees, of whatever family
+  write_weight();  // at 60 degrees, of whatever curve
   config->motion_bound_deg = calibration.peak_offset_deg;
 }
 

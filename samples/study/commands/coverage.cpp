@@ -122,16 +122,16 @@ CoverageStudy simulate(CoverageOptions options) {
 
 void add_coverage(CLI::App& app) {
   const auto options = std::make_shared<CoverageOptions>();
-  CLI::App& command =
-      add_command(app, "coverage", "How often the calibration's 95 % intervals hold the truth, over simulated people.",
-                  R"(People as 'robustness' has them, and three more kinds: slides that slip, people who change over the
-session. 50 people of all kinds take some ten minutes.
+  CLI::App& command = add_command(
+      app, "coverage", "How often the calibration's 95 % intervals hold the truth, over simulated people.",
+      R"(People as 'robustness' has them, and others: strong and weak illusions, one with a peak, slides that slip,
+people who change over the session. 50 people of all kinds take some three minutes.
 )" + part_words("kinds") +
-                      R"(
+          R"(
 Examples:
   hrt-study coverage --kind habit-5
   hrt-study coverage --slides 16 --people 200)",
-                  [options] { options->writing.write([options] { return simulate(*options); }, results, text); });
+      [options] { options->writing.write([options] { return simulate(*options); }, results, text); });
   std::vector<std::string> kinds{"all"};
   for (const CoverageKind& kind : coverage_kinds()) kinds.emplace_back(kind.name);
   add_choice(command, "--kind", &options->kind, kinds, "Kind of people.");

@@ -39,6 +39,8 @@ def test_simulated_person_is_calibrated_by_the_loop(tmp_path: Path) -> None:
         assert session.profile["plate"] == "desk 1"
         session.set_conditions(plate="desk 2")
         assert session.conditions.differing == hrt.ConditionFlag.PLATE and session.conditions.plate == b"desk 1"
+        session.new_person()
+        assert session.config.tactile_weight == 0.2
     assert hrt.read_recording(path).reaches == []
     report = hrt.replay(path)
     assert report.complete and report.first_different_line == 0 and report.rows > frame
