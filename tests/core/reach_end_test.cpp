@@ -4,11 +4,10 @@
 
 #include "core/reach/pace.h"
 #include "core/simulation/tracker.h"
+#include "tests/core/times.h"
 
 namespace hrt {
 namespace {
-
-constexpr std::int64_t ms = 1'000'000;
 
 FingerSample seen(std::int64_t time_ns, double away_m) {
   return {.time_ns = time_ns, .observation = Observation::position, .position = {0.0, away_m}};

@@ -10,12 +10,12 @@
 #include "core/simulation/people.h"
 #include "core/simulation/person_trial.h"
 #include "tests/core/heap_guard.h"
+#include "tests/core/times.h"
 
 namespace hrt {
 namespace {
 
 constexpr double rad_per_deg = 0.017453292519943295;
-constexpr std::int64_t ms = 1'000'000;
 
 // About the plate's centre, which is the start of simulated people.
 FrameCovariance turn_of(double sd_deg) {

@@ -10,11 +10,11 @@
 #include "core/simulation/people.h"
 #include "core/simulation/person_trial.h"
 #include "tests/core/heap_guard.h"
+#include "tests/core/times.h"
 
 namespace hrt {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
 constexpr Reach gap_of_ten{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0};
 const PlatePoint real_place = point_ahead({}, -5.0, 0.1);
 const PlatePoint virtual_place = point_ahead({}, 5.0, 0.1);

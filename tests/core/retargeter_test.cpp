@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/times.h"
+
 namespace hrt {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
 constexpr Reach reach{.real_direction_deg = -5, .virtual_direction_deg = 5, .plate_orientation_deg = 20};
 
 FingerSample position(int i) {

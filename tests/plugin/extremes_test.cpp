@@ -152,9 +152,9 @@ class Extremes : public SessionTest {
         for (double& coordinate_m : sample->finger_position_m) coordinate_m = std::clamp(coordinate_m, -1000.0, 1000.0);
     }
     constexpr std::int64_t steps_ns[] = {0, 1, 11'000'000, 11'000'000, 11'000'000, 100'000'000, 20'000'000'000};
-    const std::int64_t step_ns = below(50) == 0 ? std::int64_t{1} << 60 : one_of(steps_ns);
+    const std::int64_t advance_ns = below(50) == 0 ? std::int64_t{1} << 60 : one_of(steps_ns);
     constexpr std::int64_t last_ns = std::numeric_limits<std::int64_t>::max();
-    sample->time_ns = sample->time_ns > last_ns - step_ns ? last_ns : sample->time_ns + step_ns;
+    sample->time_ns = sample->time_ns > last_ns - advance_ns ? last_ns : sample->time_ns + advance_ns;
   }
 
   /// What the session knows after a reach is finite, can be configured, and is a profile.

@@ -17,6 +17,7 @@
 namespace hrt::test {
 
 inline constexpr std::int64_t ms = 1'000'000;
+inline constexpr std::int64_t step_ns = 100 * ms;  ///< of the paper's model
 
 /// Fails the test with the library's own words unless the call succeeds.
 #define ASSERT_OK(call) ASSERT_EQ((call), HRT_OK) << hrt_last_error()

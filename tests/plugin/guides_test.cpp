@@ -18,12 +18,12 @@ namespace {
 
 constexpr std::int64_t frame_ns = 11'111'111;
 constexpr double radian = std::numbers::pi / 180.0;
-constexpr double distance_m = 0.1;
+constexpr double reach_m = 0.1;
 const std::vector<double> directions_deg{-14.0, 0.0, 10.0};
 const Eigen::Vector2d start_m{0.0, -0.05};  // right, away
 
 Eigen::Vector2d target_m(double direction_deg) {
-  return start_m + distance_m * Eigen::Vector2d(-sin_deg(direction_deg), cos_deg(direction_deg));
+  return start_m + reach_m * Eigen::Vector2d(-sin_deg(direction_deg), cos_deg(direction_deg));
 }
 
 // A tracker, and a finger under it.
@@ -77,7 +77,7 @@ class GuidesTest : public SessionTest {
     create(config);
     for (const double direction_deg : directions_deg) {
       hrt_target_config target = target_config(HRT_TARGET_REAL, direction_deg);
-      target.distance_m = distance_m + 0.01;
+      target.distance_m = reach_m + 0.01;
       target.radius_m = 0.01;
       reals.push_back(add(target));
     }
@@ -246,8 +246,8 @@ TEST_F(GuidesTest, AStartThatIsFeltIsWhereTheFingerRests) {
     hrt_command command{};
     for (int frame = 0; frame < 180; ++frame) {
       const double share = std::clamp((frame - 60) / 90.0, 0.0, 1.0);
-      command = update(
-          position_sample(frame * frame_ns, 0.008, start_m.y() + distance_m * share * share * (3.0 - 2.0 * share)));
+      command =
+          update(position_sample(frame * frame_ns, 0.008, start_m.y() + reach_m * share * share * (3.0 - 2.0 * share)));
     }
     EXPECT_NEAR(end().miss_deg, felt ? 0.0 : -4.6, 0.3);
   }

@@ -7,9 +7,8 @@
 namespace hrt::test {
 namespace {
 
-constexpr std::int64_t step_ns = 100'000'000;
 constexpr int steps = 30;
-constexpr double distance_m = 0.1;
+constexpr double whole_m = 0.1;
 constexpr double real_deg = -5.0;
 constexpr double virtual_deg = 5.0;
 
@@ -52,7 +51,7 @@ class LearningTest : public SessionTest {
     double right_m = 0.0, forward_m = -0.05, plate_deg = 0.0;
     std::int64_t moved_to_ns = 0;
     const auto move_to = [&](std::int64_t time_ns) {
-      const double travel_m = distance_m * static_cast<double>(time_ns - moved_to_ns) / (steps * step_ns);
+      const double travel_m = whole_m * static_cast<double>(time_ns - moved_to_ns) / (steps * step_ns);
       right_m -= travel_m * sin_deg(participant.finger_direction_deg());
       forward_m += travel_m * cos_deg(participant.finger_direction_deg());
       moved_to_ns = time_ns;

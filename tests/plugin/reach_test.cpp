@@ -9,8 +9,6 @@ namespace {
 
 using ReachTest = PaperTest;
 
-constexpr std::int64_t step_ns = 100'000'000;
-
 // Horizon 3 away from the bound: e = 3/5 (p - p_R) at full gain, which the unsteady filter multiplies by
 // the first gain K_0 = sigma_u2/(sigma_u2 + sigma_h2) = 5/6 only in what the plate must do to get it:
 // e_0 = K_0 (w_T t + (1 - w_T) p) = 0.6 (p - p_R), so t = (0.6 (p - p_R)/K_0 - (1 - w_T) p)/w_T.
@@ -44,7 +42,7 @@ TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
   double forward_m = -0.05;
   hrt_command command{};
   for (int i = 0; i <= 28; ++i) {
-    command = update(position_sample(i * step_ns / 10, 0.0, forward_m));
+    command = update(position_sample(i * 10 * ms, 0.0, forward_m));
     forward_m += 0.001;
   }
   // Estimates: the tracker's noise has yet to be learnt to be none.
@@ -61,7 +59,7 @@ TEST_F(ReachTest, WorldPositionsAreTakenToThePlate) {
   double on_plate_deg[21];
   begin_reach();
   for (int i = 0; i <= 20; ++i)
-    on_plate_deg[i] = update(position_sample(i * step_ns / 10, 0.0, -0.05 + 0.001 * i)).plate_orientation_deg;
+    on_plate_deg[i] = update(position_sample(i * 10 * ms, 0.0, -0.05 + 0.001 * i)).plate_orientation_deg;
 
   hrt_session_config config = paper_config();
   const double half = std::sqrt(0.5);
@@ -73,7 +71,7 @@ TEST_F(ReachTest, WorldPositionsAreTakenToThePlate) {
   create(config);
   begin_reach();
   for (int i = 0; i <= 20; ++i) {
-    hrt_sample sample = position_sample(i * step_ns / 10, 1.0 + 0.05 - 0.001 * i, -3.0);
+    hrt_sample sample = position_sample(i * 10 * ms, 1.0 + 0.05 - 0.001 * i, -3.0);
     sample.finger_position_m[1] = 2.0;
     sample.flags = HRT_SAMPLE_WORLD_POSITION;
     EXPECT_NEAR(update(sample).plate_orientation_deg, on_plate_deg[i], 1e-9);
@@ -85,7 +83,7 @@ TEST_F(ReachTest, WorldPositionsAreTakenToThePlate) {
 TEST_F(ReachTest, PlateMayMoveWithTheFinger) {
   begin_reach();
   for (int i = 0; i <= 20; ++i) {
-    hrt_sample sample = position_sample(i * step_ns / 10, 0.01 * i, -0.05);
+    hrt_sample sample = position_sample(i * 10 * ms, 0.01 * i, -0.05);
     sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
     sample.plate_position_m[0] = 0.01 * i;
     sample.plate_rotation[3] = 1.0;

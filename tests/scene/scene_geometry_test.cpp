@@ -11,8 +11,8 @@
 namespace hrt {
 namespace {
 
-const double half_root = std::sqrt(0.5);
-const Json quarter_left = {0.0, half_root, 0.0, half_root};  // about +Y, counter-clockwise from above
+const double sin_45 = std::sqrt(0.5);
+const Json quarter_left = {0.0, sin_45, 0.0, sin_45};  // about +Y, counter-clockwise from above
 
 TEST(SceneGeometry, DefaultStartIsTwoThirdsTowardsTheUser) {
   const Scene scene = load(document({plate(), real(), virtual_on_the_left()}));
@@ -63,8 +63,8 @@ TEST(SceneGeometry, TurnedPlate) {
   EXPECT_NEAR(scene.targets[1].direction_deg, -90.0, 1e-12);
   EXPECT_NEAR(scene.targets[1].position_m.x, 0.1, 1e-15);
   EXPECT_DOUBLE_EQ(scene.targets[1].world_position_m.x, 1.05);
-  EXPECT_NEAR(scene.plate.pose.orientation.y, half_root, 1e-15);
-  EXPECT_NEAR(scene.plate.pose.orientation.w, half_root, 1e-15);
+  EXPECT_NEAR(scene.plate.pose.orientation.y, sin_45, 1e-15);
+  EXPECT_NEAR(scene.plate.pose.orientation.w, sin_45, 1e-15);
 }
 
 // Group (10, 0, 0) turned a quarter left, in it a shelf 1 m along the group's -Z, which is the world's -X,
@@ -81,7 +81,7 @@ TEST(SceneGeometry, NestedNodesAsTransformsAndAsMatrices) {
     EXPECT_EQ(scene.plate.node_path, "Group/Shelf/Plate");
     EXPECT_NEAR(scene.plate.pose.position_m.x, 9.0, 1e-15);
     EXPECT_NEAR(scene.plate.pose.position_m.z, 0.0, 1e-15);
-    EXPECT_NEAR(scene.plate.pose.orientation.y, half_root, 1e-15);
+    EXPECT_NEAR(scene.plate.pose.orientation.y, sin_45, 1e-15);
     EXPECT_NEAR(scene.targets[0].world_position_m.x, 8.95, 1e-15);
     EXPECT_NEAR(scene.targets[0].direction_deg, 0.0, 1e-12);
     EXPECT_NEAR(scene.targets[0].distance_m, 0.1, 1e-12);
@@ -119,10 +119,10 @@ TEST(SceneGeometry, NegativeScaleOfThePlate) {
 // A quarter turn inside an uneven scale swaps the scaled axes and keeps them perpendicular; an eighth does
 // not.
 TEST(SceneGeometry, ShearedPlateIsRefused) {
-  const double sin_deg_22_5 = std::sqrt(0.5 - 0.5 * half_root);
-  const double cos_deg_22_5 = std::sqrt(0.5 + 0.5 * half_root);
+  const double sin_deg_22_5 = std::sqrt(0.5 - 0.5 * sin_45);
+  const double cos_deg_22_5 = std::sqrt(0.5 + 0.5 * sin_45);
   const Json group = node("Group", {}, {{"scale", {1.0, 1.0, 3.0}}, {"children", {1}}});
-  EXPECT_EQ(refusal(document({group, plate({{"rotation", {half_root, 0.0, 0.0, half_root}}})})), "");
+  EXPECT_EQ(refusal(document({group, plate({{"rotation", {sin_45, 0.0, 0.0, sin_45}}})})), "");
   EXPECT_EQ(refusal(document({group, plate({{"rotation", {0.0, sin_deg_22_5, 0.0, cos_deg_22_5}}})})), "");
   EXPECT_EQ(refusal(document({group, plate({{"rotation", {sin_deg_22_5, 0.0, 0.0, cos_deg_22_5}}})})),
             "test.gltf: node \"Group/Plate\": its transform is sheared: the plate's normal (+Y) and mid-line "

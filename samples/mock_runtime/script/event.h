@@ -9,10 +9,13 @@
 #include <variant>
 #include <vector>
 
-#include "samples/members.h"
 #include "samples/mock_runtime/calls/faults.h"
 #include "samples/mock_runtime/world/pose.h"
 #include "samples/mock_runtime/world/settings.h"
+
+namespace hrt {
+class Members;
+}
 
 namespace hrt::mock {
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <set>
 
+#include "samples/members.h"
 #include "samples/mock_runtime/error.h"
 
 namespace hrt::mock {

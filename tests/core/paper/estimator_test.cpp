@@ -11,11 +11,10 @@
 #include "core/paper/participant.h"
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
+#include "tests/core/times.h"
 
 namespace hrt {
 namespace {
-
-constexpr std::int64_t ms = 1'000'000;
 
 TEST(PlatePoint, BearingIsPositiveToTheLeft) {
   EXPECT_DOUBLE_EQ(bearing_deg({0, 0}, {0, 1}), 0.0);

@@ -5,16 +5,10 @@
 #include <limits>
 
 #include "tests/core/paper/mpc_reference.h"
+#include "tests/core/paper/steady_gains.h"
 
 namespace hrt {
 namespace {
-
-constexpr std::array<double, max_horizon> steady_gains() {
-  std::array<double, max_horizon> gains{};
-  gains.fill(0.85);
-  return gains;
-}
-constexpr auto gains = steady_gains();
 
 double perceived_error(const Mpc::Command& command, const MpcProblem& problem) {
   return problem.gains[0] * (problem.tactile_weight * command.plate_offset_deg +

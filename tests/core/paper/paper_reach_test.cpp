@@ -11,6 +11,7 @@
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
 #include "core/simulation/sliding_finger.h"
+#include "tests/core/times.h"
 
 namespace hrt {
 namespace {
@@ -29,8 +30,6 @@ TEST(PaperReach, LeadsAParticipantToTheRealTargetAndAFixedPlateDoesNot) {
   EXPECT_NEAR(final_direction_deg({}, reach), 5.0, 1e-9);
   EXPECT_NEAR(final_direction_deg({.fixed_plate_orientation_deg = 0.0}, reach), -5.0 / 0.85, 1e-9);
 }
-
-constexpr std::int64_t ms = 1'000'000;
 
 FingerSample position(std::int64_t time_ns, const PlatePoint& place) {
   return {.time_ns = time_ns, .observation = Observation::position, .position = place};

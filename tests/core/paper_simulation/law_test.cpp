@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/paper_simulation/control_law.h"
+#include "tests/core/paper/steady_gains.h"
 
 namespace hrt {
 namespace {
@@ -20,13 +21,6 @@ TEST(PiecewiseLinear, ByHand) {
   EXPECT_EQ(tent.slope(0), 2.0);
   EXPECT_EQ(tent.slope(1), -0.5);
 }
-
-constexpr std::array<double, max_horizon> steady_gains() {
-  std::array<double, max_horizon> gains{};
-  gains.fill(0.85);
-  return gains;
-}
-constexpr auto gains = steady_gains();
 
 // One step: the best e is 0, so t = -(1 - w_T) p / w_T = -9 p until the bound of 84.5 holds at p = 9.39.
 TEST(ControlLaw, HorizonOneByHand) {

@@ -11,11 +11,11 @@
 #include "core/simulation/person.h"
 #include "core/simulation/person_trial.h"
 #include "tests/core/heap_guard.h"
+#include "tests/core/times.h"
 
 namespace hrt {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
 constexpr Reach gap_of_ten{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0};
 
 FingerSample seen(std::int64_t time_ns, const PlatePoint& place) {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/core/times.h"
+
 namespace hrt {
 namespace {
-
-constexpr std::int64_t ms = 1'000'000;
 
 TEST(PlateModel, FollowsAtOnceByDefault) {
   PlateModel plate({}, 0.0);

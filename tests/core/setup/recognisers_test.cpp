@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/setup/setup.h"
+#include "tests/core/times.h"
 
 namespace hrt {
 namespace {
 
-constexpr std::int64_t ms = 1'000'000;
 constexpr PlatePoint start{0.0, -0.05};
 
 SetupSample at(std::int64_t time_ms, double right_m, double away_m) {

@@ -7,11 +7,10 @@
 
 #include "core/simulation/random.h"
 #include "core/tracker/noise_learner.h"
+#include "tests/core/times.h"
 
 namespace hrt {
 namespace {
-
-constexpr std::int64_t ms = 1'000'000;
 
 // Kept as given: what is seen changes nothing.
 TEST(NoiseLearner, KeepsAKnownNoise) {

@@ -10,8 +10,6 @@ namespace {
 
 using ThreadTest = SessionTest;
 
-constexpr std::int64_t step_ns = 100'000'000;
-
 TEST_F(ThreadTest, SecondThreadIsRefusedAndNothingIsCorrupted) {
   begin_reach();
   std::atomic<int> ready{0};

@@ -17,13 +17,13 @@ namespace {
 using namespace std::chrono_literals;
 using plate::eventually;
 
-const Place start{0.0, 0.05};
+const Place start_of_desk{0.0, 0.05};
 
 Outcome reach_along(const Path& path) { return run_scripted(path.script(), person_and({"--time-limit", "12"})); }
 
 TEST(ReachPerson, EndsAtTheTargetHoweverSlowlyAndWithPauses) {
   const Outcome outcome = expect_exit(0, reach_along(Path(plate_of_desk)
-                                                         .hold(start, 2000)
+                                                         .hold(start_of_desk, 2000)
                                                          .slide({0.0, 0.02}, 400)
                                                          .rest(700)
                                                          .slide({0.0, -0.02}, 3000)
@@ -38,7 +38,7 @@ TEST(ReachPerson, EndsAtTheTargetHoweverSlowlyAndWithPauses) {
 }
 
 TEST(ReachPerson, EndsAtRestBesideTheTarget) {
-  const std::string beside = Path(plate_of_desk).hold(start).slide({0.02, -0.05}, 3000).rest(2000).script();
+  const std::string beside = Path(plate_of_desk).hold(start_of_desk).slide({0.02, -0.05}, 3000).rest(2000).script();
   for (const std::string controller : {"people", "paper"}) {
     const Outcome outcome = run_scripted(beside, person_and({"--controller", controller}));
     ASSERT_EQ(rows_of(outcome).size(), 1U);
@@ -64,7 +64,7 @@ std::string relay(double left_height_m) {
   PlatePose left_plate = plate_of_desk;
   left_plate.y_m += left_height_m;
   const Path left = Path(left_plate).wait_until(2600).hold({0.0, 0.0}, 400).slide({0.0, -0.06}, 2100);
-  const Path right = Path(plate_of_desk).wait_until(200).hold(start, 900).slide({0.0, -0.05}, 3000);
+  const Path right = Path(plate_of_desk).wait_until(200).hold(start_of_desk, 900).slide({0.0, -0.05}, 3000);
   return R"({"hands": {"left": )" + left.tracked() + R"(, "right": )" + right.tracked() + R"(}, "events": [
       {"time_ms": 0, "do": "lose_tracking", "hand": "left"},
       {"time_ms": 3000, "do": "lose_tracking", "hand": "right"},
@@ -103,7 +103,7 @@ TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
 // Where it left the plate, not where it went afterwards.
 TEST(ReachPerson, EndsWithALift) {
   const Outcome outcome =
-      expect_exit(1, reach_along(Path(plate_of_desk).hold(start, 2000).slide({0.0, -0.03}, 800).lift()));
+      expect_exit(1, reach_along(Path(plate_of_desk).hold(start_of_desk, 2000).slide({0.0, -0.03}, 800).lift()));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].miss_mm, 20.0, 2.0);
 }
@@ -129,13 +129,13 @@ TEST(ReachPerson, WhatWasNotMadeIsExplained) {
                          Path(elsewhere).reach(),
                          {},
                          {"tracked for 100 % of the time", "the plate is elsewhere", "--register"}},
-                        {"above", Path(higher).hold(start, 9000), {}, {"100 mm above the plate"}},
+                        {"above", Path(higher).hold(start_of_desk, 9000), {}, {"100 mm above the plate"}},
                         {"beside the start",
                          Path(plate_of_desk).hold({0.06, 0.05}, 9000),
                          {},
                          {"60 mm right of the start", "within 15 mm"}},
                         {"stays",
-                         Path(plate_of_desk).hold(start, 9000),
+                         Path(plate_of_desk).hold(start_of_desk, 9000),
                          {},
                          {"did not end within 3 s", "It stayed at the start: slide it", "100 mm from the target"}}};
   for (const Unmade& unmade : all) {
@@ -154,7 +154,7 @@ TEST(ReachPerson, WhatWasNotMadeIsExplained) {
 // The first reach gets no end in time, the second one does.
 TEST(ReachPerson, AReachWithoutAnEndLeavesTheOthers) {
   const Outcome outcome =
-      expect_exit(8, run_scripted(Path(plate_of_desk).hold(start, 4500).slide({0.0, -0.05}, 800).script(),
+      expect_exit(8, run_scripted(Path(plate_of_desk).hold(start_of_desk, 4500).slide({0.0, -0.05}, 800).script(),
                                   person_and({"--target", "bottle", "--time-limit", "3.5"})));
   EXPECT_EQ(rows_of(outcome).size(), 1U) << outcome.out << outcome.err;
   EXPECT_TRUE(has(outcome.out, "not made"));
@@ -182,9 +182,10 @@ struct Voice {
 
 TEST(ReachSpeech, SpeaksWhatAPersonIsAsked) {
   const Voice voice;
-  expect_exit(0, run_scripted(R"({"clock": "real-time", )" +
-                                  Path(plate_of_desk).hold(start, 1500).slide({0.0, -0.05}, 800).script().substr(1),
-                              person_and({"--speak-with", voice.program})));
+  expect_exit(
+      0, run_scripted(R"({"clock": "real-time", )" +
+                          Path(plate_of_desk).hold(start_of_desk, 1500).slide({0.0, -0.05}, 800).script().substr(1),
+                      person_and({"--speak-with", voice.program})));
   const std::string heard = voice.heard();
   EXPECT_TRUE(has(heard, {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres,", "Done.",
                           "1 of 1 targets that can be held were reached"}));
@@ -237,9 +238,9 @@ TEST(ReachKeys, BackRepeatsTheLastTarget) {
   const plate::Pty terminal(80);
   const Program program(person_and({"--target", "goblet"}),
                         scripted_environment(Path(plate_of_desk)
-                                                 .hold(start, 1200)
+                                                 .hold(start_of_desk, 1200)
                                                  .slide({0.0, -0.05}, 500)
-                                                 .hold(start, 30000)
+                                                 .hold(start_of_desk, 30000)
                                                  .script(R"("clock": "real-time", )")),
                         -1, terminal.descriptor());
   EXPECT_TRUE(eventually([&] { return program.out().find("reached") != std::string::npos; }));
@@ -268,8 +269,8 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
   const std::string marks = voice.folder + "/marks.csv";
   std::ofstream(marks) << "name,x_m,y_m,z_m\nstart,0,-0.001,0.05\nright,0.07,-0.001,0\nfar,0,-0.001,-0.07\n";
   Path path;
-  for (const Place& mark : {start, Place{0.07, 0.0}, Place{0.0, -0.07}}) path.hold(mark, 850).lift();
-  path.hold(start, 1000).slide({0.0, -0.05}, 800);
+  for (const Place& mark : {start_of_desk, Place{0.07, 0.0}, Place{0.0, -0.07}}) path.hold(mark, 850).lift();
+  path.hold(start_of_desk, 1000).slide({0.0, -0.05}, 800);
   const plate::Pty terminal(80);
   const Program program(
       person_and({"--register", voice.folder + "/plate.txt", "--marks", marks, "--speak-with", voice.program}),

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string header = "trial,time_s,right_m,away_m,plate_orientation_deg\n";
+const std::string slides_header = "trial,time_s,right_m,away_m,plate_orientation_deg\n";
 
 void write(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
@@ -85,21 +85,21 @@ TEST(StudyCalibrate, SlidesOverATurningPlateAreLeftOut) {
 TEST(StudyCalibrate, NamesWhatIsWrongWithAFile) {
   EXPECT_EQ(refused(""),
             "data.csv: there is no header; it must name trial,time_s,right_m,away_m,plate_orientation_deg");
-  EXPECT_EQ(refused(header), "data.csv: there is no row under the header");
+  EXPECT_EQ(refused(slides_header), "data.csv: there is no row under the header");
   EXPECT_TRUE(has(refused("trial,time_s,right_m,away_m\n"), "line 1, column plate_orientation_deg: it is missing"));
-  EXPECT_TRUE(has(refused("trial," + header), "line 1, column trial: 'trial' is not allowed"));
-  EXPECT_EQ(refused(header + "1,0,0,0,0\n1,1,0,0\n"),
+  EXPECT_TRUE(has(refused("trial," + slides_header), "line 1, column trial: 'trial' is not allowed"));
+  EXPECT_EQ(refused(slides_header + "1,0,0,0,0\n1,1,0,0\n"),
             "data.csv, line 3, columns: '4' is not allowed; it must be as many as the header has, 5");
-  EXPECT_EQ(refused(header + "1,0,100,0,0\n"),
+  EXPECT_EQ(refused(slides_header + "1,0,100,0,0\n"),
             "data.csv, line 2, column right_m: '100' is not allowed; it must be a number in [-10, 10]");
-  EXPECT_TRUE(has(refused(header + "1.5,0,0,0,0\n"), "column trial: '1.5'"));
-  EXPECT_TRUE(has(refused(header + "1,,0,0,0\n"), "column time_s: ''"));
+  EXPECT_TRUE(has(refused(slides_header + "1.5,0,0,0,0\n"), "column trial: '1.5'"));
+  EXPECT_TRUE(has(refused(slides_header + "1,,0,0,0\n"), "column time_s: ''"));
   for (const char* word : {"nan", "inf", "-inf", "1e999", "0x1", "1 2", "1;2"})
-    EXPECT_TRUE(has(refused(header + "1,0,0," + word + ",0\n"), "line 2, column away_m: '"));
-  EXPECT_TRUE(has(refused(header + "1,1,0,0,0\n1,1,0,0,0\n"), "line 3, column time_s: '1'"));
-  EXPECT_TRUE(has(refused(header + "1,1,0,0,0\n2,1,0,0,0\n1,2,0,0,0\n"), "line 4, column trial: '1'"));
+    EXPECT_TRUE(has(refused(slides_header + "1,0,0," + word + ",0\n"), "line 2, column away_m: '"));
+  EXPECT_TRUE(has(refused(slides_header + "1,1,0,0,0\n1,1,0,0,0\n"), "line 3, column time_s: '1'"));
+  EXPECT_TRUE(has(refused(slides_header + "1,1,0,0,0\n2,1,0,0,0\n1,2,0,0,0\n"), "line 4, column trial: '1'"));
   // A long field is not shown whole.
-  EXPECT_LT(refused(header + std::string(100'000, '7') + ",0,0,0,0\n").size(), 200U);
+  EXPECT_LT(refused(slides_header + std::string(100'000, '7') + ",0,0,0,0\n").size(), 200U);
 }
 
 TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
@@ -170,7 +170,7 @@ TEST(StudyCalibrate, RefusesWithAReasonAndWritesNothing) {
   const StudyRun refusal = expect_exit(1, run_study(arguments));
   EXPECT_TRUE(has(refusal.err, "no calibration: the plate stood at 1 different angles; at least 3"));
 
-  write(data, header + "1,0,0,zero,0\n");
+  write(data, slides_header + "1,0,0,zero,0\n");
   const StudyRun broken = expect_exit(2, run_study(arguments));
   EXPECT_TRUE(has(broken.err, "line 2, column away_m: 'zero' is not allowed; it must be a number in [-10, 10]"));
   EXPECT_EQ(lines(broken.err).size(), 1U);

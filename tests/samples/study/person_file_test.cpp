@@ -8,7 +8,7 @@
 namespace hrt::study {
 namespace {
 
-std::string refusal(std::string_view text) {
+std::string person_refusal(std::string_view text) {
   try {
     static_cast<void>(parse_person("me", text));
   } catch (const UsageError& error) {
@@ -18,7 +18,7 @@ std::string refusal(std::string_view text) {
 }
 
 void expect_refusal(std::string_view text, std::initializer_list<const char*> words) {
-  const std::string message = refusal(text);
+  const std::string message = person_refusal(text);
   EXPECT_FALSE(has(message, "\n"));
   for (const char* word : words) EXPECT_TRUE(has(message, word));
 }

@@ -16,14 +16,14 @@
 namespace hrt::study {
 namespace {
 
-constexpr const char* header =
+constexpr const char* recording_header =
     "# haptic retargeting recording, version 3\n"
     "call,result,time_ns,sample_flags,sample_x_m,sample_y_m,sample_z_m,measured_plate_deg,real_direction_deg,"
     "virtual_direction_deg,real_distance_m,start_right_m,start_away_m,plate_orientation_deg\n";
 
 constexpr const char* begin_row = "begin,0,,,,,,,-5,5,0.1,0,-0.05,0\n";
 
-std::string refusal(std::string_view text) {
+std::string recording_refusal(std::string_view text) {
   try {
     static_cast<void>(parse_recorded_paths("a.csv", text));
   } catch (const UsageError& error) {
@@ -34,7 +34,7 @@ std::string refusal(std::string_view text) {
 
 // Two samples 10 mm apart, the second lifted by its height, over a plate commanded to 20 and then measured.
 TEST(StudyReplay, ARecordingByHand) {
-  const RecordedPaths recorded = parse_recorded_paths("a.csv", std::string(header) + begin_row +
+  const RecordedPaths recorded = parse_recorded_paths("a.csv", std::string(recording_header) + begin_row +
                                                                    "update,0,0,2,0.01,0.001,0.05,,,,,,,20\n"
                                                                    "update,0,10000000,2,0.02,0,0.04,,,,,,,30\n"
                                                                    "update,0,20000000,6,0.02,0.02,0.04,-7,,,,,,30\n"
@@ -58,7 +58,7 @@ TEST(StudyReplay, ARecordingByHand) {
 
 TEST(StudyReplay, ReachesWithoutAPathAreNamed) {
   const auto left_out = [](const std::string& rows) {
-    const RecordedPaths recorded = parse_recorded_paths("a.csv", std::string(header) + begin_row + rows);
+    const RecordedPaths recorded = parse_recorded_paths("a.csv", std::string(recording_header) + begin_row + rows);
     EXPECT_TRUE(recorded.paths.empty());
     return recorded.left_out.empty() ? "" : recorded.left_out.front();
   };
@@ -69,15 +69,17 @@ TEST(StudyReplay, ReachesWithoutAPathAreNamed) {
 }
 
 TEST(StudyReplay, RefusalsNameLineAndAllowedValues) {
-  EXPECT_TRUE(has(refusal("# haptic retargeting recording, version 2\n"), "line 1, version: '2'"));
-  EXPECT_TRUE(has(refusal("# haptic retargeting recording, version 3\ncall,result\n"), "line 2, column time_ns"));
-  EXPECT_TRUE(has(refusal(std::string(header) + "begin,0\n"), "line 3, columns: '2'"));
+  EXPECT_TRUE(has(recording_refusal("# haptic retargeting recording, version 2\n"), "line 1, version: '2'"));
   EXPECT_TRUE(
-      has(refusal(std::string(header) + begin_row + "update,0,x,2,0,0,0,,,,,,,0\n"), "line 4, column time_ns: 'x'"));
-  EXPECT_TRUE(has(refusal(std::string(header) + begin_row + "update,0,1,2,nan,0,0,,,,,,,0\n"), "[-10, 10]"));
-  EXPECT_TRUE(has(refusal("# haptic retargeting recording, version 3\n# config {\"plate_latency_ns\":-1}\n"),
+      has(recording_refusal("# haptic retargeting recording, version 3\ncall,result\n"), "line 2, column time_ns"));
+  EXPECT_TRUE(has(recording_refusal(std::string(recording_header) + "begin,0\n"), "line 3, columns: '2'"));
+  EXPECT_TRUE(has(recording_refusal(std::string(recording_header) + begin_row + "update,0,x,2,0,0,0,,,,,,,0\n"),
+                  "line 4, column time_ns: 'x'"));
+  EXPECT_TRUE(has(recording_refusal(std::string(recording_header) + begin_row + "update,0,1,2,nan,0,0,,,,,,,0\n"),
+                  "[-10, 10]"));
+  EXPECT_TRUE(has(recording_refusal("# haptic retargeting recording, version 3\n# config {\"plate_latency_ns\":-1}\n"),
                   "line 2, config, plate_latency_ns: '-1'"));
-  EXPECT_TRUE(has(refusal("x,y\n"), "a.csv"));
+  EXPECT_TRUE(has(recording_refusal("x,y\n"), "a.csv"));
 }
 
 // A reach led by the controller itself, written down and passed through it again: the open loop believes
@@ -95,7 +97,7 @@ TEST(StudyReplay, AReachOfTheControllersOwnIsCommandedAndBelievedAgain) {
                     .real_distance_m = 0.1});
   SlidingPerson person(condition.person, start, condition.virtual_direction_deg, 0.1, Draws(1, 0, 0, 0));
   const auto cell = [](double value) { return ',' + number(value); };
-  std::string text = std::string(header) + "begin,0,,,,,," + cell(condition.real_direction_deg) +
+  std::string text = std::string(recording_header) + "begin,0,,,,,," + cell(condition.real_direction_deg) +
                      cell(condition.virtual_direction_deg) + ",0.1,0,0,0\n";
   double plate_deg = 0.0;
   for (int ms = 0; ms < 2400; ++ms) {

@@ -9,7 +9,7 @@
 namespace hrt::study {
 namespace {
 
-const std::string header =
+const std::string trial_header =
     "step,finger_direction_deg,plate_orientation_deg,felt_direction_deg,perceived_direction_deg,gain,"
     "variance_deg2,motor_command_deg,noise_deg,active_bound";
 
@@ -23,7 +23,7 @@ TEST(StudyTrial, FirstStepByHand) {
   EXPECT_EQ(run.err, "");
   const auto rows = lines(run.out);
   ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(rows[0], header);
+  EXPECT_EQ(rows[0], trial_header);
   const auto first = fields(rows[1]);
   EXPECT_EQ(first[0], "0");
   EXPECT_EQ(first[1], "0");
@@ -53,7 +53,7 @@ TEST(StudyTrial, RowsReadBackToTheBitsOfTheLibrary) {
   const auto read = [](const std::string& text) { return std::strtod(text.c_str(), nullptr); };
   for (std::size_t k = 0; k < 30; ++k) {
     const auto row = fields(rows[k + 1]);
-    ASSERT_EQ(row.size(), fields(header).size());
+    ASSERT_EQ(row.size(), fields(trial_header).size());
     EXPECT_EQ(row[0], std::to_string(k));
     EXPECT_EQ(read(row[1]), steps[k].finger_direction_deg);
     EXPECT_EQ(read(row[2]), steps[k].plate_orientation_deg);
@@ -65,7 +65,7 @@ TEST(StudyTrial, RowsReadBackToTheBitsOfTheLibrary) {
     EXPECT_EQ(read(row[8]), steps[k].noise_deg);
   }
   const auto last = fields(rows.back());
-  EXPECT_EQ(last.size(), fields(header).size());
+  EXPECT_EQ(last.size(), fields(trial_header).size());
   EXPECT_EQ(last[0], "30");
   EXPECT_EQ(read(last[1]), outcome.final_direction_deg);
 }

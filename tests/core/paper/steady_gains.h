@@ -1,0 +1,15 @@
+// The gains of a person whose filter has settled.
+#pragma once
+
+#include "core/paper/participant.h"
+
+namespace hrt {
+
+constexpr std::array<double, max_horizon> steady_gains() {
+  std::array<double, max_horizon> gains{};
+  gains.fill(0.85);
+  return gains;
+}
+inline constexpr auto gains = steady_gains();
+
+}  // namespace hrt
