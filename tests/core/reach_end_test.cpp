@@ -4,7 +4,7 @@
 
 #include "core/reach/pace.h"
 #include "core/simulation/tracker.h"
-#include "tests/core/times.h"
+#include "tests/times.h"
 
 namespace hrt {
 namespace {

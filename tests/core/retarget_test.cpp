@@ -10,7 +10,7 @@
 #include "core/simulation/people.h"
 #include "core/simulation/person_trial.h"
 #include "tests/core/heap_guard.h"
-#include "tests/core/times.h"
+#include "tests/times.h"
 
 namespace hrt {
 namespace {

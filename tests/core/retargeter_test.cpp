@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/times.h"
+#include "tests/times.h"
 
 namespace hrt {
 namespace {

@@ -13,10 +13,10 @@
 #include "haptic_retargeting/haptic_retargeting.h"
 #include "haptic_retargeting/setup.h"
 #include "haptic_retargeting/study.h"
+#include "tests/times.h"
 
 namespace hrt::test {
 
-inline constexpr std::int64_t ms = 1'000'000;
 inline constexpr std::int64_t step_ns = 100 * ms;  ///< of the paper's model
 
 /// Fails the test with the library's own words unless the call succeeds.

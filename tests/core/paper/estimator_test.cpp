@@ -11,7 +11,7 @@
 #include "core/paper/participant.h"
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
-#include "tests/core/times.h"
+#include "tests/times.h"
 
 namespace hrt {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
 #include "core/simulation/sliding_finger.h"
-#include "tests/core/times.h"
+#include "tests/times.h"
 
 namespace hrt {
 namespace {

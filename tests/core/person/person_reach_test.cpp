@@ -11,7 +11,7 @@
 #include "core/simulation/person.h"
 #include "core/simulation/person_trial.h"
 #include "tests/core/heap_guard.h"
-#include "tests/core/times.h"
+#include "tests/times.h"
 
 namespace hrt {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/core/times.h"
+#include "tests/times.h"
 
 namespace hrt {
 namespace {

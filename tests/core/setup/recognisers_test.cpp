@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/setup/setup.h"
-#include "tests/core/times.h"
+#include "tests/times.h"
 
 namespace hrt {
 namespace {

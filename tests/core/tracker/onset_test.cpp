@@ -7,7 +7,7 @@
 
 #include "core/simulation/random.h"
 #include "core/tracker/noise_learner.h"
-#include "tests/core/times.h"
+#include "tests/times.h"
 
 namespace hrt {
 namespace {

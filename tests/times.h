@@ -1,4 +1,4 @@
-// The unit in which tests of the core write times.
+// The unit in which tests write times.
 #pragma once
 
 #include <cstdint>
