@@ -53,8 +53,7 @@ void Estimator::rest_at(const PlatePoint& place) {
 }
 
 void Estimator::move(double elapsed_s) {
-  const double sine = sin_deg(state_(direction));
-  const double cosine = cos_deg(state_(direction));
+  const auto [sine, cosine] = sin_cos_deg(state_(direction));
   const double travel_mm = state_(speed) * elapsed_s;
   // Left is positive for directions, right for positions.
   state_(right) -= travel_mm * sine;

@@ -13,31 +13,6 @@ bool is_valid(const Participant& participant) {
          std::isfinite(participant.bias_deg);
 }
 
-double goal_direction_deg(const Participant& participant, double virtual_direction_deg) {
-  return virtual_direction_deg + participant.bias_deg;
-}
-
-double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg) {
-  return tactile_weight * plate_orientation_deg + (1.0 - tactile_weight) * finger_direction_deg;
-}
-
-ParticipantStep participant_step(const ParticipantInput& input) {
-  const double goal_deg = input.goal_direction_deg;
-  const double felt_deg =
-      felt_direction_deg(input.tactile_weight, input.plate_orientation_deg, input.finger_direction_deg);
-  const double perceived_deg = goal_deg + input.gain * (felt_deg - goal_deg);
-  return {felt_deg, perceived_deg, goal_deg - perceived_deg};
-}
-
-ParticipantSlopes participant_slopes(const ParticipantInput& input) {
-  return {.by_direction = 1.0 - input.gain * (1.0 - input.tactile_weight),
-          .by_weight = -input.gain * (input.plate_orientation_deg - input.finger_direction_deg)};
-}
-
-double max_gap_deg(double tactile_weight, double plate_bound_deg) {
-  return plate_bound_deg * tactile_weight / (1.0 - tactile_weight);
-}
-
 Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
                              double plate_bound_deg) {
   const double gap_deg = virtual_direction_deg - real_direction_deg;
@@ -59,11 +34,6 @@ FilterGain next_gain(const Participant& participant, double variance_deg2) {
   const double prior_variance_deg2 = variance_deg2 + participant.motor_variance_deg2;
   const double gain = prior_variance_deg2 / (prior_variance_deg2 + participant.sensory_variance_deg2);
   return {gain, (1.0 - gain) * prior_variance_deg2};
-}
-
-// (1 - K) var- = K sigma_h^2.
-double step_variance_deg2(const Participant& participant, double gain) {
-  return participant.motor_variance_deg2 + gain * participant.sensory_variance_deg2;
 }
 
 GainWindow::GainWindow(const Participant& participant, int horizon)

@@ -29,10 +29,14 @@ struct Participant {
 bool is_valid(const Participant& participant);
 
 /// G: where a person goes who sees a target in `virtual_direction_deg`.
-double goal_direction_deg(const Participant& participant, double virtual_direction_deg);
+inline double goal_direction_deg(const Participant& participant, double virtual_direction_deg) {
+  return virtual_direction_deg + participant.bias_deg;
+}
 
 /// h = w_T T + (1 - w_T) P: the combination of touch and proprioception.
-double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg);
+inline double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg) {
+  return tactile_weight * plate_orientation_deg + (1.0 - tactile_weight) * finger_direction_deg;
+}
 
 /// One step: the finger moves along `finger_direction_deg` over ridges at `plate_orientation_deg` while the
 /// person goes for `goal_direction_deg`. Degrees from any direction, the same for all three; the orientation
@@ -52,7 +56,13 @@ struct ParticipantStep {
   double motor_command_deg;        ///< u = G - theta_hat
 };
 
-ParticipantStep participant_step(const ParticipantInput& input);
+inline ParticipantStep participant_step(const ParticipantInput& input) {
+  const double goal_deg = input.goal_direction_deg;
+  const double felt_deg =
+      felt_direction_deg(input.tactile_weight, input.plate_orientation_deg, input.finger_direction_deg);
+  const double perceived_deg = goal_deg + input.gain * (felt_deg - goal_deg);
+  return {felt_deg, perceived_deg, goal_deg - perceived_deg};
+}
 
 /// Derivatives of the next step's P.
 struct ParticipantSlopes {
@@ -60,12 +70,17 @@ struct ParticipantSlopes {
   double by_weight;     ///< by w_T: -K (T - P)
 };
 
-ParticipantSlopes participant_slopes(const ParticipantInput& input);
+inline ParticipantSlopes participant_slopes(const ParticipantInput& input) {
+  return {.by_direction = 1.0 - input.gain * (1.0 - input.tactile_weight),
+          .by_weight = -input.gain * (input.plate_orientation_deg - input.finger_direction_deg)};
+}
 
 /// The largest gap |theta_V - P_R| that a plate bounded to `plate_bound_deg` about theta_V can hold: at rest
 /// the participant feels the goal, so w_T T + (1 - w_T) P = theta_V. `tactile_weight` in (0, 0.5),
 /// `plate_bound_deg` in (0, 90].
-double max_gap_deg(double tactile_weight, double plate_bound_deg);
+inline double max_gap_deg(double tactile_weight, double plate_bound_deg) {
+  return plate_bound_deg * tactile_weight / (1.0 - tactile_weight);
+}
 
 /// Authority over the pair of directions, any finite degrees. Ranges as for max_gap_deg().
 Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
@@ -81,8 +96,11 @@ struct FilterGain {
 /// Gain and variance of the step that follows a perceived direction of variance `variance_deg2`.
 FilterGain next_gain(const Participant& participant, double variance_deg2);
 
-/// Variance of the noise that a step of gain `gain` adds to the finger's direction: sigma_u^2 + var_k.
-double step_variance_deg2(const Participant& participant, double gain);
+/// Variance of the noise that a step of gain `gain` adds to the finger's direction: sigma_u^2 + var_k, and var_k =
+/// (1 - K) var- = K sigma_h^2.
+inline double step_variance_deg2(const Participant& participant, double gain) {
+  return participant.motor_variance_deg2 + gain * participant.sensory_variance_deg2;
+}
 
 /// The gains of the next steps: data() is K_k .. K_k+horizon-1.
 class GainWindow {
