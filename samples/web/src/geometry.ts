@@ -12,6 +12,8 @@ export const start: Readonly<Place> = { right_m: 0, away_m: -0.05 };
 export const distance_m = 0.1;
 /** Radius of the plate. */
 export const radius_m = 0.075;
+/** Of the real cylinder. */
+export const cylinderRadius_m = 0.0055;
 /** From ridge to ridge. */
 export const ridgeSpacing_m = 0.01;
 

@@ -1,7 +1,7 @@
 // What simulated person, visitor's finger and worn hand have in common: a world, and a session of the plugin that leads them in it.
 import * as hrt from "haptic-retargeting";
 import { sessions } from "./controller";
-import type { Course } from "./geometry";
+import { type Course, cylinderRadius_m } from "./geometry";
 import type { World } from "./person";
 import type { Settings } from "./settings";
 import { maxTrace, type Trace, tracePeriod_ms } from "./trace";
@@ -45,7 +45,7 @@ export abstract class Led {
       ...sessions[this.settings.controller],
       plate_latency_ns: Math.round(1e6 * this.world.plate_latency_ms()),
     });
-    this.#real = this.session.addTarget({ role: hrt.HRT_TARGET_REAL, name: "cylinder" });
+    this.#real = this.session.addTarget({ role: hrt.HRT_TARGET_REAL, name: "cylinder", radius_m: cylinderRadius_m });
     this.#virtual = this.session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, name: "ghost" });
     this.follow(course);
   }

@@ -196,7 +196,7 @@ test("a plate is placed by touches of its marks, and a bad touch is found", asyn
   assert.match(await caption(page), /\(3 of 6\)/);
   await shoot(page, "wear_marks", false);
   await touch(marks.slice(2).map(() => marks[3]));
-  assert.match(await caption(page), /^(The touches do not fit|By the touches) .*\(1 of 6\)/);
+  assert.match(await caption(page), /^(That does not fit|By the touches) .*\(1 of 6\)/);
   const bad = marks.map((mark, i) => (i === 4 ? [mark[0] + 0.03, mark[1], mark[2]] : mark));
   await touch(bad);
   assert.equal(await phase(page), "ready");

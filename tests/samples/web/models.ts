@@ -15,6 +15,7 @@ export { openPort } from "../../../samples/web/src/plate/serial";
 export { wrapped } from "../../../samples/web/src/stage/headset";
 export { Rest } from "../../../samples/web/src/wear/rest";
 export { Placing } from "../../../samples/web/src/wear/placing";
+export { Wear } from "../../../samples/web/src/wear/wear";
 export { default as firmware } from "plate_firmware.hex";
 export { Watch } from "../../../samples/web/src/watch";
 export { pageCourse } from "../../../samples/web/src/controller";

@@ -184,6 +184,34 @@ test("a hand does as it should at its limits", () => {
   assert.equal(hand.phase, "waiting", "a short slide starts anew");
 });
 
+/** Worn on a connected plate whose marks were touched: what a reach that ends at the cylinder shows of the registration. */
+function meet(hasCylinder) {
+  const plate = new models.HapticPlate(), tip = { x: 0, y: 0, z: 0.05 };
+  const hand = new Map([["index-finger-tip", 1]]), eyes = { transform: { orientation: { x: 0, y: 0, z: 0, w: 1 } } };
+  const frame = { getJointPose: () => ({ transform: { position: tip } }), getViewerPose: () => eyes };
+  const wear = new models.Wear(library, world, plate, settings({ controller: "off" }));
+  wear.session.configure({ flags: wear.session.config.flags | models.hrt.HRT_SESSION_REGISTERED,
+                           plate_covariance: [1e-4, 0, 1e-6, 0, 0, 1e-6] });
+  wear.hasCylinder = hasCylinder;
+  wear.plateConnected_deg = 0;
+  wear.restart();
+  const end = models.ahead({ right_m: 0, away_m: 0 }, models.pageCourse(settings()).real_deg, models.distance_m - 0.0045);
+  for (let time_ms = 0; wear.phase !== "arrived" && time_ms < 6000; time_ms += 11) {
+    const s = Math.min(1, Math.max(0, (time_ms - 1500) / 1500)), share = s ** 3 * (10 - 15 * s + 6 * s * s);
+    Object.assign(tip, { x: share * end.right_m, z: 0.05 - share * end.away_m });
+    wear.frame(time_ms, frame, hand, 0);
+  }
+  assert.equal(wear.phase, "arrived");
+  near(wear.result.toCylinder_mm, 4.5, 0.5, "at the cylinder's side");
+  wear.apply(settings({ controller: "off", person: 2 }));
+  return wear.session.config.contact_covariance;
+}
+
+test("a cylinder that is met corrects the registration, and other settings keep that", () => {
+  assert.ok(meet(true).some((value) => value > 0));
+  assert.deepEqual(meet(false), Array(10).fill(0));
+});
+
 /** A reach of a straight, slow slide: `see(frame, place)` gives the plugin each position, in plate coordinates. */
 function slide(see) {
   const session = reaching(), seeing = see(session), commands = [];

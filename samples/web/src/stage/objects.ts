@@ -15,6 +15,7 @@ import {
   SphereGeometry,
   Vector2,
 } from "three";
+import { cylinderRadius_m } from "../geometry";
 import type { Colours } from "../theme";
 
 /** What real and felt things are made of, in the page's colours. */
@@ -35,7 +36,7 @@ export function colourThings({ real, felt, text }: Colours): void {
 export class RealCylinder extends Group {
   constructor() {
     super();
-    const cylinder = new Mesh(new CylinderGeometry(0.0055, 0.0055, 0.03, 32), solid);
+    const cylinder = new Mesh(new CylinderGeometry(cylinderRadius_m, cylinderRadius_m, 0.03, 32), solid);
     cylinder.position.y = 0.015;
     cylinder.castShadow = true;
     this.add(cylinder);

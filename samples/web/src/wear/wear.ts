@@ -1,11 +1,11 @@
 // Reaches of a hand that a headset tracks: places the plate, waits at its start, leads the slide by the real plugin, and
 // says where it ended. Knows no page and no browser's session: frames are given to it.
-import { HRT_COMMAND_ARRIVED, type Library } from "haptic-retargeting";
+import { HRT_COMMAND_ARRIVED, HRT_SESSION_REGISTERED, type Library } from "haptic-retargeting";
 import { HandReach, type HapticPlate } from "haptic-retargeting/three";
 import { Quaternion, Vector3 } from "three";
 import { pageCourse } from "../controller";
 import { Felt } from "../felt";
-import { length_m, type Place, type SlideEnd, slideEnd, start } from "../geometry";
+import { cylinderRadius_m, length_m, type Place, type SlideEnd, slideEnd, start } from "../geometry";
 import { minReach_m } from "../hand";
 import { Led } from "../led";
 import type { World } from "../person";
@@ -29,6 +29,8 @@ export class Wear extends Led {
   text = "";
   /** The reach's hand is not seen. */
   lost = false;
+  /** The real cylinder stands where it is drawn. */
+  hasCylinder = false;
   /** Called when the plate has been placed: in the space of the frames. */
   onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
 
@@ -74,7 +76,8 @@ export class Wear extends Led {
   /** Other settings, with a hand that is unknown to the controller. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
-    const { plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags } = this.session.config;
+    const { plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags } = this.session.config,
+      { contact_correction, contact_covariance } = this.session.config;
     this.renew(pageCourse(settings));
     this.session.configure({
       plate_position_m,
@@ -82,6 +85,8 @@ export class Wear extends Led {
       plate_covariance,
       registration_time_ns,
       flags,
+      contact_correction,
+      contact_covariance,
       lift_height_m: liftHeight_m,
     });
     this.#reach = new HandReach(this.session, this.plate);
@@ -191,11 +196,16 @@ export class Wear extends Led {
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
-  /** A hand that feels no plate teaches the controller nothing. */
+  /** A hand that feels no plate teaches the controller nothing. One that ends at a cylinder has met it, which shows how far
+   *  the marks were touched askew. */
   #arrive(): void {
-    if (!Number.isNaN(this.plateConnected_deg)) this.session.endReach();
-    this.recording = this.drop();
     this.result = slideEnd(this.finger, this.felt.place, pageCourse(this.settings));
+    if (!Number.isNaN(this.plateConnected_deg)) {
+      this.session.endReach();
+      const meets = this.hasCylinder && this.result.toCylinder_mm <= 1000 * cylinderRadius_m;
+      if (meets && this.session.config.flags & HRT_SESSION_REGISTERED) this.session.reachTouched();
+    }
+    this.recording = this.drop();
     this.phase = "arrived";
     this.#rest.reset();
     const { toCylinder_mm, toGhost_mm, feltToGhost_mm } = this.result;

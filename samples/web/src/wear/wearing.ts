@@ -21,6 +21,7 @@ const ahead_m = 0.45,
 
 export class Wearing {
   readonly #headset: Headset | null;
+  readonly #cylinder = element("cylinder", HTMLInputElement);
   readonly #leave = element("leave", HTMLButtonElement);
   readonly #buttons = kinds.map(([kind, id]) => ({ kind, button: element(id, HTMLButtonElement), supported: false }));
   #session: XRSession | null = null;
@@ -140,6 +141,7 @@ export class Wearing {
     this.#before_ms = now_ms;
     this.onFrame(elapsed_ms);
     const hand = this.#hand(frame, space);
+    wear.hasCylinder = this.#cylinder.checked;
     wear.frame(now_ms, frame, hand, space);
     if (wear.phase !== phase && wear.phase === "sliding") this.desk.clearPaths();
     if (wear.phase === "sliding" && !wear.lost) this.desk.extendPaths(wear.finger, wear.felt.place);
