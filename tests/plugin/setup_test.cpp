@@ -348,9 +348,9 @@ TEST_F(SetupTest, ReplaysToTheSameBits) {
 }
 
 TEST_F(SetupTest, RefusalsNameTheField) {
-  const auto refuse = [&](std::uint32_t what, void (*change)(hrt_setup_config&), const char* name) {
+  const auto refuse = [&](std::uint32_t what, void (*spoil)(hrt_setup_config&), const char* name) {
     hrt_setup_config config = hrt_setup_config_init();
-    change(config);
+    spoil(config);
     expect_error(hrt_setup_begin(session, what, &config), HRT_ERROR_OUT_OF_RANGE, name);
   };
   refuse(HRT_SETUP_REGISTRATION, [](auto& c) { c.mark_count = 9; }, "mark_count is 9");

@@ -46,7 +46,7 @@ TEST_F(RecordingTest, FileOfAnotherRecordingIsRefused) {
 TEST_F(RecordingTest, WhatIsNoRegularFileIsRefused) {
   const auto refused = [&](const std::string& path) {
     expect_error(hrt_recording_start(session, path.c_str()), HRT_ERROR_SYSTEM, "");
-    EXPECT_NE(std::string(hrt_last_error()).find(path), std::string::npos) << hrt_last_error();
+    EXPECT_NE(std::string(hrt_last_error()).find(path.substr(0, 64)), std::string::npos) << hrt_last_error();
   };
   refused(folder().string());
 #if defined(_WIN32)
