@@ -128,7 +128,7 @@ endfunction()
 # hrt_bring_runtime(name): on Linux, the C++ runtime inside, and glibc 2.31 at most.
 function(hrt_bring_runtime name)
   # The host may bring another C++ runtime; ours is inside, and hidden.
-  target_link_options(${name} PRIVATE -static-libstdc++ -static-libgcc LINKER:--gc-sections $<$<CONFIG:Release>:LINKER:--strip-all>)
+  target_link_options(${name} PRIVATE -static-libstdc++ LINKER:--gc-sections $<$<CONFIG:Release>:LINKER:--strip-all>)
   if(NOT HRT_SANITIZE)  # sanitizers have definitions of their own for these, and leave theirs to the program
     target_link_options(${name} PRIVATE LINKER:-z,defs)
     target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/plugin/src/abi/runtime_inside.cpp

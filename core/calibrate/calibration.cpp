@@ -97,8 +97,8 @@ std::vector<TimedPoint> rest_of(const CalibrationTrial& trial, const SlideTrack&
 }
 
 void widen(double half, Interval* interval) {
-  interval->lower = interval->value - std::hypot(interval->value - interval->lower, half);
-  interval->upper = interval->value + std::hypot(interval->upper - interval->value, half);
+  interval->lower = interval->value - in_quadrature(interval->value - interval->lower, half);
+  interval->upper = interval->value + in_quadrature(interval->upper - interval->value, half);
 }
 
 Calibration described(const PersonFit& person) {

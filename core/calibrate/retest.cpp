@@ -9,9 +9,6 @@ namespace {
 
 constexpr double false_alarm = 0.05;
 
-// Not std::hypot, which would ask for a newer C library.
-double in_quadrature(double a, double b) { return std::sqrt(a * a + b * b); }
-
 RetestDifference difference_of(const RepeatedValue& value) {
   RetestDifference result;
   const double difference = value.second.value - value.first.value;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -22,6 +23,9 @@ inline constexpr double normal_975 = 1.959963984540054;
 
 /// The standard deviation of which a 95 % interval from `lower` to `upper` is that of a normal estimate.
 inline double deviation_of_interval(double lower, double upper) { return (upper - lower) / (2.0 * normal_975); }
+
+/// Of two independent deviations. Not std::hypot, which would ask for a newer C library.
+inline double in_quadrature(double a, double b) { return std::sqrt(a * a + b * b); }
 
 /// P(N(0, 1) <= x); absolute error below 2e-7.
 double normal_cdf(double x);

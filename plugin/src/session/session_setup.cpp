@@ -108,7 +108,7 @@ SetupConfig to_setup(const hrt_session_config& session, const Targets& targets, 
   if (config.only_possible && config.slide_distance_m < min_slide_room_m)
     config.parts &= ~std::uint32_t{HRT_SETUP_CALIBRATION};
   config.carried = config.start;
-  if (std::hypot(config.start.right_m, config.start.away_m) < min_carried_m)
+  if (distance_m({}, config.start) < min_carried_m)
     config.carried = {.right_m = 0.0, .away_m = -0.7 * session.plate.radius_m};
   config.lower_plate_deg = given.lower_plate_deg;
   config.upper_plate_deg = given.upper_plate_deg;
