@@ -98,7 +98,7 @@ void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
   const auto move_to = [&](std::int64_t until_ns) {
     plate.advance(until_ns);
     const double passed_s = std::min(elapsed_s(now_ns_, until_ns), std::max(max_gap_s - unseen_s_, 0.0));
-    estimator_.move(passed_s);
+    if (place_) estimator_.move(passed_s);  // of directions alone there is no place to carry
     unseen_s_ += passed_s;
     now_ns_ = until_ns;
   };
@@ -163,6 +163,7 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
     start(seen_at_rest ? onset_.time_ns() : sample.time_ns, seen_at_rest ? onset_.place() : sample.position);
     advance(sample.time_ns, plate);
   }
+  if (!place_) estimator_.rest_at(sample.position);  // there were directions before
   if (!estimator_.observe_position(sample.position)) {
     ++counts_.dropped_samples;
     return Observation::none;

@@ -113,6 +113,19 @@ TEST(PaperReach, DirectionSamplesAreThePapersLoop) {
   }
 }
 
+TEST(PaperReach, PositionsAfterDirectionsShowWhereTheFingerIs) {
+  const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -0.05}};
+  PaperReach led({}, reach);
+  for (int k = 0; k < 10; ++k) led.update(direction(k * 100 * ms, 1.0));
+  for (int k = 0; k < 20; ++k) {
+    const PlatePoint place{0.0, -0.01 + 0.0005 * k};
+    const PlateCommand command = led.update(position(1000 * ms + k * 11 * ms, place));
+    EXPECT_NEAR(command.distance_to_go_m, distance_m(place, point_ahead(reach.start, 5.0, reach.real_distance_m)),
+                1e-3);
+  }
+  EXPECT_EQ(led.summary().dropped_samples, 0);
+}
+
 TEST(PaperReach, ASampleAnHourLateOrAtTheEndOfTimeIsSurvived) {
   PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
   led.update(direction(std::numeric_limits<std::int64_t>::min(), 2.0));
