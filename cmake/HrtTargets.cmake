@@ -74,6 +74,17 @@ function(hrt_harden name)
   set_target_properties(${name} PROPERTIES HRT_HARDENED ON)
 endfunction()
 
+# hrt_keep_small(name): small rather than fast; the linker drops what nobody calls.
+function(hrt_keep_small name)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-Os> -ffunction-sections)
+endfunction()
+
+# hrt_keep_fast(SOURCE): what each frame runs of a target that is kept small.
+function(hrt_keep_fast source)
+  set_source_files_properties(${source} PROPERTIES
+    SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
+endfunction()
+
 # hrt_precompile(name HEADERS...): for targets of many sources, whose time to compile is mostly that of Eigen's
 # headers. The options let ccache store what uses them. Where many sources are compiled as one they cost more than they save.
 function(hrt_precompile name)

@@ -5,7 +5,7 @@ namespace __gnu_cxx {
 // Of libsupc++, for tools that look for leaks. NOLINTBEGIN(*-reserved-identifier, *-identifier-naming)
 void __freeres();
 
-// In place of libsupc++'s, which prints an exception's name by a demangler of 50 kB: no exception leaves a call.
+// In place of libsupc++'s, which prints an exception's name by a large demangler: no exception leaves a call.
 void __verbose_terminate_handler() { std::abort(); }
 // NOLINTEND(*-reserved-identifier, *-identifier-naming)
 }  // namespace __gnu_cxx

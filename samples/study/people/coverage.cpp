@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
@@ -73,9 +72,8 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   double bias_deg = person.bias_deg - person.own_bias_deg;
   double habit_deg = person.habit_deg;
   if (person.steering == Steering::place) {
-    // They aim beside the place until they are near: the goal is bias (1 + log(1 - s)) at the share s of the path,
-    // which is no even turn, whatever one takes for the nearest.
-    if (bias_deg != 0.0) habit_deg = std::numeric_limits<double>::quiet_NaN();
+    // They aim beside the place until they are near: the goal is bias (1 + log(1 - s)) at the share s of the path.
+    habit_deg = -0.5 * bias_deg * logarithm(0.15);
     bias_deg *= 1.0 + logarithm(0.5);
   }
   *truth = {(either(60.0) - either(-60.0)) / 120.0, bias_deg, habit_deg,
@@ -118,9 +116,8 @@ CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& 
 }
 
 void Tally::add(const Interval& found, double truth, double error_of_value) {
-  const bool known_of_them = found.known && !std::isnan(truth);
-  known.count(known_of_them);
-  if (!known_of_them) return;
+  known.count(found.known);
+  if (!found.known) return;
   covered.count(found.lower <= truth && truth <= found.upper);
   error += error_of_value;
   width += found.upper - found.lower;

@@ -38,8 +38,8 @@ inline constexpr const char* quantity_name[quantities] = {"weight", "bias", "hab
 
 /// One person: truth and interval of each quantity.
 struct CoveragePerson {
-  bool refused = false;                    ///< no calibration: there are no intervals
-  std::array<double, quantities> truth{};  ///< NaN: people of this kind have none
+  bool refused = false;  ///< no calibration: there are no intervals
+  std::array<double, quantities> truth{};
   std::array<Interval, quantities> found{};
   LackOfFit lack_of_fit;
 };

@@ -76,8 +76,15 @@ export class Wear extends Led {
   /** Other settings, with a hand that is unknown to the controller. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
-    const { plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags } = this.session.config,
-      { contact_correction, contact_covariance } = this.session.config;
+    const {
+      plate_position_m,
+      plate_rotation,
+      plate_covariance,
+      registration_time_ns,
+      flags,
+      contact_correction,
+      contact_covariance,
+    } = this.session.config;
     this.renew(pageCourse(settings));
     this.session.configure({
       plate_position_m,
