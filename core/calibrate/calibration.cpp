@@ -20,6 +20,8 @@ constexpr double max_angle_width_deg = 10.0;
 constexpr int band_steps = 15;  // to either side, of 5 degrees
 // Between two knots a curve may be higher by this share of what it bends there (SD).
 constexpr double peak_share = 0.25;
+// A goal that turns over the path need not turn evenly: a habit may be off by this share (SD).
+constexpr double uneven_share = 0.2;
 // A slow start is no noise of a finger at rest.
 constexpr std::int64_t before_onset_ns = 50'000'000;
 
@@ -107,6 +109,7 @@ Calibration described(const PersonFit& person) {
   calibration.tactile_weight = person.value([](const auto& p) { return curve_weight(p.curve); });
   calibration.bias_deg = person.value([](const auto& p) { return p.bias_deg; });
   calibration.habit_deg = person.value([](const auto& p) { return p.habit_deg; });
+  widen(normal_975 * uneven_share * std::abs(calibration.habit_deg.value), &calibration.habit_deg);
   const CurvePeak peak = weaker_peak(person.fit.person.curve);
   calibration.max_gap_deg = person.value([](const auto& p) { return weaker_peak(p.curve).shift_deg; });
   widen(normal_975 * peak_share * curve_bend_deg(person.fit.person.curve, peak.offset_deg), &calibration.max_gap_deg);

@@ -32,7 +32,8 @@ struct CurvePoint {
 
 /// `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not show it.
 struct Calibration {
-  Interval tactile_weight;                   ///< felt shift over offset at 60 degrees, mean of both sides
+  Interval tactile_weight;                   ///< felt shift over offset at 60 degrees, mean of both sides, at the
+                                             ///< pace of the slides
   Interval bias_deg;                         ///< goal at the middle of the path less target direction, left positive
   Interval habit_deg;                        ///< how far the goal turns over the path, halved
   Interval max_gap_deg;                      ///< largest felt shift within 75 degrees, on the weaker side

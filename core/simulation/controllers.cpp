@@ -20,29 +20,31 @@ RetargeterConfig people_controller(const PersonCondition& condition) {
   return config;
 }
 
-RetargeterConfig informed_controller(const PersonCondition& condition) {
+RetargeterConfig informed_controller(const PersonCondition& condition, std::span<const PersonTrait::Index> traits) {
   using T = PersonTrait;
   RetargeterConfig config = people_controller();
   config.plate = condition.plate;
   config.tracker_latency_ns = std::llround(1e9 * condition.tracker.latency_s);
   const Person& person = condition.person;
-  PersonBelief& belief = config.person;
+  const auto know_if = [&](T::Index trait, double mean, double sd) {
+    if (std::find(traits.begin(), traits.end(), trait) != traits.end()) know(config.person, trait, mean, sd);
+  };
   // The cubic that has the person's shift at 35 and at 70 degrees, to the side of the gap.
   const double side = condition.virtual_direction_deg > condition.real_direction_deg ? 1.0 : -1.0;
   const double near_slope = side * felt_shift_deg(person.illusion, side * 35.0) / 35.0;
   const double far_slope = side * felt_shift_deg(person.illusion, side * 70.0) / 70.0;
   const double curve = (near_slope - far_slope) / ((70.0 * 70.0 - 35.0 * 35.0) / (75.0 * 75.0));
-  know(belief, T::weight, near_slope + curve * (35.0 * 35.0) / (75.0 * 75.0), 0.01);
-  know(belief, T::curve, curve, 0.015);
-  know(belief, T::fading, person.steering == Steering::crossings ? 1.0 : 0.0, 0.02);
-  know(belief, T::gain, person.gain_per_s, 0.5);
-  know(belief, T::bias, person.bias_deg - person.own_bias_deg, 0.5);
-  know(belief, T::habit, person.habit_deg, 0.5);
-  know(belief, T::scatter, std::max(person.scatter_deg, 0.2), 0.1);  // as steady as anybody is believed to be
-  know(belief, T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
-  know(belief, T::log_rate, -logarithm(person.duration_s), 0.05);
+  know_if(T::weight, near_slope + curve * (35.0 * 35.0) / (75.0 * 75.0), 0.01);
+  know_if(T::curve, curve, 0.015);
+  know_if(T::fading, person.steering == Steering::crossings ? 1.0 : 0.0, 0.02);
+  know_if(T::gain, person.gain_per_s, 0.5);
+  know_if(T::bias, person.bias_deg - person.own_bias_deg, 0.5);
+  know_if(T::habit, person.habit_deg, 0.5);
+  know_if(T::scatter, std::max(person.scatter_deg, 0.2), 0.1);  // as steady as anybody is believed to be
+  know_if(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
+  know_if(T::log_rate, -logarithm(person.duration_s), 0.05);
   if (condition.virtual_direction_deg != 0.0)  // else a share of it is no direction
-    know(belief, T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
+    know_if(T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
   return config;
 }
 

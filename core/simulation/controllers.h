@@ -1,5 +1,7 @@
-// Controllers as people meet them: without knowledge of the person, with all of it, and the paper's.
+// Controllers as people meet them: without knowledge of the person, with some of it, and the paper's.
 #pragma once
+
+#include <span>
 
 #include "core/retargeter_config.h"
 #include "core/simulation/people.h"
@@ -12,8 +14,16 @@ RetargeterConfig people_controller();
 /// The same, with the tracker's declared latency.
 RetargeterConfig people_controller(const PersonCondition& condition);
 
-/// A controller for people with plate, tracker and person known, as far as its model describes them.
-RetargeterConfig informed_controller(const PersonCondition& condition);
+/// What of a person is worth knowing. The gain, the heading and the fading of touch are of the model's person: knowing
+/// those of a simulated one costs more reaches than it gains.
+inline constexpr PersonTrait::Index telling_traits[] = {PersonTrait::weight,  PersonTrait::curve,
+                                                        PersonTrait::bias,    PersonTrait::habit,
+                                                        PersonTrait::scatter, PersonTrait::log_rate};
+
+/// A controller for people with plate and tracker known, and these traits of the person as far as its model
+/// describes them.
+RetargeterConfig informed_controller(const PersonCondition& condition,
+                                     std::span<const PersonTrait::Index> traits = telling_traits);
 
 /// The paper's, with w_T assumed 0.15.
 RetargeterConfig paper_controller();

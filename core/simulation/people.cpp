@@ -1,6 +1,7 @@
 #include "core/simulation/people.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -116,6 +117,8 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { c.person.pace = Pace::submovements; }},
     {"scatter-2", "bias scatters by 2° from reach to reach", true,
      [](PersonCondition& c, Draws&) { c.person.scatter_deg = 2.0; }},
+    {"scatter-3", "bias scatters by 3° from reach to reach", false,
+     [](PersonCondition& c, Draws&) { c.person.scatter_deg = 3.0; }},
     {"scatter-4", "bias scatters by 4° from reach to reach", true,
      [](PersonCondition& c, Draws&) { c.person.scatter_deg = 4.0; }},
     {"reversal", "overshoot by a tenth and come back", false,
@@ -157,6 +160,8 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { c.tracker.latency_s = c.tracker.declared_latency_s = 0.1; }},
     {"latency-45", "tracker 45 ms late, not declared", false,
      [](PersonCondition& c, Draws&) { c.tracker.latency_s = 0.045; }},
+    {"faults", "one of these faults of tracker or plate, or none, anew in each reach", false,
+     [](PersonCondition& c, Draws&) { c.faulty = true; }},
     {"mixture", "clip-60, bias 2°, habit 3°, noise half correlated", true,
      [](PersonCondition& c, Draws& d) {
        illusion<IllusionFamily::saturating>(c, 60.0);
@@ -208,6 +213,13 @@ const PeopleFamily* people_family(const char* name) {
   return nullptr;
 }
 
+void draw_fault(PersonCondition& condition, Draws& draws) {
+  constexpr std::array faults{"linear",   "noise-100",    "noise-3",    "wild-rest",  "wild-moving",  "outliers",
+                              "dropouts", "slow-tracker", "slow-plate", "late-plate", "late-samples", "latency-45"};
+  const auto drawn = static_cast<std::size_t>(draws.uniform() * static_cast<double>(faults.size()));
+  people_family(faults[drawn])->set(condition, draws);
+}
+
 PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index) {
   Draws draws(seed, PersonStream::drawn, index, static_cast<std::uint32_t>(std::llround(1000.0 * duration_s)));
   PersonCondition condition;
@@ -227,17 +239,7 @@ bool can_hold(const PersonCondition& condition) {
   const Person& person = condition.person;
   const double gap_deg =
       condition.virtual_direction_deg + person.bias_deg - person.own_bias_deg - condition.real_direction_deg;
-  if (person.steering != Steering::crossings)
-    return max_shift_deg(person.illusion, bound_deg, gap_deg) > std::abs(gap_deg);
-  // A shift is felt anew at each ridge and fades until the next one: its mean at the mean speed.
-  double max_deg = 0.0;
-  for (int half = 0; half <= static_cast<int>(2.0 * bound_deg); ++half) {
-    const double t = 0.5 * half;
-    const double between_s = ridge_spacing_m / (condition.distance_m / person.duration_s * std::max(cos_deg(t), 1e-6));
-    const double mean_share = touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));
-    max_deg = std::max(max_deg, mean_share * std::abs(felt_shift_deg(person.illusion, std::copysign(t, gap_deg))));
-  }
-  return max_deg > std::abs(gap_deg);
+  return max_shift_deg(person, condition.distance_m / person.duration_s, bound_deg, gap_deg) > std::abs(gap_deg);
 }
 
 }  // namespace hrt

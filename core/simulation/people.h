@@ -29,6 +29,7 @@ struct PersonCondition {
   std::optional<TargetMove> move;  ///< within each reach
   /// After each reach the finger meets an object, and its place is known to this (SD); 0: none.
   double contact_sd_m = 0.0;
+  bool faulty = false;  ///< each reach has a fault of tracker or plate, see draw_fault()
 };
 
 /// A kind of people or apparatus.
@@ -53,9 +54,12 @@ const PeopleFamily* people_family(const char* name);
 /// 120 ms, a first direction between the mid-line and the virtual target; gap 10 degrees to either side.
 PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index);
 
+/// Gives tracker or plate what one of the families of such faults has, or nothing: each as likely.
+void draw_fault(PersonCondition& condition, Draws& draws);
+
 /// Streams of Draws for person `index`.
 namespace PersonStream {
-enum : std::uint32_t { drawn, steering, tracking, touching };
+enum : std::uint32_t { drawn, steering, tracking, touching, faults };
 }
 
 /// True if a plate within 75 degrees of the motion can hold the gap for this person: their largest felt shift

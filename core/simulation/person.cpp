@@ -59,13 +59,25 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
   return 0.0;
 }
 
-double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign) {
+double mean_felt_shift_deg(const Person& person, double speed_m_s, double offset_deg) {
+  const double shift_deg = felt_shift_deg(person.illusion, offset_deg);
+  if (person.steering != Steering::crossings) return shift_deg;
+  // Felt anew at each ridge, it fades until the next one.
+  const double between_s = ridge_spacing_m / (speed_m_s * std::max(std::abs(cos_deg(offset_deg)), 1e-6));
+  return shift_deg * touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));
+}
+
+double max_shift_deg(const Person& person, double speed_m_s, double bound_deg, double sign) {
   double max = 0.0;
   for (int half = 0; half <= static_cast<int>(2.0 * bound_deg); ++half) {
-    const double shift_deg = felt_shift_deg(illusion, std::copysign(0.5 * half, sign));
+    const double shift_deg = mean_felt_shift_deg(person, speed_m_s, std::copysign(0.5 * half, sign));
     max = std::max(max, std::copysign(1.0, sign) * shift_deg);
   }
   return max;
+}
+
+double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign) {
+  return max_shift_deg({.illusion = illusion}, 0.0, bound_deg, sign);
 }
 
 SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,

@@ -84,6 +84,11 @@ struct Person {
 inline constexpr double ridge_spacing_m = 0.01;
 inline constexpr double touch_memory_s = 0.3;
 
+/// What the person feels of the shift, in the mean of a motion at that speed, which only those who feel ridges as
+/// they cross them depend on.
+double mean_felt_shift_deg(const Person& person, double speed_m_s, double offset_deg);
+double max_shift_deg(const Person& person, double speed_m_s, double bound_deg, double sign);
+
 /// From a target's move to the person's answer.
 inline constexpr double reaction_s = 0.2;
 

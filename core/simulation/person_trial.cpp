@@ -119,8 +119,12 @@ std::vector<PersonOutcome> simulate_person(const PersonCondition& condition, con
   Draws touching(seed, PersonStream::touching, index, 0);
   for (int i = 0; i < reaches; ++i) {
     Retargeter retargeter(config);
-    outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, config.touched, seed, index,
-                                      static_cast<std::uint32_t>(i), watch));
+    const auto number = static_cast<std::uint32_t>(i);
+    PersonCondition now = condition;
+    Draws faults(seed, PersonStream::faults, index, number);
+    if (condition.faulty) draw_fault(now, faults);
+    outcomes.push_back(
+        simulate_reach(now, controller ? &retargeter : nullptr, config.touched, seed, index, number, watch));
     if (const auto learnt = retargeter.learnt()) {
       const ReachSummary& summary = outcomes.back().summary;
       config.person = carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());

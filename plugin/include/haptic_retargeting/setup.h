@@ -194,7 +194,7 @@ typedef struct hrt_setup_result {
   double fingertip_sd_m;
   /** Of the tracker; below 0 at its lower end. */
   hrt_interval latency_s;
-  /** Felt shift over the offset of the ridge normal from the motion, at 60 degrees. */
+  /** Felt shift over the offset of the ridge normal from the motion, at 60 degrees, at the pace of the slides. */
   hrt_interval tactile_weight;
   /** Goal minus target direction, left positive. */
   hrt_interval bias_deg;

@@ -225,6 +225,21 @@ CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* famil
                    });
 }
 
+CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<PersonTrait::Index>* traits,
+                        const std::string& standard, const std::string& help) {
+  std::string all;
+  for (const Trait& trait : person_traits) all += (all.empty() ? "" : ",") + std::string(trait.name);
+  return add_value(app, name, "some of " + all, standard, help, [traits](const std::string& names) {
+    traits->clear();
+    for (const std::string_view taken : split(names, ',')) {
+      const auto* trait = std::ranges::find(person_traits, taken, &Trait::name);
+      if (trait == std::end(person_traits)) return false;
+      traits->push_back(static_cast<PersonTrait::Index>(trait - person_traits));
+    }
+    return true;
+  });
+}
+
 void require(CLI::Option* option) { option->required(); }
 
 void show_default(CLI::Option* option, const std::string& text) { option->default_str(text); }

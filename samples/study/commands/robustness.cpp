@@ -104,8 +104,8 @@ std::string family_list() {
 std::string description() {
   return R"(Answers: of the people of a family, how many arrive at the real target, how far off are the others,
 how large an error do they feel, and does the controller flag a reach that fails? Each person reaches
-without a controller; with the paper's; five times with ours, which starts without knowledge of the
-person and carries what it learns; and once with ours informed of the person's traits, which shows
+without a controller; with the paper's; --reaches times with ours, which starts without knowledge of the
+person and carries what it learns; and once with ours informed of traits of the person, which shows
 what is lost by not knowing them. All is simulation; there was no human trial.
 
 The text is the share of reaches that end within 1.5 deg, and the flags. CSV and JSON have a row for
@@ -126,6 +126,8 @@ stay true (91 % at worst), and a share moves by up to 0.4 points away from 50 %.
 Examples:
   hrt-study robustness
   hrt-study robustness --family linear,place --durations 1.5 --people 1000
+  hrt-study robustness --family faults --reaches 20
+  hrt-study robustness --informed-of weight,curve
   hrt-study robustness --people 1000 --format csv > robustness.csv
   hrt-study robustness --csv robustness.csv
   hrt-study robustness --people 1000 --format csv --part 2/40 --out part02.csv
@@ -156,6 +158,8 @@ void add_robustness(CLI::App& app) {
   RobustnessOptions& robustness = options->robustness;
   add_integer(command, "--people", &robustness.people, 1, 100'000,
               "People of each family at each duration, at most: 1000 take three minutes of a core.");
+  add_integer(command, "--reaches", &robustness.reaches, 2, 99,
+              "Reaches of a person with ours; the first and the last are shown.");
   add_number(command, "--within", &robustness.points, {0.0, 50.0},
              "A cell whose interval is within this many points takes no more people; 0: all do.");
   show_default(add_numbers(command, "--durations", &options->durations_s, {0.3, 20.0},
@@ -164,6 +168,8 @@ void add_robustness(CLI::App& app) {
   add_families(command, &options->families, "all, or none with --person", "People to simulate.");
   add_path(command, "--person", &options->person, "a file that can be read",
            "A person of your own to simulate, beside the families of --family.");
+  add_traits(command, "--informed-of", &robustness.informed_of, "weight,curve,bias,habit,scatter,log_rate",
+             "Traits of the person that the informed controller knows.");
   add_path(command, "--replay", &options->replay, "a folder with recordings or calibration data, .csv",
            "Recorded paths to pass through our controller, in place of simulated people.");
   add_seed(command, &robustness.seed);

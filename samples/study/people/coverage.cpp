@@ -14,6 +14,8 @@ namespace hrt::study {
 namespace {
 
 constexpr std::uint32_t session_stream = 18;
+// Of a minimum jerk: the speed in the mean over the path, over that in the mean over time.
+constexpr double speed_over_path = 10.0 / 7.0;
 
 template <int min, int max>
 void weighs(PersonCondition& condition, Draws& draws) {
@@ -65,10 +67,11 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   PersonCondition condition = draw_person(*people_family(kind.family), session.duration_s, session.seed, index);
   Draws draws(session.seed, session_stream, index, 0);
   if (kind.change) kind.change(condition, draws);
-  const Person& person = condition.person;
-  SimulatedIllusion illusion = person.illusion;
-  illusion.tactile_weight += 0.5 * person.weight_drift;  // in the middle of the path
-  const auto either = [&](double t) { return felt_shift_deg(illusion, t); };
+  Person person = condition.person;
+  person.illusion.tactile_weight += 0.5 * person.weight_drift;  // in the middle of the path
+  const double speed_m_s = speed_over_path * condition.distance_m / session.duration_s;
+  const auto shift = [&](double t) { return mean_felt_shift_deg(person, speed_m_s, t); };
+  const auto largest = [&](double sign) { return max_shift_deg(person, speed_m_s, curve_bound_deg, sign); };
   double bias_deg = person.bias_deg - person.own_bias_deg;
   double habit_deg = person.habit_deg;
   if (person.steering == Steering::place) {
@@ -76,8 +79,7 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
     habit_deg = -0.5 * bias_deg * logarithm(0.15);
     bias_deg *= 1.0 + logarithm(0.5);
   }
-  *truth = {(either(60.0) - either(-60.0)) / 120.0, bias_deg, habit_deg,
-            std::min(max_shift_deg(illusion, curve_bound_deg, 1.0), max_shift_deg(illusion, curve_bound_deg, -1.0))};
+  *truth = {(shift(60.0) - shift(-60.0)) / 120.0, bias_deg, habit_deg, std::min(largest(1.0), largest(-1.0))};
 
   const double trend = draws.uniform() < 0.5 ? -kind.weight_trend : kind.weight_trend;
   std::vector<CalibrationTrial> trials;

@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "core/math/distributions.h"
-#include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
 #include "samples/study/numbers/parallel.h"
 
 namespace hrt::study {
 namespace {
 
-constexpr int reaches = 5;
 constexpr std::uint64_t people_between_looks = 100;
 
 // w_T at the end of a reach, as commands define it: the felt shift over the offset, at 60 degrees to the side
@@ -39,15 +37,17 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
 }
 
 // All reaches up to the one that is asked for.
-std::vector<ReachResult> simulate(const PersonCondition& condition, Leading leading, std::uint64_t seed,
+std::vector<ReachResult> simulate(const PersonCondition& condition, Leading leading, const RobustnessOptions& options,
                                   std::uint32_t index) {
-  const RetargeterConfig controller = leading == Leading::paper      ? paper_controller()
-                                      : leading == Leading::informed ? informed_controller(condition)
-                                                                     : people_controller(condition);
+  const RetargeterConfig controller = leading == Leading::paper ? paper_controller()
+                                      : leading == Leading::informed
+                                          ? informed_controller(condition, options.informed_of)
+                                          : people_controller(condition);
   std::vector<ReachResult> results;
   bool found = false;
-  for (const PersonOutcome& outcome : simulate_person(condition, leading == Leading::none ? nullptr : &controller,
-                                                      leading == Leading::fifth ? reaches : 1, seed, index)) {
+  for (const PersonOutcome& outcome :
+       simulate_person(condition, leading == Leading::none ? nullptr : &controller,
+                       leading == Leading::last ? static_cast<int>(options.reaches) : 1, options.seed, index)) {
     results.push_back(result(condition, outcome));
     results.back().found = found = found || outcome.summary.unreachable;
   }
@@ -135,13 +135,13 @@ std::vector<RobustnessRow> simulate_robustness(
       const std::size_t cell = taking[i / now];
       const std::uint64_t index = before + i % now;
       const auto is = [&](Leading leading) { return leadings[cell % columns] == leading; };
-      if (is(Leading::first) && results[cell + 1].size() > index) return;  // the reaches to the fifth have it
+      if (is(Leading::first) && results[cell + 1].size() > index) return;  // the reaches to the last have it
       const RobustnessRow& row = rows[cell / columns];
       const auto person = static_cast<std::uint32_t>(index);
-      const std::vector<ReachResult> reached = simulate(row.people.draw(row.duration_s, options.seed, person),
-                                                        leadings[cell % columns], options.seed, person);
+      const std::vector<ReachResult> reached =
+          simulate(row.people.draw(row.duration_s, options.seed, person), leadings[cell % columns], options, person);
       results[cell][index] = reached.back();
-      if (is(Leading::fifth) && results[cell - 1].size() > index) results[cell - 1][index] = reached.front();
+      if (is(Leading::last) && results[cell - 1].size() > index) results[cell - 1][index] = reached.front();
     };
     for_each_part(taking.size() * now, options.threads, work, [&](std::uint64_t done, std::uint64_t) {
       if (progress) progress(before * results.size() + done, options.people * results.size());

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
 #include "samples/study/cli/part.h"
 #include "samples/study/numbers/results.h"
@@ -21,15 +22,15 @@ enum class Leading {
   none,      ///< no controller: the plate stays at 0
   paper,     ///< the paper's controller, which assumes w_T = 0.15
   first,     ///< ours, on the first reach of an unknown person
-  fifth,     ///< ours, on the fifth reach, with the knowledge of the four before it
-  informed,  ///< ours, given the person's traits before the first reach
+  last,      ///< ours, on the last of some reaches, with the knowledge of those before it
+  informed,  ///< ours, given some of the person's traits before the first reach
 };
-inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::fifth, Leading::informed};
+inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::last, Leading::informed};
 
 /// Of each, in CSV and JSON, and in text.
-inline constexpr const char* leading_names[] = {"none", "paper", "first", "fifth", "informed"};
+inline constexpr const char* leading_names[] = {"none", "paper", "first", "last", "informed"};
 inline constexpr const char* leading_titles[] = {"no controller", "the paper's", "ours, first reach",
-                                                 "ours, fifth reach", "ours, informed"};
+                                                 "ours, last reach", "ours, informed"};
 
 /// The result of one reach. Angles in degrees.
 struct ReachResult {
@@ -102,10 +103,12 @@ double half_interval(const Share& share);
 
 struct RobustnessOptions {
   std::uint64_t people = 100;  ///< of each sort at each duration, at most
+  std::uint64_t reaches = 5;   ///< of ours, one after another: 2 or more
   double points = 4.0;         ///< a cell whose share within near_deg has such a half_interval() takes no more people
   std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
+  std::vector<PersonTrait::Index> informed_of{std::begin(telling_traits), std::end(telling_traits)};
   Part part;  ///< of the rows
 };
 

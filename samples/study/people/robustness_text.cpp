@@ -47,7 +47,8 @@ std::string near_table(const RobustnessStudy& study) {
   std::string page = left("", 15);
   for (const double duration_s : durations_s) page += right(number(duration_s) + " s", 21);
   page += '\n' + left("", 15);
-  for (std::size_t i = 0; i < durations_s.size(); ++i) page += "   no pap 1st 5th inf";
+  for (std::size_t i = 0; i < durations_s.size(); ++i)
+    page += "   no pap   1" + right(std::to_string(study.options.reaches), 4) + " inf";
   page += '\n';
   for (const SimulatedPeople& people : study.people)
     page += near_line(label(people), of_people(rows, people.name), durations_s,
@@ -80,10 +81,10 @@ std::string with_interval(const Share& share) {
   return fixed(share.percent(), 1) + " (" + between(interval.low, interval.high, 1) + ")";
 }
 
-std::string flags_table(const Rows& all) {
+std::string flags_table(const Rows& all, std::uint64_t reaches) {
   const Rows rows = rows_where(all, std::not_fn(misplaced));
   const Rows off = rows_where(all, misplaced);
-  constexpr Leading flagging[] = {Leading::paper, Leading::first, Leading::fifth, Leading::informed};
+  constexpr Leading flagging[] = {Leading::paper, Leading::first, Leading::last, Leading::informed};
   const auto line = [&](const std::string& name, const Rows& of,
                         const std::function<Share(const RobustnessCell&)>& share) {
     std::string text = left(name, 41);
@@ -92,7 +93,9 @@ std::string flags_table(const Rows& all) {
   };
   using Cell = const RobustnessCell&;
   std::string page = left("Flags, % of reaches (95 % interval)", 41);
-  for (const char* title : {"pap", "1st", "5th", "inf"}) page += right(title, 19);
+  for (const std::string& title :
+       {std::string("pap"), std::string("reach 1"), "reach " + std::to_string(reaches), std::string("inf")})
+    page += right(title, 19);
   page += '\n';
   page += line("cannot hold: found unreachable by then", rows, [](Cell cell) { return cell.cannot_hold.found; }) +
           line("  silent miss", rows, [](Cell cell) { return cell.cannot_hold.silent; }) +
@@ -187,13 +190,14 @@ std::string robustness_text(const RobustnessStudy& study) {
           "the gap; the 95 % interval of a cell is at most +-" +
           fixed(widest, 1) + " points, and a cell that is within " + number(study.options.points) +
           " takes no more people: here " + fixed(people, 0) +
-          " in the mean (--format csv: each). no: no controller; pap: the paper's; 1st: ours on a person's first "
-          "reach; 5th: on the "
-          "fifth; inf: ours, informed of the person's traits; -: nobody can hold the gap; *: kept apart from "
+          " in the mean (--format csv: each). no: no controller; pap: the paper's; 1, " +
+          std::to_string(study.options.reaches) +
+          ": ours on a person's reach of that number, with what it has learnt; inf: ours, informed of the person's "
+          "traits; -: nobody can hold the gap; *: kept apart from "
           "the search for our controller's numbers; +: tracker or plate is off, which no controller sees.") +
       '\n' + near_table(study);
   if (study.people.size() == 1) page += '\n' + details_table(study.people.front(), study.rows);
-  return page + '\n' + flags_table(study.rows);
+  return page + '\n' + flags_table(study.rows, study.options.reaches);
 }
 
 Results robustness_results(const RobustnessStudy& study) {
@@ -209,6 +213,7 @@ Results robustness_results(const RobustnessStudy& study) {
               {"misplaced", of.people.misplaced},
               {"duration_s", of.duration_s},
               {"controller", leading_names[static_cast<std::size_t>(leading)]},
+              {"reach", leading == Leading::last ? study.options.reaches : 1},
               {"people", of.cell(leading).people()},
               {"seed", study.options.seed}};
       put_numbers(row, of.cell(leading), leading != Leading::none);

@@ -142,11 +142,11 @@ TEST(StudyRobustness, LinearPeopleArriveAndAreKnown) {
   EXPECT_EQ(row.cell(Leading::none).can_hold.near.percent(), 0.0);
   EXPECT_LT(row.cell(Leading::paper).can_hold.near.percent(), 60.0);
   EXPECT_GE(row.cell(Leading::first).can_hold.near.percent(), 90.0);
-  EXPECT_GE(row.cell(Leading::fifth).can_hold.near.percent(), 95.0);
+  EXPECT_GE(row.cell(Leading::last).can_hold.near.percent(), 95.0);
   EXPECT_GE(row.cell(Leading::informed).can_hold.near.percent(), 95.0);
-  EXPECT_LT(row.cell(Leading::fifth).can_hold.miss_95_mm.value, 2.6);  // 100 mm sin 1.5 deg
-  EXPECT_GE(row.cell(Leading::fifth).weight_covered.percent(), 85.0);
-  EXPECT_EQ(row.cell(Leading::fifth).weight_covered.of, 100U);
+  EXPECT_LT(row.cell(Leading::last).can_hold.miss_95_mm.value, 2.6);  // 100 mm sin 1.5 deg
+  EXPECT_GE(row.cell(Leading::last).weight_covered.percent(), 85.0);
+  EXPECT_EQ(row.cell(Leading::last).weight_covered.of, 100U);
   EXPECT_EQ(row.cell(Leading::paper).weight_covered.of, 0U);  // it does not estimate w_T
 }
 
@@ -161,7 +161,7 @@ TEST(StudyRobustness, PeopleWhoCannotHoldAreCountedApartAndFound) {
     EXPECT_EQ(cell.can_hold.near.of, holding);
     EXPECT_EQ(cell.cannot_hold.near.of, people - holding);
   }
-  EXPECT_GE(row.cell(Leading::fifth).cannot_hold.found.percent(), 60.0);
+  EXPECT_GE(row.cell(Leading::last).cannot_hold.found.percent(), 60.0);
 }
 
 TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
@@ -170,7 +170,7 @@ TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
   const auto rows = lines(run.out);
   ASSERT_EQ(rows.size(), 1 + 2 * leadings.size());
   EXPECT_TRUE(rows[0].starts_with(
-      "family,tuned,misplaced,duration_s,controller,people,seed,can_hold,cannot_hold,near_percent,"
+      "family,tuned,misplaced,duration_s,controller,reach,people,seed,can_hold,cannot_hold,near_percent,"
       "near_low_percent,near_high_percent,miss_median_mm,miss_median_low_mm,miss_median_high_mm,miss_95_mm,"))
       << rows[0];
   EXPECT_TRUE(
@@ -233,8 +233,8 @@ TEST(StudyRobustness, NumbersGoToAFileBesideTheText) {
 TEST(StudyRobustness, WhatIsMisplacedMissesSilently) {
   const RobustnessOptions options{.people = 40, .durations_s = {2.0}};
   const auto rows = rows_of({"linear", "turned-2"}, options);
-  const ReachGroup& placed = rows[0].cell(Leading::fifth).can_hold;
-  const ReachGroup& turned = rows[1].cell(Leading::fifth).can_hold;
+  const ReachGroup& placed = rows[0].cell(Leading::last).can_hold;
+  const ReachGroup& turned = rows[1].cell(Leading::last).can_hold;
   EXPECT_TRUE(rows[1].people.misplaced);
   EXPECT_GT(placed.near.percent(), 90.0);
   EXPECT_LT(turned.near.percent(), 20.0);
