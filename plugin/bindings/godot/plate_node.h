@@ -77,7 +77,8 @@ class PlateNode {
   /** What is wrong with the properties or the node's place, for the editor; empty: nothing. */
   std::string warning();
 
-  // The methods of scripts, with the names of their arguments there. README.md says what each does.
+  // The methods of scripts, with the names of their arguments there: the generator reads this list, and README.md says
+  // what each does.
   hrt_target add_real_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_virtual_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_real_target_at(std::string name, Vector3 world_position);
