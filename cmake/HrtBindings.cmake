@@ -8,4 +8,4 @@ execute_process(COMMAND ${HRT_PYTHON3} ${HRT_BINDINGS}/unity/metas COMMAND_ERROR
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/plugin/include/haptic_retargeting/*.h ${HRT_BINDINGS}/generator/*.py)
 list(FILTER sources EXCLUDE REGEX "/(init|functions)\\.h$")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources} ${HRT_BINDINGS}/generate
-  ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/plugin/THIRD_PARTY_NOTICES.md)
+  ${HRT_BINDINGS}/godot/plate_node.h ${HRT_BINDINGS}/godot/README.md ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/plugin/THIRD_PARTY_NOTICES.md)

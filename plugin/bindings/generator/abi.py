@@ -69,16 +69,12 @@ class Field:
     doc: str
     shared_doc: str  # its own, or that of the field before, which describes both
     place: int  # among those with this comment
-    path: tuple[tuple[str, str], ...] = ()  # of a part's field: each member on the way to it, with the struct that has it
+    path: tuple[str, ...] = ()  # of a part's field: each member on the way to it
 
     @property
     def member(self) -> str:
         """As C writes it behind the struct: plate.max_speed_deg_s, of the field that others see as plate_max_speed_deg_s."""
-        return ".".join(name for _, name in self.path) or self.name
-
-    def pointers(self, struct: str) -> str:
-        """As C++ points to it."""
-        return ", ".join(f"&{owner}::{name}" for owner, name in self.path or ((struct, self.name),))
+        return ".".join(self.path) or self.name
 
     @property
     def named_prefix(self) -> str:

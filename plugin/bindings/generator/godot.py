@@ -1,4 +1,4 @@
-"""Godot's tables: fields as properties and Dictionary keys, constants, and the class reference."""
+"""Godot's tables: fields as properties and Dictionary keys, constants, the class's methods, and the class reference."""
 
 from __future__ import annotations
 
@@ -10,10 +10,9 @@ from xml.sax.saxutils import escape
 import settings
 from abi import Abi, Enumeration, Field, pascal
 
-# What a script gets as a Dictionary, by its table in fields.h.
-_RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "gap": "hrt_gap",
-            "step": "hrt_setup_step", "result": "hrt_setup_result", "conditions": "hrt_conditions",
-            "recording": "hrt_recording_status"}
+# What a script gets as a Dictionary.
+_RECORDS = ("hrt_command", "hrt_reach_summary", "hrt_gap", "hrt_setup_step", "hrt_setup_result", "hrt_conditions",
+            "hrt_recording_status")
 # Of no Dictionary and no property: the marks of a set-up are the start and five places on the rim.
 _NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
 # Of no property or Dictionary: methods return Godot's own errors.
@@ -21,41 +20,48 @@ _NO_CONSTANTS = ("HRT_ERROR_", "HRT_LOG_")
 _ACRONYMS = {"MPC"}
 _SETUP = "hrt_setup_config"
 _UNITS = {"deg": "°", "deg_s": "°/s", "deg_s2": "°/s²", "deg2": "°²", "per_s": "/s"}
+_GODOT = Path(__file__).parent.parent / "godot"
 _PARTS = {"": "value", "_lower": "lower", "_upper": "upper", "_known": "known"}  # of an interval
 
 
 def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
-    shown = settings.by_section(abi)
     setup = [f for f in abi.struct(_SETUP).fields if f.name not in _NO_KEYS]
-    tables = {"config": "".join(_property(abi, settings.STRUCT, f, "", group) for group in shown for f in shown[group]),
-              "setup": "".join(_property(abi, _SETUP, f, "setup_", "Setup") for f in setup)}
-    tables |= {name: _table(abi, struct) for name, struct in _RECORDS.items()} | {"device": _table(plate, "hrt_plate_report")}
-    return (f"// {notice}\n// clang-format off\n#include \"fields.h\"\n\n#include <haptic_retargeting/plate.h>\n\n"
-            "#include <cstring>\n\nnamespace hrt_godot {\nnamespace {\n\n"
-            + "".join(f"constexpr Field k{name.capitalize()}[] = {{\n{rows}}};\n\n" for name, rows in tables.items())
-            + "constexpr Constant kConstants[] = {\n"
-            + "".join(f'    {{"{_enum(e)}", "{m.name.removeprefix("HRT_")}", {m.value}, '
-                      f'{"true" if e.flags else "false"}}},\n' for e in _shown(abi) + _shown(plate) for m in e.members)
-            + "};\n\n}  // namespace\n\n"
-            + "".join(f"constinit const std::span<const Field> {name}_fields = k{name.capitalize()};\n" for name in tables)
-            + "constinit const std::span<const Constant> constants = kConstants;\n"
+    properties = [_property(abi, "session", f, "", group) for group, fields in settings.by_section(abi).items() for f in fields]
+    properties += [_property(abi, "setup", f, "setup_", "Setup") for f in setup]
+    constants = [f'{{"{_enum(e)}", "{m.name.removeprefix("HRT_")}", {m.value}, {str(e.flags).lower()}}}'
+                 for e in _shown(abi) + _shown(plate) for m in e.members]
+    return (f"// {notice}\n// clang-format off\n#include \"plate_node.h\"\n\nnamespace hrt_godot {{\n\n"
+            + "".join(_record(abi, struct) for struct in _RECORDS) + _record(plate, "hrt_plate_report")
+            + _table("Property", "properties", properties) + _table("Constant", "constants", constants)
+            + _table("Method", "methods", _methods())
             + f'constinit const char* const class_reference = R"xml({_reference(abi, plate, setup)})xml";\n\n'
-            + f"void copy_hidden(const {settings.STRUCT}& from, {settings.STRUCT}& to) {{\n"
-            + "".join(f"  std::memcpy(to.{f.member}, from.{f.member}, sizeof to.{f.member});\n" for f in settings.hidden(abi))
-            + "}\n\n}  // namespace hrt_godot\n")
+            + "}  // namespace hrt_godot\n")
 
 
-def _table(abi: Abi, struct: str) -> str:
-    rows = ""
+def _table(type_: str, name: str, rows: list[str]) -> str:
+    own = f"k{pascal(name)}"
+    return (f"static const {type_} {own}[] = {{\n" + "".join(f"    {row},\n" for row in rows) + "};\n"
+            f"constinit const std::span<const {type_}> {name} = {own};\n\n")
+
+
+def _record(abi: Abi, struct: str) -> str:
+    text = f"Record to_record(const {struct}& of) {{\n  if (of.struct_size == 0) return {{}};\n  return {{\n"
     for field in (f for f in abi.struct(struct).fields if f.name not in _NO_KEYS):
-        parts = _PARTS if field.type.name == "hrt_interval" else {"": ""}
-        for end, part in parts.items():
-            member = field.pointers(struct) + (f", &hrt_interval::{part}" if part else "")
-            rows += f'    make_field<{member}>("{field.name}{end}"),\n'
-    return rows
+        for end, part in _PARTS.items() if field.type.name == "hrt_interval" else [("", "")]:
+            text += f'    {{"{field.name}{end}", to_value(of.{field.member}{part and "." + part})}},\n'
+    return text + "  };\n}\n\n"
 
 
-def _property(abi: Abi, struct: str, field: Field, prefix: str, group: str) -> str:
+def _methods() -> list[str]:
+    """What plate_node.h declares for scripts."""
+    header = (_GODOT / "plate_node.h").read_text(encoding="utf-8")
+    shown = header.split("// The methods of scripts")[1].split(" private:")[0]
+    methods = [(name, re.sub(r"[\w:]+ (\w+)", r'"\1"', arguments))
+               for name, arguments in re.findall(r"^  [\w:]+ (\w+)\(([^)]*)\)", shown, re.M)]
+    return [f'bind<&PlateNode::{name}>("{name}", {{{names}}}, &PlateNode::{name})' for name, names in methods]
+
+
+def _property(abi: Abi, of: str, field: Field, prefix: str, group: str) -> str:
     """With how the inspector shows it."""
     hint, text, numbers = "kNone", "", field.numbers
     if field.enumeration:
@@ -65,7 +71,8 @@ def _property(abi: Abi, struct: str, field: Field, prefix: str, group: str) -> s
         unit = _UNITS.get(field.unit, field.unit)
         hint, text = "kRange", ",".join(f"{n.normalize():f}" for n in (numbers.lowest, numbers.upper, _step(field)))
         text += f",suffix:{unit}" if unit else ""
-    return f'    make_field<{field.pointers(struct)}>("{prefix}{field.name}", Hint::{hint}, "{text}", "{group}"),\n'
+    place = f"[](Properties& of) -> Place {{ return &of.{of}.{field.member}; }}"
+    return f'{{"{prefix}{field.name}", {place}, Hint::{hint}, "{text}", "{group}"}}'
 
 
 def _step(field: Field) -> Decimal:
@@ -83,7 +90,7 @@ def _reference(abi: Abi, plate: Abi, setup: list[Field]) -> str:
         return escape(re.sub(r"\bHRT_([A-Z])", r"\1", re.sub(r"`([^`]*)`", r"[code]\1[/code]", comment.replace(" (base.h)", ""))))
 
     members = [(f.name, f) for f in settings.shown(abi)] + [(f"setup_{f.name}", f) for f in setup]
-    readme = (Path(__file__).parent.parent / "godot/README.md").read_text(encoding="utf-8")
+    readme = (_GODOT / "README.md").read_text(encoding="utf-8")
     intro = readme[readme.index("A node of this class is"):].split("\n\n", maxsplit=1)[0].replace("\n", " ")
     text = ('<class name="HapticRetargeting" inherits="Node3D">\n<brief_description>A ridged plate and the user whose hand it '
             f"guides.</brief_description>\n<description>{doc(intro)}</description>\n")

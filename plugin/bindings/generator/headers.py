@@ -104,18 +104,18 @@ class _Reader:
             fields.append(Field(found["name"] or found["callback"] or found["pointed"], kind, length, own,
                                 before.shared_doc if before else own, before.place + 1 if before else 0))
             docs = []
-        struct = Struct(name, tuple(g for f in fields for g in self.flat(name, f)), doc, header)
+        struct = Struct(name, tuple(g for f in fields for g in self.flat(f)), doc, header)
         if doc.startswith("Part of "):
             self.parts[name] = struct
         else:
             self.abi.structs.append(struct)
 
-    def flat(self, struct: str, field: Field) -> list[Field]:
+    def flat(self, field: Field) -> list[Field]:
         """The field, or those of the part that it is."""
         part = self.parts.get(field.type.name)
         if part is None:
             return [field]
-        return [replace(f, name=_flat_name(field.name, f.name), path=((struct, field.name), (part.name, f.name))) for f in part.fields]
+        return [replace(f, name=_flat_name(field.name, f.name), path=(field.name, f.name)) for f in part.fields]
 
     def name_fields(self) -> None:
         """In comments, as hosts see them: plate.max_speed_deg_s is plate_max_speed_deg_s."""

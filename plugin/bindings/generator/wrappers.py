@@ -11,7 +11,7 @@ from pathlib import Path
 from abi import Abi
 
 _SOURCES = {
-    "godot": ("godot/*.cpp", "godot/*/*.cpp"),
+    "godot": ("godot/*.cpp", "godot/*.h"),
     "python": ("python/haptic_retargeting/*.py",),
     "unity": ("unity/com.haptic-retargeting/Runtime/*.cs",),
     "unreal": ("unreal/HapticRetargeting/Source/HapticRetargeting/Private/*.cpp",),

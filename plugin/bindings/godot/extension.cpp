@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <new>
 #include <span>
 #include <string>
@@ -19,7 +19,7 @@ namespace {
 
 /** The engine's functions. */
 struct Interface {
-#define DECLARE(result, name, arguments) result(*name) arguments;
+#define DECLARE(result, name, ...) result (*name)(__VA_ARGS__);
   GDE_FUNCTIONS(DECLARE)
 #undef DECLARE
 };
@@ -34,12 +34,18 @@ const char* load_interface(gde_get_proc_address get_proc_address) {
     return found || name != "classdb_register_extension_class5" ? found
                                                                 : get_proc_address("classdb_register_extension_class4");
   };
-#define LOAD(result, name, arguments)                                 \
+#define LOAD(result, name, ...)                                       \
   engine.name = reinterpret_cast<decltype(engine.name)>(load(#name)); \
   if (!engine.name) return #name;
   GDE_FUNCTIONS(LOAD)
 #undef LOAD
   return nullptr;
+}
+
+constexpr int32_t number(Type type) { return static_cast<int32_t>(type); }
+
+void destroy(int32_t type, void* value) {
+  if (const gde_destructor destructor = engine.variant_get_ptr_destructor(type)) destructor(value);
 }
 
 /** A text of the engine's, destroyed at the end of its scope. */
@@ -49,8 +55,8 @@ class EngineText {
   explicit EngineText(const char* utf8) { (engine.*make)(&text_, utf8); }
   EngineText(const EngineText&) = delete;
   EngineText& operator=(const EngineText&) = delete;
-  ~EngineText() { engine.variant_get_ptr_destructor(type)(&text_); }
-  const Text& get() const { return text_; }
+  ~EngineText() { destroy(type, &text_); }
+  const Text* get() const { return &text_; }
 
  private:
   Text text_;
@@ -58,158 +64,105 @@ class EngineText {
 using EngineString = EngineText<gde_string, &Interface::string_new_with_utf8_chars, GDE_STRING>;
 using EngineName = EngineText<gde_string_name, &Interface::string_name_new_with_utf8_chars, GDE_STRING_NAME>;
 
-std::string to_utf8(const gde_string& string) {
+void assign(gde_variant* variant, const Value& value);
+
+/** A variant of the engine's, destroyed at the end of its scope. */
+class Variant {
+ public:
+  Variant() { engine.variant_new_nil(&variant_); }
+  Variant(int32_t type, const void* value) { engine.get_variant_from_type_constructor(type)(&variant_, value); }
+  explicit Variant(const Value& value) : Variant() { assign(&variant_, value); }
+  Variant(const Variant&) = delete;
+  Variant& operator=(const Variant&) = delete;
+  ~Variant() { engine.variant_destroy(&variant_); }
+  gde_variant* get() { return &variant_; }
+
+ private:
+  gde_variant variant_;
+};
+
+/** As the engine has it in memory: the rows of the basis, and the origin. */
+struct EngineTransform {
+  Eigen::Matrix<float, 3, 3, Eigen::RowMajor> basis;
+  Eigen::Vector3f origin;
+};
+/** Room for an engine's value of each type that crosses. */
+struct Room {
+  alignas(8) std::byte bytes[sizeof(EngineTransform)];
+};
+
+template <typename T>
+const T& as(const void* value) {
+  return *static_cast<const T*>(value);
+}
+
+/** Of the engine's value; null of a type that no method of the class takes. */
+Value decode(Type type, const void* value) {
+  if (type == Type::kBool) return as<gde_bool>(value) != 0;
+  if (type == Type::kInt) return as<int64_t>(value);
+  if (type == Type::kReal) return as<double>(value);
+  if (type == Type::kVector3) return Vector3(as<Eigen::Vector3f>(value).cast<double>());
+  if (type == Type::kPose) {
+    const auto& [basis, origin] = as<EngineTransform>(value);
+    return Pose{basis.cast<double>(), origin.cast<double>()};
+  }
+  if (type != Type::kString) return {};
+  const auto& string = as<gde_string>(value);
   std::string text(static_cast<size_t>(engine.string_to_utf8_chars(&string, nullptr, 0)), '\0');
   engine.string_to_utf8_chars(&string, text.data(), static_cast<int64_t>(text.size()));
   return text;
 }
 
-std::string to_utf8(const gde_string_name& name) {
-  const void* const arguments[] = {&name};
-  gde_string string;
-  engine.variant_get_ptr_constructor(GDE_STRING, GDE_STRING_OF_STRING_NAME)(&string, arguments);
-  std::string text = to_utf8(string);
-  engine.variant_get_ptr_destructor(GDE_STRING)(&string);
-  return text;
-}
-
-Vector3 widen(float x, float y, float z) {
-  return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-}
-
-/** A variant of a value of the engine's. */
-void new_variant(gde_variant* out, int32_t type, const void* value) {
-  engine.get_variant_from_type_constructor(type)(out, value);
-}
-
-template <typename T>
-T from_variant(const gde_variant& variant, int32_t type) {
-  T value;
-  engine.get_variant_to_type_constructor(type)(&value, &variant);
-  return value;
-}
-
-struct EngineVector3 {
-  float x, y, z;
-};
-EngineVector3 narrow(const Vector3& vector) {
-  return {static_cast<float>(vector.x), static_cast<float>(vector.y), static_cast<float>(vector.z)};
-}
-
-/** The rows of the basis, and the origin. */
-struct EngineTransform {
-  float m[12];
-};
-Pose to_pose(const EngineTransform& transform) {
-  const float(&m)[12] = transform.m;
-  return {.x_axis = widen(m[0], m[3], m[6]),
-          .y_axis = widen(m[1], m[4], m[7]),
-          .z_axis = widen(m[2], m[5], m[8]),
-          .origin = widen(m[9], m[10], m[11])};
-}
-EngineTransform to_transform(const Pose& pose) {
-  const auto [x, y, z, at] =
-      std::array{narrow(pose.x_axis), narrow(pose.y_axis), narrow(pose.z_axis), narrow(pose.origin)};
-  return {{x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z, at.x, at.y, at.z}};
-}
-
-int32_t variant_type(Type type) {
-  constexpr int32_t types[] = {GDE_NIL,    GDE_BOOL,    GDE_INT,        GDE_FLOAT,
-                               GDE_STRING, GDE_VECTOR3, GDE_DICTIONARY, GDE_TRANSFORM3D};
-  static_assert(std::size(types) == std::variant_size_v<Value>);
-  return types[static_cast<size_t>(type)];
-}
-
-void to_variant(gde_variant* out, const Value& value);
-
-void fill_dictionary(gde_dictionary* dictionary, const Record& record) {
-  for (const auto& [name, entry] : record) {
-    gde_variant key;
-    to_variant(&key, std::string(name));
-    gde_variant* value = engine.dictionary_operator_index(dictionary, &key);
-    engine.variant_destroy(value);
-    to_variant(value, to_value(entry));
-    engine.variant_destroy(&key);
-  }
-}
-
-/** The caller destroys it. */
-void to_variant(gde_variant* out, const Value& value) {
-  const int32_t type = variant_type(type_of(value));
+/** Makes the engine's value, which the caller destroys; nothing of null. */
+void encode(const Value& value, void* out) {
   std::visit(
       [&]<typename T>(const T& each) {
-        if constexpr (std::is_same_v<T, std::monostate>) {
-          engine.variant_new_nil(out);
-        } else if constexpr (std::is_same_v<T, bool>) {
-          const gde_bool byte = each;
-          new_variant(out, type, &byte);
-        } else if constexpr (std::is_same_v<T, std::string>) {
-          new_variant(out, type, &EngineString(each.c_str()).get());
+        if constexpr (std::is_same_v<T, std::string>) {
+          engine.string_new_with_utf8_chars(static_cast<gde_string*>(out), each.c_str());
         } else if constexpr (std::is_same_v<T, Vector3>) {
-          const EngineVector3 floats = narrow(each);
-          new_variant(out, type, &floats);
+          new (out) Eigen::Vector3f(each.template cast<float>());
         } else if constexpr (std::is_same_v<T, Pose>) {
-          const EngineTransform transform = to_transform(each);
-          new_variant(out, type, &transform);
+          new (out) EngineTransform{each.basis.template cast<float>(), each.origin.template cast<float>()};
         } else if constexpr (std::is_same_v<T, Record>) {
-          gde_dictionary dictionary;
-          engine.variant_get_ptr_constructor(GDE_DICTIONARY, 0)(&dictionary, nullptr);
-          fill_dictionary(&dictionary, each);
-          new_variant(out, type, &dictionary);
-          engine.variant_get_ptr_destructor(GDE_DICTIONARY)(&dictionary);
-        } else {
-          new_variant(out, type, &each);
+          engine.variant_get_ptr_constructor(number(Type::kRecord), 0)(out, nullptr);
+          for (const auto& [key, entry] : each)
+            assign(engine.dictionary_operator_index(out, Variant(GDE_STRING, EngineString(key).get()).get()), entry);
+        } else if constexpr (!std::is_same_v<T, std::monostate>) {
+          new (out) T(each);
         }
       },
       value);
 }
 
-/** Null for a type that no method of the class takes. */
-Value to_value(const gde_variant& variant) {
-  switch (engine.variant_get_type(&variant)) {
-    case GDE_BOOL:
-      return from_variant<gde_bool>(variant, GDE_BOOL) != 0;
-    case GDE_INT:
-      return from_variant<int64_t>(variant, GDE_INT);
-    case GDE_FLOAT:
-      return from_variant<double>(variant, GDE_FLOAT);
-    case GDE_STRING: {
-      gde_string string = from_variant<gde_string>(variant, GDE_STRING);
-      std::string text = to_utf8(string);
-      engine.variant_get_ptr_destructor(GDE_STRING)(&string);
-      return text;
-    }
-    case GDE_STRING_NAME: {  // such as the name of a node
-      gde_string_name name = from_variant<gde_string_name>(variant, GDE_STRING_NAME);
-      std::string text = to_utf8(name);
-      engine.variant_get_ptr_destructor(GDE_STRING_NAME)(&name);
-      return text;
-    }
-    case GDE_VECTOR3: {
-      const EngineVector3 floats = from_variant<EngineVector3>(variant, GDE_VECTOR3);
-      return widen(floats.x, floats.y, floats.z);
-    }
-    case GDE_TRANSFORM3D:
-      return to_pose(from_variant<EngineTransform>(variant, GDE_TRANSFORM3D));
-    default:
-      return {};
-  }
+void assign(gde_variant* variant, const Value& value) {
+  engine.variant_destroy(variant);
+  const int32_t type = number(type_of(value));
+  if (type == number(Type::kNil)) return engine.variant_new_nil(variant);
+  Room room;
+  encode(value, &room);
+  engine.get_variant_from_type_constructor(type)(variant, &room);
+  destroy(type, &room);
 }
 
-/** Calls a method of the engine's, of two arguments at most. */
-Value call_on(gde_variant& self, const char* method, std::initializer_list<Value> arguments) {
+/** Null for a type that no method of the class takes. */
+Value from_variant(const gde_variant* variant) {
+  Type type{engine.variant_get_type(variant)};
+  if (type == Type{GDE_STRING_NAME}) type = Type::kString;  // such as the name of a node
+  if (type == Type::kNil || std::ranges::find(kTypes, type, &TypeName::type) == std::end(kTypes)) return {};
+  Room room;
+  engine.get_variant_to_type_constructor(number(type))(&room, variant);
+  Value value = decode(type, &room);
+  destroy(number(type), &room);
+  return value;
+}
+
+/** Calls a method of the engine's. */
+Value call_on(Variant& self, const char* method, std::initializer_list<const gde_variant*> arguments) {
   const EngineName name(method);
-  std::array<gde_variant, 2> variants;
-  std::array<const gde_variant*, 2> pointers{&variants[0], &variants[1]};
-  const size_t count = arguments.size();
-  for (size_t i = 0; i < count; ++i) to_variant(&variants[i], arguments.begin()[i]);
-  gde_variant result;
-  gde_call_error error{};
-  engine.variant_call(&self, &name.get(), pointers.data(), static_cast<int64_t>(count), &result, &error);
-  const Value returned = to_value(result);
-  for (size_t i = 0; i < count; ++i) engine.variant_destroy(&variants[i]);
-  engine.variant_destroy(&result);
-  return returned;
+  Variant result;
+  gde_call_error error;
+  engine.variant_call(self.get(), name.get(), arguments.begin(), std::ssize(arguments), result.get(), &error);
+  return from_variant(result.get());
 }
 
 /** Object.NOTIFICATION_POSTINITIALIZE. */
@@ -222,29 +175,26 @@ class Instance : public Engine {
   PlateNode& node() { return node_; }
 
   Pose node_pose() override {
-    return std::get<Pose>(call(is_inside_tree() ? "get_global_transform" : "get_transform", {}));
+    return std::get<Pose>(call(is_inside_tree() ? "get_global_transform" : "get_transform"));
   }
   void move_node(const Pose& pose) override {
-    call(is_inside_tree() ? "set_global_transform" : "set_transform", {pose});
+    call(is_inside_tree() ? "set_global_transform" : "set_transform", {Variant(pose).get()});
   }
   void emit(const Signal& signal, const Value& argument) override {
-    call("emit_signal", {std::string(signal.name), argument});
+    call("emit_signal", {Variant(signal.name).get(), Variant(argument).get()});
   }
-  void notify(int64_t what) { call("notification", {what}); }
+  void notify(int64_t what) { call("notification", {Variant(what).get()}); }
 
-  void update_warnings() override { call("update_configuration_warnings", {}); }
+  void update_warnings() override { call("update_configuration_warnings"); }
 
   void push_error(const char* text) override { engine.print_error(text, kClassName, "extension.cpp", __LINE__, false); }
 
  private:
-  bool is_inside_tree() { return std::get<bool>(call("is_inside_tree", {})); }
+  bool is_inside_tree() { return std::get<bool>(call("is_inside_tree")); }
 
-  Value call(const char* method, std::initializer_list<Value> arguments) {
-    gde_variant self;
-    new_variant(&self, GDE_OBJECT, &object_);
-    const Value returned = call_on(self, method, arguments);
-    engine.variant_destroy(&self);
-    return returned;
+  Value call(const char* method, std::initializer_list<const gde_variant*> arguments = {}) {
+    Variant self(GDE_OBJECT, &object_);
+    return call_on(self, method, arguments);
   }
 
   gde_object* object_;
@@ -252,12 +202,10 @@ class Instance : public Engine {
 };
 
 gde_object* create_instance(void*, gde_bool notify) noexcept {
-  const EngineName parent("Node3D");
-  const EngineName name(kClassName);
-  gde_object* object = engine.classdb_construct_object2(&parent.get());
+  gde_object* object = engine.classdb_construct_object2(EngineName("Node3D").get());
   Instance* instance = new (std::nothrow) Instance(object);
   if (!instance) return object;
-  engine.object_set_instance(object, &name.get(), instance);
+  engine.object_set_instance(object, EngineName(kClassName).get(), instance);
   if (notify) instance->notify(kPostInitialize);
   return object;
 }
@@ -268,18 +216,17 @@ void free_instance(void*, void* instance) noexcept { delete static_cast<Instance
 void get_warnings(void* instance, const void* const*, void* out_return) noexcept try {
   const std::string warning = static_cast<Instance*>(instance)->node().warning();
   if (warning.empty()) return;
-  gde_variant warnings;
-  new_variant(&warnings, GDE_PACKED_STRING_ARRAY, out_return);
-  call_on(warnings, "append", {warning});
-  engine.variant_get_ptr_destructor(GDE_PACKED_STRING_ARRAY)(out_return);
-  engine.get_variant_to_type_constructor(GDE_PACKED_STRING_ARRAY)(out_return, &warnings);
-  engine.variant_destroy(&warnings);
+  Variant warnings(GDE_PACKED_STRING_ARRAY, out_return);
+  call_on(warnings, "append", {Variant(warning).get()});
+  destroy(GDE_PACKED_STRING_ARRAY, out_return);
+  engine.get_variant_to_type_constructor(GDE_PACKED_STRING_ARRAY)(out_return, warnings.get());
 } catch (const std::exception& error) {
   static_cast<Instance*>(instance)->push_error(error.what());
 }
 
-gde_virtual get_virtual(void*, const gde_string_name* name, uint32_t) noexcept {
-  return to_utf8(*name) == "_get_configuration_warnings" ? get_warnings : nullptr;
+gde_virtual get_virtual(void*, gde_name name, uint32_t) noexcept {
+  const Value text = from_variant(Variant(GDE_STRING_NAME, name).get());
+  return std::get<std::string>(text) == "_get_configuration_warnings" ? get_warnings : nullptr;
 }
 
 /** What the engine calls: a method, or the setter or getter of a property. */
@@ -287,165 +234,132 @@ struct Callable {
   std::string name;
   Type returns;
   std::vector<Argument> arguments;
-  const Method* method = nullptr;
-  const Field* field = nullptr;
-
-  Value operator()(PlateNode& node, std::span<const Value> values) const {
-    if (method) return node.call(*method, values);
-    if (arguments.empty()) return node.get(*field);
-    if (values.size() == 1) node.set(*field, values[0]);
-    return {};
-  }
+  std::function<Value(PlateNode& node, std::span<const Value> values)> function;
 };
 /** The engine keeps pointers to these. */
 std::deque<Callable> callables;
 
+/** Null if it throws, which is shown. `argument(i)` is the argument at i. */
+Value run(const Callable& callable, void* instance, size_t count, auto argument) noexcept try {
+  std::array<Value, kArgumentsMax> values;
+  count = std::min(count, values.size());
+  for (size_t i = 0; i < count; ++i) values[i] = argument(i);
+  return callable.function(static_cast<Instance*>(instance)->node(), std::span(values).first(count));
+} catch (const std::exception& error) {
+  static_cast<Instance*>(instance)->push_error(error.what());
+  return {};
+}
+
 void call(void* callable, void* instance, const gde_variant* const* arguments, int64_t count, gde_variant* out_return,
           gde_call_error*) noexcept {
   if (!instance) return;
-  try {
-    std::array<Value, kArgumentsMax> values;
-    const size_t size = std::min(static_cast<size_t>(count), values.size());
-    for (size_t i = 0; i < size; ++i) values[i] = to_value(*arguments[i]);
-    const Value result = (*static_cast<const Callable*>(callable))(static_cast<Instance*>(instance)->node(),
-                                                                   std::span(values.data(), size));
-    engine.variant_destroy(out_return);
-    to_variant(out_return, result);
-  } catch (const std::exception& error) {
-    static_cast<Instance*>(instance)->push_error(error.what());
-  }
+  assign(out_return, run(as<Callable>(callable), instance, static_cast<size_t>(count),
+                         [&](size_t i) { return from_variant(arguments[i]); }));
 }
 
-/** As call(), with values of the registered types, by way of variants. */
+/** As call(), with values of the registered types. */
 void ptrcall(void* data, void* instance, const void* const* arguments, void* out_return) noexcept {
-  const Callable& callable = *static_cast<const Callable*>(data);
-  std::array<gde_variant, kArgumentsMax> variants;
-  std::array<const gde_variant*, kArgumentsMax> pointers;
-  const size_t count = callable.arguments.size();
-  for (size_t i = 0; i < count; ++i) {
-    new_variant(&variants[i], variant_type(callable.arguments[i].type), arguments[i]);
-    pointers[i] = &variants[i];
-  }
-  gde_variant result;
-  engine.variant_new_nil(&result);
-  call(data, instance, pointers.data(), static_cast<int64_t>(count), &result, nullptr);
-  const int32_t type = variant_type(callable.returns);
-  if (type != GDE_NIL && engine.variant_get_type(&result) == type) {
-    if (callable.returns == Type::kString || callable.returns == Type::kRecord)
-      engine.variant_get_ptr_destructor(type)(out_return);
-    engine.get_variant_to_type_constructor(type)(out_return, &result);
-  }
-  engine.variant_destroy(&result);
-  for (size_t i = 0; i < count; ++i) engine.variant_destroy(&variants[i]);
+  const auto& callable = as<Callable>(data);
+  const Value result = run(callable, instance, callable.arguments.size(),
+                           [&](size_t i) { return decode(callable.arguments[i].type, arguments[i]); });
+  if (callable.returns == Type::kNil || type_of(result) != callable.returns) return;
+  destroy(number(callable.returns), out_return);
+  encode(result, out_return);
 }
 
-/** Descriptions of properties and arguments, and the strings that they point to. */
-class Descriptions {
+/** Registers the class. Keeps the engine's names and texts, to which its descriptions point, until that is done. */
+class Registration {
  public:
-  gde_property* add(const char* name, Type type, Hint hint = Hint::kNone, const char* hint_text = "") {
-    const gde_string_name* engine_name = &names_.emplace_back(name).get();
-    properties_.push_back({.type = variant_type(type),
-                           .name = engine_name,
-                           .class_name = &names_.emplace_back("").get(),
-                           .hint = static_cast<uint32_t>(hint),
-                           .hint_string = &strings_.emplace_back(hint_text).get(),
-                           .usage = GDE_USAGE_DEFAULT});
-    return &properties_.back();
+  void add_class() {
+    const gde_class info{.is_exposed = true,
+                         .create_instance = create_instance,
+                         .free_instance = free_instance,
+                         .get_virtual = get_virtual};
+    engine.classdb_register_extension_class5(library, class_, name("Node3D"), &info);
   }
-  gde_property* data() { return properties_.data(); }
+
+  void add_method(Callable callable) {
+    Callable& kept = callables.emplace_back(std::move(callable));
+    std::vector<gde_property> arguments;
+    for (const Argument& argument : kept.arguments) arguments.push_back(describe(argument.name, argument.type));
+    std::vector<int32_t> metadata(arguments.size(), 0);
+    gde_property returned = describe("", kept.returns);
+    const bool returns_value = kept.returns != Type::kNil;
+    const gde_method info{.name = name(kept.name.c_str()),
+                          .method = &kept,
+                          .call = call,
+                          .ptrcall = ptrcall,
+                          .flags = GDE_METHOD_NORMAL,
+                          .has_return_value = returns_value,
+                          .return_value = returns_value ? &returned : nullptr,
+                          .argument_count = static_cast<uint32_t>(arguments.size()),
+                          .arguments = arguments.data(),
+                          .argument_metadata = metadata.data()};
+    engine.classdb_register_extension_class_method(library, class_, &info);
+  }
+
+  void add_property(const Property& property) {
+    if (property.group != group_)
+      engine.classdb_register_extension_class_property_group(library, class_, text(property.group), text(""));
+    group_ = property.group;
+    const Type type = type_of(property.get(defaults_));
+    const std::string setter = std::string("set_") + property.name, getter = std::string("get_") + property.name;
+    add_method({setter, Type::kNil, {{"value", type}}, [&property](PlateNode& node, std::span<const Value> values) {
+                  if (values.size() == 1) node.set(property, values[0]);
+                  return Value();
+                }});
+    add_method({getter, type, {}, [&property](PlateNode& node, auto) { return node.get(property); }});
+    const gde_property info = describe(property.name, type, property.hint, property.hint_text);
+    engine.classdb_register_extension_class_property(library, class_, &info, name(setter.c_str()),
+                                                     name(getter.c_str()));
+  }
+
+  void add_signal(const Signal& signal) {
+    const gde_property argument = describe(signal.argument.name, signal.argument.type);
+    engine.classdb_register_extension_class_signal(library, class_, name(signal.name), &argument, 1);
+  }
+
+  void add_constant(const Constant& constant) {
+    engine.classdb_register_extension_class_integer_constant(library, class_, name(constant.enumeration),
+                                                             name(constant.name), constant.value, constant.is_flag);
+  }
 
  private:
-  std::deque<EngineName> names_;
-  std::deque<EngineString> strings_;
-  std::vector<gde_property> properties_;
-};
-
-void register_callable(const EngineName& class_name, Callable callable) {
-  Callable& kept = callables.emplace_back(std::move(callable));
-  const EngineName name(kept.name.c_str());
-  Descriptions arguments, returns;
-  for (const Argument& argument : kept.arguments) arguments.add(argument.name, argument.type);
-  std::vector<int32_t> metadata(kept.arguments.size(), 0);
-  const bool returns_value = kept.returns != Type::kNil;
-  const gde_method info{.name = &name.get(),
-                        .method = &kept,
-                        .call = call,
-                        .ptrcall = ptrcall,
-                        .flags = GDE_METHOD_NORMAL,
-                        .has_return_value = returns_value,
-                        .return_value = returns_value ? returns.add("", kept.returns) : nullptr,
-                        .return_value_metadata = 0,
-                        .argument_count = static_cast<uint32_t>(kept.arguments.size()),
-                        .arguments = arguments.data(),
-                        .argument_metadata = metadata.data(),
-                        .default_argument_count = 0,
-                        .default_arguments = nullptr};
-  engine.classdb_register_extension_class_method(library, &class_name.get(), &info);
-}
-
-void register_property(const EngineName& class_name, const Field& field) {
-  const std::string setter = std::string("set_") + field.name;
-  const std::string getter = std::string("get_") + field.name;
-  register_callable(class_name, {setter, Type::kNil, {{"value", field.type}}, nullptr, &field});
-  register_callable(class_name, {getter, field.type, {}, nullptr, &field});
-  Descriptions property;
-  const EngineName setter_name(setter.c_str());
-  const EngineName getter_name(getter.c_str());
-  engine.classdb_register_extension_class_property(library, &class_name.get(),
-                                                   property.add(field.name, field.type, field.hint, field.hint_text),
-                                                   &setter_name.get(), &getter_name.get());
-}
-
-void register_properties(const EngineName& class_name, std::span<const Field> fields) {
-  const EngineString no_prefix("");
-  std::string_view group;
-  for (const Field& field : fields) {
-    if (field.group != group) {
-      group = field.group;
-      const EngineString name(field.group);
-      engine.classdb_register_extension_class_property_group(library, &class_name.get(), &name.get(), &no_prefix.get());
-    }
-    register_property(class_name, field);
+  gde_name name(const char* utf8) { return names_.emplace_back(utf8).get(); }
+  const gde_string* text(const char* utf8) { return texts_.emplace_back(utf8).get(); }
+  gde_property describe(const char* own_name, Type type, Hint hint = Hint::kNone, const char* hint_text = "") {
+    return {.type = number(type),
+            .name = name(own_name),
+            .class_name = name(""),
+            .hint = static_cast<uint32_t>(hint),
+            .hint_string = text(hint_text),
+            .usage = GDE_USAGE_DEFAULT};
   }
-}
 
-void register_constant(const EngineName& class_name, const Constant& constant) {
-  const EngineName name(constant.name);
-  const EngineName enumeration(constant.enumeration);
-  engine.classdb_register_extension_class_integer_constant(library, &class_name.get(), &enumeration.get(), &name.get(),
-                                                           constant.value, constant.is_flag);
-}
-
-void register_signal(const EngineName& class_name, const Signal& signal) {
-  const EngineName name(signal.name);
-  Descriptions argument;
-  engine.classdb_register_extension_class_signal(library, &class_name.get(), &name.get(),
-                                                 argument.add(signal.argument.name, signal.argument.type), 1);
-}
+  std::deque<EngineName> names_;
+  std::deque<EngineString> texts_;
+  gde_name class_ = name(kClassName);
+  Properties defaults_;
+  std::string_view group_;
+};
 
 void initialize(void*, int32_t level) noexcept {
   if (level == GDE_LEVEL_EDITOR) engine.editor_help_load_xml_from_utf8_chars(class_reference);
   if (level != GDE_LEVEL_SCENE) return;
-  const EngineName name(kClassName);
-  const EngineName parent("Node3D");
-  gde_class info{};
-  info.is_exposed = true;
-  info.create_instance = create_instance;
-  info.free_instance = free_instance;
-  info.get_virtual = get_virtual;
-  engine.classdb_register_extension_class5(library, &name.get(), &parent.get(), &info);
-  for (const Method& method : methods())
-    register_callable(name, {method.name, method.returns, method.arguments, &method, nullptr});
-  register_properties(name, config_fields);
-  register_properties(name, setup_fields);
-  for (const Signal& signal : kSignals) register_signal(name, signal);
-  for (const Constant& constant : constants) register_constant(name, constant);
+  Registration registration;
+  registration.add_class();
+  for (const Method& method : methods)
+    registration.add_method(
+        {method.name, method.returns, method.arguments,
+         [&method](PlateNode& node, std::span<const Value> values) { return node.call(method, values); }});
+  for (const Property& property : properties) registration.add_property(property);
+  for (const Signal& signal : kSignals) registration.add_signal(signal);
+  for (const Constant& constant : constants) registration.add_constant(constant);
 }
 
 void deinitialize(void*, int32_t level) noexcept {
   if (level != GDE_LEVEL_SCENE) return;
-  const EngineName name(kClassName);
-  engine.classdb_unregister_extension_class(library, &name.get());
+  engine.classdb_unregister_extension_class(library, EngineName(kClassName).get());
   callables.clear();
 }
 

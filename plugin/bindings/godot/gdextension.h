@@ -5,10 +5,10 @@
  * Engine values are opaque bytes of the sizes that they have in 64-bit builds with single precision, which
  * the official ones are; a Vector3 is 3 floats, a Transform3D 12.
  */
-#ifndef HRT_GODOT_GDEXTENSION_H
-#define HRT_GODOT_GDEXTENSION_H
+#pragma once
 
-#include <stdint.h>
+#include <cstddef>
+#include <cstdint>
 
 #if defined(_WIN32)
 #define GDE_EXPORT __declspec(dllexport)
@@ -16,60 +16,37 @@
 #define GDE_EXPORT __attribute__((visibility("default")))
 #endif
 
-extern "C" {
+/* Types of variants, beside those of value.h. */
+enum { GDE_STRING = 4, GDE_STRING_NAME = 21, GDE_OBJECT = 24, GDE_PACKED_STRING_ARRAY = 34 };
 
-typedef struct {
-  alignas(8) uint8_t bytes[24];
-} gde_variant;
-typedef struct {
-  alignas(8) uint8_t bytes[8];
-} gde_string;
-typedef struct {
-  alignas(8) uint8_t bytes[8];
-} gde_string_name;
-typedef struct {
-  alignas(8) uint8_t bytes[8];
-} gde_dictionary;
+template <int variant_type, size_t size>
+struct gde_opaque {
+  alignas(8) uint8_t bytes[size];
+};
+typedef gde_opaque<0, 24> gde_variant;
+typedef gde_opaque<GDE_STRING, 8> gde_string;
+typedef gde_opaque<GDE_STRING_NAME, 8> gde_string_name;
+
+extern "C" {
 
 typedef void gde_object;
 typedef void gde_library;
 typedef uint8_t gde_bool;
-
-/* Type of a variant. */
-enum {
-  GDE_NIL = 0,
-  GDE_BOOL = 1,
-  GDE_INT = 2,
-  GDE_FLOAT = 3,
-  GDE_STRING = 4,
-  GDE_VECTOR3 = 9,
-  GDE_TRANSFORM3D = 18,
-  GDE_STRING_NAME = 21,
-  GDE_OBJECT = 24,
-  GDE_DICTIONARY = 27,
-  GDE_PACKED_STRING_ARRAY = 34
-};
+typedef const gde_string_name* gde_name;
 
 typedef struct {
-  int32_t error;
-  int32_t argument;
-  int32_t expected;
+  int32_t error, argument, expected;
 } gde_call_error;
 
+enum { GDE_USAGE_DEFAULT = 6 };
 /* A property, an argument or a return value. */
 typedef struct {
   int32_t type;
-  const gde_string_name* name;
-  const gde_string_name* class_name;
+  gde_name name, class_name;
   uint32_t hint;
   const gde_string* hint_string;
   uint32_t usage;
 } gde_property;
-
-/* Of the constructors of a String, the one from a StringName. */
-enum { GDE_STRING_OF_STRING_NAME = 2 };
-enum { GDE_USAGE_DEFAULT = 6 };
-enum { GDE_METHOD_NORMAL = 1 };
 
 /* Arguments are variants, and so is *out_return, already. */
 typedef void (*gde_call)(void* method, void* instance, const gde_variant* const* arguments, int64_t argument_count,
@@ -77,8 +54,9 @@ typedef void (*gde_call)(void* method, void* instance, const gde_variant* const*
 /* Arguments are values of the registered types, and *out_return is one already. */
 typedef void (*gde_ptrcall)(void* method, void* instance, const void* const* arguments, void* out_return);
 
+enum { GDE_METHOD_NORMAL = 1 };
 typedef struct {
-  const gde_string_name* name;
+  gde_name name;
   void* method;
   gde_call call;
   gde_ptrcall ptrcall;
@@ -99,34 +77,19 @@ typedef void (*gde_virtual)(void* instance, const void* const* arguments, void* 
 /* Of a class; what is not used may be null. */
 typedef void (*gde_unused)(void);
 typedef struct {
-  gde_bool is_virtual;
-  gde_bool is_abstract;
-  gde_bool is_exposed;
-  gde_bool is_runtime;
+  gde_bool is_virtual, is_abstract, is_exposed, is_runtime;
   const gde_string* icon_path;
-  gde_unused set;
-  gde_unused get;
-  gde_unused get_property_list;
-  gde_unused free_property_list;
-  gde_unused property_can_revert;
-  gde_unused property_get_revert;
-  gde_unused validate_property;
-  gde_unused notification;
-  gde_unused to_string;
-  gde_unused reference;
-  gde_unused unreference;
+  gde_unused set, get, get_property_list, free_property_list, property_can_revert, property_get_revert;
+  gde_unused validate_property, notification, to_string, reference, unreference;
   gde_object* (*create_instance)(void* class_data, gde_bool notify_postinitialize);
   void (*free_instance)(void* class_data, void* instance);
   gde_unused recreate_instance;
-  gde_virtual (*get_virtual)(void* class_data, const gde_string_name* name, uint32_t hash);
-  gde_unused get_virtual_call_data;
-  gde_unused call_virtual_with_data;
-  gde_unused get_rid;
+  gde_virtual (*get_virtual)(void* class_data, gde_name name, uint32_t hash);
+  gde_unused get_virtual_call_data, call_virtual_with_data, get_rid;
   void* class_data;
 } gde_class;
 
 enum { GDE_LEVEL_SCENE = 2, GDE_LEVEL_EDITOR = 3 };
-
 typedef struct {
   int32_t minimum_level;
   void* data;
@@ -142,47 +105,40 @@ typedef void (*gde_type_from_variant)(void* out, const gde_variant* variant);
 typedef void (*gde_constructor)(void* out, const void* const* arguments);
 typedef void (*gde_destructor)(void* value);
 
-/* X(result, name, (arguments)) for each of the engine's functions, which it is asked for by that name. */
-#define GDE_FUNCTIONS(X)                                                                                             \
-  X(void, print_error,                                                                                               \
-    (const char* text, const char* function, const char* file, int32_t line, gde_bool notify_editor))                \
-  X(void, classdb_register_extension_class_integer_constant,                                                         \
-    (gde_library * library, const gde_string_name* class_name, const gde_string_name* enumeration,                   \
-     const gde_string_name* name, int64_t value, gde_bool is_bitfield))                                              \
-  X(void, variant_new_nil, (gde_variant * out))                                                                      \
-  X(void, variant_destroy, (gde_variant * self))                                                                     \
-  X(int32_t, variant_get_type, (const gde_variant* self))                                                            \
-  X(void, variant_call,                                                                                              \
-    (gde_variant * self, const gde_string_name* method, const gde_variant* const* arguments, int64_t argument_count, \
-     gde_variant* out_return, gde_call_error* out_error))                                                            \
-  X(gde_variant_from_type, get_variant_from_type_constructor, (int32_t type))                                        \
-  X(gde_type_from_variant, get_variant_to_type_constructor, (int32_t type))                                          \
-  X(gde_constructor, variant_get_ptr_constructor, (int32_t type, int32_t index))                                     \
-  X(gde_destructor, variant_get_ptr_destructor, (int32_t type))                                                      \
-  X(void, string_new_with_utf8_chars, (gde_string * out, const char* text))                                          \
-  /* Returns how many bytes there are; writes no zero after them. */                                                 \
-  X(int64_t, string_to_utf8_chars, (const gde_string* self, char* out_text, int64_t capacity))                       \
-  X(void, string_name_new_with_utf8_chars, (gde_string_name * out, const char* text))                                \
-  X(gde_variant*, dictionary_operator_index, (gde_dictionary * self, const gde_variant* key))                        \
-  X(void, object_set_instance, (gde_object * object, const gde_string_name* class_name, void* instance))             \
-  X(gde_object*, classdb_construct_object2, (const gde_string_name* class_name))                                     \
-  X(void, classdb_register_extension_class5,                                                                         \
-    (gde_library * library, const gde_string_name* name, const gde_string_name* parent, const gde_class* info))      \
-  X(void, classdb_register_extension_class_method,                                                                   \
-    (gde_library * library, const gde_string_name* class_name, const gde_method* info))                              \
-  X(void, classdb_register_extension_class_property,                                                                 \
-    (gde_library * library, const gde_string_name* class_name, const gde_property* info,                             \
-     const gde_string_name* setter, const gde_string_name* getter))                                                  \
-  X(void, classdb_register_extension_class_signal,                                                                   \
-    (gde_library * library, const gde_string_name* class_name, const gde_string_name* name,                          \
-     const gde_property* arguments, int64_t argument_count))                                                         \
-  /* Properties that are registered after this are shown under the group. */                                         \
-  X(void, classdb_register_extension_class_property_group,                                                           \
-    (gde_library * library, const gde_string_name* class_name, const gde_string* group, const gde_string* prefix))   \
-  /* In an editor alone, at its level. */                                                                            \
-  X(void, editor_help_load_xml_from_utf8_chars, (const char* xml))                                                   \
-  X(void, classdb_unregister_extension_class, (gde_library * library, const gde_string_name* name))
+/* X(result, name, arguments...) for each of the engine's functions, which it is asked for by that name. */
+#define GDE_FUNCTIONS(X)                                                                                              \
+  X(void, print_error, const char* text, const char* function, const char* file, int32_t line, gde_bool notify)       \
+  X(void, variant_new_nil, gde_variant* out)                                                                          \
+  X(void, variant_destroy, gde_variant* self)                                                                         \
+  X(int32_t, variant_get_type, const gde_variant* self)                                                               \
+  X(void, variant_call, gde_variant* self, gde_name method, const gde_variant* const* arguments, int64_t count,       \
+    gde_variant* out_return, gde_call_error* out_error)                                                               \
+  X(gde_variant_from_type, get_variant_from_type_constructor, int32_t type)                                           \
+  X(gde_type_from_variant, get_variant_to_type_constructor, int32_t type)                                             \
+  X(gde_constructor, variant_get_ptr_constructor, int32_t type, int32_t index)                                        \
+  /* Null of a type that needs none. */                                                                               \
+  X(gde_destructor, variant_get_ptr_destructor, int32_t type)                                                         \
+  X(void, string_new_with_utf8_chars, gde_string* out, const char* text)                                              \
+  X(void, string_name_new_with_utf8_chars, gde_string_name* out, const char* text)                                    \
+  /* Returns how many bytes there are; writes no zero after them. */                                                  \
+  X(int64_t, string_to_utf8_chars, const gde_string* self, char* out_text, int64_t capacity)                          \
+  X(gde_variant*, dictionary_operator_index, void* dictionary, const gde_variant* key)                                \
+  X(void, object_set_instance, gde_object* object, gde_name class_name, void* instance)                               \
+  X(gde_object*, classdb_construct_object2, gde_name class_name)                                                      \
+  X(void, classdb_register_extension_class5, gde_library* library, gde_name name, gde_name parent,                    \
+    const gde_class* info)                                                                                            \
+  X(void, classdb_register_extension_class_integer_constant, gde_library* library, gde_name class_name,               \
+    gde_name enumeration, gde_name name, int64_t value, gde_bool is_bitfield)                                         \
+  X(void, classdb_register_extension_class_method, gde_library* library, gde_name class_name, const gde_method* info) \
+  X(void, classdb_register_extension_class_property, gde_library* library, gde_name class_name,                       \
+    const gde_property* info, gde_name setter, gde_name getter)                                                       \
+  /* Properties that are registered after this are shown under the group. */                                          \
+  X(void, classdb_register_extension_class_property_group, gde_library* library, gde_name class_name,                 \
+    const gde_string* group, const gde_string* prefix)                                                                \
+  X(void, classdb_register_extension_class_signal, gde_library* library, gde_name class_name, gde_name name,          \
+    const gde_property* arguments, int64_t argument_count)                                                            \
+  X(void, classdb_unregister_extension_class, gde_library* library, gde_name name)                                    \
+  /* In an editor alone, at its level. */                                                                             \
+  X(void, editor_help_load_xml_from_utf8_chars, const char* xml)
 
 }  // extern "C"
-
-#endif

@@ -1,19 +1,11 @@
 #include "plate_node.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <exception>
 
-#include "pose.h"
-
 namespace hrt_godot {
 namespace {
-
-/** GDScript writes 5 for 5.0. */
-bool fits(const Value& value, Type type) {
-  return type_of(value) == type || (type == Type::kReal && type_of(value) == Type::kInt);
-}
 
 std::string signature(const Method& method) {
   std::string text = std::string(method.name) + '(';
@@ -26,30 +18,22 @@ std::string signature(const Method& method) {
 
 }  // namespace
 
-/** Of the last call of the plugin. */
-Error PlateNode::error() const {
-  constexpr std::pair<hrt_result, Error> errors[] = {
-      {HRT_OK, Error::kOk},
-      {HRT_ERROR_WRONG_STATE, Error::kUnavailable},
-      {HRT_ERROR_OUT_OF_RANGE, Error::kParameterRange},
-      {HRT_ERROR_OUT_OF_MEMORY, Error::kOutOfMemory},
-      {HRT_ERROR_SYSTEM, Error::kFileCannotWrite},
-      {HRT_ERROR_LIMIT_REACHED, Error::kCannotCreate},
-      {HRT_ERROR_INSUFFICIENT_DATA, Error::kInvalidData},
-      {HRT_ERROR_TIME_REVERSED, Error::kInvalidData},
-      {HRT_ERROR_NULL_ARGUMENT, Error::kInvalidParameter},
-      {HRT_ERROR_NAME_TAKEN, Error::kAlreadyExists},
-      {HRT_ERROR_INVALID_HANDLE, Error::kDoesNotExist},
-      {HRT_ERROR_BAD_FORMAT, Error::kParse},
-      {HRT_ERROR_BUSY, Error::kBusy},
-  };
-  for (const auto& [ours, godots] : errors)
-    if (ours == result_) return godots;
-  return Error::kBug;
+bool Property::set(Properties& of, const Value& value) const {
+  if (!fits(value, type_of(get(of)))) return false;
+  return std::visit(
+      [&]<typename T>(T* at) {
+        if constexpr (std::is_same_v<T, double>)
+          *at = from_value<double>(value);
+        else if constexpr (std::is_array_v<T>)
+          Vector3::Map(*at) = std::get<Vector3>(value);
+        else if (!std::in_range<T>(std::get<int64_t>(value)))
+          return false;
+        else
+          *at = static_cast<T>(std::get<int64_t>(value));
+        return true;
+      },
+      place(of));
 }
-
-PlateNode::PlateNode(Engine& engine)
-    : engine_(engine), setup_config_(hrt_setup_config_init()), config_(hrt_session_config_init()) {}
 
 PlateNode::~PlateNode() {
   if (person_.value) hrt_person_destroy(person_);
@@ -58,40 +42,33 @@ PlateNode::~PlateNode() {
 }
 
 Value PlateNode::call(const Method& method, std::span<const Value> arguments) noexcept try {
-  bool valid = arguments.size() == method.arguments.size();
-  for (size_t i = 0; valid && i < arguments.size(); ++i) valid = fits(arguments[i], method.arguments[i].type);
-  if (!valid) {
-    std::string text = "called with (";
-    for (const Value& argument : arguments) {
-      if (text.back() != '(') text += ", ";
-      text += type_name(type_of(argument));
-    }
-    engine_.push_error((text + "); it is " + signature(method)).c_str());
-    return method.failure;
+  const auto fits_type = [](const Value& value, const Argument& argument) { return fits(value, argument.type); };
+  if (std::ranges::equal(arguments, method.arguments, fits_type)) return method.function(*this, arguments.data());
+  std::string text = "called with (";
+  for (const Value& argument : arguments) {
+    if (text.back() != '(') text += ", ";
+    text += type_name(type_of(argument));
   }
-  return method.function(*this, arguments.data());
+  engine_.push_error((text + "); it is " + signature(method)).c_str());
+  return method.failure;
 } catch (const std::exception& error) {
   engine_.push_error(error.what());
   return method.failure;
 }
 
-/** The struct that has the property. */
-const void* PlateNode::of(const Field& property) const {
-  const bool is_of_setup = &property >= setup_fields.data() && &property < &setup_fields.back() + 1;
-  return is_of_setup ? static_cast<const void*>(&setup_config_) : &config_;
-}
-
-void PlateNode::set(const Field& property, const Value& value) noexcept try {
-  if (property.set(const_cast<void*>(of(property)), value)) return engine_.update_warnings();
-  const std::string text = std::string(property.name) + " was given a value of type " + type_name(type_of(value)) +
-                           "; allowed: " + property.allowed;
+void PlateNode::set(const Property& property, const Value& value) noexcept try {
+  if (property.set(properties_, value)) return engine_.update_warnings();
+  const bool is_unsigned = std::holds_alternative<uint32_t*>(property.place(properties_));
+  const std::string text =
+      std::string(property.name) + " was given a value of type " + type_name(type_of(value)) +
+      "; allowed: " + (is_unsigned ? "int from 0 to 4294967295" : type_name(type_of(get(property))));
   engine_.push_error(text.c_str());
 } catch (const std::exception& error) {
   engine_.push_error(error.what());
 }
 
 std::string PlateNode::warning() {
-  hrt_session_config config = config_;
+  hrt_session_config config = properties_.session;
   if (!read_pose(config.plate.position_m, config.plate.rotation)) return kNotRigid;
   hrt_session session{};
   if (hrt_session_create(HRT_VERSION, &config, &session) != HRT_OK) return hrt_last_error();
@@ -107,25 +84,53 @@ bool PlateNode::ok(hrt_result result) {
   return false;
 }
 
+/** Of the last call of the plugin. */
+Error PlateNode::error() const {
+  constexpr std::pair<hrt_result, Error> errors[] = {
+      {HRT_OK, Error::kOk},
+      {HRT_ERROR_WRONG_STATE, Error::kUnavailable},
+      {HRT_ERROR_OUT_OF_RANGE, Error{5}},  // ERR_PARAMETER_RANGE_ERROR
+      {HRT_ERROR_OUT_OF_MEMORY, Error{6}},
+      {HRT_ERROR_SYSTEM, Error::kFileCannotWrite},
+      {HRT_ERROR_LIMIT_REACHED, Error{20}},      // ERR_CANT_CREATE
+      {HRT_ERROR_INSUFFICIENT_DATA, Error{30}},  // ERR_INVALID_DATA
+      {HRT_ERROR_TIME_REVERSED, Error{30}},
+      {HRT_ERROR_NULL_ARGUMENT, Error::kInvalidParameter},
+      {HRT_ERROR_NAME_TAKEN, Error{32}},      // ERR_ALREADY_EXISTS
+      {HRT_ERROR_INVALID_HANDLE, Error{33}},  // ERR_DOES_NOT_EXIST
+      {HRT_ERROR_BAD_FORMAT, Error{43}},      // ERR_PARSE_ERROR
+      {HRT_ERROR_BUSY, Error{44}},
+  };
+  const auto* found = std::ranges::find(errors, result_, &std::pair<hrt_result, Error>::first);
+  return found == std::end(errors) ? Error::kBug : found->second;
+}
+
+/** ok() as an Error of Godot's. */
+Error PlateNode::report(hrt_result result) {
+  ok(result);
+  return error();
+}
+
 /** Brings the session to the properties and the node's pose, between reaches and set-ups. Properties are set
  * one by one, when a scene loads for example, and are valid or not only together: this is where they are
  * checked. */
 bool PlateNode::configure() {
   if (reaching_ || setting_up_) return true;
-  if (!read_pose(config_.plate.position_m, config_.plate.rotation)) {
+  hrt_session_config& config = properties_.session;
+  if (!read_pose(config.plate.position_m, config.plate.rotation)) {
     engine_.push_error(kNotRigid);
     return false;
   }
-  if (plate_pose_ && !(engine_.node_pose() == *plate_pose_)) {
+  if (plate_pose_ && engine_.node_pose() != *plate_pose_) {
     plate_pose_.reset();
-    config_.flags &= ~HRT_SESSION_REGISTERED;
+    config.flags &= ~HRT_SESSION_REGISTERED;
   }
   if (!session_.value) {
-    if (!ok(hrt_session_create(HRT_VERSION, &config_, &session_))) return false;
-  } else if (std::memcmp(&config_, &configured_, sizeof config_) != 0) {
-    if (!ok(hrt_session_set(session_, &config_))) return false;
+    if (!ok(hrt_session_create(HRT_VERSION, &config, &session_))) return false;
+  } else if (std::memcmp(&config, &configured_, sizeof config) != 0) {
+    if (!ok(hrt_session_set(session_, &config))) return false;
   }
-  configured_ = config_;
+  configured_ = config;
   return true;
 }
 
@@ -135,20 +140,27 @@ void PlateNode::report_sample(size_t reason, const char* text) {
   refused_.set(reason);
 }
 
+/** ok() of a sample. */
+bool PlateNode::taken(hrt_result result) {
+  result_ = result;
+  if (result != HRT_OK) report_sample(static_cast<size_t>(-result) % kFlagsReason, hrt_last_error());
+  return result == HRT_OK;
+}
+
 bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   const Pose pose = engine_.node_pose();
   if (plate_pose_ && pose == *plate_pose_) {
-    std::copy_n(configured_.plate.position_m, 3, position_m);
-    std::copy_n(configured_.plate.rotation, 4, rotation);
+    std::ranges::copy(configured_.plate.position_m, position_m);
+    std::ranges::copy(configured_.plate.rotation, rotation);
     return true;
   }
-  if (!is_rigid(pose)) {
+  // Within what floats can do.
+  if (!(pose.basis.transpose() * pose.basis).isIdentity(1e-3) || pose.basis.determinant() < 0) {
     result_ = HRT_ERROR_OUT_OF_RANGE;
     return false;
   }
-  copy(pose.origin, position_m);
-  const std::array<double, 4> quaternion = to_quaternion(pose);
-  std::copy(quaternion.begin(), quaternion.end(), rotation);
+  Vector3::Map(position_m) = pose.origin;
+  Eigen::Vector4d::Map(rotation) = Eigen::Quaterniond(pose.basis).normalized().coeffs();
   return true;
 }
 
@@ -156,15 +168,17 @@ bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
  * have been set and wait. Where it has moved the plate, the node moves too: in floats, beside which the
  * session keeps its doubles. */
 void PlateNode::take_changes() {
-  const hrt_session_config before = configured_;
+  Properties before = properties_, now = properties_;
+  before.session = configured_;
   if (!ok(hrt_session_get(session_, &configured_, nullptr))) return;
-  for (const Field& field : config_fields)
-    if (const Entry now = field.get(&configured_); now != field.get(&before)) field.set(&config_, to_value(now));
-  copy_hidden(configured_, config_);
-  if (std::memcmp(before.plate.position_m, configured_.plate.position_m, sizeof before.plate.position_m) == 0 &&
-      std::memcmp(before.plate.rotation, configured_.plate.rotation, sizeof before.plate.rotation) == 0)
+  now.session = configured_;
+  for (const Property& property : properties)
+    if (property.get(now) == property.get(before)) property.set(now, get(property));
+  properties_ = now;
+  const auto &plate = configured_.plate, &last = before.session.plate;
+  if (std::ranges::equal(plate.position_m, last.position_m) && std::ranges::equal(plate.rotation, last.rotation))
     return;
-  engine_.move_node(to_pose(configured_.plate.position_m, configured_.plate.rotation));
+  engine_.move_node({Eigen::Quaterniond(plate.rotation).toRotationMatrix(), Vector3(plate.position_m)});
   plate_pose_ = engine_.node_pose();
 }
 

@@ -23,25 +23,22 @@ Error PlateNode::set_conditions(std::string plate, std::string tracker, int64_t 
   plate.copy(now.plate, sizeof now.plate);
   tracker.copy(now.tracker, sizeof now.tracker);
   now.time_s = time_s;
-  if (configure()) ok(hrt_profile_set_conditions(session_, &now));
-  return error();
+  return configure() ? report(hrt_profile_set_conditions(session_, &now)) : error();
 }
 
 Record PlateNode::get_conditions() {
   hrt_conditions measured = hrt_conditions_init();
   if (!configure() || !ok(hrt_profile_get_conditions(session_, &measured))) return {};
-  return to_record(&measured, conditions_fields);
+  return to_record(measured);
 }
 
 Error PlateNode::start_recording(std::string path) {
-  if (configure()) ok(hrt_recording_start(session_, path.c_str()));
-  return error();
+  return configure() ? report(hrt_recording_start(session_, path.c_str())) : error();
 }
 
 Record PlateNode::get_recording_status() {
   hrt_recording_status status = hrt_recording_status_init();
-  if (!ok(hrt_recording_get_status(session_, &status))) return {};
-  return to_record(&status, recording_fields);
+  return ok(hrt_recording_get_status(session_, &status)) ? to_record(status) : Record{};
 }
 
 Error PlateNode::stop_recording() {

@@ -6,8 +6,8 @@
 namespace hrt_godot {
 
 Error PlateNode::begin_setup(int64_t what) {
-  const uint32_t parts = what < 0 || what > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(what);
-  if (configure() && ok(hrt_setup_begin(session_, parts, &setup_config_))) {
+  const uint32_t parts = std::in_range<uint32_t>(what) ? static_cast<uint32_t>(what) : UINT32_MAX;
+  if (configure() && ok(hrt_setup_begin(session_, parts, &properties_.setup))) {
     setting_up_ = true;
     step_ = {};
     refused_.reset();
@@ -19,17 +19,13 @@ Error PlateNode::begin_setup(int64_t what) {
  *  way of a reach's. */
 Error PlateNode::guide(const hrt_sample& sample) {
   hrt_setup_step step = hrt_setup_step_init();
-  result_ = hrt_setup_update(session_, &sample, &step);
-  if (result_ != HRT_OK) {
-    report_sample(reason_of(result_), hrt_last_error());
-    return error();
-  }
+  if (!taken(hrt_setup_update(session_, &sample, &step))) return error();
   hrt_setup_step last = step_;
   const bool turns = last.struct_size == 0 || last.plate_orientation_deg != step.plate_orientation_deg;
   last.plate_orientation_deg = step.plate_orientation_deg;
   step_ = step;
   if (turns) engine_.emit(kPlateCommanded, step.plate_orientation_deg);
-  if (std::memcmp(&last, &step, sizeof step) != 0) engine_.emit(kSetupStep, to_record(&step, step_fields));
+  if (std::memcmp(&last, &step, sizeof step) != 0) engine_.emit(kSetupStep, to_record(step));
   return Error::kOk;
 }
 
@@ -38,9 +34,8 @@ Record PlateNode::finish_setup() {
   if (!ok(hrt_setup_finish(session_, &found))) return {};
   setting_up_ = found.left != 0;
   take_changes();
-  const Record record = to_record(&found, result_fields);
-  if (!setting_up_) engine_.emit(kSetupFinished, record);
-  return record;
+  if (!setting_up_) engine_.emit(kSetupFinished, to_record(found));
+  return to_record(found);
 }
 
 Error PlateNode::cancel_setup() {

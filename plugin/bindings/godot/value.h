@@ -1,10 +1,14 @@
 // What crosses between a script and the plate node.
 #pragma once
 
+#include <haptic_retargeting/haptic_retargeting.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -12,50 +16,44 @@
 namespace hrt_godot {
 
 /** Godot's vectors are of floats: each goes through the plugin's doubles and back unchanged. */
-struct Vector3 {
-  double x, y, z;
-  bool operator==(const Vector3&) const = default;
-};
+using Vector3 = Eigen::Vector3d;
 
-/** A place in the world and a rotation: the columns of a basis, and its origin. */
+/** A place in the world and a rotation. */
 struct Pose {
-  Vector3 x_axis, y_axis, z_axis;
-  Vector3 origin;
+  Eigen::Matrix3d basis = Eigen::Matrix3d::Identity();
+  Vector3 origin = Vector3::Zero();
   bool operator==(const Pose&) const = default;
 };
 
 /** Of Godot's enumeration Error. */
-enum class Error : int64_t {
-  kOk = 0,
-  kUnavailable = 2,
-  kParameterRange = 5,
-  kOutOfMemory = 6,
-  kFileCannotWrite = 13,
-  kCannotCreate = 20,
-  kInvalidData = 30,
-  kInvalidParameter = 31,
-  kAlreadyExists = 32,
-  kDoesNotExist = 33,
-  kParse = 43,
-  kBusy = 44,
-  kBug = 47
+enum class Error : int64_t { kOk = 0, kUnavailable = 2, kFileCannotWrite = 13, kInvalidParameter = 31, kBug = 47 };
+
+struct Value;
+/** A Dictionary. Keys are string literals. */
+using Record = std::vector<std::pair<const char*, Value>>;
+/** The alternatives are in the order of kTypes. */
+struct Value : std::variant<std::monostate, bool, int64_t, double, std::string, Vector3, Record, Pose> {
+  using variant::variant;
 };
 
-/** A Dictionary of numbers, places and texts. Keys are string literals. */
-using Entry = std::variant<int64_t, double, Vector3, std::string>;
-using Record = std::vector<std::pair<const char*, Entry>>;
+/** Numbers of Godot's Variant.Type. */
+enum class Type { kNil = 0, kBool = 1, kInt = 2, kReal = 3, kString = 4, kVector3 = 9, kPose = 18, kRecord = 27 };
+struct TypeName {
+  Type type;
+  const char* name;  ///< in scripts
+};
+inline constexpr TypeName kTypes[] = {{Type::kNil, "null"},          {Type::kBool, "bool"},
+                                      {Type::kInt, "int"},           {Type::kReal, "float"},
+                                      {Type::kString, "String"},     {Type::kVector3, "Vector3"},
+                                      {Type::kRecord, "Dictionary"}, {Type::kPose, "Transform3D"}};
 
-/** The alternatives are in the order of Type. */
-using Value = std::variant<std::monostate, bool, int64_t, double, std::string, Vector3, Record, Pose>;
+inline Type type_of(const Value& value) { return kTypes[value.index()].type; }
 
-enum class Type { kNil, kBool, kInt, kReal, kString, kVector3, kRecord, kPose };
+inline const char* type_name(Type type) { return std::ranges::find(kTypes, type, &TypeName::type)->name; }
 
-inline Type type_of(const Value& value) { return static_cast<Type>(value.index()); }
-
-constexpr const char* type_name(Type type) {
-  constexpr const char* names[] = {"null", "bool", "int", "float", "String", "Vector3", "Dictionary", "Transform3D"};
-  static_assert(std::size(names) == std::variant_size_v<Value>);
-  return names[static_cast<size_t>(type)];
+/** GDScript writes 5 for 5.0. */
+inline bool fits(const Value& value, Type type) {
+  return type_of(value) == type || (type == Type::kReal && type_of(value) == Type::kInt);
 }
 
 /** What a method that fails returns: no target; a place that update() refuses. */
@@ -69,22 +67,29 @@ T failure() {
     return {};
 }
 
+/** Of what a method returns, or of a field of the plugin's structs. */
 template <typename T>
-Value to_value(T value) {
-  if constexpr (std::is_same_v<T, Error>)
+Value to_value(const T& value) {
+  if constexpr (std::is_same_v<T, double[3]>)
+    return Vector3(value);
+  else if constexpr (std::is_same_v<T, hrt_target>)
+    return static_cast<int64_t>(value.value);
+  else if constexpr (std::is_enum_v<T> || (std::is_integral_v<T> && !std::is_same_v<T, bool>))
     return static_cast<int64_t>(value);
-  else if constexpr (std::is_same_v<T, Entry>)
-    return std::visit([](auto& entry) { return Value(std::move(entry)); }, value);
   else
-    return Value(std::move(value));
+    return value;
 }
 
-/** A value of the type; GDScript writes 5 for 5.0. */
+/** Of a value that fits the type. */
 template <typename T>
 T from_value(const Value& value) {
-  if constexpr (std::is_same_v<T, double>)
-    if (const int64_t* integer = std::get_if<int64_t>(&value)) return static_cast<double>(*integer);
-  return std::get<T>(value);
+  const int64_t* integer = std::get_if<int64_t>(&value);
+  if constexpr (std::is_same_v<T, hrt_target>)
+    return {static_cast<uint64_t>(*integer)};
+  else if constexpr (std::is_same_v<T, double>)
+    return integer ? static_cast<double>(*integer) : std::get<double>(value);
+  else
+    return std::get<T>(value);
 }
 
 }  // namespace hrt_godot

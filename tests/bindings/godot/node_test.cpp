@@ -37,11 +37,11 @@ class StillEngine : public Engine {
   void push_error(const char* text) override { FAIL() << text; }
   void update_warnings() override { ++warnings; }
   int64_t signals = 0, warnings = 0;
-  Pose pose{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+  Pose pose;
 };
 
 const Method& method(std::string_view name) {
-  for (const Method& each : methods())
+  for (const Method& each : methods)
     if (each.name == name) return each;
   throw std::out_of_range("no such method");
 }
@@ -65,12 +65,12 @@ TEST(GodotNode, WarnsOfItsPropertiesAndPlace) {
   StillEngine engine;
   PlateNode node(engine);
   EXPECT_EQ(node.warning(), "");
-  const auto bound = std::ranges::find(config_fields, std::string_view("plate_bound_deg"), &Field::name);
+  const auto bound = std::ranges::find(properties, std::string_view("plate_bound_deg"), &Property::name);
   node.set(*bound, 91.0);
   EXPECT_EQ(engine.warnings, 1);
   EXPECT_NE(node.warning().find("plate_bound_deg is 91; allowed: 0.1 to 90"), std::string::npos);
   node.set(*bound, 84.5);
-  engine.pose.x_axis = {2, 0, 0};
+  engine.pose.basis(0, 0) = 2;
   EXPECT_EQ(node.warning(), kNotRigid);
 }
 
@@ -81,7 +81,7 @@ TEST(GodotNode, TakesWhatItsDeviceReports) {
   EXPECT_EQ(node.take_device(), Error::kUnavailable);
   ASSERT_EQ(node.open_device("dynamixel:" + servo.device() + "?speed=200"), Error::kOk);
   EXPECT_TRUE(hrt::plate::eventually([&] { return node.take_device() == Error::kOk; }));
-  const auto speed = std::ranges::find(config_fields, std::string_view("plate_max_speed_deg_s"), &Field::name);
+  const auto speed = std::ranges::find(properties, std::string_view("plate_max_speed_deg_s"), &Property::name);
   EXPECT_NEAR(std::get<double>(node.get(*speed)), 200.0, 0.7);
 }
 
@@ -90,7 +90,7 @@ TEST(GodotNode, EditorExplainsEveryMethodAndSignal) {
   const auto explains = [&](const std::string& kind, const char* name) {
     return reference.find('<' + kind + " name=\"" + name + "\"><description>") != std::string_view::npos;
   };
-  for (const Method& each : methods()) EXPECT_TRUE(explains("method", each.name)) << each.name;
+  for (const Method& each : methods) EXPECT_TRUE(explains("method", each.name)) << each.name;
   for (const Signal& each : kSignals) EXPECT_TRUE(explains("signal", each.name)) << each.name;
 }
 
