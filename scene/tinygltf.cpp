@@ -8,13 +8,13 @@
 // implementation, and nothing declared above, finds this one first.
 namespace tinygltf::std {
 using namespace ::std;
+constexpr char endl = '\n';
 struct stringstream {  // NOLINT(readability-identifier-naming): that name
   template <class Part>
   stringstream& operator<<(const Part& part) {
     text += fmt::format("{}", part);
     return *this;
   }
-  stringstream& operator<<(ostream& (*)(ostream&)) { return *this << '\n'; }  // of std::endl
   const string& str() const { return text; }
   string text;
 };
