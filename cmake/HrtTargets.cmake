@@ -141,7 +141,7 @@ function(hrt_bring_runtime name)
   # The host may bring another C++ runtime; ours is inside, and hidden.
   target_link_options(${name} PRIVATE -static-libstdc++ LINKER:--gc-sections $<$<CONFIG:Release>:LINKER:--strip-all>)
   if(NOT HRT_SANITIZE)  # sanitizers have definitions of their own for these, and leave theirs to the program
-    target_link_options(${name} PRIVATE LINKER:-z,defs)
+    target_link_options(${name} PRIVATE -static-libgcc LINKER:-z,defs)
     target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/plugin/src/abi/runtime_inside.cpp
                    ${PROJECT_SOURCE_DIR}/plugin/src/abi/glibc_compat.cpp)
     target_link_options(${name} PRIVATE LINKER:--push-state,--no-as-needed -l:libpthread.so.0

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
+#include <cstdio>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 #include "scene/gltf_json.h"
@@ -126,10 +127,8 @@ class Walk {
   std::vector<HapticNode> found_;
 };
 
-std::vector<HapticNode> haptic_nodes_of(std::string_view json, const std::string& file) {
-  const GltfModel gltf = read_model(json, file);
-  return Walk(gltf, file).run();
-}
+// Not by a stream of the C++ library, which brings its locales.
+using OpenFile = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
 }  // namespace
 
@@ -137,7 +136,7 @@ std::vector<HapticNode> read_haptic_nodes(std::span<const std::byte> bytes, std:
   const std::string file(name);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const JsonExtent json = json_extent(text.substr(0, glb_head_bytes), bytes.size(), file);
-  return haptic_nodes_of(text.substr(json.offset, json.size), file);
+  return Walk(read_model(text.substr(json.offset, json.size), file), file).run();
 }
 
 std::vector<HapticNode> read_haptic_nodes(const std::filesystem::path& path) {
@@ -148,19 +147,21 @@ std::vector<HapticNode> read_haptic_nodes(const std::filesystem::path& path) {
   // A device or a pipe may have no end.
   if (!std::filesystem::is_regular_file(status)) refuse(file, "not a regular file");
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
-  std::ifstream stream(path, std::ios::binary);
+#if defined(_WIN32)
+  const OpenFile stream(_wfopen(path.c_str(), L"rb"));
+#else
+  const OpenFile stream(std::fopen(path.c_str(), "rb"));
+#endif
   if (error || !stream) refuse(file, "cannot be read");
-  std::string head(glb_head_bytes, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  const JsonExtent extent = json_extent(head, file_bytes, file);
+  std::string json(glb_head_bytes, '\0');
+  json.resize(std::fread(json.data(), 1, json.size(), stream.get()));
+  const JsonExtent extent = json_extent(json, file_bytes, file);
 
-  std::string json(extent.size, '\0');
-  stream.clear();
-  stream.seekg(static_cast<std::streamoff>(extent.offset));
-  stream.read(json.data(), static_cast<std::streamsize>(json.size()));
-  if (static_cast<std::size_t>(stream.gcount()) != json.size()) refuse(file, "ended while it was read");
-  return haptic_nodes_of(json, file);
+  json.resize(extent.size);
+  if (std::fseek(stream.get(), static_cast<long>(extent.offset), SEEK_SET) != 0 ||
+      std::fread(json.data(), 1, json.size(), stream.get()) != json.size())
+    refuse(file, "ended while it was read");
+  return Walk(read_model(json, file), file).run();
 }
 
 }  // namespace hrt

@@ -2,6 +2,7 @@
 // definitions, hidden in the library, stand in front of those that its parts and the C++ runtime linked into
 // it refer to.
 #include <fcntl.h>
+#include <link.h>
 #include <pthread.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -48,4 +49,20 @@ int pthread_sigmask(int how, const sigset_t* mask, sigset_t* out) noexcept {
   return hrt_first_pthread_sigmask(how, mask, out);
 }
 int pthread_once(pthread_once_t* once, void (*run)()) { return hrt_first_pthread_once(once, run); }
+// libgcc only asks whether there is one.
+int __pthread_key_create(pthread_key_t*, void (*)(void*)) noexcept { return -1; }
+
+#if defined(DLFO_EH_SEGMENT_TYPE)
+// Since 2.35, for libgcc: the table of functions around an instruction. Always the library's, whose header has the
+// linker's name: no exception leaves it, and of other functions the table has none.
+__attribute__((visibility("hidden"))) extern const ElfW(Ehdr) __ehdr_start;
+int _dl_find_object(void*, dl_find_object* out) noexcept {
+  char* const begin = const_cast<char*>(reinterpret_cast<const char*>(&__ehdr_start));
+  const auto* segment = reinterpret_cast<const ElfW(Phdr)*>(begin + __ehdr_start.e_phoff);
+  while (segment->p_type != DLFO_EH_SEGMENT_TYPE) ++segment;
+  *out = {};
+  out->dlfo_eh_frame = begin + segment->p_vaddr;
+  return 0;
+}
+#endif
 }

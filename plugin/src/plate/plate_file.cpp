@@ -3,8 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -27,10 +26,14 @@ std::string hash_of(std::string_view text) {
   throw std::invalid_argument("plate file " + path + " " + why);
 }
 
+// Not by a stream of the C++ library, which brings its locales.
+using OpenFile = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
+
 std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(file), {});
-  if (!file) refuse(path, "cannot be read");
+  const OpenFile file(std::fopen(path.c_str(), "rb"));
+  std::string text(max_bytes + 1, '\0');
+  if (file) text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  if (!file || std::ferror(file.get()) != 0) refuse(path, "cannot be read");
   if (text.size() > max_bytes) refuse(path, "is longer than 1000000 bytes");
   return text;
 }
