@@ -22,8 +22,9 @@ struct Constraint {
 };
 
 // Passes from the path given, which is near the optimum in a closed loop. Then the solver starts anew from
-// an interior point.
-constexpr int max_sweeps_from_path = 12;
+// an interior point, which is worth more of them where windows are short.
+constexpr int min_sweeps_from_path = 12;
+constexpr int min_steps_from_path = 300;
 
 // Of a million random problems none takes more than 25.
 constexpr int max_interior_steps = 30;
@@ -121,7 +122,7 @@ DualActiveSet::DualActiveSet(const WindowProblem& problem, WorkingSet& working_s
 
 void DualActiveSet::run() {
   hold_clamping();
-  sweeps_left_ = max_sweeps_from_path;
+  sweeps_left_ = std::max(min_sweeps_from_path, min_steps_from_path / std::max(steps_, 1));
   solution_.optimal = climb();
   if (!solution_.optimal) {
     hold_interior();
