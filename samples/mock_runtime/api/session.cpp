@@ -29,8 +29,9 @@ void Session::open_to_outside(const Script& script) {
   if (const char* path = std::getenv("HRT_MOCK_CONTROL"); path != nullptr) control_.emplace(path);
   // Who destroys the session waits for the thread and holds the lock.
   if (plate_ || control_)
-    ticker_.emplace([this] {
-      if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock) serve_outside();
+    server_ = std::jthread([this](const std::stop_token& end) {
+      for (; !end.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+        if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock) serve_outside();
     });
 }
 
