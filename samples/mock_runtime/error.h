@@ -17,13 +17,6 @@ inline void require(bool holds, XrResult otherwise, const char* why) {
   if (!holds) throw Error{otherwise, why};
 }
 
-/// Valid usage: "pointer must be a pointer to a valid structure", of which only the type can be checked.
-template <typename Struct>
-void require_struct(const Struct* pointer, XrStructureType type, const char* name) {
-  if (pointer == nullptr) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " is null"};
-  if (pointer->type != type) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " has a wrong type"};
-}
-
 template <typename Value>
 void require_pointer(const Value* pointer, const char* name) {
   if (pointer == nullptr) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " is null"};

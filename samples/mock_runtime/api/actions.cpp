@@ -61,8 +61,6 @@ bool Action::has_subaction(XrPath path) const {
 }
 
 void create_action_set(Instance& instance, const XrActionSetCreateInfo* info, XrActionSet* set) {
-  require_struct(info, XR_TYPE_ACTION_SET_CREATE_INFO, "createInfo");
-  require_pointer(set, "actionSet");
   require_names<ActionSet>(instance, info->actionSetName, info->localizedActionSetName);
   *set = handle_of<XrActionSet>(runtime().registry.create<ActionSet>(&instance, *info));
 }
@@ -72,8 +70,6 @@ void destroy_action_set(XrActionSet handle) {
 }
 
 void create_action(ActionSet& set, const XrActionCreateInfo* info, XrAction* action) {
-  require_struct(info, XR_TYPE_ACTION_CREATE_INFO, "createInfo");
-  require_pointer(action, "action");
   require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set is attached: it cannot change");
   switch (info->actionType) {
     case XR_ACTION_TYPE_BOOLEAN_INPUT:
@@ -97,7 +93,6 @@ void destroy_action(XrAction handle) {
 }
 
 void suggest_interaction_profile_bindings(Instance& instance, const XrInteractionProfileSuggestedBinding* info) {
-  require_struct(info, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, "suggestedBindings");
   require(info->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings are suggested");
   require_pointer(info->suggestedBindings, "suggestedBindings");
   const auto* profile = find_profile(instance.paths.text(info->interactionProfile), instance.sources());
@@ -116,7 +111,6 @@ void suggest_interaction_profile_bindings(Instance& instance, const XrInteractio
 }
 
 void attach_session_action_sets(Session& session, const XrSessionActionSetsAttachInfo* info) {
-  require_struct(info, XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, "attachInfo");
   require(info->countActionSets > 0, XR_ERROR_VALIDATION_FAILURE, "no action sets are given");
   require_pointer(info->actionSets, "actionSets");
   std::vector<ActionSet*> sets;

@@ -1,7 +1,6 @@
 #include "samples/mock_runtime/api/instance.h"
 
 #include <haptic_retargeting/base.h>
-#include <openxr/openxr_reflection.h>
 
 #include <cstdio>
 #include <cstring>
@@ -40,16 +39,13 @@ void enumerate_instance_extension_properties(const char* layer, std::uint32_t ca
   std::vector<ExtensionInfo> present;
   for (std::size_t i = first_extension; i < extensions.size(); ++i)
     if (!runtime().script.hides(i)) present.push_back(extensions[i]);
-  two_call(present, capacity, count, properties, XR_TYPE_EXTENSION_PROPERTIES, "properties",
-           [](XrExtensionProperties& to, const ExtensionInfo& from) {
-             std::snprintf(to.extensionName, sizeof(to.extensionName), "%s", from.name);
-             to.extensionVersion = from.version;
-           });
+  two_call(present, capacity, count, properties, [](XrExtensionProperties& to, const ExtensionInfo& from) {
+    std::snprintf(to.extensionName, sizeof(to.extensionName), "%s", from.name);
+    to.extensionVersion = from.version;
+  });
 }
 
 void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
-  require_struct(info, XR_TYPE_INSTANCE_CREATE_INFO, "createInfo");
-  require_pointer(handle, "instance");
   require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
   require(is_text(info->applicationInfo.applicationName), XR_ERROR_NAME_INVALID, "applicationName");
   const XrVersion version = info->applicationInfo.apiVersion;
@@ -81,7 +77,6 @@ void destroy_instance(XrInstance handle) {
 }
 
 void get_instance_properties(Instance&, XrInstanceProperties* properties) {
-  require_struct(properties, XR_TYPE_INSTANCE_PROPERTIES, "instanceProperties");
   const Recording* played = runtime().script.playback.get();
   properties->runtimeVersion =
       played != nullptr ? played->version : XR_MAKE_VERSION(HRT_VERSION_MAJOR, HRT_VERSION_MINOR, HRT_VERSION_PATCH);
@@ -90,7 +85,6 @@ void get_instance_properties(Instance&, XrInstanceProperties* properties) {
 }
 
 XrResult poll_event(Instance& instance, XrEventDataBuffer* buffer) {
-  require_struct(buffer, XR_TYPE_EVENT_DATA_BUFFER, "eventData");
   if (instance.events.empty()) return XR_EVENT_UNAVAILABLE;
   *buffer = instance.events.front();
   instance.events.pop_front();
@@ -98,7 +92,6 @@ XrResult poll_event(Instance& instance, XrEventDataBuffer* buffer) {
 }
 
 void result_to_string(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
-  require_pointer(buffer, "buffer");
   const std::string name = result_name(value);
   if (name.starts_with("XR_"))
     std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "%s", name.c_str());
@@ -107,7 +100,6 @@ void result_to_string(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRIN
 }
 
 void structure_type_to_string(Instance&, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
-  require_pointer(buffer, "buffer");
   // Newer headers have names that are longer than what there is room for.
   const auto write = [&](std::string_view name) { buffer[name.copy(buffer, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0'; };
 #define HRT_MOCK_NAME(name, number) \
@@ -127,7 +119,6 @@ void structure_type_to_string(Instance&, XrStructureType value, char buffer[XR_M
 
 void string_to_path(Instance& instance, const char* text, XrPath* path) {
   require_pointer(text, "pathString");
-  require_pointer(path, "path");
   *path = instance.paths.intern(text);
 }
 

@@ -173,8 +173,6 @@ void Session::happen(const Recenter& recenter) {
 }
 
 void create_session(Instance& instance, const XrSessionCreateInfo* info, XrSession* session_handle) {
-  require_struct(info, XR_TYPE_SESSION_CREATE_INFO, "createInfo");
-  require_pointer(session_handle, "session");
   require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
   require_system(info->systemId);
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_LIMIT_REACHED,
@@ -202,7 +200,6 @@ void destroy_session(XrSession handle) {
 }
 
 void begin_session(Session& session, const XrSessionBeginInfo* info) {
-  require_struct(info, XR_TYPE_SESSION_BEGIN_INFO, "beginInfo");
   require(!session.running, XR_ERROR_SESSION_RUNNING, "the session runs already");
   require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY, "the session is not ready");
   // May be 0 in a headless session (XR_MND_headless); other unknown views are refused.

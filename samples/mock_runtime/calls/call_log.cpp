@@ -1,7 +1,5 @@
 #include "samples/mock_runtime/calls/call_log.h"
 
-#include <openxr/openxr_reflection.h>
-
 #include <cstdlib>
 
 #include "samples/mock_runtime/calls/call_text.h"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <openxr/openxr.h>
-#include <openxr/openxr_reflection.h>
 
 #include <concepts>
 #include <cstdint>

@@ -1,12 +1,10 @@
 #include "samples/mock_runtime/capture/capture.h"
 
-#include <openxr/openxr_reflection.h>
-
 #include <algorithm>
 #include <cstring>
 #include <iterator>
 
-#include "samples/mock_runtime/abi/two_call.h"
+#include "samples/mock_runtime/abi/structure.h"
 
 namespace hrt::capture {
 namespace {
@@ -72,8 +70,7 @@ void Capture::called(const char* function, std::uint64_t session, XrResult resul
 }
 
 void Capture::system_properties(XrResult, XrInstance, XrSystemId, const XrSystemProperties* properties) {
-  const auto* hands =
-      chained<XrSystemHandTrackingPropertiesEXT>(properties->next, XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
+  const auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next);
   note(Record("system")
            .add(text_in(properties->systemName))
            .add(hands == nullptr || hands->supportsHandTracking == XR_TRUE));
@@ -208,13 +205,11 @@ void Capture::note_location(XrSpace space, XrSpace base, XrTime time, const XrSp
 }
 
 void Capture::located(XrResult, XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation* location) {
-  note_location(space, base, time, *location,
-                chained<const XrSpaceVelocity>(static_cast<const void*>(location->next), XR_TYPE_SPACE_VELOCITY));
+  note_location(space, base, time, *location, chained<XrSpaceVelocity>(location->next));
 }
 
 void Capture::located_several(XrResult, XrSession, const XrSpacesLocateInfo* info, const XrSpaceLocations* locations) {
-  const auto* velocities =
-      chained<const XrSpaceVelocities>(static_cast<const void*>(locations->next), XR_TYPE_SPACE_VELOCITIES);
+  const auto* velocities = chained<XrSpaceVelocities>(locations->next);
   for (std::uint32_t i = 0; i < info->spaceCount; ++i) {
     const XrSpaceLocationData& data = locations->locations[i];
     XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
@@ -265,8 +260,7 @@ void Capture::joints(XrResult, XrHandTrackerEXT tracker, const XrHandJointsLocat
       record.add(joint.locationFlags).add(joint.pose).add(joint.radius);
     }
     record.close();
-    if (const auto* velocities = chained<const XrHandJointVelocitiesEXT>(static_cast<const void*>(locations->next),
-                                                                         XR_TYPE_HAND_JOINT_VELOCITIES_EXT)) {
+    if (const auto* velocities = chained<XrHandJointVelocitiesEXT>(locations->next)) {
       record.open();
       for (std::uint32_t i = 0; i < velocities->jointCount; ++i) {
         const XrHandJointVelocityEXT& joint = velocities->jointVelocities[i];

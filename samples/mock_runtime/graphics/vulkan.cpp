@@ -238,7 +238,6 @@ class VulkanImages : public SwapchainImages {
 
   void enumerate(std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader* images) override {
     two_call(images_, capacity, count, reinterpret_cast<XrSwapchainImageVulkanKHR*>(images),
-             XR_TYPE_SWAPCHAIN_IMAGE_VULKAN_KHR, "images",
              [](XrSwapchainImageVulkanKHR& to, const auto& from) { to.image = from->image; });
   }
 

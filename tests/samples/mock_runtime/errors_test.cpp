@@ -239,10 +239,13 @@ void MockErrors::provoke_at_instance() {
   XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none};
   XrSession made = XR_NULL_HANDLE;
   REFUSED(SYSTEM_INVALID, xrCreateSession, instance, &session_info, &made);
-  REFUSED(VALIDATION_FAILURE, xrGetVulkanGraphicsRequirements2KHR, instance, 1, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrGetVulkanGraphicsRequirementsKHR, instance, 1, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrGetOpenGLGraphicsRequirementsKHR, instance, 1, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrGetVulkanGraphicsDeviceKHR, instance, 1, nullptr, nullptr);
+  XrGraphicsRequirementsVulkanKHR vulkan{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN_KHR};
+  REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirements2KHR, instance, none, &vulkan);
+  REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirementsKHR, instance, none, &vulkan);
+  XrGraphicsRequirementsOpenGLKHR opengl{XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR};
+  REFUSED(SYSTEM_INVALID, xrGetOpenGLGraphicsRequirementsKHR, instance, none, &opengl);
+  VkPhysicalDevice device = nullptr;
+  REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsDeviceKHR, instance, none, nullptr, &device);
   REFUSED(VALIDATION_FAILURE, xrGetVulkanInstanceExtensionsKHR, instance, 1, 0, nullptr, nullptr);
   REFUSED(VALIDATION_FAILURE, xrGetVulkanDeviceExtensionsKHR, instance, 1, 0, nullptr, nullptr);
   const timespec before{-1, 0};
@@ -306,6 +309,8 @@ void MockErrors::provoke_in_session() {
   XrSwapchainCreateInfo swapchain_info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
   XrSwapchain swapchain = XR_NULL_HANDLE;
   REFUSED(SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain, session, &swapchain_info, &swapchain);
+  XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
+  REFUSED(SESSION_NOT_RUNNING, xrEndFrame, session, &end);
 
   begin();
   REFUSED(VALIDATION_FAILURE, xrBeginSession, session, nullptr);
@@ -314,7 +319,6 @@ void MockErrors::provoke_in_session() {
   REFUSED(SESSION_NOT_STOPPING, xrEndSession, session);
   REFUSED(CALL_ORDER_INVALID, xrBeginFrame, session, nullptr);
   XrFrameState frame{XR_TYPE_FRAME_STATE};
-  XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
   REFUSED(CALL_ORDER_INVALID, xrEndFrame, session, &end);
   XrFrameBeginInfo odd_frame{XR_TYPE_FRAME_END_INFO};
   REFUSED(VALIDATION_FAILURE, xrBeginFrame, session, &odd_frame);
