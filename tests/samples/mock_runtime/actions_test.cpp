@@ -84,8 +84,8 @@ TEST_F(MockActions, StatesAreThoseOfTheLastSyncInFocus) {
   const XrPath click = path("/user/hand/left/input/select/click");
   ASSERT_XR(XR_SUCCESS, suggest(simple, {{select, click}}));
   ASSERT_XR(XR_SUCCESS, attach({set}));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_bool(session, left, click, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateBoolEXT)(session, left, click, XR_TRUE));
   EXPECT_XR(XR_SESSION_NOT_FOCUSED, sync({{set, XR_NULL_PATH}}));
   EXPECT_FALSE(boolean(select).isActive);
   focus();
@@ -95,15 +95,15 @@ TEST_F(MockActions, StatesAreThoseOfTheLastSyncInFocus) {
   EXPECT_TRUE(boolean(select).currentState);
   EXPECT_TRUE(boolean(select, left).isActive);
   EXPECT_FALSE(boolean(select, right).isActive);
-  ASSERT_XR(XR_SUCCESS, functions->set_device_bool(session, left, click, XR_FALSE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateBoolEXT)(session, left, click, XR_FALSE));
   EXPECT_TRUE(boolean(select).currentState);
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 1'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 1'000));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   const XrActionStateBoolean released = boolean(select);
   EXPECT_FALSE(released.currentState);
   EXPECT_TRUE(released.changedSinceLastSync);
   EXPECT_GT(released.lastChangeTime, 0);
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 1'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 1'000));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   EXPECT_FALSE(boolean(select).changedSinceLastSync);
   EXPECT_EQ(boolean(select).lastChangeTime, released.lastChangeTime);
@@ -128,10 +128,10 @@ TEST_F(MockActions, SourcesAreConvertedAndCombined) {
   ASSERT_XR(XR_SUCCESS, attach({set}));
   focus();
   for (const XrPath user : {left, right})
-    ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(touch), user, XR_TRUE));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_float(session, left, left_trigger, 0.3F));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_float(session, right, right_trigger, 0.4F));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_vector(session, left, stick, {-0.5F, 0.25F}));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(touch), user, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateFloatEXT)(session, left, left_trigger, 0.3F));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateFloatEXT)(session, right, right_trigger, 0.4F));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateVector2fEXT)(session, left, stick, {-0.5F, 0.25F}));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   EXPECT_FALSE(boolean(press).currentState);
   EXPECT_EQ(scalar(pull).currentState, 0.4F);
@@ -140,7 +140,7 @@ TEST_F(MockActions, SourcesAreConvertedAndCombined) {
   ASSERT_XR(XR_SUCCESS, xrGetActionStateVector2f(session, &get, &vector));
   EXPECT_EQ(vector.currentState.x, -0.5F);
   EXPECT_EQ(vector.currentState.y, 0.25F);
-  ASSERT_XR(XR_SUCCESS, functions->set_device_float(session, left, left_trigger, 0.9F));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateFloatEXT)(session, left, left_trigger, 0.9F));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   EXPECT_TRUE(boolean(press).currentState);
   EXPECT_EQ(scalar(pull).currentState, 0.9F);
@@ -156,7 +156,7 @@ TEST_F(MockActions, HigherPriorityTakesASourceFromLower) {
   ASSERT_XR(XR_SUCCESS, suggest(simple, {{low, click}, {high, click}}));
   ASSERT_XR(XR_SUCCESS, attach({set, above}));
   focus();
-  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}, {above, XR_NULL_PATH}}));
   EXPECT_TRUE(boolean(high).isActive);
   EXPECT_FALSE(boolean(low).isActive);
@@ -176,7 +176,7 @@ TEST_F(MockActions, CurrentProfileFollowsTheDevice) {
   XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
   ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, left, &state));
   EXPECT_EQ(state.interactionProfile, XR_NULL_PATH);
-  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
   ASSERT_XR(XR_SUCCESS, xrPollEvent(instance, &event));
@@ -210,12 +210,12 @@ TEST_F(MockActions, PoseActionsLocateTheirDevice) {
   const XrSpace space = create_action_space(grip, left);
   EXPECT_EQ(located(space, local, 1).locationFlags, 0U);
   const XrPosef where{identity_pose.orientation, {0.1F, 0.2F, 0.3F}};
-  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   XrSpaceLocation location = located(space, local, 1);
   EXPECT_EQ(location.locationFlags, 15U) << "not placed yet";
   EXPECT_NEAR(location.pose.position.x, -0.2F, 1e-6F);
-  ASSERT_XR(XR_SUCCESS, functions->set_device_location(session, left, pose, local, where));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceLocationEXT)(session, left, pose, local, where));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   location = located(space, local, 1);
   EXPECT_EQ(location.locationFlags, 15U);
@@ -232,8 +232,8 @@ TEST_F(MockActions, PoseOfAnyHandIsThatOfTheFirst) {
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrSpace space = create_action_space(grip, XR_NULL_PATH);
   const auto flags = [&](XrBool32 has_left, XrBool32 has_right) {
-    EXPECT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, has_left));
-    EXPECT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), right, has_right));
+    EXPECT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, has_left));
+    EXPECT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), right, has_right));
     EXPECT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
     return located(space, local, 1).locationFlags;
   };
@@ -248,12 +248,13 @@ TEST_F(MockActions, PoseOfAnyHandIsThatOfTheFirst) {
 // "XR_ERROR_PATH_UNSUPPORTED" for what the device does not have, of the kind that the call sets.
 TEST_F(MockActions, AutomationRefusesWhatTheDeviceDoesNotHave) {
   const XrPath click = path("/user/hand/left/input/select/click");
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_bool(session, right, click, XR_TRUE));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_float(session, left, click, 1.0F));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_bool(session, path("/user/invalid"), click, XR_TRUE));
-  EXPECT_XR(XR_ERROR_PATH_INVALID, functions->set_device_bool(session, left, 0x1234, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, XR(xrSetInputDeviceStateBoolEXT)(session, right, click, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, XR(xrSetInputDeviceStateFloatEXT)(session, left, click, 1.0F));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            functions->set_device_active(session, path(simple), path("/user/head"), XR_TRUE));
+            XR(xrSetInputDeviceStateBoolEXT)(session, path("/user/invalid"), click, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, XR(xrSetInputDeviceStateBoolEXT)(session, left, 0x1234, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+            XR(xrSetInputDeviceActiveEXT)(session, path(simple), path("/user/head"), XR_TRUE));
 }
 
 // "xrApplyHapticFeedback [...] XR_SESSION_NOT_FOCUSED [...] XR_ERROR_ACTION_TYPE_MISMATCH".

@@ -17,9 +17,9 @@ struct Given {
   int failures = 0;  ///< of xrLocateHandJointsEXT
   std::vector<XrSessionState> states;
 
-  template <typename Value>
-  void add(const Value& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  template <typename... Values>
+  void add(const Values&... values) {
+    (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
   }
 };
 
@@ -120,7 +120,7 @@ class CaptureFixture : public MockRuntime {
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
     ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
     given.bytes += properties.systemName;
-    MockRuntime::create_session();
+    Application::create_session();
     running = ended = false;
   }
   void poll() {
@@ -130,14 +130,12 @@ class CaptureFixture : public MockRuntime {
       if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) {
         const auto& change = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
         EXPECT_EQ(change.session, session);
-        given.add(change.changeTime);
-        given.add(change.poseInPreviousSpace);
+        given.add(change.changeTime, change.poseInPreviousSpace);
       }
       if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
       const auto& change = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
       EXPECT_EQ(change.session, session);
-      given.add(change.state);
-      given.add(change.time);
+      given.add(change.state, change.time);
       given.states.push_back(change.state);
       if (change.state == XR_SESSION_STATE_READY) {
         focus();
@@ -152,9 +150,7 @@ class CaptureFixture : public MockRuntime {
   }
   XrTime frame() {
     const XrFrameState state = whole_frame();
-    given.add(state.predictedDisplayTime);
-    given.add(state.predictedDisplayPeriod);
-    given.add(state.shouldRender);
+    given.add(state.predictedDisplayTime, state.predictedDisplayPeriod, state.shouldRender);
     return state.predictedDisplayTime;
   }
   void end() {

@@ -77,7 +77,7 @@ class MockErrors : public MockNegotiation {
     MockNegotiation::TearDown();
   }
 
-#define CALL(name, ...) note(#name, direct<PFN_##name>(#name)(__VA_ARGS__))
+#define CALL(name, ...) note(#name, XR(name)(__VA_ARGS__))
 #define REFUSED(code, name, ...) EXPECT_XR(XR_ERROR_##code, CALL(name, __VA_ARGS__))
   XrResult note(const char* function, XrResult result) {
     if (XR_FAILED(result)) produced[function].insert(result_name(result).substr(9));
@@ -94,30 +94,17 @@ class MockErrors : public MockNegotiation {
   // A session with all kinds of handles, and the script's faults in its first frame.
   void create_session(const char* script) {
     const std::string all = std::string(R"({"clock": "real-time", "frame_rate_hz": 1000)") + script + "}";
-    ASSERT_XR(XR_SUCCESS, direct<PFN_xrApplyScriptHRTX>("xrApplyScriptHRTX")(instance, all.c_str()));
-    const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
-    ASSERT_XR(XR_SUCCESS, CALL(xrCreateSession, instance, &info, &session));
-    local = space(XR_REFERENCE_SPACE_TYPE_LOCAL);
-    const XrHandTrackerCreateInfoEXT hand{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
-                                          XR_HAND_JOINT_SET_DEFAULT_EXT};
-    CALL(xrCreateHandTrackerEXT, session, &hand, &tracker);
-    const std::string name = "set" + std::to_string(++sets);
-    const XrActionSetCreateInfo of_set = set_info(name.c_str(), name.c_str());
-    ASSERT_XR(XR_SUCCESS, CALL(xrCreateActionSet, instance, &of_set, &set));
+    ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, all.c_str()));
+    Application::create_session();
+    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    const XrHandTrackerCreateInfoEXT of_hand{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
+                                             XR_HAND_JOINT_SET_DEFAULT_EXT};
+    CALL(xrCreateHandTrackerEXT, session, &of_hand, &hand);
+    set = Application::make_set(("set" + std::to_string(++sets)).c_str());
     ASSERT_XR(XR_SUCCESS, make_action("act", "Act", XR_ACTION_TYPE_BOOLEAN_INPUT, &action));
-  }
-  void begin() {
-    const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
-    ASSERT_XR(XR_SUCCESS, CALL(xrBeginSession, session, &info));
   }
   void destroy_session() { EXPECT_XR(XR_SUCCESS, CALL(xrDestroySession, session)); }
 
-  XrSpace space(XrReferenceSpaceType type) {
-    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, identity_pose};
-    XrSpace made = XR_NULL_HANDLE;
-    CALL(xrCreateReferenceSpace, session, &info, &made);
-    return made;
-  }
   XrResult make_action(const char* name, const char* localized, XrActionType type, XrAction* made,
                        std::vector<XrPath> subactions = {}) {
     const XrActionCreateInfo info = action_info(name, localized, type, subactions);
@@ -128,15 +115,10 @@ class MockErrors : public MockNegotiation {
     XrActionSet made = XR_NULL_HANDLE;
     return CALL(xrCreateActionSet, instance, &info, &made);
   }
-  XrPath path(const char* text) {
-    XrPath made = XR_NULL_PATH;
-    CALL(xrStringToPath, instance, text, &made);
-    return made;
-  }
 
   // Calls every function with this handle and zeros; with handles that are none if `null`.
   void call_all(bool null) {
-#define HRT_CALL(name, implementation, extension, returned) call_zeros(#name, direct<PFN_##name>(#name), null);
+#define HRT_CALL(name, implementation, extension, returned) call_zeros(#name, XR(name), null);
     HRT_MOCK_FUNCTIONS(HRT_CALL)
 #undef HRT_CALL
   }
@@ -160,7 +142,7 @@ class MockErrors : public MockNegotiation {
   XrSpace handle(XrSpace) const { return local; }
   XrActionSet handle(XrActionSet) const { return set; }
   XrAction handle(XrAction) const { return action; }
-  XrHandTrackerEXT handle(XrHandTrackerEXT) const { return tracker; }
+  XrHandTrackerEXT handle(XrHandTrackerEXT) const { return hand; }
   template <typename Other>
   Other handle(Other none) const {
     return none;
@@ -173,9 +155,6 @@ class MockErrors : public MockNegotiation {
   TemporaryFolder folder;
   Codes produced;
   int sets = 0;
-  XrSession session = XR_NULL_HANDLE;
-  XrSpace local = XR_NULL_HANDLE;
-  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
   XrActionSet set = XR_NULL_HANDLE;
   XrAction action = XR_NULL_HANDLE;
 };
@@ -198,7 +177,7 @@ void MockErrors::provoke_at_instance() {
   EXPECT_XR(XR_ERROR_LIMIT_REACHED, create(XR_MAKE_VERSION(1, 0, 0), "second"));
   EXPECT_XR(XR_ERROR_API_VERSION_UNSUPPORTED, create(XR_MAKE_VERSION(2, 0, 0), "later"));
   EXPECT_XR(XR_ERROR_NAME_INVALID, create(XR_MAKE_VERSION(1, 0, 0), ""));
-  const auto create_first = direct<PFN_xrCreateInstance>("xrCreateInstance");
+  const auto create_first = XR(xrCreateInstance);
   ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
   const std::vector<const char*> unknown{"XR_EXT_dance"};
   XrInstanceCreateInfo info = instance_info(unknown);
@@ -215,7 +194,6 @@ void MockErrors::provoke_at_instance() {
   const auto none = static_cast<XrSystemId>(99);
   const auto odd = static_cast<XrViewConfigurationType>(12345);
   XrSystemGetInfo form{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HANDHELD_DISPLAY};
-  XrSystemId system = 0;
   REFUSED(FORM_FACTOR_UNSUPPORTED, xrGetSystem, instance, &form, &system);
   XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
   REFUSED(SYSTEM_INVALID, xrGetSystemProperties, instance, none, &properties);
@@ -277,11 +255,11 @@ void MockErrors::provoke_in_session() {
   REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrBeginSession, session, &wrong);
   XrReferenceSpaceType type{};
   REFUSED(SIZE_INSUFFICIENT, xrEnumerateReferenceSpaces, session, 1, &count, &type);
-  space(static_cast<XrReferenceSpaceType>(12345));
-  const XrReferenceSpaceCreateInfo turned{
-      XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, {}};
+  XrReferenceSpaceCreateInfo turned{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, {}};
   XrSpace made = XR_NULL_HANDLE;
   REFUSED(POSE_INVALID, xrCreateReferenceSpace, session, &turned, &made);
+  turned.referenceSpaceType = static_cast<XrReferenceSpaceType>(12345);
+  REFUSED(REFERENCE_SPACE_UNSUPPORTED, xrCreateReferenceSpace, session, &turned, &made);
   XrExtent2Df extent{};
   REFUSED(REFERENCE_SPACE_UNSUPPORTED, xrGetReferenceSpaceBoundsRect, session, static_cast<XrReferenceSpaceType>(12345),
           &extent);
@@ -302,17 +280,17 @@ void MockErrors::provoke_in_session() {
   views.displayTime = 0;
   REFUSED(TIME_INVALID, xrLocateViews, session, &views, &state, 0, &count, nullptr);
   std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
-  XrHandJointLocationsEXT hand{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
-                               joints.data()};
+  XrHandJointLocationsEXT located_joints{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
+                                         joints.data()};
   const XrHandJointsLocateInfoEXT joint_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 0};
-  REFUSED(TIME_INVALID, xrLocateHandJointsEXT, tracker, &joint_info, &hand);
+  REFUSED(TIME_INVALID, xrLocateHandJointsEXT, hand, &joint_info, &located_joints);
   XrSwapchainCreateInfo swapchain_info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
   XrSwapchain swapchain = XR_NULL_HANDLE;
   REFUSED(SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain, session, &swapchain_info, &swapchain);
   XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
   REFUSED(SESSION_NOT_RUNNING, xrEndFrame, session, &end);
 
-  begin();
+  focus();
   REFUSED(VALIDATION_FAILURE, xrBeginSession, session, nullptr);
   const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
   REFUSED(SESSION_RUNNING, xrBeginSession, session, &twice);
@@ -456,8 +434,8 @@ void MockErrors::provoke_actions() {
     states(of, never, XR_ERROR_PATH_INVALID);
     states(of, chest, XR_ERROR_PATH_UNSUPPORTED);
   }
-  begin();
-  for (const XrPath hand : {left, right}) CALL(xrSetInputDeviceActiveEXT, session, simple, hand, XR_TRUE);
+  focus();
+  for (const XrPath side : {left, right}) CALL(xrSetInputDeviceActiveEXT, session, simple, side, XR_TRUE);
   active.subactionPath = XR_NULL_PATH;
   CALL(xrSyncActions, session, &sync);
   others(left, XR_SUCCESS, select, XR_ERROR_SIZE_INSUFFICIENT);
@@ -487,7 +465,7 @@ TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
   destroy_session();
   for (const char* loss : {"lose_session", "lose_instance"}) {
     create_session((std::string(R"(, "events": [{"frame": 1, "do": ")") + loss + "\"}]").c_str());
-    begin();
+    focus();
     XrFrameState frame{XR_TYPE_FRAME_STATE};
     CALL(xrWaitFrame, session, nullptr, &frame);
     call_all(false);

@@ -147,12 +147,12 @@ TEST_F(MockHand, JointCountsThatAreWrongAreRefused) {
   const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 1};
   for (const std::uint32_t count : {0U, 25U, 27U}) {
     locations.jointCount = count;
-    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->locate_hand_joints(tracker, &info, &locations));
+    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrLocateHandJointsEXT)(tracker, &info, &locations));
   }
   locations.jointCount = XR_HAND_JOINT_COUNT_EXT;
   XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, 25, nullptr};
   locations.next = &velocities;
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->locate_hand_joints(tracker, &info, &locations));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrLocateHandJointsEXT)(tracker, &info, &locations));
   EXPECT_EQ(locations.isActive, 7U);
   EXPECT_EQ(joints[0].locationFlags, 0U);
 }

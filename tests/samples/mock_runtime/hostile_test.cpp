@@ -20,7 +20,7 @@ std::string readme_script() {
 
 TEST_F(MockBrokenScript, MistakesAreRefusedWithAReasonOrHarmless) {
   const std::string whole = readme_script();
-  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, whole.c_str())) << call_log().back().reason;
+  ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, whole.c_str())) << call_log().back().reason;
   std::mt19937 random(1);
   const std::string letters = "{}[]\",:0123456789.-eE truefalsn\\\n\x01\xff";
   int refused = 0, taken = 0;
@@ -42,7 +42,7 @@ TEST_F(MockBrokenScript, MistakesAreRefusedWithAReasonOrHarmless) {
           script.insert(at, script.substr(random() % script.size(), random() % 40));
       }
     }
-    const XrResult result = functions->apply_script(instance, script.c_str());
+    const XrResult result = XR(xrApplyScriptHRTX)(instance, script.c_str());
     if (result == XR_SUCCESS) {
       ++taken;
       begin_session();

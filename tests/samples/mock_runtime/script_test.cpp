@@ -102,11 +102,11 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"focus_frame": -1})", "script.focus_frame must be a whole number from 0"},
   };
   for (const auto& [script, why] : cases) {
-    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->apply_script(instance, script)) << script;
+    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrApplyScriptHRTX)(instance, script)) << script;
     EXPECT_TRUE(has(std::string(call_log().back().reason), why)) << call_log().back().reason;
   }
   create_session();
-  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->apply_script(instance, "{}"));
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, XR(xrApplyScriptHRTX)(instance, "{}"));
 }
 
 // The JSON objects of a document that stand alone: in a block, between quotes of any kind, or in brackets.
@@ -129,7 +129,7 @@ TEST_F(MockScript, ExamplesOfTheDocumentsRun) {
   std::size_t count = 0;
   for (const char* document : {"README.md", "SCRIPTS.md"})
     for (const std::string& script : examples_of(document)) {
-      ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str())) << script << call_log().back().reason;
+      ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, script.c_str())) << script << call_log().back().reason;
       begin_session();
       const auto start = std::chrono::steady_clock::now();
       for (int i = 0; i < 320 && std::chrono::steady_clock::now() - start < std::chrono::seconds(2); ++i)
@@ -161,7 +161,7 @@ TEST_F(MockScript, CallsTakeLongOnOrder) {
   const auto elapsed = [&] { return std::chrono::steady_clock::now() - start; };
   std::thread waiter([&] { EXPECT_XR(XR_SUCCESS, wait()); });
   while (call_log().back().function == std::string("xrBeginFrame") && elapsed() < std::chrono::milliseconds(100))
-    EXPECT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 1.0));
+    EXPECT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 1.0));
   EXPECT_LT(elapsed(), std::chrono::milliseconds(1400));
   waiter.join();
   EXPECT_GE(elapsed(), std::chrono::milliseconds(1500));
@@ -241,7 +241,7 @@ TEST_F(MockScript, SessionIsLostAtAFrame) {
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_LOSS_PENDING}));
   EXPECT_XR(XR_ERROR_SESSION_LOST, wait());
   EXPECT_TRUE(all_states().empty());
-  EXPECT_XR(XR_SUCCESS, functions->destroy_hand_tracker(hand));
+  EXPECT_XR(XR_SUCCESS, XR(xrDestroyHandTrackerEXT)(hand));
   EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
   begin_session();
   EXPECT_XR(XR_SUCCESS, wait());
@@ -251,11 +251,11 @@ TEST_F(MockScript, SessionIsLostAtAFrame) {
 TEST_F(MockScript, InstanceIsLostAtATime) {
   begin_with(
       R"({"events": [{"time_ms": 100, "do": "instance_loss_pending"}, {"time_ms": 200, "do": "lose_instance"}]})");
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 100'000'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 100'000'000));
   XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
   ASSERT_XR(XR_SUCCESS, xrPollEvent(instance, &event));
   EXPECT_EQ(event.type, XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING);
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 100'000'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 100'000'000));
   event = {XR_TYPE_EVENT_DATA_BUFFER};
   EXPECT_XR(XR_ERROR_INSTANCE_LOST, xrPollEvent(instance, &event));
   EXPECT_XR(XR_ERROR_INSTANCE_LOST, wait());
@@ -284,7 +284,7 @@ TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
 TEST_F(MockScript, FullVelocitiesAreTheRatesOfChange) {
   begin_with(R"({"participants": [{"reaction_ms": 0}]})");
   begin_reach();
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 500'000'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 500'000'000));
   const XrTime time = frame();
   constexpr XrDuration step = 1'000'000;
   const Hand now = locate_hand(hand, local, time);
@@ -318,10 +318,10 @@ TEST_F(MockScript, HandFollowsItsPath) {
 TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   begin_with(R"({"servo": {"speed_deg_per_s": 400, "latency_ms": 20}})");
   const XrTime start = 1'000'000'000;
-  ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, -50.0));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, -50.0));
   const auto at = [&](XrDuration after_ms) {
     double orientation = 0.0;
-    EXPECT_XR(XR_SUCCESS, functions->get_plate_orientation(session, start + after_ms * 1'000'000, &orientation));
+    EXPECT_XR(XR_SUCCESS, XR(xrGetPlateOrientationHRTX)(session, start + after_ms * 1'000'000, &orientation));
     return orientation;
   };
   EXPECT_DOUBLE_EQ(at(0), 0.0);
@@ -330,8 +330,8 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   EXPECT_NEAR(at(145), -50.0, 1e-9);
   EXPECT_DOUBLE_EQ(at(1000), -50.0);
   // Turned back half way there: 72.5 ms after the first command it stands at -21.
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 52'500'000));
-  ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 10.0));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 52'500'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 10.0));
   EXPECT_NEAR(at(30), -13.0, 1e-9);  // in the past: as now, 32.5 ms after the turn began
   EXPECT_NEAR(at(72), -20.8, 1e-9);
   EXPECT_NEAR(at(82), -21.0 + 0.4 * 9.5, 1e-9);
@@ -339,7 +339,7 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
 
 TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
   begin_with(R"({"participants": [{"steering": "steps"}], "tracker": {"latency_ms": 50, "rate_hz": 40}})");
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 0));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 0));
   begin_reach();
   const XrTime start = 1'000'000'000;
   const auto travelled_mm = [&](XrDuration after_ms) {
@@ -376,7 +376,7 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
     std::vector<double> directions;
     for (int reach = 0; reach < 3; ++reach) {
       begin_reach(-5.0);
-      EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 6'000'000'000));
+      EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 6'000'000'000));
       EXPECT_TRUE(truth().isDone);
       directions.push_back(truth().trueDirection);
     }
@@ -401,7 +401,7 @@ TEST_F(MockScript, SeedDrawsEachPartApart) {
   const auto duration = [&] {
     begin_reach();
     XrDuration taken = 0;
-    for (; !truth().isDone; taken += 10'000'000) EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 10'000'000));
+    for (; !truth().isDone; taken += 10'000'000) EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 10'000'000));
     return taken;
   };
   begin_with(R"({"participants": [{"reaction_ms": 0, "pace": ["minimum_jerk", "pause"], "duration_ms": 1000}]})");
@@ -409,7 +409,7 @@ TEST_F(MockScript, SeedDrawsEachPartApart) {
   int pausing = 0;
   std::vector<double> weights;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    ASSERT_XR(XR_SUCCESS, functions->set_seed(session, seed, 0));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, seed, 0));
     const XrDuration taken = duration();
     weights.push_back(truth().tactileWeight);
     EXPECT_TRUE(taken == 1'000'000'000 || taken == 1'600'000'000) << taken;
@@ -419,7 +419,7 @@ TEST_F(MockScript, SeedDrawsEachPartApart) {
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   begin_with("{}");
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    ASSERT_XR(XR_SUCCESS, functions->set_seed(session, seed, 0));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, seed, 0));
     const XrDuration taken = duration();
     EXPECT_EQ(truth().tactileWeight, weights[seed]);
     // A pace of 1 to 2 s after a reaction of 0.3 to 0.7 s.
@@ -433,12 +433,12 @@ TEST_F(MockScript, SeedAndNumberMakeTheReach) {
   begin_with("{}");
   const auto final_direction = [&] {
     begin_reach();
-    EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 6'000'000'000));
+    EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 6'000'000'000));
     return truth().trueDirection;
   };
-  ASSERT_XR(XR_SUCCESS, functions->set_seed(session, 9, 0));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, 9, 0));
   const std::array<double, 3> whole{final_direction(), final_direction(), final_direction()};
-  ASSERT_XR(XR_SUCCESS, functions->set_seed(session, 9, 2));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, 9, 2));
   EXPECT_EQ(final_direction(), whole[2]);
   EXPECT_NE(whole[2], whole[0]);
 }
@@ -455,7 +455,7 @@ TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   begin_with(R"({"clock": "real-time", "frame_rate_hz": 100})");
   EXPECT_GE(timed(6), 0.049);
-  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->advance_time(instance, 1));
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, XR(xrAdvanceTimeHRTX)(instance, 1));
 }
 
 // A path is there to be seen, unless the script says otherwise.

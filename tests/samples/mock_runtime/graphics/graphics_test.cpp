@@ -404,7 +404,7 @@ TEST_F(MockWorld, IsSeenByTheTesterOfAHeadlessSession) {
     begin_with(R"({"events": [{"frame": 90, "do": "take_picture"}], "picture_views": "world",
                    "participants": [{"illusion": "linear", "tactile_weight": 0.3, "duration_ms": 1500}]})");
     place_plate(local);
-    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 50.0));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 50.0));
     instruct(0.0, {0.0F, 0.0F, 0.06F}, 0.12);
     for (int i = 0; i < 89; ++i) frame();
     frame();
