@@ -2,11 +2,21 @@
 // call's result and a line of the call log.
 #pragma once
 
-#include <openxr/openxr.h>
-
 #include <string>
 
+#include "samples/mock_runtime/openxr_all.h"
+
 namespace hrt::mock {
+
+/// "XR_SUCCESS"; the number of a result without a name.
+inline std::string result_name(XrResult result) {
+#define HRT_MOCK_NAME(name, number) \
+  if (result == name) return #name;
+  HRT_RESULTS_OF_1_1(HRT_MOCK_NAME)
+  XR_LIST_ENUM_XrResult(HRT_MOCK_NAME)
+#undef HRT_MOCK_NAME
+      return std::to_string(result);
+}
 
 struct Error {
   XrResult result;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "samples/mock_runtime/error.h"
-#include "samples/mock_runtime/openxr_all.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 

@@ -17,17 +17,14 @@ bool is_text(const char (&array)[size]) {
   return array[0] != '\0' && std::memchr(array, '\0', size) != nullptr;
 }
 
-}  // namespace
-
-void Instance::enable(const char* name) {
+std::size_t known_extension(const char* name) {
   require_pointer(name, "an extension name");
-  for (std::size_t i = first_extension; i < extensions.size(); ++i) {
-    if (runtime().script.hides(i) || std::strcmp(extensions[i].name, name) != 0) continue;
-    extensions_.set(i);
-    return;
-  }
+  for (std::size_t i = first_extension; i < extensions.size(); ++i)
+    if (!runtime().script.hides(i) && std::strcmp(extensions[i].name, name) == 0) return i;
   throw Error{XR_ERROR_EXTENSION_NOT_PRESENT, name};
 }
+
+}  // namespace
 
 void enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* count, XrApiLayerProperties* layers) {
   two_call(std::array<XrApiLayerProperties, 0>{}, capacity, count, layers);
@@ -54,14 +51,11 @@ void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   if (info->enabledExtensionCount > 0) require_pointer(info->enabledExtensionNames, "enabledExtensionNames");
   require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED, "an instance exists already; one is allowed");
   if (!runtime().script_error.empty()) throw Error{XR_ERROR_INITIALIZATION_FAILED, runtime().script_error};
-  auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock);
-  if (XR_VERSION_MINOR(version) >= 1) instance.enable_version_1_1();
-  try {
-    for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i) instance.enable(info->enabledExtensionNames[i]);
-  } catch (...) {
-    runtime().registry.destroy(instance);
-    throw;
-  }
+  ExtensionSet enabled;
+  enabled.set(static_cast<std::size_t>(Extension::version_1_1), XR_VERSION_MINOR(version) >= 1);
+  for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
+    enabled.set(known_extension(info->enabledExtensionNames[i]));
+  auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock, enabled);
   runtime().instance = &instance;
   runtime().clock = &instance.clock;
   ++runtime().made.instance;
@@ -105,16 +99,9 @@ void structure_type_to_string(Instance&, XrStructureType value, char buffer[XR_M
 #define HRT_MOCK_NAME(name, number) \
   if (value == name) return write(#name);
   HRT_STRUCTURE_TYPES_OF_1_1(HRT_MOCK_NAME)
+  XR_LIST_ENUM_XrStructureType(HRT_MOCK_NAME)
 #undef HRT_MOCK_NAME
-  switch (value) {
-#define HRT_MOCK_NAME(name, number) \
-  case name:                        \
-    return write(#name);
-    XR_LIST_ENUM_XrStructureType(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-        default : break;
-  }
-  std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "XR_UNKNOWN_STRUCTURE_TYPE_%d", value);
+      std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "XR_UNKNOWN_STRUCTURE_TYPE_%d", value);
 }
 
 void string_to_path(Instance& instance, const char* text, XrPath* path) {

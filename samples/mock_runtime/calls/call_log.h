@@ -43,7 +43,4 @@ class CallLog {
   long bytes_ = 0;  // of it
 };
 
-/// "XR_SUCCESS"; the number of a result without a name.
-std::string result_name(XrResult result);
-
 }  // namespace hrt::mock

@@ -1,6 +1,6 @@
 // The events and the call faults of a script.
 #include "samples/members.h"
-#include "samples/mock_runtime/calls/call_log.h"
+#include "samples/mock_runtime/error.h"
 #include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/world.h"

@@ -52,7 +52,7 @@ Json parse_json(std::string_view text, Recording& recording) {
 }
 
 // What is played back takes the place of these.
-void read_playback(Members& members, const Json& script, Recording& recording) {
+void read_playback(Members& members, const Json& script) {
   for (const auto& [key, value] : script.items())
     if (key != "clock" && key != "calls" && key != "picture_every_frames" && key != "picture_views" &&
         key != "withhold_extensions" && key != "playback" && key != "$schema")
@@ -61,7 +61,6 @@ void read_playback(Members& members, const Json& script, Recording& recording) {
   const Json& records = members.at("records", {{"type", "array"}});
   if (members.count("version", 0, 0) != 1) refuse(members.where("version"), "must be 1");
   if (!records.is_array() || !records.empty()) refuse(members.where("records"), "must be an array of arrays");
-  recording.finish();
 }
 
 }  // namespace
@@ -117,7 +116,7 @@ Script read_script(Members& members, const Json& json, Recording& recording) {
   members.each("events", {}, [&](Members& event) { script.events.push_back(read_event(event)); });
   members.each("calls", {}, [&](Members& call) { script.calls.push_back(read_call(call)); });
   members.object("playback", [&](Members& playback) {
-    read_playback(playback, json, recording);
+    read_playback(playback, json);
     script.hand_tracking = recording.hand_tracking;
     script.calls.insert(script.calls.end(), recording.failures.begin(), recording.failures.end());
     script.playback = std::make_shared<const Recording>(std::move(recording));

@@ -20,18 +20,6 @@ const bool runtime_is_chosen = unsetenv("HRT_MOCK_SCRIPT") == 0 && unsetenv("HRT
 
 }  // namespace
 
-std::string result_name(XrResult result) {
-  if (result == XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED) return "XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED";
-  switch (result) {
-#define HRT_NAME(name, value) \
-  case name:                  \
-    return #name;
-    XR_LIST_ENUM_XrResult(HRT_NAME)
-#undef HRT_NAME
-        default : return std::to_string(result);
-  }
-}
-
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions) {
   XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
   std::snprintf(info.applicationInfo.applicationName, XR_MAX_APPLICATION_NAME_SIZE, "mock runtime tests");

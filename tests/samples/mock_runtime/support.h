@@ -14,9 +14,6 @@ namespace hrt::mock {
 
 inline constexpr XrPosef identity_pose{{0.0F, 0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}};
 
-/// Prints results by name.
-std::string result_name(XrResult result);
-
 #define EXPECT_XR(expected, call) EXPECT_EQ(result_name(expected), result_name(call))
 #define ASSERT_XR(expected, call) ASSERT_EQ(result_name(expected), result_name(call))
 
