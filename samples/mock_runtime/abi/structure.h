@@ -1,6 +1,9 @@
 // What applications pass: structures that say their type, chained with `next`.
 #pragma once
 
+#include <cstring>
+#include <string_view>
+
 #include "samples/mock_runtime/error.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
@@ -50,6 +53,12 @@ Struct* chained(Chain* chain) {
   for (auto* next = static_cast<Base*>(chain); next != nullptr; next = next->next)
     if (next->type == structure_type<std::remove_cv_t<Struct>>.type) return reinterpret_cast<Struct*>(next);
   return nullptr;
+}
+
+/// What stands in an array of the API, which may lack its end.
+template <std::size_t size>
+std::string_view text_in(const char (&array)[size]) {
+  return {array, strnlen(array, size)};
 }
 
 }  // namespace hrt::mock

@@ -1,24 +1,19 @@
 // Creating action sets and actions, suggesting bindings, attaching to a session.
 #include <algorithm>
-#include <cstring>
 
+#include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/api/session.h"
 #include "samples/mock_runtime/input/paths.h"
 
 namespace hrt::mock {
 namespace {
 
-template <std::size_t size>
-std::string text_of(const char (&array)[size]) {
-  return std::string(array, strnlen(array, size));
-}
-
 // The names of an action set, or of an action, among their siblings: specification, xrCreateActionSet.
 template <typename T, std::size_t name_size, std::size_t localized_size>
 void require_names(const Object& parent, const char (&name_array)[name_size],
                    const char (&localized_array)[localized_size]) {
-  const std::string name = text_of(name_array);
-  const std::string localized = text_of(localized_array);
+  const std::string_view name = text_in(name_array);
+  const std::string_view localized = text_in(localized_array);
   require(!name.empty() && name.size() < name_size, XR_ERROR_NAME_INVALID, "the name is empty or not terminated");
   require(is_path_component(name), XR_ERROR_PATH_FORMAT_INVALID, "a name is of a-z, 0-9, '-', '_' and '.'");
   require(!localized.empty() && localized.size() < localized_size, XR_ERROR_LOCALIZED_NAME_INVALID,
@@ -45,14 +40,14 @@ void require_subactions(const Instance& instance, const XrActionCreateInfo& info
 
 ActionSet::ActionSet(Instance* instance, const XrActionSetCreateInfo& info)
     : Object(object_type, instance),
-      name(text_of(info.actionSetName)),
-      localized_name(text_of(info.localizedActionSetName)),
+      name(text_in(info.actionSetName)),
+      localized_name(text_in(info.localizedActionSetName)),
       priority(info.priority) {}
 
 Action::Action(ActionSet* set, const XrActionCreateInfo& info)
     : Object(object_type, set),
-      name(text_of(info.actionName)),
-      localized_name(text_of(info.localizedActionName)),
+      name(text_in(info.actionName)),
+      localized_name(text_in(info.localizedActionName)),
       action_type(info.actionType),
       subactions(info.subactionPaths, info.subactionPaths + info.countSubactionPaths) {}
 

@@ -11,12 +11,6 @@
 namespace hrt::mock {
 namespace {
 
-// An array of the API that must hold a terminated, non-empty text.
-template <std::size_t size>
-bool is_text(const char (&array)[size]) {
-  return array[0] != '\0' && std::memchr(array, '\0', size) != nullptr;
-}
-
 std::size_t known_extension(const char* name) {
   require_pointer(name, "an extension name");
   for (std::size_t i = first_extension; i < extensions.size(); ++i)
@@ -44,7 +38,8 @@ void enumerate_instance_extension_properties(const char* layer, std::uint32_t ca
 
 void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
-  require(is_text(info->applicationInfo.applicationName), XR_ERROR_NAME_INVALID, "applicationName");
+  const std::string_view name = text_in(info->applicationInfo.applicationName);
+  require(!name.empty() && name.size() < XR_MAX_APPLICATION_NAME_SIZE, XR_ERROR_NAME_INVALID, "applicationName");
   const XrVersion version = info->applicationInfo.apiVersion;
   require(XR_VERSION_MAJOR(version) == 1 && XR_VERSION_MINOR(version) <= 1, XR_ERROR_API_VERSION_UNSUPPORTED,
           "apiVersion must be 1.0 or 1.1");

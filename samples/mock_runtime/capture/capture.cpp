@@ -1,7 +1,6 @@
 #include "samples/mock_runtime/capture/capture.h"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 
 #include "samples/mock_runtime/abi/structure.h"
@@ -10,6 +9,7 @@ namespace hrt::capture {
 namespace {
 
 using mock::chained;
+using mock::text_in;
 
 // Errors that a mistake of the application causes: the playback finds it in the calls themselves.
 constexpr XrResult mistakes[] = {
@@ -19,11 +19,6 @@ constexpr XrResult mistakes[] = {
     XR_ERROR_PATH_FORMAT_INVALID,         XR_ERROR_NAME_DUPLICATED,        XR_ERROR_NAME_INVALID,
     XR_ERROR_LOCALIZED_NAME_DUPLICATED,   XR_ERROR_LOCALIZED_NAME_INVALID, XR_ERROR_ACTIONSET_NOT_ATTACHED,
     XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, XR_ERROR_ACTION_TYPE_MISMATCH,   XR_ERROR_POSE_INVALID};
-
-template <std::size_t size>
-std::string_view text_in(const char (&array)[size]) {
-  return {array, strnlen(array, size)};
-}
 
 }  // namespace
 
