@@ -16,6 +16,13 @@ class MockActions : public MockRuntime {
     right = path("/user/hand/right");
   }
 
+  // In focus, with these bindings.
+  void bind(const char* profile, const std::vector<XrActionSuggestedBinding>& bindings) {
+    ASSERT_XR(XR_SUCCESS, suggest(profile, bindings));
+    ASSERT_XR(XR_SUCCESS, attach({set}));
+    focus();
+  }
+
   static constexpr const char* simple = "/interaction_profiles/khr/simple_controller";
   static constexpr const char* touch = "/interaction_profiles/oculus/touch_controller";
   XrActionSet set = XR_NULL_HANDLE;
@@ -120,13 +127,11 @@ TEST_F(MockActions, SourcesAreConvertedAndCombined) {
   const XrPath left_trigger = path("/user/hand/left/input/trigger/value");
   const XrPath right_trigger = path("/user/hand/right/input/trigger/value");
   const XrPath stick = path("/user/hand/left/input/thumbstick");
-  ASSERT_XR(XR_SUCCESS, suggest(touch, {{press, path("/user/hand/left/input/trigger")},
-                                        {press, path("/user/hand/right/input/a/click")},
-                                        {pull, left_trigger},
-                                        {pull, right_trigger},
-                                        {steer, stick}}));
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  focus();
+  bind(touch, {{press, path("/user/hand/left/input/trigger")},
+               {press, path("/user/hand/right/input/a/click")},
+               {pull, left_trigger},
+               {pull, right_trigger},
+               {steer, stick}});
   for (const XrPath user : {left, right})
     ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(touch), user, XR_TRUE));
   ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateFloatEXT)(session, left, left_trigger, 0.3F));
@@ -135,9 +140,8 @@ TEST_F(MockActions, SourcesAreConvertedAndCombined) {
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   EXPECT_FALSE(boolean(press).currentState);
   EXPECT_EQ(scalar(pull).currentState, 0.4F);
-  const XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, steer, XR_NULL_PATH};
-  XrActionStateVector2f vector{XR_TYPE_ACTION_STATE_VECTOR2F};
-  ASSERT_XR(XR_SUCCESS, xrGetActionStateVector2f(session, &get, &vector));
+  const auto vector =
+      output(xrGetActionStateVector2f, session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, steer, XR_NULL_PATH});
   EXPECT_EQ(vector.currentState.x, -0.5F);
   EXPECT_EQ(vector.currentState.y, 0.25F);
   ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateFloatEXT)(session, left, left_trigger, 0.9F));
@@ -169,9 +173,7 @@ TEST_F(MockActions, HigherPriorityTakesASourceFromLower) {
 // and xrGetCurrentInteractionProfile gives it.
 TEST_F(MockActions, CurrentProfileFollowsTheDevice) {
   const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
-  ASSERT_XR(XR_SUCCESS, suggest(simple, {{select, path("/user/hand/left/input/select/click")}}));
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  focus();
+  bind(simple, {{select, path("/user/hand/left/input/select/click")}});
   all_states();
   XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
   ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, left, &state));
@@ -203,9 +205,7 @@ TEST_F(MockActions, CurrentProfileFollowsTheDevice) {
 TEST_F(MockActions, PoseActionsLocateTheirDevice) {
   const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, {left});
   const XrPath pose = path("/user/hand/left/input/grip/pose");
-  ASSERT_XR(XR_SUCCESS, suggest(simple, {{grip, pose}}));
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  focus();
+  bind(simple, {{grip, pose}});
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrSpace space = create_action_space(grip, left);
   EXPECT_EQ(located(space, local, 1).locationFlags, 0U);
@@ -225,10 +225,7 @@ TEST_F(MockActions, PoseActionsLocateTheirDevice) {
 // "Action spaces" without a subaction path: "pick one" device "and stick with it", and outlive their action.
 TEST_F(MockActions, PoseOfAnyHandIsThatOfTheFirst) {
   const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, {left, right});
-  ASSERT_XR(XR_SUCCESS, suggest(simple, {{grip, path("/user/hand/left/input/grip/pose")},
-                                         {grip, path("/user/hand/right/input/grip/pose")}}));
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  focus();
+  bind(simple, {{grip, path("/user/hand/left/input/grip/pose")}, {grip, path("/user/hand/right/input/grip/pose")}});
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrSpace space = create_action_space(grip, XR_NULL_PATH);
   const auto flags = [&](XrBool32 has_left, XrBool32 has_right) {

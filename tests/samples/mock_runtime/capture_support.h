@@ -114,8 +114,7 @@ class CaptureFixture : public MockRuntime {
     return xrCreateInstance(&info, &instance);
   }
   void create_session() {
-    const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-    ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+    system = output(xrGetSystem, instance, head_mounted);
     XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
     ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));

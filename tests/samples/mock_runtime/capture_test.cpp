@@ -66,16 +66,13 @@ class MockCapture : public CaptureFixture {
     }
     ASSERT_XR(XR_SUCCESS, attach({set}));
   }
-  template <typename State, typename Get>
-  State read(Get get, XrStructureType type, XrAction action, XrPath subaction) {
-    const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction};
-    State state{type};
-    EXPECT_XR(XR_SUCCESS, get(session, &info, &state));
+  template <typename Get>
+  auto read(Get get, XrAction action, XrPath subaction) {
+    const auto state = output(get, session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction});
     seen["active"] += state.isActive == XR_TRUE;
     given.add(state.isActive);
-    if constexpr (!std::is_same_v<State, XrActionStatePose>) {
+    if constexpr (!std::is_same_v<Get, PFN_xrGetActionStatePose>)
       given.add(state.currentState, state.changedSinceLastSync, state.lastChangeTime);
-    }
     return state;
   }
   void read_actions() {
@@ -84,14 +81,10 @@ class MockCapture : public CaptureFixture {
     given.add(result);
     seen["not focused"] += result == XR_SESSION_NOT_FOCUSED;
     for (const XrPath user : {hands[0], hands[1], XrPath{XR_NULL_PATH}}) {
-      seen["pressed"] +=
-          read<XrActionStateBoolean>(xrGetActionStateBoolean, XR_TYPE_ACTION_STATE_BOOLEAN, press, user).currentState ==
-          XR_TRUE;
-      seen["pulled"] +=
-          read<XrActionStateFloat>(xrGetActionStateFloat, XR_TYPE_ACTION_STATE_FLOAT, pull, user).currentState != 0.0F;
-      seen["moved"] += read<XrActionStateVector2f>(xrGetActionStateVector2f, XR_TYPE_ACTION_STATE_VECTOR2F, move, user)
-                           .currentState.y != 0.0F;
-      read<XrActionStatePose>(xrGetActionStatePose, XR_TYPE_ACTION_STATE_POSE, grip, user);
+      seen["pressed"] += read(xrGetActionStateBoolean, press, user).currentState == XR_TRUE;
+      seen["pulled"] += read(xrGetActionStateFloat, pull, user).currentState != 0.0F;
+      seen["moved"] += read(xrGetActionStateVector2f, move, user).currentState.y != 0.0F;
+      read(xrGetActionStatePose, grip, user);
     }
     for (const XrPath user : hands) {
       XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
@@ -161,9 +154,7 @@ class MockCapture : public CaptureFixture {
     std::uint32_t count = 0;
     EXPECT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 2, &count, views.data()));
     given.add(state.viewStateFlags);
-    for (const XrView& each : views) {
-      given.add(each.pose, each.fov);
-    }
+    for (const XrView& each : views) given.add(each.pose, each.fov);
   }
 
   // An application with head, hands and controllers that asks for everything in each frame.
@@ -395,9 +386,8 @@ TEST_F(MockCapture, PlaysFaultsOfTheScriptBeside) {
   std::ofstream(folder / "faults.json") << text;
   play(folder / "faults.json");
   ASSERT_XR(XR_SUCCESS, create_instance());
-  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-  EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, xrGetSystem(instance, &get, &system));
-  EXPECT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+  EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, result_of(xrGetSystem, instance, head_mounted));
+  EXPECT_XR(XR_SUCCESS, result_of(xrGetSystem, instance, head_mounted));
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 

@@ -79,6 +79,9 @@ class MockErrors : public MockNegotiation {
 
 #define CALL(name, ...) note(#name, XR(name)(__VA_ARGS__))
 #define REFUSED(code, name, ...) EXPECT_XR(XR_ERROR_##code, CALL(name, __VA_ARGS__))
+// Of a call that takes an object and an info, and makes something.
+#define REFUSED_INFO(code, name, object, ...) \
+  EXPECT_XR(XR_ERROR_##code, note(#name, result_of(XR(name), object, __VA_ARGS__)))
   XrResult note(const char* function, XrResult result) {
     if (XR_FAILED(result)) produced[function].insert(result_name(result).substr(9));
     return result;
@@ -111,9 +114,7 @@ class MockErrors : public MockNegotiation {
     return CALL(xrCreateAction, set, &info, made);
   }
   XrResult make_set(const char* name, const char* localized) {
-    const XrActionSetCreateInfo info = set_info(name, localized);
-    XrActionSet made = XR_NULL_HANDLE;
-    return CALL(xrCreateActionSet, instance, &info, &made);
+    return note("xrCreateActionSet", result_of(XR(xrCreateActionSet), instance, set_info(name, localized)));
   }
 
   // Calls every function with this handle and zeros; with handles that are none if `null`.
@@ -193,8 +194,8 @@ void MockErrors::provoke_at_instance() {
 
   const auto none = static_cast<XrSystemId>(99);
   const auto odd = static_cast<XrViewConfigurationType>(12345);
-  XrSystemGetInfo form{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HANDHELD_DISPLAY};
-  REFUSED(FORM_FACTOR_UNSUPPORTED, xrGetSystem, instance, &form, &system);
+  REFUSED_INFO(FORM_FACTOR_UNSUPPORTED, xrGetSystem, instance,
+               {XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HANDHELD_DISPLAY});
   XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
   REFUSED(SYSTEM_INVALID, xrGetSystemProperties, instance, none, &properties);
   REFUSED(SYSTEM_INVALID, xrEnumerateEnvironmentBlendModes, instance, none, odd, 0, &count, nullptr);
@@ -214,9 +215,7 @@ void MockErrors::provoke_at_instance() {
   REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
           0, nullptr, nullptr);
   REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurations, instance, 1, 0, nullptr, nullptr);
-  XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none};
-  XrSession made = XR_NULL_HANDLE;
-  REFUSED(SYSTEM_INVALID, xrCreateSession, instance, &session_info, &made);
+  REFUSED_INFO(SYSTEM_INVALID, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none});
   XrGraphicsRequirementsVulkanKHR vulkan{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN_KHR};
   REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirements2KHR, instance, none, &vulkan);
   REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirementsKHR, instance, none, &vulkan);
@@ -247,19 +246,16 @@ void MockErrors::provoke_at_instance() {
 
 void MockErrors::provoke_in_session() {
   std::uint32_t count = 0;
-  const XrSessionCreateInfo again{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
-  XrSession second = XR_NULL_HANDLE;
-  REFUSED(LIMIT_REACHED, xrCreateSession, instance, &again, &second);
+  REFUSED_INFO(LIMIT_REACHED, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1});
   const auto odd = static_cast<XrViewConfigurationType>(12345);
   const XrSessionBeginInfo wrong{XR_TYPE_SESSION_BEGIN_INFO, nullptr, odd};
   REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrBeginSession, session, &wrong);
   XrReferenceSpaceType type{};
   REFUSED(SIZE_INSUFFICIENT, xrEnumerateReferenceSpaces, session, 1, &count, &type);
   XrReferenceSpaceCreateInfo turned{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, {}};
-  XrSpace made = XR_NULL_HANDLE;
-  REFUSED(POSE_INVALID, xrCreateReferenceSpace, session, &turned, &made);
+  REFUSED_INFO(POSE_INVALID, xrCreateReferenceSpace, session, turned);
   turned.referenceSpaceType = static_cast<XrReferenceSpaceType>(12345);
-  REFUSED(REFERENCE_SPACE_UNSUPPORTED, xrCreateReferenceSpace, session, &turned, &made);
+  REFUSED_INFO(REFERENCE_SPACE_UNSUPPORTED, xrCreateReferenceSpace, session, turned);
   XrExtent2Df extent{};
   REFUSED(REFERENCE_SPACE_UNSUPPORTED, xrGetReferenceSpaceBoundsRect, session, static_cast<XrReferenceSpaceType>(12345),
           &extent);
@@ -284,9 +280,7 @@ void MockErrors::provoke_in_session() {
                                          joints.data()};
   const XrHandJointsLocateInfoEXT joint_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 0};
   REFUSED(TIME_INVALID, xrLocateHandJointsEXT, hand, &joint_info, &located_joints);
-  XrSwapchainCreateInfo swapchain_info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
-  XrSwapchain swapchain = XR_NULL_HANDLE;
-  REFUSED(SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain, session, &swapchain_info, &swapchain);
+  REFUSED_INFO(SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain, session, {XR_TYPE_SWAPCHAIN_CREATE_INFO});
   XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
   REFUSED(SESSION_NOT_RUNNING, xrEndFrame, session, &end);
 
@@ -374,16 +368,15 @@ void MockErrors::provoke_actions() {
   EXPECT_XR(XR_SUCCESS, suggest(simple, select));
 
   XrActionSpaceCreateInfo space_info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, button, XR_NULL_PATH, identity_pose};
-  XrSpace in = XR_NULL_HANDLE;
-  REFUSED(ACTION_TYPE_MISMATCH, xrCreateActionSpace, session, &space_info, &in);
+  REFUSED_INFO(ACTION_TYPE_MISMATCH, xrCreateActionSpace, session, space_info);
   space_info.action = pose;
   space_info.subactionPath = never;
-  REFUSED(PATH_INVALID, xrCreateActionSpace, session, &space_info, &in);
+  REFUSED_INFO(PATH_INVALID, xrCreateActionSpace, session, space_info);
   space_info.subactionPath = chest;
-  REFUSED(PATH_UNSUPPORTED, xrCreateActionSpace, session, &space_info, &in);
+  REFUSED_INFO(PATH_UNSUPPORTED, xrCreateActionSpace, session, space_info);
   space_info.subactionPath = left;
   space_info.poseInActionSpace = {};
-  REFUSED(POSE_INVALID, xrCreateActionSpace, session, &space_info, &in);
+  REFUSED_INFO(POSE_INVALID, xrCreateActionSpace, session, space_info);
 
   XrActiveActionSet active{set, XR_NULL_PATH};
   const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
@@ -393,14 +386,11 @@ void MockErrors::provoke_actions() {
       return own && refused == XR_ERROR_ACTION_TYPE_MISMATCH ? XR_SUCCESS : refused;
     };
     const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, of, subaction};
-    XrActionStateBoolean boolean{XR_TYPE_ACTION_STATE_BOOLEAN};
-    EXPECT_XR(expected(of == button), CALL(xrGetActionStateBoolean, session, &info, &boolean));
-    XrActionStateFloat number{XR_TYPE_ACTION_STATE_FLOAT};
-    EXPECT_XR(refused, CALL(xrGetActionStateFloat, session, &info, &number));
-    XrActionStateVector2f vector{XR_TYPE_ACTION_STATE_VECTOR2F};
-    EXPECT_XR(refused, CALL(xrGetActionStateVector2f, session, &info, &vector));
-    XrActionStatePose posed{XR_TYPE_ACTION_STATE_POSE};
-    EXPECT_XR(expected(of == pose), CALL(xrGetActionStatePose, session, &info, &posed));
+    const auto get = [&](const char* name, auto call) { return note(name, result_of(call, session, info)); };
+    EXPECT_XR(expected(of == button), get("xrGetActionStateBoolean", XR(xrGetActionStateBoolean)));
+    EXPECT_XR(refused, get("xrGetActionStateFloat", XR(xrGetActionStateFloat)));
+    EXPECT_XR(refused, get("xrGetActionStateVector2f", XR(xrGetActionStateVector2f)));
+    EXPECT_XR(expected(of == pose), get("xrGetActionStatePose", XR(xrGetActionStatePose)));
     const XrHapticActionInfo haptic{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, of, subaction};
     const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, 1, 0.0F, 0.5F};
     EXPECT_XR(refused,
@@ -473,8 +463,7 @@ TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
   }
   ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
   ASSERT_XR(XR_SUCCESS, create_direct({}, XR_MAKE_VERSION(1, 0, 20)));  // without XR_MND_headless
-  const XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
-  REFUSED(GRAPHICS_DEVICE_INVALID, xrCreateSession, instance, &create, &session);
+  REFUSED_INFO(GRAPHICS_DEVICE_INVALID, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1});
   EXPECT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
 
   const auto words = [](std::string_view text) {

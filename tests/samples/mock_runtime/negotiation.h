@@ -34,13 +34,8 @@ class MockNegotiation : public Application {
   using Negotiate = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, NegotiateRuntimeRequest*);
   void* library = nullptr;
   Negotiate negotiate = nullptr;
-  NegotiateLoaderInfo loader{loader_info_type,
-                             struct_version,
-                             sizeof(NegotiateLoaderInfo),
-                             1,
-                             1,
-                             XR_MAKE_VERSION(1, 0, 0),
-                             XR_MAKE_VERSION(1, 1, 0xFFFFFFFF)};
+  static constexpr XrVersion latest = XR_MAKE_VERSION(1, 1, 0xFFFFFFFF);
+  NegotiateLoaderInfo loader{loader_info_type, struct_version, sizeof loader, 1, 1, min_api_version, latest};
   NegotiateRuntimeRequest request{runtime_request_type, struct_version, sizeof(NegotiateRuntimeRequest), 0, 0, nullptr};
 };
 

@@ -504,11 +504,9 @@ TEST_F(MockEnvironment, FaultsHappenOnceAndFromTheFirstCallOn) {
                     {"function": "xrGetSystem", "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"},
                     {"instance": 3, "function": "xrCreateInstance", "result": "XR_ERROR_RUNTIME_UNAVAILABLE"}]})");
   EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, create());
-  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-  XrSystemId system = XR_NULL_SYSTEM_ID;
   for (const bool first : {true, false}) {
     ASSERT_XR(XR_SUCCESS, create());
-    EXPECT_XR(first ? XR_ERROR_FORM_FACTOR_UNAVAILABLE : XR_SUCCESS, xrGetSystem(instance, &get, &system));
+    EXPECT_XR(first ? XR_ERROR_FORM_FACTOR_UNAVAILABLE : XR_SUCCESS, result_of(xrGetSystem, instance, head_mounted));
     EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
   }
   EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, create());

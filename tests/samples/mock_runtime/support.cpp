@@ -59,8 +59,7 @@ void MockRuntime::SetUp() {
   ASSERT_TRUE(runtime_is_chosen);
   const XrInstanceCreateInfo info = instance_info(extensions_);
   ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-  ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+  system = output(xrGetSystem, instance, head_mounted);
 }
 
 void MockRuntime::TearDown() {

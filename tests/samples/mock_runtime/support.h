@@ -12,6 +12,7 @@
 
 namespace hrt::mock {
 
+inline constexpr XrSystemGetInfo head_mounted{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
 inline constexpr XrPosef identity_pose{{0.0F, 0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}};
 
 #define EXPECT_XR(expected, call) EXPECT_EQ(result_name(expected), result_name(call))
@@ -25,13 +26,19 @@ Function fetch(XrInstance instance, const char* name) {
   return reinterpret_cast<Function>(function);
 }
 
+/// The result of a call, which makes or writes `made`.
+template <typename Object, typename Info, typename Output>
+XrResult result_of(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type_identity_t<Object> object,
+                   const std::type_identity_t<Info>& info, Output&& made = {}) {
+  if constexpr (Typed<Output>) made.type = structure_type<Output>.type;
+  return call(object, &info, &made);
+}
 /// What a call that succeeds makes or writes.
 template <typename Object, typename Info, typename Output>
 Output output(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type_identity_t<Object> object,
               const std::type_identity_t<Info>& info) {
   Output made{};
-  if constexpr (Typed<Output>) made.type = structure_type<Output>.type;
-  EXPECT_XR(XR_SUCCESS, call(object, &info, &made));
+  EXPECT_XR(XR_SUCCESS, result_of(call, object, info, std::move(made)));
   return made;
 }
 

@@ -33,10 +33,7 @@ class MockValidation : public MockRuntime {
     ASSERT_XR(XR_SUCCESS, attach({set}));
     ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(profile), left, XR_TRUE));
     ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
-    XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, grip, left};
-    XrActionStatePose state{XR_TYPE_ACTION_STATE_POSE};
-    ASSERT_XR(XR_SUCCESS, xrGetActionStatePose(session, &get, &state));
-    EXPECT_TRUE(state.isActive);
+    EXPECT_TRUE(output(xrGetActionStatePose, session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, grip, left}).isActive);
     create_action_space(grip, left);
   }
 

@@ -71,23 +71,10 @@ class MockGraphics : public MockRuntime {
   }
 
   static XrSwapchainCreateInfo swapchain_info(std::int64_t format = VK_FORMAT_R8G8B8A8_SRGB) {
-    return {XR_TYPE_SWAPCHAIN_CREATE_INFO,
-            nullptr,
-            0,
-            XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT,
-            format,
-            1,
-            64,
-            48,
-            1,
-            1,
-            1};
+    constexpr auto usage = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT;
+    return {XR_TYPE_SWAPCHAIN_CREATE_INFO, nullptr, 0, usage, format, 1, 64, 48, 1, 1, 1};
   }
-  XrSwapchain make_swapchain(const XrSwapchainCreateInfo& info) {
-    XrSwapchain made = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS, xrCreateSwapchain(session, &info, &made));
-    return made;
-  }
+  XrSwapchain make_swapchain(const XrSwapchainCreateInfo& info) { return output(xrCreateSwapchain, session, info); }
   static XrResult wait_image(XrSwapchain swapchain) {
     const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, XR_INFINITE_DURATION};
     return xrWaitSwapchainImage(swapchain, &wait);
@@ -178,10 +165,9 @@ TEST(MockGraphicsRequirements, AreAskedForFirst) {
   ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
   const XrGraphicsBindingVulkanKHR binding{XR_TYPE_GRAPHICS_BINDING_VULKAN_KHR};
   XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, &binding, 0, 1};
-  XrSession session = XR_NULL_HANDLE;
-  EXPECT_XR(XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING, xrCreateSession(instance, &create, &session));
+  EXPECT_XR(XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING, result_of(xrCreateSession, instance, create));
   create.next = nullptr;
-  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, xrCreateSession(instance, &create, &session));
+  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, result_of(xrCreateSession, instance, create));
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 
@@ -238,8 +224,7 @@ TEST_F(MockGraphics, SwapchainsThatCannotBeAreRefused) {
   const auto expect = [&](XrResult result, auto change) {
     XrSwapchainCreateInfo info = swapchain_info();
     change(info);
-    XrSwapchain made = XR_NULL_HANDLE;
-    EXPECT_XR(result, xrCreateSwapchain(session, &info, &made));
+    EXPECT_XR(result, result_of(xrCreateSwapchain, session, info));
   };
   expect(XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, [](auto& info) { info.format = VK_FORMAT_R8_SRGB; });
   expect(XR_ERROR_FEATURE_UNSUPPORTED, [](auto& info) { info.faceCount = 6; });
