@@ -89,11 +89,9 @@ XrResult sync_actions(Session& session, const XrActionsSyncInfo* info) {
     focused = session.player->synced(focused);
     return focused ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
   }
-  if (session.input.sync(focused ? active : std::vector<Input::ActiveSet>{})) {
-    XrEventDataInteractionProfileChanged event{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED};
-    event.session = handle_of<XrSession>(session);
-    session.instance().push_event(event);
-  }
+  if (session.input.sync(focused ? active : std::vector<Input::ActiveSet>{}))
+    session.instance().push_event(XrEventDataInteractionProfileChanged{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED,
+                                                                       nullptr, handle_of<XrSession>(session)});
   return focused ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
 

@@ -78,15 +78,9 @@ void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction)
 
 void get_reach_truth(Session& session, XrHandEXT hand, XrReachTruthHRTX* truth) {
   require_hand(hand);
-  const RecordedTruth given = truth_of(session, hand);
-  truth->trueDirection = given.numbers[0];
-  truth->perceivedDirection = given.numbers[1];
-  truth->peakFeltError = given.numbers[2];
-  truth->leftmostDirection = given.numbers[3];
-  truth->rightmostDirection = given.numbers[4];
-  truth->tactileWeight = given.numbers[5];
-  truth->indexTip = given.index_tip;
-  truth->isDone = given.done ? XR_TRUE : XR_FALSE;
+  const auto& [numbers, index_tip, done] = truth_of(session, hand);
+  const auto& [is, felt, peak, leftmost, rightmost, weight] = numbers;
+  *truth = {truth->type, truth->next, is, felt, peak, leftmost, rightmost, weight, index_tip, XrBool32{done}};
 }
 
 }  // namespace hrt::mock

@@ -56,11 +56,8 @@ void Session::enter(XrSessionState state) {
 }
 
 void Session::report_state() {
-  XrEventDataSessionStateChanged event{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED};
-  event.session = handle_of<XrSession>(*this);
-  event.state = state_;
-  event.time = instance().clock.now();
-  instance().push_event(event);
+  instance().push_event(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr,
+                                                       handle_of<XrSession>(*this), state_, instance().clock.now()});
 }
 
 void Session::go_to(XrSessionState state) {
@@ -161,14 +158,10 @@ void Session::happen(const Recenter& recenter) {
   for (const XrReferenceSpaceType type : types) before.push_back(origins.in_world(type, change));
   origins.recenter(recenter.space, change, recenter.pose);
   for (std::size_t i = 0; i < types.size(); ++i) {
-    XrEventDataReferenceSpaceChangePending event{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING};
-    event.session = handle_of<XrSession>(*this);
-    event.referenceSpaceType = types[i];
-    event.changeTime = change;
-    event.poseValid = recenter.pose_valid ? XR_TRUE : XR_FALSE;
-    event.poseInPreviousSpace =
-        to_xr(recenter.pose_valid ? inverse(before[i]) * origins.in_world(types[i], change) : Pose{});
-    instance().push_event(event);
+    const Pose pose = recenter.pose_valid ? inverse(before[i]) * origins.in_world(types[i], change) : Pose{};
+    instance().push_event(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING,
+                                                                 nullptr, handle_of<XrSession>(*this), types[i], change,
+                                                                 XrBool32{recenter.pose_valid}, to_xr(pose)});
   }
 }
 

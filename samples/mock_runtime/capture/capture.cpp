@@ -201,9 +201,8 @@ void Capture::located_several(XrResult, XrSession, const XrSpacesLocateInfo* inf
     const XrSpaceLocationData& data = locations->locations[i];
     XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
     if (velocities != nullptr) {
-      velocity.velocityFlags = velocities->velocities[i].velocityFlags;
-      velocity.linearVelocity = velocities->velocities[i].linearVelocity;
-      velocity.angularVelocity = velocities->velocities[i].angularVelocity;
+      const auto& [flags, linear, angular] = velocities->velocities[i];
+      velocity = {XR_TYPE_SPACE_VELOCITY, nullptr, flags, linear, angular};
     }
     note_location(info->spaces[i], info->baseSpace, info->time,
                   {XR_TYPE_SPACE_LOCATION, nullptr, data.locationFlags, data.pose},

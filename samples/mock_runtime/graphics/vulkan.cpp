@@ -149,16 +149,10 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
 
   void barrier(VkCommandBuffer buffer, VkImage image, VkImageSubresourceRange range, VkImageLayout from,
                VkImageLayout to) const {
-    const VkImageMemoryBarrier what{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
-                                    nullptr,
-                                    VK_ACCESS_MEMORY_WRITE_BIT,
-                                    VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT,
-                                    from,
-                                    to,
-                                    VK_QUEUE_FAMILY_IGNORED,
-                                    VK_QUEUE_FAMILY_IGNORED,
-                                    image,
-                                    range};
+    constexpr VkAccessFlags written = VK_ACCESS_MEMORY_WRITE_BIT, any = written | VK_ACCESS_MEMORY_READ_BIT;
+    constexpr std::uint32_t same = VK_QUEUE_FAMILY_IGNORED;
+    const VkImageMemoryBarrier what{
+        VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER, nullptr, written, any, from, to, same, same, image, range};
     vk.vkCmdPipelineBarrier(buffer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
                             nullptr, 0, nullptr, 1, &what);
   }
