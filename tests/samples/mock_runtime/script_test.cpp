@@ -475,7 +475,7 @@ TEST_F(MockScript, HandWithAPathIsTracked) {
 
 // The environment: a script from a file, errors that xrCreateInstance reports, and a log that outlives the
 // instance.
-class MockEnvironment : public ::testing::Test {
+class MockEnvironment : public MockRuntime {
  protected:
   void SetUp() override {
     setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
@@ -488,13 +488,12 @@ class MockEnvironment : public ::testing::Test {
 
   void write_script(const char* text) { std::ofstream(folder / "script.json") << text; }
   std::string read_log() { return read_file(folder / "calls.log"); }
-  XrResult create() {
-    const XrInstanceCreateInfo info = instance_info(default_extensions());
+  XrResult create(const std::vector<const char*>& extensions = default_extensions()) {
+    const XrInstanceCreateInfo info = instance_info(extensions);
     return xrCreateInstance(&info, &instance);
   }
 
   TemporaryFolder folder;
-  XrInstance instance = XR_NULL_HANDLE;
 };
 
 // Each once in a process, whatever the number of instances.
@@ -549,39 +548,32 @@ class MockRealTime : public MockEnvironment {
   void SetUp() override {
     MockEnvironment::SetUp();
     write_script(R"({"clock": "real-time"})");
-    const std::vector<const char*> names{XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME};
-    const XrInstanceCreateInfo info = instance_info(names);
-    ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-    to_time = fetch<PFN_xrConvertTimespecTimeToTimeKHR>(instance, "xrConvertTimespecTimeToTimeKHR");
-    to_timespec = fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR");
+    ASSERT_XR(XR_SUCCESS, create({XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
   }
   void TearDown() override {
     EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
     MockEnvironment::TearDown();
   }
-
-  PFN_xrConvertTimespecTimeToTimeKHR to_time = nullptr;
-  PFN_xrConvertTimeToTimespecTimeKHR to_timespec = nullptr;
 };
 
 // XR_KHR_convert_timespec_time: there and back is the same time within 2 ns; XR_ERROR_TIME_INVALID otherwise.
 TEST_F(MockRealTime, TimespecsConvertThereAndBack) {
   for (const timespec& from : {timespec{0, 1}, timespec{1, 999'999'999}, timespec{2'000'000'000, 123'456'789}}) {
     XrTime time = 0;
-    ASSERT_XR(XR_SUCCESS, to_time(instance, &from, &time));
+    ASSERT_XR(XR_SUCCESS, XR(xrConvertTimespecTimeToTimeKHR)(instance, &from, &time));
     timespec back{};
-    ASSERT_XR(XR_SUCCESS, to_timespec(instance, time, &back));
+    ASSERT_XR(XR_SUCCESS, XR(xrConvertTimeToTimespecTimeKHR)(instance, time, &back));
     EXPECT_EQ(back.tv_sec, from.tv_sec);
     EXPECT_NEAR(static_cast<double>(back.tv_nsec), static_cast<double>(from.tv_nsec), 2.0);
   }
   XrTime time = 77;
   for (const timespec& bad :
        {timespec{-1, 0}, timespec{0, 0}, timespec{1, -1}, timespec{1, 1'000'000'000}, timespec{INT64_MAX, 0}})
-    EXPECT_XR(XR_ERROR_TIME_INVALID, to_time(instance, &bad, &time));
+    EXPECT_XR(XR_ERROR_TIME_INVALID, XR(xrConvertTimespecTimeToTimeKHR)(instance, &bad, &time));
   EXPECT_EQ(time, 77);
   timespec back{};
-  EXPECT_XR(XR_ERROR_TIME_INVALID, to_timespec(instance, 0, &back));
-  EXPECT_XR(XR_ERROR_TIME_INVALID, to_timespec(instance, -5, &back));
+  EXPECT_XR(XR_ERROR_TIME_INVALID, XR(xrConvertTimeToTimespecTimeKHR)(instance, 0, &back));
+  EXPECT_XR(XR_ERROR_TIME_INVALID, XR(xrConvertTimeToTimespecTimeKHR)(instance, -5, &back));
 }
 
 // Of the manual clock no time of the machine is an XrTime.
