@@ -23,10 +23,6 @@ constexpr double farthest_m = 1.0;
   throw Failure(ExitCode::registration, file.string() + ", line " + std::to_string(line) + ": " + what);
 }
 
-bool is_printable(const std::string& text) {
-  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return c >= 0x20 && c != 0x7f; });
-}
-
 }  // namespace
 
 XrPosef to_xr(const double (&position_m)[3], const double (&rotation)[4]) {
@@ -72,6 +68,10 @@ TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_
                          .real_target = ids[serving]});
   }
   return set;
+}
+
+bool is_printable(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return c >= 0x20 && c != 0x7f; });
 }
 
 std::vector<std::string> names_of(std::span<const Mark> marks) {
