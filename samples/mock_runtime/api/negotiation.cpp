@@ -56,10 +56,9 @@ const Row function_table[] = {
 #undef HRT_MOCK_ROW
 };
 
-bool needs_no_instance(const char* name) {
-  return std::strcmp(name, "xrEnumerateInstanceExtensionProperties") == 0 ||
-         std::strcmp(name, "xrEnumerateApiLayerProperties") == 0 || std::strcmp(name, "xrCreateInstance") == 0 ||
-         std::strcmp(name, "xrGetInstanceProcAddr") == 0;
+bool needs_no_instance(std::string_view name) {
+  return name == "xrEnumerateInstanceExtensionProperties" || name == "xrEnumerateApiLayerProperties" ||
+         name == "xrCreateInstance" || name == "xrGetInstanceProcAddr";
 }
 
 }  // namespace

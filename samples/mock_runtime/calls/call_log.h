@@ -34,12 +34,9 @@ class CallLog {
   void open_file();
   void write(const CallRecord& record);
 
-  struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   std::deque<CallRecord> records_;
   std::string path_;
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
   long bytes_ = 0;  // of it
 };
 

@@ -23,24 +23,19 @@ ExtensionSet read_withheld(Members& members) {
 // Of a key that stands twice in one object the parser keeps the last. The records of a playback, which may be
 // many, go to `recording` one by one and are no part of the result.
 Json parse_json(std::string_view text, Recording& recording) {
-  std::vector<std::set<std::string>> keys;  // of the objects around
-  std::vector<std::string> latest;          // of these
+  std::vector<std::pair<std::set<std::string>, std::string>>
+      around;  // keys of the objects around, and the latest of each
   const auto check = [&](int depth, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) {
-      keys.emplace_back();
-      latest.emplace_back();
-    }
-    if (event == Json::parse_event_t::object_end) {
-      keys.pop_back();
-      latest.pop_back();
-    }
+    if (event == Json::parse_event_t::object_start) around.emplace_back();
+    if (event == Json::parse_event_t::object_end) around.pop_back();
     if (event == Json::parse_event_t::key) {
-      latest.back() = parsed.get<std::string>();
-      if (!keys.back().insert(latest.back()).second) refuse(parsed.dump(), "stands twice in one object");
+      auto& [keys, latest] = around.back();
+      latest = parsed.get<std::string>();
+      if (!keys.insert(latest).second) refuse(parsed.dump(), "stands twice in one object");
     }
     // script 0, playback 1, records 2, a record 3.
-    const bool is_record = event == Json::parse_event_t::array_end && depth == 3 && latest.size() == 2 &&
-                           latest[0] == "playback" && latest[1] == "records";
+    const bool is_record = event == Json::parse_event_t::array_end && depth == 3 && around.size() == 2 &&
+                           around[0].second == "playback" && around[1].second == "records";
     if (is_record) recording.add(parsed);
     return !is_record;
   };

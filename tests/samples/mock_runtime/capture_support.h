@@ -147,6 +147,11 @@ class CaptureFixture : public MockRuntime {
       ended = ended || change.state == XR_SESSION_STATE_EXITING;
     }
   }
+  void run_session() {
+    ASSERT_XR(XR_SUCCESS, create_instance());
+    create_session();
+    while (!running) poll();
+  }
   XrTime frame() {
     const XrFrameState state = whole_frame();
     given.add(state.predictedDisplayTime, state.predictedDisplayPeriod, state.shouldRender);

@@ -281,9 +281,7 @@ TEST_F(MockCapture, GivesTheNearestInAnySpaceOfTheSameOrigin) {
   capture_to(folder / "capture.json");
   run_application();
   play(folder / "capture.json");
-  ASSERT_XR(XR_SUCCESS, create_instance());
-  create_session();
-  while (!running) poll();
+  run_session();
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrSpace turned = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0.6F, 0, 0.8F}, {1, 2, 3}});
   const XrSpace stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
@@ -324,9 +322,7 @@ TEST_F(MockCapture, SessionEndsWhenItIsAskedTo) {
   run_application();
   play(folder / "capture.json");
   for (const int frames : {5, 200}) {
-    ASSERT_XR(XR_SUCCESS, create_instance());
-    create_session();
-    while (!running) poll();
+    run_session();
     XrTime latest = 0;
     for (int i = 0; i < frames; ++i) {
       const XrTime time = frame();
@@ -443,9 +439,7 @@ TEST_F(MockCapture, MachinesClockRunsBetweenItsSamples) {
 // sanitizer this also shows that there are no data races with the thread that writes.
 TEST_F(MockCapture, ThreadsAreCaptured) {
   capture_to(folder / "capture.json");
-  ASSERT_XR(XR_SUCCESS, create_instance());
-  create_session();
-  while (!running) poll();
+  run_session();
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
   std::atomic<bool> stop = false;

@@ -15,6 +15,8 @@
 namespace hrt::mock {
 namespace {
 
+constexpr auto stereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+
 using Codes = std::map<std::string, std::set<std::string>>;  // by function, without "XR_ERROR_"
 
 template <typename T>
@@ -207,13 +209,10 @@ void MockErrors::provoke_at_instance() {
   XrViewConfigurationView one{XR_TYPE_VIEW_CONFIGURATION_VIEW};
   REFUSED(SYSTEM_INVALID, xrEnumerateViewConfigurationViews, instance, none, odd, 0, &count, nullptr);
   REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrEnumerateViewConfigurationViews, instance, 1, odd, 0, &count, nullptr);
-  REFUSED(SIZE_INSUFFICIENT, xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-          1, &count, &one);
+  REFUSED(SIZE_INSUFFICIENT, xrEnumerateViewConfigurationViews, instance, 1, stereo, 1, &count, &one);
   // Of valid systems and views what is left is the missing count.
-  REFUSED(VALIDATION_FAILURE, xrEnumerateEnvironmentBlendModes, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-          0, nullptr, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-          0, nullptr, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrEnumerateEnvironmentBlendModes, instance, 1, stereo, 0, nullptr, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurationViews, instance, 1, stereo, 0, nullptr, nullptr);
   REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurations, instance, 1, 0, nullptr, nullptr);
   REFUSED_INFO(SYSTEM_INVALID, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none});
   XrGraphicsRequirementsVulkanKHR vulkan{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN_KHR};
@@ -271,7 +270,7 @@ void MockErrors::provoke_in_session() {
   XrView view{XR_TYPE_VIEW};
   XrViewLocateInfo views{XR_TYPE_VIEW_LOCATE_INFO, nullptr, odd, 1, local};
   REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrLocateViews, session, &views, &state, 0, &count, nullptr);
-  views.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+  views.viewConfigurationType = stereo;
   REFUSED(SIZE_INSUFFICIENT, xrLocateViews, session, &views, &state, 1, &count, &view);
   views.displayTime = 0;
   REFUSED(TIME_INVALID, xrLocateViews, session, &views, &state, 0, &count, nullptr);
@@ -286,7 +285,7 @@ void MockErrors::provoke_in_session() {
 
   focus();
   REFUSED(VALIDATION_FAILURE, xrBeginSession, session, nullptr);
-  const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+  const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr, stereo};
   REFUSED(SESSION_RUNNING, xrBeginSession, session, &twice);
   REFUSED(SESSION_NOT_STOPPING, xrEndSession, session);
   REFUSED(CALL_ORDER_INVALID, xrBeginFrame, session, nullptr);

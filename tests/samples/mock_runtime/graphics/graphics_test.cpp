@@ -120,12 +120,9 @@ class MockGraphics : public MockRuntime {
     return submit(state.predictedDisplayTime, layers);
   }
   XrResult submit(XrTime time, const std::vector<const void*>& layers) {
-    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,
-                             nullptr,
-                             time,
-                             XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
-                             static_cast<std::uint32_t>(layers.size()),
-                             reinterpret_cast<const XrCompositionLayerBaseHeader* const*>(layers.data())};
+    const auto count = static_cast<std::uint32_t>(layers.size());
+    const auto* const given = reinterpret_cast<const XrCompositionLayerBaseHeader* const*>(layers.data());
+    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, time, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, count, given};
     return xrEndFrame(session, &end);
   }
   Picture picture(const std::string& name) { return read_png(folder / name); }
