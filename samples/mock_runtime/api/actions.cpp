@@ -66,16 +66,10 @@ void destroy_action_set(XrActionSet handle) {
 
 void create_action(ActionSet& set, const XrActionCreateInfo* info, XrAction* action) {
   require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set is attached: it cannot change");
-  switch (info->actionType) {
-    case XR_ACTION_TYPE_BOOLEAN_INPUT:
-    case XR_ACTION_TYPE_FLOAT_INPUT:
-    case XR_ACTION_TYPE_VECTOR2F_INPUT:
-    case XR_ACTION_TYPE_POSE_INPUT:
-    case XR_ACTION_TYPE_VIBRATION_OUTPUT:
-      break;
-    default:
-      throw Error{XR_ERROR_VALIDATION_FAILURE, "no such action type"};
-  }
+  const XrActionType type = info->actionType;
+  require((type >= XR_ACTION_TYPE_BOOLEAN_INPUT && type <= XR_ACTION_TYPE_POSE_INPUT) ||
+              type == XR_ACTION_TYPE_VIBRATION_OUTPUT,
+          XR_ERROR_VALIDATION_FAILURE, "no such action type");
   require_names<Action>(set, info->actionName, info->localizedActionName);
   require_subactions(static_cast<Instance&>(*set.parent()), *info);
   *action = handle_of<XrAction>(runtime().registry.create<Action>(&set, *info));

@@ -130,16 +130,9 @@ void Session::happen(const Happening& what) {
 }
 
 void Session::happen(const HandEvent& event) {
-  switch (event.fault) {
-    case HandFault::lose_tracking:
-    case HandFault::regain_tracking:
-      return world().lose_tracking(event.hand, event.fault == HandFault::lose_tracking);
-    case HandFault::freeze:
-    case HandFault::unfreeze:
-      return world().freeze(event.hand, event.fault == HandFault::freeze);
-    case HandFault::jump:
-      return world().jump(event.hand, event.jump_m);
-  }
+  if (event.fault == HandFault::lost) world().lose_tracking(event.hand, event.begins);
+  if (event.fault == HandFault::frozen) world().freeze(event.hand, event.begins);
+  if (event.fault == HandFault::jump) world().jump(event.hand, event.jump_m);
 }
 
 void Session::happen(const DeviceEvent& event) {
