@@ -2,11 +2,21 @@
 // call's result and a line of the call log.
 #pragma once
 
-#include <openxr/openxr.h>
-
 #include <string>
 
+#include "samples/mock_runtime/openxr_all.h"
+
 namespace hrt::mock {
+
+/// "XR_SUCCESS"; the number of a result without a name.
+inline std::string result_name(XrResult result) {
+#define HRT_MOCK_NAME(name, number) \
+  if (result == name) return #name;
+  HRT_RESULTS_OF_1_1(HRT_MOCK_NAME)
+  XR_LIST_ENUM_XrResult(HRT_MOCK_NAME)
+#undef HRT_MOCK_NAME
+      return std::to_string(result);
+}
 
 struct Error {
   XrResult result;
@@ -15,13 +25,6 @@ struct Error {
 
 inline void require(bool holds, XrResult otherwise, const char* why) {
   if (!holds) throw Error{otherwise, why};
-}
-
-/// Valid usage: "pointer must be a pointer to a valid structure", of which only the type can be checked.
-template <typename Struct>
-void require_struct(const Struct* pointer, XrStructureType type, const char* name) {
-  if (pointer == nullptr) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " is null"};
-  if (pointer->type != type) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " has a wrong type"};
 }
 
 template <typename Value>

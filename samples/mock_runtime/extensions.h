@@ -9,24 +9,30 @@
 
 namespace hrt::mock {
 
+// As we name them, and as the macros of OpenXR's headers for their names and their versions do.
+#define HRT_MOCK_EXTENSIONS(X)                                                   \
+  X(headless, XR_MND_HEADLESS, XR_MND_headless)                                  \
+  X(hand_tracking, XR_EXT_HAND_TRACKING, XR_EXT_hand_tracking)                   \
+  X(timespec, XR_KHR_CONVERT_TIMESPEC_TIME, XR_KHR_convert_timespec_time)        \
+  X(automation, XR_EXT_CONFORMANCE_AUTOMATION, XR_EXT_conformance_automation)    \
+  X(local_floor, XR_EXT_LOCAL_FLOOR, XR_EXT_local_floor)                         \
+  X(locate_spaces, XR_KHR_LOCATE_SPACES, XR_KHR_locate_spaces)                   \
+  X(maintenance1, XR_KHR_MAINTENANCE1, XR_KHR_maintenance1)                      \
+  X(palm_pose, XR_EXT_PALM_POSE, XR_EXT_palm_pose)                               \
+  X(vulkan_enable, XR_KHR_VULKAN_ENABLE, XR_KHR_vulkan_enable)                   \
+  X(vulkan_enable2, XR_KHR_VULKAN_ENABLE2, XR_KHR_vulkan_enable2)                \
+  X(opengl_enable, XR_KHR_OPENGL_ENABLE, XR_KHR_opengl_enable)                   \
+  X(layer_depth, XR_KHR_COMPOSITION_LAYER_DEPTH, XR_KHR_composition_layer_depth) \
+  X(ridged_plate, XR_HRTX_RIDGED_PLATE, XR_HRTX_ridged_plate)                    \
+  X(mock_control, XR_HRTX_MOCK_CONTROL, XR_HRTX_mock_control)
+
 enum class Extension {
   core,
   version_1_1,  ///< enabled by an application for OpenXR 1.1
-  headless,
-  hand_tracking,
-  timespec,
-  automation,
-  local_floor,
-  locate_spaces,
-  maintenance1,
-  palm_pose,
-  vulkan_enable,
-  vulkan_enable2,
-  opengl_enable,
-  layer_depth,
-  ridged_plate,
-  mock_control,
-  count
+#define HRT_MOCK_ID(extension, upper, lower) extension,
+  HRT_MOCK_EXTENSIONS(HRT_MOCK_ID)
+#undef HRT_MOCK_ID
+      count
 };
 
 using ExtensionSet = std::bitset<static_cast<std::size_t>(Extension::count)>;
@@ -38,23 +44,12 @@ struct ExtensionInfo {
 
 /// By Extension; those before first_extension are none.
 inline constexpr std::size_t first_extension = 2;
-inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::count)> extensions{{
-    {nullptr, 0},
-    {nullptr, 0},
-    {XR_MND_HEADLESS_EXTENSION_NAME, XR_MND_headless_SPEC_VERSION},
-    {XR_EXT_HAND_TRACKING_EXTENSION_NAME, XR_EXT_hand_tracking_SPEC_VERSION},
-    {XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME, XR_KHR_convert_timespec_time_SPEC_VERSION},
-    {XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_EXT_conformance_automation_SPEC_VERSION},
-    {XR_EXT_LOCAL_FLOOR_EXTENSION_NAME, XR_EXT_local_floor_SPEC_VERSION},
-    {XR_KHR_LOCATE_SPACES_EXTENSION_NAME, XR_KHR_locate_spaces_SPEC_VERSION},
-    {XR_KHR_MAINTENANCE1_EXTENSION_NAME, XR_KHR_maintenance1_SPEC_VERSION},
-    {XR_EXT_PALM_POSE_EXTENSION_NAME, XR_EXT_palm_pose_SPEC_VERSION},
-    {XR_KHR_VULKAN_ENABLE_EXTENSION_NAME, XR_KHR_vulkan_enable_SPEC_VERSION},
-    {XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_vulkan_enable2_SPEC_VERSION},
-    {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME, XR_KHR_opengl_enable_SPEC_VERSION},
-    {XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME, XR_KHR_composition_layer_depth_SPEC_VERSION},
-    {XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, XR_HRTX_ridged_plate_SPEC_VERSION},
-    {XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_HRTX_mock_control_SPEC_VERSION},
-}};
+inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::count)> extensions{
+    {{nullptr, 0},
+     {nullptr, 0},
+#define HRT_MOCK_INFO(extension, upper, lower) {upper##_EXTENSION_NAME, lower##_SPEC_VERSION},
+     HRT_MOCK_EXTENSIONS(HRT_MOCK_INFO)
+#undef HRT_MOCK_INFO
+    }};
 
 }  // namespace hrt::mock

@@ -16,5 +16,6 @@ using GLXDrawable = unsigned long;
 
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
+#include <openxr/openxr_reflection.h>
 
 #include "samples/mock_runtime/openxr_1_1.h"

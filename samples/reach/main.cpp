@@ -1,22 +1,382 @@
+// hrt-reach from its command line to its exit code.
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
 
-#include "samples/reach/application.h"
+#include "samples/format.h"
+#include "samples/reach/base/at_end.h"
 #include "samples/reach/base/exit_code.h"
+#include "samples/reach/base/files.h"
 #include "samples/reach/base/interrupt.h"
-#include "samples/reach/run/options.h"
-#include "samples/reach/xr/check.h"
+#include "samples/reach/base/say.h"
+#include "samples/reach/output/table.h"
+#include "samples/reach/run/choice.h"
+#include "samples/reach/run/make_plate.h"
+#include "samples/reach/run/reach.h"
+#include "samples/reach/run/registration.h"
+#include "samples/reach/run/set_up.h"
+#include "samples/reach/run/sighting.h"
 
 namespace hrt::reach {
 namespace {
+
+constexpr int losses_allowed = 3;      // of the session or the instance, in a row
+constexpr int unfinished_allowed = 3;  // reaches in a row
+
+// Thrown out of a reach: the person wants another one.
+struct OtherReach : std::exception {
+  explicit OtherReach(bool previous) : is_previous(previous) {}
+  const char* what() const noexcept override { return "another reach is wanted"; }
+  bool is_previous;  // else the next
+};
+
+// Attends to the person in every frame of one session: keys, and what the runtime does to the plate's place.
+class Attendant {
+ public:
+  Attendant(Prompt& prompt, const Stage& stage) : prompt_(prompt), stage_(stage) {}
+
+  // From now on the fingers' places on the plate are known, and reaches can be left out or repeated.
+  void plate_is_placed() { is_placed_ = true; }
+  void reaches_begin() { in_reaches_ = true; }
+
+  // Obeys the keys that were pressed. Throws OtherReach, and Interrupted for the key that stops.
+  void attend(XrTime time) {
+    if (stage_.session.recentrings() != recentrings_) {
+      recentrings_ = stage_.session.recentrings();
+      prompt_.say("The runtime moved its space, as when the view is recentred. The plate keeps its place in the room.");
+    }
+    while (const std::optional<char> key = prompt_.key()) obey(*key, time);
+  }
+
+ private:
+  void obey(char key, XrTime time) {
+    switch (key) {
+      case 'r':
+        return prompt_.repeat();
+      case 'w':
+        return say_where(time);
+      case 'h':
+      case '?':
+        return prompt_.say(keys_in_words);
+      case 'q':
+        throw Interrupted();
+      case 'n':
+      case 'b':
+        if (in_reaches_) throw OtherReach(key == 'b');
+        return prompt_.say("That key is for reaches.");
+      default:
+        return;
+    }
+  }
+
+  void say_where(XrTime time) {
+    Sightings now(stage_.targets.start_m);
+    for (const Hand hand : {Hand::left, Hand::right}) now.see(hand, locate(stage_, hand, time));
+    prompt_.say(now.where(stage_, is_placed_));
+  }
+
+  Prompt& prompt_;
+  const Stage& stage_;
+  bool is_placed_ = false;
+  bool in_reaches_ = false;
+  int recentrings_ = 0;
+};
+
+// The reaches of one run, across as many sessions and instances as the runtime makes necessary.
+class Run {
+ public:
+  explicit Run(const Options& options)
+      : options_(options),
+        plugin_(options.plugin),
+        targets_(load_targets(plugin_, options)),
+        pairs_(choose(targets_, options)),
+        table_(pairs_),
+        marks_(options.marks.empty() ? marks_of(targets_) : read_marks(options.marks)),
+        status_(options.verbose),
+        prompt_(options.speak_with, [this](const std::string&) { status_.clear(); }) {
+    if (!options.registered.empty()) registered_ = read_registration(options.registered);
+    if (!options.profile.empty()) load_profile(plugin_, targets_.session, options.profile);
+    recording_.emplace(plugin_, targets_.session, options.record);
+  }
+
+  ~Run() {
+    calibration_.reset();
+    plugin_.hrt_session_destroy(targets_.session);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  // However the run ends, the files keep the reaches made until then.
+  ExitCode run() {
+    ExitCode code = ExitCode::success;
+    const LastWill last_will([this] { put_in_order(); });
+    try {
+      run_in_sessions();
+    } catch (const Interrupted&) {
+      put_in_order_now();
+      prompt_.say(calibrates() ? "hrt-reach: interrupted; no profile was written"
+                               : "hrt-reach: interrupted; the unfinished reach does not count");
+      code = ExitCode::interrupted;
+    } catch (const std::exception& error) {
+      put_in_order_now();
+      status_.clear();
+      keep_recording_as_it_is();
+      prompt_.speak(error.what());  // main() prints it
+      prompt_.finish();
+      throw;
+    }
+    put_in_order_now();
+    code = calibrates() ? finish_calibration(code) : finish_reaches(code);
+    prompt_.finish();
+    return code;
+  }
+
+ private:
+  bool calibrates() const { return !options_.calibrate.empty(); }
+  bool is_done() const { return calibrates() ? calibrated_.has_value() : next_ == pairs_.size(); }
+  std::size_t slides_made() const { return calibration_ ? calibration_->done() : next_; }
+
+  void run_in_sessions() {
+    int losses = 0;
+    while (!is_done()) {
+      const std::size_t before = slides_made();
+      try {
+        run_in_one_session();
+      } catch (const XrLost& lost) {
+        losses = slides_made() == before ? losses + 1 : 1;
+        if (losses > losses_allowed)
+          throw Failure(ExitCode::runtime_failed,
+                        std::string("the OpenXR runtime was lost repeatedly: ") + lost.what());
+        status_.clear();
+        std::cerr << "hrt-reach: " << lost.what() << "; starting anew\n";
+        prompt_.speak("The headset's runtime was lost; starting anew.");
+      }
+    }
+  }
+
+  // Makes instance and session, then the slides that are left.
+  void run_in_one_session() {
+    XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, local_floor_extension});
+    XrHeadlessSession session(runtime, spaces_, options_.runtime_limit);
+    std::optional<Simulation> simulation;
+    if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation.emplace(runtime, session);
+    // Null: a person is asked. A simulated one may answer, who feels the plate.
+    Simulation* const instructed = simulation && !options_.person ? &*simulation : nullptr;
+    if (instructed != nullptr) {
+      session.place_plate(session.floor_space(), targets_.plate_pose);
+      // A new session has the same person.
+      instructed->seed(options_.seed, static_cast<std::uint32_t>(next_));
+    } else {
+      prompt_.listen();
+      // Before a device is opened, which must be served from then on.
+      if (!is_registered() && !scene_place_) scene_place_ = place_of(targets_, session, options_.eye_height_m, prompt_);
+    }
+    const std::unique_ptr<Plate> plate =
+        make_plate(options_.plate, simulation ? &*simulation : nullptr, session, runtime.name());
+    turning_ = plate.get();
+    const AtEnd not_turning([this] { turning_ = nullptr; });
+    is_simulated_ = instructed != nullptr;
+    print_header_once(runtime, *plate);
+
+    Stage stage{.plugin = plugin_,
+                .targets = targets_,
+                .session = session,
+                .simulation = instructed,
+                .plate = *plate,
+                .hands = options_.hands,
+                .time_limit_ns = static_cast<XrDuration>(options_.time_limit_s * 1e9),
+                .on_frame = [this](const TargetPair& pair, const Moment& m) { status_.show(pair, m); },
+                .tell_user = [this](const std::string& what) { prompt_.ask(what); },
+                .hint = [this](const std::string& what) { prompt_.hint(what); },
+                .attend = {}};
+    Attendant attendant(prompt_, stage);
+    stage.attend = [&](XrTime time) { attendant.attend(time); };
+    if (is_registered())
+      find_plate(stage);
+    else if (instructed == nullptr)
+      place_by_scene(session);
+    if (simulation) simulation->place_plate(session.plate_space(), targets_.plate_radius_m);
+    attendant.plate_is_placed();
+    if (calibrates()) calibrate(stage);
+    attendant.reaches_begin();
+    checked_ = true;  // by find_plate()
+    while (!is_done()) make_next_reach(stage);
+    session.end();
+  }
+
+  bool is_registered() const { return registered_ || !options_.register_to.empty(); }
+
+  void place_by_scene(XrHeadlessSession& session) {
+    prompt_.say(scene_place_->words);
+    session.place_plate(scene_place_->space, scene_place_->pose);
+  }
+
+  // Where touches say, or said in another run, rather than where the scene has it.
+  void find_plate(Stage& stage) {
+    if (stage.simulation != nullptr)
+      throw Failure(ExitCode::usage,
+                    "a simulated user touches no marks: --register and --registered need --person, or a runtime "
+                    "without one");
+    if (registered_) return void(check_plate(stage, *registered_));
+    registered_ = register_plate(stage, marks_, options_.fingertip);
+    if (options_.guides) slide_along_guides(stage, &*registered_);
+    write_registration(options_.register_to, registration_text(*registered_, stage.session));
+  }
+
+  void calibrate(Stage& stage) {
+    if (!calibration_) {
+      hrt_setup_config config = hrt_setup_config_init();
+      config.max_slides = options_.max_slides;
+      calibration_.emplace(plugin_, targets_.session, HRT_SETUP_CALIBRATION, config);
+      stage.tell_user(
+          format("You will slide one fingertip straight ahead, again and again. Close your eyes, and slide "
+                 "towards what feels straight ahead. It takes 16 to %u slides and ends by itself; before "
+                 "each you may rest your hand for up to %.0f s.",
+                 options_.max_slides, options_.time_limit_s));
+    }
+    calibrated_ = calibration_->run(stage, &std::cout);
+    check_output();
+  }
+
+  // A reach without an end is reported, and the others are made all the same.
+  void make_next_reach(Stage& stage) {
+    const TargetPair& pair = pairs_[next_];
+    try {
+      if (options_.check_each && registered_ && !std::exchange(checked_, false)) check_plate(stage, *registered_);
+      if (const hrt_plate_report* report = stage.plate.report()) plan_with(plugin_, targets_.session, *report);
+      const ReachResult result = run_reach(stage, pair);
+      status_.clear();
+      table_.print_row(std::cout, pair, result);
+      tally_.add(pair, result);
+      unfinished_in_a_row_ = 0;
+      if (stage.simulation == nullptr) prompt_.speak("Done.");
+    } catch (const OtherReach& wish) {
+      status_.clear();
+      if (wish.is_previous) {
+        if (next_ > 0) --next_;
+        return;
+      }
+      table_.print_row(std::cout, pair, "skipped");
+      ++tally_.skipped;
+    } catch (const Failure& failure) {
+      if (failure.code() != ExitCode::no_hand) throw;
+      status_.clear();
+      table_.print_row(std::cout, pair, "not made");
+      prompt_.say(std::string("hrt-reach: ") + failure.what());
+      ++tally_.unfinished;
+      if (++unfinished_in_a_row_ == unfinished_allowed && next_ + 1 < pairs_.size())
+        throw Failure(ExitCode::no_hand, format("%d reaches in a row were not made", unfinished_allowed));
+    }
+    check_output();
+    ++next_;
+  }
+
+  ExitCode finish_reaches(ExitCode code) {
+    std::ostringstream summary;
+    print_summary(summary, tally_);
+    table_.print_legend(std::cout);
+    std::cout << summary.str();
+    check_output();
+    recording_->finish();
+    if (!is_simulated_) prompt_.speak(summary.str());
+    if (code != ExitCode::success) return code;
+    if (tally_.unfinished > 0) return ExitCode::no_hand;
+    return tally_.holdable_reached < tally_.holdable ? ExitCode::target_missed : ExitCode::success;
+  }
+
+  ExitCode finish_calibration(ExitCode code) {
+    if (!calibrated_) return code;
+    hrt_session_config config{.struct_size = sizeof config};
+    plugin_.check(plugin_.hrt_session_get(targets_.session, &config, nullptr));
+    const std::string text = calibration_text(*calibrated_, config);
+    std::cout << "\n" << text;
+    if (calibrated_->done == 0)
+      throw Failure(ExitCode::calibration, "no calibration: the slides do not determine the user");
+    save_profile(plugin_, targets_.session, options_.calibrate);
+    recording_->finish();
+    check_output();
+    prompt_.speak(text);
+    return is_enough(*calibrated_) ? ExitCode::success : ExitCode::target_missed;
+  }
+
+  // During a failure, which a second one must not hide.
+  void keep_recording_as_it_is() {
+    try {
+      recording_->finish();
+    } catch (const Failure& failure) {
+      say(format("hrt-reach: %s\n", failure.what()));
+    }
+  }
+
+  // In place of the thread that makes the reaches, which is blocked in the runtime.
+  void put_in_order() {
+    if (turning_ != nullptr) {
+      try {
+        turning_->stop(0);
+      } catch (const Failure& failure) {
+        say(format("hrt-reach: %s\n", failure.what()));
+      }
+    }
+    status_.clear();
+    prompt_.close();
+    keep_recording_as_it_is();
+  }
+
+  // Whose numbers these are.
+  std::string origin() const {
+    if (!is_simulated_) return "Tracked directions; felt ones as the model predicts.";
+    return "SIMULATION, seed " + std::to_string(options_.seed) + ": no person took part.";
+  }
+
+  // The reader of the rows may have closed the pipe.
+  static void check_output() {
+    if (!std::cout.flush()) throw Failure(ExitCode::output, "the standard output cannot be written");
+  }
+
+  void print_header_once(const XrRuntime& runtime, const Plate& plate) {
+    if (std::exchange(header_printed_, true)) return;
+    std::cout << "OpenXR runtime: " << runtime.name() << ". " << origin() << "\n";
+    if (const std::string device = plate.description(); !device.empty()) std::cout << device << "\n";
+    if (!calibrates()) table_.print_header(std::cout);
+    check_output();
+    name_conditions(plugin_, targets_.session, options_.plate, runtime.name());
+  }
+
+  const Options& options_;
+  Plugin plugin_;
+  TargetSet targets_;
+  std::vector<TargetPair> pairs_;
+  Table table_;
+  std::vector<Mark> marks_;
+  std::optional<RegisteredPlate> registered_;
+  std::optional<ScenePlace> scene_place_;
+  SpaceMotion spaces_;
+  StatusLine status_;
+  Prompt prompt_;
+  std::optional<RecordingFile> recording_;
+  std::size_t next_ = 0;
+  int unfinished_in_a_row_ = 0;
+  bool checked_ = false;      // the registration, before the next reach
+  Plate* turning_ = nullptr;  // which put_in_order() stops
+  bool header_printed_ = false;
+  bool is_simulated_ = false;
+  Tally tally_;
+  std::optional<SetUp> calibration_;  // in place of reaches
+  std::optional<hrt_setup_result> calibrated_;
+};
 
 int run_from(int argc, char** argv) {
   Options options;
   try {
     if (const std::optional<int> code = parse_command_line(argc, argv, options)) return *code;
     watch_runtime(options.runtime_limit);
-    return static_cast<int>(run(options));
+    return static_cast<int>(Run(options).run());
   } catch (const Failure& failure) {
     std::cerr << "hrt-reach: " << failure.what() << "\n";
     return static_cast<int>(failure.code());

@@ -71,6 +71,16 @@ struct NegotiateApiLayerRequest {
   PFN_create_api_layer_instance create_api_layer_instance;
 };
 
+/// Whether a loader of this interface asks by a structure of this type.
+template <typename Request>
+bool agrees(const NegotiateLoaderInfo* loader, const Request* request, std::uint32_t request_type) {
+  return loader != nullptr && request != nullptr && loader->struct_type == loader_info_type &&
+         loader->struct_version == struct_version && loader->struct_size == sizeof *loader &&
+         request->struct_type == request_type && request->struct_version == struct_version &&
+         request->struct_size == sizeof *request && loader->min_interface_version <= interface_version &&
+         loader->max_interface_version >= interface_version;
+}
+
 static_assert(sizeof(NegotiateApiLayerRequest) == 48);
 static_assert(sizeof(ApiLayerNextInfo) == 16 + XR_MAX_API_LAYER_NAME_SIZE + 24);
 static_assert(sizeof(ApiLayerCreateInfo) == 16 + 8 + 512 + 8);

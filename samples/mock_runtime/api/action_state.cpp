@@ -21,11 +21,7 @@ Action& attached_action(const Session& session, XrAction handle, XrPath subactio
 }
 
 // The state of the action in getInfo, which must have this type.
-template <typename State>
-ActionState state_of(Session& session, const XrActionStateGetInfo* info, State* state, XrStructureType state_type,
-                     XrActionType type) {
-  require_struct(info, XR_TYPE_ACTION_STATE_GET_INFO, "getInfo");
-  require_struct(state, state_type, "state");
+ActionState state_of(Session& session, const XrActionStateGetInfo* info, XrActionType type) {
   const Action& action = attached_action(session, info->action, info->subactionPath);
   require(action.action_type == type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action is of another type");
   if (!session.player) return session.input.state(action, info->subactionPath);
@@ -43,7 +39,6 @@ void copy_common(State& to, const ActionState& from) {
 
 // The vibration action of a haptic call.
 void require_vibration(const Session& session, const XrHapticActionInfo* info) {
-  require_struct(info, XR_TYPE_HAPTIC_ACTION_INFO, "hapticActionInfo");
   const Action& action = attached_action(session, info->action, info->subactionPath);
   require(action.action_type == XR_ACTION_TYPE_VIBRATION_OUTPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
           "the action is of another type");
@@ -73,7 +68,6 @@ std::string source_at(Session& session, XrPath top_level, XrPath path, const std
 }  // namespace
 
 XrResult sync_actions(Session& session, const XrActionsSyncInfo* info) {
-  require_struct(info, XR_TYPE_ACTIONS_SYNC_INFO, "syncInfo");
   if (info->countActiveActionSets > 0) require_pointer(info->activeActionSets, "activeActionSets");
   std::vector<Input::ActiveSet> active;
   for (std::uint32_t i = 0; i < info->countActiveActionSets; ++i) {
@@ -95,39 +89,36 @@ XrResult sync_actions(Session& session, const XrActionsSyncInfo* info) {
     focused = session.player->synced(focused);
     return focused ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
   }
-  if (session.input.sync(focused ? active : std::vector<Input::ActiveSet>{})) {
-    XrEventDataInteractionProfileChanged event{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED};
-    event.session = handle_of<XrSession>(session);
-    session.instance().push_event(event);
-  }
+  if (session.input.sync(focused ? active : std::vector<Input::ActiveSet>{}))
+    session.instance().push_event(XrEventDataInteractionProfileChanged{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED,
+                                                                       nullptr, handle_of<XrSession>(session)});
   return focused ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
 
 void get_action_state_boolean(Session& session, const XrActionStateGetInfo* info, XrActionStateBoolean* out) {
-  const ActionState state = state_of(session, info, out, XR_TYPE_ACTION_STATE_BOOLEAN, XR_ACTION_TYPE_BOOLEAN_INPUT);
+  const ActionState state = state_of(session, info, XR_ACTION_TYPE_BOOLEAN_INPUT);
   copy_common(*out, state);
   out->currentState = state.value.x > 0.0F ? XR_TRUE : XR_FALSE;
 }
 
 void get_action_state_float(Session& session, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
-  const ActionState state = state_of(session, info, out, XR_TYPE_ACTION_STATE_FLOAT, XR_ACTION_TYPE_FLOAT_INPUT);
+  const ActionState state = state_of(session, info, XR_ACTION_TYPE_FLOAT_INPUT);
   copy_common(*out, state);
   out->currentState = state.value.x;
 }
 
 void get_action_state_vector2f(Session& session, const XrActionStateGetInfo* info, XrActionStateVector2f* out) {
-  const ActionState state = state_of(session, info, out, XR_TYPE_ACTION_STATE_VECTOR2F, XR_ACTION_TYPE_VECTOR2F_INPUT);
+  const ActionState state = state_of(session, info, XR_ACTION_TYPE_VECTOR2F_INPUT);
   copy_common(*out, state);
   out->currentState = state.value;
 }
 
 void get_action_state_pose(Session& session, const XrActionStateGetInfo* info, XrActionStatePose* out) {
-  const ActionState state = state_of(session, info, out, XR_TYPE_ACTION_STATE_POSE, XR_ACTION_TYPE_POSE_INPUT);
+  const ActionState state = state_of(session, info, XR_ACTION_TYPE_POSE_INPUT);
   out->isActive = state.active ? XR_TRUE : XR_FALSE;
 }
 
 void get_current_interaction_profile(Session& session, XrPath top_level, XrInteractionProfileState* state) {
-  require_struct(state, XR_TYPE_INTERACTION_PROFILE_STATE, "interactionProfile");
   const std::string& path = session.instance().paths.text(top_level);
   require(is_top_level(path), XR_ERROR_PATH_UNSUPPORTED, "no top level user path");
   require(session.input.is_attached(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
@@ -141,14 +132,12 @@ void get_current_interaction_profile(Session& session, XrPath top_level, XrInter
 
 void enumerate_bound_sources_for_action(Session& session, const XrBoundSourcesForActionEnumerateInfo* info,
                                         std::uint32_t capacity, std::uint32_t* count, XrPath* sources) {
-  require_struct(info, XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, "enumerateInfo");
   const Action& action = attached_action(session, info->action, XR_NULL_PATH);
   two_call(session.input.bound_sources(action), capacity, count, sources);
 }
 
 void get_input_source_localized_name(Session& session, const XrInputSourceLocalizedNameGetInfo* info,
                                      std::uint32_t capacity, std::uint32_t* count, char* buffer) {
-  require_struct(info, XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, "getInfo");
   constexpr XrInputSourceLocalizedNameFlags all = XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT |
                                                   XR_INPUT_SOURCE_LOCALIZED_NAME_INTERACTION_PROFILE_BIT |
                                                   XR_INPUT_SOURCE_LOCALIZED_NAME_COMPONENT_BIT;
@@ -179,7 +168,7 @@ void get_input_source_localized_name(Session& session, const XrInputSourceLocali
 
 XrResult apply_haptic_feedback(Session& session, const XrHapticActionInfo* info, const XrHapticBaseHeader* haptic) {
   require_vibration(session, info);
-  require_struct(haptic, XR_TYPE_HAPTIC_VIBRATION, "hapticFeedback");
+  require(haptic->type == XR_TYPE_HAPTIC_VIBRATION, XR_ERROR_VALIDATION_FAILURE, "hapticFeedback is no vibration");
   const auto& vibration = *reinterpret_cast<const XrHapticVibration*>(haptic);
   require(vibration.duration >= XR_MIN_HAPTIC_DURATION && vibration.frequency >= 0.0F && vibration.amplitude >= 0.0F &&
               vibration.amplitude <= 1.0F,

@@ -1,24 +1,19 @@
 // Creating action sets and actions, suggesting bindings, attaching to a session.
 #include <algorithm>
-#include <cstring>
 
+#include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/api/session.h"
 #include "samples/mock_runtime/input/paths.h"
 
 namespace hrt::mock {
 namespace {
 
-template <std::size_t size>
-std::string text_of(const char (&array)[size]) {
-  return std::string(array, strnlen(array, size));
-}
-
 // The names of an action set, or of an action, among their siblings: specification, xrCreateActionSet.
 template <typename T, std::size_t name_size, std::size_t localized_size>
 void require_names(const Object& parent, const char (&name_array)[name_size],
                    const char (&localized_array)[localized_size]) {
-  const std::string name = text_of(name_array);
-  const std::string localized = text_of(localized_array);
+  const std::string_view name = text_in(name_array);
+  const std::string_view localized = text_in(localized_array);
   require(!name.empty() && name.size() < name_size, XR_ERROR_NAME_INVALID, "the name is empty or not terminated");
   require(is_path_component(name), XR_ERROR_PATH_FORMAT_INVALID, "a name is of a-z, 0-9, '-', '_' and '.'");
   require(!localized.empty() && localized.size() < localized_size, XR_ERROR_LOCALIZED_NAME_INVALID,
@@ -45,14 +40,14 @@ void require_subactions(const Instance& instance, const XrActionCreateInfo& info
 
 ActionSet::ActionSet(Instance* instance, const XrActionSetCreateInfo& info)
     : Object(object_type, instance),
-      name(text_of(info.actionSetName)),
-      localized_name(text_of(info.localizedActionSetName)),
+      name(text_in(info.actionSetName)),
+      localized_name(text_in(info.localizedActionSetName)),
       priority(info.priority) {}
 
 Action::Action(ActionSet* set, const XrActionCreateInfo& info)
     : Object(object_type, set),
-      name(text_of(info.actionName)),
-      localized_name(text_of(info.localizedActionName)),
+      name(text_in(info.actionName)),
+      localized_name(text_in(info.localizedActionName)),
       action_type(info.actionType),
       subactions(info.subactionPaths, info.subactionPaths + info.countSubactionPaths) {}
 
@@ -61,8 +56,6 @@ bool Action::has_subaction(XrPath path) const {
 }
 
 void create_action_set(Instance& instance, const XrActionSetCreateInfo* info, XrActionSet* set) {
-  require_struct(info, XR_TYPE_ACTION_SET_CREATE_INFO, "createInfo");
-  require_pointer(set, "actionSet");
   require_names<ActionSet>(instance, info->actionSetName, info->localizedActionSetName);
   *set = handle_of<XrActionSet>(runtime().registry.create<ActionSet>(&instance, *info));
 }
@@ -72,19 +65,11 @@ void destroy_action_set(XrActionSet handle) {
 }
 
 void create_action(ActionSet& set, const XrActionCreateInfo* info, XrAction* action) {
-  require_struct(info, XR_TYPE_ACTION_CREATE_INFO, "createInfo");
-  require_pointer(action, "action");
   require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set is attached: it cannot change");
-  switch (info->actionType) {
-    case XR_ACTION_TYPE_BOOLEAN_INPUT:
-    case XR_ACTION_TYPE_FLOAT_INPUT:
-    case XR_ACTION_TYPE_VECTOR2F_INPUT:
-    case XR_ACTION_TYPE_POSE_INPUT:
-    case XR_ACTION_TYPE_VIBRATION_OUTPUT:
-      break;
-    default:
-      throw Error{XR_ERROR_VALIDATION_FAILURE, "no such action type"};
-  }
+  const XrActionType type = info->actionType;
+  require((type >= XR_ACTION_TYPE_BOOLEAN_INPUT && type <= XR_ACTION_TYPE_POSE_INPUT) ||
+              type == XR_ACTION_TYPE_VIBRATION_OUTPUT,
+          XR_ERROR_VALIDATION_FAILURE, "no such action type");
   require_names<Action>(set, info->actionName, info->localizedActionName);
   require_subactions(static_cast<Instance&>(*set.parent()), *info);
   *action = handle_of<XrAction>(runtime().registry.create<Action>(&set, *info));
@@ -97,7 +82,6 @@ void destroy_action(XrAction handle) {
 }
 
 void suggest_interaction_profile_bindings(Instance& instance, const XrInteractionProfileSuggestedBinding* info) {
-  require_struct(info, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, "suggestedBindings");
   require(info->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings are suggested");
   require_pointer(info->suggestedBindings, "suggestedBindings");
   const auto* profile = find_profile(instance.paths.text(info->interactionProfile), instance.sources());
@@ -116,7 +100,6 @@ void suggest_interaction_profile_bindings(Instance& instance, const XrInteractio
 }
 
 void attach_session_action_sets(Session& session, const XrSessionActionSetsAttachInfo* info) {
-  require_struct(info, XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, "attachInfo");
   require(info->countActionSets > 0, XR_ERROR_VALIDATION_FAILURE, "no action sets are given");
   require_pointer(info->actionSets, "actionSets");
   std::vector<ActionSet*> sets;

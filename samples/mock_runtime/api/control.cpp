@@ -59,20 +59,17 @@ std::string obey(Session& session, const std::string& line) {
 
 void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count, XrCallRecordHRTX* records) {
   runtime().registry.get_even_lost<Instance>(handle);
-  two_call(runtime().log.records(), capacity, count, records, XR_TYPE_CALL_RECORD_HRTX, "records",
-           [](XrCallRecordHRTX& to, const CallRecord& from) {
-             to.time = from.time;
-             to.result = from.result;
-             std::snprintf(to.function, sizeof(to.function), "%s", from.function);
-             std::snprintf(to.arguments, sizeof(to.arguments), "%s", from.arguments.c_str());
-             to.thread = from.thread;
-             std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
-           });
+  two_call(runtime().log.records(), capacity, count, records, [](XrCallRecordHRTX& to, const CallRecord& from) {
+    to.time = from.time;
+    to.result = from.result;
+    std::snprintf(to.function, sizeof(to.function), "%s", from.function);
+    std::snprintf(to.arguments, sizeof(to.arguments), "%s", from.arguments.c_str());
+    to.thread = from.thread;
+    std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
+  });
 }
 
 void convert_timespec_time_to_time(Instance&, const struct timespec* from, XrTime* time) {
-  require_pointer(from, "timespecTime");
-  require_pointer(time, "time");
   constexpr std::int64_t second_ns = 1'000'000'000;
   const bool valid = from->tv_sec >= 0 && from->tv_sec < INT64_MAX / second_ns && from->tv_nsec >= 0 &&
                      from->tv_nsec < second_ns && (from->tv_sec > 0 || from->tv_nsec > 0);
@@ -83,7 +80,6 @@ void convert_timespec_time_to_time(Instance&, const struct timespec* from, XrTim
 }
 
 void convert_time_to_timespec_time(Instance&, XrTime from, struct timespec* time) {
-  require_pointer(time, "timespecTime");
   require(from > 0, XR_ERROR_TIME_INVALID, "times are positive");
   std::int64_t clock_ns = from;
   for (Session* session : runtime().registry.children<Session>(*runtime().instance))

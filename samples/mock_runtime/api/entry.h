@@ -7,6 +7,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/api/space.h"
 #include "samples/mock_runtime/api/swapchain.h"
 #include "samples/mock_runtime/calls/call_text.h"
@@ -27,6 +28,33 @@ Given given(Argument& argument) {
     return argument;
   else
     return runtime().registry.get<std::remove_reference_t<Given>>(argument);
+}
+
+/// What may be left out.
+template <typename Struct>
+concept Optional =
+    std::same_as<Struct, XrFrameWaitInfo> || std::same_as<Struct, XrFrameBeginInfo> ||
+    std::same_as<Struct, XrSwapchainImageAcquireInfo> || std::same_as<Struct, XrSwapchainImageReleaseInfo>;
+
+/// Pointers are not null, and structures have their types. Texts that are given are left to the implementation, and
+/// what follows a capacity to two_call().
+template <typename... Args>
+void require_arguments(const Args&... args) {
+  bool counted = false;
+  std::size_t number = 0;
+  const auto check = [&]<typename Argument>(const Argument& argument) {
+    using Target = std::remove_cv_t<std::remove_pointer_t<Argument>>;
+    ++number;
+    counted = counted || std::same_as<Argument, std::uint32_t>;
+    if constexpr (std::is_pointer_v<Argument> && Complete<Target> && !std::same_as<Argument, const char*>) {
+      if (counted || (Optional<Target> && argument == nullptr)) return;
+      if constexpr (Typed<Target>)
+        require_struct(argument);
+      else
+        require_pointer(argument, ("argument " + std::to_string(number)).c_str());
+    }
+  };
+  (check(args), ...);
 }
 
 template <FunctionId id, typename Function, bool handles, auto implementation>
@@ -53,6 +81,7 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
       }
       fire_due_events();
       const std::tuple<Taken<Args, handles>...> all{given<Taken<Args, handles>>(args)...};
+      if constexpr (!handles) require_arguments(args...);
       if constexpr (std::is_void_v<decltype(std::apply(implementation, all))>)
         std::apply(implementation, all);
       else

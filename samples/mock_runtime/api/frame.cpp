@@ -1,6 +1,7 @@
 // The frame loop, paced by the clock.
 #include <chrono>
 
+#include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/api/swapchain.h"
 
 namespace hrt::mock {
@@ -41,8 +42,8 @@ void play_frame(Session& session, XrFrameState& state) {
 
 void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* state) {
   running_session(handle);
-  if (info != nullptr) require_struct(info, XR_TYPE_FRAME_WAIT_INFO, "frameWaitInfo");
-  require_struct(state, XR_TYPE_FRAME_STATE, "frameState");
+  if (info != nullptr) require_struct(info);
+  require_struct(state);
   // "A subsequent xrWaitFrame call must block until the previous frame has been begun with xrBeginFrame".
   // Meanwhile the session may end, be lost or be destroyed, hence the new look-up.
   while (running_session(handle).frames.waited) runtime().frame_begun.wait(runtime().mutex);
@@ -78,9 +79,8 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
                                                                                                           : XR_FALSE;
 }
 
-XrResult begin_frame(Session& session, const XrFrameBeginInfo* info) {
+XrResult begin_frame(Session& session, const XrFrameBeginInfo*) {
   require_running(session);
-  if (info != nullptr) require_struct(info, XR_TYPE_FRAME_BEGIN_INFO, "frameBeginInfo");
   require(session.frames.waited, XR_ERROR_CALL_ORDER_INVALID, "no xrWaitFrame goes with this xrBeginFrame");
   const bool discarded = session.frames.begun;
   session.frames.waited = false;
@@ -92,7 +92,6 @@ XrResult begin_frame(Session& session, const XrFrameBeginInfo* info) {
 
 void end_frame(Session& session, const XrFrameEndInfo* info) {
   require_running(session);
-  require_struct(info, XR_TYPE_FRAME_END_INFO, "frameEndInfo");
   require(session.frames.begun, XR_ERROR_CALL_ORDER_INVALID, "no xrBeginFrame goes with this xrEndFrame");
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
   require(info->environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED,

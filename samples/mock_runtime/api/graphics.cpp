@@ -31,16 +31,14 @@ VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
 std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info) {
   const GraphicsSetup& setup = instance.graphics;
   const bool vulkan = instance.enabled(Extension::vulkan_enable2) || instance.enabled(Extension::vulkan_enable);
-  if (const auto* binding = chained<XrGraphicsBindingVulkanKHR>(info.next, XR_TYPE_GRAPHICS_BINDING_VULKAN_KHR);
-      binding != nullptr && vulkan) {
+  if (const auto* binding = chained<const XrGraphicsBindingVulkanKHR>(info.next); binding != nullptr && vulkan) {
     require(setup.vulkan_asked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
             "xrGetVulkanGraphicsRequirements(2)KHR has not been called");
     require(binding->physicalDevice != nullptr && binding->physicalDevice == setup.vulkan_device,
             XR_ERROR_GRAPHICS_DEVICE_INVALID, "physicalDevice is not that of xrGetVulkanGraphicsDevice(2)KHR");
     return make_vulkan_device(*binding, setup.get_vulkan);
   }
-  if (const auto* binding =
-          chained<XrGraphicsBindingOpenGLXlibKHR>(info.next, XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR);
+  if (const auto* binding = chained<const XrGraphicsBindingOpenGLXlibKHR>(info.next);
       binding != nullptr && instance.enabled(Extension::opengl_enable)) {
     require(setup.opengl_asked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
             "xrGetOpenGLGraphicsRequirementsKHR has not been called");
@@ -54,7 +52,6 @@ std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, cons
 void get_vulkan_graphics_requirements(Instance& instance, XrSystemId system,
                                       XrGraphicsRequirementsVulkanKHR* requirements) {
   require_system(system);
-  require_struct(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN_KHR, "graphicsRequirements");
   requirements->minApiVersionSupported = min_vulkan;
   requirements->maxApiVersionSupported = max_vulkan;
   instance.graphics.vulkan_asked = true;
@@ -67,18 +64,14 @@ void get_vulkan_extensions(Instance&, XrSystemId system, std::uint32_t capacity,
 
 void get_vulkan_graphics_device(Instance& instance, XrSystemId system, VkInstance vulkan, VkPhysicalDevice* device) {
   require_system(system);
-  require_pointer(device, "vkPhysicalDevice");
   *device = first_physical_device(instance, vulkan);
 }
 
 void create_vulkan_instance(Instance& instance, const XrVulkanInstanceCreateInfoKHR* info, VkInstance* vulkan,
                             VkResult* result) {
-  require_struct(info, XR_TYPE_VULKAN_INSTANCE_CREATE_INFO_KHR, "createInfo");
   require_system(info->systemId);
   require(info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
           XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
-  require_pointer(vulkan, "vulkanInstance");
-  require_pointer(result, "vulkanResult");
   const auto create = reinterpret_cast<PFN_vkCreateInstance>(info->pfnGetInstanceProcAddr(nullptr, "vkCreateInstance"));
   require(create != nullptr, XR_ERROR_RUNTIME_FAILURE, "pfnGetInstanceProcAddr has no vkCreateInstance");
   *result = create(info->vulkanCreateInfo, info->vulkanAllocator, vulkan);
@@ -88,20 +81,15 @@ void create_vulkan_instance(Instance& instance, const XrVulkanInstanceCreateInfo
 
 void get_vulkan_graphics_device2(Instance& instance, const XrVulkanGraphicsDeviceGetInfoKHR* info,
                                  VkPhysicalDevice* device) {
-  require_struct(info, XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR, "getInfo");
   require_system(info->systemId);
-  require_pointer(device, "vulkanPhysicalDevice");
   *device = first_physical_device(instance, info->vulkanInstance);
 }
 
 void create_vulkan_device(Instance& instance, const XrVulkanDeviceCreateInfoKHR* info, VkDevice* device,
                           VkResult* result) {
-  require_struct(info, XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR, "createInfo");
   require_system(info->systemId);
   require(info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
           XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
-  require_pointer(device, "vulkanDevice");
-  require_pointer(result, "vulkanResult");
   require(info->vulkanPhysicalDevice != nullptr && info->vulkanPhysicalDevice == instance.graphics.vulkan_device,
           XR_ERROR_VALIDATION_FAILURE, "vulkanPhysicalDevice is not that of xrGetVulkanGraphicsDevice2KHR");
   const auto create = reinterpret_cast<PFN_vkCreateDevice>(
@@ -113,7 +101,6 @@ void create_vulkan_device(Instance& instance, const XrVulkanDeviceCreateInfoKHR*
 void get_opengl_graphics_requirements(Instance& instance, XrSystemId system,
                                       XrGraphicsRequirementsOpenGLKHR* requirements) {
   require_system(system);
-  require_struct(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR, "graphicsRequirements");
   requirements->minApiVersionSupported = min_opengl;
   requirements->maxApiVersionSupported = max_opengl;
   instance.graphics.opengl_asked = true;

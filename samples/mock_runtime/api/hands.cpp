@@ -62,8 +62,6 @@ RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base, c
 }  // namespace
 
 void create_hand_tracker(Session& session, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* tracker) {
-  require_struct(info, XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, "createInfo");
-  require_pointer(tracker, "handTracker");
   require(info->hand == XR_HAND_LEFT_EXT || info->hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE,
           "no such hand");
   require(info->handJointSet == XR_HAND_JOINT_SET_DEFAULT_EXT, XR_ERROR_VALIDATION_FAILURE, "no such joint set");
@@ -77,15 +75,13 @@ void destroy_hand_tracker(XrHandTrackerEXT handle) {
 
 void locate_hand_joints(HandTracker& tracker, const XrHandJointsLocateInfoEXT* info,
                         XrHandJointLocationsEXT* locations) {
-  require_struct(info, XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, "locateInfo");
-  require_struct(locations, XR_TYPE_HAND_JOINT_LOCATIONS_EXT, "locations");
   auto& base = runtime().registry.get<Space>(info->baseSpace);
   require(base.parent() == tracker.parent(), XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
   require(info->time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   require(locations->jointCount == XR_HAND_JOINT_COUNT_EXT, XR_ERROR_VALIDATION_FAILURE,
           "jointCount of the default set is 26");
   require_pointer(locations->jointLocations, "jointLocations");
-  auto* velocities = chained<XrHandJointVelocitiesEXT>(locations->next, XR_TYPE_HAND_JOINT_VELOCITIES_EXT);
+  auto* velocities = chained<XrHandJointVelocitiesEXT>(locations->next);
   if (velocities != nullptr) {
     require(velocities->jointCount == XR_HAND_JOINT_COUNT_EXT, XR_ERROR_VALIDATION_FAILURE,
             "jointCount of the default set is 26");

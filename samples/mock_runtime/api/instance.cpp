@@ -1,7 +1,6 @@
 #include "samples/mock_runtime/api/instance.h"
 
 #include <haptic_retargeting/base.h>
-#include <openxr/openxr_reflection.h>
 
 #include <cstdio>
 #include <cstring>
@@ -12,23 +11,14 @@
 namespace hrt::mock {
 namespace {
 
-// An array of the API that must hold a terminated, non-empty text.
-template <std::size_t size>
-bool is_text(const char (&array)[size]) {
-  return array[0] != '\0' && std::memchr(array, '\0', size) != nullptr;
+std::size_t known_extension(const char* name) {
+  require_pointer(name, "an extension name");
+  for (std::size_t i = first_extension; i < extensions.size(); ++i)
+    if (!runtime().script.hides(i) && std::strcmp(extensions[i].name, name) == 0) return i;
+  throw Error{XR_ERROR_EXTENSION_NOT_PRESENT, name};
 }
 
 }  // namespace
-
-void Instance::enable(const char* name) {
-  require_pointer(name, "an extension name");
-  for (std::size_t i = first_extension; i < extensions.size(); ++i) {
-    if (runtime().script.hides(i) || std::strcmp(extensions[i].name, name) != 0) continue;
-    extensions_.set(i);
-    return;
-  }
-  throw Error{XR_ERROR_EXTENSION_NOT_PRESENT, name};
-}
 
 void enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* count, XrApiLayerProperties* layers) {
   two_call(std::array<XrApiLayerProperties, 0>{}, capacity, count, layers);
@@ -40,32 +30,27 @@ void enumerate_instance_extension_properties(const char* layer, std::uint32_t ca
   std::vector<ExtensionInfo> present;
   for (std::size_t i = first_extension; i < extensions.size(); ++i)
     if (!runtime().script.hides(i)) present.push_back(extensions[i]);
-  two_call(present, capacity, count, properties, XR_TYPE_EXTENSION_PROPERTIES, "properties",
-           [](XrExtensionProperties& to, const ExtensionInfo& from) {
-             std::snprintf(to.extensionName, sizeof(to.extensionName), "%s", from.name);
-             to.extensionVersion = from.version;
-           });
+  two_call(present, capacity, count, properties, [](XrExtensionProperties& to, const ExtensionInfo& from) {
+    std::snprintf(to.extensionName, sizeof(to.extensionName), "%s", from.name);
+    to.extensionVersion = from.version;
+  });
 }
 
 void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
-  require_struct(info, XR_TYPE_INSTANCE_CREATE_INFO, "createInfo");
-  require_pointer(handle, "instance");
   require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
-  require(is_text(info->applicationInfo.applicationName), XR_ERROR_NAME_INVALID, "applicationName");
+  const std::string_view name = text_in(info->applicationInfo.applicationName);
+  require(!name.empty() && name.size() < XR_MAX_APPLICATION_NAME_SIZE, XR_ERROR_NAME_INVALID, "applicationName");
   const XrVersion version = info->applicationInfo.apiVersion;
   require(XR_VERSION_MAJOR(version) == 1 && XR_VERSION_MINOR(version) <= 1, XR_ERROR_API_VERSION_UNSUPPORTED,
           "apiVersion must be 1.0 or 1.1");
   if (info->enabledExtensionCount > 0) require_pointer(info->enabledExtensionNames, "enabledExtensionNames");
   require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED, "an instance exists already; one is allowed");
   if (!runtime().script_error.empty()) throw Error{XR_ERROR_INITIALIZATION_FAILED, runtime().script_error};
-  auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock);
-  if (XR_VERSION_MINOR(version) >= 1) instance.enable_version_1_1();
-  try {
-    for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i) instance.enable(info->enabledExtensionNames[i]);
-  } catch (...) {
-    runtime().registry.destroy(instance);
-    throw;
-  }
+  ExtensionSet enabled;
+  enabled.set(static_cast<std::size_t>(Extension::version_1_1), XR_VERSION_MINOR(version) >= 1);
+  for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
+    enabled.set(known_extension(info->enabledExtensionNames[i]));
+  auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock, enabled);
   runtime().instance = &instance;
   runtime().clock = &instance.clock;
   ++runtime().made.instance;
@@ -81,7 +66,6 @@ void destroy_instance(XrInstance handle) {
 }
 
 void get_instance_properties(Instance&, XrInstanceProperties* properties) {
-  require_struct(properties, XR_TYPE_INSTANCE_PROPERTIES, "instanceProperties");
   const Recording* played = runtime().script.playback.get();
   properties->runtimeVersion =
       played != nullptr ? played->version : XR_MAKE_VERSION(HRT_VERSION_MAJOR, HRT_VERSION_MINOR, HRT_VERSION_PATCH);
@@ -90,7 +74,6 @@ void get_instance_properties(Instance&, XrInstanceProperties* properties) {
 }
 
 XrResult poll_event(Instance& instance, XrEventDataBuffer* buffer) {
-  require_struct(buffer, XR_TYPE_EVENT_DATA_BUFFER, "eventData");
   if (instance.events.empty()) return XR_EVENT_UNAVAILABLE;
   *buffer = instance.events.front();
   instance.events.pop_front();
@@ -98,7 +81,6 @@ XrResult poll_event(Instance& instance, XrEventDataBuffer* buffer) {
 }
 
 void result_to_string(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
-  require_pointer(buffer, "buffer");
   const std::string name = result_name(value);
   if (name.starts_with("XR_"))
     std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "%s", name.c_str());
@@ -107,27 +89,18 @@ void result_to_string(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRIN
 }
 
 void structure_type_to_string(Instance&, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
-  require_pointer(buffer, "buffer");
   // Newer headers have names that are longer than what there is room for.
   const auto write = [&](std::string_view name) { buffer[name.copy(buffer, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0'; };
 #define HRT_MOCK_NAME(name, number) \
   if (value == name) return write(#name);
   HRT_STRUCTURE_TYPES_OF_1_1(HRT_MOCK_NAME)
+  XR_LIST_ENUM_XrStructureType(HRT_MOCK_NAME)
 #undef HRT_MOCK_NAME
-  switch (value) {
-#define HRT_MOCK_NAME(name, number) \
-  case name:                        \
-    return write(#name);
-    XR_LIST_ENUM_XrStructureType(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-        default : break;
-  }
-  std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "XR_UNKNOWN_STRUCTURE_TYPE_%d", value);
+      std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "XR_UNKNOWN_STRUCTURE_TYPE_%d", value);
 }
 
 void string_to_path(Instance& instance, const char* text, XrPath* path) {
   require_pointer(text, "pathString");
-  require_pointer(path, "path");
   *path = instance.paths.intern(text);
 }
 

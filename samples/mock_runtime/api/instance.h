@@ -39,15 +39,14 @@ class Instance : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_INSTANCE;
 
-  Instance(Object* parent, Clock::Kind kind) : Object(object_type, parent), clock(kind) {}
+  Instance(Object* parent, Clock::Kind kind, const ExtensionSet& enabled)
+      : Object(object_type, parent), clock(kind), extensions_(enabled) {}
 
   bool enabled(Extension extension) const { return extensions_[static_cast<std::size_t>(extension)]; }
   bool version_1_1() const { return enabled(Extension::version_1_1); }
   SourceSet sources() const {
     return {version_1_1(), enabled(Extension::palm_pose), version_1_1() || enabled(Extension::maintenance1)};
   }
-  void enable(const char* name);
-  void enable_version_1_1() { extensions_.set(static_cast<std::size_t>(Extension::version_1_1)); }
 
   template <typename Event>
   void push_event(const Event& event) {

@@ -35,10 +35,10 @@ void require_projection(const XrCompositionLayerProjection& layer, const Session
           "a projection layer has two views");
   for (std::uint32_t i = 0; i < 2; ++i) {
     const XrCompositionLayerProjectionView& view = layer.views[i];
-    require_struct(&view, XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW, "views");
+    require_struct(&view);
     checked_pose(view.pose);
     require_image(view.subImage, session);
-    const auto* depth = chained<XrCompositionLayerDepthInfoKHR>(view.next, XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR);
+    const auto* depth = chained<const XrCompositionLayerDepthInfoKHR>(view.next);
     if (depth == nullptr || !session.instance().enabled(Extension::layer_depth)) continue;
     require(depth->minDepth >= 0.0F && depth->maxDepth <= 1.0F && depth->minDepth <= depth->maxDepth,
             XR_ERROR_VALIDATION_FAILURE, "minDepth and maxDepth are from 0 to 1");

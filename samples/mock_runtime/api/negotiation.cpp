@@ -29,16 +29,8 @@ void load_script() {
 }
 
 XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* request) {
-  if (loader == nullptr || request == nullptr) return XR_ERROR_INITIALIZATION_FAILED;
-  if (loader->struct_type != loader_info_type || loader->struct_version != struct_version ||
-      loader->struct_size != sizeof(NegotiateLoaderInfo))
-    return XR_ERROR_INITIALIZATION_FAILED;
-  if (request->struct_type != runtime_request_type || request->struct_version != struct_version ||
-      request->struct_size != sizeof(NegotiateRuntimeRequest))
-    return XR_ERROR_INITIALIZATION_FAILED;
-  if (loader->min_interface_version > interface_version || loader->max_interface_version < interface_version)
-    return XR_ERROR_INITIALIZATION_FAILED;
-  if (loader->min_api_version > max_api_version || loader->max_api_version < min_api_version)
+  if (!agrees(loader, request, runtime_request_type) || loader->min_api_version > max_api_version ||
+      loader->max_api_version < min_api_version)
     return XR_ERROR_INITIALIZATION_FAILED;
   load_script();
   request->runtime_interface_version = interface_version;
@@ -64,10 +56,9 @@ const Row function_table[] = {
 #undef HRT_MOCK_ROW
 };
 
-bool needs_no_instance(const char* name) {
-  return std::strcmp(name, "xrEnumerateInstanceExtensionProperties") == 0 ||
-         std::strcmp(name, "xrEnumerateApiLayerProperties") == 0 || std::strcmp(name, "xrCreateInstance") == 0 ||
-         std::strcmp(name, "xrGetInstanceProcAddr") == 0;
+bool needs_no_instance(std::string_view name) {
+  return name == "xrEnumerateInstanceExtensionProperties" || name == "xrEnumerateApiLayerProperties" ||
+         name == "xrCreateInstance" || name == "xrGetInstanceProcAddr";
 }
 
 }  // namespace

@@ -35,7 +35,6 @@ RecordedTruth truth_of(Session& session, XrHandEXT hand) {
 }  // namespace
 
 void place_plate(Session& session, const XrPlatePlacementHRTX* placement) {
-  require_struct(placement, XR_TYPE_PLATE_PLACEMENT_HRTX, "placement");
   auto& space = runtime().registry.get<Space>(placement->space);
   require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
   const Pose pose = checked_pose(placement->pose);
@@ -55,7 +54,6 @@ void set_plate_orientation(Session& session, double orientation_deg) {
 }
 
 void get_plate_orientation(Session& session, XrTime time, double* orientation_deg) {
-  require_pointer(orientation_deg, "orientation");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   if (session.player)
     *orientation_deg = session.player->plate_deg(time).value_or(0.0);
@@ -64,7 +62,6 @@ void get_plate_orientation(Session& session, XrTime time, double* orientation_de
 }
 
 void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction) {
-  require_struct(instruction, XR_TYPE_REACH_INSTRUCTION_HRTX, "instruction");
   require_hand(instruction->hand);
   const Eigen::Vector3d start_m = from_xr(instruction->start);
   require(start_m.allFinite() && start_m.norm() <= max_m, XR_ERROR_VALIDATION_FAILURE,
@@ -81,16 +78,9 @@ void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction)
 
 void get_reach_truth(Session& session, XrHandEXT hand, XrReachTruthHRTX* truth) {
   require_hand(hand);
-  require_struct(truth, XR_TYPE_REACH_TRUTH_HRTX, "truth");
-  const RecordedTruth given = truth_of(session, hand);
-  truth->trueDirection = given.numbers[0];
-  truth->perceivedDirection = given.numbers[1];
-  truth->peakFeltError = given.numbers[2];
-  truth->leftmostDirection = given.numbers[3];
-  truth->rightmostDirection = given.numbers[4];
-  truth->tactileWeight = given.numbers[5];
-  truth->indexTip = given.index_tip;
-  truth->isDone = given.done ? XR_TRUE : XR_FALSE;
+  const auto& [numbers, index_tip, done] = truth_of(session, hand);
+  const auto& [is, felt, peak, leftmost, rightmost, weight] = numbers;
+  *truth = {truth->type, truth->next, is, felt, peak, leftmost, rightmost, weight, index_tip, XrBool32{done}};
 }
 
 }  // namespace hrt::mock

@@ -29,8 +29,9 @@ void Session::open_to_outside(const Script& script) {
   if (const char* path = std::getenv("HRT_MOCK_CONTROL"); path != nullptr) control_.emplace(path);
   // Who destroys the session waits for the thread and holds the lock.
   if (plate_ || control_)
-    ticker_.emplace([this] {
-      if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock) serve_outside();
+    server_ = std::jthread([this](const std::stop_token& end) {
+      for (; !end.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+        if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock) serve_outside();
     });
 }
 
@@ -55,11 +56,8 @@ void Session::enter(XrSessionState state) {
 }
 
 void Session::report_state() {
-  XrEventDataSessionStateChanged event{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED};
-  event.session = handle_of<XrSession>(*this);
-  event.state = state_;
-  event.time = instance().clock.now();
-  instance().push_event(event);
+  instance().push_event(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr,
+                                                       handle_of<XrSession>(*this), state_, instance().clock.now()});
 }
 
 void Session::go_to(XrSessionState state) {
@@ -132,16 +130,9 @@ void Session::happen(const Happening& what) {
 }
 
 void Session::happen(const HandEvent& event) {
-  switch (event.fault) {
-    case HandFault::lose_tracking:
-    case HandFault::regain_tracking:
-      return world().lose_tracking(event.hand, event.fault == HandFault::lose_tracking);
-    case HandFault::freeze:
-    case HandFault::unfreeze:
-      return world().freeze(event.hand, event.fault == HandFault::freeze);
-    case HandFault::jump:
-      return world().jump(event.hand, event.jump_m);
-  }
+  if (event.fault == HandFault::lost) world().lose_tracking(event.hand, event.begins);
+  if (event.fault == HandFault::frozen) world().freeze(event.hand, event.begins);
+  if (event.fault == HandFault::jump) world().jump(event.hand, event.jump_m);
 }
 
 void Session::happen(const DeviceEvent& event) {
@@ -160,20 +151,14 @@ void Session::happen(const Recenter& recenter) {
   for (const XrReferenceSpaceType type : types) before.push_back(origins.in_world(type, change));
   origins.recenter(recenter.space, change, recenter.pose);
   for (std::size_t i = 0; i < types.size(); ++i) {
-    XrEventDataReferenceSpaceChangePending event{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING};
-    event.session = handle_of<XrSession>(*this);
-    event.referenceSpaceType = types[i];
-    event.changeTime = change;
-    event.poseValid = recenter.pose_valid ? XR_TRUE : XR_FALSE;
-    event.poseInPreviousSpace =
-        to_xr(recenter.pose_valid ? inverse(before[i]) * origins.in_world(types[i], change) : Pose{});
-    instance().push_event(event);
+    const Pose pose = recenter.pose_valid ? inverse(before[i]) * origins.in_world(types[i], change) : Pose{};
+    instance().push_event(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING,
+                                                                 nullptr, handle_of<XrSession>(*this), types[i], change,
+                                                                 XrBool32{recenter.pose_valid}, to_xr(pose)});
   }
 }
 
 void create_session(Instance& instance, const XrSessionCreateInfo* info, XrSession* session_handle) {
-  require_struct(info, XR_TYPE_SESSION_CREATE_INFO, "createInfo");
-  require_pointer(session_handle, "session");
   require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
   require_system(info->systemId);
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_LIMIT_REACHED,
@@ -201,7 +186,6 @@ void destroy_session(XrSession handle) {
 }
 
 void begin_session(Session& session, const XrSessionBeginInfo* info) {
-  require_struct(info, XR_TYPE_SESSION_BEGIN_INFO, "beginInfo");
   require(!session.running, XR_ERROR_SESSION_RUNNING, "the session runs already");
   require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY, "the session is not ready");
   // May be 0 in a headless session (XR_MND_headless); other unknown views are refused.

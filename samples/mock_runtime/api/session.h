@@ -3,12 +3,12 @@
 #include <openxr/openxr.h>
 
 #include <optional>
+#include <thread>
 
 #include "samples/mock_runtime/api/input.h"
 #include "samples/mock_runtime/graphics/device.h"
 #include "samples/mock_runtime/live/line_socket.h"
 #include "samples/mock_runtime/live/plate_terminal.h"
-#include "samples/mock_runtime/live/ticker.h"
 #include "samples/mock_runtime/playback/player.h"
 #include "samples/mock_runtime/world/world.h"
 
@@ -72,7 +72,7 @@ class Session : public Object {
   World world_;
   std::optional<PlateTerminal> plate_;
   std::optional<LineSocket> control_;
-  std::optional<Ticker> ticker_;  // serves both
+  std::jthread server_;  // of both
 };
 
 /// Does what a line of HRT_MOCK_CONTROL says. Returns the reply, a JSON object.

@@ -118,8 +118,6 @@ void enumerate_reference_spaces(Session& session, std::uint32_t capacity, std::u
 }
 
 void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
-  require_struct(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO, "createInfo");
-  require_pointer(space, "space");
   require_reference_space(session, info->referenceSpaceType);
   const Pose pose = checked_pose(info->poseInReferenceSpace);
   const SpaceName name{info->referenceSpaceType, {}, {}, info->poseInReferenceSpace};
@@ -128,8 +126,6 @@ void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* 
 }
 
 void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
-  require_struct(info, XR_TYPE_ACTION_SPACE_CREATE_INFO, "createInfo");
-  require_pointer(space, "space");
   const auto& action = runtime().registry.get<Action>(info->action);
   require(action.action_type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH, "not a pose action");
   SpaceName name{.action = action.full_name(), .pose = info->poseInActionSpace};
@@ -144,7 +140,6 @@ void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, 
 }
 
 XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType type, XrExtent2Df* bounds) {
-  require_pointer(bounds, "bounds");
   require_reference_space(session, type);
   if (const auto* played = session.player ? session.player->next_bounds(type) : nullptr) {
     *bounds = played->value_or(XrExtent2Df{});
@@ -156,21 +151,18 @@ XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType 
 }
 
 void locate_space(Space& space, Space& base, XrTime time, XrSpaceLocation* location) {
-  require_struct(location, XR_TYPE_SPACE_LOCATION, "location");
   require(space.parent() == base.parent(), XR_ERROR_VALIDATION_FAILURE, "the spaces are of different sessions");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  auto* velocity = chained<XrSpaceVelocity>(location->next, XR_TYPE_SPACE_VELOCITY);
+  auto* velocity = chained<XrSpaceVelocity>(location->next);
   write_location(location_of(space, base, time), *location, velocity);
 }
 
 void locate_spaces(Session& session, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
-  require_struct(info, XR_TYPE_SPACES_LOCATE_INFO, "locateInfo");
-  require_struct(locations, XR_TYPE_SPACE_LOCATIONS, "spaceLocations");
   require(info->spaceCount > 0, XR_ERROR_VALIDATION_FAILURE, "spaceCount is 0");
   require_pointer(info->spaces, "spaces");
   require(locations->locationCount == info->spaceCount, XR_ERROR_VALIDATION_FAILURE, "locationCount is not spaceCount");
   require_pointer(locations->locations, "locations");
-  auto* velocities = chained<XrSpaceVelocities>(locations->next, XR_TYPE_SPACE_VELOCITIES);
+  auto* velocities = chained<XrSpaceVelocities>(locations->next);
   if (velocities != nullptr) {
     require(velocities->velocityCount == info->spaceCount, XR_ERROR_VALIDATION_FAILURE,
             "velocityCount is not spaceCount");
@@ -194,13 +186,10 @@ void destroy_space(XrSpace handle) { runtime().registry.destroy(runtime().regist
 
 void locate_views(Session& session, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
                   std::uint32_t* count, XrView* views) {
-  require_struct(info, XR_TYPE_VIEW_LOCATE_INFO, "viewLocateInfo");
-  require_struct(state, XR_TYPE_VIEW_STATE, "viewState");
   auto& space = runtime().registry.get<Space>(info->space);
   require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
   require_view_configuration(info->viewConfigurationType);
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  for (std::uint32_t i = 0; i < capacity && views != nullptr; ++i) require_struct(&views[i], XR_TYPE_VIEW, "views");
   // The count alone is no sample of a recording.
   const bool counts = session.player && capacity == 0;
   const RecordedViews given = counts ? RecordedViews{} : views_of(space, info->displayTime);

@@ -72,8 +72,6 @@ void enumerate_swapchain_formats(Session& session, std::uint32_t capacity, std::
 }
 
 void create_swapchain(Session& session, const XrSwapchainCreateInfo* info, XrSwapchain* swapchain) {
-  require_struct(info, XR_TYPE_SWAPCHAIN_CREATE_INFO, "createInfo");
-  require_pointer(swapchain, "swapchain");
   require_possible(*info, session);
   *swapchain = handle_of<XrSwapchain>(runtime().registry.create<Swapchain>(&session, *info));
 }
@@ -87,20 +85,12 @@ void enumerate_swapchain_images(Swapchain& swapchain, std::uint32_t capacity, st
   swapchain.images->enumerate(capacity, count, images);
 }
 
-void acquire_swapchain_image(Swapchain& swapchain, const XrSwapchainImageAcquireInfo* info, std::uint32_t* index) {
-  if (info != nullptr) require_struct(info, XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO, "acquireInfo");
-  require_pointer(index, "index");
+void acquire_swapchain_image(Swapchain& swapchain, const XrSwapchainImageAcquireInfo*, std::uint32_t* index) {
   *index = swapchain.acquire();
 }
 
-void wait_swapchain_image(Swapchain& swapchain, const XrSwapchainImageWaitInfo* info) {
-  require_struct(info, XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, "waitInfo");
-  swapchain.wait();
-}
+void wait_swapchain_image(Swapchain& swapchain, const XrSwapchainImageWaitInfo*) { swapchain.wait(); }
 
-void release_swapchain_image(Swapchain& swapchain, const XrSwapchainImageReleaseInfo* info) {
-  if (info != nullptr) require_struct(info, XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO, "releaseInfo");
-  swapchain.release();
-}
+void release_swapchain_image(Swapchain& swapchain, const XrSwapchainImageReleaseInfo*) { swapchain.release(); }
 
 }  // namespace hrt::mock

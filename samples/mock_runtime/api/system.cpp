@@ -13,15 +13,12 @@ void require_view_configuration(XrViewConfigurationType type) {
 }
 
 void get_system(Instance&, const XrSystemGetInfo* info, XrSystemId* system) {
-  require_struct(info, XR_TYPE_SYSTEM_GET_INFO, "getInfo");
-  require_pointer(system, "systemId");
   require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
           "the only form factor is a head-mounted display");
   *system = the_system;
 }
 
 void get_system_properties(Instance& instance, XrSystemId system, XrSystemProperties* properties) {
-  require_struct(properties, XR_TYPE_SYSTEM_PROPERTIES, "properties");
   require_system(system);
   properties->systemId = system;
   properties->vendorId = 0;
@@ -29,8 +26,7 @@ void get_system_properties(Instance& instance, XrSystemId system, XrSystemProper
                 runtime().script.playback ? runtime().script.playback->system.c_str() : "HRTX ridged plate, simulated");
   properties->graphicsProperties = {max_image_size, max_image_size, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
   properties->trackingProperties = {XR_TRUE, XR_TRUE};
-  if (auto* hands =
-          chained<XrSystemHandTrackingPropertiesEXT>(properties->next, XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
+  if (auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next);
       hands != nullptr && instance.enabled(Extension::hand_tracking))
     hands->supportsHandTracking = runtime().script.hand_tracking ? XR_TRUE : XR_FALSE;
 }
@@ -50,7 +46,6 @@ void enumerate_view_configurations(Instance&, XrSystemId system, std::uint32_t c
 
 void get_view_configuration_properties(Instance&, XrSystemId system, XrViewConfigurationType type,
                                        XrViewConfigurationProperties* properties) {
-  require_struct(properties, XR_TYPE_VIEW_CONFIGURATION_PROPERTIES, "configurationProperties");
   require_system(system);
   require_view_configuration(type);
   properties->viewConfigurationType = type;
@@ -61,13 +56,12 @@ void enumerate_view_configuration_views(Instance&, XrSystemId system, XrViewConf
                                         std::uint32_t capacity, std::uint32_t* count, XrViewConfigurationView* views) {
   require_system(system);
   require_view_configuration(type);
-  two_call(std::array{0, 1}, capacity, count, views, XR_TYPE_VIEW_CONFIGURATION_VIEW, "views",
-           [](XrViewConfigurationView& view, int) {
-             view.recommendedImageRectWidth = view.recommendedImageRectHeight = view_image_size;
-             view.maxImageRectWidth = view.maxImageRectHeight = max_image_size;
-             view.recommendedSwapchainSampleCount = 1;
-             view.maxSwapchainSampleCount = max_samples;
-           });
+  two_call(std::array{0, 1}, capacity, count, views, [](XrViewConfigurationView& view, int) {
+    view.recommendedImageRectWidth = view.recommendedImageRectHeight = view_image_size;
+    view.maxImageRectWidth = view.maxImageRectHeight = max_image_size;
+    view.recommendedSwapchainSampleCount = 1;
+    view.maxSwapchainSampleCount = max_samples;
+  });
 }
 
 }  // namespace hrt::mock

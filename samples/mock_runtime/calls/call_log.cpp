@@ -1,11 +1,9 @@
 #include "samples/mock_runtime/calls/call_log.h"
 
-#include <openxr/openxr_reflection.h>
-
 #include <cstdlib>
 
 #include "samples/mock_runtime/calls/call_text.h"
-#include "samples/mock_runtime/openxr_1_1.h"
+#include "samples/mock_runtime/error.h"
 
 namespace hrt::mock {
 namespace {
@@ -19,36 +17,20 @@ template <typename T>
 void put_member(std::string& out, const char* name, const T& value) {
   if (is_header(name)) return;
   out += out.back() == '{' ? "" : ", ";
-  out += std::string(name) + '=';
-  put_value(out, value, false);
+  out += std::string(name) + '=' + text_of(value, false);
 }
 
 }  // namespace
 
 #define HRT_MOCK_MEMBER(member) put_member(out, #member, shown.member);
-#define HRT_MOCK_PUT(name)                             \
-  void put(std::string& out, const name& shown) {      \
-    out += '{';                                        \
-    XR_LIST_STRUCT_##name(HRT_MOCK_MEMBER) out += '}'; \
+#define HRT_MOCK_TEXT(name)                                  \
+  std::string text_of_members(const name& shown) {           \
+    std::string out = "{";                                   \
+    XR_LIST_STRUCT_##name(HRT_MOCK_MEMBER) return out + '}'; \
   }
-HRT_MOCK_SHOWN_STRUCTS(HRT_MOCK_PUT)
-#undef HRT_MOCK_PUT
+HRT_MOCK_SHOWN_STRUCTS(HRT_MOCK_TEXT)
+#undef HRT_MOCK_TEXT
 #undef HRT_MOCK_MEMBER
-
-std::string result_name(XrResult result) {
-#define HRT_MOCK_NAME(name, number) \
-  if (result == name) return #name;
-  HRT_RESULTS_OF_1_1(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-  switch (result) {
-#define HRT_MOCK_NAME(name, number) \
-  case name:                        \
-    return #name;
-    XR_LIST_ENUM_XrResult(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-        default : return std::to_string(result);
-  }
-}
 
 void CallLog::open() {
   const char* named = std::getenv("HRT_MOCK_CALL_LOG");

@@ -34,16 +34,10 @@ class CallLog {
   void open_file();
   void write(const CallRecord& record);
 
-  struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   std::deque<CallRecord> records_;
   std::string path_;
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
   long bytes_ = 0;  // of it
 };
-
-/// "XR_SUCCESS"; the number of a result without a name.
-std::string result_name(XrResult result);
 
 }  // namespace hrt::mock

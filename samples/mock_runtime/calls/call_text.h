@@ -3,7 +3,6 @@
 #pragma once
 
 #include <openxr/openxr.h>
-#include <openxr/openxr_reflection.h>
 
 #include <concepts>
 #include <cstdint>
@@ -31,64 +30,50 @@ namespace hrt::mock {
   X(XrViewLocateInfo) X(XrViewState)
 // clang-format on
 
-#define HRT_MOCK_DECLARE(name) void put(std::string& out, const name& shown);
+#define HRT_MOCK_DECLARE(name) std::string text_of_members(const name& shown);
 HRT_MOCK_SHOWN_STRUCTS(HRT_MOCK_DECLARE)
 #undef HRT_MOCK_DECLARE
 
 template <typename T>
-concept Shown = requires(std::string& out, const T& value) { put(out, value); };
+concept Shown = requires(const T& value) { text_of_members(value); };
 template <typename T>
 concept Complete = requires { sizeof(T); };
+
+inline std::string quoted(const char* text, std::size_t max) {
+  return '"' + std::string(text, strnlen(text, max)) + '"';
+}
+
+template <typename... Args>
+std::string printed(const char* pattern, Args... args) {
+  char text[32];
+  std::snprintf(text, sizeof text, pattern, args...);
+  return text;
+}
 
 /// A number, a handle, a text or a structure; "..." for anything else. `followed` is whether a pointer may
 /// be.
 template <typename T>
-void put_value(std::string& out, const T& value, bool followed) {
+std::string text_of(const T& value, bool followed) {
   using Bare = std::remove_cv_t<T>;
-  if constexpr (std::is_enum_v<Bare>) {
-    out += std::to_string(static_cast<std::int64_t>(value));
-  } else if constexpr (std::is_integral_v<Bare>) {
-    out += std::to_string(value);
-  } else if constexpr (std::is_floating_point_v<Bare>) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", static_cast<double>(value));
-    out += text;
-  } else if constexpr (std::is_array_v<Bare>) {
-    if constexpr (std::same_as<std::remove_cv_t<std::remove_extent_t<Bare>>, char>)
-      out += '"' + std::string(value, strnlen(value, std::extent_v<Bare>)) + '"';
-    else
-      out += "...";
-  } else if constexpr (std::is_pointer_v<Bare>) {
+  if constexpr (std::is_enum_v<Bare>) return std::to_string(static_cast<std::int64_t>(value));
+  if constexpr (std::is_integral_v<Bare>) return std::to_string(value);
+  if constexpr (std::is_floating_point_v<Bare>) return printed("%.9g", static_cast<double>(value));
+  if constexpr (std::same_as<std::remove_cv_t<std::remove_extent_t<Bare>>, char> && std::is_array_v<Bare>)
+    return quoted(value, std::extent_v<Bare>);
+  if constexpr (Shown<Bare>) return text_of_members(value);
+  if constexpr (std::is_pointer_v<Bare>) {
     using Target = std::remove_cv_t<std::remove_pointer_t<Bare>>;
-    if (value == nullptr) {
-      out += "null";
-      // Which branches there are depends on the type. NOLINTNEXTLINE(bugprone-branch-clone)
-    } else if constexpr (std::is_function_v<Target> || std::is_void_v<Target>) {
-      out += "...";
-    } else if constexpr (!Complete<Target>) {  // a handle
-      char text[32];
-      std::snprintf(text, sizeof text, "0x%llx", reinterpret_cast<unsigned long long>(value));
-      out += text;
-    } else if constexpr (std::same_as<Target, char>) {
-      // Of texts, those given; a buffer may not be terminated.
-      if (followed && std::is_const_v<std::remove_pointer_t<Bare>>)
-        out += '"' + std::string(value, strnlen(value, 80)) + '"';
-      else
-        out += "...";
-    } else if constexpr (Shown<Target> || std::same_as<Target, std::uint32_t> || std::is_pointer_v<Target>) {
-      // Other types may be buffers, of which the application says that they hold nothing.
-      if (followed)
-        put_value(out, *value, false);
-      else
-        out += "...";
-    } else {
-      out += "...";
-    }
-  } else if constexpr (Shown<Bare>) {
-    put(out, value);
-  } else {
-    out += "...";
+    if (value == nullptr) return "null";
+    if constexpr (!Complete<Target> && !std::is_function_v<Target> && !std::is_void_v<Target>)  // a handle
+      return printed("0x%llx", reinterpret_cast<unsigned long long>(value));
+    // Of texts, those given; a buffer may not be terminated.
+    if constexpr (std::same_as<Bare, const char*>)
+      if (followed) return quoted(value, 80);
+    // Other types may be buffers, of which the application says that they hold nothing.
+    if constexpr (Shown<Target> || std::same_as<Target, std::uint32_t> || std::is_pointer_v<Target>)
+      if (followed) return text_of(*value, false);
   }
+  return "...";
 }
 
 /// "(0x4852545800000002, {time=5})". With `followed`, a call that did not fail, also what pointers point to.
@@ -97,7 +82,7 @@ std::string text_of_arguments(bool followed, const Args&... args) {
   std::string out;
   const auto add = [&](const auto& arg) {
     out += out.empty() ? "(" : ", ";
-    put_value(out, arg, followed);
+    out += text_of(arg, followed);
   };
   (add(args), ...);
   return out + ")";

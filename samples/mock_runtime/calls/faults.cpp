@@ -1,6 +1,5 @@
 #include "samples/mock_runtime/calls/faults.h"
 
-#include <openxr/openxr_reflection.h>
 #include <algorithm>
 #include <map>
 #include <sstream>

@@ -1,17 +1,15 @@
 #include "samples/mock_runtime/capture/capture.h"
 
-#include <openxr/openxr_reflection.h>
-
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 
-#include "samples/mock_runtime/abi/two_call.h"
+#include "samples/mock_runtime/abi/structure.h"
 
 namespace hrt::capture {
 namespace {
 
 using mock::chained;
+using mock::text_in;
 
 // Errors that a mistake of the application causes: the playback finds it in the calls themselves.
 constexpr XrResult mistakes[] = {
@@ -21,11 +19,6 @@ constexpr XrResult mistakes[] = {
     XR_ERROR_PATH_FORMAT_INVALID,         XR_ERROR_NAME_DUPLICATED,        XR_ERROR_NAME_INVALID,
     XR_ERROR_LOCALIZED_NAME_DUPLICATED,   XR_ERROR_LOCALIZED_NAME_INVALID, XR_ERROR_ACTIONSET_NOT_ATTACHED,
     XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, XR_ERROR_ACTION_TYPE_MISMATCH,   XR_ERROR_POSE_INVALID};
-
-template <std::size_t size>
-std::string_view text_in(const char (&array)[size]) {
-  return {array, strnlen(array, size)};
-}
 
 }  // namespace
 
@@ -43,7 +36,7 @@ void Capture::instance_created(XrInstance instance, const XrInstanceCreateInfo& 
   XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
   if (next.xrGetInstanceProperties != nullptr) next.xrGetInstanceProperties(instance, &properties);
   Record record("instance");
-  record.add(text_in(properties.runtimeName)).add(properties.runtimeVersion).open();
+  record.add(text_in(properties.runtimeName), properties.runtimeVersion).open();
   for (std::uint32_t i = 0; i < info.enabledExtensionCount; ++i) record.add(info.enabledExtensionNames[i]);
   note(record.close());
   wake();
@@ -68,15 +61,13 @@ std::uint64_t Capture::session_of_call() {
 void Capture::called(const char* function, std::uint64_t session, XrResult result) {
   const std::uint64_t call = ++calls_[{session, function}];
   if (XR_SUCCEEDED(result) || std::find(std::begin(mistakes), std::end(mistakes), result) != std::end(mistakes)) return;
-  note(Record("failed").add(session).add(function).add(call).add(result));
+  note(Record("failed").add(session, function, call, result));
 }
 
 void Capture::system_properties(XrResult, XrInstance, XrSystemId, const XrSystemProperties* properties) {
-  const auto* hands =
-      chained<XrSystemHandTrackingPropertiesEXT>(properties->next, XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
-  note(Record("system")
-           .add(text_in(properties->systemName))
-           .add(hands == nullptr || hands->supportsHandTracking == XR_TRUE));
+  const auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next);
+  const bool has_hands = hands == nullptr || hands->supportsHandTracking == XR_TRUE;
+  note(Record("system").add(text_in(properties->systemName), has_hands));
 }
 
 void Capture::session_created(XrResult, XrInstance, const XrSessionCreateInfo*, const XrSession* session) {
@@ -115,40 +106,38 @@ void Capture::stage(const char* call) {
 void Capture::event(XrResult result, XrInstance, const XrEventDataBuffer* buffer) {
   if (result != XR_SUCCESS) return;
   Record record("event");
-  record.add(sessions_ + (in_session_ ? 0 : 1)).add(stages_).add(frames_);
+  record.add(sessions_ + (in_session_ ? 0 : 1), stages_, frames_);
   const auto as = [&]<typename Event>() { return reinterpret_cast<const Event&>(*buffer); };
   switch (static_cast<int>(buffer->type)) {
     case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: {
       const auto& event = as.operator()<XrEventDataSessionStateChanged>();
-      record.add("state").add(event.state).add(event.time);
+      record.add("state", event.state, event.time);
       break;
     }
     case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
       const auto& event = as.operator()<XrEventDataReferenceSpaceChangePending>();
-      record.add("space_change").add(event.referenceSpaceType).add(event.changeTime);
-      record.add(event.poseValid == XR_TRUE).open().add(event.poseInPreviousSpace).close();
+      record.add("space_change", event.referenceSpaceType, event.changeTime, event.poseValid == XR_TRUE);
+      record.nest(event.poseInPreviousSpace);
       break;
     }
     case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
       record.add("profile_change");
       break;
     case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-      record.add("instance_loss").add(as.operator()<XrEventDataInstanceLossPending>().lossTime);
+      record.add("instance_loss", as.operator()<XrEventDataInstanceLossPending>().lossTime);
       break;
     case XR_TYPE_EVENT_DATA_EVENTS_LOST:
-      record.add("events_lost").add(as.operator()<XrEventDataEventsLost>().lostEventCount);
+      record.add("events_lost", as.operator()<XrEventDataEventsLost>().lostEventCount);
       break;
     default:
-      record.add("other").add(buffer->type);
+      record.add("other", buffer->type);
   }
   note(record);
 }
 
 void Capture::frame(XrResult, XrSession, const XrFrameWaitInfo*, const XrFrameState* state) {
-  note(of_session("frame")
-           .add(state->predictedDisplayTime)
-           .add(state->predictedDisplayPeriod)
-           .add(state->shouldRender == XR_TRUE));
+  const bool renders = state->shouldRender == XR_TRUE;
+  note(of_session("frame").add(state->predictedDisplayTime, state->predictedDisplayPeriod, renders));
   ++frames_;
   if (state->predictedDisplayTime > 0) present_ = state->predictedDisplayTime;
   wake();
@@ -166,7 +155,7 @@ void Capture::converted_back(XrResult, XrInstance, XrTime time, const timespec* 
   // Unsigned, since a runtime may return anything.
   const auto ns =
       static_cast<std::uint64_t>(clock->tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(clock->tv_nsec);
-  note(of_session("timespec").add(time).add(static_cast<std::int64_t>(ns)));
+  note(of_session("timespec").add(time, static_cast<std::int64_t>(ns)));
 }
 
 // Spaces.
@@ -178,21 +167,17 @@ void Capture::define_space(XrSpace handle, const Record& description) {
 }
 
 void Capture::reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo* info, const XrSpace* space) {
-  define_space(*space,
-               Record("reference_space").add(info->referenceSpaceType).open().add(info->poseInReferenceSpace).close());
+  define_space(*space, Record("reference_space").add(info->referenceSpaceType).nest(info->poseInReferenceSpace));
 }
 
 void Capture::action_space(XrResult, XrSession, const XrActionSpaceCreateInfo* info, const XrSpace* space) {
-  define_space(*space, Record("action_space")
-                           .add(actions_[info->action])
-                           .add(path_text(info->subactionPath))
-                           .open()
-                           .add(info->poseInActionSpace)
-                           .close());
+  Record record("action_space");
+  record.add(actions_[info->action], path_text(info->subactionPath)).nest(info->poseInActionSpace);
+  define_space(*space, record);
 }
 
 void Capture::bounds(XrResult result, XrSession, XrReferenceSpaceType type, const XrExtent2Df* extent) {
-  note(of_session("bounds").add(type).add(result == XR_SUCCESS).add(extent->width).add(extent->height));
+  note(of_session("bounds").add(type, result == XR_SUCCESS, extent->width, extent->height));
 }
 
 void Capture::note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
@@ -200,28 +185,24 @@ void Capture::note_location(XrSpace space, XrSpace base, XrTime time, const XrSp
   const auto what = spaces_.find(space), in = spaces_.find(base);
   if (what == spaces_.end() || in == spaces_.end()) return;
   Record record = of_session("located");
-  record.add(time).add(what->second).add(in->second).add(location.locationFlags);
-  record.open().add(location.pose).close();
+  record.add(time, what->second, in->second, location.locationFlags).nest(location.pose);
   if (velocity != nullptr)
-    record.add(velocity->velocityFlags).open().add(velocity->linearVelocity).add(velocity->angularVelocity).close();
+    record.add(velocity->velocityFlags).nest(velocity->linearVelocity, velocity->angularVelocity);
   note(record);
 }
 
 void Capture::located(XrResult, XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation* location) {
-  note_location(space, base, time, *location,
-                chained<const XrSpaceVelocity>(static_cast<const void*>(location->next), XR_TYPE_SPACE_VELOCITY));
+  note_location(space, base, time, *location, chained<XrSpaceVelocity>(location->next));
 }
 
 void Capture::located_several(XrResult, XrSession, const XrSpacesLocateInfo* info, const XrSpaceLocations* locations) {
-  const auto* velocities =
-      chained<const XrSpaceVelocities>(static_cast<const void*>(locations->next), XR_TYPE_SPACE_VELOCITIES);
+  const auto* velocities = chained<XrSpaceVelocities>(locations->next);
   for (std::uint32_t i = 0; i < info->spaceCount; ++i) {
     const XrSpaceLocationData& data = locations->locations[i];
     XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
     if (velocities != nullptr) {
-      velocity.velocityFlags = velocities->velocities[i].velocityFlags;
-      velocity.linearVelocity = velocities->velocities[i].linearVelocity;
-      velocity.angularVelocity = velocities->velocities[i].angularVelocity;
+      const auto& [flags, linear, angular] = velocities->velocities[i];
+      velocity = {XR_TYPE_SPACE_VELOCITY, nullptr, flags, linear, angular};
     }
     note_location(info->spaces[i], info->baseSpace, info->time,
                   {XR_TYPE_SPACE_LOCATION, nullptr, data.locationFlags, data.pose},
@@ -234,10 +215,10 @@ void Capture::views(XrResult, XrSession, const XrViewLocateInfo* info, const XrV
   const auto in = spaces_.find(info->space);
   if (capacity == 0 || in == spaces_.end()) return;
   Record record = of_session("views");
-  record.add(info->displayTime).add(in->second).add(state->viewStateFlags).open();
+  record.add(info->displayTime, in->second, state->viewStateFlags).open();
   for (std::uint32_t i = 0; i < *count; ++i) {
     const XrFovf& fov = views[i].fov;
-    record.add(views[i].pose).add(fov.angleLeft).add(fov.angleRight).add(fov.angleUp).add(fov.angleDown);
+    record.add(views[i].pose, fov.angleLeft, fov.angleRight, fov.angleUp, fov.angleDown);
   }
   note(record.close());
 }
@@ -255,22 +236,20 @@ void Capture::joints(XrResult, XrHandTrackerEXT tracker, const XrHandJointsLocat
   const auto hand = trackers_.find(tracker);
   if (in == spaces_.end() || hand == trackers_.end()) return;
   Record record = of_session("joints");
-  record.add(info->time).add(hand->second).add(in->second);
   const bool active = locations->isActive == XR_TRUE;
-  record.add(active).add(0);
+  record.add(info->time, hand->second, in->second, active, 0);
   if (active) {
     record.open();
     for (std::uint32_t i = 0; i < locations->jointCount; ++i) {
       const XrHandJointLocationEXT& joint = locations->jointLocations[i];
-      record.add(joint.locationFlags).add(joint.pose).add(joint.radius);
+      record.add(joint.locationFlags, joint.pose, joint.radius);
     }
     record.close();
-    if (const auto* velocities = chained<const XrHandJointVelocitiesEXT>(static_cast<const void*>(locations->next),
-                                                                         XR_TYPE_HAND_JOINT_VELOCITIES_EXT)) {
+    if (const auto* velocities = chained<XrHandJointVelocitiesEXT>(locations->next)) {
       record.open();
       for (std::uint32_t i = 0; i < velocities->jointCount; ++i) {
         const XrHandJointVelocityEXT& joint = velocities->jointVelocities[i];
-        record.add(joint.velocityFlags).add(joint.linearVelocity).add(joint.angularVelocity);
+        record.add(joint.velocityFlags, joint.linearVelocity, joint.angularVelocity);
       }
       record.close();
     }
@@ -299,15 +278,14 @@ void Capture::action(XrResult, XrActionSet set, const XrActionCreateInfo* info, 
 }
 
 void Capture::synced(XrResult result, XrSession, const XrActionsSyncInfo*) {
-  note(of_session("synced").add(present_).add(result == XR_SUCCESS));
+  note(of_session("synced").add(present_, result == XR_SUCCESS));
 }
 
 template <typename State>
 void Capture::note_state(const XrActionStateGetInfo& info, const State& state, XrVector2f value) {
   Record record = of_session("action");
-  record.add(present_).add(actions_[info.action]).add(path_text(info.subactionPath));
-  record.add(state.isActive == XR_TRUE).add(state.changedSinceLastSync == XR_TRUE).add(state.lastChangeTime);
-  note(record.add(value.x).add(value.y));
+  record.add(present_, actions_[info.action], path_text(info.subactionPath), state.isActive == XR_TRUE);
+  note(record.add(state.changedSinceLastSync == XR_TRUE, state.lastChangeTime, value.x, value.y));
 }
 
 void Capture::boolean_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateBoolean* state) {
@@ -328,22 +306,21 @@ void Capture::pose_state(XrResult, XrSession, const XrActionStateGetInfo* info, 
 }
 
 void Capture::profile(XrResult, XrSession, XrPath top_level, const XrInteractionProfileState* state) {
-  note(of_session("profile").add(present_).add(path_text(top_level)).add(path_text(state->interactionProfile)));
+  note(of_session("profile").add(present_, path_text(top_level), path_text(state->interactionProfile)));
 }
 
 // XR_HRTX_ridged_plate.
 
 void Capture::plate_orientation(XrResult, XrSession, XrTime time, const double* orientation) {
-  note(of_session("plate").add(time).add(*orientation));
+  note(of_session("plate").add(time, *orientation));
 }
 
 void Capture::reach_truth(XrResult, XrSession, XrHandEXT hand, const XrReachTruthHRTX* truth) {
   Record record = of_session("truth");
-  record.add(present_).add(hand).open();
-  for (const double value : {truth->trueDirection, truth->perceivedDirection, truth->peakFeltError,
-                             truth->leftmostDirection, truth->rightmostDirection, truth->tactileWeight})
-    record.add(value);
-  note(record.close().open().add(truth->indexTip).close().add(truth->isDone == XR_TRUE));
+  record.add(present_, hand);
+  record.nest(truth->trueDirection, truth->perceivedDirection, truth->peakFeltError, truth->leftmostDirection,
+              truth->rightmostDirection, truth->tactileWeight);
+  note(record.nest(truth->indexTip).add(truth->isDone == XR_TRUE));
 }
 
 }  // namespace hrt::capture

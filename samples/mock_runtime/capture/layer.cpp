@@ -128,12 +128,7 @@ XRAPI_ATTR XrResult XRAPI_CALL create_instance(const XrInstanceCreateInfo* info,
 extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL xrNegotiateLoaderApiLayerInterface(
     const hrt::mock::NegotiateLoaderInfo* loader, const char*, hrt::mock::NegotiateApiLayerRequest* request) {
   using namespace hrt::mock;
-  if (loader == nullptr || request == nullptr || loader->struct_type != loader_info_type ||
-      loader->struct_version != struct_version || loader->struct_size != sizeof(NegotiateLoaderInfo) ||
-      request->struct_type != api_layer_request_type || request->struct_version != struct_version ||
-      request->struct_size != sizeof(NegotiateApiLayerRequest) || loader->min_interface_version > interface_version ||
-      loader->max_interface_version < interface_version)
-    return XR_ERROR_INITIALIZATION_FAILED;
+  if (!agrees(loader, request, api_layer_request_type)) return XR_ERROR_INITIALIZATION_FAILED;
   request->layer_interface_version = interface_version;
   request->layer_api_version = max_api_version;
   request->get_instance_proc_addr = &hrt::capture::get_instance_proc_addr;

@@ -25,15 +25,12 @@ std::string text_of(float value) {
   return static_cast<float>(read) == value ? shortest : text_of(static_cast<double>(value));
 }
 
-Record::Record(std::string_view kind) : text_("[") { add(kind); }
-
-Record& Record::put(std::string_view token) {
+void Record::put_token(std::string_view token) {
   if (text_.back() != '[') text_ += ',';
   text_ += token;
-  return *this;
 }
 
-Record& Record::add(std::string_view value) {
+void Record::put(std::string_view value) {
   std::string quoted = "\"";
   for (const char c : value) {
     if (c == '"' || c == '\\')
@@ -43,17 +40,13 @@ Record& Record::add(std::string_view value) {
     else
       quoted += c;
   }
-  return put(quoted + '"');
+  put_token(quoted + '"');
 }
 
-Record& Record::add(const XrVector3f& vector) { return add(vector.x).add(vector.y).add(vector.z); }
-
-Record& Record::add(const XrPosef& pose) {
-  const XrQuaternionf& q = pose.orientation;
-  return add(q.x).add(q.y).add(q.z).add(q.w).add(pose.position);
+Record& Record::open() {
+  put_token("[");
+  return *this;
 }
-
-Record& Record::open() { return put("["); }
 
 Record& Record::close() {
   text_ += ']';

@@ -4,8 +4,6 @@
 #include <openxr/openxr.h>
 
 #include <concepts>
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -22,17 +20,19 @@ concept Enumeration = std::is_enum_v<T>;
 
 class Record {
  public:
-  explicit Record(std::string_view kind);
+  explicit Record(std::string_view kind) : text_("[") { put(kind); }
 
-  Record& add(std::string_view value);
-  Record& add(const char* value) { return add(std::string_view(value)); }
-  Record& add(bool value) { return put(value ? "true" : "false"); }
-  Record& add(Enumeration auto value) { return add(static_cast<int>(value)); }
-  Record& add(std::integral auto value) { return put(std::to_string(value)); }
-  Record& add(std::floating_point auto value) { return put(text_of(value)); }
-  Record& add(const XrVector3f& vector);
-  /// x, y, z, w, then the position.
-  Record& add(const XrPosef& pose);
+  /// Of a pose x, y, z, w, then the position.
+  template <typename... Values>
+  Record& add(const Values&... values) {
+    (put(values), ...);
+    return *this;
+  }
+  /// In an array of their own.
+  template <typename... Values>
+  Record& nest(const Values&... values) {
+    return open().add(values...).close();
+  }
   /// The members that follow are in an array of their own, until close().
   Record& open();
   Record& close();
@@ -41,7 +41,18 @@ class Record {
   std::string text() const { return text_ + "]"; }
 
  private:
-  Record& put(std::string_view token);
+  void put_token(std::string_view token);
+  void put(std::string_view value);
+  void put(const char* value) { put(std::string_view(value)); }
+  void put(bool value) { put_token(value ? "true" : "false"); }
+  void put(Enumeration auto value) { put(static_cast<int>(value)); }
+  void put(std::integral auto value) { put_token(std::to_string(value)); }
+  void put(std::floating_point auto value) { put_token(text_of(value)); }
+  void put(const XrVector3f& vector) { add(vector.x, vector.y, vector.z); }
+  void put(const XrPosef& pose) {
+    const XrQuaternionf& q = pose.orientation;
+    add(q.x, q.y, q.z, q.w, pose.position);
+  }
   std::string text_;
 };
 

@@ -14,7 +14,7 @@ namespace hrt::capture {
 namespace {
 
 constexpr std::string_view beginning = R"({"clock": "manual", "playback": {"version": 1, "records": [)";
-constexpr std::string_view ending = "\n]}}\n";
+constexpr std::string_view end_of_script = "\n]}}\n";
 
 bool write_at(int file, std::string_view text, std::int64_t offset) {
   while (!text.empty()) {
@@ -33,23 +33,9 @@ ScriptFile::ScriptFile(const std::string& path)
     : path_(path),
       file_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)),
       end_(static_cast<std::int64_t>(beginning.size())) {
-  if (file_ < 0) throw std::system_error(errno, std::generic_category(), path);
-  if (!write_at(file_, std::string(beginning) + std::string(ending), 0)) {
-    const int error = errno;
-    close(file_);
-    throw std::system_error(error, std::generic_category(), path);
-  }
-  thread_ = std::thread([this] { write_all(); });
-}
-
-ScriptFile::~ScriptFile() {
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  work_.notify_one();
-  thread_.join();
-  close(file_);
+  if (!file_ || !write_at(file_.get(), std::string(beginning) + std::string(end_of_script), 0))
+    throw std::system_error(errno, std::generic_category(), path);
+  thread_ = std::jthread([this](const std::stop_token& ending) { write_all(ending); });
 }
 
 void ScriptFile::append(const std::string& record) {
@@ -73,11 +59,11 @@ void ScriptFile::flush() {
   written_.wait(lock, [this] { return waiting_.empty() && !writing_; });
 }
 
-void ScriptFile::write_all() {
+void ScriptFile::write_all(const std::stop_token& ending) {
   bool writable = true;
   std::unique_lock lock(mutex_);
-  while (!ending_ || !waiting_.empty()) {
-    work_.wait(lock, [this] { return due_ || ending_; });
+  while (!ending.stop_requested() || !waiting_.empty()) {
+    work_.wait(lock, ending, [this] { return due_; });
     due_ = false;
     const std::string records = std::exchange(waiting_, {});
     if (!records.empty() && writable) {
@@ -92,13 +78,13 @@ void ScriptFile::write_all() {
 }
 
 bool ScriptFile::write_out(const std::string& records) {
-  if (write_at(file_, records + std::string(ending), end_)) {
+  if (write_at(file_.get(), records + std::string(end_of_script), end_)) {
     end_ += static_cast<std::int64_t>(records.size());
     return true;
   }
   std::fprintf(stderr, "OpenXR capture: %s: %s; what follows is not captured\n", path_.c_str(), std::strerror(errno));
   // What was written before is a script all the same.
-  if (ftruncate(file_, end_) == 0) write_at(file_, ending, end_);
+  if (ftruncate(file_.get(), end_) == 0) write_at(file_.get(), end_of_script, end_);
   return false;
 }
 

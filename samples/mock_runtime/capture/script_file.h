@@ -10,16 +10,15 @@
 #include <string>
 #include <thread>
 
+#include "samples/mock_runtime/live/descriptor.h"
+
 namespace hrt::capture {
 
 class ScriptFile {
  public:
   /// Replaces a file that is there. Throws std::system_error if it cannot be written.
+  /// Its destructor does as flush().
   explicit ScriptFile(const std::string& path);
-  /// As flush().
-  ~ScriptFile();
-  ScriptFile(const ScriptFile&) = delete;
-  ScriptFile& operator=(const ScriptFile&) = delete;
 
   /// Adds a record; it is written with the next wake().
   void append(const std::string& record);
@@ -29,21 +28,20 @@ class ScriptFile {
   void flush();
 
  private:
-  void write_all();
+  void write_all(const std::stop_token& ending);
   bool write_out(const std::string& records);
 
   const std::string path_;
-  const int file_;
+  const mock::Descriptor file_;
   std::int64_t end_;  // of the records in the file
   std::mutex mutex_;
-  std::condition_variable work_;
-  std::condition_variable written_;
+  std::condition_variable_any work_;
+  std::condition_variable_any written_;
   std::string waiting_;
   bool first_ = true;
   bool due_ = false;
   bool writing_ = false;
-  bool ending_ = false;
-  std::thread thread_;
+  std::jthread thread_;
 };
 
 }  // namespace hrt::capture

@@ -203,7 +203,6 @@ class OpenGlImages : public SwapchainImages {
 
   void enumerate(std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader* images) override {
     two_call(names_, capacity, count, reinterpret_cast<XrSwapchainImageOpenGLKHR*>(images),
-             XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, "images",
              [](XrSwapchainImageOpenGLKHR& to, GLuint name) { to.image = name; });
   }
   void prepare(std::uint32_t) override {}

@@ -149,16 +149,10 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
 
   void barrier(VkCommandBuffer buffer, VkImage image, VkImageSubresourceRange range, VkImageLayout from,
                VkImageLayout to) const {
-    const VkImageMemoryBarrier what{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
-                                    nullptr,
-                                    VK_ACCESS_MEMORY_WRITE_BIT,
-                                    VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT,
-                                    from,
-                                    to,
-                                    VK_QUEUE_FAMILY_IGNORED,
-                                    VK_QUEUE_FAMILY_IGNORED,
-                                    image,
-                                    range};
+    constexpr VkAccessFlags written = VK_ACCESS_MEMORY_WRITE_BIT, any = written | VK_ACCESS_MEMORY_READ_BIT;
+    constexpr std::uint32_t same = VK_QUEUE_FAMILY_IGNORED;
+    const VkImageMemoryBarrier what{
+        VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER, nullptr, written, any, from, to, same, same, image, range};
     vk.vkCmdPipelineBarrier(buffer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
                             nullptr, 0, nullptr, 1, &what);
   }
@@ -173,54 +167,35 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
 };
 
 // An image or a buffer with its memory.
-struct DeviceImage {
-  DeviceImage(std::shared_ptr<const VulkanDevice> of, const VkImageCreateInfo& info) : device(std::move(of)) {
-    check_vulkan(device->vk.vkCreateImage(device->handle(), &info, nullptr, &image), "vkCreateImage");
+template <typename Handle, typename Info, auto create, auto measure, auto bind, auto destroy>
+struct Resource {
+  Resource(std::shared_ptr<const VulkanDevice> of, const Info& info, VkMemoryPropertyFlags wanted)
+      : device(std::move(of)) {
+    const std::string kind = std::is_same_v<Handle, VkImage> ? "Image" : "Buffer";
+    check_vulkan((device->vk.*create)(device->handle(), &info, nullptr, &handle), ("vkCreate" + kind).c_str());
     VkMemoryRequirements needed{};
-    device->vk.vkGetImageMemoryRequirements(device->handle(), image, &needed);
-    memory = device->allocate(needed, 0);
-    check_vulkan(device->vk.vkBindImageMemory(device->handle(), image, memory, 0), "vkBindImageMemory");
+    (device->vk.*measure)(device->handle(), handle, &needed);
+    memory = device->allocate(needed, wanted);
+    check_vulkan((device->vk.*bind)(device->handle(), handle, memory, 0), ("vkBind" + kind + "Memory").c_str());
   }
-  ~DeviceImage() {
-    device->vk.vkDestroyImage(device->handle(), image, nullptr);
+  ~Resource() {
+    device->vk.vkDeviceWaitIdle(device->handle());
+    (device->vk.*destroy)(device->handle(), handle, nullptr);
     device->vk.vkFreeMemory(device->handle(), memory, nullptr);
   }
-  DeviceImage(const DeviceImage&) = delete;
-  DeviceImage& operator=(const DeviceImage&) = delete;
+  Resource(const Resource&) = delete;
+  Resource& operator=(const Resource&) = delete;
 
   std::shared_ptr<const VulkanDevice> device;
-  VkImage image = VK_NULL_HANDLE;
+  Handle handle = VK_NULL_HANDLE;
   VkDeviceMemory memory = VK_NULL_HANDLE;
 };
-
-struct ReadBuffer {
-  ReadBuffer(std::shared_ptr<const VulkanDevice> of, VkDeviceSize size) : device(std::move(of)) {
-    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
-    info.size = size;
-    info.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    check_vulkan(device->vk.vkCreateBuffer(device->handle(), &info, nullptr, &buffer), "vkCreateBuffer");
-    VkMemoryRequirements needed{};
-    device->vk.vkGetBufferMemoryRequirements(device->handle(), buffer, &needed);
-    memory = device->allocate(needed, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
-    check_vulkan(device->vk.vkBindBufferMemory(device->handle(), buffer, memory, 0), "vkBindBufferMemory");
-  }
-  ~ReadBuffer() {
-    device->vk.vkDestroyBuffer(device->handle(), buffer, nullptr);
-    device->vk.vkFreeMemory(device->handle(), memory, nullptr);
-  }
-  ReadBuffer(const ReadBuffer&) = delete;
-  ReadBuffer& operator=(const ReadBuffer&) = delete;
-
-  const std::uint8_t* map() const {
-    void* data = nullptr;
-    check_vulkan(device->vk.vkMapMemory(device->handle(), memory, 0, VK_WHOLE_SIZE, 0, &data), "vkMapMemory");
-    return static_cast<const std::uint8_t*>(data);
-  }
-
-  std::shared_ptr<const VulkanDevice> device;
-  VkBuffer buffer = VK_NULL_HANDLE;
-  VkDeviceMemory memory = VK_NULL_HANDLE;
-};
+using DeviceImage = Resource<VkImage, VkImageCreateInfo, &VulkanFunctions::vkCreateImage,
+                             &VulkanFunctions::vkGetImageMemoryRequirements, &VulkanFunctions::vkBindImageMemory,
+                             &VulkanFunctions::vkDestroyImage>;
+using DeviceBuffer = Resource<VkBuffer, VkBufferCreateInfo, &VulkanFunctions::vkCreateBuffer,
+                              &VulkanFunctions::vkGetBufferMemoryRequirements, &VulkanFunctions::vkBindBufferMemory,
+                              &VulkanFunctions::vkDestroyBuffer>;
 
 class VulkanImages : public SwapchainImages {
  public:
@@ -230,31 +205,31 @@ class VulkanImages : public SwapchainImages {
         format_(format_of(info.format)),
         layout_(format_.aspects == VK_IMAGE_ASPECT_COLOR_BIT ? VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL
                                                              : VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL) {
-    for (std::uint32_t i = 0; i < count; ++i) images_.push_back(std::make_unique<DeviceImage>(device_, info_));
+    for (std::uint32_t i = 0; i < count; ++i) images_.push_back(std::make_unique<DeviceImage>(device_, info_, 0));
   }
-  ~VulkanImages() override { device_->vk.vkDeviceWaitIdle(device_->handle()); }
-  VulkanImages(const VulkanImages&) = delete;
-  VulkanImages& operator=(const VulkanImages&) = delete;
 
   void enumerate(std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader* images) override {
     two_call(images_, capacity, count, reinterpret_cast<XrSwapchainImageVulkanKHR*>(images),
-             XR_TYPE_SWAPCHAIN_IMAGE_VULKAN_KHR, "images",
-             [](XrSwapchainImageVulkanKHR& to, const auto& from) { to.image = from->image; });
+             [](XrSwapchainImageVulkanKHR& to, const auto& from) { to.image = from->handle; });
   }
 
   void prepare(std::uint32_t index) override {
     const VkImageSubresourceRange all{format_.aspects, 0, info_.mipLevels, 0, info_.arrayLayers};
     device_->run([&](VkCommandBuffer buffer) {
-      device_->barrier(buffer, images_[index]->image, all, VK_IMAGE_LAYOUT_UNDEFINED, layout_);
+      device_->barrier(buffer, images_[index]->handle, all, VK_IMAGE_LAYOUT_UNDEFINED, layout_);
     });
   }
 
   Picture read(std::uint32_t index, const XrRect2Di& part, std::uint32_t layer) override {
     Picture picture(static_cast<std::uint32_t>(part.extent.width), static_cast<std::uint32_t>(part.extent.height));
     const std::size_t pixels = std::size_t{picture.width} * picture.height;
-    const ReadBuffer buffer(device_, pixels * bytes_of(format_.kind));
+    VkBufferCreateInfo needed{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    needed.size = pixels * bytes_of(format_.kind);
+    needed.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    const DeviceBuffer buffer(device_, needed,
+                              VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
     const std::unique_ptr<DeviceImage> single = info_.samples == VK_SAMPLE_COUNT_1_BIT ? nullptr : resolved();
-    const VkImage image = images_[index]->image;
+    const VkImage image = images_[index]->handle;
     device_->run([&](VkCommandBuffer commands) {
       const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
       device_->barrier(commands, image, range, layout_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
@@ -263,14 +238,16 @@ class VulkanImages : public SwapchainImages {
       copy.imageOffset = {part.offset.x, part.offset.y, 0};
       copy.imageExtent = {picture.width, picture.height, 1};
       if (single != nullptr) {
-        resolve(commands, image, layer, single->image);
+        resolve(commands, image, layer, single->handle);
         copy.imageSubresource.baseArrayLayer = 0;
       }
-      device_->vk.vkCmdCopyImageToBuffer(commands, single != nullptr ? single->image : image,
-                                         VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer, 1, &copy);
+      device_->vk.vkCmdCopyImageToBuffer(commands, single != nullptr ? single->handle : image,
+                                         VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle, 1, &copy);
       device_->barrier(commands, image, range, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout_);
     });
-    convert_pixels(format_.kind, buffer.map(), pixels, picture.rgba.data());
+    void* read = nullptr;
+    check_vulkan(device_->vk.vkMapMemory(device_->handle(), buffer.memory, 0, VK_WHOLE_SIZE, 0, &read), "vkMapMemory");
+    convert_pixels(format_.kind, static_cast<const std::uint8_t*>(read), pixels, picture.rgba.data());
     return picture;
   }
 
@@ -281,7 +258,7 @@ class VulkanImages : public SwapchainImages {
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.arrayLayers = info.mipLevels = 1;
     info.usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    return std::make_unique<DeviceImage>(device_, info);
+    return std::make_unique<DeviceImage>(device_, info, 0);
   }
   void resolve(VkCommandBuffer commands, VkImage from, std::uint32_t layer, VkImage to) const {
     const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};

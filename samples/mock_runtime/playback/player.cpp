@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "samples/mock_runtime/world/pose.h"
@@ -119,25 +118,10 @@ std::vector<XrEventDataBuffer> Player::take_events(XrSession session) {
     const RecordedEvent& event = session_.events[events_];
     if (calls_ < event.calls || (calls_ == event.calls && frames_since_ < event.frames)) break;
     due.push_back(event.buffer);
-    const auto put = [&]<typename Event>() {
-      Event with_session{};
-      std::memcpy(&with_session, &event.buffer, sizeof with_session);
-      with_session.session = session;
-      std::memcpy(&due.back(), &with_session, sizeof with_session);
-    };
-    switch (static_cast<int>(event.buffer.type)) {
-      case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
-        put.operator()<XrEventDataSessionStateChanged>();
-        break;
-      case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING:
-        put.operator()<XrEventDataReferenceSpaceChangePending>();
-        break;
-      case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
-        put.operator()<XrEventDataInteractionProfileChanged>();
-        break;
-      default:
-        break;
-    }
+    // Events that name a session have it behind `next`.
+    if (event.buffer.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
+        event.buffer.type != XR_TYPE_EVENT_DATA_EVENTS_LOST)
+      reinterpret_cast<XrEventDataInteractionProfileChanged&>(due.back()).session = session;
   }
   return due;
 }

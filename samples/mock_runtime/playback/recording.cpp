@@ -225,14 +225,12 @@ CallFault read_failure(Fields& fields) {
   return fault;
 }
 
+// Behind what was given for this time or earlier, which is nearly all.
 template <typename Value>
-void sort_by_time(Stream<Value>& stream) {
-  std::stable_sort(stream.begin(), stream.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-}
-
-template <typename Key, typename Value>
-void sort_by_time(std::map<Key, Stream<Value>>& streams) {
-  for (auto& [key, stream] : streams) sort_by_time(stream);
+void add(Stream<Value>& stream, XrTime time, Value value) {
+  const auto place = std::upper_bound(stream.begin(), stream.end(), time,
+                                      [](XrTime t, const auto& sample) { return t < sample.first; });
+  stream.emplace(place, time, std::move(value));
 }
 
 // What a record of a session adds, by its kind.
@@ -242,7 +240,7 @@ using Reader = void (*)(Fields& fields, RecordedSession& in, const Recording& na
 template <auto stream, auto read>
 void timed(Fields& fields, RecordedSession& in, const Recording&) {
   const auto time = fields.whole<XrTime>();
-  (in.*stream).emplace_back(time, read(fields));
+  add(in.*stream, time, read(fields));
 }
 
 // A time, of what, and what was given then.
@@ -250,7 +248,7 @@ template <auto streams, auto read_key, auto read>
 void keyed(Fields& fields, RecordedSession& in, const Recording& names) {
   const auto time = fields.whole<XrTime>();
   auto& stream = (in.*streams)[read_key(fields, names)];
-  stream.emplace_back(time, read(fields));
+  add(stream, time, read(fields));
 }
 
 constexpr auto one_text = [](Fields& fields, auto&...) { return fields.text(); };
@@ -336,20 +334,6 @@ void Recording::add(const Json& record) {
     reader->second(fields, in, *this);
   }
   fields.end();
-}
-
-void Recording::finish() {
-  for (RecordedSession& each : sessions) {
-    sort_by_time(each.clock_ns);
-    sort_by_time(each.joints);
-    sort_by_time(each.locations);
-    sort_by_time(each.views);
-    sort_by_time(each.synced);
-    sort_by_time(each.states);
-    sort_by_time(each.profiles);
-    sort_by_time(each.plate_deg);
-    sort_by_time(each.truths);
-  }
 }
 
 }  // namespace hrt::mock

@@ -131,8 +131,6 @@ struct Recording {
 
   /// Adds the next record. Throws an Error that names it.
   void add(const nlohmann::json& record);
-  /// After the last one.
-  void finish();
 
  private:
   RecordedSession& session(std::uint64_t number, const std::string& where);

@@ -19,9 +19,10 @@ class Members;
 
 namespace hrt::mock {
 
-enum class HandFault { lose_tracking, regain_tracking, freeze, unfreeze, jump };
+enum class HandFault { lost, frozen, jump };
 struct HandEvent {
   HandFault fault;
+  bool begins = true;  ///< or ends
   XrHandEXT hand = XR_HAND_LEFT_EXT;
   Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();  ///< along the axes of LOCAL space
 };

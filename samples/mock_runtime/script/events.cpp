@@ -1,6 +1,6 @@
 // The events and the call faults of a script.
 #include "samples/members.h"
-#include "samples/mock_runtime/calls/call_log.h"
+#include "samples/mock_runtime/error.h"
 #include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/world.h"
@@ -63,10 +63,10 @@ Put read_put(Members& members) {
 }
 
 const Names<Happening>& event_kinds() {
-  static const Names<Happening> kinds{{"lose_tracking", HandEvent{HandFault::lose_tracking}},
-                                      {"regain_tracking", HandEvent{HandFault::regain_tracking}},
-                                      {"freeze", HandEvent{HandFault::freeze}},
-                                      {"unfreeze", HandEvent{HandFault::unfreeze}},
+  static const Names<Happening> kinds{{"lose_tracking", HandEvent{HandFault::lost}},
+                                      {"regain_tracking", HandEvent{HandFault::lost, false}},
+                                      {"freeze", HandEvent{HandFault::frozen}},
+                                      {"unfreeze", HandEvent{HandFault::frozen, false}},
                                       {"jump", HandEvent{HandFault::jump}},
                                       {"session_state", StateEvent{}},
                                       {"recenter", Recenter{}},
@@ -112,10 +112,9 @@ Happening read_happening(Members& members) {
   if (auto* put = std::get_if<Put>(&what)) *put = read_put(members);
   auto* hand = std::get_if<HandEvent>(&what);
   if (hand == nullptr) return what;
-  const bool lost = hand->fault == HandFault::lose_tracking;
-  if (members.has("of") && (lost || hand->fault == HandFault::regain_tracking)) {
+  if (members.has("of") && hand->fault == HandFault::lost) {
     members.choice<int>("of", {{"head", 0}});
-    return HeadEvent{lost};
+    return HeadEvent{hand->begins};
   }
   hand->hand = members.choice<XrHandEXT>("hand", hands());
   if (hand->fault == HandFault::jump) hand->jump_m = read_vector(members, "by_mm", 1e5) * 1e-3;

@@ -23,24 +23,19 @@ ExtensionSet read_withheld(Members& members) {
 // Of a key that stands twice in one object the parser keeps the last. The records of a playback, which may be
 // many, go to `recording` one by one and are no part of the result.
 Json parse_json(std::string_view text, Recording& recording) {
-  std::vector<std::set<std::string>> keys;  // of the objects around
-  std::vector<std::string> latest;          // of these
+  std::vector<std::pair<std::set<std::string>, std::string>>
+      around;  // keys of the objects around, and the latest of each
   const auto check = [&](int depth, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) {
-      keys.emplace_back();
-      latest.emplace_back();
-    }
-    if (event == Json::parse_event_t::object_end) {
-      keys.pop_back();
-      latest.pop_back();
-    }
+    if (event == Json::parse_event_t::object_start) around.emplace_back();
+    if (event == Json::parse_event_t::object_end) around.pop_back();
     if (event == Json::parse_event_t::key) {
-      latest.back() = parsed.get<std::string>();
-      if (!keys.back().insert(latest.back()).second) refuse(parsed.dump(), "stands twice in one object");
+      auto& [keys, latest] = around.back();
+      latest = parsed.get<std::string>();
+      if (!keys.insert(latest).second) refuse(parsed.dump(), "stands twice in one object");
     }
     // script 0, playback 1, records 2, a record 3.
-    const bool is_record = event == Json::parse_event_t::array_end && depth == 3 && latest.size() == 2 &&
-                           latest[0] == "playback" && latest[1] == "records";
+    const bool is_record = event == Json::parse_event_t::array_end && depth == 3 && around.size() == 2 &&
+                           around[0].second == "playback" && around[1].second == "records";
     if (is_record) recording.add(parsed);
     return !is_record;
   };
@@ -52,7 +47,7 @@ Json parse_json(std::string_view text, Recording& recording) {
 }
 
 // What is played back takes the place of these.
-void read_playback(Members& members, const Json& script, Recording& recording) {
+void read_playback(Members& members, const Json& script) {
   for (const auto& [key, value] : script.items())
     if (key != "clock" && key != "calls" && key != "picture_every_frames" && key != "picture_views" &&
         key != "withhold_extensions" && key != "playback" && key != "$schema")
@@ -61,7 +56,6 @@ void read_playback(Members& members, const Json& script, Recording& recording) {
   const Json& records = members.at("records", {{"type", "array"}});
   if (members.count("version", 0, 0) != 1) refuse(members.where("version"), "must be 1");
   if (!records.is_array() || !records.empty()) refuse(members.where("records"), "must be an array of arrays");
-  recording.finish();
 }
 
 }  // namespace
@@ -117,7 +111,7 @@ Script read_script(Members& members, const Json& json, Recording& recording) {
   members.each("events", {}, [&](Members& event) { script.events.push_back(read_event(event)); });
   members.each("calls", {}, [&](Members& call) { script.calls.push_back(read_call(call)); });
   members.object("playback", [&](Members& playback) {
-    read_playback(playback, json, recording);
+    read_playback(playback, json);
     script.hand_tracking = recording.hand_tracking;
     script.calls.insert(script.calls.end(), recording.failures.begin(), recording.failures.end());
     script.playback = std::make_shared<const Recording>(std::move(recording));

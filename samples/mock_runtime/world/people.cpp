@@ -9,16 +9,10 @@ namespace {
 enum Stream : std::uint32_t { people, reaches };
 
 Range usual_scale_deg(IllusionFamily family) {
-  switch (family) {
-    case IllusionFamily::saturating:
-      return {45.0, 60.0};
-    case IllusionFamily::tanh:
-      return {60.0, 60.0};
-    case IllusionFamily::dead_band:
-      return {10.0, 10.0};
-    default:
-      return {45.0, 45.0};
-  }
+  if (family == IllusionFamily::saturating) return {45.0, 60.0};
+  if (family == IllusionFamily::tanh) return {60.0, 60.0};
+  if (family == IllusionFamily::dead_band) return {10.0, 10.0};
+  return {45.0, 45.0};
 }
 
 double within(const Range& range, Draws& draws) { return range.min + draws.uniform() * (range.max - range.min); }

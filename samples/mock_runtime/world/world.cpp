@@ -24,12 +24,7 @@ Eigen::Quaterniond hand_orientation(double yaw_deg) {
 // The index tip of a hand without path or reach.
 HandState resting_hand(XrHandEXT side) {
   const double right_m = side == XR_HAND_LEFT_EXT ? -0.15 : 0.15;
-  return {local_space_in_world() * Eigen::Vector3d(right_m, -0.40, -0.35),
-          hand_orientation(0.0),
-          Eigen::Vector3d::Zero(),
-          Eigen::Vector3d::Zero(),
-          {},
-          {}};
+  return {local_space_in_world() * Eigen::Vector3d(right_m, -0.40, -0.35), hand_orientation(0.0)};
 }
 
 }  // namespace
@@ -154,12 +149,8 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
   const HandSettings& settings = settings_of(side);
   if (settings.path.empty()) return resting_hand(side);
   const Motion motion = motion_at(settings.path, time - start_);
-  HandState state{local_space_in_world() * motion.pose.position_m,
-                  motion.pose.orientation,
-                  motion.velocity_m_per_s,
-                  motion.angular_velocity_rad_per_s,
-                  {},
-                  {}};
+  HandState state{local_space_in_world() * motion.pose.position_m, motion.pose.orientation, motion.velocity_m_per_s,
+                  motion.angular_velocity_rad_per_s};
   const auto& keys = settings.fingers;
   const auto after = std::upper_bound(keys.begin(), keys.end(), time - start_,
                                       [](XrDuration t, const FingerKeyframe& key) { return t < key.time_ns; });
@@ -201,12 +192,9 @@ HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) con
   const Eigen::Vector2d arm_m = tip_m - elbow_m;
   const double yaw_deg = atan2_deg(-arm_m.x(), -arm_m.y());
   const double yaw_rad_per_s = (arm_m.y() * velocity.x() - arm_m.x() * velocity.y()) / arm_m.squaredNorm();
-  return {plate_ * Eigen::Vector3d(tip_m.x(), hand.height_m, tip_m.y()),
-          plate_.orientation * hand_orientation(yaw_deg),
+  return {plate_ * Eigen::Vector3d(tip_m.x(), hand.height_m, tip_m.y()), plate_.orientation * hand_orientation(yaw_deg),
           plate_.orientation * Eigen::Vector3d(velocity.x(), 0.0, velocity.y()),
-          plate_.orientation * Eigen::Vector3d(0.0, yaw_rad_per_s, 0.0),
-          {},
-          {}};
+          plate_.orientation * Eigen::Vector3d(0.0, yaw_rad_per_s, 0.0)};
 }
 
 Eigen::Vector3d World::tracker_noise_m(XrHandEXT side, XrTime time) const {

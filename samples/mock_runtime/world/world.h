@@ -20,10 +20,10 @@ Eigen::Quaterniond resting_hand_orientation();
 struct HandState {
   Eigen::Vector3d index_tip_m;
   Eigen::Quaterniond orientation;  ///< of the wrist
-  Eigen::Vector3d index_tip_velocity_m_per_s;
-  Eigen::Vector3d angular_velocity_rad_per_s;
-  Fingers fingers;
-  Fingers fingers_soon;  ///< after soon_s, for the velocities of the joints
+  Eigen::Vector3d index_tip_velocity_m_per_s = Eigen::Vector3d::Zero();
+  Eigen::Vector3d angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
+  Fingers fingers = {};
+  Fingers fingers_soon = {};  ///< after soon_s, for the velocities of the joints
 };
 
 inline constexpr double soon_s = 1e-4;

@@ -21,26 +21,19 @@ void load(void* library, const char* name, Function& function) {
 // A library with a C++ runtime of its own, as the plugin is, keeps some memory of that when it is closed: so
 // it stays loaded.
 Plugin::Plugin(const std::filesystem::path& library)
-    : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
+    : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE), dlclose) {
   if (library_ == nullptr) throw Failure(ExitCode::plugin, std::string("the plugin cannot be opened: ") + dlerror());
-  try {
-#define HRT_LOAD(name) load(library_, #name, this->name);
-    HRT_REACH_PLUGIN_FUNCTIONS(HRT_LOAD)
+#define HRT_LOAD(name) load(library_.get(), #name, this->name);
+  HRT_REACH_PLUGIN_FUNCTIONS(HRT_LOAD)
 #undef HRT_LOAD
-    std::uint32_t major = 0, minor = 0;
-    hrt_get_version(&major, &minor, nullptr);
-    // While the major version is 0, every minor version may change everything (base.h).
-    if (major != HRT_VERSION_MAJOR || (major == 0 ? minor != HRT_VERSION_MINOR : minor < HRT_VERSION_MINOR))
-      throw Failure(ExitCode::plugin, "the plugin has version " + std::to_string(major) + "." + std::to_string(minor) +
-                                          ", and hrt-reach needs " + std::to_string(HRT_VERSION_MAJOR) + "." +
-                                          std::to_string(HRT_VERSION_MINOR));
-  } catch (...) {
-    dlclose(library_);
-    throw;
-  }
+  std::uint32_t major = 0, minor = 0;
+  hrt_get_version(&major, &minor, nullptr);
+  // While the major version is 0, every minor version may change everything (base.h).
+  if (major != HRT_VERSION_MAJOR || (major == 0 ? minor != HRT_VERSION_MINOR : minor < HRT_VERSION_MINOR))
+    throw Failure(ExitCode::plugin, "the plugin has version " + std::to_string(major) + "." + std::to_string(minor) +
+                                        ", and hrt-reach needs " + std::to_string(HRT_VERSION_MAJOR) + "." +
+                                        std::to_string(HRT_VERSION_MINOR));
 }
-
-Plugin::~Plugin() { dlclose(library_); }
 
 void Plugin::check(hrt_result result) const {
   if (result != HRT_OK)

@@ -6,6 +6,7 @@
 #include <haptic_retargeting/study.h>
 
 #include <filesystem>
+#include <memory>
 
 namespace hrt::reach {
 
@@ -45,9 +46,6 @@ class Plugin {
  public:
   /// Throws Failure (ExitCode::plugin) if the library cannot be opened or is too old or too new.
   explicit Plugin(const std::filesystem::path& library);
-  ~Plugin();
-  Plugin(const Plugin&) = delete;
-  Plugin& operator=(const Plugin&) = delete;
 
   /// Throws Failure (ExitCode::plugin) with the plugin's own text unless `result` is HRT_OK.
   void check(hrt_result result) const;
@@ -57,7 +55,7 @@ class Plugin {
 #undef HRT_DECLARE
 
  private:
-  void* library_;
+  std::unique_ptr<void, int (*)(void*)> library_;
 };
 
 }  // namespace hrt::reach

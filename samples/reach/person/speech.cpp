@@ -88,16 +88,7 @@ Speech::Speech(const std::string& command) : words_(words_of(command)) {
     throw Failure(ExitCode::usage, "\"" + (words_.empty() ? command : words_[0]) +
                                        "\", which is to speak, is not a program that can be run here; install "
                                        "espeak-ng, or name another one with --speak-with");
-  thread_ = std::thread([this] { speak(); });
-}
-
-Speech::~Speech() {
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
+  thread_ = std::jthread([this](const std::stop_token& ending) { speak(ending); });
 }
 
 void Speech::say(const std::string& text) {
@@ -133,17 +124,15 @@ std::optional<std::string> Speech::take_failure() {
   return std::exchange(failure_, std::nullopt);
 }
 
-void Speech::speak() {
+void Speech::speak(const std::stop_token& ending) {
   std::unique_lock lock(mutex_);
-  for (;;) {
-    changed_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
-    if (ending_) return;
+  while (changed_.wait(lock, ending, [this] { return !waiting_.empty(); }) && !ending.stop_requested()) {
     const std::string text = waiting_.front();
     waiting_.pop_front();
     speaking_ = true;
     hushed_ = false;
     lock.unlock();
-    std::optional<std::string> failure = speak(text);
+    std::optional<std::string> failure = speak(text, ending);
     lock.lock();
     speaking_ = false;
     if (failure) failure_ = std::move(failure);
@@ -152,14 +141,15 @@ void Speech::speak() {
 }
 
 // One process, until it ends; or until this object, or the time, does.
-std::optional<std::string> Speech::speak(const std::string& text) {
+std::optional<std::string> Speech::speak(const std::string& text, const std::stop_token& ending) {
   pid_t child = 0;
   if (const int error = spawn(words_, one_line(text), child); error != 0) return std::strerror(error);
   const auto give_up = Clock::now() + max_speech;
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
     std::unique_lock lock(mutex_);
-    const bool ended = changed_.wait_for(lock, look_period, [this] { return ending_ || hushed_; });
+    const bool ended =
+        changed_.wait_for(lock, ending, look_period, [this] { return hushed_; }) || ending.stop_requested();
     if (!ended && Clock::now() < give_up) continue;
     kill(-child, SIGKILL);
     lock.unlock();

@@ -12,17 +12,13 @@
 namespace hrt::reach {
 
 /// Speaks one text after the other, in a thread of its own: each is a line on the standard input of a new
-/// process without a shell. Calls return at once, except finish() and the destructor. A process that takes
-/// over 30 s is ended.
+/// process without a shell. Calls return at once, except finish() and the destructor, which ends the process that
+/// speaks. A process that takes over 30 s is ended.
 class Speech {
  public:
   /// `command`: a program and its arguments, separated by spaces. Throws Failure (ExitCode::usage) if there
   /// is no such program.
   explicit Speech(const std::string& command);
-  /// Ends the process that speaks.
-  ~Speech();
-  Speech(const Speech&) = delete;
-  Speech& operator=(const Speech&) = delete;
 
   /// Speaks `text` after those that wait; of more than five the oldest are left out.
   void say(const std::string& text);
@@ -36,18 +32,17 @@ class Speech {
   std::optional<std::string> take_failure();
 
  private:
-  void speak();
-  std::optional<std::string> speak(const std::string& text);
+  void speak(const std::stop_token& ending);
+  std::optional<std::string> speak(const std::string& text, const std::stop_token& ending);
 
   std::vector<std::string> words_;
   std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable_any changed_;
   std::deque<std::string> waiting_;
   bool speaking_ = false;
-  bool ending_ = false;
   bool hushed_ = false;
   std::optional<std::string> failure_;
-  std::thread thread_;
+  std::jthread thread_;
 };
 
 }  // namespace hrt::reach

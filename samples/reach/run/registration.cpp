@@ -80,9 +80,7 @@ RegisteredPlate plate_of(const Json& json) {
   RegisteredPlate plate{};
   plate.space = space == "STAGE" ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
   plate.check.name = json.at("check");
-  if (std::any_of(plate.check.name.begin(), plate.check.name.end(),
-                  [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
-    throw std::invalid_argument("check has a control character");
+  if (!is_printable(plate.check.name)) throw std::invalid_argument("check has a control character");
   if (json.contains("hand")) {
     const auto hand = std::find(std::begin(hand_names), std::end(hand_names), json["hand"]);
     if (hand == std::end(hand_names)) throw std::invalid_argument("hand must be left or right");

@@ -50,6 +50,9 @@ struct Mark {
   std::array<double, 3> position_m;  ///< in plate coordinates
 };
 
+/// Without control characters.
+bool is_printable(const std::string& text);
+
 std::vector<std::string> names_of(std::span<const Mark> marks);
 
 /// The scene's start and five places on the rim of its plate, as seen from the user.

@@ -7,15 +7,12 @@
 namespace hrt::reach {
 
 std::string to_string(XrResult result) {
-  switch (result) {
-#define HRT_CASE(name, value) \
-  case name:                  \
-    return #name;
-    XR_LIST_ENUM_XrResult(HRT_CASE)
-#undef HRT_CASE
-            default : return "XrResult " +
-                      std::to_string(static_cast<int>(result));
-  }
+#define HRT_NAME(name, value) \
+  if (result == name) return #name;
+  XR_LIST_ENUM_XrResult(HRT_NAME)
+#undef HRT_NAME
+          return "XrResult " +
+      std::to_string(static_cast<int>(result));
 }
 
 XrResult check_xr(XrResult result, const char* expression, const char* file, int line) {

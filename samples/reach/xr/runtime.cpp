@@ -49,17 +49,14 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-XrRuntime::XrRuntime(const std::vector<std::string>& optional_extensions) {
+XrRuntime::XrRuntime(const std::vector<std::string>& optional_extensions) : XrRuntime() {
   create_instance(optional_extensions);
-  try {
-    find_system();
-  } catch (...) {
-    CALL_XR(xrDestroyInstance(instance_));
-    throw;
-  }
+  find_system();
 }
 
-XrRuntime::~XrRuntime() { CALL_XR(xrDestroyInstance(instance_)); }
+XrRuntime::~XrRuntime() {
+  if (instance_ != XR_NULL_HANDLE) CALL_XR(xrDestroyInstance(instance_));
+}
 
 bool XrRuntime::enabled(const std::string& extension) const { return contains(enabled_, extension); }
 
@@ -96,8 +93,7 @@ void XrRuntime::find_system() {
           "." + std::to_string(XR_VERSION_MINOR(properties.runtimeVersion)) + "." +
           std::to_string(XR_VERSION_PATCH(properties.runtimeVersion));
 
-  XrSystemGetInfo get_info{XR_TYPE_SYSTEM_GET_INFO};
-  get_info.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
+  const XrSystemGetInfo get_info{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
   const XrResult result = CALL_XR(xrGetSystem(instance_, &get_info, &system_));
   if (result == XR_ERROR_FORM_FACTOR_UNAVAILABLE || result == XR_ERROR_FORM_FACTOR_UNSUPPORTED)
     throw Failure(

@@ -40,6 +40,7 @@ class XrRuntime {
   }
 
  private:
+  XrRuntime() = default;  // once this is done the destructor is called, whatever fails then
   void create_instance(const std::vector<std::string>& optional_extensions);
   void find_system();
 

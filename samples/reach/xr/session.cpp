@@ -33,6 +33,7 @@ bool can_be_observed(const XrHandJointLocationEXT& joint) {
          std::isfinite(position.z);
 }
 
+constexpr XrEnvironmentBlendMode blend_mode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
 constexpr XrPosef identity{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
 
 Eigen::Quaternionf orientation(const XrPosef& pose) {
@@ -93,18 +94,7 @@ const char* name_of(XrReferenceSpaceType space) {
 }
 
 XrHeadlessSession::XrHeadlessSession(XrRuntime& runtime, SpaceMotion& motion, std::chrono::milliseconds limit)
-    : runtime_(runtime), limit_(limit), motion_(motion) {
-  try {
-    create();
-  } catch (...) {
-    destroy();
-    throw;
-  }
-}
-
-XrHeadlessSession::~XrHeadlessSession() { destroy(); }
-
-void XrHeadlessSession::create() {
+    : XrHeadlessSession(&runtime, &motion, limit) {
   create_hand_tracker_ = runtime_.function<PFN_xrCreateHandTrackerEXT>("xrCreateHandTrackerEXT");
   destroy_hand_tracker_ = runtime_.function<PFN_xrDestroyHandTrackerEXT>("xrDestroyHandTrackerEXT");
   locate_hand_joints_ = runtime_.function<PFN_xrLocateHandJointsEXT>("xrLocateHandJointsEXT");
@@ -112,16 +102,15 @@ void XrHeadlessSession::create() {
     convert_timespec_ = runtime_.function<PFN_xrConvertTimespecTimeToTimeKHR>("xrConvertTimespecTimeToTimeKHR");
 
   // No graphics binding: a headless session (XR_MND_headless).
-  XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO};
-  session_info.systemId = runtime_.system();
+  const XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, runtime_.system()};
   CHECK_XR(xrCreateSession(runtime_.instance(), &session_info, &session_));
 
   find_spaces();
 
   for (const Hand hand : {Hand::left, Hand::right}) {
-    XrHandTrackerCreateInfoEXT tracker_info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT};
-    tracker_info.hand = hand == Hand::left ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
-    tracker_info.handJointSet = XR_HAND_JOINT_SET_DEFAULT_EXT;
+    const XrHandEXT side = hand == Hand::left ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
+    const XrHandTrackerCreateInfoEXT tracker_info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, side,
+                                                  XR_HAND_JOINT_SET_DEFAULT_EXT};
     CHECK_XR_NAMED("xrCreateHandTrackerEXT",
                    create_hand_tracker_(session_, &tracker_info, &trackers_[static_cast<std::size_t>(hand)]));
   }
@@ -144,9 +133,7 @@ void XrHeadlessSession::find_spaces() {
 
 // An API layer older than the space refuses it, though the runtime has it.
 bool XrHeadlessSession::can_be_made(XrReferenceSpaceType type) const {
-  XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
-  space_info.referenceSpaceType = type;
-  space_info.poseInReferenceSpace.orientation.w = 1.0F;
+  const XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, identity};
   XrSpace space = XR_NULL_HANDLE;
   const XrResult made = CALL_XR(xrCreateReferenceSpace(session_, &space_info, &space));
   if (made == XR_ERROR_VALIDATION_FAILURE || made == XR_ERROR_REFERENCE_SPACE_UNSUPPORTED) return false;
@@ -170,9 +157,8 @@ void XrHeadlessSession::place_plate(XrReferenceSpaceType space, const XrPosef& p
 }
 
 void XrHeadlessSession::make_plate_space() {
-  XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
-  space_info.referenceSpaceType = plate_base_;
-  space_info.poseInReferenceSpace = motion_.now(plate_base_, plate_pose_);
+  const XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, plate_base_,
+                                              motion_.now(plate_base_, plate_pose_)};
   XrSpace placed = XR_NULL_HANDLE;
   CHECK_XR(xrCreateReferenceSpace(session_, &space_info, &placed));
   if (plate_space_ != XR_NULL_HANDLE) CALL_XR(xrDestroySpace(plate_space_));
@@ -194,7 +180,7 @@ void XrHeadlessSession::follow_spaces(XrTime time) {
 }
 
 // Handles of a lost session or instance are destroyed too; the results of those calls are ignored.
-void XrHeadlessSession::destroy() {
+XrHeadlessSession::~XrHeadlessSession() {
   for (const XrHandTrackerEXT tracker : trackers_)
     if (tracker != XR_NULL_HANDLE) CALL_XR_NAMED("xrDestroyHandTrackerEXT", destroy_hand_tracker_(tracker));
   if (plate_space_ != XR_NULL_HANDLE) CALL_XR(xrDestroySpace(plate_space_));
@@ -234,9 +220,7 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
     return time_now();
   }
   CHECK_XR(xrBeginFrame(session_, nullptr));
-  XrFrameEndInfo end_info{XR_TYPE_FRAME_END_INFO};
-  end_info.displayTime = frame.predictedDisplayTime;
-  end_info.environmentBlendMode = blend_mode_;
+  const XrFrameEndInfo end_info{XR_TYPE_FRAME_END_INFO, nullptr, frame.predictedDisplayTime, blend_mode, 0, nullptr};
   CHECK_XR(xrEndFrame(session_, &end_info));
   return frame.predictedDisplayTime;
 }
@@ -283,8 +267,8 @@ void XrHeadlessSession::change_state(XrSessionState state) {
   switch (state) {
     case XR_SESSION_STATE_READY:
       if (!running_) {
-        XrSessionBeginInfo begin_info{XR_TYPE_SESSION_BEGIN_INFO};
-        begin_info.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+        const XrSessionBeginInfo begin_info{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
+                                            XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
         CHECK_XR(xrBeginSession(session_, &begin_info));
         running_ = true;
       }
@@ -307,12 +291,9 @@ void XrHeadlessSession::change_state(XrSessionState state) {
 
 Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
   std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
-  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT};
-  locations.jointCount = XR_HAND_JOINT_COUNT_EXT;
-  locations.jointLocations = joints.data();
-  XrHandJointsLocateInfoEXT locate_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT};
-  locate_info.baseSpace = plate_space_;
-  locate_info.time = time;
+  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
+                                    joints.data()};
+  const XrHandJointsLocateInfoEXT locate_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, plate_space_, time};
   CHECK_XR_NAMED("xrLocateHandJointsEXT",
                  locate_hand_joints_(trackers_[static_cast<std::size_t>(hand)], &locate_info, &locations));
   const XrHandJointLocationEXT& tip = joints[XR_HAND_JOINT_INDEX_TIP_EXT];

@@ -94,13 +94,14 @@ class XrHeadlessSession {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void create();
+  // Once this is done the destructor is called, whatever fails then.
+  XrHeadlessSession(XrRuntime* runtime, SpaceMotion* motion, std::chrono::milliseconds limit)
+      : runtime_(*runtime), limit_(limit), motion_(*motion) {}
   void find_spaces();
   bool has_space(XrReferenceSpaceType space) const;
   bool can_be_made(XrReferenceSpaceType type) const;
   void make_plate_space();
   void follow_spaces(XrTime time);
-  void destroy();
   void poll_events();
   void change_state(XrSessionState state);
   void wait_until_running();
@@ -124,7 +125,6 @@ class XrHeadlessSession {
   bool frames_have_times_ = true;  // until a frame has none
   Clock::time_point own_frame_;    // the last one that began, if they have none
   XrTime last_frame_ = 0;
-  XrEnvironmentBlendMode blend_mode_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
 
   PFN_xrCreateHandTrackerEXT create_hand_tracker_ = nullptr;
   PFN_xrDestroyHandTrackerEXT destroy_hand_tracker_ = nullptr;

@@ -21,10 +21,8 @@ Simulation::Simulation(const XrRuntime& runtime, const XrHeadlessSession& sessio
       get_plate_orientation_(runtime.function<PFN_xrGetPlateOrientationHRTX>("xrGetPlateOrientationHRTX")) {}
 
 void Simulation::place_plate(XrSpace space, double radius_m) {
-  XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX};
-  placement.space = space;
-  placement.pose.orientation.w = 1.0f;
-  placement.radius = radius_m;
+  const XrPlatePlacementHRTX placement{
+      XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, space, {.orientation = {.w = 1.0f}}, radius_m};
   CHECK_XR_NAMED("xrPlacePlateHRTX", place_plate_(session_, &placement));
 }
 
@@ -34,11 +32,10 @@ void Simulation::seed(std::uint64_t seed, std::uint32_t next_reach) {
 
 void Simulation::instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg,
                           double path_length_m) {
-  XrReachInstructionHRTX instruction{XR_TYPE_REACH_INSTRUCTION_HRTX};
-  instruction.hand = to_xr(hand);
-  instruction.start = {static_cast<float>(start_m[0]), static_cast<float>(start_m[1]), static_cast<float>(start_m[2])};
-  instruction.goalDirection = goal_direction_deg;
-  instruction.pathLength = path_length_m;
+  const auto f = [](double value) { return static_cast<float>(value); };
+  const XrVector3f start{f(start_m[0]), f(start_m[1]), f(start_m[2])};
+  const XrReachInstructionHRTX instruction{
+      XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, to_xr(hand), start, goal_direction_deg, path_length_m};
   CHECK_XR_NAMED("xrInstructReachHRTX", instruct_reach_(session_, &instruction));
 }
 

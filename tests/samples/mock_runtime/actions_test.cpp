@@ -16,6 +16,13 @@ class MockActions : public MockRuntime {
     right = path("/user/hand/right");
   }
 
+  // In focus, with these bindings.
+  void bind(const char* profile, const std::vector<XrActionSuggestedBinding>& bindings) {
+    ASSERT_XR(XR_SUCCESS, suggest(profile, bindings));
+    ASSERT_XR(XR_SUCCESS, attach({set}));
+    focus();
+  }
+
   static constexpr const char* simple = "/interaction_profiles/khr/simple_controller";
   static constexpr const char* touch = "/interaction_profiles/oculus/touch_controller";
   XrActionSet set = XR_NULL_HANDLE;
@@ -84,8 +91,8 @@ TEST_F(MockActions, StatesAreThoseOfTheLastSyncInFocus) {
   const XrPath click = path("/user/hand/left/input/select/click");
   ASSERT_XR(XR_SUCCESS, suggest(simple, {{select, click}}));
   ASSERT_XR(XR_SUCCESS, attach({set}));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_bool(session, left, click, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateBoolEXT)(session, left, click, XR_TRUE));
   EXPECT_XR(XR_SESSION_NOT_FOCUSED, sync({{set, XR_NULL_PATH}}));
   EXPECT_FALSE(boolean(select).isActive);
   focus();
@@ -95,15 +102,15 @@ TEST_F(MockActions, StatesAreThoseOfTheLastSyncInFocus) {
   EXPECT_TRUE(boolean(select).currentState);
   EXPECT_TRUE(boolean(select, left).isActive);
   EXPECT_FALSE(boolean(select, right).isActive);
-  ASSERT_XR(XR_SUCCESS, functions->set_device_bool(session, left, click, XR_FALSE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateBoolEXT)(session, left, click, XR_FALSE));
   EXPECT_TRUE(boolean(select).currentState);
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 1'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 1'000));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   const XrActionStateBoolean released = boolean(select);
   EXPECT_FALSE(released.currentState);
   EXPECT_TRUE(released.changedSinceLastSync);
   EXPECT_GT(released.lastChangeTime, 0);
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 1'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 1'000));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   EXPECT_FALSE(boolean(select).changedSinceLastSync);
   EXPECT_EQ(boolean(select).lastChangeTime, released.lastChangeTime);
@@ -120,27 +127,24 @@ TEST_F(MockActions, SourcesAreConvertedAndCombined) {
   const XrPath left_trigger = path("/user/hand/left/input/trigger/value");
   const XrPath right_trigger = path("/user/hand/right/input/trigger/value");
   const XrPath stick = path("/user/hand/left/input/thumbstick");
-  ASSERT_XR(XR_SUCCESS, suggest(touch, {{press, path("/user/hand/left/input/trigger")},
-                                        {press, path("/user/hand/right/input/a/click")},
-                                        {pull, left_trigger},
-                                        {pull, right_trigger},
-                                        {steer, stick}}));
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  focus();
+  bind(touch, {{press, path("/user/hand/left/input/trigger")},
+               {press, path("/user/hand/right/input/a/click")},
+               {pull, left_trigger},
+               {pull, right_trigger},
+               {steer, stick}});
   for (const XrPath user : {left, right})
-    ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(touch), user, XR_TRUE));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_float(session, left, left_trigger, 0.3F));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_float(session, right, right_trigger, 0.4F));
-  ASSERT_XR(XR_SUCCESS, functions->set_device_vector(session, left, stick, {-0.5F, 0.25F}));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(touch), user, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateFloatEXT)(session, left, left_trigger, 0.3F));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateFloatEXT)(session, right, right_trigger, 0.4F));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateVector2fEXT)(session, left, stick, {-0.5F, 0.25F}));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   EXPECT_FALSE(boolean(press).currentState);
   EXPECT_EQ(scalar(pull).currentState, 0.4F);
-  const XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, steer, XR_NULL_PATH};
-  XrActionStateVector2f vector{XR_TYPE_ACTION_STATE_VECTOR2F};
-  ASSERT_XR(XR_SUCCESS, xrGetActionStateVector2f(session, &get, &vector));
+  const auto vector =
+      output(xrGetActionStateVector2f, session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, steer, XR_NULL_PATH});
   EXPECT_EQ(vector.currentState.x, -0.5F);
   EXPECT_EQ(vector.currentState.y, 0.25F);
-  ASSERT_XR(XR_SUCCESS, functions->set_device_float(session, left, left_trigger, 0.9F));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceStateFloatEXT)(session, left, left_trigger, 0.9F));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   EXPECT_TRUE(boolean(press).currentState);
   EXPECT_EQ(scalar(pull).currentState, 0.9F);
@@ -156,7 +160,7 @@ TEST_F(MockActions, HigherPriorityTakesASourceFromLower) {
   ASSERT_XR(XR_SUCCESS, suggest(simple, {{low, click}, {high, click}}));
   ASSERT_XR(XR_SUCCESS, attach({set, above}));
   focus();
-  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}, {above, XR_NULL_PATH}}));
   EXPECT_TRUE(boolean(high).isActive);
   EXPECT_FALSE(boolean(low).isActive);
@@ -169,14 +173,12 @@ TEST_F(MockActions, HigherPriorityTakesASourceFromLower) {
 // and xrGetCurrentInteractionProfile gives it.
 TEST_F(MockActions, CurrentProfileFollowsTheDevice) {
   const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
-  ASSERT_XR(XR_SUCCESS, suggest(simple, {{select, path("/user/hand/left/input/select/click")}}));
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  focus();
+  bind(simple, {{select, path("/user/hand/left/input/select/click")}});
   all_states();
   XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
   ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, left, &state));
   EXPECT_EQ(state.interactionProfile, XR_NULL_PATH);
-  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
   ASSERT_XR(XR_SUCCESS, xrPollEvent(instance, &event));
@@ -203,19 +205,17 @@ TEST_F(MockActions, CurrentProfileFollowsTheDevice) {
 TEST_F(MockActions, PoseActionsLocateTheirDevice) {
   const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, {left});
   const XrPath pose = path("/user/hand/left/input/grip/pose");
-  ASSERT_XR(XR_SUCCESS, suggest(simple, {{grip, pose}}));
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  focus();
+  bind(simple, {{grip, pose}});
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrSpace space = create_action_space(grip, left);
   EXPECT_EQ(located(space, local, 1).locationFlags, 0U);
   const XrPosef where{identity_pose.orientation, {0.1F, 0.2F, 0.3F}};
-  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   XrSpaceLocation location = located(space, local, 1);
   EXPECT_EQ(location.locationFlags, 15U) << "not placed yet";
   EXPECT_NEAR(location.pose.position.x, -0.2F, 1e-6F);
-  ASSERT_XR(XR_SUCCESS, functions->set_device_location(session, left, pose, local, where));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceLocationEXT)(session, left, pose, local, where));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   location = located(space, local, 1);
   EXPECT_EQ(location.locationFlags, 15U);
@@ -225,15 +225,12 @@ TEST_F(MockActions, PoseActionsLocateTheirDevice) {
 // "Action spaces" without a subaction path: "pick one" device "and stick with it", and outlive their action.
 TEST_F(MockActions, PoseOfAnyHandIsThatOfTheFirst) {
   const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, {left, right});
-  ASSERT_XR(XR_SUCCESS, suggest(simple, {{grip, path("/user/hand/left/input/grip/pose")},
-                                         {grip, path("/user/hand/right/input/grip/pose")}}));
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  focus();
+  bind(simple, {{grip, path("/user/hand/left/input/grip/pose")}, {grip, path("/user/hand/right/input/grip/pose")}});
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrSpace space = create_action_space(grip, XR_NULL_PATH);
   const auto flags = [&](XrBool32 has_left, XrBool32 has_right) {
-    EXPECT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, has_left));
-    EXPECT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), right, has_right));
+    EXPECT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, has_left));
+    EXPECT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), right, has_right));
     EXPECT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
     return located(space, local, 1).locationFlags;
   };
@@ -248,12 +245,13 @@ TEST_F(MockActions, PoseOfAnyHandIsThatOfTheFirst) {
 // "XR_ERROR_PATH_UNSUPPORTED" for what the device does not have, of the kind that the call sets.
 TEST_F(MockActions, AutomationRefusesWhatTheDeviceDoesNotHave) {
   const XrPath click = path("/user/hand/left/input/select/click");
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_bool(session, right, click, XR_TRUE));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_float(session, left, click, 1.0F));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_bool(session, path("/user/invalid"), click, XR_TRUE));
-  EXPECT_XR(XR_ERROR_PATH_INVALID, functions->set_device_bool(session, left, 0x1234, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, XR(xrSetInputDeviceStateBoolEXT)(session, right, click, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, XR(xrSetInputDeviceStateFloatEXT)(session, left, click, 1.0F));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            functions->set_device_active(session, path(simple), path("/user/head"), XR_TRUE));
+            XR(xrSetInputDeviceStateBoolEXT)(session, path("/user/invalid"), click, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, XR(xrSetInputDeviceStateBoolEXT)(session, left, 0x1234, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+            XR(xrSetInputDeviceActiveEXT)(session, path(simple), path("/user/head"), XR_TRUE));
 }
 
 // "xrApplyHapticFeedback [...] XR_SESSION_NOT_FOCUSED [...] XR_ERROR_ACTION_TYPE_MISMATCH".

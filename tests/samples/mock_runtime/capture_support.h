@@ -17,9 +17,9 @@ struct Given {
   int failures = 0;  ///< of xrLocateHandJointsEXT
   std::vector<XrSessionState> states;
 
-  template <typename Value>
-  void add(const Value& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  template <typename... Values>
+  void add(const Values&... values) {
+    (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
   }
 };
 
@@ -114,13 +114,12 @@ class CaptureFixture : public MockRuntime {
     return xrCreateInstance(&info, &instance);
   }
   void create_session() {
-    const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-    ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+    system = output(xrGetSystem, instance, head_mounted);
     XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
     ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
     given.bytes += properties.systemName;
-    MockRuntime::create_session();
+    Application::create_session();
     running = ended = false;
   }
   void poll() {
@@ -130,14 +129,12 @@ class CaptureFixture : public MockRuntime {
       if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) {
         const auto& change = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
         EXPECT_EQ(change.session, session);
-        given.add(change.changeTime);
-        given.add(change.poseInPreviousSpace);
+        given.add(change.changeTime, change.poseInPreviousSpace);
       }
       if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
       const auto& change = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
       EXPECT_EQ(change.session, session);
-      given.add(change.state);
-      given.add(change.time);
+      given.add(change.state, change.time);
       given.states.push_back(change.state);
       if (change.state == XR_SESSION_STATE_READY) {
         focus();
@@ -150,11 +147,14 @@ class CaptureFixture : public MockRuntime {
       ended = ended || change.state == XR_SESSION_STATE_EXITING;
     }
   }
+  void run_session() {
+    ASSERT_XR(XR_SUCCESS, create_instance());
+    create_session();
+    while (!running) poll();
+  }
   XrTime frame() {
     const XrFrameState state = whole_frame();
-    given.add(state.predictedDisplayTime);
-    given.add(state.predictedDisplayPeriod);
-    given.add(state.shouldRender);
+    given.add(state.predictedDisplayTime, state.predictedDisplayPeriod, state.shouldRender);
     return state.predictedDisplayTime;
   }
   void end() {

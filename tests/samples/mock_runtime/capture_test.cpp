@@ -15,14 +15,6 @@ namespace {
 
 class MockCapture : public CaptureFixture {
  protected:
-  XrHandTrackerEXT track(XrHandEXT which) {
-    const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, which,
-                                          XR_HAND_JOINT_SET_DEFAULT_EXT};
-    XrHandTrackerEXT tracker = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS,
-              fetch<PFN_xrCreateHandTrackerEXT>(instance, "xrCreateHandTrackerEXT")(session, &info, &tracker));
-    return tracker;
-  }
   using Joints = std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT>;
   Joints locate_hand(XrHandTrackerEXT tracker, XrSpace base, XrTime time) {
     Joints joints{};
@@ -32,8 +24,7 @@ class MockCapture : public CaptureFixture {
     XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
                                       joints.data()};
     const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, base, time};
-    const XrResult result =
-        fetch<PFN_xrLocateHandJointsEXT>(instance, "xrLocateHandJointsEXT")(tracker, &info, &locations);
+    const XrResult result = XR(xrLocateHandJointsEXT)(tracker, &info, &locations);
     given.add(result);
     if (XR_FAILED(result)) {
       ++given.failures;
@@ -42,8 +33,7 @@ class MockCapture : public CaptureFixture {
     given.add(locations.isActive);
     if (locations.isActive != XR_TRUE) return joints;
     ++given.active;
-    given.add(joints);
-    given.add(moving);
+    given.add(joints, moving);
     return joints;
   }
 
@@ -76,18 +66,13 @@ class MockCapture : public CaptureFixture {
     }
     ASSERT_XR(XR_SUCCESS, attach({set}));
   }
-  template <typename State, typename Get>
-  State read(Get get, XrStructureType type, XrAction action, XrPath subaction) {
-    const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction};
-    State state{type};
-    EXPECT_XR(XR_SUCCESS, get(session, &info, &state));
+  template <typename Get>
+  auto read(Get get, XrAction action, XrPath subaction) {
+    const auto state = output(get, session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction});
     seen["active"] += state.isActive == XR_TRUE;
     given.add(state.isActive);
-    if constexpr (!std::is_same_v<State, XrActionStatePose>) {
-      given.add(state.currentState);
-      given.add(state.changedSinceLastSync);
-      given.add(state.lastChangeTime);
-    }
+    if constexpr (!std::is_same_v<Get, PFN_xrGetActionStatePose>)
+      given.add(state.currentState, state.changedSinceLastSync, state.lastChangeTime);
     return state;
   }
   void read_actions() {
@@ -96,14 +81,10 @@ class MockCapture : public CaptureFixture {
     given.add(result);
     seen["not focused"] += result == XR_SESSION_NOT_FOCUSED;
     for (const XrPath user : {hands[0], hands[1], XrPath{XR_NULL_PATH}}) {
-      seen["pressed"] +=
-          read<XrActionStateBoolean>(xrGetActionStateBoolean, XR_TYPE_ACTION_STATE_BOOLEAN, press, user).currentState ==
-          XR_TRUE;
-      seen["pulled"] +=
-          read<XrActionStateFloat>(xrGetActionStateFloat, XR_TYPE_ACTION_STATE_FLOAT, pull, user).currentState != 0.0F;
-      seen["moved"] += read<XrActionStateVector2f>(xrGetActionStateVector2f, XR_TYPE_ACTION_STATE_VECTOR2F, move, user)
-                           .currentState.y != 0.0F;
-      read<XrActionStatePose>(xrGetActionStatePose, XR_TYPE_ACTION_STATE_POSE, grip, user);
+      seen["pressed"] += read(xrGetActionStateBoolean, press, user).currentState == XR_TRUE;
+      seen["pulled"] += read(xrGetActionStateFloat, pull, user).currentState != 0.0F;
+      seen["moved"] += read(xrGetActionStateVector2f, move, user).currentState.y != 0.0F;
+      read(xrGetActionStatePose, grip, user);
     }
     for (const XrPath user : hands) {
       XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
@@ -117,12 +98,9 @@ class MockCapture : public CaptureFixture {
     XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
     XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, &velocity};
     ASSERT_XR(XR_SUCCESS, xrLocateSpace(spaces[0], base, time, &location));
-    given.add(location.locationFlags);
-    given.add(location.pose);
-    given.add(velocity.velocityFlags);
-    given.add(velocity.linearVelocity);
-    given.add(velocity.angularVelocity);
-    const auto locate_several = fetch<PFN_xrLocateSpacesKHR>(instance, "xrLocateSpacesKHR");
+    given.add(location.locationFlags, location.pose, velocity.velocityFlags, velocity.linearVelocity,
+              velocity.angularVelocity);
+    const auto locate_several = XR(xrLocateSpacesKHR);
     std::vector<XrSpaceVelocityData> moving(spaces.size());
     XrSpaceVelocities velocities{XR_TYPE_SPACE_VELOCITIES, nullptr, static_cast<std::uint32_t>(moving.size()),
                                  moving.data()};
@@ -134,15 +112,12 @@ class MockCapture : public CaptureFixture {
           XR_TYPE_SPACES_LOCATE_INFO, nullptr, base, time, static_cast<std::uint32_t>(spaces.size()), spaces.data()};
       ASSERT_XR(XR_SUCCESS, locate_several(session, &info, &locations));
       for (const XrSpaceLocationData& each : located) {
-        given.add(each.locationFlags);
-        given.add(each.pose);
+        given.add(each.locationFlags, each.pose);
         ++seen[each.locationFlags == 0 ? "lost" : "located"];
       }
     }
     for (const XrSpaceVelocityData& each : moving) {
-      given.add(each.velocityFlags);
-      given.add(each.linearVelocity);
-      given.add(each.angularVelocity);
+      given.add(each.velocityFlags, each.linearVelocity, each.angularVelocity);
       seen["moving"] += each.velocityFlags != 0;
     }
   }
@@ -150,14 +125,11 @@ class MockCapture : public CaptureFixture {
     timespec clock{};
     clock_gettime(CLOCK_MONOTONIC, &clock);
     XrTime now = 0;
-    ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimespecTimeToTimeKHR>(instance, "xrConvertTimespecTimeToTimeKHR")(
-                              instance, &clock, &now));
+    ASSERT_XR(XR_SUCCESS, XR(xrConvertTimespecTimeToTimeKHR)(instance, &clock, &now));
     given.add(now);
     for (const XrTime time : {displayed, now}) {
-      ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR")(
-                                instance, time, &clock));
-      given.add(clock.tv_sec);
-      given.add(clock.tv_nsec);
+      ASSERT_XR(XR_SUCCESS, XR(xrConvertTimeToTimespecTimeKHR)(instance, time, &clock));
+      given.add(clock.tv_sec, clock.tv_nsec);
     }
     offset_s = clock.tv_sec - now / 1'000'000'000;
   }
@@ -168,8 +140,7 @@ class MockCapture : public CaptureFixture {
     for (std::uint32_t i = 0; i < count; ++i) {
       XrExtent2Df bounds{};
       const XrResult result = xrGetReferenceSpaceBoundsRect(session, types[i], &bounds);
-      given.add(result);
-      given.add(bounds);
+      given.add(result, bounds);
       ++seen[result_name(result)];
       if (result == XR_SUCCESS) widths.insert(bounds.width);
     }
@@ -183,10 +154,7 @@ class MockCapture : public CaptureFixture {
     std::uint32_t count = 0;
     EXPECT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 2, &count, views.data()));
     given.add(state.viewStateFlags);
-    for (const XrView& each : views) {
-      given.add(each.pose);
-      given.add(each.fov);
-    }
+    for (const XrView& each : views) given.add(each.pose, each.fov);
   }
 
   // An application with head, hands and controllers that asks for everything in each frame.
@@ -210,7 +178,7 @@ class MockCapture : public CaptureFixture {
                                       create_action_space(grip, hands[1], {{0, 0, 0, 1}, {0.1F, 0, -0.3F}}),
                                       create_action_space(grip, XR_NULL_PATH, identity_pose),
                                       create_space(XR_REFERENCE_SPACE_TYPE_VIEW)};
-    const XrHandTrackerEXT trackers[] = {track(XR_HAND_LEFT_EXT), track(XR_HAND_RIGHT_EXT)};
+    const XrHandTrackerEXT trackers[] = {create_hand_tracker(XR_HAND_LEFT_EXT), create_hand_tracker(XR_HAND_RIGHT_EXT)};
     for (int frames = 0; frames < 60;) {
       poll();
       if (!running) continue;
@@ -313,14 +281,12 @@ TEST_F(MockCapture, GivesTheNearestInAnySpaceOfTheSameOrigin) {
   capture_to(folder / "capture.json");
   run_application();
   play(folder / "capture.json");
-  ASSERT_XR(XR_SUCCESS, create_instance());
-  create_session();
-  while (!running) poll();
+  run_session();
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrSpace turned = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0.6F, 0, 0.8F}, {1, 2, 3}});
   const XrSpace stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
   const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
-  const XrHandTrackerEXT right = track(XR_HAND_RIGHT_EXT);
+  const XrHandTrackerEXT right = create_hand_tracker(XR_HAND_RIGHT_EXT);
   frame();
   const XrTime first = frame();
   const Joints joints = locate_hand(right, local, first);
@@ -356,9 +322,7 @@ TEST_F(MockCapture, SessionEndsWhenItIsAskedTo) {
   run_application();
   play(folder / "capture.json");
   for (const int frames : {5, 200}) {
-    ASSERT_XR(XR_SUCCESS, create_instance());
-    create_session();
-    while (!running) poll();
+    run_session();
     XrTime latest = 0;
     for (int i = 0; i < frames; ++i) {
       const XrTime time = frame();
@@ -418,9 +382,8 @@ TEST_F(MockCapture, PlaysFaultsOfTheScriptBeside) {
   std::ofstream(folder / "faults.json") << text;
   play(folder / "faults.json");
   ASSERT_XR(XR_SUCCESS, create_instance());
-  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-  EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, xrGetSystem(instance, &get, &system));
-  EXPECT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+  EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, result_of(xrGetSystem, instance, head_mounted));
+  EXPECT_XR(XR_SUCCESS, result_of(xrGetSystem, instance, head_mounted));
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 
@@ -460,7 +423,7 @@ TEST_F(MockCapture, MachinesClockRunsBetweenItsSamples) {
   play(folder / "clock.json");
   ASSERT_XR(XR_SUCCESS, create_instance({XR_MND_HEADLESS_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
   create_session();
-  const auto to_timespec = fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR");
+  const auto to_timespec = XR(xrConvertTimeToTimespecTimeKHR);
   for (const auto& [time, nanoseconds] : std::map<XrTime, std::int64_t>{{5'000'000'000, 105'000'000'001},
                                                                         {4'000'000'000, 104'000'000'001},
                                                                         {6'400'000'000, 106'400'000'001},
@@ -476,9 +439,7 @@ TEST_F(MockCapture, MachinesClockRunsBetweenItsSamples) {
 // sanitizer this also shows that there are no data races with the thread that writes.
 TEST_F(MockCapture, ThreadsAreCaptured) {
   capture_to(folder / "capture.json");
-  ASSERT_XR(XR_SUCCESS, create_instance());
-  create_session();
-  while (!running) poll();
+  run_session();
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
   std::atomic<bool> stop = false;
@@ -551,18 +512,13 @@ TEST_F(MockCaptureLayer, CapturesAnApplicationForOpenXR11) {
   XrInstanceCreateInfo info = instance_info(names);
   info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 41);
   ASSERT_XR(XR_SUCCESS, layer.create_api_layer_instance(&info, &layers, &instance));
-  request.get_instance_proc_addr = layer.get_instance_proc_addr;  // direct() from here on
-  const XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
-  XrSession session = XR_NULL_HANDLE;
-  ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateSession>("xrCreateSession")(instance, &session_info, &session));
-  const XrReferenceSpaceCreateInfo floor{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
-                                         XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR, identity_pose};
-  XrSpace space = XR_NULL_HANDLE;
-  ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateReferenceSpace>("xrCreateReferenceSpace")(session, &floor, &space));
+  request.get_instance_proc_addr = layer.get_instance_proc_addr;  // of look_up() from here on
+  create_session();
+  const XrSpace space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR);
   XrSpaceLocationData data{};
   XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
   const XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO, nullptr, space, 1'450'000'000, 1, &space};
-  ASSERT_XR(XR_SUCCESS, direct<PFN_xrLocateSpaces>("xrLocateSpaces")(session, &locate, &locations));
+  ASSERT_XR(XR_SUCCESS, XR(xrLocateSpaces)(session, &locate, &locations));
   destroy_direct();
   EXPECT_TRUE(has(read_file(folder / "capture.json"), "[\"located\",1,1450000000,"));
   unsetenv("HRT_CAPTURE_FILE");

@@ -15,6 +15,8 @@
 namespace hrt::mock {
 namespace {
 
+constexpr auto stereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+
 using Codes = std::map<std::string, std::set<std::string>>;  // by function, without "XR_ERROR_"
 
 template <typename T>
@@ -77,8 +79,11 @@ class MockErrors : public MockNegotiation {
     MockNegotiation::TearDown();
   }
 
-#define CALL(name, ...) note(#name, direct<PFN_##name>(#name)(__VA_ARGS__))
+#define CALL(name, ...) note(#name, XR(name)(__VA_ARGS__))
 #define REFUSED(code, name, ...) EXPECT_XR(XR_ERROR_##code, CALL(name, __VA_ARGS__))
+// Of a call that takes an object and an info, and makes something.
+#define REFUSED_INFO(code, name, object, ...) \
+  EXPECT_XR(XR_ERROR_##code, note(#name, result_of(XR(name), object, __VA_ARGS__)))
   XrResult note(const char* function, XrResult result) {
     if (XR_FAILED(result)) produced[function].insert(result_name(result).substr(9));
     return result;
@@ -94,49 +99,29 @@ class MockErrors : public MockNegotiation {
   // A session with all kinds of handles, and the script's faults in its first frame.
   void create_session(const char* script) {
     const std::string all = std::string(R"({"clock": "real-time", "frame_rate_hz": 1000)") + script + "}";
-    ASSERT_XR(XR_SUCCESS, direct<PFN_xrApplyScriptHRTX>("xrApplyScriptHRTX")(instance, all.c_str()));
-    const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
-    ASSERT_XR(XR_SUCCESS, CALL(xrCreateSession, instance, &info, &session));
-    local = space(XR_REFERENCE_SPACE_TYPE_LOCAL);
-    const XrHandTrackerCreateInfoEXT hand{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
-                                          XR_HAND_JOINT_SET_DEFAULT_EXT};
-    CALL(xrCreateHandTrackerEXT, session, &hand, &tracker);
-    const std::string name = "set" + std::to_string(++sets);
-    const XrActionSetCreateInfo of_set = set_info(name.c_str(), name.c_str());
-    ASSERT_XR(XR_SUCCESS, CALL(xrCreateActionSet, instance, &of_set, &set));
+    ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, all.c_str()));
+    Application::create_session();
+    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    const XrHandTrackerCreateInfoEXT of_hand{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
+                                             XR_HAND_JOINT_SET_DEFAULT_EXT};
+    CALL(xrCreateHandTrackerEXT, session, &of_hand, &hand);
+    set = Application::make_set(("set" + std::to_string(++sets)).c_str());
     ASSERT_XR(XR_SUCCESS, make_action("act", "Act", XR_ACTION_TYPE_BOOLEAN_INPUT, &action));
-  }
-  void begin() {
-    const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
-    ASSERT_XR(XR_SUCCESS, CALL(xrBeginSession, session, &info));
   }
   void destroy_session() { EXPECT_XR(XR_SUCCESS, CALL(xrDestroySession, session)); }
 
-  XrSpace space(XrReferenceSpaceType type) {
-    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, identity_pose};
-    XrSpace made = XR_NULL_HANDLE;
-    CALL(xrCreateReferenceSpace, session, &info, &made);
-    return made;
-  }
   XrResult make_action(const char* name, const char* localized, XrActionType type, XrAction* made,
                        std::vector<XrPath> subactions = {}) {
     const XrActionCreateInfo info = action_info(name, localized, type, subactions);
     return CALL(xrCreateAction, set, &info, made);
   }
   XrResult make_set(const char* name, const char* localized) {
-    const XrActionSetCreateInfo info = set_info(name, localized);
-    XrActionSet made = XR_NULL_HANDLE;
-    return CALL(xrCreateActionSet, instance, &info, &made);
-  }
-  XrPath path(const char* text) {
-    XrPath made = XR_NULL_PATH;
-    CALL(xrStringToPath, instance, text, &made);
-    return made;
+    return note("xrCreateActionSet", result_of(XR(xrCreateActionSet), instance, set_info(name, localized)));
   }
 
   // Calls every function with this handle and zeros; with handles that are none if `null`.
   void call_all(bool null) {
-#define HRT_CALL(name, implementation, extension, returned) call_zeros(#name, direct<PFN_##name>(#name), null);
+#define HRT_CALL(name, implementation, extension, returned) call_zeros(#name, XR(name), null);
     HRT_MOCK_FUNCTIONS(HRT_CALL)
 #undef HRT_CALL
   }
@@ -160,7 +145,7 @@ class MockErrors : public MockNegotiation {
   XrSpace handle(XrSpace) const { return local; }
   XrActionSet handle(XrActionSet) const { return set; }
   XrAction handle(XrAction) const { return action; }
-  XrHandTrackerEXT handle(XrHandTrackerEXT) const { return tracker; }
+  XrHandTrackerEXT handle(XrHandTrackerEXT) const { return hand; }
   template <typename Other>
   Other handle(Other none) const {
     return none;
@@ -173,9 +158,6 @@ class MockErrors : public MockNegotiation {
   TemporaryFolder folder;
   Codes produced;
   int sets = 0;
-  XrSession session = XR_NULL_HANDLE;
-  XrSpace local = XR_NULL_HANDLE;
-  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
   XrActionSet set = XR_NULL_HANDLE;
   XrAction action = XR_NULL_HANDLE;
 };
@@ -198,7 +180,7 @@ void MockErrors::provoke_at_instance() {
   EXPECT_XR(XR_ERROR_LIMIT_REACHED, create(XR_MAKE_VERSION(1, 0, 0), "second"));
   EXPECT_XR(XR_ERROR_API_VERSION_UNSUPPORTED, create(XR_MAKE_VERSION(2, 0, 0), "later"));
   EXPECT_XR(XR_ERROR_NAME_INVALID, create(XR_MAKE_VERSION(1, 0, 0), ""));
-  const auto create_first = direct<PFN_xrCreateInstance>("xrCreateInstance");
+  const auto create_first = XR(xrCreateInstance);
   ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
   const std::vector<const char*> unknown{"XR_EXT_dance"};
   XrInstanceCreateInfo info = instance_info(unknown);
@@ -214,9 +196,8 @@ void MockErrors::provoke_at_instance() {
 
   const auto none = static_cast<XrSystemId>(99);
   const auto odd = static_cast<XrViewConfigurationType>(12345);
-  XrSystemGetInfo form{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HANDHELD_DISPLAY};
-  XrSystemId system = 0;
-  REFUSED(FORM_FACTOR_UNSUPPORTED, xrGetSystem, instance, &form, &system);
+  REFUSED_INFO(FORM_FACTOR_UNSUPPORTED, xrGetSystem, instance,
+               {XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HANDHELD_DISPLAY});
   XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
   REFUSED(SYSTEM_INVALID, xrGetSystemProperties, instance, none, &properties);
   REFUSED(SYSTEM_INVALID, xrEnumerateEnvironmentBlendModes, instance, none, odd, 0, &count, nullptr);
@@ -228,21 +209,19 @@ void MockErrors::provoke_at_instance() {
   XrViewConfigurationView one{XR_TYPE_VIEW_CONFIGURATION_VIEW};
   REFUSED(SYSTEM_INVALID, xrEnumerateViewConfigurationViews, instance, none, odd, 0, &count, nullptr);
   REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrEnumerateViewConfigurationViews, instance, 1, odd, 0, &count, nullptr);
-  REFUSED(SIZE_INSUFFICIENT, xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-          1, &count, &one);
+  REFUSED(SIZE_INSUFFICIENT, xrEnumerateViewConfigurationViews, instance, 1, stereo, 1, &count, &one);
   // Of valid systems and views what is left is the missing count.
-  REFUSED(VALIDATION_FAILURE, xrEnumerateEnvironmentBlendModes, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-          0, nullptr, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-          0, nullptr, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrEnumerateEnvironmentBlendModes, instance, 1, stereo, 0, nullptr, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurationViews, instance, 1, stereo, 0, nullptr, nullptr);
   REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurations, instance, 1, 0, nullptr, nullptr);
-  XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none};
-  XrSession made = XR_NULL_HANDLE;
-  REFUSED(SYSTEM_INVALID, xrCreateSession, instance, &session_info, &made);
-  REFUSED(VALIDATION_FAILURE, xrGetVulkanGraphicsRequirements2KHR, instance, 1, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrGetVulkanGraphicsRequirementsKHR, instance, 1, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrGetOpenGLGraphicsRequirementsKHR, instance, 1, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrGetVulkanGraphicsDeviceKHR, instance, 1, nullptr, nullptr);
+  REFUSED_INFO(SYSTEM_INVALID, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none});
+  XrGraphicsRequirementsVulkanKHR vulkan{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN_KHR};
+  REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirements2KHR, instance, none, &vulkan);
+  REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirementsKHR, instance, none, &vulkan);
+  XrGraphicsRequirementsOpenGLKHR opengl{XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR};
+  REFUSED(SYSTEM_INVALID, xrGetOpenGLGraphicsRequirementsKHR, instance, none, &opengl);
+  VkPhysicalDevice device = nullptr;
+  REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsDeviceKHR, instance, none, nullptr, &device);
   REFUSED(VALIDATION_FAILURE, xrGetVulkanInstanceExtensionsKHR, instance, 1, 0, nullptr, nullptr);
   REFUSED(VALIDATION_FAILURE, xrGetVulkanDeviceExtensionsKHR, instance, 1, 0, nullptr, nullptr);
   const timespec before{-1, 0};
@@ -266,19 +245,16 @@ void MockErrors::provoke_at_instance() {
 
 void MockErrors::provoke_in_session() {
   std::uint32_t count = 0;
-  const XrSessionCreateInfo again{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
-  XrSession second = XR_NULL_HANDLE;
-  REFUSED(LIMIT_REACHED, xrCreateSession, instance, &again, &second);
+  REFUSED_INFO(LIMIT_REACHED, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1});
   const auto odd = static_cast<XrViewConfigurationType>(12345);
   const XrSessionBeginInfo wrong{XR_TYPE_SESSION_BEGIN_INFO, nullptr, odd};
   REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrBeginSession, session, &wrong);
   XrReferenceSpaceType type{};
   REFUSED(SIZE_INSUFFICIENT, xrEnumerateReferenceSpaces, session, 1, &count, &type);
-  space(static_cast<XrReferenceSpaceType>(12345));
-  const XrReferenceSpaceCreateInfo turned{
-      XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, {}};
-  XrSpace made = XR_NULL_HANDLE;
-  REFUSED(POSE_INVALID, xrCreateReferenceSpace, session, &turned, &made);
+  XrReferenceSpaceCreateInfo turned{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, {}};
+  REFUSED_INFO(POSE_INVALID, xrCreateReferenceSpace, session, turned);
+  turned.referenceSpaceType = static_cast<XrReferenceSpaceType>(12345);
+  REFUSED_INFO(REFERENCE_SPACE_UNSUPPORTED, xrCreateReferenceSpace, session, turned);
   XrExtent2Df extent{};
   REFUSED(REFERENCE_SPACE_UNSUPPORTED, xrGetReferenceSpaceBoundsRect, session, static_cast<XrReferenceSpaceType>(12345),
           &extent);
@@ -294,27 +270,26 @@ void MockErrors::provoke_in_session() {
   XrView view{XR_TYPE_VIEW};
   XrViewLocateInfo views{XR_TYPE_VIEW_LOCATE_INFO, nullptr, odd, 1, local};
   REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrLocateViews, session, &views, &state, 0, &count, nullptr);
-  views.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+  views.viewConfigurationType = stereo;
   REFUSED(SIZE_INSUFFICIENT, xrLocateViews, session, &views, &state, 1, &count, &view);
   views.displayTime = 0;
   REFUSED(TIME_INVALID, xrLocateViews, session, &views, &state, 0, &count, nullptr);
   std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
-  XrHandJointLocationsEXT hand{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
-                               joints.data()};
+  XrHandJointLocationsEXT located_joints{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
+                                         joints.data()};
   const XrHandJointsLocateInfoEXT joint_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 0};
-  REFUSED(TIME_INVALID, xrLocateHandJointsEXT, tracker, &joint_info, &hand);
-  XrSwapchainCreateInfo swapchain_info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
-  XrSwapchain swapchain = XR_NULL_HANDLE;
-  REFUSED(SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain, session, &swapchain_info, &swapchain);
+  REFUSED(TIME_INVALID, xrLocateHandJointsEXT, hand, &joint_info, &located_joints);
+  REFUSED_INFO(SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain, session, {XR_TYPE_SWAPCHAIN_CREATE_INFO});
+  XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
+  REFUSED(SESSION_NOT_RUNNING, xrEndFrame, session, &end);
 
-  begin();
+  focus();
   REFUSED(VALIDATION_FAILURE, xrBeginSession, session, nullptr);
-  const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+  const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr, stereo};
   REFUSED(SESSION_RUNNING, xrBeginSession, session, &twice);
   REFUSED(SESSION_NOT_STOPPING, xrEndSession, session);
   REFUSED(CALL_ORDER_INVALID, xrBeginFrame, session, nullptr);
   XrFrameState frame{XR_TYPE_FRAME_STATE};
-  XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
   REFUSED(CALL_ORDER_INVALID, xrEndFrame, session, &end);
   XrFrameBeginInfo odd_frame{XR_TYPE_FRAME_END_INFO};
   REFUSED(VALIDATION_FAILURE, xrBeginFrame, session, &odd_frame);
@@ -392,16 +367,15 @@ void MockErrors::provoke_actions() {
   EXPECT_XR(XR_SUCCESS, suggest(simple, select));
 
   XrActionSpaceCreateInfo space_info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, button, XR_NULL_PATH, identity_pose};
-  XrSpace in = XR_NULL_HANDLE;
-  REFUSED(ACTION_TYPE_MISMATCH, xrCreateActionSpace, session, &space_info, &in);
+  REFUSED_INFO(ACTION_TYPE_MISMATCH, xrCreateActionSpace, session, space_info);
   space_info.action = pose;
   space_info.subactionPath = never;
-  REFUSED(PATH_INVALID, xrCreateActionSpace, session, &space_info, &in);
+  REFUSED_INFO(PATH_INVALID, xrCreateActionSpace, session, space_info);
   space_info.subactionPath = chest;
-  REFUSED(PATH_UNSUPPORTED, xrCreateActionSpace, session, &space_info, &in);
+  REFUSED_INFO(PATH_UNSUPPORTED, xrCreateActionSpace, session, space_info);
   space_info.subactionPath = left;
   space_info.poseInActionSpace = {};
-  REFUSED(POSE_INVALID, xrCreateActionSpace, session, &space_info, &in);
+  REFUSED_INFO(POSE_INVALID, xrCreateActionSpace, session, space_info);
 
   XrActiveActionSet active{set, XR_NULL_PATH};
   const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
@@ -411,14 +385,11 @@ void MockErrors::provoke_actions() {
       return own && refused == XR_ERROR_ACTION_TYPE_MISMATCH ? XR_SUCCESS : refused;
     };
     const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, of, subaction};
-    XrActionStateBoolean boolean{XR_TYPE_ACTION_STATE_BOOLEAN};
-    EXPECT_XR(expected(of == button), CALL(xrGetActionStateBoolean, session, &info, &boolean));
-    XrActionStateFloat number{XR_TYPE_ACTION_STATE_FLOAT};
-    EXPECT_XR(refused, CALL(xrGetActionStateFloat, session, &info, &number));
-    XrActionStateVector2f vector{XR_TYPE_ACTION_STATE_VECTOR2F};
-    EXPECT_XR(refused, CALL(xrGetActionStateVector2f, session, &info, &vector));
-    XrActionStatePose posed{XR_TYPE_ACTION_STATE_POSE};
-    EXPECT_XR(expected(of == pose), CALL(xrGetActionStatePose, session, &info, &posed));
+    const auto get = [&](const char* name, auto call) { return note(name, result_of(call, session, info)); };
+    EXPECT_XR(expected(of == button), get("xrGetActionStateBoolean", XR(xrGetActionStateBoolean)));
+    EXPECT_XR(refused, get("xrGetActionStateFloat", XR(xrGetActionStateFloat)));
+    EXPECT_XR(refused, get("xrGetActionStateVector2f", XR(xrGetActionStateVector2f)));
+    EXPECT_XR(expected(of == pose), get("xrGetActionStatePose", XR(xrGetActionStatePose)));
     const XrHapticActionInfo haptic{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, of, subaction};
     const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, 1, 0.0F, 0.5F};
     EXPECT_XR(refused,
@@ -452,8 +423,8 @@ void MockErrors::provoke_actions() {
     states(of, never, XR_ERROR_PATH_INVALID);
     states(of, chest, XR_ERROR_PATH_UNSUPPORTED);
   }
-  begin();
-  for (const XrPath hand : {left, right}) CALL(xrSetInputDeviceActiveEXT, session, simple, hand, XR_TRUE);
+  focus();
+  for (const XrPath side : {left, right}) CALL(xrSetInputDeviceActiveEXT, session, simple, side, XR_TRUE);
   active.subactionPath = XR_NULL_PATH;
   CALL(xrSyncActions, session, &sync);
   others(left, XR_SUCCESS, select, XR_ERROR_SIZE_INSUFFICIENT);
@@ -483,7 +454,7 @@ TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
   destroy_session();
   for (const char* loss : {"lose_session", "lose_instance"}) {
     create_session((std::string(R"(, "events": [{"frame": 1, "do": ")") + loss + "\"}]").c_str());
-    begin();
+    focus();
     XrFrameState frame{XR_TYPE_FRAME_STATE};
     CALL(xrWaitFrame, session, nullptr, &frame);
     call_all(false);
@@ -491,8 +462,7 @@ TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
   }
   ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
   ASSERT_XR(XR_SUCCESS, create_direct({}, XR_MAKE_VERSION(1, 0, 20)));  // without XR_MND_headless
-  const XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
-  REFUSED(GRAPHICS_DEVICE_INVALID, xrCreateSession, instance, &create, &session);
+  REFUSED_INFO(GRAPHICS_DEVICE_INVALID, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1});
   EXPECT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
 
   const auto words = [](std::string_view text) {

@@ -147,12 +147,12 @@ TEST_F(MockHand, JointCountsThatAreWrongAreRefused) {
   const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 1};
   for (const std::uint32_t count : {0U, 25U, 27U}) {
     locations.jointCount = count;
-    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->locate_hand_joints(tracker, &info, &locations));
+    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrLocateHandJointsEXT)(tracker, &info, &locations));
   }
   locations.jointCount = XR_HAND_JOINT_COUNT_EXT;
   XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, 25, nullptr};
   locations.next = &velocities;
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->locate_hand_joints(tracker, &info, &locations));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrLocateHandJointsEXT)(tracker, &info, &locations));
   EXPECT_EQ(locations.isActive, 7U);
   EXPECT_EQ(joints[0].locationFlags, 0U);
 }
@@ -161,10 +161,8 @@ TEST_F(MockHand, JointCountsThatAreWrongAreRefused) {
 // that is not finite.
 TEST_F(MockHand, SpacesNeedValidPoses) {
   const auto create = [&](const XrPosef& pose) {
-    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL,
-                                          pose};
-    XrSpace space = XR_NULL_HANDLE;
-    return xrCreateReferenceSpace(session, &info, &space);
+    return result_of(xrCreateReferenceSpace, session,
+                     {XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, pose});
   };
   EXPECT_XR(XR_SUCCESS, create({{0.0F, 0.0F, 0.0F, 1.005F}, {}}));
   EXPECT_XR(XR_ERROR_POSE_INVALID, create({{0.0F, 0.0F, 0.0F, 0.0F}, {}}));
@@ -180,8 +178,7 @@ TEST_F(MockHand, ReferenceSpacesThatAreNotEnumeratedAreRefused) {
        {int{XR_REFERENCE_SPACE_TYPE_UNBOUNDED_MSFT}, int{XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR}, 0, 77}) {
     const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
                                           static_cast<XrReferenceSpaceType>(type), identity_pose};
-    XrSpace space = XR_NULL_HANDLE;
-    EXPECT_XR(XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, xrCreateReferenceSpace(session, &info, &space)) << type;
+    EXPECT_XR(XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, result_of(xrCreateReferenceSpace, session, info)) << type;
     XrExtent2Df bounds{};
     EXPECT_XR(XR_ERROR_REFERENCE_SPACE_UNSUPPORTED,
               xrGetReferenceSpaceBoundsRect(session, info.referenceSpaceType, &bounds))

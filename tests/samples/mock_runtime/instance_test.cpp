@@ -67,7 +67,7 @@ TEST_F(MockNegotiation, GivesFunctionsWithoutAnInstanceOnlyIfTheyNeedNone) {
   ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
   for (const char* name :
        {"xrCreateInstance", "xrEnumerateInstanceExtensionProperties", "xrEnumerateApiLayerProperties"})
-    EXPECT_NE(fetch_direct<PFN_xrVoidFunction>(XR_NULL_HANDLE, name), nullptr) << name;
+    EXPECT_NE(look_up_of(XR_NULL_HANDLE, name), nullptr) << name;
   auto function = reinterpret_cast<PFN_xrVoidFunction>(negotiate);
   EXPECT_XR(XR_ERROR_HANDLE_INVALID, request.get_instance_proc_addr(XR_NULL_HANDLE, "xrGetSystem", &function));
   EXPECT_EQ(function, nullptr);
@@ -97,7 +97,7 @@ TEST_F(MockInstance, DestroyingASessionDestroysWhatIsBelowIt) {
   EXPECT_XR(XR_ERROR_HANDLE_INVALID, xrDestroySpace(reinterpret_cast<XrSpace>(first)));
   ASSERT_XR(XR_SUCCESS, xrDestroySession(first));
   EXPECT_XR(XR_ERROR_HANDLE_INVALID, xrDestroySpace(space));
-  EXPECT_XR(XR_ERROR_HANDLE_INVALID, functions->destroy_hand_tracker(tracker));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, XR(xrDestroyHandTrackerEXT)(tracker));
   create_session();
   EXPECT_NE(session, first);
 }

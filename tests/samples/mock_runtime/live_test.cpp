@@ -38,7 +38,7 @@ class MockPlateTerminal : public MockRuntime {
   hrt_plate_report report() const { return plate::report_of(plate_); }
   double true_orientation_deg() {
     double orientation_deg = 0.0;
-    EXPECT_XR(XR_SUCCESS, functions->get_plate_orientation(session, 1, &orientation_deg));
+    EXPECT_XR(XR_SUCCESS, XR(xrGetPlateOrientationHRTX)(session, 1, &orientation_deg));
     return orientation_deg;
   }
 
@@ -59,7 +59,7 @@ TEST_F(MockPlateTerminal, TurnsThePlateAndBendsThePersonsHand) {
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
   EXPECT_TRUE(eventually([&] {
     EXPECT_EQ(hrt_plate_set(plate_, 50.0), HRT_OK);
-    EXPECT_XR(XR_SUCCESS, functions->get_reach_truth(session, XR_HAND_RIGHT_EXT, &truth));
+    EXPECT_XR(XR_SUCCESS, XR(xrGetReachTruthHRTX)(session, XR_HAND_RIGHT_EXT, &truth));
     return truth.trueDirection < -10.0;
   })) << truth.trueDirection;
   EXPECT_LT(std::abs(truth.perceivedDirection), std::abs(truth.trueDirection));

@@ -70,7 +70,7 @@ TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
   double plate_deg = 0.0;
   double peak_deg = 0.0;
   for (int period = 0; !truth().isDone; ++period) {
-    ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 10'000'000));
+    ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 10'000'000));
     now += 10'000'000;
     for (int millisecond = 0; period >= 25 && millisecond < 10; ++millisecond) {
       by_hand.advance(plate_deg);
@@ -81,7 +81,7 @@ TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
     EXPECT_NEAR(static_cast<double>(tip.x), by_hand.position().right_m, 1e-6);
     EXPECT_NEAR(static_cast<double>(tip.z), -by_hand.position().away_m, 1e-6);
     plate_deg = 8.0 * (period % 13) - 50.0;
-    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, plate_deg));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, plate_deg));
   }
   EXPECT_TRUE(by_hand.done());
   EXPECT_NEAR(truth().perceivedDirection, 5.0 + by_hand.felt_error_deg(), 1e-12);
@@ -107,7 +107,7 @@ TEST_F(MockPlate, SlidesThatNobodyInstructsComeAgain) {
                    "}");
     frame();
     place_plate();
-    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 40.0));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 40.0));
   };
   constexpr int frames_of_a_slide = 98;  // 300 ms and 800 ms, at 90 Hz
   std::vector<float> instructed;
@@ -145,7 +145,7 @@ TEST_F(MockPlate, BytesOfAReachAreThoseOfEveryHost) {
     while (!truth().isDone) {
       const XrTime time = frame();
       const XrVector3f tip = index_tip(time);
-      ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, static_cast<double>(time % 60)));
+      ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, static_cast<double>(time % 60)));
       hash.add(tip);
     }
   }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <thread>
 
 #include "tests/samples/mock_runtime/support.h"
@@ -102,11 +103,11 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"focus_frame": -1})", "script.focus_frame must be a whole number from 0"},
   };
   for (const auto& [script, why] : cases) {
-    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->apply_script(instance, script)) << script;
+    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrApplyScriptHRTX)(instance, script)) << script;
     EXPECT_TRUE(has(std::string(call_log().back().reason), why)) << call_log().back().reason;
   }
   create_session();
-  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->apply_script(instance, "{}"));
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, XR(xrApplyScriptHRTX)(instance, "{}"));
 }
 
 // The JSON objects of a document that stand alone: in a block, between quotes of any kind, or in brackets.
@@ -129,7 +130,7 @@ TEST_F(MockScript, ExamplesOfTheDocumentsRun) {
   std::size_t count = 0;
   for (const char* document : {"README.md", "SCRIPTS.md"})
     for (const std::string& script : examples_of(document)) {
-      ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str())) << script << call_log().back().reason;
+      ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, script.c_str())) << script << call_log().back().reason;
       begin_session();
       const auto start = std::chrono::steady_clock::now();
       for (int i = 0; i < 320 && std::chrono::steady_clock::now() - start < std::chrono::seconds(2); ++i)
@@ -140,6 +141,53 @@ TEST_F(MockScript, ExamplesOfTheDocumentsRun) {
       ++count;
     }
   EXPECT_GE(count, 5U);
+}
+
+std::string readme_script() {
+  const std::string readme = read_file(HRT_MOCK_DOCUMENTS "/SCRIPTS.md");
+  const std::size_t begin = readme.find("```json\n") + 8;
+  std::string script = readme.substr(begin, readme.find("```", begin) - begin);
+  // Without the calls: some wait in real time.
+  return script.substr(0, script.find(",\n  \"calls\"")) + "\n}\n";
+}
+
+// A script with a mistake is refused with a reason, or is another script; nothing else happens.
+TEST_F(MockScript, RandomMistakesAreRefusedWithAReasonOrHarmless) {
+  const std::string whole = readme_script();
+  ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, whole.c_str())) << call_log().back().reason;
+  std::mt19937 random(1);
+  const std::string letters = "{}[]\",:0123456789.-eE truefalsn\\\n\x01\xff";
+  int refused = 0, taken = 0;
+  for (int i = 0; i < 1500; ++i) {
+    std::string script = whole;
+    for (std::uint32_t change = 0; change <= random() % 3; ++change) {
+      const std::size_t at = random() % script.size();
+      switch (random() % 4) {
+        case 0:
+          script.erase(at, random() % 20 + 1);
+          break;
+        case 1:
+          script.insert(at, 1, letters[random() % letters.size()]);
+          break;
+        case 2:
+          script[at] = letters[random() % letters.size()];
+          break;
+        default:
+          script.insert(at, script.substr(random() % script.size(), random() % 40));
+      }
+    }
+    const XrResult result = XR(xrApplyScriptHRTX)(instance, script.c_str());
+    if (result == XR_SUCCESS) {
+      ++taken;
+      begin_session();
+      EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
+    } else {
+      ++refused;
+      EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, result) << script;
+    }
+  }
+  EXPECT_GT(refused, 1000);
+  EXPECT_GT(taken, 10);
 }
 
 TEST_F(MockScript, CallsFailOnOrderAndTheCallsAroundThemDoNot) {
@@ -161,7 +209,7 @@ TEST_F(MockScript, CallsTakeLongOnOrder) {
   const auto elapsed = [&] { return std::chrono::steady_clock::now() - start; };
   std::thread waiter([&] { EXPECT_XR(XR_SUCCESS, wait()); });
   while (call_log().back().function == std::string("xrBeginFrame") && elapsed() < std::chrono::milliseconds(100))
-    EXPECT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 1.0));
+    EXPECT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 1.0));
   EXPECT_LT(elapsed(), std::chrono::milliseconds(1400));
   waiter.join();
   EXPECT_GE(elapsed(), std::chrono::milliseconds(1500));
@@ -241,7 +289,7 @@ TEST_F(MockScript, SessionIsLostAtAFrame) {
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_LOSS_PENDING}));
   EXPECT_XR(XR_ERROR_SESSION_LOST, wait());
   EXPECT_TRUE(all_states().empty());
-  EXPECT_XR(XR_SUCCESS, functions->destroy_hand_tracker(hand));
+  EXPECT_XR(XR_SUCCESS, XR(xrDestroyHandTrackerEXT)(hand));
   EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
   begin_session();
   EXPECT_XR(XR_SUCCESS, wait());
@@ -251,11 +299,11 @@ TEST_F(MockScript, SessionIsLostAtAFrame) {
 TEST_F(MockScript, InstanceIsLostAtATime) {
   begin_with(
       R"({"events": [{"time_ms": 100, "do": "instance_loss_pending"}, {"time_ms": 200, "do": "lose_instance"}]})");
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 100'000'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 100'000'000));
   XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
   ASSERT_XR(XR_SUCCESS, xrPollEvent(instance, &event));
   EXPECT_EQ(event.type, XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING);
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 100'000'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 100'000'000));
   event = {XR_TYPE_EVENT_DATA_BUFFER};
   EXPECT_XR(XR_ERROR_INSTANCE_LOST, xrPollEvent(instance, &event));
   EXPECT_XR(XR_ERROR_INSTANCE_LOST, wait());
@@ -284,7 +332,7 @@ TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
 TEST_F(MockScript, FullVelocitiesAreTheRatesOfChange) {
   begin_with(R"({"participants": [{"reaction_ms": 0}]})");
   begin_reach();
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 500'000'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 500'000'000));
   const XrTime time = frame();
   constexpr XrDuration step = 1'000'000;
   const Hand now = locate_hand(hand, local, time);
@@ -318,10 +366,10 @@ TEST_F(MockScript, HandFollowsItsPath) {
 TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   begin_with(R"({"servo": {"speed_deg_per_s": 400, "latency_ms": 20}})");
   const XrTime start = 1'000'000'000;
-  ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, -50.0));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, -50.0));
   const auto at = [&](XrDuration after_ms) {
     double orientation = 0.0;
-    EXPECT_XR(XR_SUCCESS, functions->get_plate_orientation(session, start + after_ms * 1'000'000, &orientation));
+    EXPECT_XR(XR_SUCCESS, XR(xrGetPlateOrientationHRTX)(session, start + after_ms * 1'000'000, &orientation));
     return orientation;
   };
   EXPECT_DOUBLE_EQ(at(0), 0.0);
@@ -330,8 +378,8 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   EXPECT_NEAR(at(145), -50.0, 1e-9);
   EXPECT_DOUBLE_EQ(at(1000), -50.0);
   // Turned back half way there: 72.5 ms after the first command it stands at -21.
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 52'500'000));
-  ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 10.0));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 52'500'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 10.0));
   EXPECT_NEAR(at(30), -13.0, 1e-9);  // in the past: as now, 32.5 ms after the turn began
   EXPECT_NEAR(at(72), -20.8, 1e-9);
   EXPECT_NEAR(at(82), -21.0 + 0.4 * 9.5, 1e-9);
@@ -339,7 +387,7 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
 
 TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
   begin_with(R"({"participants": [{"steering": "steps"}], "tracker": {"latency_ms": 50, "rate_hz": 40}})");
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 0));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 0));
   begin_reach();
   const XrTime start = 1'000'000'000;
   const auto travelled_mm = [&](XrDuration after_ms) {
@@ -376,7 +424,7 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
     std::vector<double> directions;
     for (int reach = 0; reach < 3; ++reach) {
       begin_reach(-5.0);
-      EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 6'000'000'000));
+      EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 6'000'000'000));
       EXPECT_TRUE(truth().isDone);
       directions.push_back(truth().trueDirection);
     }
@@ -401,7 +449,7 @@ TEST_F(MockScript, SeedDrawsEachPartApart) {
   const auto duration = [&] {
     begin_reach();
     XrDuration taken = 0;
-    for (; !truth().isDone; taken += 10'000'000) EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 10'000'000));
+    for (; !truth().isDone; taken += 10'000'000) EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 10'000'000));
     return taken;
   };
   begin_with(R"({"participants": [{"reaction_ms": 0, "pace": ["minimum_jerk", "pause"], "duration_ms": 1000}]})");
@@ -409,7 +457,7 @@ TEST_F(MockScript, SeedDrawsEachPartApart) {
   int pausing = 0;
   std::vector<double> weights;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    ASSERT_XR(XR_SUCCESS, functions->set_seed(session, seed, 0));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, seed, 0));
     const XrDuration taken = duration();
     weights.push_back(truth().tactileWeight);
     EXPECT_TRUE(taken == 1'000'000'000 || taken == 1'600'000'000) << taken;
@@ -419,7 +467,7 @@ TEST_F(MockScript, SeedDrawsEachPartApart) {
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   begin_with("{}");
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    ASSERT_XR(XR_SUCCESS, functions->set_seed(session, seed, 0));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, seed, 0));
     const XrDuration taken = duration();
     EXPECT_EQ(truth().tactileWeight, weights[seed]);
     // A pace of 1 to 2 s after a reaction of 0.3 to 0.7 s.
@@ -433,12 +481,12 @@ TEST_F(MockScript, SeedAndNumberMakeTheReach) {
   begin_with("{}");
   const auto final_direction = [&] {
     begin_reach();
-    EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 6'000'000'000));
+    EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 6'000'000'000));
     return truth().trueDirection;
   };
-  ASSERT_XR(XR_SUCCESS, functions->set_seed(session, 9, 0));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, 9, 0));
   const std::array<double, 3> whole{final_direction(), final_direction(), final_direction()};
-  ASSERT_XR(XR_SUCCESS, functions->set_seed(session, 9, 2));
+  ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, 9, 2));
   EXPECT_EQ(final_direction(), whole[2]);
   EXPECT_NE(whole[2], whole[0]);
 }
@@ -455,7 +503,7 @@ TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   begin_with(R"({"clock": "real-time", "frame_rate_hz": 100})");
   EXPECT_GE(timed(6), 0.049);
-  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->advance_time(instance, 1));
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, XR(xrAdvanceTimeHRTX)(instance, 1));
 }
 
 // A path is there to be seen, unless the script says otherwise.
@@ -475,7 +523,7 @@ TEST_F(MockScript, HandWithAPathIsTracked) {
 
 // The environment: a script from a file, errors that xrCreateInstance reports, and a log that outlives the
 // instance.
-class MockEnvironment : public ::testing::Test {
+class MockEnvironment : public MockRuntime {
  protected:
   void SetUp() override {
     setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
@@ -488,13 +536,12 @@ class MockEnvironment : public ::testing::Test {
 
   void write_script(const char* text) { std::ofstream(folder / "script.json") << text; }
   std::string read_log() { return read_file(folder / "calls.log"); }
-  XrResult create() {
-    const XrInstanceCreateInfo info = instance_info(default_extensions());
+  XrResult create(const std::vector<const char*>& extensions = default_extensions()) {
+    const XrInstanceCreateInfo info = instance_info(extensions);
     return xrCreateInstance(&info, &instance);
   }
 
   TemporaryFolder folder;
-  XrInstance instance = XR_NULL_HANDLE;
 };
 
 // Each once in a process, whatever the number of instances.
@@ -504,11 +551,9 @@ TEST_F(MockEnvironment, FaultsHappenOnceAndFromTheFirstCallOn) {
                     {"function": "xrGetSystem", "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"},
                     {"instance": 3, "function": "xrCreateInstance", "result": "XR_ERROR_RUNTIME_UNAVAILABLE"}]})");
   EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, create());
-  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-  XrSystemId system = XR_NULL_SYSTEM_ID;
   for (const bool first : {true, false}) {
     ASSERT_XR(XR_SUCCESS, create());
-    EXPECT_XR(first ? XR_ERROR_FORM_FACTOR_UNAVAILABLE : XR_SUCCESS, xrGetSystem(instance, &get, &system));
+    EXPECT_XR(first ? XR_ERROR_FORM_FACTOR_UNAVAILABLE : XR_SUCCESS, result_of(xrGetSystem, instance, head_mounted));
     EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
   }
   EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, create());
@@ -551,39 +596,32 @@ class MockRealTime : public MockEnvironment {
   void SetUp() override {
     MockEnvironment::SetUp();
     write_script(R"({"clock": "real-time"})");
-    const std::vector<const char*> names{XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME};
-    const XrInstanceCreateInfo info = instance_info(names);
-    ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-    to_time = fetch<PFN_xrConvertTimespecTimeToTimeKHR>(instance, "xrConvertTimespecTimeToTimeKHR");
-    to_timespec = fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR");
+    ASSERT_XR(XR_SUCCESS, create({XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
   }
   void TearDown() override {
     EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
     MockEnvironment::TearDown();
   }
-
-  PFN_xrConvertTimespecTimeToTimeKHR to_time = nullptr;
-  PFN_xrConvertTimeToTimespecTimeKHR to_timespec = nullptr;
 };
 
 // XR_KHR_convert_timespec_time: there and back is the same time within 2 ns; XR_ERROR_TIME_INVALID otherwise.
 TEST_F(MockRealTime, TimespecsConvertThereAndBack) {
   for (const timespec& from : {timespec{0, 1}, timespec{1, 999'999'999}, timespec{2'000'000'000, 123'456'789}}) {
     XrTime time = 0;
-    ASSERT_XR(XR_SUCCESS, to_time(instance, &from, &time));
+    ASSERT_XR(XR_SUCCESS, XR(xrConvertTimespecTimeToTimeKHR)(instance, &from, &time));
     timespec back{};
-    ASSERT_XR(XR_SUCCESS, to_timespec(instance, time, &back));
+    ASSERT_XR(XR_SUCCESS, XR(xrConvertTimeToTimespecTimeKHR)(instance, time, &back));
     EXPECT_EQ(back.tv_sec, from.tv_sec);
     EXPECT_NEAR(static_cast<double>(back.tv_nsec), static_cast<double>(from.tv_nsec), 2.0);
   }
   XrTime time = 77;
   for (const timespec& bad :
        {timespec{-1, 0}, timespec{0, 0}, timespec{1, -1}, timespec{1, 1'000'000'000}, timespec{INT64_MAX, 0}})
-    EXPECT_XR(XR_ERROR_TIME_INVALID, to_time(instance, &bad, &time));
+    EXPECT_XR(XR_ERROR_TIME_INVALID, XR(xrConvertTimespecTimeToTimeKHR)(instance, &bad, &time));
   EXPECT_EQ(time, 77);
   timespec back{};
-  EXPECT_XR(XR_ERROR_TIME_INVALID, to_timespec(instance, 0, &back));
-  EXPECT_XR(XR_ERROR_TIME_INVALID, to_timespec(instance, -5, &back));
+  EXPECT_XR(XR_ERROR_TIME_INVALID, XR(xrConvertTimeToTimespecTimeKHR)(instance, 0, &back));
+  EXPECT_XR(XR_ERROR_TIME_INVALID, XR(xrConvertTimeToTimespecTimeKHR)(instance, -5, &back));
 }
 
 // Of the manual clock no time of the machine is an XrTime.

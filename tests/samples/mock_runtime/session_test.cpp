@@ -40,7 +40,7 @@ TEST_F(MockSession, ExitAndEndGoThroughTheSpecifiedStates) {
 // A user who ends the application: "EXITING: the application should end its XR experience and not
 // automatically restart it".
 TEST_F(MockSession, UserEndsTheApplicationByScript) {
-  ASSERT_XR(XR_SUCCESS, functions->apply_script(
+  ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(
                             instance, R"({"events": [{"frame": 1, "do": "session_state", "state": "EXITING"}]})"));
   begin_session();
   frame();
@@ -98,7 +98,7 @@ TEST_F(MockSession, FrameCallsComeInOrder) {
 // On a headset with graphics focus follows frames: an application that waits for it before its first frame
 // waits forever.
 TEST_F(MockSession, FocusFollowsFramesOnOrder) {
-  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"focus_frame": 2})"));
+  ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, R"({"focus_frame": 2})"));
   for (int run = 0; run < 2; ++run) {
     create_session();
     ASSERT_XR(XR_SUCCESS, begin(session));

@@ -1,7 +1,5 @@
 #include "tests/samples/mock_runtime/support.h"
 
-#include <openxr/openxr_reflection.h>
-
 #include <cstdio>
 #include <cstdlib>
 
@@ -21,18 +19,6 @@ const bool runtime_is_chosen = unsetenv("HRT_MOCK_SCRIPT") == 0 && unsetenv("HRT
                                setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1) == 0;
 
 }  // namespace
-
-std::string result_name(XrResult result) {
-  if (result == XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED) return "XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED";
-  switch (result) {
-#define HRT_NAME(name, value) \
-  case name:                  \
-    return #name;
-    XR_LIST_ENUM_XrResult(HRT_NAME)
-#undef HRT_NAME
-        default : return std::to_string(result);
-  }
-}
 
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions) {
   XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
@@ -73,9 +59,7 @@ void MockRuntime::SetUp() {
   ASSERT_TRUE(runtime_is_chosen);
   const XrInstanceCreateInfo info = instance_info(extensions_);
   ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-  functions.emplace(Functions{instance});
-  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-  ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+  system = output(xrGetSystem, instance, head_mounted);
 }
 
 void MockRuntime::TearDown() {
@@ -84,14 +68,13 @@ void MockRuntime::TearDown() {
   }
 }
 
-void MockRuntime::create_session() {
-  const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
-  ASSERT_XR(XR_SUCCESS, xrCreateSession(instance, &info, &session));
+void Application::create_session() {
+  session = output(XR(xrCreateSession), instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system});
 }
 
-void MockRuntime::focus() {
+void Application::focus() {
   const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
-  ASSERT_XR(XR_SUCCESS, xrBeginSession(session, &info));
+  ASSERT_XR(XR_SUCCESS, XR(xrBeginSession)(session, &info));
 }
 
 void MockRuntime::begin_session() {
@@ -101,7 +84,7 @@ void MockRuntime::begin_session() {
 }
 
 void MockRuntime::apply(const std::string& script) {
-  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str())) << call_log().back().reason;
+  ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, script.c_str())) << call_log().back().reason;
 }
 
 void MockRuntime::begin_with(const std::string& script) {
@@ -122,9 +105,9 @@ std::vector<XrSessionState> MockRuntime::all_states() {
   return states;
 }
 
-XrPath MockRuntime::path(const char* text) {
+XrPath Application::path(const std::string& text) {
   XrPath atom = XR_NULL_PATH;
-  EXPECT_XR(XR_SUCCESS, xrStringToPath(instance, text, &atom));
+  EXPECT_XR(XR_SUCCESS, XR(xrStringToPath)(instance, text.c_str(), &atom));
   return atom;
 }
 
@@ -132,24 +115,21 @@ std::vector<XrCallRecordHRTX> MockRuntime::call_log() {
   // Another thread may call in between: the log is longer then.
   for (;;) {
     std::uint32_t count = 0;
-    EXPECT_XR(XR_SUCCESS, functions->get_call_log(instance, 0, &count, nullptr));
+    EXPECT_XR(XR_SUCCESS, XR(xrGetCallLogHRTX)(instance, 0, &count, nullptr));
     std::vector<XrCallRecordHRTX> records(count, {XR_TYPE_CALL_RECORD_HRTX});
-    const XrResult result = functions->get_call_log(instance, count, &count, records.data());
+    const XrResult result = XR(xrGetCallLogHRTX)(instance, count, &count, records.data());
     if (result == XR_ERROR_SIZE_INSUFFICIENT) continue;
     EXPECT_XR(XR_SUCCESS, result);
     return records;
   }
 }
 
-XrHandTrackerEXT MockRuntime::create_hand_tracker(XrHandEXT which) {
-  const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, which,
-                                        XR_HAND_JOINT_SET_DEFAULT_EXT};
-  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
-  EXPECT_XR(XR_SUCCESS, functions->create_hand_tracker(session, &info, &tracker));
-  return tracker;
+XrHandTrackerEXT Application::create_hand_tracker(XrHandEXT which) {
+  return output(XR(xrCreateHandTrackerEXT), session,
+                {XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, which, XR_HAND_JOINT_SET_DEFAULT_EXT});
 }
 
-MockRuntime::Hand MockRuntime::locate_hand(XrHandTrackerEXT tracker, XrSpace space, XrTime time) {
+Application::Hand Application::locate_hand(XrHandTrackerEXT tracker, XrSpace space, XrTime time) {
   Hand found;
   // Newer validation layers refuse outputs whose flags are zero before the call.
   for (XrHandJointVelocityEXT& velocity : found.velocities) velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
@@ -158,102 +138,84 @@ MockRuntime::Hand MockRuntime::locate_hand(XrHandTrackerEXT tracker, XrSpace spa
   XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
                                     found.joints.data()};
   const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, space, time};
-  EXPECT_XR(XR_SUCCESS, functions->locate_hand_joints(tracker, &info, &locations));
+  EXPECT_XR(XR_SUCCESS, XR(xrLocateHandJointsEXT)(tracker, &info, &locations));
   found.active = locations.isActive == XR_TRUE;
   return found;
 }
 
-XrSpace MockRuntime::create_space(XrReferenceSpaceType type, const XrPosef& pose) {
-  const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, pose};
-  XrSpace space = XR_NULL_HANDLE;
-  EXPECT_XR(XR_SUCCESS, xrCreateReferenceSpace(session, &info, &space));
-  return space;
+XrSpace Application::create_space(XrReferenceSpaceType type, const XrPosef& pose) {
+  return output(XR(xrCreateReferenceSpace), session, {XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, pose});
 }
 
-XrSpaceLocation MockRuntime::located(XrSpace space, XrSpace base, XrTime time, XrSpaceVelocity* velocity) {
+XrSpaceLocation Application::located(XrSpace space, XrSpace base, XrTime time, XrSpaceVelocity* velocity) {
   XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, velocity};
-  EXPECT_XR(XR_SUCCESS, xrLocateSpace(space, base, time, &location));
+  EXPECT_XR(XR_SUCCESS, XR(xrLocateSpace)(space, base, time, &location));
   return location;
 }
 
-XrActionSet MockRuntime::make_set(const char* name, std::uint32_t priority) {
-  const XrActionSetCreateInfo info = set_info(name, name, priority);
-  XrActionSet made = XR_NULL_HANDLE;
-  EXPECT_XR(XR_SUCCESS, xrCreateActionSet(instance, &info, &made));
-  return made;
+XrActionSet Application::make_set(const char* name, std::uint32_t priority) {
+  return output(XR(xrCreateActionSet), instance, set_info(name, name, priority));
 }
 
-XrAction MockRuntime::make_action(XrActionSet in, const char* name, XrActionType type,
+XrAction Application::make_action(XrActionSet in, const char* name, XrActionType type,
                                   const std::vector<XrPath>& subactions) {
-  const XrActionCreateInfo info = action_info(name, name, type, subactions);
-  XrAction made = XR_NULL_HANDLE;
-  EXPECT_XR(XR_SUCCESS, xrCreateAction(in, &info, &made));
-  return made;
+  return output(XR(xrCreateAction), in, action_info(name, name, type, subactions));
 }
 
-XrResult MockRuntime::suggest(const char* profile, const std::vector<XrActionSuggestedBinding>& bindings) {
+XrResult Application::suggest(const std::string& profile, const std::vector<XrActionSuggestedBinding>& bindings) {
   const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, path(profile),
                                                   static_cast<std::uint32_t>(bindings.size()), bindings.data()};
-  return xrSuggestInteractionProfileBindings(instance, &info);
+  return XR(xrSuggestInteractionProfileBindings)(instance, &info);
 }
 
-XrResult MockRuntime::attach(const std::vector<XrActionSet>& sets) {
+XrResult Application::attach(const std::vector<XrActionSet>& sets) {
   const XrSessionActionSetsAttachInfo info{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr,
                                            static_cast<std::uint32_t>(sets.size()), sets.data()};
-  return xrAttachSessionActionSets(session, &info);
+  return XR(xrAttachSessionActionSets)(session, &info);
 }
 
-XrResult MockRuntime::sync(const std::vector<XrActiveActionSet>& sets) {
+XrResult Application::sync(const std::vector<XrActiveActionSet>& sets) {
   const XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, static_cast<std::uint32_t>(sets.size()),
                                sets.data()};
-  return xrSyncActions(session, &info);
+  return XR(xrSyncActions)(session, &info);
 }
 
-XrSpace MockRuntime::create_action_space(XrAction action, XrPath subaction, const XrPosef& pose) {
-  const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, subaction, pose};
-  XrSpace space = XR_NULL_HANDLE;
-  EXPECT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
-  return space;
+XrSpace Application::create_action_space(XrAction action, XrPath subaction, const XrPosef& pose) {
+  return output(XR(xrCreateActionSpace), session, {XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, subaction, pose});
 }
 
-XrActionStateBoolean MockRuntime::boolean(XrAction action, XrPath subaction) {
-  const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction};
-  XrActionStateBoolean state{XR_TYPE_ACTION_STATE_BOOLEAN};
-  EXPECT_XR(XR_SUCCESS, xrGetActionStateBoolean(session, &info, &state));
-  return state;
+XrActionStateBoolean Application::boolean(XrAction action, XrPath subaction) {
+  return output(XR(xrGetActionStateBoolean), session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction});
 }
 
-XrActionStateFloat MockRuntime::scalar(XrAction action) {
-  const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, XR_NULL_PATH};
-  XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
-  EXPECT_XR(XR_SUCCESS, xrGetActionStateFloat(session, &info, &state));
-  return state;
+XrActionStateFloat Application::scalar(XrAction action) {
+  return output(XR(xrGetActionStateFloat), session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, XR_NULL_PATH});
 }
 
 void MockRuntime::place_plate(XrSpace in) {
   const XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, in, identity_pose, 0.075};
-  ASSERT_XR(XR_SUCCESS, functions->place_plate(session, &placement));
+  ASSERT_XR(XR_SUCCESS, XR(xrPlacePlateHRTX)(session, &placement));
 }
 
 void MockRuntime::instruct(double goal_deg, const XrVector3f& start, double length_m) {
   const XrReachInstructionHRTX instruction{
       XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, start, goal_deg, length_m};
-  ASSERT_XR(XR_SUCCESS, functions->instruct_reach(session, &instruction));
+  ASSERT_XR(XR_SUCCESS, XR(xrInstructReachHRTX)(session, &instruction));
 }
 
 XrReachTruthHRTX MockRuntime::truth() {
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
-  EXPECT_XR(XR_SUCCESS, functions->get_reach_truth(session, XR_HAND_RIGHT_EXT, &truth));
+  EXPECT_XR(XR_SUCCESS, XR(xrGetReachTruthHRTX)(session, XR_HAND_RIGHT_EXT, &truth));
   return truth;
 }
 
-XrFrameState MockRuntime::whole_frame() {
+XrFrameState Application::whole_frame() {
   XrFrameState state{XR_TYPE_FRAME_STATE};
-  EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
-  EXPECT_XR(XR_SUCCESS, xrBeginFrame(session, nullptr));
+  EXPECT_XR(XR_SUCCESS, XR(xrWaitFrame)(session, nullptr, &state));
+  EXPECT_XR(XR_SUCCESS, XR(xrBeginFrame)(session, nullptr));
   const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,           nullptr, state.predictedDisplayTime,
                            XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0,       nullptr};
-  EXPECT_XR(XR_SUCCESS, xrEndFrame(session, &end));
+  EXPECT_XR(XR_SUCCESS, XR(xrEndFrame)(session, &end));
   return state;
 }
 

@@ -58,7 +58,7 @@ TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionIsLost) {
   apply(R"({"events": [{"time_ms": 50, "do": "lose_session"}]})");
   begin_session();
   auto waiting = blocked_wait();
-  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 50'000'000));
+  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 50'000'000));
   EXPECT_XR(XR_ERROR_SESSION_LOST, waiting.get());
 }
 
@@ -80,7 +80,7 @@ TEST_F(MockThreads, CallsFromManyThreadsDoNotDisturbEachOther) {
     XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
                                       joints.data()};
     const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 1'000'000'000 + i};
-    check(functions->locate_hand_joints(hand, &info, &locations));
+    check(XR(xrLocateHandJointsEXT)(hand, &info, &locations));
   }));
   threads.push_back(repeat([&](int) {
     const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_VIEW,
@@ -95,7 +95,7 @@ TEST_F(MockThreads, CallsFromManyThreadsDoNotDisturbEachOther) {
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
     check(xrPollEvent(instance, &event));
   }));
-  threads.push_back(repeat([&](int i) { check(functions->set_plate_orientation(session, i % 90)); }));
+  threads.push_back(repeat([&](int i) { check(XR(xrSetPlateOrientationHRTX)(session, i % 90)); }));
   for (int i = 0; i < 200; ++i) {
     if (i % 50 == 0) instruct();
     frame();

@@ -31,12 +31,9 @@ class MockValidation : public MockRuntime {
     const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, {left});
     ASSERT_XR(XR_SUCCESS, suggest(profile, {{grip, path("/user/hand/left/input/grip/pose")}}));
     ASSERT_XR(XR_SUCCESS, attach({set}));
-    ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(profile), left, XR_TRUE));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(profile), left, XR_TRUE));
     ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
-    XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, grip, left};
-    XrActionStatePose state{XR_TYPE_ACTION_STATE_POSE};
-    ASSERT_XR(XR_SUCCESS, xrGetActionStatePose(session, &get, &state));
-    EXPECT_TRUE(state.isActive);
+    EXPECT_TRUE(output(xrGetActionStatePose, session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, grip, left}).isActive);
     create_action_space(grip, left);
   }
 
@@ -50,14 +47,14 @@ TEST_F(MockValidation, LayerHasNothingToSayAboutAWholeSession) {
   use_actions();
   for (int i = 0; i < 300; ++i) {
     EXPECT_TRUE(locate_hand(hand, local, frame()).active);
-    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 10.0));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 10.0));
     all_states();
   }
   EXPECT_TRUE(truth().isDone);
   ASSERT_XR(XR_SUCCESS, xrRequestExitSession(session));
   ASSERT_XR(XR_SUCCESS, xrEndSession(session));
   all_states();
-  ASSERT_XR(XR_SUCCESS, functions->destroy_hand_tracker(hand));
+  ASSERT_XR(XR_SUCCESS, XR(xrDestroyHandTrackerEXT)(hand));
   ASSERT_XR(XR_SUCCESS, xrDestroySpace(local));
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   EXPECT_EQ(messages(), "");

@@ -10,19 +10,20 @@
 namespace hrt::mock {
 namespace {
 
-class MockVersion11 : public MockNegotiation {
+class MockProfiles : public MockNegotiation {
+ protected:
+  XrResult suggest(XrAction action, const std::string& profile, const std::string& source) {
+    return Application::suggest("/interaction_profiles/" + profile, {{action, path("/user/hand/" + source)}});
+  }
+};
+
+class MockVersion11 : public MockProfiles {
  protected:
   void SetUp() override {
     MockNegotiation::SetUp();
     ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
     ASSERT_XR(XR_SUCCESS, create_direct({XR_MND_HEADLESS_EXTENSION_NAME}, XR_MAKE_VERSION(1, 1, 41)));
-    const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-    XrSystemId system = XR_NULL_SYSTEM_ID;
-    ASSERT_XR(XR_SUCCESS, direct<PFN_xrGetSystem>("xrGetSystem")(instance, &get, &system));
-    const XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
-    ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateSession>("xrCreateSession")(instance, &create, &session));
-    locate_spaces = direct<PFN_xrLocateSpaces>("xrLocateSpaces");
-    ASSERT_NE(locate_spaces, nullptr);
+    create_session();
   }
   void TearDown() override {
     destroy_direct();
@@ -30,28 +31,20 @@ class MockVersion11 : public MockNegotiation {
   }
 
   XrSpace space(XrReferenceSpaceType type, const XrVector3f& at = {}) {
-    const XrReferenceSpaceCreateInfo info{
-        XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, {identity_pose.orientation, at}};
-    XrSpace made = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS, direct<PFN_xrCreateReferenceSpace>("xrCreateReferenceSpace")(session, &info, &made));
-    return made;
+    return create_space(type, {identity_pose.orientation, at});
   }
-
-  XrSession session = XR_NULL_HANDLE;
-  PFN_xrLocateSpaces locate_spaces = nullptr;
 };
 
 // "LOCAL_FLOOR [...] establishes a world-locked origin [...] at the floor level": right below LOCAL.
 TEST_F(MockVersion11, LocalFloorIsBelowLocal) {
   std::uint32_t count = 0;
-  const auto enumerate = direct<PFN_xrEnumerateReferenceSpaces>("xrEnumerateReferenceSpaces");
+  const auto enumerate = XR(xrEnumerateReferenceSpaces);
   ASSERT_XR(XR_SUCCESS, enumerate(session, 0, &count, nullptr));
   std::vector<XrReferenceSpaceType> types(count);
   ASSERT_XR(XR_SUCCESS, enumerate(session, count, &count, types.data()));
   EXPECT_EQ(std::count(types.begin(), types.end(), XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR), 1);
-  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-  ASSERT_XR(XR_SUCCESS, direct<PFN_xrLocateSpace>("xrLocateSpace")(space(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR),
-                                                                   space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1, &location));
+  const XrSpaceLocation location =
+      located(space(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR), space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1);
   EXPECT_NEAR(location.pose.position.y, -1.2F, 1e-6F);
 }
 
@@ -67,7 +60,7 @@ TEST_F(MockVersion11, ManySpacesAreLocatedAtOnce) {
   XrSpaceVelocities velocities{XR_TYPE_SPACE_VELOCITIES, nullptr, 2, velocity_data.data()};
   XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, &velocities, 2, data.data()};
   const XrSpacesLocateInfo info{XR_TYPE_SPACES_LOCATE_INFO, nullptr, base, 1, 2, spaces.data()};
-  ASSERT_XR(XR_SUCCESS, locate_spaces(session, &info, &locations));
+  ASSERT_XR(XR_SUCCESS, XR(xrLocateSpaces)(session, &info, &locations));
   EXPECT_EQ(data[0].locationFlags, 15U);
   EXPECT_NEAR(data[0].pose.position.x, 2.0F, 1e-6F);
   EXPECT_NEAR(data[0].pose.position.z, 1.0F, 1e-6F);
@@ -86,7 +79,7 @@ TEST_F(MockVersion11, CountsTimesAndHandlesThatAreWrongAreRefused) {
     XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 2, data.data()};
     XrSpacesLocateInfo info{XR_TYPE_SPACES_LOCATE_INFO, nullptr, spaces[0], 1, 2, spaces.data()};
     change(info, locations, velocities);
-    EXPECT_XR(expected, locate_spaces(session, &info, &locations));
+    EXPECT_XR(expected, XR(xrLocateSpaces)(session, &info, &locations));
     EXPECT_EQ(data[0].locationFlags, 0U);
   };
   refused(XR_ERROR_VALIDATION_FAILURE, [](auto& info, auto&, auto&) { info.type = XR_TYPE_FRAME_STATE; });
@@ -104,7 +97,7 @@ TEST_F(MockVersion11, CountsTimesAndHandlesThatAreWrongAreRefused) {
 // "Interaction Profile Paths": each profile that 1.1 adds, with sources that distinguish it, and those of
 // which the profiles of 1.0 have more in 1.1.
 TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
-  const XrAction any = only_action(XR_ACTION_TYPE_FLOAT_INPUT);
+  const XrAction any = make_action(make_set("set"), "any", XR_ACTION_TYPE_FLOAT_INPUT);
   const std::vector<std::pair<const char*, std::vector<const char*>>> profiles{
       {"oculus/touch_controller", {"left/input/trigger/proximity", "right/input/grip_surface/pose"}},
       {"valve/index_controller", {"left/input/grip_surface/pose"}},
@@ -126,20 +119,18 @@ TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
       {"samsung/odyssey_controller", {"left/input/squeeze/click", "right/input/trackpad/touch"}}};
   for (const auto& [profile, sources] : profiles)
     for (const std::string source : sources)
-      EXPECT_XR(XR_SUCCESS, suggest(any, profile, "/user/hand/" + source)) << profile << ' ' << source;
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, "bytedance/pico4_controller", "/user/hand/right/input/menu/click"));
+      EXPECT_XR(XR_SUCCESS, suggest(any, profile, source)) << profile << ' ' << source;
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, "bytedance/pico4_controller", "right/input/menu/click"));
   for (const char* absent : {"input/thumbstick/touch", "input/squeeze/value", "output/haptic"})
-    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-              suggest(any, "bytedance/pico_g3_controller", std::string("/user/hand/left/") + absent))
+    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, "bytedance/pico_g3_controller", std::string("left/") + absent))
         << absent;
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, "meta/touch_plus_controller", "left/input/stylus/force"));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            suggest(any, "meta/touch_plus_controller", "/user/hand/left/input/stylus/force"));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            suggest(any, "meta/touch_controller_quest_1_rift_s", "/user/hand/left/input/thumbrest/touch"));
+            suggest(any, "meta/touch_controller_quest_1_rift_s", "left/input/thumbrest/touch"));
 }
 
 // Of an application for 1.0.
-class MockPromoted : public MockNegotiation {
+class MockPromoted : public MockProfiles {
  protected:
   void SetUp() override {
     MockNegotiation::SetUp();
@@ -159,10 +150,10 @@ TEST_F(MockPromoted, PosesOfThePalmAreThereWithTheirExtensions) {
       std::vector<const char*> names;
       if (enabled) names.push_back(extension);
       ASSERT_XR(XR_SUCCESS, create(names));
-      const XrAction action = only_action(XR_ACTION_TYPE_POSE_INPUT);
+      const XrAction action = make_action(make_set("set"), "only", XR_ACTION_TYPE_POSE_INPUT);
       for (const char* profile : {"khr/simple_controller", "valve/index_controller"})
         EXPECT_XR(enabled ? XR_SUCCESS : XR_ERROR_PATH_UNSUPPORTED,
-                  suggest(action, profile, std::string("/user/hand/left/input/") + pose + "/pose"));
+                  suggest(action, profile, std::string("left/input/") + pose + "/pose"));
       destroy_direct();
     }
 }

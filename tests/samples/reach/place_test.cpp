@@ -95,8 +95,6 @@ TEST(ReachRecentring, ByAnUnknownAmountEndsTheRun) {
 
 // Between the touches, which are of the room; the file has the pose in the space as it is then.
 TEST(ReachRecentring, WhileRegistering) {
-  const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
-                                    {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
   const std::string file = scratch_folder() + "/plate.txt";
   const Outcome outcome =
       run_scripted(Path().touch(marks).reach().script(

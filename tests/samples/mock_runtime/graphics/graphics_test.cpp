@@ -71,23 +71,10 @@ class MockGraphics : public MockRuntime {
   }
 
   static XrSwapchainCreateInfo swapchain_info(std::int64_t format = VK_FORMAT_R8G8B8A8_SRGB) {
-    return {XR_TYPE_SWAPCHAIN_CREATE_INFO,
-            nullptr,
-            0,
-            XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT,
-            format,
-            1,
-            64,
-            48,
-            1,
-            1,
-            1};
+    constexpr auto usage = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT;
+    return {XR_TYPE_SWAPCHAIN_CREATE_INFO, nullptr, 0, usage, format, 1, 64, 48, 1, 1, 1};
   }
-  XrSwapchain make_swapchain(const XrSwapchainCreateInfo& info) {
-    XrSwapchain made = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS, xrCreateSwapchain(session, &info, &made));
-    return made;
-  }
+  XrSwapchain make_swapchain(const XrSwapchainCreateInfo& info) { return output(xrCreateSwapchain, session, info); }
   static XrResult wait_image(XrSwapchain swapchain) {
     const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, XR_INFINITE_DURATION};
     return xrWaitSwapchainImage(swapchain, &wait);
@@ -133,12 +120,9 @@ class MockGraphics : public MockRuntime {
     return submit(state.predictedDisplayTime, layers);
   }
   XrResult submit(XrTime time, const std::vector<const void*>& layers) {
-    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,
-                             nullptr,
-                             time,
-                             XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
-                             static_cast<std::uint32_t>(layers.size()),
-                             reinterpret_cast<const XrCompositionLayerBaseHeader* const*>(layers.data())};
+    const auto count = static_cast<std::uint32_t>(layers.size());
+    const auto* const given = reinterpret_cast<const XrCompositionLayerBaseHeader* const*>(layers.data());
+    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, time, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, count, given};
     return xrEndFrame(session, &end);
   }
   Picture picture(const std::string& name) { return read_png(folder / name); }
@@ -178,10 +162,9 @@ TEST(MockGraphicsRequirements, AreAskedForFirst) {
   ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
   const XrGraphicsBindingVulkanKHR binding{XR_TYPE_GRAPHICS_BINDING_VULKAN_KHR};
   XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, &binding, 0, 1};
-  XrSession session = XR_NULL_HANDLE;
-  EXPECT_XR(XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING, xrCreateSession(instance, &create, &session));
+  EXPECT_XR(XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING, result_of(xrCreateSession, instance, create));
   create.next = nullptr;
-  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, xrCreateSession(instance, &create, &session));
+  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, result_of(xrCreateSession, instance, create));
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 
@@ -238,8 +221,7 @@ TEST_F(MockGraphics, SwapchainsThatCannotBeAreRefused) {
   const auto expect = [&](XrResult result, auto change) {
     XrSwapchainCreateInfo info = swapchain_info();
     change(info);
-    XrSwapchain made = XR_NULL_HANDLE;
-    EXPECT_XR(result, xrCreateSwapchain(session, &info, &made));
+    EXPECT_XR(result, result_of(xrCreateSwapchain, session, info));
   };
   expect(XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, [](auto& info) { info.format = VK_FORMAT_R8_SRGB; });
   expect(XR_ERROR_FEATURE_UNSUPPORTED, [](auto& info) { info.faceCount = 6; });
@@ -404,7 +386,7 @@ TEST_F(MockWorld, IsSeenByTheTesterOfAHeadlessSession) {
     begin_with(R"({"events": [{"frame": 90, "do": "take_picture"}], "picture_views": "world",
                    "participants": [{"illusion": "linear", "tactile_weight": 0.3, "duration_ms": 1500}]})");
     place_plate(local);
-    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 50.0));
+    ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 50.0));
     instruct(0.0, {0.0F, 0.0F, 0.06F}, 0.12);
     for (int i = 0; i < 89; ++i) frame();
     frame();

@@ -10,6 +10,8 @@ namespace hrt::mock {
 
 class VulkanApplication {
  public:
+#define VK(name) of_device<PFN_##name>(#name)
+#define FETCH(name) fetch<PFN_##name>(xr_, #name)
   VulkanApplication(XrInstance of, XrSystemId system) : xr_(of), system_(system) {
     library_ = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
     EXPECT_NE(library_, nullptr) << dlerror();
@@ -17,8 +19,8 @@ class VulkanApplication {
   }
   ~VulkanApplication() {
     if (device != nullptr) {
-      of_device<PFN_vkDestroyCommandPool>("vkDestroyCommandPool")(device, pool_, nullptr);
-      of_device<PFN_vkDestroyDevice>("vkDestroyDevice")(device, nullptr);
+      VK(vkDestroyCommandPool)(device, pool_, nullptr);
+      VK(vkDestroyDevice)(device, nullptr);
     }
     if (instance != nullptr) of_instance<PFN_vkDestroyInstance>("vkDestroyInstance")(instance, nullptr);
     dlclose(library_);
@@ -28,8 +30,7 @@ class VulkanApplication {
 
   void ask_requirements() {
     XrGraphicsRequirementsVulkanKHR needed{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN2_KHR};
-    EXPECT_XR(XR_SUCCESS, fetch<PFN_xrGetVulkanGraphicsRequirements2KHR>(xr_, "xrGetVulkanGraphicsRequirements2KHR")(
-                              xr_, system_, &needed));
+    EXPECT_XR(XR_SUCCESS, FETCH(xrGetVulkanGraphicsRequirements2KHR)(xr_, system_, &needed));
     EXPECT_LT(needed.minApiVersionSupported, needed.maxApiVersionSupported);
   }
 
@@ -41,12 +42,10 @@ class VulkanApplication {
     XrVulkanInstanceCreateInfoKHR create{
         XR_TYPE_VULKAN_INSTANCE_CREATE_INFO_KHR, nullptr, system_, 0, get, &vulkan, nullptr};
     VkResult result = VK_NOT_READY;
-    ASSERT_XR(XR_SUCCESS,
-              fetch<PFN_xrCreateVulkanInstanceKHR>(xr_, "xrCreateVulkanInstanceKHR")(xr_, &create, &instance, &result));
+    ASSERT_XR(XR_SUCCESS, FETCH(xrCreateVulkanInstanceKHR)(xr_, &create, &instance, &result));
     ASSERT_EQ(result, VK_SUCCESS);
     const XrVulkanGraphicsDeviceGetInfoKHR ask{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR, nullptr, system_, instance};
-    ASSERT_XR(XR_SUCCESS,
-              fetch<PFN_xrGetVulkanGraphicsDevice2KHR>(xr_, "xrGetVulkanGraphicsDevice2KHR")(xr_, &ask, &physical));
+    ASSERT_XR(XR_SUCCESS, FETCH(xrGetVulkanGraphicsDevice2KHR)(xr_, &ask, &physical));
     const float priority = 1.0F;
     VkDeviceQueueCreateInfo queue_info{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
     queue_info.queueCount = 1;
@@ -56,12 +55,11 @@ class VulkanApplication {
     device_info.pQueueCreateInfos = &queue_info;
     const XrVulkanDeviceCreateInfoKHR wanted{
         XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR, nullptr, system_, 0, get, physical, &device_info, nullptr};
-    ASSERT_XR(XR_SUCCESS,
-              fetch<PFN_xrCreateVulkanDeviceKHR>(xr_, "xrCreateVulkanDeviceKHR")(xr_, &wanted, &device, &result));
+    ASSERT_XR(XR_SUCCESS, FETCH(xrCreateVulkanDeviceKHR)(xr_, &wanted, &device, &result));
     ASSERT_EQ(result, VK_SUCCESS);
-    of_device<PFN_vkGetDeviceQueue>("vkGetDeviceQueue")(device, 0, 0, &queue_);
+    VK(vkGetDeviceQueue)(device, 0, 0, &queue_);
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-    ASSERT_EQ(of_device<PFN_vkCreateCommandPool>("vkCreateCommandPool")(device, &pool, nullptr, &pool_), VK_SUCCESS);
+    ASSERT_EQ(VK(vkCreateCommandPool)(device, &pool, nullptr, &pool_), VK_SUCCESS);
   }
 
   XrGraphicsBindingVulkanKHR binding() const {
@@ -73,10 +71,9 @@ class VulkanApplication {
     const VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool_,
                                                VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
     VkCommandBuffer commands = nullptr;
-    ASSERT_EQ(of_device<PFN_vkAllocateCommandBuffers>("vkAllocateCommandBuffers")(device, &allocate, &commands),
-              VK_SUCCESS);
+    ASSERT_EQ(VK(vkAllocateCommandBuffers)(device, &allocate, &commands), VK_SUCCESS);
     const VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    of_device<PFN_vkBeginCommandBuffer>("vkBeginCommandBuffer")(commands, &begin);
+    VK(vkBeginCommandBuffer)(commands, &begin);
     const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
     const auto move = [&](VkImageLayout from, VkImageLayout to) {
       VkImageMemoryBarrier barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
@@ -85,20 +82,18 @@ class VulkanApplication {
       barrier.newLayout = to;
       barrier.image = image;
       barrier.subresourceRange = range;
-      of_device<PFN_vkCmdPipelineBarrier>("vkCmdPipelineBarrier")(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
-                                                                  VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0,
-                                                                  nullptr, 1, &barrier);
+      VK(vkCmdPipelineBarrier)(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
+                               nullptr, 0, nullptr, 1, &barrier);
     };
     move(VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     const VkClearColorValue value{{colour[0], colour[1], colour[2], colour[3]}};
-    of_device<PFN_vkCmdClearColorImage>("vkCmdClearColorImage")(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                                                                &value, 1, &range);
+    VK(vkCmdClearColorImage)(commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
     move(VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-    of_device<PFN_vkEndCommandBuffer>("vkEndCommandBuffer")(commands);
+    VK(vkEndCommandBuffer)(commands);
     VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &commands;
-    ASSERT_EQ(of_device<PFN_vkQueueSubmit>("vkQueueSubmit")(queue_, 1, &submit, VK_NULL_HANDLE), VK_SUCCESS);
+    ASSERT_EQ(VK(vkQueueSubmit)(queue_, 1, &submit, VK_NULL_HANDLE), VK_SUCCESS);
   }
 
   VkInstance instance = nullptr;
@@ -118,6 +113,8 @@ class VulkanApplication {
 
  private:
   XrInstance xr_;
+#undef FETCH
+#undef VK
   XrSystemId system_;
   void* library_ = nullptr;
   VkQueue queue_ = nullptr;
