@@ -241,6 +241,33 @@ TEST(SimulationPeople, ControllersAreValidAndKnowWhatTheyAreToKnow) {
 
 // A tracker without noise whose frame is turned, scaled, sheared: the end of 100 mm straight ahead is seen at
 // (-100 sin a, 100 cos a), 105, and 100 tan a to the right of where it is. The headset's is 11 mm from there.
+TEST(SimulationPeople, AReachHasOneFaultOrNone) {
+  std::set<int> faults;
+  Draws draws(1, PersonStream::faults, 0, 0);
+  for (int i = 0; i < 100; ++i) {
+    PersonCondition with = draw("linear");
+    const TrackerModel before = with.tracker;
+    const PlateDynamics plate = with.plate;
+    draw_fault(with, draws);
+    const TrackerModel& now = with.tracker;
+    // The rate and jitter of slow-tracker, and size and time of noise-100, are one fault each.
+    const bool has[] = {now.rate_hz != before.rate_hz,
+                        now.correlated_m != before.correlated_m,
+                        now.white_m > before.white_m,
+                        now.wild_samples > 0 && now.wild_at_s < 0.5,
+                        now.wild_samples > 0 && now.wild_at_s >= 0.5,
+                        now.outlier_share > 0.0,
+                        now.dropout_share > 0.0,
+                        with.plate.max_speed_deg_s != plate.max_speed_deg_s,
+                        with.plate.latency_ns != plate.latency_ns,
+                        now.late_s > 0.0,
+                        now.latency_s > 0.0};
+    EXPECT_LE(std::count(std::begin(has), std::end(has), true), 1);
+    faults.insert(static_cast<int>(std::find(std::begin(has), std::end(has), true) - std::begin(has)));
+  }
+  EXPECT_EQ(faults.size(), 12U);  // none among them
+}
+
 TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
   const auto seen = [](PersonCondition condition) {
     condition.person.illusion = {.family = IllusionFamily::dead_band, .tactile_weight = 0.2, .scale_deg = 90.0};

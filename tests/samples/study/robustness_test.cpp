@@ -193,6 +193,34 @@ TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
   EXPECT_TRUE(has(rows[6], people_family("linear")->says));
 }
 
+// At 0.8 s a first reach is over before the weight has shown.
+TEST(StudyRobustness, TheInformedKnowWhatIsNamed) {
+  const auto informed_of = [](const char* traits) {
+    const StudyRun run = expect_exit(0, run_study({"robustness", "--people", "60", "--durations", "0.8", "--family",
+                                                   "linear", "--informed-of", traits, "--format", "csv"}));
+    const auto rows = lines(run.out);
+    return std::stod(field(rows[0], rows[leadings.size()], "near_percent"));
+  };
+  EXPECT_GT(informed_of("weight,curve"), informed_of("bias,habit") + 10.0);
+  EXPECT_TRUE(has(expect_exit(2, run_study({"robustness", "--informed-of", "weight,age"})).err, "weight,age"));
+}
+
+// A bias of 6 degrees is known after four reaches, and hardly after one.
+TEST(StudyRobustness, TheLastReachIsTheOneAskedFor) {
+  const auto rows_after = [](std::uint64_t reaches) {
+    return rows_of({"bias-6"}, {.people = 60, .reaches = reaches, .durations_s = {1.0}}).front();
+  };
+  const RobustnessRow two = rows_after(2), five = rows_after(5);
+  EXPECT_EQ(two.cell(Leading::first).can_hold.near.hits, five.cell(Leading::first).can_hold.near.hits);
+  EXPECT_GT(two.cell(Leading::last).can_hold.near.hits, two.cell(Leading::first).can_hold.near.hits);
+  EXPECT_GT(five.cell(Leading::last).can_hold.near.hits, two.cell(Leading::last).can_hold.near.hits);
+  const StudyRun run = expect_exit(0, run_study({"robustness", "--people", "2", "--durations", "1", "--family",
+                                                 "linear", "--reaches", "3", "--format", "csv"}));
+  const auto rows = lines(run.out);
+  for (std::size_t i = 0; i < leadings.size(); ++i)
+    EXPECT_EQ(field(rows[0], rows[1 + i], "reach"), leadings[i] == Leading::last ? "3" : "1");
+}
+
 // Person and noise of a family do not depend on which others are simulated.
 TEST(StudyRobustness, AFamilyAloneIsThatFamilyAmongOthers) {
   const RobustnessOptions options{.people = 3, .durations_s = {1.0, 2.0}};
