@@ -1,7 +1,6 @@
 // An exact solver of the controller's problem with any mixture of plate and rate bounds: a dual active-set
 // method (Goldfarb and Idnani, Mathematical Programming 27, 1983) whose every equality-constrained
-// problem is solved along the window in O(N), and which takes violated bounds in blocks. See core/paper/README.md for
-// the derivation.
+// problem is solved along the window in O(N). See core/paper/README.md for the derivation.
 #pragma once
 
 #include <array>
@@ -51,8 +50,7 @@ inline double tolerance_deg(const WindowProblem& problem) {
 }
 
 /// Solves `problem`. Starts from the path in `solution`, which must be finite: each step is clamped to the
-/// bounds, and those that clamp it are held. If the optimum is far from there, starts anew from the
-/// bounds that an interior point method finds active.
+/// bounds, and those that clamp it are held. If the optimum is far from there, starts anew from a ramp.
 /// Leaves the optimum in `solution`, and the constraints that hold it in `working_set`. If the work allowed
 /// runs out, `solution` is no optimum and may break bounds.
 void solve_active_set(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution);

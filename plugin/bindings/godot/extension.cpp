@@ -241,6 +241,7 @@ std::deque<Callable> callables;
 
 /** Null if it throws, which is shown. `argument(i)` is the argument at i. */
 Value run(const Callable& callable, void* instance, size_t count, auto argument) noexcept try {
+  if (!instance) return {};
   std::array<Value, kArgumentsMax> values;
   count = std::min(count, values.size());
   for (size_t i = 0; i < count; ++i) values[i] = argument(i);
@@ -252,7 +253,6 @@ Value run(const Callable& callable, void* instance, size_t count, auto argument)
 
 void call(void* callable, void* instance, const gde_variant* const* arguments, int64_t count, gde_variant* out_return,
           gde_call_error*) noexcept {
-  if (!instance) return;
   assign(out_return, run(as<Callable>(callable), instance, static_cast<size_t>(count),
                          [&](size_t i) { return from_variant(arguments[i]); }));
 }

@@ -179,7 +179,6 @@ struct Resource {
     check_vulkan((device->vk.*bind)(device->handle(), handle, memory, 0), ("vkBind" + kind + "Memory").c_str());
   }
   ~Resource() {
-    device->vk.vkDeviceWaitIdle(device->handle());
     (device->vk.*destroy)(device->handle(), handle, nullptr);
     device->vk.vkFreeMemory(device->handle(), memory, nullptr);
   }
@@ -207,6 +206,7 @@ class VulkanImages : public SwapchainImages {
                                                              : VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL) {
     for (std::uint32_t i = 0; i < count; ++i) images_.push_back(std::make_unique<DeviceImage>(device_, info_, 0));
   }
+  ~VulkanImages() override { device_->vk.vkDeviceWaitIdle(device_->handle()); }
 
   void enumerate(std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader* images) override {
     two_call(images_, capacity, count, reinterpret_cast<XrSwapchainImageVulkanKHR*>(images),

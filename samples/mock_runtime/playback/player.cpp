@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "samples/mock_runtime/world/pose.h"
@@ -121,7 +123,8 @@ std::vector<XrEventDataBuffer> Player::take_events(XrSession session) {
     // Events that name a session have it behind `next`.
     if (event.buffer.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
         event.buffer.type != XR_TYPE_EVENT_DATA_EVENTS_LOST)
-      reinterpret_cast<XrEventDataInteractionProfileChanged&>(due.back()).session = session;
+      std::memcpy(reinterpret_cast<char*>(&due.back()) + offsetof(XrEventDataInteractionProfileChanged, session),
+                  &session, sizeof session);
   }
   return due;
 }

@@ -229,13 +229,15 @@ CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<Pers
                         const std::string& standard, const std::string& help) {
   std::string all;
   for (const Trait& trait : person_traits) all += (all.empty() ? "" : ",") + std::string(trait.name);
-  return add_value(app, name, "some of " + all, standard, help, [traits](const std::string& names) {
-    traits->clear();
-    for (const std::string_view taken : split(names, ',')) {
-      const auto* trait = std::ranges::find(person_traits, taken, &Trait::name);
-      if (trait == std::end(person_traits)) return false;
-      traits->push_back(static_cast<PersonTrait::Index>(trait - person_traits));
+  return add_value(app, name, "some of " + all + ", each once", standard, help, [traits](const std::string& names) {
+    std::vector<PersonTrait::Index> taken;
+    for (const std::string_view trait_name : split(names, ',')) {
+      const auto* trait = std::ranges::find(person_traits, trait_name, &Trait::name);
+      const auto index = static_cast<PersonTrait::Index>(trait - person_traits);
+      if (trait == std::end(person_traits) || std::ranges::find(taken, index) != taken.end()) return false;
+      taken.push_back(index);
     }
+    *traits = taken;
     return true;
   });
 }

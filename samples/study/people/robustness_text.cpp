@@ -170,6 +170,13 @@ std::string condition_words(const RobustnessStudy& study) {
          "noise at 90 Hz, a servo of 400°/s after 30 ms; our controller does not know the duration.";
 }
 
+std::string informed_of(const RobustnessStudy& study) {
+  std::string names;
+  for (const PersonTrait::Index trait : study.options.informed_of)
+    names += (names.empty() ? "" : ", ") + std::string(person_traits[trait].name);
+  return names;
+}
+
 }  // namespace
 
 std::string label(const SimulatedPeople& people) {
@@ -192,8 +199,9 @@ std::string robustness_text(const RobustnessStudy& study) {
           " takes no more people: here " + fixed(people, 0) +
           " in the mean (--format csv: each). no: no controller; pap: the paper's; 1, " +
           std::to_string(study.options.reaches) +
-          ": ours on a person's reach of that number, with what it has learnt; inf: ours, informed of the person's "
-          "traits; -: nobody can hold the gap; *: kept apart from "
+          ": ours on a person's reach of that number, with what it has learnt; inf: ours, informed of the person's " +
+          informed_of(study) +
+          "; -: nobody can hold the gap; *: kept apart from "
           "the search for our controller's numbers; +: tracker or plate is off, which no controller sees.") +
       '\n' + near_table(study);
   if (study.people.size() == 1) page += '\n' + details_table(study.people.front(), study.rows);
@@ -204,6 +212,7 @@ Results robustness_results(const RobustnessStudy& study) {
   Results found{.about = {{"simulation", true},
                           {"people", study.options.people},
                           {"seed", study.options.seed},
+                          {"informed_of", informed_of(study)},
                           {"condition", condition_words(study)}},
                 .rows = {}};
   for (const RobustnessRow& of : study.rows)

@@ -81,14 +81,20 @@ TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
   }
 }
 
-// Slow turns over a window of 50 steps take the most work: dozens of bounds hold the optimum.
+// Slow turns over a window of 50 steps take the most work: dozens of bounds hold the optimum. Where most steps are
+// hardly felt, and the plate may be out of its bound, one solve in 7,000 runs out of passes.
 TEST(MpcProperty, SlowTurnsOverALongWindowAreSolvedToTheEnd) {
   Random random(6);
+  int cut = 0;
   for (int i = 0; i < 20'000; ++i) {
-    RandomProblem drawn(random, 50, true);
+    const bool hard = i % 2 == 1;
+    RandomProblem drawn(random, 50, true, hard ? RandomGains::mostly_small : RandomGains::felt);
     drawn.config.plate_rate_bound_deg = drawn.config.plate_bound_deg * std::exp(uniform(random, -6.0, 0.0));
+    if (hard) drawn.problem.plate_offset_deg += uniform(random, -1.0, 1.0) * drawn.config.plate_rate_bound_deg;
     MpcPlan plan;
-    EXPECT_TRUE(Mpc(drawn.config).solve(drawn.problem, &plan).optimal) << i;
+    const bool optimal = Mpc(drawn.config).solve(drawn.problem, &plan).optimal;
+    EXPECT_TRUE(optimal || hard) << i;
+    cut += !optimal;
     if (i % 200 != 0) continue;
     LongVector plate(50);
     for (int k = 0; k < 50; ++k) plate[k] = plan.plate_offset_deg[k];
@@ -96,6 +102,7 @@ TEST(MpcProperty, SlowTurnsOverALongWindowAreSolvedToTheEnd) {
     EXPECT_LT(residual.stationarity, 1e-9L) << i;
     EXPECT_LT(residual.violation_deg, 1e-12L) << i;
   }
+  EXPECT_LE(cut, 5);
 }
 
 // From anywhere, however far out of the bound, the plate turns no faster than it can, and is inside as soon

@@ -18,7 +18,7 @@ inline double uniform(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-enum class RandomGains { felt, two_thirds_zero };
+enum class RandomGains { felt, two_thirds_zero, mostly_small };
 
 struct RandomProblem {
   MpcConfig config;
@@ -43,6 +43,8 @@ struct RandomProblem {
     if (gain_kind == RandomGains::two_thirds_zero)
       for (int i = 0; i < horizon; ++i)
         if (random() % 3 != 0) gains[i] = 0.0;
+    if (gain_kind == RandomGains::mostly_small)
+      for (int i = 0; i < horizon; ++i) gains[i] = std::pow(uniform(random, 0.0, 1.0), 4);
     const double w = uniform(random, 0.02, 0.49);
     const double max_gap = config.plate_bound_deg * w / (1.0 - w);
     problem.finger_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -3.0, 3.0) * max_gap;
