@@ -268,6 +268,38 @@ TEST(SimulationPeople, AReachHasOneFaultOrNone) {
   EXPECT_EQ(faults.size(), 12U);  // none among them
 }
 
+// How often RESTING is said of a finger that is faster than 40 mm/s, and how late of one that pauses: ten samples.
+TEST(SimulationPeople, RestIsFoundAndMotionIsNoRest) {
+  for (const double rate_hz : {30.0, 90.0, 240.0, 1000.0}) {
+    int moving = 0, said_of_moving = 0, pauses = 0, found_soon = 0;
+    const auto watch = [&](const char* family, std::uint32_t person) {
+      PersonCondition condition = draw(family, person);
+      condition.tracker.rate_hz = rate_hz;
+      const bool pauses_once = condition.person.pace == Pace::pause;
+      const RetargeterConfig controller = people_controller(condition);
+      PersonMoment last{};
+      double paused_s = -1.0, found_s = -1.0;
+      simulate_person(condition, &controller, 1, 1, person, [&](int, const PersonMoment& now) {
+        const double speed_m_s = distance_m(now.finger, last.finger) / std::max(now.time_s - last.time_s, 1e-9);
+        const bool begun = last.time_s > 0.0 && now.command.step >= 0;
+        // No plate without stops goes to another orientation that feels the same.
+        if (begun) EXPECT_LT(std::abs(now.command.plate_orientation_deg - last.command.plate_orientation_deg), 90.0);
+        if (begun && !pauses_once && speed_m_s > 0.04) ++moving, said_of_moving += now.command.resting;
+        if (begun && paused_s < 0.0 && speed_m_s < 0.0005 && now.finger.away_m < 0.08) paused_s = now.time_s;
+        if (paused_s > 0.0 && found_s < 0.0 && now.command.resting) found_s = now.time_s;
+        last = now;
+      });
+      if (!pauses_once || !can_hold(condition)) return;
+      ++pauses;
+      found_soon += found_s > 0.0 && found_s - paused_s <= std::max(0.2, 11.0 / rate_hz);
+    };
+    for (std::uint32_t person = 0; person < 40; ++person) watch("linear", person), watch("pause", person);
+    EXPECT_LT(said_of_moving, 0.01 * moving) << rate_hz;
+    EXPECT_GE(found_soon, 0.95 * pauses) << rate_hz;
+    EXPECT_GT(pauses, 30);
+  }
+}
+
 TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
   const auto seen = [](PersonCondition condition) {
     condition.person.illusion = {.family = IllusionFamily::dead_band, .tactile_weight = 0.2, .scale_deg = 90.0};
