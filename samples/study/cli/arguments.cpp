@@ -229,7 +229,7 @@ CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<Pers
                         const std::string& standard, const std::string& help) {
   std::string all;
   for (const Trait& trait : person_traits) all += (all.empty() ? "" : ",") + std::string(trait.name);
-  return add_value(app, name, "some of " + all + ", each once", standard, help, [traits](const std::string& names) {
+  return add_value(app, name, "from " + all, standard, help, [traits](const std::string& names) {
     std::vector<PersonTrait::Index> taken;
     for (const std::string_view trait_name : split(names, ',')) {
       const auto* trait = std::ranges::find(person_traits, trait_name, &Trait::name);

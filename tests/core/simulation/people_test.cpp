@@ -283,7 +283,9 @@ TEST(SimulationPeople, RestIsFoundAndMotionIsNoRest) {
         const double speed_m_s = distance_m(now.finger, last.finger) / std::max(now.time_s - last.time_s, 1e-9);
         const bool begun = last.time_s > 0.0 && now.command.step >= 0;
         // No plate without stops goes to another orientation that feels the same.
-        if (begun) EXPECT_LT(std::abs(now.command.plate_orientation_deg - last.command.plate_orientation_deg), 90.0);
+        if (begun) {
+          EXPECT_LT(std::abs(now.command.plate_orientation_deg - last.command.plate_orientation_deg), 90.0);
+        }
         if (begun && !pauses_once && speed_m_s > 0.04) ++moving, said_of_moving += now.command.resting;
         if (begun && paused_s < 0.0 && speed_m_s < 0.0005 && now.finger.away_m < 0.08) paused_s = now.time_s;
         if (paused_s > 0.0 && found_s < 0.0 && now.command.resting) found_s = now.time_s;
