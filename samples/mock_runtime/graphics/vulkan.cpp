@@ -207,6 +207,8 @@ class VulkanImages : public SwapchainImages {
     for (std::uint32_t i = 0; i < count; ++i) images_.push_back(std::make_unique<DeviceImage>(device_, info_, 0));
   }
   ~VulkanImages() override { device_->vk.vkDeviceWaitIdle(device_->handle()); }
+  VulkanImages(const VulkanImages&) = delete;
+  VulkanImages& operator=(const VulkanImages&) = delete;
 
   void enumerate(std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader* images) override {
     two_call(images_, capacity, count, reinterpret_cast<XrSwapchainImageVulkanKHR*>(images),

@@ -124,7 +124,7 @@ std::vector<XrEventDataBuffer> Player::take_events(XrSession session) {
     if (event.buffer.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
         event.buffer.type != XR_TYPE_EVENT_DATA_EVENTS_LOST)
       std::memcpy(reinterpret_cast<char*>(&due.back()) + offsetof(XrEventDataInteractionProfileChanged, session),
-                  &session, sizeof session);
+                  static_cast<const void*>(&session), sizeof session);
   }
   return due;
 }
