@@ -22,7 +22,7 @@ struct WindowProblem {
   double proprioceptive_weight;  ///< 1 - w_T
   double bound_deg;              ///< w_T L: |u_i| <= this
   double rate_deg;               ///< w_T R: |u_i - u_i-1| <= this; may be infinite
-  double last_plate_deg;         ///< w_T t_k-1. Some u_k within both bounds must exist. Unread if rate is infinite
+  double last_plate_deg;         ///< w_T t_k-1, finite. Some u_k within both bounds must exist
   const double* gains;           ///< K_k .., `horizon` values in [0, 1]
 };
 
