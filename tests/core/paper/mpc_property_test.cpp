@@ -82,7 +82,7 @@ TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
 }
 
 // Slow turns over a window of 50 steps take the most work: dozens of bounds hold the optimum. Where most steps are
-// hardly felt, and the plate may be out of its bound, one solve in 7,000 runs out of passes.
+// hardly felt, and the plate may be out of its bound, few solves run out of passes.
 TEST(MpcProperty, SlowTurnsOverALongWindowAreSolvedToTheEnd) {
   Random random(6);
   int cut = 0;
