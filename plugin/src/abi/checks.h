@@ -1,6 +1,7 @@
 // Checks on what crosses the boundary: struct sizes, numbers out of range.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -63,7 +64,7 @@ hrt_result check_output(const char* name, const Struct* out) {
 template <class Struct>
 void write_struct_of(std::uint32_t size, const Struct& known, void* out) {
   std::memcpy(out, &known, sizeof(Struct));
-  std::memset(static_cast<char*>(out) + sizeof(Struct), 0, size - sizeof(Struct));
+  std::fill(static_cast<char*>(out) + sizeof(Struct), static_cast<char*>(out) + size, '\0');
   std::memcpy(out, &size, sizeof size);
 }
 

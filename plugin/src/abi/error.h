@@ -23,7 +23,7 @@ extern thread_local constinit ThreadError thread_error;
 
 /// Sets the text of hrt_last_error() to the call and `parts`, and returns `code`.
 template <class... Parts>
-hrt_result fail(hrt_result code, const Parts&... parts) {
+[[gnu::cold]] hrt_result fail(hrt_result code, Parts... parts) {
   thread_error.text.clear();
   thread_error.text << thread_error.call << ": ";
   (thread_error.text << ... << parts);

@@ -19,10 +19,10 @@ hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample, hrt_c
   return with_session("hrt_reach_update", session, [&](RecordedSession& s) -> hrt_result {
     if (const hrt_result result = check_output("out_command", out_command); result != HRT_OK)
       return s.refuse(result, Refused::Argument::out_command, out_command);
-    hrt_sample known{};
+    hrt_sample known;
     if (const hrt_result result = read_struct("sample", sample, &known); result != HRT_OK)
       return s.refuse(result, Refused::Argument::sample, sample);
-    hrt_command command{};
+    hrt_command command;
     HRT_RETURN_IF_FAILED(s.update(known, &command));
     write_struct(command, out_command);
     return HRT_OK;

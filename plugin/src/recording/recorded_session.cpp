@@ -105,12 +105,6 @@ hrt_result RecordedSession::cancel() {
   return result;
 }
 
-hrt_result RecordedSession::update(const hrt_sample& sample, hrt_command* command) {
-  const hrt_result result = session_.update(sample, command);
-  record([&] { return Record{result, Updated{sample, *command, session_.started()}}; });
-  return result;
-}
-
 hrt_result RecordedSession::end(hrt_reach_summary* summary) {
   const hrt_result result = session_.end(summary);
   record([&] { return Record{result, ReachEnded{*summary}}; });
@@ -219,6 +213,10 @@ RecorderStatus RecordedSession::stop_recording() {
 
 std::uint64_t RecordedSession::number(hrt_target target) const {
   return session_.targets.find(target.value) ? session_.targets.number(target.value) : 0;
+}
+
+void RecordedSession::record_update(hrt_result result, const hrt_sample& sample, const hrt_command& command) const {
+  recorder_->push({result, Updated{sample, result == HRT_OK ? command : hrt_command{}, session_.started()}});
 }
 
 void RecordedSession::record_target(TargetChanged::Change change, std::uint64_t id) const {

@@ -33,7 +33,11 @@ class RecordedSession {
                        std::vector<std::uint64_t>* out_ids);
 
   hrt_result begin(const hrt_reach_config& config);
-  hrt_result update(const hrt_sample& sample, hrt_command* command);
+  hrt_result update(const hrt_sample& sample, hrt_command* command) {
+    const hrt_result result = session_.update(sample, command);
+    if (recorder_) record_update(result, sample, *command);
+    return result;
+  }
   hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
   hrt_result touched(const hrt_contact& contact);
   hrt_result cancel();
@@ -70,6 +74,7 @@ class RecordedSession {
     if (recorder_) recorder_->push(make_record());
   }
   std::uint64_t number(hrt_target target) const;
+  void record_update(hrt_result result, const hrt_sample& sample, const hrt_command& command) const;
   void record_target(TargetChanged::Change change, std::uint64_t id) const;
 
   Session session_;
