@@ -83,32 +83,36 @@ void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& h
   } else {
     leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach, handover);
   }
+  publish();
 }
 
-PlateCommand Retargeter::update(const FingerSample& sample) {
+const PlateCommand& Retargeter::update(const FingerSample& sample) {
   const auto* person = std::get_if<PersonReach>(&*leader_);
   if (person && sample.observation == Observation::direction && !person->seen()) lead_by_directions();
   std::visit([&](auto& leader) { leader.update(sample); }, *leader_);
   end_.observe(sample);
-  return command();
+  return publish();
 }
 
-PlateCommand Retargeter::step(double finger_direction_deg) {
+const PlateCommand& Retargeter::step(double finger_direction_deg) {
   if (leads_person()) lead_by_directions();
-  return std::get_if<PaperReach>(&*leader_)->step(finger_direction_deg);
+  std::get_if<PaperReach>(&*leader_)->step(finger_direction_deg);
+  return publish();
 }
 
 Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
   reach_ = seen_from_here(real, virtual_place);
   std::visit([&](auto& leader) { leader.retarget(real, reach_); }, *leader_);
   end_ = ReachEnd(reach_.start, reach_.real_distance_m);
+  publish();
   return reach_;
 }
 
-PlateCommand Retargeter::command() const {
-  PlateCommand command = std::visit([](const auto& leader) { return leader.command(); }, *leader_);
-  command.arrived = end_.over();
-  return command;
+// What the leader commands, and whether the reach is over.
+const PlateCommand& Retargeter::publish() {
+  command_ = std::visit([](const auto& leader) -> const PlateCommand& { return leader.command(); }, *leader_);
+  command_.arrived = end_.over();
+  return command_;
 }
 
 ReachSummary Retargeter::summary() const {

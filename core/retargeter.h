@@ -28,7 +28,7 @@ class Retargeter {
 
   /// Takes one sample in and returns the command that holds now. Requires begin(); the sample's time must
   /// not be before the last one's. However long the gap, at most StepClock::max_catch_up_steps are predicted.
-  PlateCommand update(const FingerSample& sample);
+  const PlateCommand& update(const FingerSample& sample);
 
   /// The targets of the reach are elsewhere from now on, at these places; the reach continues from where the
   /// finger is, and what is known of finger and person stays. Returns the reach as it is seen from there, the
@@ -38,10 +38,10 @@ class Retargeter {
 
   /// The paper's loop, without a clock: one model step with the finger moving along
   /// `finger_direction_deg` (finite). Requires begin(); not to be mixed with update() in one reach.
-  PlateCommand step(double finger_direction_deg);
+  const PlateCommand& step(double finger_direction_deg);
 
   /// The last one; begin()'s before the first sample. Requires begin().
-  PlateCommand command() const;
+  const PlateCommand& command() const { return command_; }
   /// Requires begin().
   ReachSummary summary() const;
   /// The reach is led by the controller for people.
@@ -59,6 +59,7 @@ class Retargeter {
 
  private:
   void begin(const Reach& reach, const std::optional<PlateHandover>& handover);
+  const PlateCommand& publish();
   std::optional<PlateHandover> handover() const;
   void lead_by_directions();
   Reach seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place);
@@ -71,6 +72,7 @@ class Retargeter {
   PlatePoint felt_passed_;
   // The paper's controller takes over if directions are streamed. None before begin().
   std::optional<std::variant<PersonReach, PaperReach>> leader_;
+  PlateCommand command_;
 };
 
 }  // namespace hrt

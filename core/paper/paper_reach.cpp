@@ -55,7 +55,7 @@ PlateOrientation PaperReach::initial_plate(const std::optional<PlateHandover>& h
           ActiveBound::none};
 }
 
-PlateCommand PaperReach::update(const FingerSample& sample) {
+const PlateCommand& PaperReach::update(const FingerSample& sample) {
   const ReachState state = estimator_.observe(sample, plate_);
   const bool decides = state.observed == Observation::position ||
                        (state.observed == Observation::direction && state.step != decision_.step);
@@ -80,7 +80,7 @@ void PaperReach::retarget(const PlatePoint& real, const Reach& now) {
   control_ = PaperControl(config_.mpc, config_.plate, config_.step_period_ns, goal_deg);
 }
 
-PlateCommand PaperReach::step(double finger_direction_deg) {
+const PlateCommand& PaperReach::step(double finger_direction_deg) {
   const ReachState state = estimator_.step(finger_direction_deg, plate_);
   const Aim aimed = aim(state);
   const PlateOrientation planned = plan(state, aimed);

@@ -32,16 +32,16 @@ class PaperReach {
              const std::optional<PlateHandover>& handover = std::nullopt);
 
   /// Takes one sample in, not before the last one's.
-  PlateCommand update(const FingerSample& sample);
+  const PlateCommand& update(const FingerSample& sample);
 
   /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is.
   void retarget(const PlatePoint& real, const Reach& now);
 
   /// The paper's loop, without a clock: one model step with the finger moving along `finger_direction_deg`
   /// (finite). Not to be mixed with update().
-  PlateCommand step(double finger_direction_deg);
+  const PlateCommand& step(double finger_direction_deg);
 
-  PlateCommand command() const { return command_; }
+  const PlateCommand& command() const { return command_; }
   /// Where the finger is; none before it moves, and with directions alone.
   std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
   double speed_m_s() const { return 0.0; }  ///< not used to aim

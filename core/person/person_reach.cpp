@@ -124,7 +124,7 @@ double PersonReach::speed_m_s() const {
   return estimator_.filter().now().speed_mm_s / mm_per_m;
 }
 
-PlateCommand PersonReach::update(const FingerSample& sample) {
+const PlateCommand& PersonReach::update(const FingerSample& sample) {
   ++counts_.samples;
   if (!origin_ns_) origin_ns_ = sample.time_ns;
   plate_.advance(sample.time_ns);

@@ -37,13 +37,13 @@ class PersonReach {
               const std::optional<PlateHandover>& handover = std::nullopt);
 
   /// Takes one sample in, not before the last one's, of any observation but a direction.
-  PlateCommand update(const FingerSample& sample);
+  const PlateCommand& update(const FingerSample& sample);
 
   /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is: its
   /// directions, distance and start are read.
   void retarget(const PlatePoint& real, const Reach& now);
 
-  PlateCommand command() const { return command_; }
+  const PlateCommand& command() const { return command_; }
   /// Where the finger is; none before it moves.
   std::optional<PlatePoint> place() const;
   /// Of a coordinate of it, the mean of both.

@@ -231,7 +231,7 @@ bool Session::is_registration_doubtful(std::int64_t time_ns) const {
 }
 
 hrt_command Session::command(std::uint32_t flags) const {
-  const PlateCommand command = retargeter_->command();
+  const PlateCommand& command = retargeter_->command();
   if (command.held) flags |= HRT_COMMAND_HELD;
   if (command.predicted) flags |= HRT_COMMAND_PREDICTED;
   if (command.unreachable) flags |= HRT_COMMAND_UNREACHABLE;
