@@ -23,7 +23,7 @@ PlateModel::PlateModel(const PlateDynamics& dynamics, double orientation_deg) : 
   put(orientation_deg);
 }
 
-void PlateModel::advance(std::int64_t time_ns) {
+void PlateModel::advance_turning(std::int64_t time_ns) {
   if (!timed_) {
     timed_ = true;
     motion_.now_ns = time_ns;
@@ -84,7 +84,7 @@ void PlateModel::report(double orientation_deg) {
   motion_.orientation_deg = reported_orientation_deg(orientation_deg, motion_.orientation_deg, dynamics_.stops);
 }
 
-double PlateModel::orientation_at_deg(std::int64_t time_ns) const {
+double PlateModel::turning_at_deg(std::int64_t time_ns) const {
   Motion ahead = motion_;
   if (time_ns > ahead.now_ns) turn_until(time_ns, ahead);
   return ahead.orientation_deg;

@@ -1,6 +1,7 @@
 // The plate's servo: where the ridges stand, and how soon they can stand elsewhere.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -28,7 +29,12 @@ class PlateModel {
 
   /// Lets time pass until `time_ns`; earlier than now does nothing. The motion within a gap of more than two
   /// seconds is integrated more coarsely.
-  void advance(std::int64_t time_ns);
+  void advance(std::int64_t time_ns) {
+    if (timed_ && stands())
+      motion_.now_ns = std::max(motion_.now_ns, time_ns);
+    else
+      advance_turning(time_ns);
+  }
 
   /// Commands an orientation as of now.
   void command(double orientation_deg);
@@ -43,7 +49,9 @@ class PlateModel {
   double orientation_deg() const { return motion_.orientation_deg; }
 
   /// Where the plate will stand at `time_ns` with the commands it has, not before now.
-  double orientation_at_deg(std::int64_t time_ns) const;
+  double orientation_at_deg(std::int64_t time_ns) const {
+    return stands() ? motion_.orientation_deg : turning_at_deg(time_ns);
+  }
 
   /// How far the plate can turn in `seconds`, from rest to rest.
   double reach_deg(double seconds) const;
@@ -59,6 +67,9 @@ class PlateModel {
     double target_deg = 0.0;
     std::int64_t now_ns = 0;
   };
+  bool stands() const { return pending_count_ == 0 && motion_.orientation_deg == motion_.target_deg; }
+  void advance_turning(std::int64_t time_ns);
+  double turning_at_deg(std::int64_t time_ns) const;
   int turn_until(std::int64_t time_ns, Motion& motion) const;
   void turn(double seconds, Motion& motion) const;
 
