@@ -53,6 +53,7 @@ void Estimator::rest_at(const PlatePoint& place) {
 }
 
 void Estimator::move(double elapsed_s) {
+  moved_ = true;
   const auto [sine, cosine] = sin_cos_deg(state_(direction));
   const double travel_mm = state_(speed) * elapsed_s;
   // Left is positive for directions, right for positions.
@@ -76,13 +77,20 @@ void Estimator::end_step(double plate_orientation_deg, double gain, double step_
                                .plate_orientation_deg = plate_orientation_deg - goal_direction_deg_,
                                .finger_direction_deg = state_(direction) - goal_direction_deg_};
   state_(direction) += participant_step(input).motor_command_deg;
-  const auto [by_direction, by_weight] = participant_slopes(input);
-  covariance_.row(direction) = by_direction * covariance_.row(direction) + by_weight * covariance_.row(weight);
-  covariance_.col(direction) = by_direction * covariance_.col(direction) + by_weight * covariance_.col(weight);
+  const ParticipantSlopes slopes = participant_slopes(input);
+  moved_ ? steer<size>(slopes) : steer<size - direction>(slopes);
   covariance_(direction, direction) += step_variance_deg2;
   if (config_.adapt) covariance_(weight, weight) += weight_drift_sd * weight_drift_sd;
   step_direction_deg_ = state_(direction);
   step_variance_deg2_ = covariance_(direction, direction);
+}
+
+template <int count>
+void Estimator::steer(ParticipantSlopes slopes) {
+  auto row = covariance_.row(direction).tail<count>();
+  auto column = covariance_.col(direction).tail<count>();
+  row = slopes.by_direction * row + slopes.by_weight * covariance_.row(weight).tail<count>();
+  column = slopes.by_direction * column + slopes.by_weight * covariance_.col(weight).tail<count>();
 }
 
 // The samples of a step amount to one measurement of its direction. By how much they moved it (delta) and
@@ -98,7 +106,11 @@ void Estimator::learn_motor_variance() {
 }
 
 void Estimator::observe_direction(double direction_deg) {
-  correct(direction, direction_deg - state_(direction), exact_direction_variance_deg2);
+  const double innovation_deg = direction_deg - state_(direction);
+  if (moved_)
+    correct<size>(direction, innovation_deg, exact_direction_variance_deg2);
+  else
+    correct<size - direction>(direction, innovation_deg, exact_direction_variance_deg2);
   state_(direction) = direction_deg;
 }
 
@@ -126,27 +138,28 @@ bool Estimator::observe_position(const PlatePoint& position) {
     return true;
   }
   outliers_ = 0;
-  correct(right, right_innovation_mm, noise_.variance_mm2());
-  correct(away, position.away_m * mm_per_m - state_(away), noise_.variance_mm2());
+  correct<size>(right, right_innovation_mm, noise_.variance_mm2());
+  correct<size>(away, position.away_m * mm_per_m - state_(away), noise_.variance_mm2());
   return true;
 }
 
-// One scalar measurement of one component.
-void Estimator::correct(Index measured, double innovation, double noise_variance) {
-  const State column = covariance_.col(measured);
-  const State gain = column / (column(measured) + noise_variance);
-  state_ += gain * innovation;
-  covariance_ -= gain * column.transpose();
+// One scalar measurement of one component, which corrects the last `count` of the state.
+template <int count>
+inline void Estimator::correct(Index measured, double innovation, double noise_variance) {
+  const Eigen::Matrix<double, count, 1> column = covariance_.col(measured).tail<count>();
+  const Eigen::Matrix<double, count, 1> gain = column / (covariance_(measured, measured) + noise_variance);
+  state_.tail<count>() += gain * innovation;
+  covariance_.bottomRightCorner<count, count>() -= gain * column.transpose();
   state_(weight) = std::clamp(state_(weight), min_tactile_weight, max_tactile_weight);
   state_(speed) = std::max(state_(speed), 0.0);
 }
 
 FingerEstimate Estimator::estimate() const {
-  return {.position = {state_(right) / mm_per_m, state_(away) / mm_per_m},
-          .speed_m_s = state_(speed) / mm_per_m,
-          .direction_deg = state_(direction),
-          .tactile_weight = state_(weight),
-          .tactile_weight_sd = std::sqrt(std::max(covariance_(weight, weight), 0.0)),
+  return {.position = position(),
+          .speed_m_s = speed_m_s(),
+          .direction_deg = direction_deg(),
+          .tactile_weight = tactile_weight(),
+          .tactile_weight_sd = tactile_weight_sd(),
           .tracker_noise_m = noise_.noise_m(),
           .motor_variance_deg2 = std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
                                             min_motor_variance_deg2, max_motor_variance_deg2),

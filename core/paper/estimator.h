@@ -7,6 +7,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/paper/participant.h"
@@ -68,6 +70,12 @@ class Estimator {
   /// Learns the tracker's noise. To be called with every position, also of a finger at rest.
   void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position) { noise_.observe(time_ns, position); }
 
+  PlatePoint position() const { return {state_(right) / mm_per_m, state_(away) / mm_per_m}; }
+  double speed_m_s() const { return state_(speed) / mm_per_m; }
+  double direction_deg() const { return state_(direction); }
+  double tactile_weight() const { return state_(weight); }
+  double tactile_weight_sd() const { return std::sqrt(std::max(covariance_(weight, weight), 0.0)); }
+  /// All of these, the tracker's noise and the participant's variance.
   FingerEstimate estimate() const;
 
   /// Normalised innovation squared of the last position, chi-squared with 2 degrees of freedom if the
@@ -88,6 +96,9 @@ class Estimator {
   using Covariance = Eigen::Matrix<double, size, size>;
 
   void learn_motor_variance();
+  template <int count>
+  void steer(ParticipantSlopes slopes);
+  template <int count>
   void correct(Index measured, double innovation, double noise_variance);
 
   EstimatorConfig config_;
@@ -95,6 +106,7 @@ class Estimator {
   double goal_direction_deg_;
   State state_;
   Covariance covariance_;
+  bool moved_ = false;  // before it has, place and speed do not depend on direction and w_T
   double normalised_innovation_ = 0.0;
   int outliers_ = 0;
 
