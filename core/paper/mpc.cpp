@@ -106,11 +106,11 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
   while (has_rate_bound && i < config_.horizon && std::abs(last_plate_deg) > bound_deg + rate_deg) {
     const bool above = last_plate_deg > 0.0;
     const double plate_deg = last_plate_deg + (above ? -rate_deg : rate_deg);
-    finger_deg += participant_step({.tactile_weight = w,
-                                    .gain = problem.gains[i],
-                                    .goal_direction_deg = 0.0,
-                                    .plate_orientation_deg = ridge_normal_deg(plate_deg, 0.0),
-                                    .finger_direction_deg = finger_deg})
+    finger_deg += participant_step_on_plate({.tactile_weight = w,
+                                             .gain = problem.gains[i],
+                                             .goal_direction_deg = 0.0,
+                                             .plate_orientation_deg = plate_deg,
+                                             .finger_direction_deg = finger_deg})
                       .motor_command_deg;
     take({plate_deg, above ? ActiveBound::rate_down : ActiveBound::rate_up, true});
   }

@@ -55,7 +55,7 @@ const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, bool who
 }
 
 // The costs to go after steps `from` (given), from - 1, .. 0 under the bounds assumed active.
-void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, int from, Sweeps& sweeps) const {
+inline void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, int from, Sweeps& sweeps) const {
   const double q_perceived = problem.perceived_weight;
   const double q_actual = problem.actual_weight;
   if (from < 1) return;
@@ -85,11 +85,13 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
   const double felt_at_real_deg = pw * problem.real_offset_deg;
   const double bound_deg = problem.bound_deg;
   const double slack_deg = 2e-15 * (std::abs(problem.miss_deg) + std::abs(problem.real_offset_deg) + bound_deg);
+  const double free_within_deg = bound_deg + slack_deg;
+  const double* const gains = problem.gains;
   const int held_steps = std::exchange(held_steps_, 0);
   int last_changed = -1;
   double x = problem.miss_deg;
   for (int i = 0; i < horizon; ++i) {
-    const double k = problem.gains[i];
+    const double k = gains[i];
     const double a = k * pw;
     sweeps.miss_deg[i] = x;
     std::int8_t& pin = working_set_.pin[i];
@@ -112,7 +114,7 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
       e = (s * x + r) * (1.0 / total);  // the division does not wait for x
     }
     const double without_plate = a * x + k * felt_at_real_deg;  // e if u = 0
-    if (std::abs(e - without_plate) > k * (bound_deg + slack_deg)) {
+    if (std::abs(e - without_plate) > k * free_within_deg) {
       pin = e > without_plate ? 1 : -1;
       e = without_plate + pin * k * bound_deg;
       last_changed = i;

@@ -22,7 +22,7 @@ class PaperControl {
   /// The orientation that the finger shall feel at the end of the first step that a command given now can
   /// change, planned about `centre_deg`, which feels like the goal. Steps before it end with `plate` as it is
   /// already commanded.
-  PlateOrientation plan(const ReachState& reach, double aimed_direction_deg, double centre_deg,
+  PlateOrientation plan(const ReachEstimator& reach, double aimed_direction_deg, double centre_deg,
                         const PlateModel& plate);
 
   /// A turn takes time, so that turns are planned.

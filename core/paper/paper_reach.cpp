@@ -41,7 +41,7 @@ PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach, const
               .perceived_direction_deg = 0.0,
               .tactile_weight = config.participant.tactile_weight,
               .tactile_weight_sd = estimator_.estimate().tactile_weight_sd},
-      command_(publish({}, true)) {
+      command_(publish(true)) {
   plate_.command(decision_.plate.orientation_deg);
   if (!handover) return;
   samples_before_ = handover->samples;
@@ -56,18 +56,18 @@ PlateOrientation PaperReach::initial_plate(const std::optional<PlateHandover>& h
 }
 
 const PlateCommand& PaperReach::update(const FingerSample& sample) {
-  const ReachState state = estimator_.observe(sample, plate_);
-  const bool decides = state.observed == Observation::position ||
-                       (state.observed == Observation::direction && state.step != decision_.step);
+  const Observation observed = estimator_.observe(sample, plate_);
+  const bool decides = observed == Observation::position ||
+                       (observed == Observation::direction && estimator_.current_step() != decision_.step);
   if (decides) {
-    const Aim aimed = aim(state);
-    const PlateOrientation planned = plan(state, aimed);
+    const Aim aimed = aim();
+    const PlateOrientation planned = plan(aimed);
     const PlateOrientation limited = limits_.limit(planned, plate_.orientation_deg());
     plate_.command(limited.orientation_deg);
-    decide({state.step, aimed, limited});
+    decide({estimator_.current_step(), aimed, limited});
   }
-  if (decides || state.predicted) finger_ = finger(state, plate_.orientation_at_deg(state.step_end_ns));
-  return command_ = publish(state, !decides);
+  if (decides || estimator_.predicted()) show_finger(plate_.orientation_at_deg(estimator_.step_end_ns()));
+  return command_ = publish(!decides);
 }
 
 void PaperReach::retarget(const PlatePoint& real, const Reach& now) {
@@ -81,14 +81,14 @@ void PaperReach::retarget(const PlatePoint& real, const Reach& now) {
 }
 
 const PlateCommand& PaperReach::step(double finger_direction_deg) {
-  const ReachState state = estimator_.step(finger_direction_deg, plate_);
-  const Aim aimed = aim(state);
-  const PlateOrientation planned = plan(state, aimed);
+  estimator_.step(finger_direction_deg, plate_);
+  const Aim aimed = aim();
+  const PlateOrientation planned = plan(aimed);
   const PlateOrientation limited = limits_.at_stops(planned);
   plate_.put(limited.orientation_deg);
-  decide({state.step, aimed, limited});
-  finger_ = finger(state, limited.orientation_deg);
-  return command_ = publish(state, false);
+  decide({estimator_.current_step(), aimed, limited});
+  show_finger(limited.orientation_deg);
+  return command_ = publish(false);
 }
 
 ReachSummary PaperReach::summary() const {
@@ -115,19 +115,20 @@ PlateHandover PaperReach::handover() const {
 }
 
 // Aiming beyond the direction that can be held adds felt error and brings the finger no nearer.
-PaperReach::Aim PaperReach::aim(const ReachState& state) const {
+PaperReach::Aim PaperReach::aim() const {
   const double bound_deg = config_.mpc.plate_bound_deg;
-  const double weight = state.finger.tactile_weight;
-  const double max_weight = std::min(weight + 2.0 * state.finger.tactile_weight_sd, Estimator::max_tactile_weight);
-  const bool unreachable = std::abs(goal_deg_ - reach_.real_direction_deg) > max_gap_deg(max_weight, bound_deg);
+  const double gap_deg = goal_deg_ - reach_.real_direction_deg;
+  const double weight = estimator_.tactile_weight();
+  const double max_weight = std::min(weight + 2.0 * estimator_.tactile_weight_sd(), Estimator::max_tactile_weight);
+  const bool unreachable = std::abs(gap_deg) > max_gap_deg(max_weight, bound_deg);
   if (!unreachable || !config_.estimator.adapt) return {reach_.real_direction_deg, unreachable};
-  return {steering_authority(reach_.real_direction_deg, goal_deg_, weight, bound_deg).settling_direction_deg,
-          unreachable};
+  const double max_deg = max_gap_deg(weight, bound_deg);
+  return {goal_deg_ - std::clamp(gap_deg, -max_deg, max_deg), unreachable};
 }
 
-PlateOrientation PaperReach::plan(const ReachState& state, const Aim& aim) {
+PlateOrientation PaperReach::plan(const Aim& aim) {
   if (config_.fixed_plate_orientation_deg) return decision_.plate;
-  return control_.plan(state, aim.direction_deg, limits_.centre_deg(), plate_);
+  return control_.plan(estimator_, aim.direction_deg, limits_.centre_deg(), plate_);
 }
 
 // Of a step only the last decision counts.
@@ -139,15 +140,19 @@ void PaperReach::decide(const Decision& decision) {
   decision_ = decision;
 }
 
-PaperReach::Finger PaperReach::finger(const ReachState& state, double plate_orientation_deg) const {
-  return {.direction_deg = state.finger.direction_deg,
-          .perceived_direction_deg =
-              predicted_step(state.finger, state.gains[0], goal_deg_, plate_orientation_deg).perceived_direction_deg,
-          .tactile_weight = state.finger.tactile_weight,
-          .tactile_weight_sd = state.finger.tactile_weight_sd};
+void PaperReach::show_finger(double plate_orientation_deg) {
+  const ParticipantStep felt = participant_step_on_plate({.tactile_weight = estimator_.tactile_weight(),
+                                                          .gain = estimator_.gains()[0],
+                                                          .goal_direction_deg = goal_deg_,
+                                                          .plate_orientation_deg = plate_orientation_deg,
+                                                          .finger_direction_deg = estimator_.direction_deg()});
+  finger_ = {.direction_deg = estimator_.direction_deg(),
+             .perceived_direction_deg = felt.perceived_direction_deg,
+             .tactile_weight = estimator_.tactile_weight(),
+             .tactile_weight_sd = estimator_.tactile_weight_sd()};
 }
 
-PlateCommand PaperReach::publish(const ReachState& state, bool held) const {
+PlateCommand PaperReach::publish(bool held) const {
   return {.plate_orientation_deg = decision_.plate.orientation_deg,
           .finger_direction_deg = finger_.direction_deg,
           .perceived_direction_deg = finger_.perceived_direction_deg,
@@ -155,10 +160,10 @@ PlateCommand PaperReach::publish(const ReachState& state, bool held) const {
           .tactile_weight = finger_.tactile_weight,
           .tactile_weight_sd = finger_.tactile_weight_sd,
           .distance_to_go_m = distance_to_go_m(),
-          .step = state.step,
+          .step = estimator_.current_step(),
           .active = decision_.plate.active,
           .held = held,
-          .predicted = state.predicted,
+          .predicted = estimator_.predicted(),
           .unreachable = decision_.aim.unreachable,
           .optimal = decision_.plate.optimal};
 }

@@ -69,11 +69,11 @@ class PaperReach {
   };
 
   PlateOrientation initial_plate(const std::optional<PlateHandover>& handover) const;
-  Aim aim(const ReachState& state) const;
-  PlateOrientation plan(const ReachState& state, const Aim& aim);
+  Aim aim() const;
+  PlateOrientation plan(const Aim& aim);
   void decide(const Decision& decision);
-  Finger finger(const ReachState& state, double plate_orientation_deg) const;
-  PlateCommand publish(const ReachState& state, bool held) const;
+  void show_finger(double plate_orientation_deg);
+  PlateCommand publish(bool held) const;
   double distance_to_go_m() const;
 
   PaperReachConfig config_;

@@ -64,6 +64,12 @@ inline ParticipantStep participant_step(const ParticipantInput& input) {
   return {felt_deg, perceived_deg, goal_deg - perceived_deg};
 }
 
+/// The same over a plate that feels as if it stood within 90 of the goal.
+inline ParticipantStep participant_step_on_plate(ParticipantInput input) {
+  input.plate_orientation_deg = ridge_normal_deg(input.plate_orientation_deg, input.goal_direction_deg);
+  return participant_step(input);
+}
+
 /// Derivatives of the next step's P.
 struct ParticipantSlopes {
   double by_direction;  ///< by P: 1 - K (1 - w_T)

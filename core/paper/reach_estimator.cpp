@@ -13,15 +13,6 @@ constexpr double rest_speed_m_s = 0.004;
 
 }  // namespace
 
-ParticipantStep predicted_step(const FingerEstimate& finger, double gain, double goal_direction_deg,
-                               double plate_orientation_deg) {
-  return participant_step({.tactile_weight = finger.tactile_weight,
-                           .gain = gain,
-                           .goal_direction_deg = goal_direction_deg,
-                           .plate_orientation_deg = ridge_normal_deg(plate_orientation_deg, goal_direction_deg),
-                           .finger_direction_deg = finger.direction_deg});
-}
-
 ReachEstimator::ReachEstimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
                                const PlatePoint& start, std::int64_t step_period_ns, int horizon)
     : adapts_(config.adapt),
@@ -32,19 +23,18 @@ ReachEstimator::ReachEstimator(const EstimatorConfig& config, const Participant&
       clock_(step_period_ns),
       gains_(participant, horizon) {}
 
-ReachState ReachEstimator::observe(const FingerSample& sample, PlateModel& plate) {
+Observation ReachEstimator::observe(const FingerSample& sample, PlateModel& plate) {
   ++counts_.samples;
   advance(sample.time_ns, plate);
   if (sample.plate_orientation_deg) plate.report(*sample.plate_orientation_deg);
   const Observation observed = take(sample, plate);
-  const FingerEstimate finger = estimator_.estimate();
-  const bool predicted = missed_ && !sampled_;
-  if (observed == Observation::position) paused_ = finger.speed_m_s < rest_speed_m_s;
-  if (observed == Observation::position || (predicted && !paused_ && place_)) place_ = finger.position;
-  return state(finger, paused_ ? Observation::none : observed);
+  direction_deg_ = estimator_.direction_deg();
+  if (observed == Observation::position) paused_ = estimator_.speed_m_s() < rest_speed_m_s;
+  if (observed == Observation::position || (predicted() && !paused_ && place_)) place_ = estimator_.position();
+  return paused_ ? Observation::none : observed;
 }
 
-ReachState ReachEstimator::step(double direction_deg, const PlateModel& plate) {
+void ReachEstimator::step(double direction_deg, const PlateModel& plate) {
   if (clock_.started()) {
     end_step(plate.orientation_deg());
     clock_.count();
@@ -52,11 +42,8 @@ ReachState ReachEstimator::step(double direction_deg, const PlateModel& plate) {
     clock_.start(0);
   }
   sampled_ = true;
-  if (adapts_) {
-    estimator_.observe_direction(direction_deg);
-    return state(estimator_.estimate(), Observation::direction);
-  }
-  return state({.direction_deg = direction_deg, .tactile_weight = participant_.tactile_weight}, Observation::direction);
+  if (adapts_) estimator_.observe_direction(direction_deg);
+  direction_deg_ = direction_deg;
 }
 
 void ReachEstimator::turn_to(double goal_direction_deg) {
@@ -68,17 +55,6 @@ SampleCounts ReachEstimator::counts() const {
   SampleCounts counts = counts_;
   if (sampled_) ++counts.steps;
   return counts;
-}
-
-ReachState ReachEstimator::state(const FingerEstimate& finger, Observation observed) const {
-  return {.finger = finger,
-          .place = place_,
-          .observed = observed,
-          .predicted = missed_ && !sampled_,
-          .step = clock_.step(),
-          .now_ns = now_ns_,
-          .step_end_ns = clock_.end_ns(),
-          .gains = gains_.data()};
 }
 
 // The finger moves: the first model step began at `time_ns`.
@@ -97,9 +73,11 @@ void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
   }
   const auto move_to = [&](std::int64_t until_ns) {
     plate.advance(until_ns);
-    const double passed_s = std::min(elapsed_s(now_ns_, until_ns), std::max(max_gap_s - unseen_s_, 0.0));
-    if (place_) estimator_.move(passed_s);  // of directions alone there is no place to carry
-    unseen_s_ += passed_s;
+    if (place_) {  // of directions alone there is no place to carry
+      const double passed_s = std::min(elapsed_s(now_ns_, until_ns), std::max(max_gap_s - unseen_s_, 0.0));
+      estimator_.move(passed_s);
+      unseen_s_ += passed_s;
+    }
     now_ns_ = until_ns;
   };
   if (paused_) {

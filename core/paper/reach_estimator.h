@@ -16,24 +16,6 @@
 
 namespace hrt {
 
-/// The state after a sample.
-struct ReachState {
-  FingerEstimate finger;
-  /// Last place seen, or predicted from it; none until a position is seen.
-  std::optional<PlatePoint> place;
-  /// The sample's basis for a decision: none, direction or position.
-  Observation observed = Observation::none;
-  bool predicted = false;   ///< neither this step nor the one before has a sample
-  std::int64_t step = -1;   ///< under way; -1 before the finger moves
-  std::int64_t now_ns = 0;  ///< of `finger`
-  std::int64_t step_end_ns = 0;
-  const double* gains = nullptr;  ///< K of this step and of those ahead; valid until the next sample
-};
-
-/// The step of gain `gain` that such a finger makes if it ends with the plate at `plate_orientation_deg`.
-ParticipantStep predicted_step(const FingerEstimate& finger, double gain, double goal_direction_deg,
-                               double plate_orientation_deg);
-
 /// Counts of samples and steps so far.
 struct SampleCounts {
   std::int64_t steps = 0;            ///< model steps with samples
@@ -50,19 +32,34 @@ class ReachEstimator {
   ReachEstimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
                  const PlatePoint& start, std::int64_t step_period_ns, int horizon);
 
-  /// Lets time pass until the sample's, for `plate` too, and takes the sample in.
-  ReachState observe(const FingerSample& sample, PlateModel& plate);
+  /// Lets time pass until the sample's, for `plate` too, and takes the sample in. Returns its basis for a
+  /// decision: none, direction or position.
+  Observation observe(const FingerSample& sample, PlateModel& plate);
 
   /// The paper's loop, without a clock: the next step, with the finger moving along `direction_deg` after
   /// a step that ended with the plate as it stands. Not to be mixed with observe().
-  ReachState step(double direction_deg, const PlateModel& plate);
+  void step(double direction_deg, const PlateModel& plate);
 
   /// The participant goes for another direction from now on.
   void turn_to(double goal_direction_deg);
 
+  /// P, estimated or predicted.
+  double direction_deg() const { return direction_deg_; }
+  double tactile_weight() const { return estimator_.tactile_weight(); }
+  double tactile_weight_sd() const { return estimator_.tactile_weight_sd(); }
+  /// Neither this step nor the one before has a sample.
+  bool predicted() const { return missed_ && !sampled_; }
+  /// The step under way; -1 before the finger moves.
+  std::int64_t current_step() const { return clock_.step(); }
+  std::int64_t now_ns() const { return now_ns_; }
+  std::int64_t step_end_ns() const { return clock_.end_ns(); }
+  /// K of this step and of those ahead; valid until the next sample.
+  const double* gains() const { return gains_.data(); }
+
   /// Of the whole reach, the step under way included once it has a sample.
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }
+  /// Last place seen, or predicted from it; none until a position is seen.
   const std::optional<PlatePoint>& place() const { return place_; }
 
  private:
@@ -71,7 +68,6 @@ class ReachEstimator {
   void end_step(double plate_orientation_deg);
   Observation take(const FingerSample& sample, PlateModel& plate);
   Observation take_position(const FingerSample& sample, PlateModel& plate);
-  ReachState state(const FingerEstimate& finger, Observation observed) const;
 
   bool adapts_;
   Participant participant_;
@@ -82,6 +78,7 @@ class ReachEstimator {
   StepClock clock_;
   GainWindow gains_;
   SampleCounts counts_;  // without the step under way
+  double direction_deg_ = 0.0;
   std::optional<PlatePoint> place_;
   std::optional<std::int64_t> position_ns_;  // of the last position
   std::int64_t now_ns_ = 0;                  // of the estimator

@@ -34,8 +34,8 @@ class StepClock {
     const auto period_ns = static_cast<std::uint64_t>(period_ns_);
     const std::uint64_t ended = elapsed_ns(start_ns_, time_ns) / period_ns;
     for (std::uint64_t i = 0; i < std::min(ended, max_catch_up_steps); ++i) {
-      end_step(end_ns());
       start_ns_ += period_ns_;
+      end_step(start_ns_);
       ++step_;
     }
     if (ended <= max_catch_up_steps) return 0;

@@ -35,12 +35,11 @@ class SimulatedParticipant {
   /// stands for the sum of the motor and the estimation noise, of variance sigma_u^2 + var_k.
   SimulatedStep step(double plate_orientation_deg, double noise) {
     const auto [gain, variance_deg2] = next_gain(participant_, variance_deg2_);
-    const ParticipantStep felt =
-        participant_step({.tactile_weight = participant_.tactile_weight,
-                          .gain = gain,
-                          .goal_direction_deg = goal_direction_deg_,
-                          .plate_orientation_deg = ridge_normal_deg(plate_orientation_deg, goal_direction_deg_),
-                          .finger_direction_deg = finger_direction_deg_});
+    const ParticipantStep felt = participant_step_on_plate({.tactile_weight = participant_.tactile_weight,
+                                                            .gain = gain,
+                                                            .goal_direction_deg = goal_direction_deg_,
+                                                            .plate_orientation_deg = plate_orientation_deg,
+                                                            .finger_direction_deg = finger_direction_deg_});
     const double noise_deg = std::sqrt(participant_.motor_variance_deg2 + variance_deg2) * noise;
     variance_deg2_ = variance_deg2;
     perceived_direction_deg_ = felt.perceived_direction_deg;

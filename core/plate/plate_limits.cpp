@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/trigonometry.h"
-
 namespace hrt {
 namespace {
 
@@ -29,13 +27,6 @@ bool is_valid(const PlateStops& stops) {
 
 double clamped(double orientation_deg, const PlateStops& stops) {
   return std::clamp(orientation_deg, stops.lower_deg, stops.upper_deg);
-}
-
-double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg) {
-  const double offset_deg = plate_orientation_deg - goal_direction_deg;
-  // A command on a bound of 90 may be a rounding error beyond it; it must not turn into the other bound.
-  if (std::abs(offset_deg) <= 90.0 + 1e-9) return plate_orientation_deg;
-  return goal_direction_deg + wrap_deg(offset_deg, 180.0);
 }
 
 double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateStops& stops) {

@@ -2,8 +2,11 @@
 // holds a command. Degrees; no heap, no lock, no exception.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "core/math/trigonometry.h"
 
 namespace hrt {
 
@@ -32,7 +35,12 @@ struct PlateOrientation {
 
 /// The normal that is felt when the plate stands at `plate_orientation_deg`: of those that repeat every half
 /// turn, the one within 90 of the goal (paper section III).
-double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg);
+inline double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg) {
+  const double offset_deg = plate_orientation_deg - goal_direction_deg;
+  // A command on a bound of 90 may be a rounding error beyond it; it must not turn into the other bound.
+  if (std::abs(offset_deg) <= 90.0 + 1e-9) return plate_orientation_deg;
+  return goal_direction_deg + wrap_deg(offset_deg, 180.0);
+}
 
 /// Of the orientations that feel the same as `orientation_deg` and lie between the stops, the one nearest to
 /// `current_deg`.
