@@ -13,16 +13,12 @@ constexpr double max_far_drift_m_s = 0.002;
 
 }  // namespace
 
-void ReachEnd::observe(const FingerSample& sample) {
-  if (over_) return;
-  if (sample.observation == Observation::lifted) finger_.restart();
-  if (sample.observation != Observation::position) return;
-  const PlatePoint& place = sample.position;
+void ReachEnd::observe(std::int64_t time_ns, const PlatePoint& place) {
   const auto rests_at_share = [&](int tenths, double share, double max_drift_m_s) {
     const auto rest_m = finger_.rest(tenths, max_drift_m_s);
     return rest_m && distance_m(start_, {rest_m->x(), -rest_m->z()}) >= share * distance_m_;
   };
-  if (finger_.observe(sample.time_ns, {place.right_m, 0.0, -place.away_m}))
+  if (finger_.observe(time_ns, {place.right_m, 0.0, -place.away_m}))
     rests_ = rests_at_share(near_rest_tenths, near_share, StillFinger::max_drift_m_s) ||
              rests_at_share(far_rest_tenths, far_share, max_far_drift_m_s);
   over_ = rests_ && distance_m(start_, place) >= far_share * distance_m_;

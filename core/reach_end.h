@@ -14,10 +14,16 @@ class ReachEnd {
   /// Of a reach of `distance_m` > 0 from `start`.
   ReachEnd(const PlatePoint& start, double distance_m) : start_(start), distance_m_(distance_m) {}
 
-  void observe(const FingerSample& sample);
+  void observe(const FingerSample& sample) {
+    if (over_) return;
+    if (sample.observation == Observation::lifted) finger_.restart();
+    if (sample.observation == Observation::position) observe(sample.time_ns, sample.position);
+  }
   bool over() const { return over_; }
 
  private:
+  void observe(std::int64_t time_ns, const PlatePoint& place);
+
   PlatePoint start_;
   double distance_m_ = 1.0;
   StillFinger finger_;

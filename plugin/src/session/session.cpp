@@ -17,13 +17,19 @@ namespace {
 // The last line of defence: false, and 0 in its place, if a value is no finite number.
 template <class Struct>
 bool zero_what_is_not_finite(Struct& values) {
+  const auto for_each_number = [&](const auto& visit) {
+    for_each_field<Struct>([&](const auto& field) {
+      if constexpr (std::is_same_v<decltype(field.of(values)), double&>) visit(field.of(values));
+    });
+  };
+  double sum = 0.0;
+  for_each_number([&](double value) { sum += value; });
+  if (std::isfinite(sum)) return true;  // and so is every term
   bool finite = true;
-  for_each_field<Struct>([&](const auto& field) {
-    if constexpr (std::is_same_v<decltype(field.of(values)), double&>) {
-      if (std::isfinite(field.of(values))) return;
-      field.of(values) = 0.0;
-      finite = false;
-    }
+  for_each_number([&](double& value) {
+    if (std::isfinite(value)) return;
+    value = 0.0;
+    finite = false;
   });
   return finite;
 }
@@ -213,7 +219,7 @@ hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
     flags |= HRT_COMMAND_REGISTRATION;
     registration_flagged_ = registration_doubted_ = true;
   }
-  *out_command = command(flags);
+  write_command(flags, out_command);
   if (!make_finite(*out_command, plate_orientation_deg_)) faulty_ = failed_ = true;
   plate_orientation_deg_ = out_command->plate_orientation_deg;
   return HRT_OK;
@@ -230,7 +236,7 @@ bool Session::is_registration_doubtful(std::int64_t time_ns) const {
   return max_ns > 0 && time_ns > later_ns(config_.registration.time_ns, max_ns);
 }
 
-hrt_command Session::command(std::uint32_t flags) const {
+void Session::write_command(std::uint32_t flags, hrt_command* out) const {
   const PlateCommand& command = retargeter_->command();
   if (command.held) flags |= HRT_COMMAND_HELD;
   if (command.predicted) flags |= HRT_COMMAND_PREDICTED;
@@ -244,7 +250,7 @@ hrt_command Session::command(std::uint32_t flags) const {
   if (command.resting) flags |= HRT_COMMAND_RESTING;
   if (command.arrived) flags |= HRT_COMMAND_ARRIVED;
   if (contradicted_) flags |= HRT_COMMAND_CONTACTS;
-  return {
+  *out = {
       .struct_size = sizeof(hrt_command),
       .flags = flags,
       .step = command.step,
