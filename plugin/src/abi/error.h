@@ -21,13 +21,19 @@ struct ThreadError {
 
 extern thread_local constinit ThreadError thread_error;
 
-/// Sets the text of hrt_last_error() to the call and `parts`, and returns `code`.
+/// Sets the text of hrt_last_error() to the call and `parts`.
 template <class... Parts>
-[[gnu::cold]] hrt_result fail(hrt_result code, Parts... parts) {
+[[gnu::cold]] void set_error(Parts... parts) {
   thread_error.text.clear();
   thread_error.text << thread_error.call << ": ";
   (thread_error.text << ... << parts);
   thread_error.text.make_printable();
+}
+
+/// The same, and returns `code`.
+template <class... Parts>
+hrt_result fail(hrt_result code, Parts... parts) {
+  set_error(parts...);
   return code;
 }
 
