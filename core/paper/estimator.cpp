@@ -78,19 +78,21 @@ void Estimator::end_step(double plate_orientation_deg, double gain, double step_
                                .finger_direction_deg = state_(direction) - goal_direction_deg_};
   state_(direction) += participant_step(input).motor_command_deg;
   const ParticipantSlopes slopes = participant_slopes(input);
-  moved_ ? steer<size>(slopes) : steer<size - direction>(slopes);
+  const auto steer = [&](auto of_direction, const auto& of_weight) {
+    of_direction = slopes.by_direction * of_direction + slopes.by_weight * of_weight;
+  };
+  if (moved_) {
+    steer(covariance_.row(direction), covariance_.row(weight));
+    steer(covariance_.col(direction), covariance_.col(weight));
+  } else {
+    constexpr int count = size - direction;
+    steer(covariance_.row(direction).tail<count>(), covariance_.row(weight).tail<count>());
+    steer(covariance_.col(direction).tail<count>(), covariance_.col(weight).tail<count>());
+  }
   covariance_(direction, direction) += step_variance_deg2;
   if (config_.adapt) covariance_(weight, weight) += weight_drift_sd * weight_drift_sd;
   step_direction_deg_ = state_(direction);
   step_variance_deg2_ = covariance_(direction, direction);
-}
-
-template <int count>
-void Estimator::steer(ParticipantSlopes slopes) {
-  auto row = covariance_.row(direction).tail<count>();
-  auto column = covariance_.col(direction).tail<count>();
-  row = slopes.by_direction * row + slopes.by_weight * covariance_.row(weight).tail<count>();
-  column = slopes.by_direction * column + slopes.by_weight * covariance_.col(weight).tail<count>();
 }
 
 // The samples of a step amount to one measurement of its direction. By how much they moved it (delta) and

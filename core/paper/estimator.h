@@ -97,8 +97,6 @@ class Estimator {
 
   void learn_motor_variance();
   template <int count>
-  void steer(ParticipantSlopes slopes);
-  template <int count>
   void correct(Index measured, double innovation, double noise_variance);
 
   EstimatorConfig config_;
