@@ -77,18 +77,12 @@ void Estimator::end_step(double plate_orientation_deg, double gain, double step_
                                .plate_orientation_deg = plate_orientation_deg - goal_direction_deg_,
                                .finger_direction_deg = state_(direction) - goal_direction_deg_};
   state_(direction) += participant_step(input).motor_command_deg;
-  const ParticipantSlopes slopes = participant_slopes(input);
-  const auto steer = [&](auto of_direction, const auto& of_weight) {
-    of_direction = slopes.by_direction * of_direction + slopes.by_weight * of_weight;
-  };
-  if (moved_) {
-    steer(covariance_.row(direction), covariance_.row(weight));
-    steer(covariance_.col(direction), covariance_.col(weight));
-  } else {
-    constexpr int count = size - direction;
-    steer(covariance_.row(direction).tail<count>(), covariance_.row(weight).tail<count>());
-    steer(covariance_.col(direction).tail<count>(), covariance_.col(weight).tail<count>());
-  }
+  const auto [by_direction, by_weight] = participant_slopes(input);
+  const int count = moved_ ? size : size - direction;
+  covariance_.row(direction).tail(count) =
+      by_direction * covariance_.row(direction).tail(count) + by_weight * covariance_.row(weight).tail(count);
+  covariance_.col(direction).tail(count) =
+      by_direction * covariance_.col(direction).tail(count) + by_weight * covariance_.col(weight).tail(count);
   covariance_(direction, direction) += step_variance_deg2;
   if (config_.adapt) covariance_(weight, weight) += weight_drift_sd * weight_drift_sd;
   step_direction_deg_ = state_(direction);
@@ -108,11 +102,8 @@ void Estimator::learn_motor_variance() {
 }
 
 void Estimator::observe_direction(double direction_deg) {
-  const double innovation_deg = direction_deg - state_(direction);
-  if (moved_)
-    correct<size>(direction, innovation_deg, exact_direction_variance_deg2);
-  else
-    correct<size - direction>(direction, innovation_deg, exact_direction_variance_deg2);
+  moved_ ? correct<size>(direction, direction_deg, exact_direction_variance_deg2)
+         : correct<size - direction>(direction, direction_deg, exact_direction_variance_deg2);
   state_(direction) = direction_deg;
 }
 
@@ -140,17 +131,17 @@ bool Estimator::observe_position(const PlatePoint& position) {
     return true;
   }
   outliers_ = 0;
-  correct<size>(right, right_innovation_mm, noise_.variance_mm2());
-  correct<size>(away, position.away_m * mm_per_m - state_(away), noise_.variance_mm2());
+  correct<size>(right, position.right_m * mm_per_m, noise_.variance_mm2());
+  correct<size>(away, position.away_m * mm_per_m, noise_.variance_mm2());
   return true;
 }
 
 // One scalar measurement of one component, which corrects the last `count` of the state.
 template <int count>
-inline void Estimator::correct(Index measured, double innovation, double noise_variance) {
+inline void Estimator::correct(Index measured, double value, double noise_variance) {
   const Eigen::Matrix<double, count, 1> column = covariance_.col(measured).tail<count>();
   const Eigen::Matrix<double, count, 1> gain = column / (covariance_(measured, measured) + noise_variance);
-  state_.tail<count>() += gain * innovation;
+  state_.tail<count>() += gain * (value - state_(measured));
   covariance_.bottomRightCorner<count, count>() -= gain * column.transpose();
   state_(weight) = std::clamp(state_(weight), min_tactile_weight, max_tactile_weight);
   state_(speed) = std::max(state_(speed), 0.0);

@@ -97,7 +97,7 @@ class Estimator {
 
   void learn_motor_variance();
   template <int count>
-  void correct(Index measured, double innovation, double noise_variance);
+  void correct(Index measured, double value, double noise_variance);
 
   EstimatorConfig config_;
   NoiseLearner noise_;

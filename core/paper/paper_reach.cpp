@@ -37,11 +37,9 @@ PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach, const
                       : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
       limits_(limits_of(config, control_.plans_turns(), reach.real_direction_deg, goal_deg_, plate_.orientation_deg())),
       decision_{.aim = {reach.real_direction_deg, false}, .plate = initial_plate(handover)},
-      finger_{.direction_deg = 0.0,
-              .perceived_direction_deg = 0.0,
-              .tactile_weight = config.participant.tactile_weight,
-              .tactile_weight_sd = estimator_.estimate().tactile_weight_sd},
-      command_(publish(true)) {
+      command_{.tactile_weight = config.participant.tactile_weight,
+               .tactile_weight_sd = estimator_.tactile_weight_sd()} {
+  publish(true);
   plate_.command(decision_.plate.orientation_deg);
   if (!handover) return;
   samples_before_ = handover->samples;
@@ -67,7 +65,7 @@ const PlateCommand& PaperReach::update(const FingerSample& sample) {
     decide({estimator_.current_step(), aimed, limited});
   }
   if (decides || estimator_.predicted()) show_finger(plate_.orientation_at_deg(estimator_.step_end_ns()));
-  return command_ = publish(!decides);
+  return publish(!decides);
 }
 
 void PaperReach::retarget(const PlatePoint& real, const Reach& now) {
@@ -88,7 +86,7 @@ const PlateCommand& PaperReach::step(double finger_direction_deg) {
   plate_.put(limited.orientation_deg);
   decide({estimator_.current_step(), aimed, limited});
   show_finger(limited.orientation_deg);
-  return command_ = publish(false);
+  return publish(false);
 }
 
 ReachSummary PaperReach::summary() const {
@@ -99,10 +97,10 @@ ReachSummary PaperReach::summary() const {
           .rate_limited_steps = rate_limited_steps_ + is_rate_limited(decision_.plate.active),
           .samples = samples_before_ + counts.samples,
           .dropped_samples = dropped_before_ + counts.dropped_samples,
-          .final_direction_deg = finger_.direction_deg,
-          .final_miss_deg = finger_.direction_deg - reach_.real_direction_deg,
-          .perceived_direction_deg = finger_.perceived_direction_deg,
-          .perceived_error_deg = finger_.perceived_direction_deg - goal_deg_,
+          .final_direction_deg = command_.finger_direction_deg,
+          .final_miss_deg = command_.finger_direction_deg - reach_.real_direction_deg,
+          .perceived_direction_deg = command_.perceived_direction_deg,
+          .perceived_error_deg = command_.perceived_direction_deg - goal_deg_,
           .distance_to_target_m = distance_to_go_m(),
           .unreachable = decision_.aim.unreachable,
           .estimate = estimator_.estimate()};
@@ -146,26 +144,23 @@ void PaperReach::show_finger(double plate_orientation_deg) {
                                                           .goal_direction_deg = goal_deg_,
                                                           .plate_orientation_deg = plate_orientation_deg,
                                                           .finger_direction_deg = estimator_.direction_deg()});
-  finger_ = {.direction_deg = estimator_.direction_deg(),
-             .perceived_direction_deg = felt.perceived_direction_deg,
-             .tactile_weight = estimator_.tactile_weight(),
-             .tactile_weight_sd = estimator_.tactile_weight_sd()};
+  command_.finger_direction_deg = estimator_.direction_deg();
+  command_.perceived_direction_deg = felt.perceived_direction_deg;
+  command_.tactile_weight = estimator_.tactile_weight();
+  command_.tactile_weight_sd = estimator_.tactile_weight_sd();
 }
 
-PlateCommand PaperReach::publish(bool held) const {
-  return {.plate_orientation_deg = decision_.plate.orientation_deg,
-          .finger_direction_deg = finger_.direction_deg,
-          .perceived_direction_deg = finger_.perceived_direction_deg,
-          .aimed_direction_deg = decision_.aim.direction_deg,
-          .tactile_weight = finger_.tactile_weight,
-          .tactile_weight_sd = finger_.tactile_weight_sd,
-          .distance_to_go_m = distance_to_go_m(),
-          .step = estimator_.current_step(),
-          .active = decision_.plate.active,
-          .held = held,
-          .predicted = estimator_.predicted(),
-          .unreachable = decision_.aim.unreachable,
-          .optimal = decision_.plate.optimal};
+const PlateCommand& PaperReach::publish(bool held) {
+  command_.plate_orientation_deg = decision_.plate.orientation_deg;
+  command_.aimed_direction_deg = decision_.aim.direction_deg;
+  command_.distance_to_go_m = distance_to_go_m();
+  command_.step = estimator_.current_step();
+  command_.active = decision_.plate.active;
+  command_.held = held;
+  command_.predicted = estimator_.predicted();
+  command_.unreachable = decision_.aim.unreachable;
+  command_.optimal = decision_.plate.optimal;
+  return command_;
 }
 
 double PaperReach::distance_to_go_m() const {

@@ -60,20 +60,13 @@ class PaperReach {
     Aim aim;
     PlateOrientation plate;
   };
-  /// The finger as commands and summary show it.
-  struct Finger {
-    double direction_deg;
-    double perceived_direction_deg;
-    double tactile_weight;
-    double tactile_weight_sd;
-  };
 
   PlateOrientation initial_plate(const std::optional<PlateHandover>& handover) const;
   Aim aim() const;
   PlateOrientation plan(const Aim& aim);
   void decide(const Decision& decision);
   void show_finger(double plate_orientation_deg);
-  PlateCommand publish(bool held) const;
+  const PlateCommand& publish(bool held);
   double distance_to_go_m() const;
 
   PaperReachConfig config_;
@@ -85,8 +78,7 @@ class PaperReach {
   PlateModel plate_;
   PlateLimits limits_;
   Decision decision_;
-  Finger finger_;
-  PlateCommand command_;
+  PlateCommand command_;  // the last one, with the finger as it was last shown
   std::int64_t samples_before_ = 0;
   std::int64_t dropped_before_ = 0;
   std::int64_t saturated_steps_ = 0;  // without the last decision's
