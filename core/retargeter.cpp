@@ -83,36 +83,29 @@ void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& h
   } else {
     leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach, handover);
   }
-  publish();
 }
 
 const PlateCommand& Retargeter::update(const FingerSample& sample) {
   const auto* person = std::get_if<PersonReach>(&*leader_);
   if (person && sample.observation == Observation::direction && !person->seen()) lead_by_directions();
-  std::visit([&](auto& leader) { leader.update(sample); }, *leader_);
   end_.observe(sample);
-  return publish();
+  return std::visit([&](auto& leader) -> const PlateCommand& { return leader.update(sample, end_.over()); }, *leader_);
 }
 
 const PlateCommand& Retargeter::step(double finger_direction_deg) {
   if (leads_person()) lead_by_directions();
-  std::get_if<PaperReach>(&*leader_)->step(finger_direction_deg);
-  return publish();
+  return std::get_if<PaperReach>(&*leader_)->step(finger_direction_deg);
 }
 
 Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
   reach_ = seen_from_here(real, virtual_place);
   std::visit([&](auto& leader) { leader.retarget(real, reach_); }, *leader_);
   end_ = ReachEnd(reach_.start, reach_.real_distance_m);
-  publish();
   return reach_;
 }
 
-// What the leader commands, and whether the reach is over.
-const PlateCommand& Retargeter::publish() {
-  command_ = std::visit([](const auto& leader) -> const PlateCommand& { return leader.command(); }, *leader_);
-  command_.arrived = end_.over();
-  return command_;
+const PlateCommand& Retargeter::command() const {
+  return std::visit([](const auto& leader) -> const PlateCommand& { return leader.command(); }, *leader_);
 }
 
 ReachSummary Retargeter::summary() const {

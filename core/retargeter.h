@@ -41,7 +41,7 @@ class Retargeter {
   const PlateCommand& step(double finger_direction_deg);
 
   /// The last one; begin()'s before the first sample. Requires begin().
-  const PlateCommand& command() const { return command_; }
+  const PlateCommand& command() const;
   /// Requires begin().
   ReachSummary summary() const;
   /// The reach is led by the controller for people.
@@ -59,7 +59,6 @@ class Retargeter {
 
  private:
   void begin(const Reach& reach, const std::optional<PlateHandover>& handover);
-  const PlateCommand& publish();
   std::optional<PlateHandover> handover() const;
   void lead_by_directions();
   Reach seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place);
@@ -72,7 +71,6 @@ class Retargeter {
   PlatePoint felt_passed_;
   // The paper's controller takes over if directions are streamed. None before begin().
   std::optional<std::variant<PersonReach, PaperReach>> leader_;
-  PlateCommand command_;
 };
 
 }  // namespace hrt

@@ -53,7 +53,7 @@ PlateOrientation PaperReach::initial_plate(const std::optional<PlateHandover>& h
           ActiveBound::none};
 }
 
-const PlateCommand& PaperReach::update(const FingerSample& sample) {
+const PlateCommand& PaperReach::update(const FingerSample& sample, bool arrived) {
   const Observation observed = estimator_.observe(sample, plate_);
   const bool decides = observed == Observation::position ||
                        (observed == Observation::direction && estimator_.current_step() != decision_.step);
@@ -65,6 +65,7 @@ const PlateCommand& PaperReach::update(const FingerSample& sample) {
     decide({estimator_.current_step(), aimed, limited});
   }
   if (decides || estimator_.predicted()) show_finger(plate_.orientation_at_deg(estimator_.step_end_ns()));
+  command_.arrived = arrived;
   return publish(!decides);
 }
 
@@ -76,6 +77,7 @@ void PaperReach::retarget(const PlatePoint& real, const Reach& now) {
   target_ = real;
   estimator_.turn_to(goal_deg);
   control_ = PaperControl(config_.mpc, config_.plate, config_.step_period_ns, goal_deg);
+  command_.arrived = false;
 }
 
 const PlateCommand& PaperReach::step(double finger_direction_deg) {

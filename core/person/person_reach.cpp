@@ -83,7 +83,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   const double longer_mm = mm_per_m * (now.real_distance_m - distance_m(now.start, target_));
   limits_.turn_goal(now.virtual_direction_deg - reach_.virtual_direction_deg);
   reach_.virtual_direction_deg = now.virtual_direction_deg;
-  settled_ = false;
+  settled_ = command_.arrived = false;
   // The short way round.
   reach_.real_direction_deg =
       now.real_direction_deg + wrap_deg(bearing_deg(reach_.start, real) - now.real_direction_deg, 360.0);
@@ -124,7 +124,7 @@ double PersonReach::speed_m_s() const {
   return estimator_.filter().now().speed_mm_s / mm_per_m;
 }
 
-const PlateCommand& PersonReach::update(const FingerSample& sample) {
+const PlateCommand& PersonReach::update(const FingerSample& sample, bool arrived) {
   ++counts_.samples;
   if (!origin_ns_) origin_ns_ = sample.time_ns;
   plate_.advance(sample.time_ns);
@@ -143,6 +143,7 @@ const PlateCommand& PersonReach::update(const FingerSample& sample) {
   }
   const bool turned_ready = std::exchange(turned_ready_, false);
   command_ = publish(sample, now_s, decides || turned_ready);
+  command_.arrived = arrived;
   settled_ = true;
   count(command_, observed);
   return command_;

@@ -36,8 +36,9 @@ class PersonReach {
   PersonReach(const PersonReachConfig& config, const Reach& reach,
               const std::optional<PlateHandover>& handover = std::nullopt);
 
-  /// Takes one sample in, not before the last one's, of any observation but a direction.
-  const PlateCommand& update(const FingerSample& sample);
+  /// Takes one sample in, not before the last one's, of any observation but a direction. `arrived`: as in
+  /// the command.
+  const PlateCommand& update(const FingerSample& sample, bool arrived = false);
 
   /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is: its
   /// directions, distance and start are read.

@@ -212,14 +212,14 @@ hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
   std::uint32_t flags = 0;
   const FingerSample finger = observe(config_, sample, &flags);
   if (awaits_finger_ && finger.observation == Observation::position) HRT_RETURN_IF_FAILED(start_at(finger.position));
-  retargeter_->update(finger);
+  const PlateCommand& planned = retargeter_->update(finger);
   sampled_ = true;
   last_time_ns_ = sample.time_ns;
   if (is_registration_doubtful(sample.time_ns)) {
     flags |= HRT_COMMAND_REGISTRATION;
     registration_flagged_ = registration_doubted_ = true;
   }
-  write_command(flags, out_command);
+  write_command(planned, flags, out_command);
   if (!make_finite(*out_command, plate_orientation_deg_)) faulty_ = failed_ = true;
   plate_orientation_deg_ = out_command->plate_orientation_deg;
   return HRT_OK;
@@ -236,8 +236,7 @@ bool Session::is_registration_doubtful(std::int64_t time_ns) const {
   return max_ns > 0 && time_ns > later_ns(config_.registration.time_ns, max_ns);
 }
 
-void Session::write_command(std::uint32_t flags, hrt_command* out) const {
-  const PlateCommand& command = retargeter_->command();
+void Session::write_command(const PlateCommand& command, std::uint32_t flags, hrt_command* out) const {
   if (command.held) flags |= HRT_COMMAND_HELD;
   if (command.predicted) flags |= HRT_COMMAND_PREDICTED;
   if (command.unreachable) flags |= HRT_COMMAND_UNREACHABLE;

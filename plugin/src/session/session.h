@@ -69,7 +69,7 @@ class Session {
   void judge_registration(const Reach& reach);
   bool is_registration_doubtful(std::int64_t time_ns) const;
   void learn_from(const Contact& contact);
-  void write_command(std::uint32_t finger_flags, hrt_command* out) const;
+  void write_command(const PlateCommand& command, std::uint32_t finger_flags, hrt_command* out) const;
   hrt_result check_setup() const;
   hrt_reach_summary to_c(const ReachSummary& summary) const;
   void carry(const FingerEstimate& estimate);
