@@ -26,7 +26,7 @@ class Retargeter {
   /// Requires begin(), and is_valid(reach) as there.
   void begin_here(const Reach& reach);
 
-  /// Takes one sample in and returns the command that holds now. Requires begin(); the sample's time must
+  /// Takes one sample in and returns command(). Requires begin(); the sample's time must
   /// not be before the last one's. However long the gap, at most StepClock::max_catch_up_steps are predicted.
   const PlateCommand& update(const FingerSample& sample);
 
@@ -40,7 +40,7 @@ class Retargeter {
   /// `finger_direction_deg` (finite). Requires begin(); not to be mixed with update() in one reach.
   const PlateCommand& step(double finger_direction_deg);
 
-  /// The last one; begin()'s before the first sample. Requires begin().
+  /// The last one; begin()'s before the first sample. Valid until the next call. Requires begin().
   const PlateCommand& command() const;
   /// Requires begin().
   ReachSummary summary() const;
