@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/paper/mpc_rate_bound.h"
+
 namespace hrt {
 namespace {
 
@@ -122,7 +124,7 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
   WindowSolution solution;
   const WorkingSet* held = &plate_bound_solver_.solve(window, has_rate_bound || plan, solution);
   if (!solution.optimal || (has_rate_bound && breaks_rate_bound(window, solution))) {
-    solve_active_set(window, working_set_, solution);
+    solve_rate_bound(window, working_set_, solution);
     held = &working_set_;
   }
   do {

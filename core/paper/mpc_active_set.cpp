@@ -21,24 +21,17 @@ struct Constraint {
   std::int8_t sign;  // 0: no constraint
 };
 
-// Passes from the path given, which is near the optimum in a closed loop. Then the solver starts anew from
-// a ramp.
-constexpr int max_sweeps_from_path = 8;
-
 // The work after which the solver gives up, in steps of passes over the window: 150 passes over the longest.
-// No random problem of a million takes more than 101.
 constexpr int max_steps_swept = 150 * max_horizon;
 
 class DualActiveSet {
  public:
-  DualActiveSet(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution);
+  DualActiveSet(const FeltWindow& window, std::array<double, max_horizon>& plate_deg, WorkingSet& held);
 
-  void run();
+  bool climb();
 
  private:
   void hold_clamping();
-  void hold_ramp();
-  bool climb();
 
   // Optimum under the constraints held, as if all others did not exist: plate_deg_ and target_.
   void solve_held();
@@ -58,23 +51,14 @@ class DualActiveSet {
     return (c.is_link ? multipliers.link : multipliers.pin)[c.i];
   }
 
+  const FeltWindow& window_;
   const WindowProblem& problem_;
-  WorkingSet& window_set_;
-  WindowSolution& solution_;
   double multiplier_tolerance_;
   double plate_tolerance_deg_;
   int sweeps_left_;
-
-  // The steps at which the plate is felt. One that is not only adds to what the plate may turn until the
-  // next, and to the weight of the miss that it leaves as it is.
-  int steps_ = 0;
-  double last_miss_weight_;  // of the miss after the last of them
-  double last_miss_deg_;
-  std::array<int, max_horizon> index_;  // in the window
-  std::array<double, max_horizon> gain_;
-  std::array<double, max_horizon> rate_deg_;
-  std::array<double, max_horizon> miss_weight_;
-  WorkingSet set_;
+  int steps_;
+  WorkingSet& set_;
+  std::array<double, max_horizon>& plate_deg_;
 
   struct CostToGo {
     double s;
@@ -86,56 +70,24 @@ class DualActiveSet {
   std::array<bool, max_horizon> fixed_;       // u_i is determined by the constraints held alone
   std::array<double, max_horizon> law_gain_;  // u_i = law_gain x_i + law_constant where it is chosen freely
   std::array<double, max_horizon> law_constant_;
-  std::array<double, max_horizon> plate_deg_;
   std::array<double, max_horizon> error_deg_;
+  double last_miss_deg_;
   std::array<double, max_horizon> miss_deg_;
   std::array<double, max_horizon> gradient_;  // half the derivative of the cost by u_i
   Multipliers current_;
   Multipliers target_;
 };
 
-DualActiveSet::DualActiveSet(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution)
-    : problem_(problem),
-      window_set_(working_set),
-      solution_(solution),
-      multiplier_tolerance_((problem.perceived_weight + problem.actual_weight) * tolerance_deg(problem)),
-      plate_tolerance_deg_(tolerance_deg(problem)) {
-  double rate_deg = 0.0;
-  double miss_weight = 0.0;
-  for (int i = 0; i < problem.horizon; ++i) {
-    rate_deg += problem.rate_deg;
-    miss_weight += problem.actual_weight;
-    if (problem.gains[i] < min_step_gain) continue;
-    index_[steps_] = i;
-    gain_[steps_] = problem.gains[i];
-    rate_deg_[steps_] = rate_deg;
-    miss_weight_[steps_] = miss_weight;
-    plate_deg_[steps_] = solution.plate_deg[i];
-    ++steps_;
-    rate_deg = miss_weight = 0.0;
-  }
-  last_miss_weight_ = miss_weight;
+DualActiveSet::DualActiveSet(const FeltWindow& window, std::array<double, max_horizon>& plate_deg, WorkingSet& held)
+    : window_(window),
+      problem_(window.problem),
+      multiplier_tolerance_((problem_.perceived_weight + problem_.actual_weight) * tolerance_deg(problem_)),
+      plate_tolerance_deg_(tolerance_deg(problem_)),
+      sweeps_left_(max_steps_swept / std::max(window.steps, 1)),
+      steps_(window.steps),
+      set_(held),
+      plate_deg_(plate_deg) {
   swept_.pin.fill(2);  // of no step
-}
-
-void DualActiveSet::run() {
-  hold_clamping();
-  sweeps_left_ = max_sweeps_from_path;
-  solution_.optimal = climb();
-  if (!solution_.optimal) {
-    hold_ramp();
-    sweeps_left_ = max_steps_swept / std::max(steps_, 1);
-    solution_.optimal = climb();
-  }
-  window_set_ = {};
-  for (int i = problem_.horizon - 1, step = steps_ - 1; i >= 0; --i) {
-    if (step >= 0 && i == index_[step]) {
-      window_set_.pin[i] = set_.pin[step];
-      window_set_.link[i] = set_.link[step];
-      --step;
-    }
-    solution_.plate_deg[i] = steps_ == 0 ? problem_.last_plate_deg : plate_deg_[std::min(step + 1, steps_ - 1)];
-  }
 }
 
 // Holds the bounds that clamp the path in plate_deg_, step after step.
@@ -144,32 +96,17 @@ void DualActiveSet::hold_clamping() {
   double last_deg = problem_.last_plate_deg;
   for (int i = 0; i < steps_; ++i) {
     const double u = plate_deg_[i];
-    const double high_deg = std::min(problem_.bound_deg, last_deg + rate_deg_[i]);
-    const double low_deg = std::max(-problem_.bound_deg, last_deg - rate_deg_[i]);
+    const double high_deg = std::min(problem_.bound_deg, last_deg + window_.rate_deg[i]);
+    const double low_deg = std::max(-problem_.bound_deg, last_deg - window_.rate_deg[i]);
     if (u >= high_deg) (high_deg == problem_.bound_deg ? set_.pin : set_.link)[i] = 1;
     if (u <= low_deg) (low_deg == -problem_.bound_deg ? set_.pin : set_.link)[i] = -1;
     last_deg = std::clamp(u, low_deg, high_deg);
   }
 }
 
-// Holds a bound at every step: that of the way in which the cost falls if the plate turns in this step and
-// then stays, seen from a plate that never turns.
-void DualActiveSet::hold_ramp() {
-  set_ = {};
-  fixed_.fill(true);
-  plate_deg_.fill(std::clamp(problem_.last_plate_deg, -problem_.bound_deg, problem_.bound_deg));
-  sweep_forwards();
-  find_multipliers();
-  double slope = 0.0;
-  for (int i = steps_ - 1; i >= 0; --i) {
-    slope += gradient_[i];
-    if (slope != 0.0) plate_deg_[i] = std::copysign(std::numeric_limits<double>::infinity(), -slope);
-  }
-  hold_clamping();
-}
-
 // From one optimum of the constraints held to the next, as the header says. False if out of sweeps.
 bool DualActiveSet::climb() {
+  hold_clamping();
   if (!make_dual_feasible()) return false;
   for (;;) {
     const Constraint violated = max_violated();
@@ -186,15 +123,15 @@ void DualActiveSet::resolve_fixed() {
     if (set_.pin[i])
       u[i] = set_.pin[i] * problem_.bound_deg;
     else if (set_.link[i] && i == 0)
-      u[i] = problem_.last_plate_deg + set_.link[i] * rate_deg_[i];
+      u[i] = problem_.last_plate_deg + set_.link[i] * window_.rate_deg[i];
     else if (set_.link[i] && fixed_[i - 1])
-      u[i] = u[i - 1] + set_.link[i] * rate_deg_[i];
+      u[i] = u[i - 1] + set_.link[i] * window_.rate_deg[i];
     else
       fixed_[i] = false;
   }
   for (int i = n - 1; i > 0; --i) {
     if (!fixed_[i] || !set_.link[i] || fixed_[i - 1]) continue;
-    u[i - 1] = u[i] - set_.link[i] * rate_deg_[i];
+    u[i - 1] = u[i] - set_.link[i] * window_.rate_deg[i];
     fixed_[i - 1] = true;
   }
 }
@@ -210,12 +147,12 @@ void DualActiveSet::sweep_backwards() {
   while (from >= 0 && set_.pin[from] == swept_.pin[from] && set_.link[from] == swept_.link[from]) --from;
   while (from + 1 < n && set_.link[from + 1]) ++from;
   swept_ = set_;
-  auto [s, r] = from + 1 < n ? cost_to_go_[from + 1] : CostToGo{last_miss_weight_, 0.0};
+  auto [s, r] = from + 1 < n ? cost_to_go_[from + 1] : CostToGo{window_.last_miss_weight, 0.0};
   double m = 0.0, v = 0.0, f = 0.0;
   double level_deg = 0.0;  // u_i - z
   for (int i = from; i >= 0; --i) {
-    const double k = gain_[i];
-    const double q_actual = miss_weight_[i];
+    const double k = window_.gain[i];
+    const double q_actual = window_.miss_weight[i];
     const double a = k * pw;  // e = a x + k u + a p_R
     const bool leads = !set_.link[i];
     const bool followed = i + 1 < n && set_.link[i + 1];
@@ -236,7 +173,7 @@ void DualActiveSet::sweep_backwards() {
       v = q_perceived * k * k + k * k * s - 2.0 * k * m + v;
       m = q_perceived * a * k + (1.0 - a) * (m - k * s);
       s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
-      level_deg -= set_.link[i] * rate_deg_[i];
+      level_deg -= set_.link[i] * window_.rate_deg[i];
       if (!leads) continue;
       law_gain_[i] = -m / v;
       law_constant_[i] = level_deg - f / v;
@@ -255,8 +192,9 @@ void DualActiveSet::sweep_forwards() {
   double x = problem_.miss_deg;
   auto& u = plate_deg_;
   for (int i = 0; i < steps_; ++i) {
-    if (!fixed_[i]) u[i] = set_.link[i] ? u[i - 1] + set_.link[i] * rate_deg_[i] : law_gain_[i] * x + law_constant_[i];
-    const double e = gain_[i] * (u[i] + problem_.proprioceptive_weight * (x + problem_.real_offset_deg));
+    if (!fixed_[i])
+      u[i] = set_.link[i] ? u[i - 1] + set_.link[i] * window_.rate_deg[i] : law_gain_[i] * x + law_constant_[i];
+    const double e = window_.gain[i] * (u[i] + problem_.proprioceptive_weight * (x + problem_.real_offset_deg));
     error_deg_[i] = e;
     miss_deg_[i] = x;
     x -= e;
@@ -269,13 +207,13 @@ void DualActiveSet::sweep_forwards() {
 // at u_k-1. A run without either is free, and its gradients sum to 0 at the optimum.
 void DualActiveSet::find_multipliers() {
   const int n = steps_;
-  double slope = last_miss_weight_ * last_miss_deg_;  // half the derivative of the cost to go by x_i+1
+  double slope = window_.last_miss_weight * last_miss_deg_;  // half the derivative of the cost to go by x_i+1
   for (int i = n - 1; i >= 0; --i) {
-    const double k = gain_[i];
+    const double k = window_.gain[i];
     const double a = k * problem_.proprioceptive_weight;
     const double weighted_error = problem_.perceived_weight * error_deg_[i];
     gradient_[i] = k * (weighted_error - slope);
-    slope = miss_weight_[i] * miss_deg_[i] + a * weighted_error + (1.0 - a) * slope;
+    slope = window_.miss_weight[i] * miss_deg_[i] + a * weighted_error + (1.0 - a) * slope;
   }
   for (int first = 0, end; first < n; first = end) {
     double total = gradient_[first];
@@ -319,7 +257,7 @@ bool DualActiveSet::make_dual_feasible() {
       worst = -1, worst_pull = 0.0;
     };
     for (int i = 0; i < steps_; ++i) {
-      const double slack = multiplier_tolerance_ * gain_[i];
+      const double slack = multiplier_tolerance_ * window_.gain[i];
       if (set_.pin[i] * target_.pin[i] < -slack) set_.pin[i] = 0, dropped = true;
       const double pull = set_.link[i] * target_.link[i];
       if (pull >= -slack)
@@ -337,7 +275,7 @@ Constraint DualActiveSet::max_violated() const {
   Constraint max{false, 0, 0};
   double max_deg = plate_tolerance_deg_;
   const auto consider = [&](double excess_deg, bool is_link, int i, double sign) {
-    const double effect_deg = excess_deg * gain_[i];
+    const double effect_deg = excess_deg * window_.gain[i];
     if (effect_deg <= max_deg) return;
     max_deg = effect_deg;
     max = {is_link, i, static_cast<std::int8_t>(sign < 0.0 ? -1 : 1)};
@@ -346,7 +284,7 @@ Constraint DualActiveSet::max_violated() const {
   for (int i = 0; i < steps_; ++i) {
     const double u = plate_deg_[i];
     if (!set_.pin[i]) consider(std::abs(u) - problem_.bound_deg, false, i, u);
-    if (!set_.link[i]) consider(std::abs(u - last_deg) - rate_deg_[i], true, i, u - last_deg);
+    if (!set_.link[i]) consider(std::abs(u - last_deg) - window_.rate_deg[i], true, i, u - last_deg);
     last_deg = u;
   }
   return max;
@@ -401,7 +339,7 @@ bool DualActiveSet::add(Constraint constraint) {
       if (c.sign == 0) return;
       const double from = c.sign * value(current_, c);
       const double to = c.sign * value(target_, c);
-      if (to >= from || (!dependent && to >= -multiplier_tolerance_ * gain_[c.i])) return;
+      if (to >= from || (!dependent && to >= -multiplier_tolerance_ * window_.gain[c.i])) return;
       const double at = std::max(0.0, from) / (from - to);
       if (at < step) step = at, blocking = c;
     };
@@ -426,8 +364,8 @@ bool DualActiveSet::add(Constraint constraint) {
 
 }  // namespace
 
-void solve_active_set(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution) {
-  DualActiveSet(problem, working_set, solution).run();
+bool solve_active_set(const FeltWindow& window, std::array<double, max_horizon>& plate_deg, WorkingSet& held) {
+  return DualActiveSet(window, plate_deg, held).climb();
 }
 
 }  // namespace hrt

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/paper/mpc_active_set.h"
+#include "core/paper/mpc_window.h"
 #include "core/paper/participant.h"
 
 namespace hrt {

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "core/paper/mpc.h"
+#include "core/paper/mpc_active_set.h"
+#include "core/paper/mpc_rate_bound.h"
 #include "tests/core/heap_guard.h"
 #include "tests/core/paper/mpc_random_problem.h"
 #include "tests/core/paper/mpc_reference.h"
@@ -81,11 +83,10 @@ TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
   }
 }
 
-// Slow turns over a window of 50 steps take the most work: dozens of bounds hold the optimum. Where most steps are
-// hardly felt, and the plate may be out of its bound, few solves run out of passes.
+// Slow turns over a window of 50 steps take the most work: dozens of bounds hold the optimum. So it is where most steps
+// are hardly felt, and the plate may be out of its bound.
 TEST(MpcProperty, SlowTurnsOverALongWindowAreSolvedToTheEnd) {
   Random random(6);
-  int cut = 0;
   for (int i = 0; i < 20'000; ++i) {
     const bool hard = i % 2 == 1;
     RandomProblem drawn(random, 50, true, hard ? RandomGains::mostly_small : RandomGains::felt);
@@ -93,8 +94,7 @@ TEST(MpcProperty, SlowTurnsOverALongWindowAreSolvedToTheEnd) {
     if (hard) drawn.problem.plate_offset_deg += uniform(random, -1.0, 1.0) * drawn.config.plate_rate_bound_deg;
     MpcPlan plan;
     const bool optimal = Mpc(drawn.config).solve(drawn.problem, &plan).optimal;
-    EXPECT_TRUE(optimal || hard) << i;
-    cut += !optimal;
+    EXPECT_TRUE(optimal) << i;
     if (i % 200 != 0) continue;
     LongVector plate(50);
     for (int k = 0; k < 50; ++k) plate[k] = plan.plate_offset_deg[k];
@@ -102,7 +102,57 @@ TEST(MpcProperty, SlowTurnsOverALongWindowAreSolvedToTheEnd) {
     EXPECT_LT(residual.stationarity, 1e-9L) << i;
     EXPECT_LT(residual.violation_deg, 1e-12L) << i;
   }
-  EXPECT_LE(cut, 5);
+}
+
+// The cost of the path `plate_deg`, felt, or infinity where it breaks a bound.
+double cost_of(const FeltWindow& window, const std::array<double, max_horizon>& plate_deg) {
+  const WindowProblem& problem = window.problem;
+  double cost = 0.0;
+  double x = problem.miss_deg;
+  double last_deg = problem.last_plate_deg;
+  for (int i = 0; i < window.steps; ++i) {
+    const double u = plate_deg[i];
+    if (std::abs(u) > problem.bound_deg + 1e-12 || std::abs(u - last_deg) > window.rate_deg[i] + 1e-12)
+      return std::numeric_limits<double>::infinity();
+    const double e = window.gain[i] * (u + problem.proprioceptive_weight * (x + problem.real_offset_deg));
+    cost += problem.perceived_weight * e * e + window.miss_weight[i] * x * x;
+    x -= e;
+    last_deg = u;
+  }
+  return cost + window.last_miss_weight * x * x;
+}
+
+// Turns that add up to the bound, and steps that are hardly felt, have optima where several bounds meet.
+TEST(MpcProperty, SweepsFindWhatTheActiveSetFinds) {
+  Random random(7);
+  for (int i = 0; i < 100'000; ++i) {
+    const int horizon = 6 + static_cast<int>(random() % 15);
+    RandomProblem drawn(random, horizon, true);
+    for (int k = 0; k < horizon; ++k) drawn.gains[k] = std::pow(10.0, uniform(random, i % 2 ? -3.0 : -6.0, 0.0));
+    const double w = drawn.problem.tactile_weight;
+    const double bound_deg = w * drawn.config.plate_bound_deg;
+    const double rate_deg = bound_deg / static_cast<double>(1 + random() % 8);
+    const WindowProblem problem{.horizon = horizon,
+                                .perceived_weight = drawn.config.perceived_weight,
+                                .actual_weight = drawn.config.actual_weight,
+                                .miss_deg = drawn.problem.finger_offset_deg - drawn.problem.real_offset_deg,
+                                .real_offset_deg = drawn.problem.real_offset_deg,
+                                .proprioceptive_weight = 1.0 - w,
+                                .bound_deg = bound_deg,
+                                .rate_deg = rate_deg,
+                                .last_plate_deg = rate_deg * std::round(w * drawn.problem.plate_offset_deg / rate_deg),
+                                .gains = drawn.gains.data()};
+    const FeltWindow window(problem);
+    std::array<double, max_horizon> by_active_set{};
+    WorkingSet held;
+    const bool solved = solve_active_set(window, by_active_set, held);
+    WindowSolution solution{};
+    solve_rate_bound(problem, held, solution);
+    ASSERT_TRUE(solution.optimal) << i;
+    const double cost = cost_of(window, solution.plate_deg);
+    EXPECT_LT(cost, std::numeric_limits<double>::infinity()) << i;
+    EXPECT_TRUE(!solved || cost <= cost_of(window, by_active_set) * (1.0 + 1e-9) + 1e-12) << i;
+  }
 }
 
 // From anywhere, however far out of the bound, the plate turns no faster than it can, and is inside as soon
