@@ -41,9 +41,8 @@ struct MpcPlan {
 };
 
 /// Solves one problem a step. Remembers which plate bounds were active to start the next one; this changes
-/// the time, not the optimum. No heap, no lock, no exception. Time is bounded: by 12 pairs of sweeps and 150 passes
-/// over a window of 50 steps, of about a microsecond each (tests/benchmarks has the measurements). One thread at a
-/// time.
+/// the time, not the optimum. No heap, no lock, no exception. Time is bounded: by 8 pairs of sweeps and 153 passes over
+/// a window of 50 steps, of about a microsecond each (tests/benchmarks has the measurements). One thread at a time.
 class Mpc {
  public:
   /// Requires is_valid(config).

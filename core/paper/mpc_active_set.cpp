@@ -21,12 +21,9 @@ struct Constraint {
   std::int8_t sign;  // 0: no constraint
 };
 
-// The work after which the solver gives up, in steps of passes over the window: 150 passes over the longest.
-constexpr int max_steps_swept = 150 * max_horizon;
-
 class DualActiveSet {
  public:
-  DualActiveSet(const FeltWindow& window, std::array<double, max_horizon>& plate_deg, WorkingSet& held);
+  DualActiveSet(const FeltWindow& window, int max_passes, std::array<double, max_horizon>& plate_deg, WorkingSet& held);
 
   bool climb();
 
@@ -60,33 +57,33 @@ class DualActiveSet {
   WorkingSet& set_;
   std::array<double, max_horizon>& plate_deg_;
 
-  struct CostToGo {
+  struct CostToGo {  // from x_i: s x^2 + 2 m x u_i-1 + 2 r x, and what does not depend on x
     double s;
+    double m;
     double r;
   };
-  std::array<CostToGo, max_horizon> cost_to_go_;  // from each step that no link ties to the one before
-  WorkingSet swept_;                              // for which they hold
+  std::array<CostToGo, max_horizon + 1> cost_to_go_;
+  WorkingSet swept_;  // for which they hold
 
   std::array<bool, max_horizon> fixed_;       // u_i is determined by the constraints held alone
   std::array<double, max_horizon> law_gain_;  // u_i = law_gain x_i + law_constant where it is chosen freely
   std::array<double, max_horizon> law_constant_;
-  std::array<double, max_horizon> error_deg_;
-  double last_miss_deg_;
-  std::array<double, max_horizon> miss_deg_;
   std::array<double, max_horizon> gradient_;  // half the derivative of the cost by u_i
   Multipliers current_;
   Multipliers target_;
 };
 
-DualActiveSet::DualActiveSet(const FeltWindow& window, std::array<double, max_horizon>& plate_deg, WorkingSet& held)
+DualActiveSet::DualActiveSet(const FeltWindow& window, int max_passes, std::array<double, max_horizon>& plate_deg,
+                             WorkingSet& held)
     : window_(window),
       problem_(window.problem),
       multiplier_tolerance_((problem_.perceived_weight + problem_.actual_weight) * tolerance_deg(problem_)),
       plate_tolerance_deg_(tolerance_deg(problem_)),
-      sweeps_left_(max_steps_swept / std::max(window.steps, 1)),
+      sweeps_left_(max_passes),
       steps_(window.steps),
       set_(held),
       plate_deg_(plate_deg) {
+  cost_to_go_[steps_] = {window.last_miss_weight, 0.0, 0.0};
   swept_.pin.fill(2);  // of no step
 }
 
@@ -116,23 +113,20 @@ bool DualActiveSet::climb() {
 }
 
 void DualActiveSet::resolve_fixed() {
-  const int n = steps_;
   auto& u = plate_deg_;
-  for (int i = 0; i < n; ++i) {
-    fixed_[i] = true;
-    if (set_.pin[i])
-      u[i] = set_.pin[i] * problem_.bound_deg;
-    else if (set_.link[i] && i == 0)
-      u[i] = problem_.last_plate_deg + set_.link[i] * window_.rate_deg[i];
-    else if (set_.link[i] && fixed_[i - 1])
-      u[i] = u[i - 1] + set_.link[i] * window_.rate_deg[i];
-    else
-      fixed_[i] = false;
-  }
-  for (int i = n - 1; i > 0; --i) {
-    if (!fixed_[i] || !set_.link[i] || fixed_[i - 1]) continue;
-    u[i - 1] = u[i] - set_.link[i] * window_.rate_deg[i];
-    fixed_[i - 1] = true;
+  double last_deg = problem_.last_plate_deg;
+  bool fixed = true;
+  for (int i = 0; i < steps_; ++i) {
+    const int pin = set_.pin[i];
+    const int link = set_.link[i];
+    fixed = pin || (link && fixed);
+    fixed_[i] = fixed;
+    if (fixed) u[i] = last_deg = pin ? pin * problem_.bound_deg : last_deg + link * window_.rate_deg[i];
+    if (!pin) continue;
+    for (int j = i; j > 0 && set_.link[j]; --j) {
+      u[j - 1] = u[j] - set_.link[j] * window_.rate_deg[j];
+      fixed_[j - 1] = true;
+    }
   }
 }
 
@@ -147,7 +141,7 @@ void DualActiveSet::sweep_backwards() {
   while (from >= 0 && set_.pin[from] == swept_.pin[from] && set_.link[from] == swept_.link[from]) --from;
   while (from + 1 < n && set_.link[from + 1]) ++from;
   swept_ = set_;
-  auto [s, r] = from + 1 < n ? cost_to_go_[from + 1] : CostToGo{window_.last_miss_weight, 0.0};
+  auto [s, unused, r] = cost_to_go_[from + 1];  // of no link
   double m = 0.0, v = 0.0, f = 0.0;
   double level_deg = 0.0;  // u_i - z
   for (int i = from; i >= 0; --i) {
@@ -158,11 +152,12 @@ void DualActiveSet::sweep_backwards() {
     const bool followed = i + 1 < n && set_.link[i + 1];
     if (!fixed_[i] && leads && !followed) {
       const double inverse = 1.0 / (q_perceived + s);
-      law_gain_[i] = s * inverse / k - pw;
-      law_constant_[i] = r * inverse / k - pw * problem_.real_offset_deg;
+      const double per_gain = inverse / k;
+      law_gain_[i] = s * per_gain - pw;
+      law_constant_[i] = r * per_gain - pw * problem_.real_offset_deg;
       r *= q_perceived * inverse;
       s = q_actual + q_perceived * inverse * s;
-      cost_to_go_[i] = {s, r};
+      cost_to_go_[i] = {s, 0.0, r};
       continue;
     }
     const double u = fixed_[i] ? plate_deg_[i] : level_deg;
@@ -174,7 +169,10 @@ void DualActiveSet::sweep_backwards() {
       m = q_perceived * a * k + (1.0 - a) * (m - k * s);
       s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
       level_deg -= set_.link[i] * window_.rate_deg[i];
-      if (!leads) continue;
+      if (!leads) {
+        cost_to_go_[i] = {s, m, r - m * level_deg};
+        continue;
+      }
       law_gain_[i] = -m / v;
       law_constant_[i] = level_deg - f / v;
       s -= m * m / v;
@@ -184,46 +182,39 @@ void DualActiveSet::sweep_backwards() {
       r = q_perceived * a * d + (1.0 - a) * (r - s * d);
       s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
     }
-    cost_to_go_[i] = {s, r};
+    cost_to_go_[i] = {s, 0.0, r};
   }
 }
 
+// The gradient comes with it, from the slope of the cost to go by x_i+1.
 void DualActiveSet::sweep_forwards() {
+  const double q_perceived = problem_.perceived_weight;
   double x = problem_.miss_deg;
-  auto& u = plate_deg_;
+  double u = problem_.last_plate_deg;
   for (int i = 0; i < steps_; ++i) {
-    if (!fixed_[i])
-      u[i] = set_.link[i] ? u[i - 1] + set_.link[i] * window_.rate_deg[i] : law_gain_[i] * x + law_constant_[i];
-    const double e = window_.gain[i] * (u[i] + problem_.proprioceptive_weight * (x + problem_.real_offset_deg));
-    error_deg_[i] = e;
-    miss_deg_[i] = x;
+    if (fixed_[i])
+      u = plate_deg_[i];
+    else
+      plate_deg_[i] = u = set_.link[i] ? u + set_.link[i] * window_.rate_deg[i] : law_gain_[i] * x + law_constant_[i];
+    const double e = window_.gain[i] * (u + problem_.proprioceptive_weight * (x + problem_.real_offset_deg));
     x -= e;
+    const auto& [s, m, r] = cost_to_go_[i + 1];
+    gradient_[i] = window_.gain[i] * (q_perceived * e - (s * x + m * u + r));
   }
-  last_miss_deg_ = x;
 }
 
-// The gradient by the adjoint recursion, then the multipliers that balance it. A run of linked steps is a
-// chain along which link multipliers flow; what is left of the chain's total goes to ground at its pin or
-// at u_k-1. A run without either is free, and its gradients sum to 0 at the optimum.
+// The multipliers that balance the gradient. A run of linked steps is a chain along which link multipliers flow;
+// what is left of the chain's total goes to ground at its pin or at u_k-1. A run without either is free, and its
+// gradients sum to 0 at the optimum.
 void DualActiveSet::find_multipliers() {
-  const int n = steps_;
-  double slope = window_.last_miss_weight * last_miss_deg_;  // half the derivative of the cost to go by x_i+1
-  for (int i = n - 1; i >= 0; --i) {
-    const double k = window_.gain[i];
-    const double a = k * problem_.proprioceptive_weight;
-    const double weighted_error = problem_.perceived_weight * error_deg_[i];
-    gradient_[i] = k * (weighted_error - slope);
-    slope = window_.miss_weight[i] * miss_deg_[i] + a * weighted_error + (1.0 - a) * slope;
-  }
-  for (int first = 0, end; first < n; first = end) {
-    double total = gradient_[first];
-    for (end = first + 1; end < n && set_.link[end]; ++end) total += gradient_[end];
-    double flow = set_.link[first] ? -total : 0.0;
-    for (int i = first; i < end; ++i) {
-      target_.link[i] = flow;
-      target_.pin[i] = set_.pin[i] ? -total : 0.0;
-      flow += gradient_[i] + target_.pin[i];
-    }
+  for (int i = steps_ - 1; i > 0; --i)
+    if (set_.link[i]) gradient_[i - 1] += gradient_[i];  // now of all the run from here on
+  double to_pin = 0.0;
+  for (int i = 0; i < steps_; ++i) {
+    if (!set_.link[i]) to_pin = gradient_[i];
+    target_.link[i] = to_pin - gradient_[i];
+    target_.pin[i] = 0.0;
+    if (set_.pin[i]) target_.pin[i] = -to_pin, to_pin = 0.0;
   }
 }
 
@@ -364,8 +355,9 @@ bool DualActiveSet::add(Constraint constraint) {
 
 }  // namespace
 
-bool solve_active_set(const FeltWindow& window, std::array<double, max_horizon>& plate_deg, WorkingSet& held) {
-  return DualActiveSet(window, plate_deg, held).climb();
+bool solve_active_set(const FeltWindow& window, int max_passes, std::array<double, max_horizon>& plate_deg,
+                      WorkingSet& held) {
+  return DualActiveSet(window, max_passes, plate_deg, held).climb();
 }
 
 }  // namespace hrt

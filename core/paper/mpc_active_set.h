@@ -11,8 +11,9 @@ namespace hrt {
 
 /// Solves the problem of `window`. Starts from the path in `plate_deg`, the plate in degrees felt at each felt step,
 /// finite: each step is clamped to the bounds, and those that clamp it are held. Leaves the optimum in `plate_deg`, and
-/// the constraints that hold it in `held`. False if the work allowed runs out: the path then is no optimum and may
-/// break bounds.
-bool solve_active_set(const FeltWindow& window, std::array<double, max_horizon>& plate_deg, WorkingSet& held);
+/// the constraints that hold it in `held`. False if `max_passes` over the window do not lead there: the path is then no
+/// optimum and may break bounds.
+bool solve_active_set(const FeltWindow& window, int max_passes, std::array<double, max_horizon>& plate_deg,
+                      WorkingSet& held);
 
 }  // namespace hrt

@@ -11,11 +11,13 @@
 namespace hrt {
 namespace {
 
-// Where fewer steps are felt, the active-set method takes less time from the start.
-constexpr int min_steps = 6;
+// Passes of the active-set method, in steps: over the longest window three before the sweeps, which is all that a
+// closed loop mostly needs, and 150 after them.
+constexpr int first_pass_steps = 3 * max_horizon;
+constexpr int last_pass_steps = 150 * max_horizon;
 
 // Pairs of sweeps before the solver gives up.
-constexpr int max_pairs = 12;
+constexpr int max_pairs = 8;
 
 // Pairs after which the cost must not rise, and the least part of the way to a new path that is worth going.
 constexpr int free_pairs = 4;
@@ -330,13 +332,14 @@ void solve_rate_bound(const WindowProblem& problem, WorkingSet& held, WindowSolu
   std::array<double, max_horizon> plate_deg;
   for (int step = 0; step < n; ++step) plate_deg[step] = solution.plate_deg[window.index[step]];
   WorkingSet of_felt;
-  solution.optimal = false;
-  if (n >= min_steps) {
+  const int steps = std::max(n, 1);
+  solution.optimal = solve_active_set(window, first_pass_steps / steps, plate_deg, of_felt);
+  if (!solution.optimal) {
     RateBoundSolver solver(window);
     solution.optimal = solver.solve(plate_deg);
     of_felt = solver.held();
   }
-  if (!solution.optimal) solution.optimal = solve_active_set(window, plate_deg, of_felt);
+  if (!solution.optimal) solution.optimal = solve_active_set(window, last_pass_steps / steps, plate_deg, of_felt);
   held = {};
   for (int i = problem.horizon - 1, step = n - 1; i >= 0; --i) {
     if (step >= 0 && i == window.index[step]) {

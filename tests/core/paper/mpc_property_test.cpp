@@ -104,7 +104,7 @@ TEST(MpcProperty, SlowTurnsOverALongWindowAreSolvedToTheEnd) {
   }
 }
 
-// The cost of the path `plate_deg`, felt, or infinity where it breaks a bound.
+// The cost of the path `plate_deg`, felt, or infinity where it feels that a bound is broken.
 double cost_of(const FeltWindow& window, const std::array<double, max_horizon>& plate_deg) {
   const WindowProblem& problem = window.problem;
   double cost = 0.0;
@@ -112,8 +112,8 @@ double cost_of(const FeltWindow& window, const std::array<double, max_horizon>& 
   double last_deg = problem.last_plate_deg;
   for (int i = 0; i < window.steps; ++i) {
     const double u = plate_deg[i];
-    if (std::abs(u) > problem.bound_deg + 1e-12 || std::abs(u - last_deg) > window.rate_deg[i] + 1e-12)
-      return std::numeric_limits<double>::infinity();
+    const double excess_deg = std::max(std::abs(u) - problem.bound_deg, std::abs(u - last_deg) - window.rate_deg[i]);
+    if (excess_deg * window.gain[i] > 1e-12) return std::numeric_limits<double>::infinity();
     const double e = window.gain[i] * (u + problem.proprioceptive_weight * (x + problem.real_offset_deg));
     cost += problem.perceived_weight * e * e + window.miss_weight[i] * x * x;
     x -= e;
@@ -122,11 +122,12 @@ double cost_of(const FeltWindow& window, const std::array<double, max_horizon>& 
   return cost + window.last_miss_weight * x * x;
 }
 
-// Turns that add up to the bound, and steps that are hardly felt, have optima where several bounds meet.
+// Turns that add up to the bound, and steps that are hardly felt, have optima where several bounds meet. A solver that
+// takes the wrong side of such a corner is found here in one problem of ten thousand.
 TEST(MpcProperty, SweepsFindWhatTheActiveSetFinds) {
   Random random(7);
-  for (int i = 0; i < 100'000; ++i) {
-    const int horizon = 6 + static_cast<int>(random() % 15);
+  constexpr int horizon = 50;
+  for (int i = 0; i < 40'000; ++i) {
     RandomProblem drawn(random, horizon, true);
     for (int k = 0; k < horizon; ++k) drawn.gains[k] = std::pow(10.0, uniform(random, i % 2 ? -3.0 : -6.0, 0.0));
     const double w = drawn.problem.tactile_weight;
@@ -145,7 +146,7 @@ TEST(MpcProperty, SweepsFindWhatTheActiveSetFinds) {
     const FeltWindow window(problem);
     std::array<double, max_horizon> by_active_set{};
     WorkingSet held;
-    const bool solved = solve_active_set(window, by_active_set, held);
+    const bool solved = solve_active_set(window, 1000, by_active_set, held);
     WindowSolution solution{};
     solve_rate_bound(problem, held, solution);
     ASSERT_TRUE(solution.optimal) << i;
