@@ -117,12 +117,12 @@ void DualActiveSet::resolve_fixed() {
   double last_deg = problem_.last_plate_deg;
   bool fixed = true;
   for (int i = 0; i < steps_; ++i) {
-    const int pin = set_.pin[i];
-    const int link = set_.link[i];
-    fixed = pin || (link && fixed);
+    const std::int8_t pin = set_.pin[i];
+    const std::int8_t link = set_.link[i];
+    fixed = pin != 0 || (link != 0 && fixed);
     fixed_[i] = fixed;
     if (fixed) u[i] = last_deg = pin ? pin * problem_.bound_deg : last_deg + link * window_.rate_deg[i];
-    if (!pin) continue;
+    if (pin == 0) continue;
     for (int j = i; j > 0 && set_.link[j]; --j) {
       u[j - 1] = u[j] - set_.link[j] * window_.rate_deg[j];
       fixed_[j - 1] = true;
@@ -233,30 +233,17 @@ void DualActiveSet::solve_held() {
   find_multipliers();
 }
 
-// Lets go of constraints that pull the wrong way until none does: of all such pins, but of neighbouring links
-// only of the one that pulls most, because the others mostly turn round once it is gone. False if out of
-// sweeps.
+// Lets go of constraints that pull the wrong way until none does. False if out of sweeps.
 bool DualActiveSet::make_dual_feasible() {
   bool dropped = true;
   while (dropped && sweeps_left_ > 0) {
     solve_held();
     dropped = false;
-    int worst = -1;  // of the neighbouring links that pull the wrong way
-    double worst_pull = 0.0;
-    const auto let_go_of_worst = [&] {
-      if (worst >= 0) set_.link[worst] = 0, dropped = true;
-      worst = -1, worst_pull = 0.0;
-    };
     for (int i = 0; i < steps_; ++i) {
       const double slack = multiplier_tolerance_ * window_.gain[i];
       if (set_.pin[i] * target_.pin[i] < -slack) set_.pin[i] = 0, dropped = true;
-      const double pull = set_.link[i] * target_.link[i];
-      if (pull >= -slack)
-        let_go_of_worst();
-      else if (pull < worst_pull)
-        worst = i, worst_pull = pull;
+      if (set_.link[i] * target_.link[i] < -slack) set_.link[i] = 0, dropped = true;
     }
-    let_go_of_worst();
   }
   copy(target_, current_);
   return !dropped;

@@ -11,10 +11,9 @@
 namespace hrt {
 namespace {
 
-// Passes of the active-set method, in steps: over the longest window three before the sweeps, which is all that a
-// closed loop mostly needs, and 150 after them.
-constexpr int first_pass_steps = 3 * max_horizon;
-constexpr int last_pass_steps = 150 * max_horizon;
+// Passes of the active-set method: before the sweeps, which is all that a closed loop mostly needs, and after them.
+constexpr int first_passes = 3;
+constexpr int last_passes = 150;
 
 // Pairs of sweeps before the solver gives up.
 constexpr int max_pairs = 8;
@@ -332,14 +331,13 @@ void solve_rate_bound(const WindowProblem& problem, WorkingSet& held, WindowSolu
   std::array<double, max_horizon> plate_deg;
   for (int step = 0; step < n; ++step) plate_deg[step] = solution.plate_deg[window.index[step]];
   WorkingSet of_felt;
-  const int steps = std::max(n, 1);
-  solution.optimal = solve_active_set(window, first_pass_steps / steps, plate_deg, of_felt);
+  solution.optimal = solve_active_set(window, first_passes, plate_deg, of_felt);
   if (!solution.optimal) {
     RateBoundSolver solver(window);
     solution.optimal = solver.solve(plate_deg);
     of_felt = solver.held();
   }
-  if (!solution.optimal) solution.optimal = solve_active_set(window, last_pass_steps / steps, plate_deg, of_felt);
+  if (!solution.optimal) solution.optimal = solve_active_set(window, last_passes, plate_deg, of_felt);
   held = {};
   for (int i = problem.horizon - 1, step = n - 1; i >= 0; --i) {
     if (step >= 0 && i == window.index[step]) {

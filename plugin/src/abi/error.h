@@ -23,16 +23,16 @@ extern thread_local constinit ThreadError thread_error;
 
 /// Sets the text of hrt_last_error() to the call and `parts`.
 template <class... Parts>
-[[gnu::cold]] void set_error(Parts... parts) {
+[[gnu::cold]] void set_error(const Parts&... parts) {
   thread_error.text.clear();
   thread_error.text << thread_error.call << ": ";
   (thread_error.text << ... << parts);
   thread_error.text.make_printable();
 }
 
-/// The same, and returns `code`.
+/// The same, and returns `code`. By value, so that callers keep in registers what they check.
 template <class... Parts>
-hrt_result fail(hrt_result code, Parts... parts) {
+hrt_result fail(hrt_result code, Parts... parts) {  // NOLINT(performance-unnecessary-value-param)
   set_error(parts...);
   return code;
 }
