@@ -62,7 +62,7 @@ class Mpc {
  private:
   MpcConfig config_;
   PlateBoundSolver plate_bound_solver_;
-  WorkingSet working_set_;  // of the last problem that took the active-set solver
+  WorkingSet working_set_;  // of the last problem that took solve_rate_bound()
 };
 
 }  // namespace hrt

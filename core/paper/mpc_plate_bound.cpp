@@ -42,7 +42,7 @@ const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, bool who
     if (from <= 0) {
       if (held_steps == 0) sweeps.after[0] = free_cost_to_go(horizon - 1);
       if (whole_window) write_window(problem, sweeps, solution);
-      // With a rate bound the bits are those of the active-set solver, which finds what rate bounds hold.
+      // With a rate bound the bits are those of solve_rate_bound(), which finds what rate bounds hold.
       if (!whole_window || std::isinf(problem.rate_deg)) solution.plate_deg[0] = first_plate_deg(problem, sweeps);
       solution.optimal = true;
       return working_set_;

@@ -18,9 +18,8 @@ constexpr int last_passes = 150;
 // Pairs of sweeps before the solver gives up.
 constexpr int max_pairs = 8;
 
-// Pairs after which the cost must not rise, and the least part of the way to a new path that is worth going.
+// Pairs after which the cost has to fall.
 constexpr int free_pairs = 4;
-constexpr double min_part = 0.1;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -100,7 +99,7 @@ class RateBoundSolver {
   double above_edge(int i, double plate_deg, const Line& after) const;
   int sweep_forwards(Path& path);
   bool same_path(const Path& path) const;
-  double product(const Path& a, const Path& b) const;
+  double cost_of(const Path& path) const;
   double plate_before_deg(int i) const { return i > 0 ? path_.plate_deg[i - 1] : problem_.last_plate_deg; }
   ActiveBound holding(int i, double wanted_deg, double last_deg) const;
   double held_deg(int i, ActiveBound active, double wanted_deg, double last_deg) const;
@@ -145,7 +144,7 @@ bool RateBoundSolver::solve(std::array<double, max_horizon>& plate_deg) {
   const int last = window_.steps - 1;
   for (int i = 0; i <= last; ++i) law_[i] = {0.0, plate_deg[i]}, held_[i] = ActiveBound::none;
   sweep_forwards(path_);
-  double cost = product(path_, path_);
+  double cost = cost_of(path_);
   costs_[window_.steps] = {{window_.last_miss_weight, 0.0, 0.0, 0.0, 0.0}, no_edges};
   Path next;
   int from = last;
@@ -154,20 +153,10 @@ bool RateBoundSolver::solve(std::array<double, max_horizon>& plate_deg) {
     const int changed = sweep_forwards(next);
     // Where the same path comes back from the whole window, only rounding can have changed what holds it.
     from = changed < 0 || !same_path(next) ? changed : from < last ? last : -1;
-    const double next_cost = product(next, next);
-    if (from < 0 || pair < free_pairs || next_cost < cost) {
-      path_ = next;
-      cost = next_cost;
-      continue;
-    }
-    // Between the two paths the cost is a parabola.
-    const double mixed = product(path_, next);
-    const double part = (cost - mixed) / (cost - 2.0 * mixed + next_cost);
-    if (!(part > min_part)) break;
-    for (int i = 0; i < window_.steps; ++i) path_.plate_deg[i] += part * (next.plate_deg[i] - path_.plate_deg[i]);
-    for (int i = 0; i <= window_.steps; ++i) path_.miss_deg[i] += part * (next.miss_deg[i] - path_.miss_deg[i]);
-    cost = product(path_, path_);
-    from = last;
+    const double next_cost = cost_of(next);
+    if (from >= 0 && pair >= free_pairs && next_cost >= cost) break;
+    path_ = next;
+    cost = next_cost;
   }
   plate_deg = path_.plate_deg;
   return from < 0;
@@ -304,14 +293,14 @@ bool RateBoundSolver::same_path(const Path& path) const {
   return true;
 }
 
-// The bilinear form of which the cost of a path is the square.
-double RateBoundSolver::product(const Path& a, const Path& b) const {
-  const int n = window_.steps;
-  double sum = window_.last_miss_weight * a.miss_deg[n] * b.miss_deg[n];
-  for (int i = 0; i < n; ++i)
-    sum += problem_.perceived_weight * (a.miss_deg[i] - a.miss_deg[i + 1]) * (b.miss_deg[i] - b.miss_deg[i + 1]) +
-           window_.miss_weight[i] * a.miss_deg[i] * b.miss_deg[i];
-  return sum;
+double RateBoundSolver::cost_of(const Path& path) const {
+  const auto& x = path.miss_deg;
+  double cost = window_.last_miss_weight * x[window_.steps] * x[window_.steps];
+  for (int i = 0; i < window_.steps; ++i) {
+    const double e = x[i] - x[i + 1];
+    cost += problem_.perceived_weight * e * e + window_.miss_weight[i] * x[i] * x[i];
+  }
+  return cost;
 }
 
 WorkingSet RateBoundSolver::held() const {

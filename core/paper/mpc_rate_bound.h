@@ -1,4 +1,5 @@
-// The exact solver of the controller's problem with a rate bound. See core/paper/README.md for the derivation.
+// The exact solver of the controller's problem with a rate bound, and of what PlateBoundSolver gives up. See
+// core/paper/README.md for the derivation.
 #pragma once
 
 #include "core/paper/mpc_window.h"
