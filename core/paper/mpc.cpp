@@ -14,25 +14,6 @@ ActiveBound active_bound(const WorkingSet& set, int i) {
   return ActiveBound::none;
 }
 
-// Whether the plate would turn faster than it can; its turns while it is not felt are left open.
-bool breaks_rate_bound(const WindowProblem& window, const WindowSolution& solution) {
-  const double slack_deg = tolerance_deg(window);
-  double last_deg = window.last_plate_deg;
-  double room_deg = window.rate_deg;
-  bool breaks = false;
-  for (int i = 0; i < window.horizon; ++i) {
-    const double k = window.gains[i];
-    if (k < min_step_gain) {
-      room_deg += window.rate_deg;
-      continue;
-    }
-    breaks |= (std::abs(solution.plate_deg[i] - last_deg) - room_deg) * k > slack_deg;
-    last_deg = solution.plate_deg[i];
-    room_deg = window.rate_deg;
-  }
-  return breaks;
-}
-
 // The problem from step `first` on, in units of what is felt of the plate.
 WindowProblem window_of(const MpcConfig& config, const MpcProblem& problem, int first, double miss_deg,
                         double last_plate_deg) {
@@ -88,6 +69,29 @@ bool is_valid(const MpcConfig& config) {
 Mpc::Mpc(const MpcConfig& config)
     : config_(config), plate_bound_solver_(config.horizon, config.perceived_weight, config.actual_weight) {}
 
+Mpc::Command Mpc::solve(const MpcProblem& problem) {
+  const double w = problem.tactile_weight;
+  const double bound_deg = config_.plate_bound_deg;
+  const double rate_deg = config_.plate_rate_bound_deg;
+  const double miss_deg = problem.finger_offset_deg - problem.real_offset_deg;
+  if (std::isfinite(rate_deg)) {
+    const double last_plate_deg = problem.plate_offset_deg;
+    if (std::abs(last_plate_deg) > bound_deg + rate_deg) return solve(problem, nullptr);
+    const WindowProblem window = window_of(config_, problem, 0, miss_deg, last_plate_deg);
+    WindowSolution solution;
+    const WorkingSet& held = solve_window(window, solution);
+    return command_of(config_, window, solution, held, 0, w, last_plate_deg);
+  }
+  // Without a rate bound the first step is all that has to be written, and clamped to the plate bound.
+  const PlateBoundSolver::FirstStep first =
+      plate_bound_solver_.solve_first(window_of(config_, problem, 0, miss_deg, 0.0));
+  if (!first.optimal) return solve(problem, nullptr);
+  if (problem.gains[0] < min_step_gain) return {0.0, ActiveBound::none, true};
+  if (first.pin) return {first.pin * bound_deg, first.pin > 0 ? ActiveBound::upper : ActiveBound::lower, true};
+  const double plate_deg = first.plate_deg * (1.0 / w);
+  return {std::clamp(plate_deg, -bound_deg, bound_deg), ActiveBound::none, true};
+}
+
 Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
   const double w = problem.tactile_weight;
   const double bound_deg = config_.plate_bound_deg;
@@ -122,15 +126,19 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
   const WindowProblem window =
       window_of(config_, problem, forced, finger_deg - problem.real_offset_deg, last_plate_deg);
   WindowSolution solution;
-  const WorkingSet* held = &plate_bound_solver_.solve(window, has_rate_bound || plan, solution);
-  if (!solution.optimal || (has_rate_bound && breaks_rate_bound(window, solution))) {
-    solve_rate_bound(window, working_set_, solution);
-    held = &working_set_;
-  }
+  const WorkingSet& held = solve_window(window, solution);
   do {
-    take(command_of(config_, window, solution, *held, i - forced, w, last_plate_deg));
+    take(command_of(config_, window, solution, held, i - forced, w, last_plate_deg));
   } while (plan && i < config_.horizon);
   return command;
+}
+
+// Returns what holds the solution.
+const WorkingSet& Mpc::solve_window(const WindowProblem& window, WindowSolution& solution) {
+  const WorkingSet& pins = plate_bound_solver_.solve(window, solution);
+  if (solution.optimal) return pins;
+  solve_rate_bound(window, working_set_, solution);
+  return working_set_;
 }
 
 }  // namespace hrt

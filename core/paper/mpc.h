@@ -54,12 +54,16 @@ class Mpc {
     bool optimal;             ///< false: the work was cut short, and a better t_k may exist
   };
 
-  /// The exact optimum's first step, and the whole window in `plan` if it is not null.
-  Command solve(const MpcProblem& problem, MpcPlan* plan = nullptr);
+  /// The exact optimum's first step.
+  Command solve(const MpcProblem& problem);
+  /// The same, and the whole window in `plan` if it is not null.
+  Command solve(const MpcProblem& problem, MpcPlan* plan);
 
   const MpcConfig& config() const { return config_; }
 
  private:
+  const WorkingSet& solve_window(const WindowProblem& window, WindowSolution& solution);
+
   MpcConfig config_;
   PlateBoundSolver plate_bound_solver_;
   WorkingSet working_set_;  // of the last problem that took solve_rate_bound()

@@ -25,9 +25,28 @@ PlateBoundSolver::PlateBoundSolver(int horizon, double perceived_weight, double 
   }
 }
 
-const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, bool whole_window, WindowSolution& solution) {
-  const int horizon = problem.horizon;
+PlateBoundSolver::FirstStep PlateBoundSolver::solve_first(const WindowProblem& problem) {
   Sweeps sweeps;
+  if (!find_pins(problem, sweeps)) return {};
+  return {first_plate_deg(problem, sweeps), working_set_.pin[0], true};
+}
+
+const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, WindowSolution& solution) {
+  Sweeps sweeps;
+  if (!find_pins(problem, sweeps)) {
+    solution.plate_deg.fill(0.0);
+    solution.optimal = false;
+    return working_set_;
+  }
+  solution.optimal = write_window(problem, sweeps, solution);
+  // With a rate bound the bits are those of solve_rate_bound(), which finds what rate bounds hold.
+  if (std::isinf(problem.rate_deg)) solution.plate_deg[0] = first_plate_deg(problem, sweeps);
+  return working_set_;
+}
+
+// Writes the costs to go up to the last bound, that of the first step in any case. False: it gave up.
+inline bool PlateBoundSolver::find_pins(const WindowProblem& problem, Sweeps& sweeps) {
+  const int horizon = problem.horizon;
   if (held_steps_ > horizon) {
     working_set_ = {};
     held_steps_ = 0;
@@ -41,17 +60,11 @@ const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, bool who
                                      : sweep_forwards(problem, horizon, sweeps);
     if (from <= 0) {
       if (held_steps == 0) sweeps.after[0] = free_cost_to_go(horizon - 1);
-      if (whole_window) write_window(problem, sweeps, solution);
-      // With a rate bound the bits are those of solve_rate_bound(), which finds what rate bounds hold.
-      if (!whole_window || std::isinf(problem.rate_deg)) solution.plate_deg[0] = first_plate_deg(problem, sweeps);
-      solution.optimal = true;
-      return working_set_;
+      return true;
     }
     if (from >= held_steps) sweeps.after[from] = free_cost_to_go(horizon - 1 - from);
   }
-  solution.plate_deg.fill(0.0);
-  solution.optimal = false;
-  return working_set_;
+  return false;
 }
 
 // The costs to go after steps `from` (given), from - 1, .. 0 under the bounds assumed active.
@@ -134,22 +147,37 @@ double PlateBoundSolver::first_plate_deg(const WindowProblem& problem, const Swe
          (r * inverse - problem.proprioceptive_weight * problem.real_offset_deg);
 }
 
-void PlateBoundSolver::write_window(const WindowProblem& problem, const Sweeps& sweeps,
-                                    WindowSolution& solution) const {
+inline double PlateBoundSolver::plate_deg(const WindowProblem& problem, const Sweeps& sweeps, int i) const {
+  const double k = std::max(problem.gains[i], min_step_gain);
   const double pw = problem.proprioceptive_weight;
   const double felt_at_real_deg = pw * problem.real_offset_deg;
-  for (int i = 0; i < held_steps_; ++i) {
-    const double k = std::max(problem.gains[i], min_step_gain);
-    const auto [s, r] = sweeps.after[i];
-    const double inverse = 1.0 / (problem.perceived_weight + s);
-    solution.plate_deg[i] = working_set_.pin[i]
-                                ? working_set_.pin[i] * problem.bound_deg
-                                : (s * inverse / k - pw) * sweeps.miss_deg[i] + (r * inverse / k - felt_at_real_deg);
+  const double x = sweeps.miss_deg[i];
+  if (i >= held_steps_) return (free_gain_[problem.horizon - i] / k - pw) * x - felt_at_real_deg;
+  if (working_set_.pin[i]) return working_set_.pin[i] * problem.bound_deg;
+  const auto [s, r] = sweeps.after[i];
+  const double inverse = 1.0 / (problem.perceived_weight + s);
+  return (s * inverse / k - pw) * x + (r * inverse / k - felt_at_real_deg);
+}
+
+// Returns whether the plate nowhere turns faster than it can; its turns while it is not felt are left open.
+bool PlateBoundSolver::write_window(const WindowProblem& problem, const Sweeps& sweeps,
+                                    WindowSolution& solution) const {
+  const double slack_deg = tolerance_deg(problem);
+  double last_deg = problem.last_plate_deg;
+  double room_deg = problem.rate_deg;
+  bool keeps_rate = true;
+  for (int i = 0; i < problem.horizon; ++i) {
+    const double k = problem.gains[i];
+    const double u = solution.plate_deg[i] = plate_deg(problem, sweeps, i);
+    if (k < min_step_gain) {
+      room_deg += problem.rate_deg;
+      continue;
+    }
+    keeps_rate &= (std::abs(u - last_deg) - room_deg) * k <= slack_deg;
+    last_deg = u;
+    room_deg = problem.rate_deg;
   }
-  for (int i = held_steps_; i < problem.horizon; ++i) {
-    const double k = std::max(problem.gains[i], min_step_gain);
-    solution.plate_deg[i] = (free_gain_[problem.horizon - i] / k - pw) * sweeps.miss_deg[i] - felt_at_real_deg;
-  }
+  return keeps_rate;
 }
 
 }  // namespace hrt

@@ -18,10 +18,17 @@ class PlateBoundSolver {
   /// Weights and horizon as in MpcConfig, for all problems to come.
   PlateBoundSolver(int horizon, double perceived_weight, double actual_weight);
 
-  /// Solves `problem` as if it had no rate bound. Writes the first plate offset of `solution`, and those of
-  /// the whole window if `whole_window`. Returns the pins that hold it, valid until the next problem. If it
-  /// gives up, the path is 0 everywhere and not optimal.
-  const WorkingSet& solve(const WindowProblem& problem, bool whole_window, WindowSolution& solution);
+  /// The first step of a solution.
+  struct FirstStep {
+    double plate_deg;  ///< u_k, of no meaning where it is pinned or not felt
+    std::int8_t pin;   ///< as in WorkingSet
+    bool optimal;      ///< false: the solver gave up, and the others have no meaning
+  };
+  FirstStep solve_first(const WindowProblem& problem);
+
+  /// Solves `problem` as if it had no rate bound. Returns the pins that hold the solution, valid until the next
+  /// problem. Not optimal: the path breaks the rate bound, or it gave up, and the path is 0 everywhere.
+  const WorkingSet& solve(const WindowProblem& problem, WindowSolution& solution);
 
  private:
   // The cost to go after a step: s x^2 + 2 r x plus a constant.
@@ -36,11 +43,13 @@ class PlateBoundSolver {
   };
 
   CostToGo free_cost_to_go(int steps_left) const { return {free_cost_[steps_left], 0.0}; }
+  bool find_pins(const WindowProblem& problem, Sweeps& sweeps);
   void sweep_backwards(const WindowProblem& problem, int from, Sweeps& sweeps) const;
   template <class Horizon>
   int sweep_forwards(const WindowProblem& problem, Horizon horizon, Sweeps& sweeps);
   double first_plate_deg(const WindowProblem& problem, const Sweeps& sweeps) const;
-  void write_window(const WindowProblem& problem, const Sweeps& sweeps, WindowSolution& solution) const;
+  double plate_deg(const WindowProblem& problem, const Sweeps& sweeps, int i) const;
+  bool write_window(const WindowProblem& problem, const Sweeps& sweeps, WindowSolution& solution) const;
 
   WorkingSet working_set_;  // of the last problem; a bound before held_steps_, none from there on
   int held_steps_ = 0;

@@ -168,7 +168,8 @@ void RateBoundSolver::sweep_backwards(int from) {
 }
 
 // The cost of step i and what comes after by x_i and u_i, if that of what comes after is `after` by x_i+1 and u_i.
-Quadratic RateBoundSolver::with_step(int i, const Quadratic& after) const {
+// Inlined wherever it is called: as memory its five numbers are waited for.
+[[gnu::always_inline]] inline Quadratic RateBoundSolver::with_step(int i, const Quadratic& after) const {
   const double q_perceived = problem_.perceived_weight;
   const double k = window_.gain[i];
   const double a = k * problem_.proprioceptive_weight;  // e = a x + k u + d
@@ -231,7 +232,8 @@ void RateBoundSolver::choose(int i, const CostToGo& after, CostToGo& before) {
 }
 
 // The cost to go `before` step i. The piece on which u_i is on the path ends at `edges`, by x_i+1.
-void RateBoundSolver::go_back(int i, const Choice& choice, const Edges& edges, CostToGo& before) {
+[[gnu::always_inline]] inline void RateBoundSolver::go_back(int i, const Choice& choice, const Edges& edges,
+                                                            CostToGo& before) {
   const double x = path_.miss_deg[i];
   const double rate_deg = window_.rate_deg[i];
   const double wanted_deg = choice.plate.at(x);

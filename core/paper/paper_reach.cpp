@@ -115,7 +115,7 @@ PlateHandover PaperReach::handover() const {
 }
 
 // Aiming beyond the direction that can be held adds felt error and brings the finger no nearer.
-PaperReach::Aim PaperReach::aim() const {
+inline PaperReach::Aim PaperReach::aim() const {
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double gap_deg = goal_deg_ - reach_.real_direction_deg;
   const double weight = estimator_.tactile_weight();
@@ -126,13 +126,13 @@ PaperReach::Aim PaperReach::aim() const {
   return {goal_deg_ - std::clamp(gap_deg, -max_deg, max_deg), unreachable};
 }
 
-PlateOrientation PaperReach::plan(const Aim& aim) {
+inline PlateOrientation PaperReach::plan(const Aim& aim) {
   if (config_.fixed_plate_orientation_deg) return decision_.plate;
   return control_.plan(estimator_, aim.direction_deg, limits_.centre_deg(), plate_);
 }
 
 // Of a step only the last decision counts.
-void PaperReach::decide(const Decision& decision) {
+inline void PaperReach::decide(const Decision& decision) {
   if (decision.step != decision_.step) {
     saturated_steps_ += is_saturated(decision_.plate.active);
     rate_limited_steps_ += is_rate_limited(decision_.plate.active);
@@ -140,7 +140,7 @@ void PaperReach::decide(const Decision& decision) {
   decision_ = decision;
 }
 
-void PaperReach::show_finger(double plate_orientation_deg) {
+inline void PaperReach::show_finger(double plate_orientation_deg) {
   const ParticipantStep felt = participant_step_on_plate({.tactile_weight = estimator_.tactile_weight(),
                                                           .gain = estimator_.gains()[0],
                                                           .goal_direction_deg = goal_deg_,

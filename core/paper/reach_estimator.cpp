@@ -66,7 +66,7 @@ void ReachEstimator::start(std::int64_t time_ns, const PlatePoint& place) {
   estimator_.rest_at(place);
 }
 
-void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
+inline void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
   if (!clock_.started()) {
     plate.advance(time_ns);
     return;
@@ -91,7 +91,7 @@ void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
   move_to(time_ns);
 }
 
-void ReachEstimator::end_step(double plate_orientation_deg) {
+inline void ReachEstimator::end_step(double plate_orientation_deg) {
   ++(sampled_ ? counts_.steps : counts_.predicted_steps);
   missed_ = !sampled_;
   sampled_ = false;
@@ -101,7 +101,7 @@ void ReachEstimator::end_step(double plate_orientation_deg) {
   gains_.advance();
 }
 
-Observation ReachEstimator::take(const FingerSample& sample, PlateModel& plate) {
+inline Observation ReachEstimator::take(const FingerSample& sample, PlateModel& plate) {
   switch (sample.observation) {
     case Observation::none:
       ++counts_.dropped_samples;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "core/paper_simulation/participant.h"
 #include "core/paper_simulation/trial_table.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/lanes.h"
@@ -146,21 +147,48 @@ void count_setup_updates() {
   end_row("update of a set-up", updates);
 }
 
-void count_paper_updates(int horizon) {
-  constexpr int updates = 300;
+hrt_session_config paper_config(int horizon) {
   hrt_session_config config = hrt_session_config_init();
   config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
   config.paper.horizon = static_cast<std::uint32_t>(horizon);
-  Frames frames(config, -5.0, 5.0);
-  for (int i = 0; i < updates; ++i) {
-    hrt_sample sample{};
-    sample.struct_size = sizeof sample;
-    sample.flags = HRT_SAMPLE_DIRECTION;
-    sample.time_ns = std::int64_t{100'000'000} * i;
-    sample.finger_direction_deg = 3 * i % 10 - 8;
+  return config;
+}
+
+hrt_sample direction_at(std::int64_t step, double direction_deg) {
+  hrt_sample sample{};
+  sample.struct_size = sizeof sample;
+  sample.flags = HRT_SAMPLE_DIRECTION;
+  sample.time_ns = 100'000'000 * step;
+  sample.finger_direction_deg = direction_deg;
+  return sample;
+}
+
+// Of the paper's participant, reach by reach.
+void count_paper_updates(int horizon) {
+  constexpr std::int64_t reaches = 10;
+  constexpr std::int64_t steps = 30;
+  for (std::uint32_t reach = 0; reach < reaches; ++reach) {
+    Frames frames(paper_config(horizon), -5.0, 5.0);
+    SimulatedParticipant person(Participant{}, 5.0);
+    Draws noise(1, 1, reach, 0);
+    for (std::int64_t i = 0; i < steps; ++i) {
+      const hrt_sample sample = direction_at(i, person.finger_direction_deg());
+      require(counted([&] { return frames.update(sample); }) == HRT_OK, "hrt_reach_update");
+      person.step(frames.plate_deg(), noise.normal());
+    }
+  }
+  end_row("update of the paper's controller, N = " + std::to_string(horizon), reaches * steps);
+}
+
+// Of a finger that jumps, so that no step's bounds are the last one's.
+void count_jumping_updates(int horizon) {
+  constexpr std::int64_t updates = 300;
+  Frames frames(paper_config(horizon), -5.0, 5.0);
+  for (std::int64_t i = 0; i < updates; ++i) {
+    const hrt_sample sample = direction_at(i, static_cast<double>(3 * i % 10 - 8));
     require(counted([&] { return frames.update(sample); }) == HRT_OK, "hrt_reach_update");
   }
-  end_row("update of the paper's controller, N = " + std::to_string(horizon), updates);
+  end_row("the same of a finger that jumps, N = " + std::to_string(horizon), updates);
 }
 
 void count_solves(int horizon, bool has_rate_bound) {
@@ -208,7 +236,10 @@ int main(int argc, char** argv) {
   count_updates("update under ARRIVAL at 90 Hz", 11);
   count_updates("update under ARRIVAL at 1 kHz", 1);
   count_setup_updates();
-  for (const int horizon : {3, 50}) count_paper_updates(horizon);
+  for (const int horizon : {3, 50}) {
+    count_paper_updates(horizon);
+    count_jumping_updates(horizon);
+  }
   for (const int horizon : {3, 50})
     for (const bool has_rate_bound : {false, true}) count_solves(horizon, has_rate_bound);
   count_batch();

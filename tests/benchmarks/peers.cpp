@@ -1,8 +1,6 @@
 #include "tests/benchmarks/peers.h"
 
-#include <algorithm>
-#include <chrono>
-#include <limits>
+#include <array>
 #include <vector>
 
 #ifdef HRT_EIQUADPROG
@@ -16,18 +14,6 @@
 
 namespace hrt {
 namespace {
-
-[[maybe_unused]] double min_us(const auto& prepare, const auto& solve) {
-  double min = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 5; ++i) {
-    prepare();
-    const auto start = std::chrono::steady_clock::now();
-    solve();
-    const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
-    min = std::min(min, time.count());
-  }
-  return min;
-}
 
 #ifdef HRT_EIQUADPROG
 using eiquadprog::solvers::EiquadprogFast;
@@ -45,11 +31,14 @@ double eiquadprog_us(const DenseProblem& problem, double& first_deg) {
       problem.hessian.llt().matrixU().solve(LongMatrix::Identity(size, size)).template cast<double>();
   const Eigen::Matrix<double, n == Eigen::Dynamic ? n : 0, n> no_rows(0, size);
   Eigen::Matrix<double, n, 1> plate(size);
-  Solver solver;
-  if constexpr (n == Eigen::Dynamic) solver.reset(gradient.size(), 0, limits.size());
-  solver.is_inverse_provided_ = true;
-  const double us = min_us([&] { solver.m_J = factor; },
-                           [&] { solver.solve_quadprog(hessian, gradient, no_rows, {}, rows, limits, plate); });
+  std::array<Solver, solves_timed> solvers;
+  for (Solver& solver : solvers) {
+    if constexpr (n == Eigen::Dynamic) solver.reset(gradient.size(), 0, limits.size());
+    solver.is_inverse_provided_ = true;
+  }
+  const double us =
+      solve_us([&](int i) { solvers[i].m_J = factor; },
+               [&](int i) { solvers[i].solve_quadprog(hessian, gradient, no_rows, {}, rows, limits, plate); });
   first_deg = plate[0];
   return us;
 }
@@ -79,19 +68,19 @@ double daqp_us(const DenseProblem& problem, double& first_deg) {
   qp.n = n, qp.m = n + links, qp.ms = n;
   qp.H = hessian.data(), qp.f = gradient.data(), qp.A = rows.data();
   qp.bupper = upper.data(), qp.blower = lower.data(), qp.sense = sense.data();
-  DAQPWorkspace work{};
-  setup_daqp(&qp, &work, nullptr);
+  std::array<DAQPWorkspace, solves_timed> workspaces{};
+  for (DAQPWorkspace& work : workspaces) setup_daqp(&qp, &work, nullptr);
   std::vector<double> plate(static_cast<std::size_t>(n)), multipliers(static_cast<std::size_t>(n + links));
   DAQPResult result{};
   result.x = plate.data(), result.lam = multipliers.data();
-  const double us = min_us([&] { daqp_deactivate_constraints(&work), reset_daqp_workspace(&work); },
-                           [&] {
-                             daqp_update_ldp(DAQP_UPDATE_v | DAQP_UPDATE_d, &work, &qp);
-                             daqp_solve(&result, &work);
-                           });
+  const double us =
+      solve_us([&](int i) { daqp_deactivate_constraints(&workspaces[i]), reset_daqp_workspace(&workspaces[i]); },
+               [&](int i) {
+                 daqp_update_ldp(DAQP_UPDATE_v | DAQP_UPDATE_d, &workspaces[i], &qp);
+                 daqp_solve(&result, &workspaces[i]);
+               });
   first_deg = plate[0];
-  free_daqp_workspace(&work);
-  free_daqp_ldp(&work);
+  for (DAQPWorkspace& work : workspaces) free_daqp_workspace(&work), free_daqp_ldp(&work);
   return us;
 }
 #endif

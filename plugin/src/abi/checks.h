@@ -60,12 +60,19 @@ hrt_result check_output(const char* name, const Struct* out) {
   return check_struct_size<Struct>(name, size);
 }
 
+/// Ends a struct of `size` bytes of which those that this library knows are written: with zeros.
+template <class Struct>
+void end_struct(std::uint32_t size, Struct* out) {
+  auto* const bytes = reinterpret_cast<char*>(out);
+  std::fill(bytes + sizeof(Struct), bytes + size, '\0');
+  std::memcpy(bytes, &size, sizeof size);
+}
+
 /// Writes `known` into a struct of `size` bytes, and zeros beyond.
 template <class Struct>
 void write_struct_of(std::uint32_t size, const Struct& known, void* out) {
   std::memcpy(out, &known, sizeof(Struct));
-  std::fill(static_cast<char*>(out) + sizeof(Struct), static_cast<char*>(out) + size, '\0');
-  std::memcpy(out, &size, sizeof size);
+  end_struct(size, static_cast<Struct*>(out));
 }
 
 /// Writes a struct that passed check_output().

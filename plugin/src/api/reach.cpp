@@ -22,9 +22,9 @@ hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample, hrt_c
     hrt_sample known;
     if (const hrt_result result = read_struct("sample", sample, &known); result != HRT_OK)
       return s.refuse(result, Refused::Argument::sample, sample);
-    hrt_command command;
-    HRT_RETURN_IF_FAILED(s.update(known, &command));
-    write_struct(command, out_command);
+    const std::uint32_t size = out_command->struct_size;
+    HRT_RETURN_IF_FAILED(s.update(known, out_command));  // in place
+    end_struct(size, out_command);
     return HRT_OK;
   });
 }

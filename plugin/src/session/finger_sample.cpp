@@ -55,28 +55,18 @@ hrt_result check_sample(const hrt_sample& sample) {
   return check_rotation("plate_rotation", sample.plate_rotation);
 }
 
-FingerSample observe(const hrt_session_config& config, const hrt_sample& sample, std::uint32_t* command_flags) {
-  FingerSample observed{.time_ns = sample.time_ns};
-  if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION) observed.plate_orientation_deg = sample.plate_orientation_deg;
-  if (sample.flags & HRT_SAMPLE_LIFTED) {
-    observed.observation = Observation::lifted;
+void observe_position(const hrt_session_config& config, const hrt_sample& sample, FingerSample* observed,
+                      std::uint32_t* command_flags) {
+  const FingerOnPlate finger = locate(config, sample);
+  if (finger.off_plate) *command_flags |= HRT_COMMAND_OFF_PLATE;
+  if (finger.lifted) {
+    observed->observation = Observation::lifted;
     *command_flags |= HRT_COMMAND_LIFTED;
-  } else if (sample.flags & HRT_SAMPLE_DIRECTION) {
-    observed.observation = Observation::direction;
-    observed.direction_deg = sample.finger_direction_deg;
-  } else if (sample.flags & finger_flags) {
-    const FingerOnPlate finger = locate(config, sample);
-    if (finger.off_plate) *command_flags |= HRT_COMMAND_OFF_PLATE;
-    if (finger.lifted) {
-      observed.observation = Observation::lifted;
-      *command_flags |= HRT_COMMAND_LIFTED;
-    } else {
-      observed.observation = Observation::position;
-      observed.position = {.right_m = finger.position_m.x, .away_m = -finger.position_m.z};
-      if (knows_contacts(config)) observed.position = corrected(touched_of(config), observed.position);
-    }
+  } else {
+    observed->observation = Observation::position;
+    observed->position = {.right_m = finger.position_m.x, .away_m = -finger.position_m.z};
+    if (knows_contacts(config)) observed->position = corrected(touched_of(config), observed->position);
   }
-  return observed;
 }
 
 }  // namespace hrt::plugin
