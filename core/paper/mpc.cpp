@@ -69,7 +69,7 @@ bool is_valid(const MpcConfig& config) {
 Mpc::Mpc(const MpcConfig& config)
     : config_(config), plate_bound_solver_(config.horizon, config.perceived_weight, config.actual_weight) {}
 
-Mpc::Command Mpc::solve(const MpcProblem& problem) {
+Mpc::Command Mpc::solve(const MpcProblem& problem) const {
   const double w = problem.tactile_weight;
   const double bound_deg = config_.plate_bound_deg;
   const double rate_deg = config_.plate_rate_bound_deg;
@@ -79,7 +79,8 @@ Mpc::Command Mpc::solve(const MpcProblem& problem) {
     if (std::abs(last_plate_deg) > bound_deg + rate_deg) return solve(problem, nullptr);
     const WindowProblem window = window_of(config_, problem, 0, miss_deg, last_plate_deg);
     WindowSolution solution;
-    const WorkingSet& held = solve_window(window, solution);
+    WorkingSet held;
+    solve_window(window, held, solution);
     return command_of(config_, window, solution, held, 0, w, last_plate_deg);
   }
   // Without a rate bound the first step is all that has to be written, and clamped to the plate bound.
@@ -92,7 +93,7 @@ Mpc::Command Mpc::solve(const MpcProblem& problem) {
   return {std::clamp(plate_deg, -bound_deg, bound_deg), ActiveBound::none, true};
 }
 
-Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
+Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) const {
   const double w = problem.tactile_weight;
   const double bound_deg = config_.plate_bound_deg;
   const double rate_deg = config_.plate_rate_bound_deg;
@@ -126,19 +127,17 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
   const WindowProblem window =
       window_of(config_, problem, forced, finger_deg - problem.real_offset_deg, last_plate_deg);
   WindowSolution solution;
-  const WorkingSet& held = solve_window(window, solution);
+  WorkingSet held;
+  solve_window(window, held, solution);
   do {
     take(command_of(config_, window, solution, held, i - forced, w, last_plate_deg));
   } while (plan && i < config_.horizon);
   return command;
 }
 
-// Returns what holds the solution.
-const WorkingSet& Mpc::solve_window(const WindowProblem& window, WindowSolution& solution) {
-  const WorkingSet& pins = plate_bound_solver_.solve(window, solution);
-  if (solution.optimal) return pins;
-  solve_rate_bound(window, working_set_, solution);
-  return working_set_;
+void Mpc::solve_window(const WindowProblem& window, WorkingSet& held, WindowSolution& solution) const {
+  plate_bound_solver_.solve(window, held, solution);
+  if (!solution.optimal) solve_rate_bound(window, held, solution);
 }
 
 }  // namespace hrt

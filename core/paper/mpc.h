@@ -40,9 +40,8 @@ struct MpcPlan {
   std::array<ActiveBound, max_horizon> active;  ///< the plate bound, or else the rate bound against the step before
 };
 
-/// Solves one problem a step. Remembers which plate bounds were active to start the next one; this changes
-/// the time, not the optimum. No heap, no lock, no exception. Time is bounded: by 8 pairs of sweeps and 153 passes over
-/// a window of 50 steps, of about a microsecond each (tests/benchmarks has the measurements). One thread at a time.
+/// Solves one problem a step. No heap, no lock, no exception. Time is bounded: by 8 pairs of sweeps and 153 passes over
+/// a window of 50 steps, of about a microsecond each (tests/benchmarks has the measurements). Any thread.
 class Mpc {
  public:
   /// Requires is_valid(config).
@@ -55,18 +54,17 @@ class Mpc {
   };
 
   /// The exact optimum's first step.
-  Command solve(const MpcProblem& problem);
+  Command solve(const MpcProblem& problem) const;
   /// The same, and the whole window in `plan` if it is not null.
-  Command solve(const MpcProblem& problem, MpcPlan* plan);
+  Command solve(const MpcProblem& problem, MpcPlan* plan) const;
 
   const MpcConfig& config() const { return config_; }
 
  private:
-  const WorkingSet& solve_window(const WindowProblem& window, WindowSolution& solution);
+  void solve_window(const WindowProblem& window, WorkingSet& held, WindowSolution& solution) const;
 
   MpcConfig config_;
   PlateBoundSolver plate_bound_solver_;
-  WorkingSet working_set_;  // of the last problem that took solve_rate_bound()
 };
 
 }  // namespace hrt

@@ -63,7 +63,7 @@ class DualActiveSet {
     double r;
   };
   std::array<CostToGo, max_horizon + 1> cost_to_go_;
-  WorkingSet swept_;  // for which they hold
+  WorkingSet swept_{};  // for which they hold
 
   std::array<bool, max_horizon> fixed_;       // u_i is determined by the constraints held alone
   std::array<double, max_horizon> law_gain_;  // u_i = law_gain x_i + law_constant where it is chosen freely

@@ -25,37 +25,33 @@ PlateBoundSolver::PlateBoundSolver(int horizon, double perceived_weight, double 
   }
 }
 
-PlateBoundSolver::FirstStep PlateBoundSolver::solve_first(const WindowProblem& problem) {
-  Sweeps sweeps;
+PlateBoundSolver::FirstStep PlateBoundSolver::solve_first(const WindowProblem& problem) const {
+  std::array<std::int8_t, max_horizon> pin;
+  Sweeps sweeps(pin);
   if (!find_pins(problem, sweeps)) return {};
-  return {first_plate_deg(problem, sweeps), working_set_.pin[0], true};
+  return {first_plate_deg(problem, sweeps), pin[0], true};
 }
 
-const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, WindowSolution& solution) {
-  Sweeps sweeps;
-  if (!find_pins(problem, sweeps)) {
+void PlateBoundSolver::solve(const WindowProblem& problem, WorkingSet& held, WindowSolution& solution) const {
+  Sweeps sweeps(held.pin);
+  held.link.fill(0);
+  solution.optimal = find_pins(problem, sweeps);
+  if (!solution.optimal) {
     solution.plate_deg.fill(0.0);
-    solution.optimal = false;
-    return working_set_;
+    return;
   }
   solution.optimal = write_window(problem, sweeps, solution);
   // With a rate bound the bits are those of solve_rate_bound(), which finds what rate bounds hold.
   if (std::isinf(problem.rate_deg)) solution.plate_deg[0] = first_plate_deg(problem, sweeps);
-  return working_set_;
 }
 
 // Writes the costs to go up to the last bound, that of the first step in any case. False: it gave up.
-inline bool PlateBoundSolver::find_pins(const WindowProblem& problem, Sweeps& sweeps) {
+inline bool PlateBoundSolver::find_pins(const WindowProblem& problem, Sweeps& sweeps) const {
   const int horizon = problem.horizon;
-  if (held_steps_ > horizon) {
-    working_set_ = {};
-    held_steps_ = 0;
-  }
-  int from = held_steps_ - 1;
-  if (from >= 0) sweeps.after[from] = free_cost_to_go(horizon - held_steps_);
+  int from = -1;
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     sweep_backwards(problem, from, sweeps);
-    const int held_steps = held_steps_;
+    const int held_steps = sweeps.held_steps;
     from = horizon == papers_horizon ? sweep_forwards(problem, papers_horizon, sweeps)
                                      : sweep_forwards(problem, horizon, sweeps);
     if (from <= 0) {
@@ -74,13 +70,13 @@ inline void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, int 
   if (from < 1) return;
   auto [s, r] = sweeps.after[from];
   for (int i = from; i > 0; --i) {
-    if (working_set_.pin[i] == 0) {
+    if (sweeps.pin[i] == 0) {
       const double inverse = 1.0 / (q_perceived + s);
       r *= q_perceived * inverse;
       s = q_actual + q_perceived * inverse * s;
     } else {
       const double a = problem.gains[i] * problem.proprioceptive_weight;  // e = a x + d
-      const double d = problem.gains[i] * (working_set_.pin[i] * problem.bound_deg) + a * problem.real_offset_deg;
+      const double d = problem.gains[i] * (sweeps.pin[i] * problem.bound_deg) + a * problem.real_offset_deg;
       r = q_perceived * a * d + (1.0 - a) * (r - s * d);
       s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
     }
@@ -92,7 +88,7 @@ inline void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, int 
 // against the assumption, or free against it, or -1: the costs to go after that step are right. A difference
 // of rounding keeps the assumption, because bounds that are just touched would cycle.
 template <class Horizon>
-int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horizon, Sweeps& sweeps) {
+int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horizon, Sweeps& sweeps) const {
   const double q_perceived = problem.perceived_weight;
   const double pw = problem.proprioceptive_weight;
   const double felt_at_real_deg = pw * problem.real_offset_deg;
@@ -100,16 +96,17 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
   const double slack_deg = 2e-15 * (std::abs(problem.miss_deg) + std::abs(problem.real_offset_deg) + bound_deg);
   const double free_within_deg = bound_deg + slack_deg;
   const double* const gains = problem.gains;
-  const int held_steps = std::exchange(held_steps_, 0);
+  const int held_steps = std::exchange(sweeps.held_steps, 0);
   int last_changed = -1;
   double x = problem.miss_deg;
   for (int i = 0; i < horizon; ++i) {
     const double k = gains[i];
     const double a = k * pw;
     sweeps.miss_deg[i] = x;
-    std::int8_t& pin = working_set_.pin[i];
+    std::int8_t& pin = sweeps.pin[i];
     double e;
     if (i >= held_steps) {
+      pin = 0;
       e = free_gain_[horizon - i] * x;
     } else {
       const auto& [s, r] = sweeps.after[i];
@@ -117,7 +114,7 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
       if (pin != 0) {
         const double d = k * (felt_at_real_deg + pin * bound_deg);
         if (pin * (s * x + r - total * (a * x + d)) >= -slack_deg * k * total) [[likely]] {
-          held_steps_ = i + 1;
+          sweeps.held_steps = i + 1;
           x = (1.0 - a) * x - d;
           continue;
         }
@@ -131,7 +128,7 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
       pin = e > without_plate ? 1 : -1;
       e = without_plate + pin * k * bound_deg;
       last_changed = i;
-      held_steps_ = i + 1;
+      sweeps.held_steps = i + 1;
     }
     x -= e;
   }
@@ -139,7 +136,7 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
 }
 
 double PlateBoundSolver::first_plate_deg(const WindowProblem& problem, const Sweeps& sweeps) const {
-  if (working_set_.pin[0]) return working_set_.pin[0] * problem.bound_deg;
+  if (sweeps.pin[0]) return sweeps.pin[0] * problem.bound_deg;
   if (problem.gains[0] == 0.0) return 0.0;
   const auto [s, r] = sweeps.after[0];
   const double inverse = 1.0 / ((problem.perceived_weight + s) * problem.gains[0]);
@@ -152,8 +149,8 @@ inline double PlateBoundSolver::plate_deg(const WindowProblem& problem, const Sw
   const double pw = problem.proprioceptive_weight;
   const double felt_at_real_deg = pw * problem.real_offset_deg;
   const double x = sweeps.miss_deg[i];
-  if (i >= held_steps_) return (free_gain_[problem.horizon - i] / k - pw) * x - felt_at_real_deg;
-  if (working_set_.pin[i]) return working_set_.pin[i] * problem.bound_deg;
+  if (i >= sweeps.held_steps) return (free_gain_[problem.horizon - i] / k - pw) * x - felt_at_real_deg;
+  if (sweeps.pin[i]) return sweeps.pin[i] * problem.bound_deg;
   const auto [s, r] = sweeps.after[i];
   const double inverse = 1.0 / (problem.perceived_weight + s);
   return (s * inverse / k - pw) * x + (r * inverse / k - felt_at_real_deg);

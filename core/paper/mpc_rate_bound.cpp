@@ -306,7 +306,7 @@ double RateBoundSolver::cost_of(const Path& path) const {
 }
 
 WorkingSet RateBoundSolver::held() const {
-  WorkingSet set;
+  WorkingSet set{};
   for (int i = 0; i < window_.steps; ++i) {
     set.pin[i] = static_cast<std::int8_t>((held_[i] == ActiveBound::upper) - (held_[i] == ActiveBound::lower));
     set.link[i] = static_cast<std::int8_t>((held_[i] == ActiveBound::rate_up) - (held_[i] == ActiveBound::rate_down));
@@ -321,7 +321,7 @@ void solve_rate_bound(const WindowProblem& problem, WorkingSet& held, WindowSolu
   const int n = window.steps;
   std::array<double, max_horizon> plate_deg;
   for (int step = 0; step < n; ++step) plate_deg[step] = solution.plate_deg[window.index[step]];
-  WorkingSet of_felt;
+  WorkingSet of_felt{};
   solution.optimal = solve_active_set(window, first_passes, plate_deg, of_felt);
   if (!solution.optimal) {
     RateBoundSolver solver(window);

@@ -29,8 +29,8 @@ struct WindowProblem {
 /// Invariant: no run of linked steps holds more than one pin, none if it is tied to u_k-1, so that the
 /// constraints held are always linearly independent.
 struct WorkingSet {
-  std::array<std::int8_t, max_horizon> pin{};
-  std::array<std::int8_t, max_horizon> link{};
+  std::array<std::int8_t, max_horizon> pin;
+  std::array<std::int8_t, max_horizon> link;
 };
 
 /// The plate over the window. Entries past the horizon are not written; one at a gain of 0 has no meaning.

@@ -92,7 +92,7 @@ class ClosedLoop {
 
 // The problems that a controller meets in the loop, step by step. Each stays valid as long as `loop`.
 std::vector<MpcProblem> problems_of(ClosedLoop& loop) {
-  Mpc mpc(loop.config());
+  const Mpc mpc(loop.config());
   std::vector<MpcProblem> problems;
   for (int k = 0; k < reaches * reach_steps; ++k) {
     problems.push_back(loop.problem());
@@ -101,14 +101,12 @@ std::vector<MpcProblem> problems_of(ClosedLoop& loop) {
   return problems;
 }
 
-// The times of single solves in microseconds, each the least of five: `cold` with a new controller for each
-// problem, else in the order of the loop.
-std::vector<double> single_times_us(const MpcConfig& config, const std::vector<MpcProblem>& problems, bool cold) {
+// The times of single solves in microseconds, each the least of five.
+std::vector<double> single_times_us(const MpcConfig& config, const std::vector<MpcProblem>& problems) {
   std::vector<double> min_us(problems.size(), std::numeric_limits<double>::infinity());
   for (int repetition = 0; repetition < 5; ++repetition) {
-    Mpc mpc(config);
+    const Mpc mpc(config);
     for (std::size_t k = 0; k < problems.size(); ++k) {
-      if (cold) mpc = Mpc(config);
       const auto start = std::chrono::steady_clock::now();
       benchmark::DoNotOptimize(mpc.solve(problems[k]));
       const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
@@ -119,12 +117,12 @@ std::vector<double> single_times_us(const MpcConfig& config, const std::vector<M
   return min_us;
 }
 
-void print_row(const char* name, int horizon, const char* start, const std::vector<double>& sorted_us) {
-  std::printf("%-24s  %7d  %5s  %9.2f  %6.2f  %8.2f\n", name, horizon, start, sorted_us[sorted_us.size() / 2],
+void print_row(const char* name, int horizon, const std::vector<double>& sorted_us) {
+  std::printf("%-24s  %7d  %9.2f  %6.2f  %8.2f\n", name, horizon, sorted_us[sorted_us.size() / 2],
               sorted_us[sorted_us.size() * 99 / 100], sorted_us.back());
 }
 
-// Ours, cold, and each peer in the same run: by how much longer it takes, and the largest error of a first
+// Ours and each peer in the same run: by how much longer it takes, and the largest error of a first
 // plate offset against the long-double reference.
 void print_peers(const std::vector<Case>& cases) {
   if (peers().empty()) return;
@@ -134,11 +132,9 @@ void print_peers(const std::vector<Case>& cases) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [of, problem] = cases[i];
     dense.push_back(dense_problem(of, problem));
-    const Mpc fresh(of);
-    std::vector<Mpc> controllers(solves_timed, fresh);
-    ours_us.push_back(solve_us([&](int k) { controllers[k] = fresh; },
-                               [&](int k) { benchmark::DoNotOptimize(controllers[k].solve(problem)); }));
-    ours_deg.push_back(Mpc(of).solve(problem).plate_offset_deg);
+    const Mpc mpc(of);
+    ours_us.push_back(solve_us([](int) {}, [&](int) { benchmark::DoNotOptimize(mpc.solve(problem)); }));
+    ours_deg.push_back(mpc.solve(problem).plate_offset_deg);
     if (i % referenced == 0)
       exact_deg.push_back(static_cast<double>(dense_optimum(dense[i], feasible_start(of, problem))[0]));
   }
@@ -171,24 +167,23 @@ void print_random_times(int horizon, int problems) {
     if (kept.size() > compared) kept.pop_back();
     RandomProblem& drawn = kept.emplace_back(random, horizon, true);
     drawn.config.plate_rate_bound_deg = drawn.config.plate_bound_deg * std::exp(uniform(random, -6.0, 0.0));
-    times_us.push_back(single_times_us(drawn.config, {drawn.problem}, true).front());
+    times_us.push_back(single_times_us(drawn.config, {drawn.problem}).front());
     cut += !Mpc(drawn.config).solve(drawn.problem).optimal;
     if (cases.size() < compared) cases.push_back({drawn.config, drawn.problem});
   }
   std::sort(times_us.begin(), times_us.end());
-  print_row("random", horizon, "cold", times_us);
+  print_row("random", horizon, times_us);
   if (cut > 0) std::printf("of these, %d are not optimal\n", cut);
   print_peers(cases);
 }
 
 void print_single_times(int random_problems) {
-  std::printf("single solves             horizon  start  median us  p99 us  worst us\n");
+  std::printf("single solves             horizon  median us  p99 us  worst us\n");
   for (const LoopConfig& loop_config : loops) {
     for (const int horizon : horizons) {
       ClosedLoop loop(loop_config, horizon);
       const std::vector<MpcProblem> problems = problems_of(loop);
-      for (const bool cold : {true, false})
-        print_row(loop_config.name, horizon, cold ? "cold" : "warm", single_times_us(loop.config(), problems, cold));
+      print_row(loop_config.name, horizon, single_times_us(loop.config(), problems));
       std::vector<Case> cases;
       for (const MpcProblem& problem : problems) cases.push_back({loop.config(), problem});
       print_peers(cases);

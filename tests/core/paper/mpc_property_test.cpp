@@ -31,27 +31,6 @@ TEST(MpcProperty, MirroredProblemsHaveMirroredOptima) {
   }
 }
 
-// One controller that meets problems in any order agrees with a fresh one for each.
-TEST(MpcProperty, WhatWasSolvedBeforeDoesNotMatter) {
-  for (const int horizon : horizons) {
-    for (const bool has_rate_bound : {false, true}) {
-      Random random(2);
-      const MpcConfig config = RandomProblem(random, horizon, has_rate_bound).config;
-      Mpc warm(config);
-      for (int i = 0; i < 1000; ++i) {
-        RandomProblem drawn(random, horizon, has_rate_bound);
-        MpcProblem& problem = drawn.problem;
-        problem.plate_offset_deg =
-            std::clamp(problem.plate_offset_deg, -config.plate_bound_deg, config.plate_bound_deg);
-        const double difference_deg =
-            warm.solve(problem).plate_offset_deg - Mpc(config).solve(problem).plate_offset_deg;
-        EXPECT_NEAR(difference_deg * problem.gains[0] * problem.tactile_weight, 0.0, 1e-12)
-            << "horizon " << horizon << " problem " << i;
-      }
-    }
-  }
-}
-
 TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
   Random random(3);
   for (int i = 0; i < 6000; ++i) {

@@ -29,7 +29,7 @@ TEST(Mpc, UnconstrainedGains) {
   const MpcProblem problem{1.0, -0.5, 0.15, 0.0, gains.data()};
   const double expected[] = {0.0, 1.0 / 2.0, 3.0 / 5.0, 8.0 / 13.0, 21.0 / 34.0};
   for (int horizon = 1; horizon <= 5; ++horizon) {
-    Mpc mpc({.horizon = horizon});
+    const Mpc mpc({.horizon = horizon});
     const Mpc::Command command = mpc.solve(problem);
     EXPECT_EQ(command.active, ActiveBound::none);
     EXPECT_NEAR(perceived_error(command, problem), expected[horizon - 1] * 1.5, 1e-12) << horizon;
@@ -155,7 +155,7 @@ TEST(Mpc, SettlesWhereEveryStepJustTouchesTheBound) {
   for (const double real : {-10.0, 10.0}) {
     for (const double rate : {std::numeric_limits<double>::infinity(), 45.0, 40.0}) {
       for (const int horizon : {3, 10, 50}) {
-        Mpc mpc({.horizon = horizon, .plate_bound_deg = 90.0, .plate_rate_bound_deg = rate});
+        const Mpc mpc({.horizon = horizon, .plate_bound_deg = 90.0, .plate_rate_bound_deg = rate});
         double finger = 0.0;
         double plate = 0.0;
         MpcPlan plan;

@@ -164,7 +164,7 @@ TEST(Authority, TheControllerSettlesWhereItSays) {
         const Participant participant{.tactile_weight = w};
         SimulatedParticipant person(participant, virtual_deg);
         GainWindow gains(participant, 3);
-        Mpc mpc({.horizon = 3});
+        const Mpc mpc({.horizon = 3});
         double plate_deg = 0.0;
         for (int k = 0; k < 300; ++k) {
           const MpcProblem problem{.finger_offset_deg = person.finger_direction_deg() - virtual_deg,
