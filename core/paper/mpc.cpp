@@ -70,26 +70,29 @@ Mpc::Mpc(const MpcConfig& config)
     : config_(config), plate_bound_solver_(config.horizon, config.perceived_weight, config.actual_weight) {}
 
 Mpc::Command Mpc::solve(const MpcProblem& problem) const {
-  const double w = problem.tactile_weight;
   const double bound_deg = config_.plate_bound_deg;
   const double rate_deg = config_.plate_rate_bound_deg;
-  const double miss_deg = problem.finger_offset_deg - problem.real_offset_deg;
-  if (std::isfinite(rate_deg)) {
-    const double last_plate_deg = problem.plate_offset_deg;
-    if (std::abs(last_plate_deg) > bound_deg + rate_deg) return solve(problem, nullptr);
-    const WindowProblem window = window_of(config_, problem, 0, miss_deg, last_plate_deg);
-    WindowSolution solution;
-    WorkingSet held;
-    solve_window(window, held, solution);
-    return command_of(config_, window, solution, held, 0, w, last_plate_deg);
+  const double by_felt = 1.0 / problem.tactile_weight;
+  const double last_plate_deg = std::isfinite(rate_deg) ? problem.plate_offset_deg : 0.0;
+  const WindowProblem window =
+      window_of(config_, problem, 0, problem.finger_offset_deg - problem.real_offset_deg, last_plate_deg);
+  if (const std::optional<double> free_deg = plate_bound_solver_.free_first_deg(window)) {
+    const double within_rate_deg =
+        std::clamp(*free_deg * by_felt, last_plate_deg - rate_deg, last_plate_deg + rate_deg);
+    return {std::clamp(within_rate_deg, -bound_deg, bound_deg), ActiveBound::none, true};
   }
-  // Without a rate bound the first step is all that has to be written, and clamped to the plate bound.
-  const PlateBoundSolver::FirstStep first =
-      plate_bound_solver_.solve_first(window_of(config_, problem, 0, miss_deg, 0.0));
+  return std::isfinite(rate_deg) ? solve(problem, nullptr) : solve_without_rate(problem);
+}
+
+// Of a plate that turns at once the first step is all that has to be written.
+Mpc::Command Mpc::solve_without_rate(const MpcProblem& problem) const {
+  const double bound_deg = config_.plate_bound_deg;
+  const PlateBoundSolver::FirstStep first = plate_bound_solver_.solve_first(
+      window_of(config_, problem, 0, problem.finger_offset_deg - problem.real_offset_deg, 0.0));
   if (!first.optimal) return solve(problem, nullptr);
   if (problem.gains[0] < min_step_gain) return {0.0, ActiveBound::none, true};
   if (first.pin) return {first.pin * bound_deg, first.pin > 0 ? ActiveBound::upper : ActiveBound::lower, true};
-  const double plate_deg = first.plate_deg * (1.0 / w);
+  const double plate_deg = first.plate_deg * (1.0 / problem.tactile_weight);
   return {std::clamp(plate_deg, -bound_deg, bound_deg), ActiveBound::none, true};
 }
 

@@ -61,6 +61,7 @@ class Mpc {
   const MpcConfig& config() const { return config_; }
 
  private:
+  Command solve_without_rate(const MpcProblem& problem) const;
   void solve_window(const WindowProblem& window, WorkingSet& held, WindowSolution& solution) const;
 
   MpcConfig config_;

@@ -29,7 +29,7 @@ PlateBoundSolver::FirstStep PlateBoundSolver::solve_first(const WindowProblem& p
   std::array<std::int8_t, max_horizon> pin;
   Sweeps sweeps(pin);
   if (!find_pins(problem, sweeps)) return {};
-  return {first_plate_deg(problem, sweeps), pin[0], true};
+  return {first_plate_deg(problem, sweeps.after[0]), pin[0], true};
 }
 
 void PlateBoundSolver::solve(const WindowProblem& problem, WorkingSet& held, WindowSolution& solution) const {
@@ -42,7 +42,8 @@ void PlateBoundSolver::solve(const WindowProblem& problem, WorkingSet& held, Win
   }
   solution.optimal = write_window(problem, sweeps, solution);
   // With a rate bound the bits are those of solve_rate_bound(), which finds what rate bounds hold.
-  if (std::isinf(problem.rate_deg)) solution.plate_deg[0] = first_plate_deg(problem, sweeps);
+  if (std::isinf(problem.rate_deg) && held.pin[0] == 0 && problem.gains[0] >= min_step_gain)
+    solution.plate_deg[0] = first_plate_deg(problem, sweeps.after[0]);
 }
 
 // Writes the costs to go up to the last bound, that of the first step in any case. False: it gave up.
@@ -133,15 +134,6 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
     x -= e;
   }
   return last_changed;
-}
-
-double PlateBoundSolver::first_plate_deg(const WindowProblem& problem, const Sweeps& sweeps) const {
-  if (sweeps.pin[0]) return sweeps.pin[0] * problem.bound_deg;
-  if (problem.gains[0] == 0.0) return 0.0;
-  const auto [s, r] = sweeps.after[0];
-  const double inverse = 1.0 / ((problem.perceived_weight + s) * problem.gains[0]);
-  return (s * inverse - problem.proprioceptive_weight) * problem.miss_deg +
-         (r * inverse - problem.proprioceptive_weight * problem.real_offset_deg);
 }
 
 inline double PlateBoundSolver::plate_deg(const WindowProblem& problem, const Sweeps& sweeps, int i) const {

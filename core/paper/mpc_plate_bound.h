@@ -3,6 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include "core/paper/mpc_window.h"
 #include "core/paper/participant.h"
@@ -17,6 +20,10 @@ class PlateBoundSolver {
  public:
   /// Weights and horizon as in MpcConfig, for all problems to come.
   PlateBoundSolver(int horizon, double perceived_weight, double actual_weight);
+
+  /// u_k if no step of the window meets the plate bound or the rate bound; none too if a gain counts as 0. In a closed
+  /// loop it is mostly there.
+  std::optional<double> free_first_deg(const WindowProblem& problem) const;
 
   /// The first step of a solution.
   struct FirstStep {
@@ -51,7 +58,7 @@ class PlateBoundSolver {
   void sweep_backwards(const WindowProblem& problem, int from, Sweeps& sweeps) const;
   template <class Horizon>
   int sweep_forwards(const WindowProblem& problem, Horizon horizon, Sweeps& sweeps) const;
-  double first_plate_deg(const WindowProblem& problem, const Sweeps& sweeps) const;
+  static double first_plate_deg(const WindowProblem& problem, const CostToGo& after);
   double plate_deg(const WindowProblem& problem, const Sweeps& sweeps, int i) const;
   bool write_window(const WindowProblem& problem, const Sweeps& sweeps, WindowSolution& solution) const;
 
@@ -59,5 +66,36 @@ class PlateBoundSolver {
   std::array<double, max_horizon + 1> free_cost_{};
   std::array<double, max_horizon + 1> free_gain_{};
 };
+
+// u_k, which no bound holds.
+inline double PlateBoundSolver::first_plate_deg(const WindowProblem& problem, const CostToGo& after) {
+  const double inverse = 1.0 / ((problem.perceived_weight + after.s) * problem.gains[0]);
+  return (after.s * inverse - problem.proprioceptive_weight) * problem.miss_deg +
+         (after.r * inverse - problem.proprioceptive_weight * problem.real_offset_deg);
+}
+
+inline std::optional<double> PlateBoundSolver::free_first_deg(const WindowProblem& problem) const {
+  const double pw = problem.proprioceptive_weight;
+  const double felt_at_real_deg = pw * problem.real_offset_deg;
+  const double slack_deg = tolerance_deg(problem);
+  const bool turns_at_once = std::isinf(problem.rate_deg);
+  double x = problem.miss_deg;
+  double last_deg = problem.last_plate_deg;
+  double first_deg = 0.0;
+  for (int i = 0; i < problem.horizon; ++i) {
+    const double k = problem.gains[i];
+    const double e = free_gain_[problem.horizon - i] * x;
+    if (k < min_step_gain || std::abs(e - (k * pw * x + k * felt_at_real_deg)) > k * problem.bound_deg)
+      return std::nullopt;
+    if (!turns_at_once) {
+      const double u = (free_gain_[problem.horizon - i] / k - pw) * x - felt_at_real_deg;
+      if ((std::abs(u - last_deg) - problem.rate_deg) * k > slack_deg) return std::nullopt;
+      if (i == 0) first_deg = u;
+      last_deg = u;
+    }
+    x -= e;
+  }
+  return turns_at_once ? first_plate_deg(problem, free_cost_to_go(problem.horizon - 1)) : first_deg;
+}
 
 }  // namespace hrt
