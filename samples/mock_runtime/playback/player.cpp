@@ -28,9 +28,8 @@ std::uint64_t distance(XrTime a, XrTime b) {
 // Of a stream that is not empty.
 template <typename Value>
 XrTime nearest_time(const Stream<Value>& stream, XrTime time) {
-  const auto after = std::lower_bound(stream.begin(), stream.end(), time,
-                                      [](const auto& sample, XrTime t) { return sample.first < t; });
-  if (after == stream.end()) return stream.back().first;
+  const auto after = stream.lower_bound(time);
+  if (after == stream.end()) return stream.rbegin()->first;
   if (after == stream.begin()) return after->first;
   const XrTime before = std::prev(after)->first;
   return distance(before, time) <= distance(after->first, time) ? before : after->first;
@@ -82,27 +81,18 @@ Player::Player(std::shared_ptr<const Recording> recording, std::uint64_t number)
 
 template <typename Value>
 const Value& Player::read(const Stream<Value>& stream, XrTime time) {
-  const XrTime nearest = nearest_time(stream, time);
-  const auto first = std::lower_bound(stream.begin(), stream.end(), nearest,
-                                      [](const auto& sample, XrTime t) { return sample.first < t; });
-  auto last = first;
-  while (std::next(last) != stream.end() && std::next(last)->first == nearest) ++last;
-  const auto begin = static_cast<std::size_t>(first - stream.begin());
-  const auto end = static_cast<std::size_t>(last - stream.begin());
+  const auto [first, past] = stream.equal_range(nearest_time(stream, time));
   // Asked for again, a time gives what it gave then.
-  const auto [cursor, is_new] = cursors_.try_emplace(&stream, Cursor{time, begin});
+  const auto [cursor, is_new] = cursors_.try_emplace(&stream, Cursor{time, 0});
   Cursor& at = cursor->second;
-  if (!is_new)
-    at.index = at.asked == time && at.index >= begin && at.index < end ? at.index + 1
-               : at.asked == time && at.index == end                   ? end
-                                                                       : begin;
+  if (!is_new) at.index = at.asked == time ? std::min(at.index + 1, std::distance(first, past) - 1) : 0;
   at.asked = time;
-  return stream[at.index].second;
+  return std::next(first, at.index)->second;
 }
 
 template <typename Map, typename Key>
 auto Player::read_of(const Map& streams, const Key& key, XrTime time) {
-  using Value = typename Map::mapped_type::value_type::second_type;
+  using Value = typename Map::mapped_type::mapped_type;
   const auto found = streams.find(key);
   return found == streams.end() ? std::optional<Value>() : std::optional<Value>(read(found->second, time));
 }

@@ -50,7 +50,7 @@ class Player {
   // Where a stream was last read, and for which time.
   struct Cursor {
     XrTime asked;
-    std::size_t index;
+    std::ptrdiff_t index;  // of what was given for the same time
   };
   XrDuration pace() const;  // of further frames
   template <typename Value>

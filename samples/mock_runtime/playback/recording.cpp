@@ -225,14 +225,6 @@ CallFault read_failure(Fields& fields) {
   return fault;
 }
 
-// Behind what was given for this time or earlier, which is nearly all.
-template <typename Value>
-void add(Stream<Value>& stream, XrTime time, Value value) {
-  const auto place = std::upper_bound(stream.begin(), stream.end(), time,
-                                      [](XrTime t, const auto& sample) { return t < sample.first; });
-  stream.emplace(place, time, std::move(value));
-}
-
 // What a record of a session adds, by its kind.
 using Reader = void (*)(Fields& fields, RecordedSession& in, const Recording& names);
 
@@ -240,7 +232,7 @@ using Reader = void (*)(Fields& fields, RecordedSession& in, const Recording& na
 template <auto stream, auto read>
 void timed(Fields& fields, RecordedSession& in, const Recording&) {
   const auto time = fields.whole<XrTime>();
-  add(in.*stream, time, read(fields));
+  (in.*stream).emplace(time, read(fields));
 }
 
 // A time, of what, and what was given then.
@@ -248,7 +240,7 @@ template <auto streams, auto read_key, auto read>
 void keyed(Fields& fields, RecordedSession& in, const Recording& names) {
   const auto time = fields.whole<XrTime>();
   auto& stream = (in.*streams)[read_key(fields, names)];
-  add(stream, time, read(fields));
+  stream.emplace(time, read(fields));
 }
 
 constexpr auto one_text = [](Fields& fields, auto&...) { return fields.text(); };

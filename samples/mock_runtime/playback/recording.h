@@ -44,7 +44,7 @@ namespace hrt::mock {
 
 /// In order of time; what was given for the same time several times, in the order in which it was.
 template <typename Value>
-using Stream = std::vector<std::pair<XrTime, Value>>;
+using Stream = std::multimap<XrTime, Value>;
 
 /// A space as an application makes it.
 struct SpaceName {

@@ -67,13 +67,6 @@ SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
   return people;
 }
 
-// Recorded paths in an open loop.
-void run_replay(const Options& options) {
-  if (!options.person.empty() || !options.families.empty() || !options.csv.empty() || !options.writing.part.whole())
-    throw UsageError(not_allowed("--replay", options.replay, "given without --person, --family, --csv and --part"));
-  options.writing.write([&] { return replay_folder("--replay", options.replay); }, replay_results, replay_text);
-}
-
 RobustnessStudy simulated(const Options& options) {
   RobustnessStudy study{.options = options.robustness, .people = {}, .rows = {}};
   if (!options.durations_s.empty()) study.options.durations_s = options.durations_s;
@@ -90,7 +83,9 @@ RobustnessStudy simulated(const Options& options) {
 }
 
 void run(const Options& options) {
-  if (!options.replay.empty()) return run_replay(options);
+  if (!options.replay.empty())  // in an open loop
+    return options.writing.write([&] { return replay_folder("--replay", options.replay); }, replay_results,
+                                 replay_text);
   options.writing.write([&] { return simulated(options); }, robustness_results, robustness_text);
 }
 
@@ -137,7 +132,7 @@ Examples:
 --replay reads all .csv files of a folder: the plugin's recordings, and calibration data. It passes each
 recorded path through our controller and prints what the controller would have believed and commanded.
 That is an open loop: the finger could not answer, so it shows neither misses nor felt errors under
-our commands.
+our commands. Beside it there are --format and --out.
 
 --person simulates a person of your own: JSON, {"tactile_weight": 0.18, "illusion": "sine"}. --people is
 then the number of times that the person does it all, each time as a stranger. Parameters (those left out
@@ -170,13 +165,16 @@ void add_robustness(CLI::App& app) {
            "A person of your own to simulate, beside the families of --family.");
   add_traits(command, "--informed-of", &robustness.informed_of, "weight,curve,bias,habit,scatter,log_rate",
              "Traits of the person that the informed controller knows.");
-  add_path(command, "--replay", &options->replay, "a folder with recordings or calibration data, .csv",
-           "Recorded paths to pass through our controller, in place of simulated people.");
+  CLI::Option* replay =
+      add_path(command, "--replay", &options->replay, "a folder with recordings or calibration data, .csv",
+               "Recorded paths to pass through our controller, in place of simulated people.");
   add_seed(command, &robustness.seed);
   add_threads(command, &robustness.threads);
   add_path(command, "--csv", &options->csv, "a file in a folder that can be written",
            "All numbers there as well, in one run.");
   options->writing.add_part_option(command);
+  replay->excludes("--people", "--reaches", "--within", "--durations", "--family", "--person", "--informed-of",
+                   "--seed", "--threads", "--csv", "--part");
   options->writing.add_options(command);
 }
 
