@@ -273,6 +273,21 @@ TEST_F(ReachTest, SamplesOfTwoPlacesOrWithoutAPoseAreRefusedAndChangeNothing) {
   EXPECT_EQ(end().counts.samples, 2);
 }
 
+// A caller that was compiled against a later header, whose command has a further field.
+TEST_F(ReachTest, LargerCommandKeepsItsSizeWithZerosBeyond) {
+  begin_reach();
+  struct {
+    hrt_command command;
+    double further;
+  } later{output<hrt_command>(), 3.0};
+  later.command.struct_size = sizeof later;
+  const hrt_sample sample = direction_sample(0, 0.0);
+  ASSERT_OK(hrt_reach_update(session, &sample, &later.command));
+  EXPECT_EQ(later.command.struct_size, sizeof later);
+  EXPECT_EQ(later.command.step, 0);
+  EXPECT_EQ(later.further, 0.0);
+}
+
 TEST_F(ReachTest, FieldsThatFlagsDoNotNameAreNotRead) {
   begin_reach();
   hrt_sample sample = direction_sample(0, 0.0);
