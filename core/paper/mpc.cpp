@@ -90,7 +90,6 @@ Mpc::Command Mpc::solve_without_rate(const MpcProblem& problem) const {
   const PlateBoundSolver::FirstStep first = plate_bound_solver_.solve_first(
       window_of(config_, problem, 0, problem.finger_offset_deg - problem.real_offset_deg, 0.0));
   if (!first.optimal) return solve(problem, nullptr);
-  if (problem.gains[0] < min_step_gain) return {0.0, ActiveBound::none, true};
   if (first.pin) return {first.pin * bound_deg, first.pin > 0 ? ActiveBound::upper : ActiveBound::lower, true};
   const double plate_deg = first.plate_deg * (1.0 / problem.tactile_weight);
   return {std::clamp(plate_deg, -bound_deg, bound_deg), ActiveBound::none, true};

@@ -29,7 +29,8 @@ PlateBoundSolver::FirstStep PlateBoundSolver::solve_first(const WindowProblem& p
   std::array<std::int8_t, max_horizon> pin;
   Sweeps sweeps(pin);
   if (!find_pins(problem, sweeps)) return {};
-  return {first_plate_deg(problem, sweeps.after[0]), pin[0], true};
+  if (problem.gains[0] < min_step_gain) return {0.0, 0, true};
+  return {pin[0] ? 0.0 : first_plate_deg(problem, sweeps.after[0]), pin[0], true};
 }
 
 void PlateBoundSolver::solve(const WindowProblem& problem, WorkingSet& held, WindowSolution& solution) const {

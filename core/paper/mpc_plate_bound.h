@@ -25,9 +25,9 @@ class PlateBoundSolver {
   /// loop it is mostly there.
   std::optional<double> free_first_deg(const WindowProblem& problem) const;
 
-  /// The first step of a solution.
+  /// The first step of a solution as if there were no rate bound. One that is not felt is 0, and not pinned.
   struct FirstStep {
-    double plate_deg;  ///< u_k, of no meaning where it is pinned or not felt
+    double plate_deg;  ///< u_k, 0 where it is pinned
     std::int8_t pin;   ///< as in WorkingSet
     bool optimal;      ///< false: the solver gave up, and the others have no meaning
   };

@@ -46,6 +46,22 @@ TEST(Process, FlushingToZeroChangesNoBitAndStays) {
 }
 #endif
 
+#if defined(__SSE2__)
+TEST(Process, TrapsOfTheHostAreNotSprungAndStay) {
+  constexpr unsigned masks = _MM_MASK_MASK, flags = _MM_EXCEPT_MASK;
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before & ~(masks | flags));  // each inexact result would end the process
+  hrt_session session{};
+  const hrt_result created = hrt_session_create(HRT_VERSION, nullptr, &session);
+  const hrt_result destroyed = hrt_session_destroy(session);
+  const unsigned after = _mm_getcsr();
+  _mm_setcsr(before);
+  EXPECT_EQ(created, HRT_OK);
+  EXPECT_EQ(destroyed, HRT_OK);
+  EXPECT_EQ(after & masks, 0U);
+}
+#endif
+
 #if defined(HRT_MEASURES_MEMORY)
 
 // In bytes, on 64-bit machines.

@@ -19,8 +19,8 @@
  *  - Texts and paths are UTF-8, on Windows too.
  *
  * In your process (plugin/README.md has numbers and details)
- *  - Calls round to nearest and restore the host's rounding mode. Flush-to-zero and the locale have no
- * effect.
+ *  - Calls round to nearest and, on x86, trap no floating-point exception; they restore the host's mode.
+ * Flush-to-zero and the locale have no effect.
  *  - No signal is sent or handled. The only threads are those of recordings, one each, which block signals.
  *  - In the child of a fork sessions work; recordings stay with the parent (study.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.

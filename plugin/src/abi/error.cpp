@@ -5,9 +5,9 @@ namespace hrt::plugin {
 thread_local constinit ThreadError thread_error;
 
 // Not inline: nothing is computed ahead of it.
-void NearestRounding::set(Mode mode) {
+void OurArithmetic::set(Mode mode) {
 #if defined(__SSE2__)
-  _mm_setcsr((_mm_getcsr() & ~static_cast<Mode>(_MM_ROUND_MASK)) | mode);
+  _mm_setcsr((_mm_getcsr() & ~mode_bits) | mode);
 #else
   std::fesetround(mode);
 #endif

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "haptic_retargeting/base.h"
-#include "plugin/src/abi/rounding.h"
+#include "plugin/src/abi/arithmetic.h"
 #include "plugin/src/abi/text.h"
 
 namespace hrt::plugin {
@@ -53,7 +53,7 @@ inline Text<240> last_failure() {
 template <class Body>
 hrt_result guarded(const char* call, Body&& body) noexcept {
   thread_error.call = call;
-  const NearestRounding rounding;
+  const OurArithmetic arithmetic;
   try {
     return body();
   } catch (const std::bad_alloc&) {

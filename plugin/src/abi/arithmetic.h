@@ -1,0 +1,41 @@
+// Arithmetic as the library is tested with, whatever the host has set for its thread: another rounding would give
+// other bits, and a trap would end the host where a number is infinite for a while.
+#pragma once
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#else
+#include <cfenv>
+#endif
+
+namespace hrt::plugin {
+
+/// Rounds to nearest and, with SSE, traps nothing while it lives. Costs a few nanoseconds where the host does so too.
+class OurArithmetic {
+ public:
+  OurArithmetic() {
+    if (host_mode_ != our_mode) set(our_mode);
+  }
+  ~OurArithmetic() {
+    if (host_mode_ != our_mode) set(host_mode_);
+  }
+  OurArithmetic(const OurArithmetic&) = delete;
+  OurArithmetic& operator=(const OurArithmetic&) = delete;
+
+ private:
+#if defined(__SSE2__)  // the mode of what computes here; fegetround() would ask the other unit
+  using Mode = unsigned;
+  static constexpr Mode mode_bits = _MM_ROUND_MASK | _MM_MASK_MASK;
+  static constexpr Mode our_mode = _MM_ROUND_NEAREST | _MM_MASK_MASK;
+  static Mode get() { return _mm_getcsr() & mode_bits; }
+#else
+  using Mode = int;
+  static constexpr Mode our_mode = FE_TONEAREST;
+  static Mode get() { return std::fegetround(); }
+#endif
+  static void set(Mode mode);
+
+  Mode host_mode_ = get();
+};
+
+}  // namespace hrt::plugin
