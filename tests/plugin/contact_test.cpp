@@ -173,7 +173,7 @@ TEST_F(ContactTest, RefusalsNameTheReasonAndChangeNothing) {
   refused(contact, "position_m[0] is NaN; allowed: -1000 to 1000");
   contact = contact_in(0.0, std::nan(""));
   refused(contact, "sd_m is NaN");
-  refused(contact_in(0.0, 0.00001), "sd_m is 1e-05; allowed: 0.0001 to 1");
+  refused(contact_in(0.0, 0.00001), "sd_m is 1e-05; allowed: 0, or 0.0001 to 1");
   contact.flags = HRT_CONTACT_PLATE_POSITION | HRT_CONTACT_WORLD_POSITION;
   refused(contact, "flags is 3; allowed: one of");
   contact.flags = 4;
@@ -222,6 +222,13 @@ TEST_F(KnownContactTest, AProfileKeepsItWiderForTheSamePose) {
     for (int column = 0; column <= row; ++column, ++at)
       EXPECT_NEAR(back.registration.contact_covariance[at],
                   known.registration.contact_covariance[at] + (row == column ? 4e-6 : 0.0), 1e-18);
+}
+
+TEST_F(KnownContactTest, AProfileWithoutAnyLeavesIt) {
+  ASSERT_OK(load_profile(R"({"format":"haptic retargeting profile","version":1})"));
+  const hrt_session_config back = config_of(session);
+  EXPECT_TRUE(same(back.registration.contact_correction, known.registration.contact_correction));
+  EXPECT_TRUE(same(back.registration.contact_covariance, known.registration.contact_covariance));
 }
 
 TEST_F(KnownContactTest, AProfileOfAnotherPoseKeepsNone) {

@@ -101,20 +101,22 @@ TEST_F(RegisteredReachTest, PoorOrMissingOnesAreFlagged) {
 }
 
 TEST_F(RegisteredReachTest, TheLogHasItOnceForAConfiguration) {
-  const Log log;
-  hrt_session_config config = turned_by(1.0);
-  config.registration.max_sd_deg = 0.5;
-  create(config);
-  begin_reach();
-  update(position_sample(0, 0.0, 0.0));
-  end();
-  EXPECT_EQ(log.text, "");
-  config.registration.max_sd_deg = 2.0;
-  ASSERT_OK(hrt_session_set(session, &config));
-  destroy();
-  EXPECT_TRUE(log.text.starts_with(std::to_string(HRT_LOG_WARNING) + " ")) << log.text;
-  EXPECT_NE(log.text.find("registration of the plate was older or worse than allowed"), std::string::npos);
-  EXPECT_EQ(std::count(log.text.begin(), log.text.end(), '\n'), 1);
+  for (const bool by_profile : {false, true}) {
+    const Log log;
+    hrt_session_config config = turned_by(1.0);
+    config.registration.max_sd_deg = 0.5;
+    create(config);
+    begin_reach();
+    update(position_sample(0, 0.0, 0.0));
+    end();
+    EXPECT_EQ(log.text, "");
+    config.registration.max_sd_deg = 2.0;
+    ASSERT_OK(by_profile ? load_profile(save_profile()) : hrt_session_set(session, &config));
+    destroy();
+    EXPECT_TRUE(log.text.starts_with(std::to_string(HRT_LOG_WARNING) + " ")) << log.text;
+    EXPECT_NE(log.text.find("registration of the plate was older or worse than allowed"), std::string::npos);
+    EXPECT_EQ(std::count(log.text.begin(), log.text.end(), '\n'), 1);
+  }
 }
 
 // 1 mm to the side is 0.6 degrees of a target 100 mm off, and 1.9 of one 30 mm off.

@@ -222,6 +222,29 @@ TEST_F(AssignTest, EachIsServedByTheNearestUnlessRealTargetsServeOneEach) {
   EXPECT_TRUE(same(exclusive[0], gap_of(reals[0], virtuals[0])));
 }
 
+// Where touch fades on the way, a gap takes more of the plate the farther off the target is.
+TEST_F(AssignTest, TheSmallestShareServesInAnyOrder) {
+  constexpr double mean[] = {0.25, 0.0, 10.0, 0.0, 0.0, 0.3, 1.0, -0.4, 0.6, 1.0};
+  hrt_session_config config = session_config();
+  std::copy(std::begin(mean), std::end(mean), config.person.mean);
+  for (int row = 0, at = 0; row < HRT_PERSON_TRAITS; ++row, at += row + 1) config.person.covariance[at] = 1e-4;
+  ASSERT_OK(hrt_session_set(session, &config));
+  const auto real_at = [&](double direction_deg, double distance_m) {
+    hrt_target_config target = target_config(HRT_TARGET_REAL, direction_deg);
+    target.distance_m = distance_m;
+    hrt_target id{};
+    EXPECT_OK(hrt_target_add(session, &target, &id));
+    return id;
+  };
+  const hrt_target one = real_at(7.0, 0.02), other = real_at(7.5, 0.30), seen = add(HRT_TARGET_VIRTUAL, 0.0);
+  const auto share = [](const hrt_gap& gap) { return std::abs(gap.gap_deg) / gap.max_gap_deg; };
+  const bool is_one = share(gap_of(one, seen)) < share(gap_of(other, seen));
+  EXPECT_NE(is_one, std::abs(gap_of(one, seen).gap_deg) < std::abs(gap_of(other, seen).gap_deg));
+  for (const std::uint32_t flags : {0U, HRT_ASSIGN_EXCLUSIVE})
+    for (const auto& reals : {std::vector{one, other}, {other, one}})
+      EXPECT_EQ(assign({seen}, reals, flags)[0].real_target.value, (is_one ? one : other).value) << flags;
+}
+
 TEST_F(AssignTest, WhatCannotBeServedIsNamed) {
   const std::vector<hrt_target> reals{add(HRT_TARGET_REAL, -40.0), add(HRT_TARGET_REAL, 0.0)},
       virtuals{add(HRT_TARGET_VIRTUAL, 50.0), add(HRT_TARGET_VIRTUAL, 2.0), add(HRT_TARGET_VIRTUAL, 4.0)};

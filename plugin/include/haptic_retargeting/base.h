@@ -15,7 +15,8 @@
  * Structs
  *  - Set `struct_size` to sizeof the struct; hrt_session_config_init() and its like (init.h) do, and set the
  *    defaults. A null configuration means the defaults, too. Bytes beyond the library's size must be zero.
- *  - Fields named `reserved` must be zero. Integers have a fixed width. There is no padding between fields.
+ *  - Fields named `reserved` must be zero. Integers have a fixed width. Fields are aligned as C
+ *    aligns them.
  *  - Texts and paths are UTF-8, on Windows too.
  *
  * In your process (plugin/README.md has numbers and details)
@@ -24,7 +25,7 @@
  *  - No signal is sent or handled. The only threads are those of recordings, one each, which block signals.
  *  - In the child of a fork sessions work; recordings stay with the parent (study.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.
- *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 15 kB a session, 9 MB a recording.
+ *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 16 kB a session, 9 MB a recording.
  *
  * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds.
  *
@@ -97,7 +98,8 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_NULL_ARGUMENT (-1)
 /** The handle or id is null, stale, of another session, or was never given out. */
 #define HRT_ERROR_INVALID_HANDLE (-2)
-/** `struct_size` is below the first version's, or bytes that this library does not know are not zero. */
+/** `struct_size` is below this library's, no multiple of 8, or above 4096, or bytes that this library does not know
+ * are not zero. */
 #define HRT_ERROR_STRUCT_SIZE (-3)
 /** A value is outside its documented range, not a number, or infinite. */
 #define HRT_ERROR_OUT_OF_RANGE (-4)
@@ -117,7 +119,7 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_NAME_TAKEN (-12)
 /** The operating system refused a file or a thread. */
 #define HRT_ERROR_SYSTEM (-13)
-/** A file or text is malformed. hrt_last_error() names the place. */
+/** A file or text is malformed, or a scene's file cannot be read. hrt_last_error() names the place. */
 #define HRT_ERROR_BAD_FORMAT (-14)
 /** The data cannot determine the requested value. hrt_last_error() names what is missing. */
 #define HRT_ERROR_INSUFFICIENT_DATA (-15)

@@ -43,7 +43,7 @@ typedef struct hrt_conditions {
 
 /** Sets the session's conditions of now: what a set-up's calibration measures under, and what profiles are
  * compared with. If those of the profile differ, the log has a warning, here or when the profile is loaded.
- * Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach. [one-thread] */
+ * Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach or a set-up. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
                                                             const hrt_conditions* conditions) HRT_NOEXCEPT;
 
@@ -59,9 +59,10 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
 HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                                                   uint64_t* out_length) HRT_NOEXCEPT;
 
-/** Copies a profile of `length` bytes into the session's configuration. Fields missing in the profile keep
- * their values; unknown fields are refused. Errors: BAD_FORMAT, OUT_OF_RANGE naming the field, WRONG_STATE
- * during a reach. [one-thread] */
+/** Copies a profile of `length` bytes into the session's configuration. Of the person and of correlated noise,
+ * fields missing in the profile are the default again; other fields that are missing keep their values. Unknown
+ * fields are refused. Errors: BAD_FORMAT, OUT_OF_RANGE naming the field, WRONG_STATE during a reach or a set-up.
+ * [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)

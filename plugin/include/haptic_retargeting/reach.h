@@ -96,8 +96,8 @@ typedef struct hrt_sample {
  * says so once a session, when the session is next configured or destroyed. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 /** The plate's registration is older or worse than the configuration allows, or there is none:
- * max_registration_age_ns, max_registration_sd_deg. Set up again: setup.h. The log has it at the next call of
- * hrt_session_set(), hrt_session_destroy() or hrt_setup_begin(). */
+ * registration.max_age_ns, registration.max_sd_deg. Set up again: setup.h. The log has it at the next call of
+ * hrt_session_set(), hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load() or hrt_scene_register(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
 /** The reach is over, and stays so until hrt_reach_retarget(): the finger has come nine tenths of the way
  * from the start to the real target and has rested for 0.4 s, or three tenths of the way and for 2 s. It
@@ -151,7 +151,7 @@ typedef struct hrt_command {
    * twenty. About 2 if the model fits, MISFIT from 4.5. 0 under FIXED_DIRECTION. */
   double misfit;
   /** Standard deviation of the finger's true place across the line to the real target, as a bearing from the
-   * start: by what the estimator knows of the place, and by plate_covariance or, once there were any,
+   * start: by what the estimator knows of the place, and by plate.covariance or, once there were any,
    * contacts. At the end, of hrt_reach_summary::miss_deg. 0 under FIXED_DIRECTION. */
   double miss_sd_deg;
 } hrt_command;

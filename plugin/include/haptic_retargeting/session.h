@@ -271,7 +271,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_get(hrt_session session, hrt_sessio
                                                  uint32_t* out_state) HRT_NOEXCEPT;
 
 /** Replaces the configuration; null: by the defaults. Targets stay. Errors: as hrt_session_create(), and
- * WRONG_STATE during a reach. [one-thread] */
+ * WRONG_STATE during a reach or a set-up. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_set(hrt_session session, const hrt_session_config* config) HRT_NOEXCEPT;
 
 /** Destroys the session and its targets; ends its reach and its recording. [one-thread] */

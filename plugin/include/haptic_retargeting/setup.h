@@ -34,7 +34,7 @@ extern "C" {
  *  turned by 1 degree about the start turns every reach by as much, and nothing within a reach shows it. */
 #define HRT_SETUP_REGISTRATION UINT32_C(2)
 /** Whether the plate is still where it was registered, by one touch, as before each reach; by a second one if
- *  the first disagrees. Sets registration_time_ns, or clears HRT_SESSION_REGISTERED. Not with REGISTRATION.
+ *  the first disagrees. Sets registration.time_ns, or clears HRT_SESSION_REGISTERED. Not with REGISTRATION.
  */
 #define HRT_SETUP_CHECK UINT32_C(4)
 /** The tracker's latency, relative to the plate's report, while the plate turns to and fro under a resting
@@ -108,7 +108,7 @@ typedef struct hrt_setup_config {
 
 /** What was wrong with the last try, which is repeated. */
 #define HRT_PROBLEM_NONE UINT32_C(0)
-#define HRT_PROBLEM_TOO_FAST UINT32_C(1)      /**< the slide took less than half a second */
+#define HRT_PROBLEM_TOO_FAST UINT32_C(1)      /**< the slide took less than some 0.4 s */
 #define HRT_PROBLEM_TOO_SLOW UINT32_C(2)      /**< the slide took more than 8 s */
 #define HRT_PROBLEM_STOPPED UINT32_C(3)       /**< the finger rested before it was half way, or elsewhere */
 #define HRT_PROBLEM_LEFT_PLATE UINT32_C(4)    /**< the finger was lifted, or went over the rim */
@@ -203,7 +203,7 @@ typedef struct hrt_setup_result {
 } hrt_setup_result;
 
 /** Begins a set-up of `what`, HRT_SETUP_*. Until it is
- * over no reach can begin, and the configuration does not change but by the set-up. Takes 1.3 MB for slides.
+ * over no reach can begin, and the configuration does not change but by the set-up. Takes 1.4 MB for slides.
  * After a cancel, ALL_MISSING continues with the part that was under way: parts that are done are not
  * missing. `config` may be null: the defaults. Errors: OUT_OF_RANGE naming the field, for CALIBRATION also if
  * the plate has less than 50 mm ahead of start_position_m, for GUIDES if a target is too near; WRONG_STATE during

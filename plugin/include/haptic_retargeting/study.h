@@ -8,7 +8,7 @@
  *
  * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. Each begin, update,
  * retarget, touched, cancel and end of a reach, and each update, finish and cancel of a set-up, is a row,
- * refused calls too. Comments hold configurations, targets, beginnings of set-ups and the plate orientation
+ * refused calls too, but those of a set-up whose structs cannot be read. Comments hold configurations, targets, beginnings of set-ups and the plate orientation
  * (base.h). Numbers have full precision. A thread of the library writes the file: a slow or full disk never
  * delays a call; rows are dropped and counted.
  */
@@ -129,7 +129,7 @@ typedef struct hrt_recording_status {
 
 /** Starts recording the session into a file, which is created or replaced. Errors: SYSTEM if the file cannot
  * be created, is not a regular file, or another recording is written to it, in this process or another;
- * WRONG_STATE during a reach or while recording; OUT_OF_MEMORY. In the child of a fork, which has the
+ * WRONG_STATE during a reach or a set-up, or while recording; OUT_OF_MEMORY. In the child of a fork, which has the
  * parent's sessions but not its recordings, calls of these sessions are not recorded, the two calls below
  * return WRONG_STATE, and this one may start a recording of the child. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;

@@ -23,7 +23,7 @@ hrt_result check_struct_size(const char* name, std::uint32_t size) {
   constexpr std::uint32_t alignment = alignof(Struct);
   if (size >= sizeof(Struct) && size <= max_struct_size && size % alignment == 0) return HRT_OK;
   return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; this library's is ", sizeof(Struct),
-              ", at least that and a multiple of ", alignment, " is needed");
+              "; allowed: multiples of ", alignment, " from that to ", max_struct_size);
 }
 
 /// Reads a struct of this version, or of a later one whose further bytes are 0, into `*known`.
@@ -82,9 +82,9 @@ void write_struct(const Struct& known, Struct* out) {
 }
 
 template <class Number>
-hrt_result check_range(const char* field, Number value, Number low, Number high) {
+hrt_result check_range(const char* field, Number value, Number low, Number high, const char* besides = "") {
   if (value >= low && value <= high) return HRT_OK;  // not a number is neither
-  return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; allowed: ", low, " to ", high);
+  return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; allowed: ", besides, low, " to ", high);
 }
 
 inline hrt_result check_zero(const char* field, std::uint32_t value) {
@@ -114,7 +114,7 @@ hrt_result check_value(const char* name, const Field<S, T>& field, const T& valu
       if (field.kind == FieldKind::flags) return check_flags(value, field.high);
       if (field.kind == FieldKind::reserved) return check_zero(name, value);
     }
-    return check_range(name, value, field.low, field.high);
+    return check_range(name, value, field.low, field.high, field.zero ? "0, or " : "");
   } else {
     return HRT_OK;
   }

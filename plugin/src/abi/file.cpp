@@ -130,7 +130,6 @@ hrt_result File::create(const char* path, File* out) {
   File file;
   HRT_RETURN_IF_FAILED(open_regular(path, to_write, UINT64_MAX, &file));
   if (!lock(file.descriptor_)) return fail_as_taken(path);
-  if (truncate(file.descriptor_) != 0) return fail_of_file(path);
   *out = std::move(file);
   return HRT_OK;
 }
@@ -141,6 +140,8 @@ std::ptrdiff_t File::read(std::span<char> out) {
     if (n >= 0 || errno != EINTR) return n;
   }
 }
+
+int File::clear() { return truncate(descriptor_) == 0 ? 0 : errno; }
 
 int File::write(std::string_view text) {
   while (!text.empty()) {

@@ -32,11 +32,13 @@ class File {
   /// Opens a file of at most `max_size` bytes to read. Fails naming the path and the reason. Never blocks: a
   /// pipe is refused.
   static hrt_result open(const char* path, std::uint64_t max_size, File* out);
-  /// Creates or empties a file to write. Fails too if another recording, of any process, is written to it.
+  /// Creates a file to write, or opens it as it is. Fails too if another recording, of any process, is written to it.
   static hrt_result create(const char* path, File* out);
 
   /// Bytes read into the beginning of `out`: 0 at the end, negative on failure, with errno set.
   std::ptrdiff_t read(std::span<char> out);
+  /// What was in a file to write is gone. 0, or errno.
+  int clear();
   /// 0, or errno.
   int write(std::string_view text);
   /// Lets others write to the file, even while a child of this process has it open.

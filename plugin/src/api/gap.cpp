@@ -118,13 +118,12 @@ hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targ
     std::vector<std::size_t> nearest(virtuals.size(), 0), serves(virtuals.size(), unserved);
     for (std::size_t i = 0; i < virtual_count; ++i) {
       double min_gap_deg = std::numeric_limits<double>::infinity();
+      double min_share = min_gap_deg;
       for (std::size_t j = 0; j < real_count; ++j) {
         const hrt_gap pair = gap(i, j);
-        shares.push_back(needed_share(pair));
-        if (!(std::abs(pair.gap_deg) < min_gap_deg)) continue;
-        min_gap_deg = std::abs(pair.gap_deg);
-        nearest[i] = j;
-        if (pair.reachable) serves[i] = j;
+        const double share = shares.emplace_back(needed_share(pair));
+        if (share < min_share) min_share = share, serves[i] = j;
+        if (std::abs(pair.gap_deg) < min_gap_deg) min_gap_deg = std::abs(pair.gap_deg), nearest[i] = j;
       }
     }
     if (flags & HRT_ASSIGN_EXCLUSIVE) serves = assign_exclusively(shares, reals.size());

@@ -52,6 +52,7 @@ hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t leng
     hrt_session_config config = s.session().config();
     hrt_conditions measured{};
     HRT_RETURN_IF_FAILED(read_profile({text, static_cast<std::size_t>(length)}, &config, &measured));
+    s.log_findings(session.value);
     HRT_RETURN_IF_FAILED(s.set_config(config));
     s.conditions.set_measured(measured);
     s.log_conditions(session.value);

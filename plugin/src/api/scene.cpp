@@ -168,6 +168,7 @@ hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t cap
                               hrt_target* out_targets) noexcept {
   return with_scene("hrt_scene_register", scene, [&](const hrt::Scene& loaded) -> hrt_result {
     return with_session("hrt_scene_register", session, [&](RecordedSession& s) -> hrt_result {
+      s.log_findings(session.value);
       return register_scene(loaded, s, capacity, out_targets);
     });
   });

@@ -40,7 +40,8 @@ std::string known_kinds() {
 
 DeviceName parts_of(std::string_view text) {
   const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos) refuse("device has no kind; allowed: " + known_kinds());
+  if (colon == std::string_view::npos)
+    refuse("device has no kind; allowed: " + known_kinds() + ", a plate file (.json)");
   const std::size_t question = std::min(text.find('?', colon), text.size());
   DeviceName name{std::string(text.substr(0, colon)), std::string(text.substr(colon + 1, question - colon - 1)), {}};
   if (name.path.empty()) refuse("device names no line behind " + name.kind + ":");

@@ -1,11 +1,17 @@
 #include "plugin/src/plate/plate_file.h"
 
+#include <fcntl.h>
+
 #include <array>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#if defined(_WIN32)
+#include "plugin/src/abi/file.h"
+#endif
 
 namespace hrt::plate {
 namespace {
@@ -29,8 +35,18 @@ std::string hash_of(std::string_view text) {
 // Not by a stream of the C++ library, which brings its locales.
 using OpenFile = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
+// Waits for nobody: a pipe is empty, or cannot be read.
+std::FILE* open_to_read(const std::string& path) {
+#if defined(_WIN32)
+  return _wfopen(plugin::path_of(path.c_str()).c_str(), L"rb");
+#else
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  return descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb");
+#endif
+}
+
 std::string content_of(const std::string& path) {
-  const OpenFile file(std::fopen(path.c_str(), "rb"));
+  const OpenFile file(open_to_read(path));
   std::string text(max_bytes + 1, '\0');
   if (file) text.resize(std::fread(text.data(), 1, text.size(), file.get()));
   if (!file || std::ferror(file.get()) != 0) refuse(path, "cannot be read");

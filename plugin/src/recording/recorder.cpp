@@ -29,7 +29,9 @@ Recorder::Recorder(File file, std::string_view name, const hrt_session_config& c
   name_ << name;
   watch_forks();
   forks_ = forks();
-  write(recording_header());
+  const std::string header = recording_header();
+  system_error_.store(file_.clear());  // now that the memory is there
+  write(header);
   write_record_of({.call = ConfigSet{config}});
   write_record_of({.call = PlateStands{plate_orientation_deg}});
   for (const auto& [id, target] : targets.all())

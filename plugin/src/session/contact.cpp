@@ -78,10 +78,17 @@ void forget_contacts_elsewhere(const hrt_session_config& before, hrt_session_con
 }
 
 void take_contacts_of_profile(const hrt_session_config& session, hrt_session_config* profile) {
-  if (have_same_pose(session, *profile))
+  if (!is_not_zero(profile->registration.contact_covariance)) {  // the session's are of its plate, and stay
+    const auto& kept = session.registration;
+    std::copy(std::begin(kept.contact_correction), std::end(kept.contact_correction),
+              profile->registration.contact_correction);
+    std::copy(std::begin(kept.contact_covariance), std::end(kept.contact_covariance),
+              profile->registration.contact_covariance);
+  } else if (have_same_pose(session, *profile)) {
     write_touched(drifted(touched_of(*profile)), profile);
-  else
+  } else {
     forget_contacts(profile);
+  }
   std::copy(std::begin(session.plate.position_m), std::end(session.plate.position_m), profile->plate.position_m);
   std::copy(std::begin(session.plate.rotation), std::end(session.plate.rotation), profile->plate.rotation);
   profile->plate.scale = session.plate.scale;

@@ -22,7 +22,8 @@ void write_touched(const TouchedFrame& frame, hrt_session_config* config);
 /// pose.
 void forget_contacts_elsewhere(const hrt_session_config& before, hrt_session_config* next);
 
-/// The same of a profile's configuration, which takes the session's pose. What stays has drifted.
+/// The same of a profile's configuration, which takes the session's pose. What stays has drifted. One without contacts
+/// takes the session's.
 void take_contacts_of_profile(const hrt_session_config& session, hrt_session_config* profile);
 
 struct TouchedPlace {

@@ -182,7 +182,7 @@ bool take(const SetupFit& fit, const SetupConfig& config, hrt_session_config* se
     take_guides(*fit.guided, config, session);
   } else if (fit.latency) {
     const TrackerLatency& latency = *fit.latency;
-    session->tracker.latency_ns = std::max<std::int64_t>(0, std::llround(1e9 * latency.latency_s));
+    session->tracker.latency_ns = std::max<std::int64_t>(1, std::llround(1e9 * latency.latency_s));  // 0 is unknown
     result->latency_s = {latency.latency_s, latency.lower_s, latency.upper_s, 1, 0};
   } else if (fit.calibration) {
     describe(*fit.calibration, result);

@@ -167,6 +167,17 @@ TEST_F(SessionMemory, EveryRequestOfRecordingsMayBeRefused) {
   EXPECT_GT(report.rows, 0u);
 }
 
+TEST_F(SessionMemory, ARecordingThatFindsNoneLeavesTheFile) {
+  const std::string path = testing::TempDir() + "hrt_memory_kept" + std::to_string(getpid()) + ".csv";
+  std::ofstream(path) << "kept";
+  allocator.budget = allocator.bytes + 1'000'000;
+  expect_error(hrt_recording_start(session, path.c_str()), HRT_ERROR_OUT_OF_MEMORY, "out of memory");
+  std::string text;
+  std::ifstream(path) >> text;
+  EXPECT_EQ(text, "kept");
+  std::filesystem::remove(path);
+}
+
 // Files from Blender and from the maker of the samples, text and binary, good and bad.
 class SceneMemory : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Memory, SceneMemory,

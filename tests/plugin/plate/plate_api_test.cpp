@@ -1,6 +1,7 @@
 // libhrt_plate through its C interface, against plates at the other end of a pseudo-terminal.
 #include <gtest/gtest.h>
 #include <haptic_retargeting/plate.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -221,6 +222,10 @@ TEST_F(PlateApi, RefusesWhatIsWrong) {
   options.homing = HRT_PLATE_HOMING_REFUSED;
   EXPECT_EQ(hrt_plate_open("serial:x", &options, &plate), HRT_ERROR_OUT_OF_RANGE);
   EXPECT_EQ(error(), "hrt_plate_open: host_timeout_ns is 0; allowed: 50000000 to 10000000000");
+  const std::string pipe = testing::TempDir() + "hrt_plate" + std::to_string(getpid()) + ".json";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(hrt_plate_open(pipe.c_str(), nullptr, &plate), HRT_ERROR_OUT_OF_RANGE) << "and waits for nobody";
+  std::remove(pipe.c_str());
   EXPECT_EQ(plate.value, 0U);
 
   hrt_plate_report report{};
