@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <string>
 #include <system_error>
 
@@ -35,7 +36,35 @@ int write_all(int file, std::string_view content) {
   return 0;
 }
 
-int write_whole_file(const std::filesystem::path& path, std::string_view content) {
+namespace {
+
+bool is_special(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
+}  // namespace
+
+std::string why_not_writable(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+  if (error) return error.message();
+  if (is_special(target)) return "this is not a regular file";
+  // Only an attempt shows permissions, read-only and full file systems, names too long.
+  const std::filesystem::path temporary = temporary_beside(target);
+  const int file = open(temporary.string().c_str(), writes_anew, 0666);
+  if (file < 0) return std::strerror(errno);
+  close(file);
+  std::filesystem::remove(temporary, error);
+  return {};
+}
+
+int write_whole_file(const std::filesystem::path& given, std::string_view content) {
+  std::error_code unknown;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(given, unknown);
+  const std::filesystem::path& path = unknown ? given : target;
+  if (is_special(path)) return EINVAL;
   const std::filesystem::path temporary = temporary_beside(path);
   const int file = open(temporary.string().c_str(), writes_anew, 0666);
   if (file < 0) return errno;

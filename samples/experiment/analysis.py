@@ -1,6 +1,8 @@
 """The registered tests of a study, for `analyse` and `power`. Needs python3-pandas and python3-statsmodels."""
 import functools
 import itertools
+import math
+import warnings
 
 import numpy
 import scipy.optimize
@@ -77,15 +79,19 @@ def population(estimates, errors):
 
 
 def mixed_model(trials, measure, reference):
-    """Estimate, interval and p of each condition against the reference: random intercepts and slopes of people."""
+    """Estimate, interval and p of each condition against the reference: random intercepts and slopes of people. No p (nan) if the
+    fit does not converge."""
     data = trials.rename(columns={measure: "value"})
     formula = f"value ~ C(condition, Treatment({reference!r}))"
-    fit = statsmodels.formula.api.mixedlm(formula, data, groups="participant", re_formula="~condition").fit()
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        fit = statsmodels.formula.api.mixedlm(formula, data, groups="participant", re_formula="~condition").fit()
+    sound = fit.converged and not any("not positive definite" in str(each.message) for each in found)
     # By Student's t of people less one: by the normal distribution a dozen people find too much.
     t = scipy.stats.t(data.participant.nunique() - 1)
     names = {name.split("[T.")[1][:-1]: name for name in fit.fe_params.index if "[T." in name}
     rows = {condition: (fit.params[name], fit.bse[name]) for condition, name in names.items()}
-    return {condition: (value, value - t.ppf(0.975) * error, value + t.ppf(0.975) * error, 2 * t.sf(abs(value) / error))
+    return {condition: (value, value - t.ppf(0.975) * error, value + t.ppf(0.975) * error, 2 * t.sf(abs(value) / error) if sound else math.nan)
             for condition, (value, error) in rows.items()}
 
 

@@ -134,19 +134,27 @@ void add_commands(CLI::App& app, Options& options) {
   run->add_option("--simulated", options.reach.seed, "Seed of a simulated participant: without a scene in this process")
       ->each([&options](const std::string&) { options.simulated = true; });
   run->add_option("--scene", options.reach.scene, "glTF file with the plate and the start, for OpenXR");
-  run->add_option("--plate", options.plate, "As of hrt-reach [runtime]")->check([](const std::string& text) {
-    return reach::parse_plate(text) ? "" : "is no plate";
-  });
+  run->add_option("--plate", options.plate, "As of hrt-reach [runtime]")
+      ->needs("--scene")
+      ->check([](const std::string& text) {
+        return reach::parse_plate(text) ? ""
+                                        : "must be runtime, servo, servo:SPEED, serial:LINE, dynamixel:LINE or *.json";
+      });
   run->add_option("--registered", options.reach.registered,
-                  "Where hrt-reach --register found the plate, else touches find it here");
+                  "Where hrt-reach --register found the plate, else touches find it here")
+      ->needs("--scene")
+      ->excludes("--simulated");
   run->add_option("--live", options.live, "Show the session on a page here: look, or keys, at a second address")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
   run->add_flag("--lsl", options.streams, "Send finger, felt direction, plate and events by liblsl")->needs("--scene");
   run->add_flag_callback(
-      "--speak", [&options] { options.reach.speak_with = "espeak-ng"; },
-      "Speak what a participant is asked, with espeak-ng");
-  run->add_option("--speak-with", options.reach.speak_with, "The same, with another program of lines of its input");
+         "--speak", [&options] { options.reach.speak_with = "espeak-ng"; },
+         "Speak what a participant is asked, with espeak-ng")
+      ->needs("--scene");
+  run->add_option("--speak-with", options.reach.speak_with, "The same, with another program of lines of its input")
+      ->needs("--scene")
+      ->excludes("--speak");
   all->add_option("--seed", options.reach.seed, "Of the simulated people [1]");
   all->add_option("--threads", options.threads, "[2]")->check(CLI::Range(1, 64));
   for (CLI::App* command : {run, all, tables})
@@ -172,6 +180,7 @@ int run_from(int argc, char** argv) {
   hrt::experiment::add_commands(app, options);
   try {
     app.parse(argc, argv);
+    if (!std::cout.flush()) throw hrt::Refusal("standard output cannot be written");
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {

@@ -22,6 +22,7 @@
 #include "samples/reach/run/registration.h"
 #include "samples/reach/run/set_up.h"
 #include "samples/reach/run/sighting.h"
+#include "samples/whole_file.h"
 
 namespace hrt::reach {
 namespace {
@@ -100,6 +101,9 @@ class Run {
         marks_(options.marks.empty() ? marks_of(targets_) : read_marks(options.marks)),
         status_(options.verbose),
         prompt_(options.speak_with, [this](const std::string&) { status_.clear(); }) {
+    for (const auto& file : {options.calibrate, options.register_to})
+      if (const std::string why = file.empty() ? "" : why_not_writable(file); !why.empty())
+        throw Failure(ExitCode::output, file.string() + " cannot be written: " + why);
     if (!options.registered.empty()) registered_ = read_registration(options.registered);
     if (!options.profile.empty()) load_profile(plugin_, targets_.session, options.profile);
     recording_.emplace(plugin_, targets_.session, options.record);

@@ -1,6 +1,7 @@
 #include "samples/experiment/design/design.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -48,6 +49,8 @@ void read_pairs(Members& f, Design& design) {
     pair.distance_m = 1e-3 * p.number("distance_mm", 100.0, 30, 120, "Distance of both from the start");
     pair.radius_m =
         1e-3 * p.number("radius_mm", 0.0, 0, 20, "Radius of the real object, whose contact ends a reach; 0: unknown");
+    if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // 90 with the bias that a person may have
+      refuse(p.where("real_deg"), "must be within 75 of virtual_deg");
     for (const Pair& other : design.pairs)
       if (other.name == pair.name) refuse(p.where("name"), "is another pair's");
     design.pairs.push_back(pair);
@@ -128,6 +131,9 @@ void read_noticeability(Members& f, Design& design) {
     notice.trials = n.count<unsigned>("trials", 60, 5, 500, "Pairs of reaches");
     const std::string name = n.text("condition", std::nullopt, "Whose controller bends the reach");
     if (!n.describes()) notice.condition = index_of(design.conditions, n.where("condition"), name);
+    const Controller bends = n.describes() ? Controller::people : design.conditions[notice.condition].controller;
+    if (bends == Controller::none || bends == Controller::fixed)
+      refuse(n.where("condition"), "must be one whose controller is people or paper");
     notice.virtual_deg = n.number("virtual_deg", 0.0, -60, 60, "Direction of the virtual target");
     notice.distance_m = 1e-3 * n.number("distance_mm", 100.0, 30, 120, "Its distance from the start");
     notice.min_gap_deg = n.number("min_gap_deg", 1.0, 0.1, 30, "Smallest gap");
@@ -211,8 +217,16 @@ Design read_all(Members& f) {
 
 Design parse_design(const std::string& text, const std::string& name) {
   Json value;
+  std::vector<std::set<std::string>>
+      around;  // keys of the objects around; of one that stands twice the last would count
   try {
-    value = Json::parse(text);
+    value = Json::parse(text, [&](int, Json::parse_event_t event, const Json& parsed) {
+      if (event == Json::parse_event_t::object_start) around.emplace_back();
+      if (event == Json::parse_event_t::object_end) around.pop_back();
+      if (event == Json::parse_event_t::key && !around.back().insert(parsed).second)
+        refuse(name + ": " + parsed.dump(), "stands twice in one object");
+      return true;
+    });
   } catch (const Json::parse_error& error) {
     throw Refusal(name + ": " + error.what());
   }
@@ -227,7 +241,7 @@ Design parse_design(const std::string& text, const std::string& name) {
 
 Design read_design(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Refusal(file.string() + ": cannot be read");
+  if (!stream || !std::filesystem::is_regular_file(file)) throw Refusal(file.string() + ": cannot be read");
   return parse_design({std::istreambuf_iterator<char>(stream), {}}, file.filename().string());
 }
 

@@ -93,17 +93,18 @@ json row_of(const Design& design, const State& state, unsigned block, std::size_
 
 constexpr const char* people_columns =
     "participant,session,subject,end,set_up_known,tactile_weight,tactile_weight_low,tactile_weight_high,"
-    "threshold_deg,threshold_low_deg,threshold_high_deg\n";
+    "threshold_deg,threshold_low_deg,threshold_high_deg,threshold_answers\n";
 
 std::string person_row(const Design& design, const State& state, unsigned session, const std::string& subject) {
   std::string text =
       format("%u,%u,", state.participant, session) + quoted(subject) + "," + (state.end.empty() ? "open" : state.end);
   for (const char* name : {"is_known", "tactile_weight", "tactile_weight_low", "tactile_weight_high"})
     text += "," + (state.set_up ? text_of(state.set_up->at(name)) : "");
+  // Without an answer it is what is assumed of everybody.
   const QuestPlus::Threshold found = state.quest.threshold();
   for (const double value : {found.deg, found.lower_deg, found.upper_deg})
-    text += "," + (design.noticeability ? json(value).dump() : "");
-  return text + "\n";
+    text += "," + (state.quest.answers() > 0 ? json(value).dump() : "");
+  return text + "," + (design.noticeability ? std::to_string(state.quest.answers()) : "") + "\n";
 }
 
 std::string dictionary_of(const Design& design) {
@@ -114,7 +115,7 @@ std::string dictionary_of(const Design& design) {
   return text +
          "\n# Columns of people.csv\n\nOne row a session. Weights with a 95 % interval, by the set-up; "
          "thresholds of "
-         "noticing a gap with a 95 % interval, by QUEST+.\n";
+         "noticing a gap with a 95 % interval, by QUEST+, of so many answers.\n";
 }
 
 }  // namespace
@@ -129,7 +130,7 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
   for (unsigned participant = 1; participant <= design.participants; ++participant)
     for (unsigned session = 1; session <= max_sessions; ++session) {
       const auto file = folder_of({study, participant, session}) / "journal.jsonl";
-      if (!std::filesystem::exists(file)) break;
+      if (!std::filesystem::exists(file)) continue;
       const std::vector<Event> events = read_journal(content_of(file), file.string());
       if (events.empty()) continue;
       if (events.front().data.at("sha256") != design.sha256) throw Refusal(file.string() + ": is of another design");
@@ -148,6 +149,7 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
           tables.trials += line + "\n";
         }
     }
+  if (tables.sessions == 0) throw Refusal(study.string() + ": holds no session; hrt-experiment run makes them");
   return tables;
 }
 

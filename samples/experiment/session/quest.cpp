@@ -73,6 +73,7 @@ double QuestPlus::next_gap_deg() const {
 }
 
 void QuestPlus::update(double gap_deg, bool is_right) {
+  ++answers_;
   double sum = 0.0;
   for (std::size_t p = 0; p < people_.size(); ++p) {
     const double right = right_share(gap_deg, people_[p].threshold, people_[p].slope, people_[p].lapse);

@@ -33,6 +33,8 @@ class QuestPlus {
     double upper_deg;
   };
   Threshold threshold() const;
+  /// Taken in by update().
+  unsigned answers() const { return answers_; }
   const std::vector<double>& gaps_deg() const { return gaps_; }
 
  private:
@@ -42,6 +44,7 @@ class QuestPlus {
     double lapse;
   };
 
+  unsigned answers_ = 0;
   std::vector<double> gaps_;
   std::size_t threshold_count_;
   std::vector<Person> people_;       // of the grid, by threshold

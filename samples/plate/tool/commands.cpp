@@ -12,6 +12,7 @@
 #include "plugin/src/plate/plate_link.h"
 #include "samples/format.h"
 #include "samples/plate/tool/measure.h"
+#include "samples/whole_file.h"
 
 namespace hrt::plate {
 namespace {
@@ -166,6 +167,8 @@ int run_commission(Options& options, const Surroundings& around) {
     if (found.size() != 1) return not_done;
     options.device = found.front().name;
   }
+  if (const std::string why = why_not_writable(options.out); !why.empty())
+    throw std::runtime_error("cannot write " + options.out + ": " + why);
   const Measurements found = commission([&] { return open(options.device, around, Start::hold); }, person_at(around));
   around.out << text_of(found);
   write_file(options.out, file_of(found, full_name(options.device), today()));

@@ -63,7 +63,7 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
             const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
-            return digits ? "" : "\"" + text + "\" is not a whole number from 0";
+            return digits && text.size() < 20 ? "" : "\"" + text + "\" is not a whole number from 0, below 10^19";
           },
           "a whole number from 0"));
   app.add_option("--hand", words.hand, "left, right, or either: the first at the start [right]")
@@ -129,12 +129,16 @@ void add_place(CLI::App& app, Options& options) {
 void add_files(CLI::App& app, Options& options) {
   app.add_option("--record", options.record, "Record the plugin's inputs and outputs into this CSV file");
   app.add_option("--profile", options.profile, "Start from this user's profile, which --calibrate wrote")
-      ->check(CLI::ExistingFile);
-  app.add_option("--calibrate", options.calibrate,
-                 "Guide the user through slides that show how they feel the ridges, in place of reaches, and\n"
-                 "write their profile into this file")
-      ->excludes("--target", "--repeat", "--profile", "--tactile-weight");
-  app.add_option("--max-slides", options.max_slides, "Most slides of a calibration [40]")->check(CLI::Range(16, 200));
+      ->check(CLI::ExistingFile)
+      ->excludes("--tactile-weight");
+  CLI::Option* calibrate =
+      app.add_option("--calibrate", options.calibrate,
+                     "Guide the user through slides that show how they feel the ridges, in place of reaches, and\n"
+                     "write their profile into this file")
+          ->excludes("--target", "--repeat", "--profile", "--tactile-weight");
+  app.add_option("--max-slides", options.max_slides, "Most slides of a calibration [40]")
+      ->check(CLI::Range(16, 200))
+      ->needs(calibrate);
 }
 
 void add_person(CLI::App& app, Options& options, Words& words) {
@@ -157,6 +161,8 @@ void take(const Words& words, Options& options) {
   if (words.hand == "either") options.hands = {Hand::right, Hand::left};
   if (options.fingertip && options.hands.size() > 1)
     throw CLI::ValidationError("--fingertip", "needs --hand left or right: each hand has its own skin");
+  if (options.check_each && options.register_to.empty() && options.registered.empty())
+    throw CLI::ValidationError("--check-each", "needs --register or --registered");
 }
 
 }  // namespace

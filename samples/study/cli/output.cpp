@@ -1,6 +1,5 @@
 #include "samples/study/cli/output.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
@@ -10,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <vector>
@@ -83,19 +83,11 @@ void replace_file(const std::filesystem::path& path, std::string_view content) {
 
 Output::Output(const std::string& argument, const std::string& path) {
   if (path.empty()) return;
-  const std::string allowed = "a file in a folder that can be written";
-  std::error_code error;
-  path_ = std::filesystem::weakly_canonical(path, error);
-  if (error) throw UsageError(not_allowed(argument, path, allowed + " (" + error.message() + ")"));
-  const auto status = std::filesystem::status(path_, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw UsageError(not_allowed(argument, path, allowed + " (this is not a regular file)"));
-  // Only an attempt shows permissions, read-only and full file systems, names too long.
-  const std::filesystem::path temporary = temporary_beside(path_);
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) throw UsageError(not_allowed(argument, path, allowed + " (" + std::strerror(errno) + ")"));
-  close(file);
-  unlink(temporary.c_str());
+  if (const std::string why = why_not_writable(path); !why.empty())
+    throw UsageError(not_allowed(argument, path, "a file in a folder that can be written (" + why + ")"));
+  path_ = std::filesystem::weakly_canonical(path);
+  static std::set<std::filesystem::path> named;  // by this process, which would replace the one by the other
+  if (!named.insert(path_).second) throw UsageError(not_allowed(argument, path, "a file that no other option names"));
 }
 
 void Output::write(std::string_view content) const {

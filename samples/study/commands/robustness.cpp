@@ -1,6 +1,7 @@
 // hrt-study robustness: the controllers on simulated people who are not their model.
 #include "samples/study/people/robustness.h"
 
+#include <CLI/CLI.hpp>
 #include <cctype>
 #include <cmath>
 #include <memory>

@@ -1,6 +1,7 @@
 // hrt-study trial: one simulated reach as CSV, a row a step; or traced, a row a sample, with pictures.
 #include "core/paper_simulation/trial.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -53,10 +54,6 @@ std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome
 
 void run_trace(const TrialOptions& options) {
   if (options.families.size() != 1) throw UsageError("--family: one family is traced at a time");
-  const ParameterValues defaults = default_values();
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (options.values[i] != defaults[i] && !(std::isnan(options.values[i]) && std::isnan(defaults[i])))
-      throw UsageError(std::string(parameters[i].option) + " is of the paper's person; not with --trace");
   Workshop workshop("--trace", options.trace);
   const auto index = static_cast<std::uint32_t>(options.trial);
   PersonCondition condition = draw_person(*options.families.front(), options.duration_s, options.seed, index);
@@ -112,7 +109,11 @@ Examples:
   add_number(command, "--real", &options->real_direction_deg, direction_range, "Direction of the real target, deg.");
   add_number(command, "--virtual", &options->virtual_direction_deg, direction_range,
              "Direction of the virtual target, deg; less than 90 from the real one.");
-  for (std::size_t i = 0; i < parameters.size(); ++i) add_parameter(command, parameters[i], &options->values[i]);
+  std::vector<CLI::Option*> of_paper;  // not with --trace
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    add_parameter(command, parameters[i], &options->values[i]);
+    of_paper.push_back(command.get_option(parameters[i].option));
+  }
   add_number(command, "--plate-start", &options->plate_start_deg, direction_range,
              "Where the plate stands before the first step, deg; matters with a rate bound.");
   show_default(add_number(command, "--fixed-plate", &options->fixed_plate_deg, direction_range,
@@ -123,10 +124,13 @@ Examples:
   add_integer(command, "--condition", &options->condition, 0, max, "Which condition's random numbers to take.");
   add_integer(command, "--trial", &options->trial, 0, max, "Which trial's random numbers to take.");
   add_out(command, &options->out);
-  add_path(command, "--trace", &options->trace, "a folder", "Traces a reach of a person there.");
+  CLI::Option* trace = add_path(command, "--trace", &options->trace, "a folder", "Traces a reach of a person there.");
   add_families(command, &options->families, "linear", "The person's family, with --trace.");
   add_number(command, "--duration", &options->duration_s, {0.3, 10.0}, "Of the motion in s, with --trace.");
   add_integer(command, "--reach", &options->reach, 1, 100, "Of the person, in a row, with --trace.");
+  for (const char* of_trace : {"--family", "--duration", "--reach"}) command.get_option(of_trace)->needs(trace);
+  for (CLI::Option* option : of_paper) trace->excludes(option);
+  trace->excludes("--plate-start", "--fixed-plate", "--condition", "--out");
 }
 
 }  // namespace hrt::study

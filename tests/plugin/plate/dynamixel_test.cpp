@@ -341,7 +341,7 @@ TEST(DeviceName, IsCheckedBeforeAnythingIsOpened) {
     }
     return {};
   };
-  EXPECT_EQ(refusal(""), "device has no kind; allowed: serial:..., dynamixel:...");
+  EXPECT_EQ(refusal(""), "device has no kind; allowed: serial:..., dynamixel:..., a plate file (.json)");
   EXPECT_EQ(refusal("usb:x"), "device is of kind \"usb\"; allowed: serial:..., dynamixel:...");
   EXPECT_EQ(refusal("serial:"), "device names no line behind serial:");
   EXPECT_EQ(refusal("serial:/dev/x?id=1"), "serial: has no option \"id\"; allowed: none");

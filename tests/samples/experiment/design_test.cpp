@@ -131,6 +131,10 @@ TEST(ExperimentDesign, RefusalsNameThePlace) {
       {".validity.max_s must be above min_s", [](json& s) { s["validity"] = {{"min_s", 2}, {"max_s", 1}}; }},
       {".noticeability.condition must be a condition: \"secret people\", \"hidden none\"",
        [](json& s) { s["noticeability"] = {{"condition", "x"}}; }},
+      {".noticeability.condition must be one whose controller",
+       [](json& s) { s["noticeability"] = {{"condition", "hidden none"}}; }},
+      {".pairs[0].real_deg must be within 75",
+       [](json& s) { s["pairs"][0].update({{"virtual_deg", 40}, {"real_deg", -40}}); }},
       {".questionnaires[0].items is missing", [](json& s) { s["questionnaires"] = {{{"name", "SSQ"}}}; }},
       {".analysis.reference must be a condition", [](json& s) { s["analysis"] = {{"reference", "x"}}; }}};
   for (const Wrong& wrong : wrongs) {
@@ -139,6 +143,8 @@ TEST(ExperimentDesign, RefusalsNameThePlace) {
         << wrong.place << ": " << why;
   }
   EXPECT_NE(refusal_of([] { parse_design("{", "study.json"); }).find("study.json"), std::string::npos);
+  EXPECT_EQ(refusal_of([] { parse_design(R"({"seed": 1, "seed": 2})", "study.json"); }),
+            "study.json: \"seed\" stands twice in one object");
 }
 
 // The schema is made of what reads: it has every field of the example, with its range.

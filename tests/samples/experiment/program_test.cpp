@@ -88,6 +88,11 @@ TEST(ExperimentProgram, RefusesInOneLine) {
       Program({"run", folder / "good.json", "--participant", "3", "--simulated", "1", "--data", folder / "data"})
           .wait();
   EXPECT_TRUE(has(third.err, "--participant: 3 is not from 1 to 2")) << third.err;
+  const Outcome ignored =
+      Program({"run", folder / "good.json", "--participant", "1", "--simulated", "1", "--plate", "servo"}).wait();
+  EXPECT_TRUE(has(ignored.err, "--plate requires --scene")) << ignored.err;
+  const Outcome empty = Program({"export", "--data", folder / "data"}).wait();
+  EXPECT_EQ(empty.exit_code, 1);
   // A person without an experimenter at a terminal.
   const Outcome alone = Program({"run", folder / "good.json", "--participant", "1", "--scene", scene}).wait();
   EXPECT_TRUE(has(alone.err, "needs an experimenter at a terminal")) << alone.err;

@@ -89,6 +89,9 @@ INSTANTIATE_TEST_SUITE_P(
         {{"table1", "--out", "/proc/table.csv"}, "--out", "a folder that can be written"},
         {{"ridges", "--out", "/"}, "--out", "not a regular file"},
         {{"trial", "--out", "/dev/null"}, "--out", "not a regular file"},
+        {{"robustness", "--csv", "/tmp/hrt_twice.csv", "--out", "/tmp/hrt_twice.csv"},
+         "--csv",
+         "no other option names"},
         {{"trial", "--out", ""}, "--out", "a folder that can be written"},
         {{}, "SUBCOMMAND", "one of table1, ridges"},
         {{"tabel1\n"}, "SUBCOMMAND", "one of table1, ridges"}}));
@@ -97,6 +100,14 @@ TEST(StudyArguments, AnUnknownOptionIsNamed) {
   const StudyRun run = expect_exit(2, run_study({"trial", "--tactile", "0.1"}));
   EXPECT_EQ(lines(run.err).size(), 1U);
   EXPECT_TRUE(has(run.err, "--tactile"));
+}
+
+TEST(StudyArguments, WhatWouldBeIgnoredIsRefused) {
+  const std::vector<std::string> ignored[] = {{"trial", "--trace", "q", "--out", "b.csv"}, {"trial", "--reach", "2"}};
+  for (const auto& arguments : ignored) {
+    const StudyRun run = expect_exit(2, run_study(arguments));
+    EXPECT_TRUE(has(run.err, "--trace")) << run.err;
+  }
 }
 
 TEST(StudyArguments, HelpStatesRangesAndDefaultsOfEverySubcommand) {
