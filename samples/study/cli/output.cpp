@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <set>
+#include <map>
 #include <sstream>
 #include <system_error>
 #include <vector>
@@ -24,6 +24,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int bar_width = 30;
+
+// By arguments of this process, and whether it writes them: else it would replace the one by the other.
+std::map<std::filesystem::path, bool>& named_files() {
+  static std::map<std::filesystem::path, bool> files;
+  return files;
+}
 
 }  // namespace
 
@@ -86,8 +92,8 @@ Output::Output(const std::string& argument, const std::string& path) {
   if (const std::string why = why_not_writable(path); !why.empty())
     throw UsageError(not_allowed(argument, path, "a file in a folder that can be written (" + why + ")"));
   path_ = std::filesystem::weakly_canonical(path);
-  static std::set<std::filesystem::path> named;  // by this process, which would replace the one by the other
-  if (!named.insert(path_).second) throw UsageError(not_allowed(argument, path, "a file that no other option names"));
+  if (named_files().contains(path_)) throw UsageError(not_allowed(argument, path, "a file that no other option names"));
+  named_files()[path_] = true;
 }
 
 void Output::write(std::string_view content) const {
@@ -124,6 +130,7 @@ std::string read_input(const std::string& argument, const std::string& path, std
   };
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw refuse("this is a folder");
+  if (named_files()[std::filesystem::weakly_canonical(path, ignored)]) throw refuse("this one is to be written");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw refuse(std::generic_category().message(errno));

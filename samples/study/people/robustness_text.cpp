@@ -164,10 +164,14 @@ void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
 // The condition common to all reaches.
 std::string condition_words(const RobustnessStudy& study) {
   const RobustnessOptions& options = study.options;
+  const bool has_families = std::any_of(study.people.begin(), study.people.end(),
+                                        [](const SimulatedPeople& each) { return people_family(each.name.c_str()); });
   return std::to_string(options.people) + " people of each family at each duration at most (seed " +
          std::to_string(options.seed) +
-         "), except where a family says otherwise: 100 mm, a gap of 10°, w_T 0.12 to 0.30, 1.2 mm of tracker "
-         "noise at 90 Hz, a servo of 400°/s after 30 ms; our controller does not know the duration.";
+         (has_families ? "), except where a family says otherwise: 100 mm, a gap of 10°, w_T 0.12 to 0.30, 1.2 mm of "
+                         "tracker noise at 90 Hz, a servo of 400°/s after 30 ms"
+                       : "), as the file of --person says") +
+         "; our controller does not know the duration.";
 }
 
 std::string informed_of(const RobustnessStudy& study) {
