@@ -8,9 +8,9 @@
  *
  * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. Each begin, update,
  * retarget, touched, cancel and end of a reach, and each update, finish and cancel of a set-up, is a row,
- * refused calls too, but those of a set-up whose structs cannot be read. Comments hold configurations, targets, beginnings of set-ups and the plate orientation
- * (base.h). Numbers have full precision. A thread of the library writes the file: a slow or full disk never
- * delays a call; rows are dropped and counted.
+ * refused calls too, but those of a set-up whose structs cannot be read. Comments hold configurations, targets,
+ * beginnings of set-ups and the plate orientation (base.h). Numbers have full precision. A thread of the library writes
+ * the file: a slow or full disk never delays a call; rows are dropped and counted.
  */
 #ifndef HAPTIC_RETARGETING_STUDY_H
 #define HAPTIC_RETARGETING_STUDY_H
