@@ -253,7 +253,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t r
 /** Assigns a real target to each virtual one: as many as possible are served, and of all such assignments the
  * largest share, gap_deg over max_gap_deg, is the smallest; exactly so. `out_gaps[i]` is that of
  * virtual_targets[i]; `out_gaps[0].struct_size` is the size of each. One that cannot be served has
- * `reachable` 0, a null real_target, and the numbers of the nearest real target. Takes up to half a second
+ * `reachable` 0, a null real_target, and the numbers of the nearest real target. Takes up to a second
  * for 1000 of each with EXCLUSIVE. `flags` is HRT_ASSIGN_*. Errors: BUFFER_TOO_SMALL if `capacity` is below
  * `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the argument and the index of a wrong or repeated
  * id; OUT_OF_MEMORY. [one-thread] */
