@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -27,6 +28,21 @@ struct Refusal : std::runtime_error {
 };
 
 [[noreturn]] inline void refuse(const std::string& where, const std::string& why) { throw Refusal(where + " " + why); }
+
+/// The objects around what a parser reads: their keys, and the latest of each. Of a key that stands twice in one object
+/// the parser would keep the last: refused.
+struct KeysAround {
+  std::vector<std::pair<std::set<std::string>, std::string>> objects;
+
+  void see(Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) objects.emplace_back();
+    if (event == Json::parse_event_t::object_end) objects.pop_back();
+    if (event != Json::parse_event_t::key) return;
+    auto& [keys, latest] = objects.back();
+    latest = parsed.get<std::string>();
+    if (!keys.insert(latest).second) refuse(parsed.dump(), "stands twice in one object");
+  }
+};
 
 inline std::string quoted_list(const std::vector<std::string>& texts) {
   std::string list;

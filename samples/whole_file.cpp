@@ -20,6 +20,12 @@ constexpr int writes_anew = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
 
 constexpr std::size_t max_write = 1U << 30U;
 
+bool is_special(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
 }  // namespace
 
 std::filesystem::path temporary_beside(const std::filesystem::path& path) {
@@ -35,16 +41,6 @@ int write_all(int file, std::string_view content) {
   }
   return 0;
 }
-
-namespace {
-
-bool is_special(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-}
-
-}  // namespace
 
 std::string why_not_writable(const std::filesystem::path& path) {
   std::error_code error;

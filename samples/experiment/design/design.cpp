@@ -217,17 +217,13 @@ Design read_all(Members& f) {
 
 Design parse_design(const std::string& text, const std::string& name) {
   Json value;
-  std::vector<std::set<std::string>>
-      around;  // keys of the objects around; of one that stands twice the last would count
+  KeysAround keys;
   try {
     value = Json::parse(text, [&](int, Json::parse_event_t event, const Json& parsed) {
-      if (event == Json::parse_event_t::object_start) around.emplace_back();
-      if (event == Json::parse_event_t::object_end) around.pop_back();
-      if (event == Json::parse_event_t::key && !around.back().insert(parsed).second)
-        refuse(name + ": " + parsed.dump(), "stands twice in one object");
+      keys.see(event, parsed);
       return true;
     });
-  } catch (const Json::parse_error& error) {
+  } catch (const std::exception& error) {
     throw Refusal(name + ": " + error.what());
   }
   Members fields(value, name);

@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <set>
 
 #include "samples/members.h"
 #include "samples/mock_runtime/error.h"
@@ -20,19 +19,12 @@ ExtensionSet read_withheld(Members& members) {
   return set;
 }
 
-// Of a key that stands twice in one object the parser keeps the last. The records of a playback, which may be
-// many, go to `recording` one by one and are no part of the result.
+// The records of a playback, which may be many, go to `recording` one by one and are no part of the result.
 Json parse_json(std::string_view text, Recording& recording) {
-  std::vector<std::pair<std::set<std::string>, std::string>>
-      around;  // keys of the objects around, and the latest of each
+  KeysAround keys;
+  const auto& around = keys.objects;
   const auto check = [&](int depth, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) around.emplace_back();
-    if (event == Json::parse_event_t::object_end) around.pop_back();
-    if (event == Json::parse_event_t::key) {
-      auto& [keys, latest] = around.back();
-      latest = parsed.get<std::string>();
-      if (!keys.insert(latest).second) refuse(parsed.dump(), "stands twice in one object");
-    }
+    keys.see(event, parsed);
     // script 0, playback 1, records 2, a record 3.
     const bool is_record = event == Json::parse_event_t::array_end && depth == 3 && around.size() == 2 &&
                            around[0].second == "playback" && around[1].second == "records";

@@ -109,11 +109,7 @@ Examples:
   add_number(command, "--real", &options->real_direction_deg, direction_range, "Direction of the real target, deg.");
   add_number(command, "--virtual", &options->virtual_direction_deg, direction_range,
              "Direction of the virtual target, deg; less than 90 from the real one.");
-  std::vector<CLI::Option*> of_paper;  // not with --trace
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    add_parameter(command, parameters[i], &options->values[i]);
-    of_paper.push_back(command.get_option(parameters[i].option));
-  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) add_parameter(command, parameters[i], &options->values[i]);
   add_number(command, "--plate-start", &options->plate_start_deg, direction_range,
              "Where the plate stands before the first step, deg; matters with a rate bound.");
   show_default(add_number(command, "--fixed-plate", &options->fixed_plate_deg, direction_range,
@@ -129,7 +125,7 @@ Examples:
   add_number(command, "--duration", &options->duration_s, {0.3, 10.0}, "Of the motion in s, with --trace.");
   add_integer(command, "--reach", &options->reach, 1, 100, "Of the person, in a row, with --trace.");
   for (const char* of_trace : {"--family", "--duration", "--reach"}) command.get_option(of_trace)->needs(trace);
-  for (CLI::Option* option : of_paper) trace->excludes(option);
+  for (const auto& of_paper : parameters) trace->excludes(command.get_option(of_paper.option));
   trace->excludes("--plate-start", "--fixed-plate", "--condition", "--out");
 }
 
