@@ -7,8 +7,6 @@ namespace {
 
 constexpr std::uint32_t slide_parts_of_setup = setup_calibration | setup_retest;
 constexpr std::uint32_t touch_parts = setup_fingertip | setup_registration | setup_check;
-constexpr SetupPart in_order[] = {setup_fingertip, setup_registration, setup_check, setup_guides,
-                                  setup_latency,   setup_calibration,  setup_retest};
 // Four seconds at 250 Hz, on average.
 constexpr std::size_t samples_a_slide = 1000;
 // Beyond 0.8 a person with a usual weight comes to move along the ridges.
@@ -34,16 +32,11 @@ Setup::Setup(const SetupConfig& config)
   begin_part();
 }
 
-SetupPart Setup::part() const {
-  for (const SetupPart part : in_order)
-    if (left_ & part) return part;
-  return {};
-}
+SetupPart Setup::part() const { return static_cast<SetupPart>(left_ & (~left_ + 1)); }  // the lowest bit
 
 void Setup::begin_part() {
   const int per_mark = config_.mark_count * config_.touches_per_mark;
   touches_.begin(has_part(setup_fingertip) ? finger_attitudes : has_part(setup_registration) ? per_mark : 1);
-  carrying_ = false;
   guided_.restart();
   if (has_part(slide_parts_of_setup)) {
     if (slides_->count() < wanted_slides_) next_slide();
@@ -66,7 +59,6 @@ bool Setup::finish_is_due() const {
   if (left_ == 0) return true;
   if (has_part(touch_parts)) return touches_.complete();
   if (has_part(setup_guides)) return guided_.complete();
-  if (has_part(setup_latency)) return carrying_ && carried_.complete();
   return slides_->count() >= wanted_slides_ || slides_->full();
 }
 
@@ -86,7 +78,6 @@ void Setup::repeat(SetupProblem problem) {
 bool Setup::can_show(const SetupSample& sample) const {
   if (has_part(setup_fingertip)) return !sample.in_plate && sample.joint_rotation;
   if (has_part(setup_registration | setup_check)) return !sample.in_plate;
-  if (has_part(setup_latency)) return sample.on_plate.plate_orientation_deg.has_value();
   return true;
 }
 
@@ -100,25 +91,9 @@ void Setup::update(const SetupSample& sample) {
   } else if (has_part(setup_guides)) {
     guided_.observe(sample);
     if (guided_.has_begun() || guided_.problem() != SetupProblem::none) problem_ = guided_.problem();
-  } else if (has_part(setup_latency)) {
-    carry(sample);
   } else {
     slide(sample);
   }
-}
-
-void Setup::carry(const SetupSample& sample) {
-  if (!carrying_) {
-    touches_.observe(sample);
-    if (!touches_.complete()) return;
-    carrying_ = true;
-    carried_.begin(sample.time_ns, plate_orientation_deg_);
-  }
-  carried_.observe(sample);
-  if (carried_.problem() == SetupProblem::none) return;
-  carrying_ = false;
-  problem_ = carried_.problem();
-  touches_.begin(1);
 }
 
 void Setup::slide(const SetupSample& sample) {
@@ -167,12 +142,6 @@ SetupStep Setup::step() const {
     describe_slide(&step);
   } else if (has_part(setup_guides)) {
     describe_guide(&step);
-  } else if (has_part(setup_latency)) {
-    step.place_m = place_of(config_.carried);
-    step.instruction = carrying_ ? Instruction::hold_still : Instruction::touch_mark;
-    step.done = carrying_ ? carried_.done_s() : 0;
-    step.of = CarriedFinger::of_s();
-    if (carrying_) step.plate_orientation_deg = carried_.plate_orientation_deg();
   } else if (left_ != 0) {
     const int mark = has_part(setup_fingertip) ? 0
                      : has_part(setup_check)   ? config_.check_mark

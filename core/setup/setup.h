@@ -5,7 +5,6 @@
 #include <array>
 
 #include "core/plate/registration.h"
-#include "core/setup/carried_finger.h"
 #include "core/setup/guided_slides.h"
 #include "core/setup/mark_touches.h"
 #include "core/setup/slide_store.h"
@@ -29,7 +28,6 @@ struct SetupConfig {
   std::array<PlatePoint, GuidedSlides::max_objects> guides;  ///< where they end
   int guide_count = 0;
   double slide_distance_m = 0.1;  ///< straight ahead
-  PlatePoint carried;             ///< where the finger rests while the plate turns under it
   double lower_plate_deg = -75.0;
   double upper_plate_deg = 75.0;
   double enough_weight_width = 0.04;  ///< of the 95 % interval of w_T
@@ -68,7 +66,6 @@ class Setup {
   bool slides_are_full() const;
 
   const MarkTouches& touches() const { return touches_; }
-  const CarriedFinger& carried() const { return carried_; }
   const GuidedSlides& guided() const { return guided_; }
   const SlideStore& slides() const { return *slides_; }
 
@@ -76,7 +73,6 @@ class Setup {
   void begin_part();
   void next_slide();
   void slide(const SetupSample& sample);
-  void carry(const SetupSample& sample);
   bool has_part(std::uint32_t parts) const { return (part() & parts) != 0; }
   void describe_slide(SetupStep* step) const;
   void describe_guide(SetupStep* step) const;
@@ -85,8 +81,6 @@ class Setup {
   std::uint32_t left_;
   SetupProblem problem_ = SetupProblem::none;
   MarkTouches touches_;
-  CarriedFinger carried_;
-  bool carrying_ = false;
   GuidedSlides guided_;
   SlideWatch watch_;
   std::optional<SlideStore> slides_;

@@ -44,13 +44,6 @@ SetupProblem check_of(const Setup& setup, const Registration& registered, SetupF
   return SetupProblem::none;
 }
 
-SetupProblem fit_latency_of(const Setup& setup, SetupFit* fit) {
-  const TrackerLatency found = fit_tracker_latency(setup.carried().samples());
-  if (!found.known) return SetupProblem::undetermined;
-  fit->latency = found;
-  return SetupProblem::none;
-}
-
 SetupProblem calibrate_of(const Setup& setup, SetupFit* fit) {
   auto found = calibrate(setup.slides().trials());
   if (auto* calibration = std::get_if<Calibration>(&found)) {
@@ -81,9 +74,6 @@ SetupFit finish_part(Setup* setup, const Registration& registered) {
     case setup_guides:
       fit.guided = setup->guided().fit();
       if (!fit.guided) fit.problem = SetupProblem::disagrees;
-      break;
-    case setup_latency:
-      fit.problem = fit_latency_of(*setup, &fit);
       break;
     case setup_calibration:
     case setup_retest:

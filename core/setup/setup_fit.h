@@ -16,7 +16,6 @@ struct SetupFit {
   std::optional<Registration> registration;   ///< that holds
   std::optional<RegistrationCheck> check;
   std::optional<TouchedFrame> guided;
-  std::optional<TrackerLatency> latency;  ///< known
   std::optional<Calibration> calibration;
   int slides = 0;               ///< that were made
   std::int64_t touched_ns = 0;  ///< when the last touch was made

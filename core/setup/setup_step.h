@@ -9,16 +9,14 @@
 
 namespace hrt {
 
-/// The parts of a set-up, as bits. They are done in this order, but guides before the latency: each uses what
-/// those before it found.
+/// The parts of a set-up, as bits. They are done in this order: each uses the results of those before it.
 enum SetupPart : std::uint32_t {
   setup_fingertip = 1,     ///< the skin beside the tracked joint
   setup_registration = 2,  ///< the plate's pose, from touches of marks
   setup_check = 4,         ///< whether that pose is still true
-  setup_latency = 8,       ///< of the tracker, from a finger that the plate carries
+  setup_guides = 8,        ///< the tracker's frame about the start, from slides along guides
   setup_calibration = 16,  ///< the person, from slides
   setup_retest = 32,       ///< the same, compared with what was believed of the person
-  setup_guides = 128,      ///< the tracker's frame about the start, from slides along guides
 };
 
 enum class Instruction : std::uint32_t {

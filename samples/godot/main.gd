@@ -19,7 +19,7 @@ const REOPENING_S := 3.0
 ## The device that turns the plate, such as serial:/dev/ttyACM0; empty: it is drawn only.
 @export var device := ""
 ## Parts of the set-up; none: the plate stands where the scene's file has it.
-@export_flags("Fingertip:1", "Registration:2", "Latency:8", "Calibration:16", "All that is missing:64", "Guides:128") var set_up := 64
+@export_flags("Fingertip:1", "Registration:2", "Guides:8", "Calibration:16", "All that is missing:64") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]
 ## For which the finger rests at the start before a reach.

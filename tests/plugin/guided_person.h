@@ -1,6 +1,5 @@
-// A simulated person who does what a set-up asks for: touches marks, rests, slides, and is carried by the
-// plate. The plate stands somewhere in the world, under a tracker that sees a joint beside the skin, late and
-// with noise.
+// A simulated participant who does what a set-up asks for: touches marks, rests and slides. The plate is somewhere in
+// the world, under a tracker that reports a joint at an offset from the skin, with latency and noise.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -96,17 +95,12 @@ class GuidedPerson {
       slide_.reset();
       moves_ms_ = time_ms_ + 300;
     }
-    carried_deg_ = plate_.orientation_deg();
   }
 
   void advance() {
     if (slide_) {
       if (time_ms_ > moves_ms_ && !slide_->done()) slide_->advance(plate_.orientation_deg());
       skin_m_ = {slide_->position().right_m, 0.0, -slide_->position().away_m};
-    } else if (last_.part == HRT_SETUP_LATENCY && last_.instruction == HRT_STEP_HOLD_STILL) {
-      const double turn_rad = 0.017453292519943295 * (plate_.orientation_deg() - carried_deg_);
-      skin_m_ = Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitY()) * skin_m_;
-      carried_deg_ = plate_.orientation_deg();
     } else if (time_ms_ >= moves_ms_) {
       skin_m_ = goal_m_;
     }
@@ -143,7 +137,6 @@ class GuidedPerson {
   std::int64_t time_ms_ = 0;
   std::int64_t moves_ms_ = 0;
   std::int64_t lifted_until_ms_ = 0;
-  double carried_deg_ = 0.0;
   Eigen::Vector3d skin_m_{0.0, 0.1, 0.2};
   Eigen::Vector3d goal_m_{0.0, 0.1, 0.2};
   Eigen::Matrix3d attitude_ = attitude(0);

@@ -10,8 +10,7 @@
 namespace hrt::test {
 namespace {
 
-constexpr std::uint32_t everything =
-    HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION | HRT_SETUP_LATENCY | HRT_SETUP_CALIBRATION;
+constexpr std::uint32_t everything = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION | HRT_SETUP_CALIBRATION;
 
 hrt_setup_result cancelled_result() {
   auto result = output<hrt_setup_result>();
@@ -75,7 +74,7 @@ double turn_error_deg(const hrt_session_config& config, const GuidedPerson& pers
 
 // 20 people: each number within what it says of itself.
 TEST_F(SetupTest, FindsAllThatIsMissing) {
-  int fingertips = 0, turns = 0, latencies = 0, weights = 0, biases = 0;
+  int fingertips = 0, turns = 0, weights = 0, biases = 0;
   double squares = 0.0;
   constexpr int people = 20;
   for (std::uint32_t i = 0; i < people; ++i) {
@@ -92,8 +91,6 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
     const double turn_deg = turn_error_deg(config, person);
     turns += std::abs(turn_deg) < 2.0 * result.registration_turn_sd_deg;
     squares += std::pow(turn_deg / result.registration_turn_sd_deg, 2);
-    const double late_s = 1e-3 * person.latency_ms;
-    latencies += result.latency_s.lower - 0.004 < late_s && late_s < result.latency_s.upper + 0.004;
     // The illusion is linear; a frame that is turned turns the bias.
     const hrt_interval& weight = result.tactile_weight;
     const double true_weight = person.condition.person.illusion.tactile_weight;
@@ -101,11 +98,10 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
     const double bias_deg = person.condition.person.bias_deg + turn_deg;
     biases += result.bias_deg.known && result.bias_deg.lower <= bias_deg && bias_deg <= result.bias_deg.upper;
     std::printf(
-        "%2u: turn %5.2f of %.2f deg, latency %.3f to %.3f s, weight %.3f in %.3f to %.3f, bias %.1f in %.1f "
+        "%2u: turn %5.2f of %.2f deg, weight %.3f in %.3f to %.3f, bias %.1f in %.1f "
         "to %.1f, "
         "%u slides, lack %u\n",
-        i, turn_deg, result.registration_turn_sd_deg, result.latency_s.lower, result.latency_s.upper, true_weight,
-        weight.lower, weight.upper, bias_deg, result.bias_deg.lower, result.bias_deg.upper, result.slides,
+        i, turn_deg, result.registration_turn_sd_deg, true_weight, weight.lower, weight.upper, bias_deg, result.bias_deg.lower, result.bias_deg.upper, result.slides,
         result.lack_of_fit);
     if (weight.known) {
       EXPECT_NEAR(config.paper.tactile_weight, weight.value, 1e-12);
@@ -116,7 +112,6 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
   EXPECT_GE(fingertips, 18);
   EXPECT_GE(turns, 17);
   EXPECT_LT(squares / people, 2.0);
-  EXPECT_GE(latencies, 17);
   EXPECT_GE(weights, 17);
   EXPECT_GE(biases, 16);
 }
@@ -126,7 +121,6 @@ TEST_F(SetupTest, LeavesOutWhatIsThereOrCannotBeShown) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;
   hrt_session_config config = session_config();
-  config.tracker.latency_ns = 1;
   know_person(config, 0.2);
   create(config);
   begin_setup(HRT_SETUP_ALL_MISSING);
@@ -214,7 +208,7 @@ TEST_F(SetupTest, ALostFingerBeginsItsTouchAgain) {
 TEST_F(SetupTest, CanBeCancelledAtEachStep) {
   std::uint32_t seen = 0;
   GuidedPerson person = quiet_person();
-  for (const std::uint32_t part : {HRT_SETUP_REGISTRATION, HRT_SETUP_LATENCY, HRT_SETUP_CALIBRATION}) {
+  for (const std::uint32_t part : {HRT_SETUP_REGISTRATION, HRT_SETUP_CALIBRATION}) {
     for (std::uint32_t instruction = 0; instruction <= HRT_STEP_FINISH; ++instruction) {
       create(session_config());
       GuidedPerson fresh = person;
@@ -358,7 +352,7 @@ TEST_F(SetupTest, RefusalsNameTheField) {
   refuse(HRT_SETUP_REGISTRATION, [](auto& c) { c.mark_count = 3, c.check_mark = 3; }, "check_mark is 3");
   refuse(HRT_SETUP_CALIBRATION, [](auto& c) { c.upper_plate_deg = -40.0; }, "upper_plate_deg is -40");
   refuse(HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST, [](auto&) {}, "what is 48");
-  refuse(HRT_SETUP_ALL_MISSING | HRT_SETUP_LATENCY, [](auto&) {}, "what is 72");
+  refuse(HRT_SETUP_ALL_MISSING | HRT_SETUP_GUIDES, [](auto&) {}, "what is 72");
   refuse(0, [](auto&) {}, "what is 0");
 
   const hrt_sample sample = position_sample(5, 0.0, 0.0), earlier = position_sample(4, 0.0, 0.0);
@@ -377,7 +371,7 @@ TEST_F(SetupTest, RefusalsNameTheField) {
   expect_error(hrt_setup_update(session, &joint, &step), HRT_ERROR_OUT_OF_RANGE, "JOINT_ROTATION");
   joint.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_JOINT_ROTATION;
   expect_error(hrt_setup_update(session, &joint, &step), HRT_ERROR_OUT_OF_RANGE, "joint_rotation is");
-  expect_error(hrt_setup_begin(session, HRT_SETUP_LATENCY, nullptr), HRT_ERROR_WRONG_STATE, "set-up is under way");
+  expect_error(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr), HRT_ERROR_WRONG_STATE, "set-up is under way");
   ASSERT_OK(hrt_setup_cancel(session));
   hrt_session_config config = session_config();
   config.start_position_m[2] = -0.05;

@@ -124,7 +124,7 @@ export interface Session {
   /** The conditions of now: names of plate and tracker, and the time, seconds since 1970. */
   setConditions(conditions: Input<hrt_conditions>): void;
 
-  /** Begins a set-up of HRT_SETUP_*: registration, fingertip, latency, calibration, retest, or all that is missing. */
+  /** Begins a set-up of HRT_SETUP_*: registration, fingertip, calibration, retest, or all that is missing. */
   beginSetup(what?: number, config?: Input<hrt_setup_config>): void;
   /** Reads `sample`; what to do now: show `text` and `place_m`, send `plate_orientation_deg` to the plate. Once a frame. */
   updateSetup(): Output<hrt_setup_step>;

@@ -131,7 +131,8 @@ typedef struct hrt_session_tracker {
   /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. In profiles if
    * tracker.correlated_noise_m is not 0. */
   double correlation_s;
-  /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s. Default 0. */
+  /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. SETUP.md has that of devices. 0 to
+   *  0.5 s. Default 0. */
   int64_t latency_ns;
 } hrt_session_tracker;
 

@@ -25,8 +25,7 @@
 extern "C" {
 #endif
 
-/** What a set-up is about, in the order in which its parts are done, with GUIDES before LATENCY: each uses what
- * those before it found. */
+/** Parts of a set-up, in the order in which they are done: each uses the results of those before it. */
 /** The skin that touches, beside the tracked joint, from six touches of one mark with the finger held
  *  differently: hrt_session_config::fingertip_offset_m. Needs HRT_SAMPLE_JOINT_ROTATION. */
 #define HRT_SETUP_FINGERTIP UINT32_C(1)
@@ -37,24 +36,21 @@ extern "C" {
  *  the first disagrees. Sets registration.time_ns, or clears HRT_SESSION_REGISTERED. Not with REGISTRATION.
  */
 #define HRT_SETUP_CHECK UINT32_C(4)
-/** The tracker's latency, relative to the plate's report, while the plate turns to and fro under a resting
- *  finger for 9 s. Needs HRT_SAMPLE_PLATE_ORIENTATION. */
-#define HRT_SETUP_LATENCY UINT32_C(8)
-/** The user: curve of the illusion, bias and habit, and the tracker's noise, from slides straight ahead over
- * a plate at rest. */
-#define HRT_SETUP_CALIBRATION UINT32_C(16)
-/** As CALIBRATION, and hrt_setup_result::differing compares it with what was believed before. Not with it. */
-#define HRT_SETUP_RETEST UINT32_C(32)
-/** Those of FINGERTIP, REGISTRATION, LATENCY and CALIBRATION of which the session has no result, and which
- * the samples can show. Alone. */
-#define HRT_SETUP_ALL_MISSING UINT32_C(64)
 /** What is left of the registration's error at the real targets, from slides to and fro along a guide from the
  * start to each of them, the first 8 in the order of their addition: a strip with an end at the object, and a
  * dimple at the start. Six slides a target, with a rest of 1.4 s at each end and without a lift. Sets
  * registration.contact_correction and HRT_SESSION_START_FELT. Halves the error of six marks, and more where the
  * tracker's frame is not rigid. Needs HRT_SESSION_REGISTERED, and real targets whose nearer sides are at least 40 mm
  * from the start. Not with REGISTRATION. */
-#define HRT_SETUP_GUIDES UINT32_C(128)
+#define HRT_SETUP_GUIDES UINT32_C(8)
+/** The user: curve of the illusion, bias and habit, and the tracker's noise, from slides straight ahead over
+ * a plate at rest. */
+#define HRT_SETUP_CALIBRATION UINT32_C(16)
+/** As CALIBRATION, and hrt_setup_result::differing compares it with what was believed before. Not with it. */
+#define HRT_SETUP_RETEST UINT32_C(32)
+/** Those of FINGERTIP, REGISTRATION and CALIBRATION of which the session has no result, and which
+ * the samples can show. Alone. */
+#define HRT_SETUP_ALL_MISSING UINT32_C(64)
 
 /** Maximum number of marks. */
 #define HRT_MARKS_MAX 8
@@ -128,7 +124,7 @@ typedef struct hrt_setup_step {
   uint32_t part;
   /** HRT_PROBLEM_*. */
   uint32_t problem;
-  /** Touches, slides or seconds that are done, of so many in this part. */
+  /** Touches or slides that are done, and the number that this part needs. */
   uint32_t done;
   uint32_t of;
   /** Number of the mark, of the way to hold the finger, or of the guide, from 0. */
@@ -192,8 +188,6 @@ typedef struct hrt_setup_result {
   double check_distance_m;
   /** Largest standard deviation of a coordinate of the fingertip's offset. */
   double fingertip_sd_m;
-  /** Of the tracker; below 0 at its lower end. */
-  hrt_interval latency_s;
   /** Felt shift over the offset of the ridge normal from the motion, at 60 degrees, at the pace of the slides. */
   hrt_interval tactile_weight;
   /** Goal minus target direction, left positive. */

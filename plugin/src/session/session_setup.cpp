@@ -19,19 +19,16 @@
 namespace hrt::plugin {
 namespace {
 
-constexpr std::uint32_t all_parts = 63 | HRT_SETUP_GUIDES;
+constexpr std::uint32_t all_parts = 63;
 constexpr std::uint32_t slide_parts_asked = HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST;
 constexpr double min_range_deg = 40.0;
 constexpr double max_slide_m = 0.1;
 constexpr double min_slide_room_m = 0.05;
 constexpr double rim_margin_m = 0.01;
-// Nearer to the centre the plate hardly carries a finger.
-constexpr double min_carried_m = 0.03;
 
 static_assert(setup_fingertip == HRT_SETUP_FINGERTIP && setup_registration == HRT_SETUP_REGISTRATION &&
-              setup_check == HRT_SETUP_CHECK && setup_latency == HRT_SETUP_LATENCY &&
-              setup_calibration == HRT_SETUP_CALIBRATION && setup_retest == HRT_SETUP_RETEST &&
-              setup_guides == HRT_SETUP_GUIDES);
+              setup_check == HRT_SETUP_CHECK && setup_guides == HRT_SETUP_GUIDES &&
+              setup_calibration == HRT_SETUP_CALIBRATION && setup_retest == HRT_SETUP_RETEST);
 static_assert(static_cast<std::uint32_t>(Instruction::finish) == HRT_STEP_FINISH &&
               static_cast<std::uint32_t>(Instruction::slide) == HRT_STEP_SLIDE &&
               static_cast<std::uint32_t>(SetupProblem::undetermined) == HRT_PROBLEM_UNDETERMINED &&
@@ -43,7 +40,6 @@ static_assert(SetupConfig::max_marks == HRT_MARKS_MAX && 3 * HRT_MARKS_MAX == HR
 std::uint32_t missing(const hrt_session_config& session) {
   return (is_not_zero(session.fingertip_offset_m) ? 0 : HRT_SETUP_FINGERTIP) |
          ((session.flags & HRT_SESSION_REGISTERED) != 0 ? 0 : HRT_SETUP_REGISTRATION) |
-         (session.tracker.latency_ns != 0 ? 0 : HRT_SETUP_LATENCY) |
          (knows_person(session) ? 0 : HRT_SETUP_CALIBRATION);
 }
 
@@ -107,9 +103,6 @@ SetupConfig to_setup(const hrt_session_config& session, const Targets& targets, 
   config.slide_distance_m = std::min(max_slide_m, room_ahead_m(session));
   if (config.only_possible && config.slide_distance_m < min_slide_room_m)
     config.parts &= ~std::uint32_t{HRT_SETUP_CALIBRATION};
-  config.carried = config.start;
-  if (distance_m({}, config.start) < min_carried_m)
-    config.carried = {.right_m = 0.0, .away_m = -0.7 * session.plate.radius_m};
   config.lower_plate_deg = given.lower_plate_deg;
   config.upper_plate_deg = given.upper_plate_deg;
   config.enough_weight_width = given.enough_weight_width;
@@ -180,10 +173,6 @@ bool take(const SetupFit& fit, const SetupConfig& config, hrt_session_config* se
     return fit.check->holds;
   } else if (fit.guided) {
     take_guides(*fit.guided, config, session);
-  } else if (fit.latency) {
-    const TrackerLatency& latency = *fit.latency;
-    session->tracker.latency_ns = std::max<std::int64_t>(1, std::llround(1e9 * latency.latency_s));  // 0 is unknown
-    result->latency_s = {latency.latency_s, latency.lower_s, latency.upper_s, 1, 0};
   } else if (fit.calibration) {
     describe(*fit.calibration, result);
     if (fit.part == setup_retest) result->differing = differing_from(*session, *fit.calibration);
@@ -264,21 +253,13 @@ hrt_result SessionSetup::check_shown(const hrt_sample& sample, const SetupSample
     return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
                 "; allowed: PLATE_POSITION or WORLD_POSITION, or none");
   if (setup_.config().only_possible || setup_.left() == 0 || !seen.tracked_m || setup_.can_show(seen)) return HRT_OK;
-  const char* needed = setup_.part() == setup_fingertip ? "WORLD_POSITION with JOINT_ROTATION"
-                       : setup_.part() == setup_latency ? "a position with PLATE_ORIENTATION"
-                                                        : "WORLD_POSITION";
+  const char* needed = setup_.part() == setup_fingertip ? "WORLD_POSITION with JOINT_ROTATION" : "WORLD_POSITION";
   return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags, "; allowed in this part of the set-up: ", needed);
 }
 
 hrt_setup_step SessionSetup::to_c(const SetupStep& step, const hrt_session_config& session) {
   const PlateStops stops = to_core(session).plate.stops;
-  if (step.part == setup_latency && step.instruction == Instruction::hold_still) {
-    // To and fro, without a swing of half a turn.
-    const double turns = half_turns_between_stops(-20.0, 20.0, 0.0, stops);
-    plate_orientation_deg_ = clamped(step.plate_orientation_deg + 180.0 * turns, stops);
-  } else {
-    plate_orientation_deg_ = nearest_equivalent_deg(step.plate_orientation_deg, plate_orientation_deg_, stops);
-  }
+  plate_orientation_deg_ = nearest_equivalent_deg(step.plate_orientation_deg, plate_orientation_deg_, stops);
   hrt_setup_step out{.struct_size = sizeof(hrt_setup_step),
                      .instruction = static_cast<std::uint32_t>(step.instruction),
                      .part = step.part,

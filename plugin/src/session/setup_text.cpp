@@ -47,9 +47,7 @@ const char* attitude_text(int number) {
 }
 
 void write_touch(const SetupStep& step, Text<HRT_TEXT_SIZE>& text) {
-  if (step.part == setup_latency) {
-    text << "Lift your finger, then put it to the start and let it rest: the plate is going to turn under it.";
-  } else if (step.part == setup_fingertip) {
+  if (step.part == setup_fingertip) {
     text << "Lift your finger. Then touch mark 1 with the finger held " << attitude_text(step.number)
          << ", and hold still.";
   } else if (step.part == setup_check) {
@@ -72,7 +70,7 @@ void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]) {
       write_touch(step, text);
       break;
     case Instruction::hold_still:
-      text << (step.part == setup_latency ? "Hold still while the plate turns under your finger." : "Hold still.");
+      text << "Hold still.";
       break;
     case Instruction::rest_at_start:
       text << "Put your finger to the start and let it rest.";

@@ -102,8 +102,7 @@ TEST(Memory, EveryRequestOfASetupMayBeRefused) {
   const hrt_session_config config = session_config();
   hrt_setup_config setup = hrt_setup_config_init();
   setup.max_slides = 16;
-  for (const std::uint32_t part :
-       {HRT_SETUP_FINGERTIP, HRT_SETUP_REGISTRATION, HRT_SETUP_LATENCY, HRT_SETUP_CALIBRATION}) {
+  for (const std::uint32_t part : {HRT_SETUP_FINGERTIP, HRT_SETUP_REGISTRATION, HRT_SETUP_CALIBRATION}) {
     hrt_session session{};
     ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
     refuse_each_request(allocator, [&] {
@@ -114,7 +113,7 @@ TEST(Memory, EveryRequestOfASetupMayBeRefused) {
       return result;
     });
     GuidedPerson person = quiet_person();
-    person.in_plate = part == HRT_SETUP_LATENCY || part == HRT_SETUP_CALIBRATION;
+    person.in_plate = part == HRT_SETUP_CALIBRATION;
     ASSERT_OK(hrt_setup_begin(session, part, &setup));
     auto step = output<hrt_setup_step>();
     for (int frame = 0; frame < 20'000 && step.instruction != HRT_STEP_FINISH; ++frame) {

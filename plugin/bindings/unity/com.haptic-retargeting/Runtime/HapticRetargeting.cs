@@ -138,8 +138,8 @@ namespace Hrt
             return summary;
         }
 
-        /// <summary>Begins a set-up: of where the plate is, the skin beside a tracked joint, the tracker's latency, the
-        /// user. Until it is over, frames are its samples.</summary>
+        /// <summary>Begins a set-up: of where the plate is, the skin beside a tracked joint, the user. Until it is over,
+        /// frames are its samples.</summary>
         public void BeginSetup(SetupFlags what = SetupFlags.AllMissing)
         {
             HapticRetargetingSession session = EnabledSession();

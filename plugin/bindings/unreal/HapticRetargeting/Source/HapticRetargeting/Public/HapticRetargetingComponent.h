@@ -122,7 +122,7 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
 
-	/** Begins a set-up of What: where the plate is, the skin beside a joint, the tracker's latency, the user. Until it is over,
+	/** Begins a set-up of What: where the plate is, the skin beside a joint, the user. Until it is over,
 	 *  updates are its samples, and OnPlateCommanded turns the plate for it. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool BeginSetup(UPARAM(meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticSetupFlags")) int32 What);
