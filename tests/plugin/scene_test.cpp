@@ -68,6 +68,7 @@ TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
     if (target.role != HRT_TARGET_VIRTUAL) continue;
     auto real = output<hrt_scene_target>();
     ASSERT_OK(hrt_scene_get_target(scene, static_cast<uint32_t>(target.served_by), &real));
+    EXPECT_EQ(registered.served_by.value, ids[static_cast<std::size_t>(target.served_by)].value);
     const hrt_gap gap = gap_of(ids[static_cast<std::size_t>(target.served_by)], ids[i]);
     EXPECT_NEAR(gap.gap_deg, target.direction_deg - real.direction_deg, 1e-9);
   }

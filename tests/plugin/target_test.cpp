@@ -100,6 +100,7 @@ TEST_F(TargetTest, PlaceAndNameAreChecked) {
         c.position_m[2] = 0.05;
       },
       "from the start");
+  refused([](hrt_target_config& c) { c.served_by.value = 1; }, "served_by");
   refused([](hrt_target_config& c) { std::memset(c.name, 'x', sizeof c.name); }, "name is not ended");
   refused([](hrt_target_config& c) { std::strcpy(c.name, "\xff"); }, "UTF-8");
   refused([](hrt_target_config& c) { std::strcpy(c.name, "\xed\xa0\x80"); }, "UTF-8");

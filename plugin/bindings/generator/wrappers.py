@@ -52,6 +52,7 @@ _LEFT_OUT = (
     ("unreal", "hrt_sample::finger_direction_deg", "C++ has UpdateSample()"),
     ("godot unreal", "HRT_PLACE_DIRECTION", "the default"),
     ("godot unreal", "hrt_target_config::radius_m", "a contact is given with its place and deviation"),
+    ("unreal", "hrt_target_config::served_by", "C++ reads it with GetSession()"),
     ("godot unreal", "HRT_PLACE_PLATE_POSITION", "places are given in the world"),
     ("godot unreal", "HRT_REACH_START_AT_FINGER", "a reach starts at the start of the settings"),
     ("unreal", "HRT_TARGET_REAL HRT_TARGET_VIRTUAL", "EHapticTargetRole has their numbers"),

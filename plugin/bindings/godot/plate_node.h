@@ -106,6 +106,7 @@ class PlateNode {
   Record get_assigned(hrt_target virtual_target);
   Error load_scene(std::string path);
   hrt_target find_target(std::string name);
+  hrt_target get_served_by(hrt_target virtual_target);
   Error begin_setup(int64_t what);
   Record finish_setup();
   Error cancel_setup();

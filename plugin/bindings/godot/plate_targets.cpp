@@ -106,4 +106,10 @@ hrt_target PlateNode::find_target(std::string name) {
   return {};
 }
 
+hrt_target PlateNode::get_served_by(hrt_target virtual_target) {
+  hrt_target_config config = hrt_target_config_init();
+  if (!configure() || !ok(hrt_target_get(session_, virtual_target, &config))) return {};
+  return config.served_by;
+}
+
 }  // namespace hrt_godot

@@ -72,7 +72,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t 
                                                       hrt_scene_target* out_target) HRT_NOEXCEPT;
 
 /** Sets the session's plate, start and, if the file has it, servo speed; adds all targets by their position
- * on the plate. Their ids go to `out_targets` in the scene's order; it may be null if `capacity` is 0. A
+ * on the plate, each virtual one with its hrt_target_config::served_by. Their ids go to `out_targets` in the scene's order; it may be null if `capacity` is 0. A
  * registered pose of the plate is replaced. Errors, without any change: BUFFER_TOO_SMALL, NAME_TAKEN,
  * WRONG_STATE during a reach or a set-up. [one-thread] for both. */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,

@@ -50,6 +50,10 @@ typedef struct hrt_target_config {
   /** Radius of a real object that the finger meets, for hrt_reach_touched(). 0 to 1; 0: unknown. Default 0.
    */
   double radius_m;
+  /** Real target that serves a virtual one. hrt_scene_register() sets it; the host may read or change it. The
+   * library does not use it: each reach and hrt_gap_query() name both targets. The target may have been
+   * removed since. Must be null for a real target. Default null: unknown. */
+  hrt_target served_by;
 } hrt_target_config;
 
 /** Adds a target. Errors: OUT_OF_RANGE naming the field, NAME_TAKEN, LIMIT_REACHED, OUT_OF_MEMORY.

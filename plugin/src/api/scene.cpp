@@ -98,12 +98,14 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
   const hrt_session_config config = unregistered(with_plate_of(scene, session.session().config()));
   HRT_RETURN_IF_FAILED(check_session_config(config));
   std::vector<hrt_target_config> targets;
+  std::vector<std::optional<std::size_t>> served_by;
   for (const SceneTarget& target : scene.targets) {
     targets.push_back(config_of(target));
+    served_by.push_back(target.served_by);
     HRT_RETURN_IF_FAILED(check_target_config(config, &targets.back()));
   }
   std::vector<std::uint64_t> ids;
-  HRT_RETURN_IF_FAILED(session.add_scene(config, targets, &ids));
+  HRT_RETURN_IF_FAILED(session.add_scene(config, targets, served_by, &ids));
   if (out_targets) {
     for (const std::uint64_t id : ids) (out_targets++)->value = id;
   }

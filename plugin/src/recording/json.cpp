@@ -62,6 +62,10 @@ class ObjectWriter {
     separator_ = ",";
     put(value);
   }
+  /// A target by its number in the recording; nothing if it is null.
+  void operator()(std::string_view key, hrt_target target) {
+    if (target.value != 0) (*this)(key, target.value);
+  }
 
  private:
   void put(auto number) { out_ << number; }
@@ -202,6 +206,15 @@ hrt_result read(const JsonField& field, std::uint32_t& out) {
   HRT_RETURN_IF_FAILED(read(field, number));
   HRT_RETURN_IF_FAILED(check_range<std::int64_t>(field.key.c_str(), number, 0, UINT32_MAX));
   out = static_cast<std::uint32_t>(number);
+  return HRT_OK;
+}
+
+// A target by its number in the recording.
+hrt_result read(const JsonField& field, hrt_target& out) {
+  std::int64_t number = 0;
+  HRT_RETURN_IF_FAILED(read(field, number));
+  HRT_RETURN_IF_FAILED(check_range<std::int64_t>(field.key.c_str(), number, 0, INT64_MAX));
+  out.value = static_cast<std::uint64_t>(number);
   return HRT_OK;
 }
 

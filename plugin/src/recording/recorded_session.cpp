@@ -61,11 +61,14 @@ hrt_result RecordedSession::remove_target(std::uint64_t id) {
 
 hrt_result RecordedSession::add_scene(const hrt_session_config& checked_config,
                                       std::span<const hrt_target_config> checked_targets,
+                                      std::span<const std::optional<std::size_t>> served_by,
                                       std::vector<std::uint64_t>* out_ids) {
   TargetRollback addition(session_.targets);
   for (const hrt_target_config& target : checked_targets) HRT_RETURN_IF_FAILED(addition.add(target));
   HRT_RETURN_IF_FAILED(set_config(checked_config));
   *out_ids = addition.keep();
+  for (std::size_t i = 0; i < served_by.size(); ++i)
+    if (served_by[i]) session_.targets.set_served_by((*out_ids)[i], (*out_ids)[*served_by[i]]);
   for (const std::uint64_t id : *out_ids) record_target(TargetChanged::Change::added, id);
   return HRT_OK;
 }
@@ -75,8 +78,8 @@ hrt_result RecordedSession::begin(const hrt_reach_config& config) {
   record([&] {
     return Record{result, ReachBegun{.flags = config.flags,
                                      .plate_orientation_deg = config.plate_orientation_deg,
-                                     .real_number = number(config.real_target),
-                                     .virtual_number = number(config.virtual_target),
+                                     .real_number = session_.targets.number_or_zero(config.real_target),
+                                     .virtual_number = session_.targets.number_or_zero(config.virtual_target),
                                      .duration_s = config.duration_s,
                                      .reach = session_.reach()}};
   });
@@ -86,8 +89,8 @@ hrt_result RecordedSession::begin(const hrt_reach_config& config) {
 hrt_result RecordedSession::retarget(hrt_target real_target, hrt_target virtual_target) {
   const hrt_result result = session_.retarget(real_target, virtual_target);
   record([&] {
-    return Record{result, Retargeted{.real_number = number(real_target),
-                                     .virtual_number = number(virtual_target),
+    return Record{result, Retargeted{.real_number = session_.targets.number_or_zero(real_target),
+                                     .virtual_number = session_.targets.number_or_zero(virtual_target),
                                      .reach = session_.reach()}};
   });
   return result;
@@ -211,10 +214,6 @@ RecorderStatus RecordedSession::stop_recording() {
   return status;
 }
 
-std::uint64_t RecordedSession::number(hrt_target target) const {
-  return session_.targets.find(target.value) ? session_.targets.number(target.value) : 0;
-}
-
 void RecordedSession::record_update(hrt_result result, const hrt_sample& sample, const hrt_command& command) const {
   recorder_->push({result, Updated{sample, result == HRT_OK ? command : hrt_command{}, session_.started()}});
 }
@@ -222,7 +221,9 @@ void RecordedSession::record_update(hrt_result result, const hrt_sample& sample,
 void RecordedSession::record_target(TargetChanged::Change change, std::uint64_t id) const {
   record([&] {
     const hrt_target_config* config = session_.targets.find(id);
-    return Record{.call = TargetChanged{change, session_.targets.number(id), config ? *config : hrt_target_config{}}};
+    TargetChanged changed{change, session_.targets.number(id), config ? *config : hrt_target_config{}};
+    changed.config.served_by = {session_.targets.number_or_zero(changed.config.served_by)};
+    return Record{.call = changed};
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,9 +29,10 @@ class RecordedSession {
   hrt_result add_target(const hrt_target_config& checked_config, std::uint64_t* out_id);
   hrt_result set_target(std::uint64_t id, const hrt_target_config& checked_config);
   hrt_result remove_target(std::uint64_t id);
-  /// Replaces the configuration and adds all targets.
+  /// Replaces the configuration and adds all targets. `served_by` has for each target the index of the real target that
+  /// serves it, if there is one.
   hrt_result add_scene(const hrt_session_config& checked_config, std::span<const hrt_target_config> checked_targets,
-                       std::vector<std::uint64_t>* out_ids);
+                       std::span<const std::optional<std::size_t>> served_by, std::vector<std::uint64_t>* out_ids);
 
   hrt_result begin(const hrt_reach_config& config);
   hrt_result update(const hrt_sample& sample, hrt_command* command) {
@@ -73,7 +75,6 @@ class RecordedSession {
   void record(MakeRecord&& make_record) const {
     if (recorder_) recorder_->push(make_record());
   }
-  std::uint64_t number(hrt_target target) const;
   void record_update(hrt_result result, const hrt_sample& sample, const hrt_command& command) const;
   void record_target(TargetChanged::Change change, std::uint64_t id) const;
 

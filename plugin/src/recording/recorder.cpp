@@ -34,8 +34,11 @@ Recorder::Recorder(File file, std::string_view name, const hrt_session_config& c
   write(header);
   write_record_of({.call = ConfigSet{config}});
   write_record_of({.call = PlateStands{plate_orientation_deg}});
-  for (const auto& [id, target] : targets.all())
-    write_record_of({.call = TargetChanged{TargetChanged::Change::added, targets.number(id), target}});
+  for (const auto& [id, target] : targets.all()) {
+    TargetChanged added{TargetChanged::Change::added, targets.number(id), target};
+    added.config.served_by = {targets.number_or_zero(target.served_by)};
+    write_record_of({.call = added});
+  }
   if (const int error = system_error_.load(); error != 0)
     throw std::system_error(error, std::generic_category(), name_.c_str());
   if (has_threads) writer_ = start_quiet_thread([this] { write_all(); });

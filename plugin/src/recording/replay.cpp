@@ -130,6 +130,7 @@ class Replay {
     HRT_RETURN_IF_FAILED(check_session());
     TargetChanged changed;
     HRT_RETURN_IF_FAILED(read_target_changed(rest, &changed));
+    changed.config.served_by = target(changed.config.served_by.value);
     std::uint64_t& id = target_ids_[changed.number];
     if ((changed.change == TargetChanged::Change::added) != (id == 0))
       return fail(HRT_ERROR_BAD_FORMAT, "target ", changed.number, id == 0 ? " is not there" : " is there already");

@@ -39,6 +39,8 @@ hrt_result check_target_fields(hrt_target_config* config) {
     HRT_RETURN_IF_FAILED(check_field(*config, F::position_m));
   }
   HRT_RETURN_IF_FAILED(check_field(*config, F::radius_m));
+  if (config->role == HRT_TARGET_REAL && config->served_by.value != 0)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "served_by is ", config->served_by.value, "; it must be 0 for a real target");
   return check_name("name", config->name);
 }
 

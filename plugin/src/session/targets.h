@@ -20,6 +20,8 @@ class Targets {
   hrt_result add(const hrt_target_config& checked_config, std::uint64_t* out_id);
   hrt_result set(std::uint64_t id, const hrt_target_config& checked_config);
   hrt_result remove(std::uint64_t id);
+  /// Both are targets of the session.
+  void set_served_by(std::uint64_t virtual_id, std::uint64_t real_id) { by_id_.at(virtual_id).served_by.value = real_id; }
 
   /// Null if there is none.
   const hrt_target_config* find(std::uint64_t id) const;
@@ -32,6 +34,8 @@ class Targets {
 
   /// A number that stands for one of these targets' ids in recordings: from 1 in a process of one session.
   std::uint64_t number(std::uint64_t id) const { return id - before_first_; }
+  /// The number of a target; 0 if there is no such target.
+  std::uint64_t number_or_zero(hrt_target target) const { return find(target.value) ? number(target.value) : 0; }
 
  private:
   std::map<std::uint64_t, hrt_target_config> by_id_;

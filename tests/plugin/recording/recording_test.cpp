@@ -176,6 +176,23 @@ TEST_F(RecordingTest, UnreadFieldsAndNegativeZeroReplay) {
   EXPECT_EQ(report.rows, 4u);
 }
 
+TEST_F(RecordingTest, TheServingTargetIsRecordedByItsNumber) {
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0);
+  hrt_target_config config = target_config(HRT_TARGET_VIRTUAL, 5.0);
+  config.served_by = real;
+  const hrt_target cup = add(config);
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  change(cup, config);
+  ASSERT_OK(begin(real, cup));
+  ASSERT_OK(hrt_reach_cancel(session));
+  stop();
+  const std::string text = read(path());
+  const std::size_t added = text.find(R"("served_by":1)");
+  ASSERT_NE(added, std::string::npos) << text;
+  EXPECT_NE(text.find(R"("served_by":1)", added + 1), std::string::npos) << text;
+  expect_same(replay(text));
+}
+
 TEST_F(RecordingTest, LinesMayEndInCrLf) {
   std::string text;
   for (const char c : recording()) text += c == '\n' ? std::string("\r\n") : std::string(1, c);

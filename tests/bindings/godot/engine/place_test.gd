@@ -11,6 +11,7 @@ func test_scene() -> void:
 	check_equal(plate.plate_max_speed_deg_s, 400.0, "a property of the scene")
 	var cylinder := plate.find_target("cylinder")
 	var bottle := plate.find_target("bottle")
+	check_equal(plate.get_served_by(bottle), cylinder, "the real target that the file names")
 	check(cylinder != 0 and bottle != 0, "targets of the scene")
 	check_equal(refused("find_target: no target has the name \"teapot\"", plate.find_target.bind("teapot")), 0, "a target that is not there")
 	check(refused("get_assigned: no assignment", plate.get_assigned.bind(bottle)).is_empty(), "no assignment yet")
