@@ -1,12 +1,12 @@
-// The little geometry that scenes and poses need. Written out rather than taken from Eigen, whose vector
-// instructions differ between processors: a recorded pose must give the same direction on all of them.
+// Positions, rotations and affine transforms in space. Written out rather than taken from Eigen, whose vector
+// instructions differ between processors: a recorded pose must give the same direction on each of them.
 #pragma once
 
 #include <cmath>
 
 namespace hrt {
 
-/// A position in metres, or an axis.
+/// A position in metres, or a direction.
 struct Vec3 {
   double x = 0.0;
   double y = 0.0;
@@ -28,45 +28,50 @@ struct Quaternion {
   double w = 1.0;
 };
 
-/// Where something is and how it is turned.
+inline double squared_norm(Quaternion q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
+
+/// True if the length is 1 within 0.001; false for NaN.
+inline bool is_unit(Quaternion q) { return std::abs(squared_norm(q) - 1.0) < 2e-3; }
+
+inline Quaternion normalized(Quaternion q) {
+  const double scale = 1.0 / std::sqrt(squared_norm(q));
+  return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
+}
+
 struct Pose {
   Vec3 position_m;
   Quaternion orientation;
 };
 
-/// The three axes of an affine map: the images of +X, +Y and +Z. Of a rotation: unit and perpendicular.
-struct Axes {
+/// An affine transform: the images of the directions +X, +Y and +Z, and of the origin. For a pose, the directions are
+/// unit vectors and perpendicular.
+struct Transform {
   Vec3 x{1.0, 0.0, 0.0};
   Vec3 y{0.0, 1.0, 0.0};
   Vec3 z{0.0, 0.0, 1.0};
-};
-
-inline Vec3 operator*(const Axes& axes, Vec3 v) { return axes.x * v.x + axes.y * v.y + axes.z * v.z; }
-inline Axes operator*(const Axes& a, const Axes& b) { return {a * b.x, a * b.y, a * b.z}; }
-
-/// An affine map: the images of the axes and of the origin.
-struct Transform {
-  Axes axes;
   Vec3 origin;
 };
 
+/// The image of a direction: `t.origin` has no effect.
+inline Vec3 map_direction(const Transform& t, Vec3 v) { return t.x * v.x + t.y * v.y + t.z * v.z; }
+
+/// `b` first, then `a`.
 inline Transform operator*(const Transform& a, const Transform& b) {
-  return {a.axes * b.axes, a.axes * b.origin + a.origin};
+  return {map_direction(a, b.x), map_direction(a, b.y), map_direction(a, b.z), map_direction(a, b.origin) + a.origin};
 }
 
-/// The axes of a unit quaternion.
-inline Axes axes_of(Quaternion q) {
-  return {{1.0 - 2.0 * (q.y * q.y + q.z * q.z), 2.0 * (q.x * q.y + q.w * q.z), 2.0 * (q.x * q.z - q.w * q.y)},
-          {2.0 * (q.x * q.y - q.w * q.z), 1.0 - 2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z + q.w * q.x)},
-          {2.0 * (q.x * q.z + q.w * q.y), 2.0 * (q.y * q.z - q.w * q.x), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)}};
+inline Transform transform_of(const Pose& pose) {
+  const Quaternion& q = pose.orientation;
+  return {.x = {1.0 - 2.0 * (q.y * q.y + q.z * q.z), 2.0 * (q.x * q.y + q.w * q.z), 2.0 * (q.x * q.z - q.w * q.y)},
+          .y = {2.0 * (q.x * q.y - q.w * q.z), 1.0 - 2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z + q.w * q.x)},
+          .z = {2.0 * (q.x * q.z + q.w * q.y), 2.0 * (q.y * q.z - q.w * q.x), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)},
+          .origin = pose.position_m};
 }
 
-/// The unit quaternion of right-handed, unit and perpendicular axes; w >= 0.
-Quaternion quaternion_of(const Axes& axes);
-
-/// The coordinates of `direction` along unit and perpendicular axes.
-inline Vec3 along(const Axes& axes, Vec3 direction) {
-  return {dot(axes.x, direction), dot(axes.y, direction), dot(axes.z, direction)};
+/// The coordinates of a point in a frame, whose directions are unit vectors and perpendicular.
+inline Vec3 coordinates_in(const Transform& frame, Vec3 point) {
+  const Vec3 from_origin = point - frame.origin;
+  return {dot(frame.x, from_origin), dot(frame.y, from_origin), dot(frame.z, from_origin)};
 }
 
 }  // namespace hrt

@@ -3,11 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <iterator>
+#include <map>
 #include <span>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "scene/scene_error.h"
 
@@ -15,13 +14,13 @@ namespace hrt {
 namespace {
 
 constexpr std::size_t max_text = 255;
-constexpr double min_number = 0.001;  // metres, or degrees a second: what a session takes as a radius
+constexpr double min_number = 0.001;  // metres or degrees per second, the limit of a session for a radius
 constexpr double max_radius_m = 10.0;
 constexpr double speed_limit_deg_s = 1e5;
 constexpr std::string_view nested_key = "haptic";
 constexpr std::string_view flat_prefix = "haptic_";
 
-// A role, and the properties that it takes.
+// A role and the properties that it takes.
 struct Role {
   std::string_view name;
   HapticRole role;
@@ -36,109 +35,91 @@ constexpr Role roles[] = {{"plate", HapticRole::plate, plate_keys},
                           {"virtual", HapticRole::virtual_target, virtual_keys},
                           {"start", HapticRole::start, start_keys}};
 
-// One property, and how messages call it.
-struct Property {
-  std::string key;  // without prefix
-  std::string label;
-  const nlohmann::json& value;
-};
-
 class PropertyReader {
  public:
-  PropertyReader(std::vector<Property> properties, const std::string& where)
-      : properties_(std::move(properties)), where_(where) {}
+  PropertyReader(const tinygltf::Value& extras, const std::string& where) : where_(where) {
+    take(extras, flat_prefix);
+    if (!extras.Has(std::string(nested_key))) return;
+    if (!values_.empty())
+      refuse(where, "both extras.haptic and {} are given; keep one form", label(values_.begin()->first));
+    const tinygltf::Value& nested = extras.Get(std::string(nested_key));
+    if (!nested.IsObject()) refuse(where, "extras.haptic is not an object with a role");
+    prefix_ = "extras.haptic.";
+    take(nested, "");
+  }
 
-  HapticProperties read() {
-    const Role& known = role();
-    HapticProperties result{.role = known.role};
-    for (const Property& property : properties_) {
-      if (property.key == "role") continue;
-      if (std::find(known.keys.begin(), known.keys.end(), property.key) == known.keys.end())
-        refuse(where_, "{} is not a property of this role; allowed are {}", property.label,
-               fmt::join(known.keys, ", "));
-      if (property.key == "name")
-        result.name = text(property);
-      else if (property.key == "served_by")
-        result.served_by = text(property);
-      else if (property.key == "radius_m")
-        result.radius_m = number(property, max_radius_m);
-      else
-        result.max_speed_deg_s = number(property, speed_limit_deg_s);
-    }
+  HapticProperties read() const {
+    const std::optional<std::string> name = text("role");
+    if (!name) refuse(where_, "{} is missing", label("role"));
+    const auto* role = std::find_if(std::begin(roles), std::end(roles), [&](const Role& r) { return r.name == *name; });
+    if (role == std::end(roles))
+      refuse(where_, "{} is {}; allowed: \"plate\", \"real\", \"virtual\" and \"start\"", label("role"),
+             in_quotes(*name));
+    for (const auto& [key, value] : values_)
+      if (std::find(role->keys.begin(), role->keys.end(), key) == role->keys.end())
+        refuse(where_, "{} is not a property of the role {}; allowed: {}", label(key), role->name,
+               fmt::join(role->keys, ", "));
+    HapticProperties result{.role = role->role,
+                            .name = text("name"),
+                            .radius_m = number("radius_m", max_radius_m),
+                            .max_speed_deg_s = number("max_speed_deg_s", speed_limit_deg_s),
+                            .served_by = text("served_by")};
     if (result.role == HapticRole::plate && !result.radius_m)
-      refuse(where_, "{} is missing: a plate needs its radius in metres", label_of("radius_m"));
+      refuse(where_, "{} is missing: a plate needs its radius in metres", label("radius_m"));
     return result;
   }
 
  private:
-  const Role& role() const {
-    const auto found =
-        std::find_if(properties_.begin(), properties_.end(), [](const Property& p) { return p.key == "role"; });
-    if (found == properties_.end())
-      refuse(where_, "{} is missing, beside {}", label_of("role"), properties_.front().label);
-    const std::string name = text(*found);
-    for (const Role& known : roles)
-      if (known.name == name) return known;
-    refuse(where_, "{} is {}; allowed are \"plate\", \"real\", \"virtual\" and \"start\"", found->label,
-           in_quotes(name));
+  // The members of an object whose keys begin with `prefix`.
+  void take(const tinygltf::Value& object, std::string_view prefix) {
+    for (const auto& [key, value] : object.Get<tinygltf::Value::Object>())
+      if (key.starts_with(prefix)) values_.emplace(key.substr(prefix.size()), &value);
   }
 
-  std::string text(const Property& property) const {
-    if (!property.value.is_string()) refuse(where_, "{} is not a string", property.label);
-    auto value = property.value.get<std::string>();
+  // A property in messages.
+  std::string label(std::string_view key) const {
+    const std::string quoted = in_quotes(key);
+    return prefix_ + quoted.substr(1, quoted.size() - 2);
+  }
+
+  std::optional<std::string> text(const char* key) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) return std::nullopt;
+    if (!found->second->IsString()) refuse(where_, "{} is not a string", label(key));
+    const auto& value = found->second->Get<std::string>();
     if (value.empty() || value.size() > max_text)
-      refuse(where_, "{} has {} bytes; allowed are 1 to {}", property.label, value.size(), max_text);
-    if (value != printable(value))
-      refuse(where_, "{} is {}, with a control character in it", property.label, in_quotes(value));
+      refuse(where_, "{} has {} bytes; allowed: 1 to {}", label(key), value.size(), max_text);
+    if (value != printable(value)) refuse(where_, "{} is {}: it has a control character", label(key), in_quotes(value));
     return value;
   }
 
-  double number(const Property& property, double max) const {
-    if (!property.value.is_number()) refuse(where_, "{} is not a number", property.label);
-    const double value = property.value.get<double>();
+  std::optional<double> number(const char* key, double max) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) return std::nullopt;
+    if (!found->second->IsNumber()) refuse(where_, "{} is not a number", label(key));
+    const double value = found->second->GetNumberAsDouble();
     if (!(value >= min_number && value <= max))
-      refuse(where_, "{} is {:g}; allowed is {:g} to {:g}", property.label, value, min_number, max);
+      refuse(where_, "{} is {:g}; allowed: {:g} to {:g}", label(key), value, min_number, max);
     return value;
   }
 
-  // The label that an absent property would have.
-  std::string label_of(const std::string& key) const {
-    const Property& first = properties_.front();
-    return first.label.substr(0, first.label.size() - first.key.size()) + key;
-  }
-
-  std::vector<Property> properties_;
   const std::string& where_;
+  std::string prefix_ = "extras.haptic_";
+  std::map<std::string, const tinygltf::Value*> values_;  // by key, without the prefix of the flat form
 };
-
-// A key as a message shows it: printable, and no longer than a name in quotes.
-std::string shown_key(std::string_view key) {
-  const std::string quoted = in_quotes(key);
-  return quoted.substr(1, quoted.size() - 2);
-}
 
 }  // namespace
 
-bool is_haptic(const nlohmann::json& extras) {
-  if (!extras.is_object()) return false;
-  for (const auto& [key, value] : extras.items())
-    if (key == nested_key || key.starts_with(flat_prefix)) return true;
-  return false;
+bool is_haptic(const tinygltf::Value& extras) {
+  if (!extras.IsObject()) return false;
+  const auto& members = extras.Get<tinygltf::Value::Object>();
+  return std::any_of(members.begin(), members.end(), [](const auto& member) {
+    return member.first == nested_key || member.first.starts_with(flat_prefix);
+  });
 }
 
-HapticProperties haptic_properties(const nlohmann::json& extras, const std::string& where) {
-  std::vector<Property> flat;
-  for (const auto& [key, value] : extras.items())
-    if (key.starts_with(flat_prefix))
-      flat.push_back({key.substr(flat_prefix.size()), "extras." + shown_key(key), value});
-  const auto nested = extras.find(nested_key);
-  if (nested == extras.end()) return PropertyReader(std::move(flat), where).read();
-  if (!flat.empty()) refuse(where, "both extras.haptic and {} are given; keep one form", flat.front().label);
-  if (!nested->is_object() || nested->empty()) refuse(where, "extras.haptic is not an object with a role");
-  std::vector<Property> properties;
-  for (const auto& [key, value] : nested->items())
-    properties.push_back({key, "extras.haptic." + shown_key(key), value});
-  return PropertyReader(std::move(properties), where).read();
+HapticProperties haptic_properties(const tinygltf::Value& extras, const std::string& where) {
+  return PropertyReader(extras, where).read();
 }
 
 }  // namespace hrt

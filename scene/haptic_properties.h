@@ -1,7 +1,8 @@
-// A node's haptic role and its properties, from the node's `extras`.
+// The haptic role of a node and its properties, from the node's `extras`.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <tiny_gltf.h>
+
 #include <optional>
 #include <string>
 
@@ -9,21 +10,20 @@ namespace hrt {
 
 enum class HapticRole { plate, real, virtual_target, start };
 
-/// As in the file, checked against the ranges. A property that the role does not take is absent.
+/// Checked against the ranges. A property that the role does not take is absent.
 struct HapticProperties {
   HapticRole role;
   std::optional<std::string> name;        ///< 1 to 255 bytes, no control characters
-  std::optional<double> radius_m;         ///< 0.001 to 10
+  std::optional<double> radius_m;         ///< 0.001 to 10; a plate has it
   std::optional<double> max_speed_deg_s;  ///< 0.001 to 1e5
   std::optional<std::string> served_by;   ///< as name
 };
 
-/// True if `extras`, of any type, holds haptic properties: nested under `haptic`, or flat as
-/// `haptic_role` and so on.
-bool is_haptic(const nlohmann::json& extras);
+/// True if `extras` has haptic properties: nested in `haptic`, or flat as `haptic_role` and so on.
+bool is_haptic(const tinygltf::Value& extras);
 
-/// The haptic properties of `extras`; requires is_haptic(extras). Throws SceneError, its text starting with
-/// `where`, on one that is unknown, of the wrong type, out of its range or not for the role.
-HapticProperties haptic_properties(const nlohmann::json& extras, const std::string& where);
+/// Requires is_haptic(extras). Throws SceneError, its text starting with `where`, if a property is unknown, of the
+/// wrong type, out of range, or not one of the role.
+HapticProperties haptic_properties(const tinygltf::Value& extras, const std::string& where);
 
 }  // namespace hrt

@@ -13,13 +13,6 @@ bool in_range(Vec3 v) {
          std::abs(v.z) < max_node_coordinate_m;
 }
 
-double squared_norm(Quaternion q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
-
-Quaternion normalized(Quaternion q) {
-  const double scale = 1.0 / std::sqrt(squared_norm(q));
-  return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
-}
-
 }  // namespace
 
 Bearing bearing_from(Vec3 start_m, Vec3 point_m) {
@@ -29,13 +22,12 @@ Bearing bearing_from(Vec3 start_m, Vec3 point_m) {
   return {.direction_deg = bearing_deg(start, point), .distance_m = distance, .at_start = distance < min_distance_m};
 }
 
-bool is_valid(const Pose& pose) {
-  return in_range(pose.position_m) && std::abs(squared_norm(pose.orientation) - 1.0) < 2e-3;
-}
+bool is_valid(const Pose& pose) { return in_range(pose.position_m) && is_unit(pose.orientation); }
 
 bool locate_finger(const PlateSurface& surface, const Pose& plate, Vec3 fingertip_m, FingerOnPlate& out) {
   if (!is_valid(plate) || !in_range(fingertip_m)) return false;
-  const Vec3 position_m = along(axes_of(normalized(plate.orientation)), fingertip_m - plate.position_m);
+  const Transform frame = transform_of({plate.position_m, normalized(plate.orientation)});
+  const Vec3 position_m = coordinates_in(frame, fingertip_m);
   out = {.position_m = position_m,
          .off_plate = position_m.x * position_m.x + position_m.z * position_m.z > surface.radius_m * surface.radius_m,
          .lifted = position_m.y > surface.lift_height_m};

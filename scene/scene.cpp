@@ -1,164 +1,323 @@
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <utility>
 
 #include "core/math/trigonometry.h"
-#include "scene/gltf_tree.h"
+#include "scene/gltf.h"
+#include "scene/haptic_properties.h"
 
 namespace hrt {
 namespace {
 
-// Between a plate's +Y and -Z, as a cosine: the rounding of single-precision files.
+// Largest cosine of the angle between a plate's +Y and -Z; covers the rounding of single-precision files.
 constexpr double max_shear = 1e-4;
-constexpr double max_plate_coordinate_m = 1000.0;  // as of a session
+constexpr double max_plate_coordinate_m = 1000.0;  // the limit of a session
 
-class SceneBuilder {
+// True for a transform that maps space onto a plane, a line or a point.
+bool is_degenerate(const Transform& t) {
+  constexpr double min_length = 1e-9;
+  constexpr double min_volume = 1e-9;
+  const double x = length(t.x);
+  const double y = length(t.y);
+  const double z = length(t.z);
+  if (!(x > min_length && y > min_length && z > min_length)) return true;
+  return !(std::abs(dot(cross(t.x * (1.0 / x), t.y * (1.0 / y)), t.z * (1.0 / z))) > min_volume);
+}
+
+// Each of 4x^2, 4y^2, 4z^2, 4w^2 is a sum of the diagonal with signs; dividing by the root of the largest keeps every
+// digit. The axes are right-handed, unit and perpendicular; w >= 0.
+Quaternion quaternion_of(const Transform& axes) {
+  const double xx = axes.x.x;
+  const double yy = axes.y.y;
+  const double zz = axes.z.z;
+  const double four_w2 = 1.0 + xx + yy + zz;
+  const double four_x2 = 1.0 + xx - yy - zz;
+  const double four_y2 = 1.0 - xx + yy - zz;
+  const double four_z2 = 1.0 - xx - yy + zz;
+  const double max = std::max({four_w2, four_x2, four_y2, four_z2});
+  Quaternion q;
+  if (max == four_w2)
+    q = {axes.y.z - axes.z.y, axes.z.x - axes.x.z, axes.x.y - axes.y.x, four_w2};
+  else if (max == four_x2)
+    q = {four_x2, axes.y.x + axes.x.y, axes.z.x + axes.x.z, axes.y.z - axes.z.y};
+  else if (max == four_y2)
+    q = {axes.y.x + axes.x.y, four_y2, axes.z.y + axes.y.z, axes.z.x - axes.x.z};
+  else
+    q = {axes.z.x + axes.x.z, axes.z.y + axes.y.z, four_z2, axes.x.y - axes.y.x};
+  const double scale = (q.w < 0.0 ? -0.5 : 0.5) / std::sqrt(max);
+  return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
+}
+
+// Walks the default scene of a model and fills a Scene.
+class SceneReader {
  public:
-  SceneBuilder(const std::vector<HapticNode>& nodes, const std::string& file) : nodes_(nodes), file_(file) {}
+  SceneReader(const tinygltf::Model& model, const std::string& file)
+      : model_(model),
+        file_(file),
+        instancing_is_required_(
+            std::count(model.extensionsRequired.begin(), model.extensionsRequired.end(), instancing) > 0),
+        is_visited_(model.nodes.size()) {}
 
-  Scene build() {
-    if (nodes_.empty()) refuse(file_, "no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
-    for (const HapticNode& node : nodes_) check_position(node, node.origin_m, "the world's origin");
-    const HapticNode* plate = only(HapticRole::plate);
-    if (plate == nullptr) refuse(file_, "no node has extras.haptic.role \"plate\"");
-    place_plate(*plate);
-    place_start(only(HapticRole::start));
-    for (const HapticNode& node : nodes_) {
-      const HapticRole role = node.properties.role;
-      if (role == HapticRole::real || role == HapticRole::virtual_target) add_target(node);
-    }
+  Scene read() {
+    visit_all(default_scene().nodes);
+    if (haptic_nodes_ == 0) refuse(file_, "no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
+    if (scene_.plate.node_path.empty()) refuse(file_, "no node has extras.haptic.role \"plate\"");
+    locate_start();
+    for (SceneTarget& target : scene_.targets) locate(target);
     for (std::size_t i = 0; i < scene_.targets.size(); ++i)
-      if (scene_.targets[i].kind == TargetKind::virtual_object)
-        scene_.targets[i].served_by = real_target_of(*target_nodes_[i], scene_.targets[i].direction_deg);
+      if (scene_.targets[i].kind == TargetKind::virtual_object) scene_.targets[i].served_by = real_target_of(i);
     return std::move(scene_);
   }
 
  private:
-  std::string where(const HapticNode& node) const { return fmt::format("{}: node {}", file_, in_quotes(node.path)); }
+  static constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 
-  void check_position(const HapticNode& node, Vec3 p, const char* whence) const {
+  const tinygltf::Scene& default_scene() const {
+    const std::size_t count = model_.scenes.size();
+    if (model_.defaultScene < 0 && count != 1)
+      refuse(file_, "has {} scenes and no default: `scene` must name one", count);
+    const int index = std::max(model_.defaultScene, 0);
+    if (static_cast<std::size_t>(index) >= count) refuse(file_, "scene is {}, and there are {} scenes", index, count);
+    return model_.scenes[static_cast<std::size_t>(index)];
+  }
+
+  // Parents before children, siblings in the file's order. The depth is limited, so recursion is safe.
+  void visit_all(const std::vector<int>& siblings) {
+    for (const int index : siblings) {
+      if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
+        refuse(path_.empty() ? file_ : where(), "holds node {}, and there are {} nodes", index, model_.nodes.size());
+      const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
+      path_.push_back(index);
+      if (is_visited_[static_cast<std::size_t>(index)])
+        refuse(where(), "it is in the scene twice: it has two parents, or is below itself");
+      is_visited_[static_cast<std::size_t>(index)] = true;
+      if (path_.size() > gltf_limits::node_depth) refuse(where(), "lies deeper than {} nodes", gltf_limits::node_depth);
+      if (is_haptic(node.extras)) take(node, haptic_properties(node.extras, where()));
+      visit_all(node.children);
+      path_.pop_back();
+    }
+  }
+
+  // The names of the first `depth` nodes of path_, joined with '/'. A node without a name is its index in brackets.
+  std::string path(std::size_t depth) const {
+    std::string result;
+    for (std::size_t i = 0; i < depth; ++i) {
+      const std::string& name = model_.nodes[static_cast<std::size_t>(path_[i])].name;
+      if (name.size() > gltf_limits::name_bytes)
+        refuse(file_, "node {}: its name is longer than {} bytes", in_quotes(name), gltf_limits::name_bytes);
+      result += (i == 0 ? "" : "/") + (name.empty() ? fmt::format("[{}]", path_[i]) : printable(name));
+    }
+    return result;
+  }
+  std::string path() const { return path(path_.size()); }
+
+  std::string where(std::string_view node_path) const {
+    return fmt::format("{}: node {}", file_, in_quotes(node_path));
+  }
+  std::string where() const { return where(path()); }
+
+  // The transform of the node of path_ at a depth relative to its parent.
+  Transform local_transform(std::size_t depth) const {
+    const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(path_[depth])];
+    const auto node_is_refused = [&](const std::string& what) { refuse(where(path(depth + 1)), "{}", what); };
+    const auto check_size = [&](const char* key, const std::vector<double>& values, std::size_t size) {
+      if (!values.empty() && values.size() != size)
+        node_is_refused(fmt::format("{} is not an array of {} numbers", key, size));
+    };
+    check_size("matrix", node.matrix, 16);
+    check_size("translation", node.translation, 3);
+    check_size("rotation", node.rotation, 4);
+    check_size("scale", node.scale, 3);
+    Transform local;
+    if (const std::vector<double>& m = node.matrix; !m.empty()) {  // column by column
+      if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
+        node_is_refused("matrix has a fourth row other than 0 0 0 1");
+      local = {.x{m[0], m[1], m[2]}, .y{m[4], m[5], m[6]}, .z{m[8], m[9], m[10]}, .origin{m[12], m[13], m[14]}};
+    } else {
+      Pose pose;
+      if (const std::vector<double>& p = node.translation; !p.empty()) pose.position_m = {p[0], p[1], p[2]};
+      if (const std::vector<double>& q = node.rotation; !q.empty()) pose.orientation = {q[0], q[1], q[2], q[3]};
+      if (!is_unit(pose.orientation)) node_is_refused("rotation is not a quaternion of unit length");
+      local = transform_of({pose.position_m, normalized(pose.orientation)});
+      if (const std::vector<double>& s = node.scale; !s.empty()) {
+        local.x = local.x * s[0];
+        local.y = local.y * s[1];
+        local.z = local.z * s[2];
+      }
+    }
+    if (is_degenerate(local)) node_is_refused(node.matrix.empty() ? "scale flattens space" : "matrix flattens space");
+    return local;
+  }
+
+  Transform world_transform() const {
+    Transform world;
+    for (std::size_t depth = 0; depth < path_.size(); ++depth) world = world * local_transform(depth);
+    return world;
+  }
+
+  void take(const tinygltf::Node& node, const HapticProperties& properties) {
+    if (++haptic_nodes_ > gltf_limits::haptic_nodes)
+      refuse(file_, "more than {} nodes have a haptic role", gltf_limits::haptic_nodes);
+    if (instancing_is_required_ && node.extensions.count(instancing) > 0)
+      refuse(where(), "{} places it more than once", instancing);
+    const Transform world = world_transform();
+    check_position(path(), world.origin, "the world's origin");
+    switch (properties.role) {
+      case HapticRole::plate:
+        check_is_first(scene_.plate.node_path);
+        take_plate(world, properties);
+        return;
+      case HapticRole::start:
+        check_is_first(scene_.start_path.value_or(""));
+        scene_.start_path = path();
+        scene_.start_m = world.origin;
+        return;
+      case HapticRole::real:
+      case HapticRole::virtual_target:
+        take_target(node, world, properties);
+    }
+  }
+
+  void check_position(std::string_view node_path, Vec3 p, const char* origin) const {
     for (const double coordinate_m : {p.x, p.y, p.z})
       if (!(std::abs(coordinate_m) < max_plate_coordinate_m))
-        refuse(where(node), "it is further than 1000 m from {}", whence);
+        refuse(where(node_path), "it is further than 1000 m from {}", origin);
   }
 
-  // The node of a role that a file has at most once; null if it has none.
-  const HapticNode* only(HapticRole role) const {
-    const HapticNode* found = nullptr;
-    for (const HapticNode& node : nodes_) {
-      if (node.properties.role != role) continue;
-      if (found != nullptr) {
-        refuse(where(node), "extras.haptic.role is the same as that of {}, and there may be one only",
-               in_quotes(found->path));
-      }
-      found = &node;
-    }
-    return found;
+  void check_is_first(const std::string& other_path) const {
+    if (!other_path.empty())
+      refuse(where(), "extras.haptic.role is the same as that of {}; only one node may have it", in_quotes(other_path));
   }
 
-  void place_plate(const HapticNode& node) {
-    const Vec3 up = node.axes.y * (1.0 / length(node.axes.y));
-    const Vec3 back = node.axes.z * (1.0 / length(node.axes.z));
-    if (!(std::abs(dot(up, back)) < max_shear)) {
-      refuse(where(node), "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular");
-    }
+  void take_plate(const Transform& world, const HapticProperties& properties) {
+    const Vec3 up = world.y * (1.0 / length(world.y));
+    const Vec3 back = world.z * (1.0 / length(world.z));
+    if (!(std::abs(dot(up, back)) < max_shear))
+      refuse(where(), "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular");
     const Vec3 sideways = cross(up, back);
-    plate_axes_.x = sideways * (1.0 / length(sideways));
-    plate_axes_.y = up;
-    plate_axes_.z = cross(plate_axes_.x, up);
-    scene_.plate = {.pose = {node.origin_m, quaternion_of(plate_axes_)},
-                    .radius_m = node.properties.radius_m.value(),
-                    .max_speed_deg_s = node.properties.max_speed_deg_s,
-                    .node_path = node.path};
+    plate_frame_.x = sideways * (1.0 / length(sideways));
+    plate_frame_.y = up;
+    plate_frame_.z = cross(plate_frame_.x, up);
+    plate_frame_.origin = world.origin;
+    scene_.plate = {.pose = {world.origin, quaternion_of(plate_frame_)},
+                    .radius_m = properties.radius_m.value(),
+                    .max_speed_deg_s = properties.max_speed_deg_s,
+                    .node_path = path()};
   }
 
-  Vec3 in_plate_coordinates(const HapticNode& node) const {
-    return along(plate_axes_, node.origin_m - scene_.plate.pose.position_m);
+  void take_target(const tinygltf::Node& node, const Transform& world, const HapticProperties& properties) {
+    const std::string& name = properties.name.value_or(node.name.empty() ? path() : printable(node.name));
+    const auto [same, is_new] = index_of_.emplace(name, scene_.targets.size());
+    if (!is_new) {
+      refuse(where(), "its name {} is also that of {}; each target needs its own name (extras.haptic.name)",
+             in_quotes(name), in_quotes(scene_.targets[same->second].node_path));
+    }
+    SceneTarget target{};
+    target.kind = properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object;
+    target.name = name;
+    target.world_position_m = world.origin;
+    target.radius_m = properties.radius_m;
+    target.node_path = path();
+    scene_.targets.push_back(std::move(target));
+    served_by_.push_back(properties.served_by);
   }
 
-  void place_start(const HapticNode* node) {
-    if (node == nullptr) {
+  void locate_start() {
+    if (!scene_.start_path) {
       scene_.start_m = {0.0, 0.0, scene_.plate.radius_m * 2.0 / 3.0};
       return;
     }
-    scene_.start_m = in_plate_coordinates(*node);
+    scene_.start_m = coordinates_in(plate_frame_, scene_.start_m);
     scene_.start_m.y = 0.0;
-    scene_.start_path = node->path;
     const double from_centre_m = length(scene_.start_m);
     if (from_centre_m > scene_.plate.radius_m) {
-      refuse(where(*node), "the start lies off the plate, {:g} m from its centre; the plate's radius_m is {:g}",
-             from_centre_m, scene_.plate.radius_m);
+      refuse(where(*scene_.start_path),
+             "the start lies off the plate, {:g} m from its centre; the plate's radius_m is {:g}", from_centre_m,
+             scene_.plate.radius_m);
     }
   }
 
-  void add_target(const HapticNode& node) {
-    const std::string& name = node.properties.name.value_or(node.name.empty() ? node.path : printable(node.name));
-    const auto [same, is_new] = index_of_.emplace(name, scene_.targets.size());
-    if (!is_new) {
-      refuse(where(node), "its name {} is also that of {}; targets need names of their own (extras.haptic.name)",
-             in_quotes(name), in_quotes(target_nodes_[same->second]->path));
-    }
-    const Vec3 position_m = in_plate_coordinates(node);
-    check_position(node, position_m, "the plate");
-    const Bearing bearing = bearing_from(scene_.start_m, position_m);
-    if (bearing.at_start) refuse(where(node), "the target lies at the start point, so it has no direction");
-    scene_.targets.push_back({
-        .kind = node.properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object,
-        .name = name,
-        .world_position_m = node.origin_m,
-        .position_m = position_m,
-        .direction_deg = bearing.direction_deg,
-        .distance_m = bearing.distance_m,
-        .radius_m = node.properties.radius_m,
-        .served_by = std::nullopt,
-        .node_path = node.path,
-    });
-    target_nodes_.push_back(&node);
+  void locate(SceneTarget& target) const {
+    target.position_m = coordinates_in(plate_frame_, target.world_position_m);
+    check_position(target.node_path, target.position_m, "the plate");
+    const Bearing bearing = bearing_from(scene_.start_m, target.position_m);
+    if (bearing.at_start) refuse(where(target.node_path), "the target lies at the start point, so it has no direction");
+    target.direction_deg = bearing.direction_deg;
+    target.distance_m = bearing.distance_m;
   }
 
-  std::size_t real_target_of(const HapticNode& node, double direction_deg) const {
-    if (node.properties.served_by) {
-      const std::string& wanted = *node.properties.served_by;
-      const auto found = index_of_.find(wanted);
-      if (found == index_of_.end() || scene_.targets[found->second].kind != TargetKind::real_object) {
-        refuse(where(node), "extras.haptic.served_by is {}, which is not the name of a real target", in_quotes(wanted));
-      }
+  std::size_t real_target_of(std::size_t virtual_index) const {
+    const std::vector<SceneTarget>& targets = scene_.targets;
+    const SceneTarget& target = targets[virtual_index];
+    if (const std::optional<std::string>& wanted = served_by_[virtual_index]) {
+      const auto found = index_of_.find(*wanted);
+      if (found == index_of_.end() || targets[found->second].kind != TargetKind::real_object)
+        refuse(where(target.node_path), "extras.haptic.served_by is {}, which is not the name of a real target",
+               in_quotes(*wanted));
       return found->second;
     }
-    // Any real target may serve many: the gap is smallest with the one that is nearest in direction.
+    // Any real target may serve several: the gap is smallest with the one that is nearest in direction.
     std::optional<std::size_t> nearest;
     double min_gap_deg = 0.0;
-    for (std::size_t i = 0; i < scene_.targets.size(); ++i) {
-      if (scene_.targets[i].kind != TargetKind::real_object) continue;
-      const double gap_deg = std::abs(wrap_deg(scene_.targets[i].direction_deg - direction_deg, 360.0));
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      if (targets[i].kind != TargetKind::real_object) continue;
+      const double gap_deg = std::abs(wrap_deg(targets[i].direction_deg - target.direction_deg, 360.0));
       if (!nearest || gap_deg < min_gap_deg) {
         nearest = i;
         min_gap_deg = gap_deg;
       }
     }
-    if (!nearest) refuse(where(node), "the file has no real target that could serve this virtual one");
+    if (!nearest) refuse(where(target.node_path), "the file has no real target that could serve this virtual one");
     return *nearest;
   }
 
-  const std::vector<HapticNode>& nodes_;
+  const tinygltf::Model& model_;
   const std::string& file_;
-  Scene scene_;
-  Axes plate_axes_;
-  std::vector<const HapticNode*> target_nodes_;  // as Scene::targets
-  std::map<std::string, std::size_t> index_of_;  // into Scene::targets, by name
+  const bool instancing_is_required_;
+  std::vector<bool> is_visited_;  // for each node
+  std::vector<int> path_;         // to the node being visited: its ancestors, the root first, then the node
+  std::size_t haptic_nodes_ = 0;
+  Scene scene_{};
+  Transform plate_frame_;
+  std::vector<std::optional<std::string>> served_by_;  // as the file has it, for each of Scene::targets
+  std::map<std::string, std::size_t> index_of_;        // into Scene::targets, by name
 };
+
+Scene scene_of(std::string json, const std::string& file) {
+  const tinygltf::Model model = parse_gltf(std::move(json), file);
+  return SceneReader(model, file).read();
+}
 
 }  // namespace
 
-PlateSurface surface_of(const Scene& scene) { return {.radius_m = scene.plate.radius_m}; }
-
-Scene load_scene(const std::filesystem::path& file) {
-  return SceneBuilder(read_haptic_nodes(file), printable(file.string())).build();
+Scene load_scene(const std::filesystem::path& path) {
+  const std::string file = printable(path.string());
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) refuse(file, "no such file");
+  // A device or a pipe may have no end.
+  if (!std::filesystem::is_regular_file(status)) refuse(file, "not a regular file");
+  const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
+  std::ifstream stream(path, std::ios::binary);
+  if (error || !stream) refuse(file, "cannot be read");
+  std::string json(static_cast<std::size_t>(std::min<std::uintmax_t>(file_bytes, glb_header_bytes)), '\0');
+  stream.read(json.data(), static_cast<std::streamsize>(json.size()));
+  const JsonExtent extent = find_json(json, file_bytes, file);
+  json.resize(extent.size);
+  stream.seekg(static_cast<std::streamoff>(extent.offset));
+  if (!stream.read(json.data(), static_cast<std::streamsize>(json.size()))) refuse(file, "ended while it was read");
+  return scene_of(std::move(json), file);
 }
 
 Scene load_scene(std::span<const std::byte> bytes, std::string_view name) {
-  return SceneBuilder(read_haptic_nodes(bytes, name), std::string(name)).build();
+  const std::string file(name);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const JsonExtent extent = find_json(text.substr(0, glb_header_bytes), bytes.size(), file);
+  return scene_of(std::string(text.substr(extent.offset, extent.size)), file);
 }
 
 }  // namespace hrt

@@ -1,8 +1,8 @@
-// A glTF 2.0 file with haptic roles, read into a plate, a start point and targets. README.md has the
-// conventions and the properties that a designer sets. Metres and degrees throughout.
+// Reads a plate, a start and targets from a glTF 2.0 file. README.md has the conventions and the properties that a
+// designer sets. Units are metres and degrees.
 //
-// Any thread may load, and several at once. Loading allocates, reads no other file than the one named and
-// opens no image or buffer.
+// load_scene() may be called in several threads at once. It allocates, reads no file but the one named, and opens no
+// buffer or image.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,6 @@
 
 namespace hrt {
 
-/// The plate as the file places it.
 struct ScenePlate {
   Pose pose;  ///< in the world; +Y is the plate's normal, -Z its mid-line away from the user
   double radius_m;
@@ -27,19 +26,19 @@ struct ScenePlate {
 };
 
 enum class TargetKind {
-  real_object,     ///< one that the hand can touch
-  virtual_object,  ///< one that is only seen or felt: the hand is led to the real one that serves it
+  real_object,     ///< the hand touches it
+  virtual_object,  ///< the user sees it; the hand is steered to the real target that serves it
 };
 
 struct SceneTarget {
   TargetKind kind;
   std::string name;                      ///< unique among the targets
-  Vec3 world_position_m;                 ///< of the node's origin
+  Vec3 world_position_m;                 ///< origin of the node
   Vec3 position_m;                       ///< the same in plate coordinates; y is the height above the plate
   double direction_deg;                  ///< from the start, in (-180, 180]
   double distance_m;                     ///< from the start along the plate, >= min_distance_m
   std::optional<double> radius_m;        ///< if the file has it
-  std::optional<std::size_t> served_by;  ///< of a virtual target, always: the real one's index in Scene::targets
+  std::optional<std::size_t> served_by;  ///< index in Scene::targets of the real target; every virtual target has one
   std::string node_path;
 };
 
@@ -50,13 +49,10 @@ struct Scene {
   std::vector<SceneTarget> targets;       ///< in the order of the file's node tree
 };
 
-/// What locate_finger() needs of the scene.
-PlateSurface surface_of(const Scene& scene);
-
-/// Reads a .gltf or .glb file, recognised by content. Throws SceneError; std::bad_alloc.
+/// Reads a .gltf or .glb file, recognised by content. Throws SceneError, std::bad_alloc.
 Scene load_scene(const std::filesystem::path& file);
 
-/// The same from memory. `name` stands for the file in messages.
+/// The same from memory. `name` is the file's name in messages.
 Scene load_scene(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace hrt

@@ -29,7 +29,6 @@ class CountingAllocator {
       void* memory = std::malloc(size);
       ++self.held;
       self.bytes += static_cast<long>(malloc_usable_size(memory));
-      self.peak = std::max(self.peak.load(), self.bytes.load());
       return memory;
     };
     host.release = [](void* context, void* memory) {
@@ -49,7 +48,6 @@ class CountingAllocator {
   std::atomic<long> fail_at{0};
   std::atomic<bool> fail_on{false};
   std::atomic<long> bytes{0};
-  std::atomic<long> peak{0};
   std::atomic<long> budget{std::numeric_limits<long>::max()};
 };
 

@@ -104,6 +104,25 @@ TEST_F(SceneAbiTest, LoadsFromMemory) {
                "half a desk");
 }
 
+// The plate's radius is 0.1 m.
+TEST_F(SceneAbiTest, TargetsBeyondTenPlateRadiiAreAWarning) {
+  const auto log_of = [](const char* far_z) {
+    const std::string text = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0,1,2]}],"nodes":[
+      {"name":"plate","extras":{"haptic_role":"plate","haptic_radius_m":0.1}},
+      {"name":"near","translation":[0,0,-0.9],"extras":{"haptic_role":"real"}},
+      {"name":"far","translation":[0,0,)" + std::string(far_z) + R"(],"extras":{"haptic_role":"real"}}]})";
+    const Log log;
+    hrt_scene loaded{};
+    EXPECT_OK(hrt_scene_load("desk", text.data(), text.size(), &loaded));
+    EXPECT_OK(hrt_scene_destroy(loaded));
+    return log.text;
+  };
+  EXPECT_EQ(log_of("-0.99"), "");
+  const std::string warning = log_of("-1.01");
+  EXPECT_TRUE(warning.starts_with(std::to_string(HRT_LOG_WARNING) + " desk: 1 of the targets")) << warning;
+  EXPECT_NE(warning.find("\"far\" at 1.01 m"), warning.npos) << warning;
+}
+
 TEST_F(SceneAbiTest, BadArgumentsAreRefused) {
   hrt_scene loaded{7};
   expect_error(hrt_scene_load("/no/such/file.gltf", nullptr, 0, &loaded), HRT_ERROR_BAD_FORMAT, "/no/such/file.gltf");

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "scene/scene.h"
 
@@ -23,28 +23,18 @@ inline Json haptic(const char* role, Json more = Json::object()) {
 
 inline Json node(const char* name, Json extras, Json more = Json::object()) {
   more["name"] = name;
-  if (!extras.empty()) {
-    more["extras"] = std::move(extras);
-  }
+  if (!extras.empty()) more["extras"] = std::move(extras);
   return more;
 }
 
-/// A file whose nodes are all roots of its only scene, unless a node is among another's children.
+/// A file whose only scene has all nodes that are not among the children of another as roots.
 inline Json document(Json nodes) {
-  std::vector<bool> is_child(nodes.size(), false);
-  for (const Json& parent : nodes) {
-    for (const Json& child : parent.value("children", Json::array())) {
-      if (child.is_number_integer() && child >= 0 && child.get<std::size_t>() < nodes.size()) {
-        is_child[child.get<std::size_t>()] = true;
-      }
-    }
-  }
+  std::set<Json> children;
+  for (const Json& parent : nodes)
+    for (const Json& child : parent.value("children", Json::array())) children.insert(child);
   Json roots = Json::array();
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!is_child[i]) {
-      roots.push_back(i);
-    }
-  }
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!children.contains(i)) roots.push_back(i);
   return {{"asset", {{"version", "2.0"}}},
           {"scene", 0},
           {"scenes", Json::array({{{"nodes", std::move(roots)}}})},
@@ -68,7 +58,7 @@ inline Scene load(const std::string& bytes, const char* name = "test.gltf") {
 }
 inline Scene load(const Json& document) { return load(document.dump()); }
 
-/// Why the file is refused; empty if it is not.
+/// The error text; empty if the file is accepted.
 inline std::string refusal(const std::string& bytes) {
   try {
     load(bytes);
@@ -77,14 +67,11 @@ inline std::string refusal(const std::string& bytes) {
     return error.what();
   }
 }
-inline std::string refusal(const char* text) { return refusal(std::string(text)); }
 inline std::string refusal(const Json& document) { return refusal(document.dump()); }
 
 inline std::string little_endian(std::size_t value) {
   std::string bytes;
-  for (int i = 0; i < 4; ++i) {
-    bytes += static_cast<char>(value >> (8 * i) & 0xff);
-  }
+  for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
   return bytes;
 }
 
@@ -93,9 +80,7 @@ inline std::string glb(const Json& document, const std::string& data = "") {
   std::string json = document.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
   std::string chunks = little_endian(json.size()) + "JSON" + json;
-  if (!data.empty()) {
-    chunks += little_endian(data.size()) + std::string("BIN\0", 4) + data;
-  }
+  if (!data.empty()) chunks += little_endian(data.size()) + std::string("BIN\0", 4) + data;
   return "glTF" + little_endian(2) + little_endian(12 + chunks.size()) + chunks;
 }
 

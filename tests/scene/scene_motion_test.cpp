@@ -96,7 +96,7 @@ TEST_F(RandomScenes, FingertipOnATargetHasItsDirection) {
     const Scene scene = load(document(nodes()));
     for (const SceneTarget& target : scene.targets) {
       FingerOnPlate finger{};
-      ASSERT_TRUE(locate_finger(surface_of(scene), scene.plate.pose, target.world_position_m, finger));
+      ASSERT_TRUE(locate_finger({.radius_m = scene.plate.radius_m}, scene.plate.pose, target.world_position_m, finger));
       const Bearing bearing = bearing_from(scene.start_m, finger.position_m);
       EXPECT_NEAR(bearing.direction_deg, target.direction_deg, 1e-9);
       EXPECT_NEAR(bearing.distance_m, target.distance_m, 1e-14);

@@ -1,5 +1,5 @@
-// Files that are not usable scenes: each is refused with one line that names the file, the node and the
-// property.
+// Files that are refused, each with one line that names the file, the node and the field; and files that look unusual
+// and are not.
 #include <gtest/gtest.h>
 
 #include "tests/scene/scene_document.h"
@@ -7,41 +7,167 @@
 namespace hrt {
 namespace {
 
-Json good() { return document({plate(), real(), virtual_on_the_left()}); }
+// Three nodes with a role, and one without.
+Json good() { return document({plate(), real(), virtual_on_the_left(), node("Lamp", {})}); }
 
-// good() with one change.
-Json with(const char* pointer, Json value) {
+// good() with one change: JSON text at a JSON pointer.
+std::string with(const std::string& pointer, const std::string& json) {
   Json file = good();
-  file[Json::json_pointer(pointer)] = std::move(value);
-  return file;
+  file[Json::json_pointer(pointer)] = Json::parse(json);
+  return file.dump();
 }
 
-std::string refusal_with(const char* pointer, Json value) { return refusal(with(pointer, std::move(value))); }
-
-// `message` follows the file's name.
-void refused(const auto& file, const std::string& message) { EXPECT_EQ(refusal(file), "test.gltf: " + message); }
-
-void refused(const char* pointer, Json value, const std::string& message) {
-  refused(with(pointer, std::move(value)), message);
+void expect_refused(const std::string& file, const std::string& part) {
+  const std::string message = refusal(file);
+  EXPECT_TRUE(message.starts_with("test.gltf: ") && message.find(part) != message.npos)
+      << message << "\nwithout " << part;
+  EXPECT_LT(message.size(), 600u) << message;
 }
 
-TEST(SceneRefusal, GoodFileIsNotRefused) { EXPECT_EQ(refusal(good()), ""); }
+struct Change {
+  const char* pointer;
+  const char* json;
+  const char* named = "";  // in the message
+};
+
+constexpr Change refused[] = {
+    {"/asset", "{}", "not a glTF file"},
+    {"/asset/version", R"("1.0")", "asset.version is \"1.0\""},
+    {"/asset/minVersion", R"("2.1")", "asset.minVersion is \"2.1\""},
+    {"/nodes/0", "7", "not a glTF file"},
+    {"/scenes/0", "7", "not a glTF file"},
+    {"/scene", "1", "scene is 1, and there are 1 scenes"},
+    {"/scenes", "[]", "scene is 0, and there are 0 scenes"},
+    {"/extensionsRequired", R"(["KHR_materials_unlit","AGI_articulations"])", "\"AGI_articulations\""},
+    {"/extensionsRequired", "[1]", "extensionsRequired has \"\""},
+
+    {"/scenes/0/nodes", "[0,4]", "holds node 4, and there are 4 nodes"},
+    {"/scenes/0/nodes", "[0,0]", "node \"Plate\": it is in the scene twice"},
+    {"/nodes/0/children", "[4]", "node \"Plate\": holds node 4, and there are 4 nodes"},
+    {"/nodes/0/children", "[-1]", "node \"Plate\": holds node -1"},
+    {"/nodes/0/children", "[2]", "node \"Left\": it is in the scene twice"},
+    {"/nodes/2/children", "[2]", "node \"Left/Left\": it is in the scene twice"},
+
+    {"/nodes/1/translation", "[0,0]", "node \"Real\": translation is not an array of 3 numbers"},
+    {"/nodes/1/translation", "[0,0,\"1\"]", "node \"Real\": translation is not an array of 3 numbers"},
+    {"/nodes/1/translation", "[0,0,1e300]", "node \"Real\": it is further than 1000 m from the world's origin"},
+    {"/nodes/1/rotation", "[0,0,0]", "node \"Real\": rotation is not an array of 4 numbers"},
+    {"/nodes/1/rotation", "[0,0,0,0]", "node \"Real\": rotation is not a quaternion of unit length"},
+    {"/nodes/1/rotation", "[1e200,0,0,0]", "node \"Real\": rotation is not a quaternion of unit length"},
+    {"/nodes/1/scale", "[1,1]", "node \"Real\": scale is not an array of 3 numbers"},
+    {"/nodes/1/scale", "[1,0,1]", "node \"Real\": scale flattens space"},
+    {"/nodes/1/matrix", "[1,0,0]", "node \"Real\": matrix is not an array of 16 numbers"},
+    {"/nodes/1/matrix", "[1,0,0,0.5,0,1,0,0,0,0,1,0,0,0,0,1]", "node \"Real\": matrix has a fourth row"},
+    {"/nodes/1/matrix", "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,0.9999999]", "node \"Real\": matrix has a fourth row"},
+    {"/nodes/1/matrix", "[1,0,0,0,0,1,0,0,1,0,0,0,0,0,0,1]", "node \"Real\": matrix flattens space"},
+
+    {"/nodes/0/extras", "{}", "no node has extras.haptic.role \"plate\""},
+    {"/nodes/1/extras/haptic", R"({"role":"plate","radius_m":1})", "node \"Real\": extras.haptic.role is the same as"},
+    {"/nodes/1/extras/haptic/role", R"("Real")", "node \"Real\": extras.haptic.role is \"Real\""},
+    {"/nodes/1/extras/haptic/role", "3", "node \"Real\": extras.haptic.role is not a string"},
+    {"/nodes/1/extras", R"({"haptic_role":[1]})", "node \"Real\": extras.haptic_role is not a string"},
+    {"/nodes/1/extras", R"({"haptic_name":"brass"})", "node \"Real\": extras.haptic_role is missing"},
+    {"/nodes/1/extras/haptic", R"({"name":"brass"})", "node \"Real\": extras.haptic.role is missing"},
+    {"/nodes/1/extras/haptic", R"("real")", "node \"Real\": extras.haptic is not an object"},
+    {"/nodes/1/extras/haptic_radius_m", "1", "node \"Real\": both extras.haptic and extras.haptic_radius_m"},
+    {"/nodes/0/extras/haptic", R"({"role":"plate"})", "node \"Plate\": extras.haptic.radius_m is missing"},
+    {"/nodes/0/extras/haptic/radius_m", "0", "node \"Plate\": extras.haptic.radius_m is 0; allowed: 0.001 to 10"},
+    {"/nodes/0/extras/haptic/radius_m", "-0.075", "node \"Plate\": extras.haptic.radius_m is -0.075"},
+    {"/nodes/0/extras/haptic/radius_m", "1e300", "node \"Plate\": extras.haptic.radius_m is 1e+300"},
+    {"/nodes/0/extras/haptic/radius_m", R"("0.075")", "node \"Plate\": extras.haptic.radius_m is not a number"},
+    {"/nodes/0/extras/haptic/radius_m", "true", "node \"Plate\": extras.haptic.radius_m is not a number"},
+    {"/nodes/0/extras/haptic/max_speed_deg_s", "1e6", "node \"Plate\": extras.haptic.max_speed_deg_s is 1e+06"},
+    {"/nodes/1/extras/haptic/radius", "0.01", "node \"Real\": extras.haptic.radius is not a property"},
+    {"/nodes/1/extras/haptic/served_by", R"("Left")", "node \"Real\": extras.haptic.served_by is not a property"},
+    {"/nodes/1/extras/haptic/ra\rdius", "0.01", "node \"Real\": extras.haptic.ra?dius is not a property"},
+    {"/nodes/1/extras/haptic/name", R"("")", "node \"Real\": extras.haptic.name has 0 bytes"},
+    {"/nodes/1/extras/haptic/name", R"("a\u0000b")", "node \"Real\": extras.haptic.name is \"a?b\""},
+    {"/nodes/1/extras/haptic/name", R"("Left")", "node \"Left\": its name \"Left\" is also that of \"Real\""},
+    {"/nodes/2/extras/haptic/served_by", R"("Lamp")", "node \"Left\": extras.haptic.served_by is \"Lamp\""},
+    {"/nodes/2/extras/haptic/served_by", R"("Left")", "node \"Left\": extras.haptic.served_by is \"Left\""},
+    {"/nodes/1/extras/haptic/role", R"("virtual")", "node \"Real\": the file has no real target"},
+    {"/nodes/1/translation", "[0,0.1,0.05]", "node \"Real\": the target lies at the start point"},
+    {"/nodes/2/extras/haptic/role", R"("start")", "node \"Left\": the start lies off the plate"},
+};
+
+// The others concern no node that places a target, plate or start.
+constexpr Change accepted[] = {
+    {"/nodes/3/rotation", "[0,0,0,2]"},
+    {"/nodes/3/scale", "[0,0,0]"},
+    {"/nodes/3/translation", "[1e9,0,0]"},
+    {"/nodes/3/matrix", "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,0.9999999]"},
+    {"/nodes/3/matrix", "[1,2,3]"},
+    {"/nodes/3/extras", R"([{"haptic":1},null,1e9,"text"])"},
+    {"/nodes/3/extras", R"({"haptics":1,"id":12345678901234567890})"},
+    {"/nodes/0/extras/haptic/radius_m", "0.001"},
+    {"/buffers",
+     R"([{"uri":"../elsewhere.bin","byteLength":1000},{"uri":"data:,%%%","byteLength":5},{"byteLength":0}])"},
+    {"/bufferViews", R"([{"buffer":7,"byteOffset":4000000000,"byteLength":1}])"},
+    {"/images", R"([{},{"bufferView":9},{"uri":"data:image/png;base64,AAAA"},{"uri":"https://example.com/a.png"}])"},
+    {"/meshes", R"([7])"},
+    {"/extensionsUsed", R"(["AGI_articulations"])"},
+    {"/extensionsRequired", R"(["KHR_materials_unlit","KHR_draco_mesh_compression","KHR_mesh_quantization"])"},
+    {"/extensionsRequired", R"(["KHR_meshopt_compression","EXT_meshopt_compression","MSFT_texture_dds"])"},
+    {"/extensionsRequired", R"(["EXT_mesh_features","EXT_structural_metadata","EXT_mesh_gpu_instancing"])"},
+    {"/extensionsRequired", R"(["KHR_node_visibility","KHR_animation_pointer"])"},
+};
+
+TEST(SceneRefusal, NamesTheNodeAndTheField) {
+  for (const Change& change : refused) {
+    SCOPED_TRACE(change.pointer + std::string(" ") + change.json);
+    expect_refused(with(change.pointer, change.json), change.named);
+  }
+}
+
+TEST(SceneRefusal, ConcernsOnlyNodesThatPlaceSomethingHaptic) {
+  EXPECT_EQ(refusal(good()), "");
+  for (const Change& change : accepted) EXPECT_EQ(refusal(with(change.pointer, change.json)), "") << change.pointer;
+  expect_refused(document({node("Group", {}, {{"rotation", {0, 0, 0, 2}}, {"children", {1}}}), plate()}).dump(),
+                 "node \"Group\": rotation is not a quaternion of unit length");
+  expect_refused(document({node("Group", {}, {{"scale", {0, 0, 0}}, {"children", {1}}}), plate()}).dump(),
+                 "node \"Group\": scale flattens space");
+}
+
+TEST(SceneRefusal, InstancingOfAHapticNode) {
+  const std::string instances = R"({"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}})";
+  Json file = Json::parse(with("/nodes/3/extensions", instances));
+  file["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+  EXPECT_EQ(refusal(file), "");
+  file = Json::parse(with("/nodes/1/extensions", instances));
+  EXPECT_EQ(refusal(file), "") << "a reader may do without";
+  file["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+  expect_refused(file.dump(), "node \"Real\": EXT_mesh_gpu_instancing");
+}
 
 TEST(SceneRefusal, NotGltf) {
-  for (const char* text :
-       {"", "hello", "{", "[]", "1", "null", "\"glTF\"", "{}", "{\"asset\":{}}", "{\"asset\":{\"version\":2.0}}",
-        "\x89PNG\r\n\x1a\n", "{\"asset\":{\"version\":\"2.0\"}}NaN", "{\"asset\":{\"version\":\"\xff\"}}"}) {
-    SCOPED_TRACE(text);
-    EXPECT_TRUE(refusal(text).starts_with("test.gltf: not a glTF file: ")) << refusal(text);
+  for (const char* text : {"",
+                           "hello",
+                           "{",
+                           "[]",
+                           "1",
+                           "null",
+                           "\"glTF\"",
+                           "{}",
+                           "\"",
+                           "\"\\",
+                           "{\"a\":",
+                           "{\"a\":,}",
+                           "]}",
+                           ":,:,",
+                           "{\"asset\":{\"version\":2.0}}",
+                           "\x89PNG\r\n\x1a\n",
+                           "{\"asset\":{\"version\":\"2.0\"}}NaN",
+                           "{\"asset\":{\"version\":\"\xff\"}}",
+                           "{\"asset\":{\"version\":\"2.0\"},\"meshes\":[}",
+                           "{\"meshes\":,\"a\":1}"})
+    expect_refused(text, "not a glTF file: ");
+  // JSON has no NaN and no infinity; a number that overflows would be one.
+  for (const char* number : {"NaN", "-Infinity", "1e999", "-1e999"}) {
+    std::string text = good().dump();
+    expect_refused(text.replace(text.find("-0.05"), 5, number), "not a glTF file: ");
   }
-  refused("/asset/version", "1.0", R"(asset.version is "1.0"; glTF 2 is read)");
-  refused("/asset/minVersion", "2.1", R"(asset.minVersion is "2.1"; glTF 2.0 is read)");
-  refused("/nodes", Json::object(), "nodes is not an array of objects");
-  refused("/nodes/0", 7, "nodes is not an array of objects");
-  refused("/scenes", Json::array({7}), "scenes is not an array of objects");
-  refused("/scene", 1, R"(scene is "1", and there are 1 scenes)");
-  refused("/scene", -1, R"(scene is "-1", and there are 1 scenes)");
-  refused("/scene", "0", R"(scene is ""0"", and there are 1 scenes)");
+  // The parser quotes what it read last: here, all of the file.
+  expect_refused(std::string(5000, '\n') + "'", "line 5001");
 }
 
 TEST(SceneRefusal, CutShortAtEveryByte) {
@@ -55,204 +181,32 @@ TEST(SceneRefusal, CutShortAtEveryByte) {
 TEST(SceneRefusal, BinaryHeader) {
   const std::string binary = glb(good());
   const auto with_word = [&](std::size_t at, std::size_t value) {
-    return refusal(std::string(binary).replace(at, 4, little_endian(value)));
+    return std::string(binary).replace(at, 4, little_endian(value));
   };
-  const std::string size = std::to_string(binary.size());
-  EXPECT_EQ(with_word(4, 1), "test.gltf: the binary glTF header has version 1; glTF 2 is read");
-  EXPECT_EQ(with_word(8, 0x80000000u),
-            "test.gltf: the binary glTF header claims 2147483648 bytes, and there are " + size);
-  EXPECT_EQ(with_word(12, 0x7fffffffu), "test.gltf: the JSON chunk claims 2147483647 bytes, and " +
-                                            std::to_string(binary.size() - 20) + " are left");
-  EXPECT_EQ(with_word(16, 0), "test.gltf: the first chunk of a binary glTF must be JSON");
-  refused("glTF", "the binary glTF header is cut short");
-}
-
-TEST(SceneRefusal, NodeGraph) {
-  refused("/nodes/0/children", {1, 2}, "scenes[0].nodes holds 1, which is not a root but the child of another node");
-  refused("/nodes/0/children", {3}, R"(node "Plate": children holds 3, and there are 3 nodes)");
-  refused("/nodes/0/children", {-1}, R"(node "Plate": children holds "-1", which is not an index)");
-  refused("/nodes/0/children", {1.0}, R"(node "Plate": children holds "1.0", which is not an index)");
-  refused("/nodes/0/children", 1, R"(node "Plate": children is not an array)");
-  refused("/scenes/0/nodes", {0, 3}, "scenes[0].nodes holds 3, and there are 3 nodes");
-  refused("/scenes/0/nodes", {0, 0}, "scenes[0].nodes holds 0 twice");
-
-  Json two_parents = good();
-  two_parents["nodes"][0]["children"] = {2};
-  two_parents["nodes"][1]["children"] = {2};
-  refused(two_parents, R"(node "Left": children of both node "Plate" and node "Real" name it; a node has one parent)");
-  two_parents["nodes"][1]["children"] = Json::array();
-  two_parents["nodes"][0]["children"] = {2, 2};
-  refused(two_parents, R"(node "Left": children of both node "Plate" and node "Plate" name it; a node has one parent)");
-
-  refused("/nodes/2/children", {2}, R"(node "Left": children of the nodes below it lead back to it: a cycle)");
-  Json cycle = good();
-  cycle["nodes"][1]["children"] = {2};
-  cycle["nodes"][2]["children"] = {1};
-  refused(cycle, R"(node "Real": children of the nodes below it lead back to it: a cycle)");
-}
-
-TEST(SceneRefusal, Transforms) {
-  refused("/nodes/1/translation", {0, 0}, R"(node "Real": translation is not an array of 3 numbers)");
-  refused("/nodes/1/translation", {0, 0, "NaN"}, R"(node "Real": translation is not an array of 3 numbers)");
-  refused("/nodes/1/translation", {0, 0, 1e300}, R"(node "Real": it is further than 1000 m from the world's origin)");
-  refused(document({plate({{"translation", {900.0, 0.0, 0.0}}}), real({{"translation", {-900.0, 0.0, 0.0}}})}),
-          R"(node "Real": it is further than 1000 m from the plate)");
-  refused("/nodes/1/rotation", {0, 0, 0, 0}, R"(node "Real": rotation is not a quaternion of unit length)");
-  refused("/nodes/1/rotation", {1e200, 0, 0, 0}, R"(node "Real": rotation is not a quaternion of unit length)");
-  refused("/nodes/1/scale", 2, R"(node "Real": scale is not an array of 3 numbers)");
-  refused("/nodes/1/matrix", Json::array({1, 0, 0}), R"(node "Real": matrix is not an array of 16 numbers)");
-  const Json identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  refused("/nodes/1/matrix", identity,
-          R"(node "Real": matrix is given beside translation, rotation or scale; glTF allows one form)");
-  Json projective = identity;
-  projective[3] = 0.5;
-  refused("/nodes/0/matrix", projective, R"(node "Plate": matrix has a fourth row other than 0 0 0 1)");
-
-  refused("/nodes/0/scale", {1, 0, 1}, R"(node "Plate": its scale has a zero-length axis or flattens space)");
-  Json flat = identity;
-  flat[8] = 1;  // +Z is made the same as +X
-  flat[10] = 0;
-  refused("/nodes/0/matrix", flat, R"(node "Plate": its matrix has a zero-length axis or flattens space)");
-  refused(document({node("Group", {}, {{"scale", {0, 0, 0}}, {"children", {1}}}), plate()}),
-          R"(node "Group": its scale has a zero-length axis or flattens space, and "Group/Plate" is below it)");
-
-  // JSON has no NaN and no infinity; a number that overflows would be one.
-  for (const char* number : {"NaN", "-Infinity", "1e999", "-1e999"}) {
-    std::string text = good().dump();
-    text.replace(text.find("-0.05"), 5, number);
-    EXPECT_TRUE(refusal(text).starts_with("test.gltf: not a glTF file: ")) << refusal(text);
-  }
+  expect_refused(with_word(4, 1), "header has version 1");
+  expect_refused(with_word(8, 0x80000000u), "header claims 2147483648 bytes");
+  expect_refused(with_word(12, 0x7fffffffu), "JSON chunk claims 2147483647 bytes");
+  expect_refused(with_word(16, 0), "the first chunk of a binary glTF must be JSON");
+  expect_refused("glTF", "header is cut short");
 }
 
 TEST(SceneRefusal, Roles) {
-  refused(document({node("Cube", {}), node("Light", {{"haptics", 1}})}),
-          "no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
-  refused(document({real(), virtual_on_the_left()}), R"(no node has extras.haptic.role "plate")");
-  refused(document({plate(), node("Second", haptic("plate", {{"radius_m", 1}}))}),
-          R"(node "Second": extras.haptic.role is the same as that of "Plate", and there may be one only)");
-  refused(document({plate(), node("A", haptic("start")), node("B", haptic("start"))}),
-          R"(node "B": extras.haptic.role is the same as that of "A", and there may be one only)");
-  refused("/nodes/1/extras/haptic/role", "Real",
-          R"(node "Real": extras.haptic.role is "Real"; allowed are "plate", "real", "virtual" and "start")");
-  refused("/nodes/1/extras/haptic/role", 3, R"(node "Real": extras.haptic.role is not a string)");
-  refused("/nodes/1/extras", {{"haptic_role", Json()}}, R"(node "Real": extras.haptic_role is not a string)");
-  refused("/nodes/1/extras", {{"haptic_name", "brass"}},
-          R"(node "Real": extras.haptic_role is missing, beside extras.haptic_name)");
-  refused("/nodes/1/extras/haptic", {{"name", "brass"}},
-          R"(node "Real": extras.haptic.role is missing, beside extras.haptic.name)");
-  for (const Json& not_an_object : {Json(), Json::object(), Json("real"), Json::array({"role", "real"})}) {
-    refused("/nodes/1/extras/haptic", not_an_object, R"(node "Real": extras.haptic is not an object with a role)");
-  }
-  refused("/nodes/1/extras/haptic_radius_m", 1,
-          R"(node "Real": both extras.haptic and extras.haptic_radius_m are given; keep one form)");
+  expect_refused(document({node("Cube", {})}).dump(), "no node has a haptic role");
+  expect_refused(document({plate(), node("A", haptic("start")), node("B", haptic("start"))}).dump(),
+                 "node \"B\": extras.haptic.role is the same as that of \"A\"");
+  expect_refused(document({plate({{"translation", {900, 0, 0}}}), real({{"translation", {-900, 0, 0}}})}).dump(),
+                 "node \"Real\": it is further than 1000 m from the plate");
 }
 
-TEST(SceneRefusal, Properties) {
-  Json file = good();
-  file["nodes"][0]["extras"]["haptic"].erase("radius_m");
-  refused(file, R"(node "Plate": extras.haptic.radius_m is missing: a plate needs its radius in metres)");
-  refused("/nodes/0/extras/haptic/radius_m", 0, R"(node "Plate": extras.haptic.radius_m is 0; allowed is 0.001 to 10)");
-  refused("/nodes/0/extras/haptic/radius_m", -0.075,
-          R"(node "Plate": extras.haptic.radius_m is -0.075; allowed is 0.001 to 10)");
-  // 2^32 + 1, of which 32 bits are 1.
-  refused("/nodes/0/extras/haptic/radius_m", 4294967297,
-          R"(node "Plate": extras.haptic.radius_m is 4.29497e+09; allowed is 0.001 to 10)");
-  refused("/nodes/0/extras/haptic/radius_m", 1e-300,
-          R"(node "Plate": extras.haptic.radius_m is 1e-300; allowed is 0.001 to 10)");
-  EXPECT_EQ(refusal_with("/nodes/0/extras/haptic/radius_m", 0.001), "");
-  refused("/nodes/0/extras/haptic/radius_m", "0.075", R"(node "Plate": extras.haptic.radius_m is not a number)");
-  refused("/nodes/0/extras/haptic/radius_m", true, R"(node "Plate": extras.haptic.radius_m is not a number)");
-  refused("/nodes/0/extras/haptic/max_speed_deg_s", 1e6,
-          R"(node "Plate": extras.haptic.max_speed_deg_s is 1e+06; allowed is 0.001 to 100000)");
-  refused("/nodes/1/extras/haptic/radius", 0.01,
-          R"(node "Real": extras.haptic.radius is not a property of this role; allowed are role, name, radius_m)");
-  refused("/nodes/1/extras/haptic/served_by", "Left",
-          R"(node "Real": extras.haptic.served_by is not a property of this role; allowed are role, name, radius_m)");
-  refused("/nodes/1/extras/haptic/ra\rdius", 0.01,
-          R"(node "Real": extras.haptic.ra?dius is not a property of this role; allowed are role, name, radius_m)");
-  EXPECT_EQ(refusal_with(("/nodes/1/extras/haptic/" + std::string(3000, 'r')).c_str(), 0.01),
-            "test.gltf: node \"Real\": extras.haptic." + std::string(80, 'r') +
-                "... is not a property of this role; allowed are role, name, radius_m");
-  refused("/nodes/1/extras/haptic/name", "", R"(node "Real": extras.haptic.name has 0 bytes; allowed are 1 to 255)");
-  refused("/nodes/1/name", 5, "node [1]: name is not a string of at most 255 bytes");
-  EXPECT_EQ(refusal_with("/nodes/1/name", std::string(256, 'x')),
-            "test.gltf: node \"" + std::string(80, 'x') + "...\": name is not a string of at most 255 bytes");
-}
-
-TEST(SceneRefusal, Targets) {
-  refused(
-      "/nodes/2/name", "Real",
-      R"(node "Real": its name "Real" is also that of "Real"; targets need names of their own (extras.haptic.name))");
-  refused("/nodes/1/translation", {0.0, 0.3, 0.05},
-          R"(node "Real": the target lies at the start point, so it has no direction)");
-  refused("/nodes/2/extras/haptic/served_by", "Brass",
-          R"(node "Left": extras.haptic.served_by is "Brass", which is not the name of a real target)");
-  refused("/nodes/2/extras/haptic/served_by", "Left",
-          R"(node "Left": extras.haptic.served_by is "Left", which is not the name of a real target)");
-  refused(document({plate(), virtual_on_the_left()}),
-          R"(node "Left": the file has no real target that could serve this virtual one)");
-  const Json start = node("Start", haptic("start"), {{"translation", {0.0, 0.0, 0.08}}});
-  refused(document({plate(), start, real()}),
-          R"(node "Start": the start lies off the plate, 0.08 m from its centre; the plate's radius_m is 0.075)");
-}
-
-TEST(SceneRefusal, RequiredExtensions) {
-  refused("/extensionsRequired", {"EXT_mesh_gpu_instancing"},
-          R"(extensionsRequired names "EXT_mesh_gpu_instancing", which may move nodes and is not understood here)");
-  refused("/extensionsRequired", {"KHR_materials_unlit", "AGI_articulations"},
-          R"(extensionsRequired names "AGI_articulations", which may move nodes and is not understood here)");
-  EXPECT_EQ(refusal_with("/extensionsRequired", {"KHR_materials_unlit", "KHR_draco_mesh_compression"}), "");
-  EXPECT_EQ(refusal_with("/extensionsUsed", {"EXT_mesh_gpu_instancing"}), "");
-  refused("/extensionsRequired", Json::array({1}), "extensionsRequired holds something that is not a string");
-}
-
-class Addresses : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(SceneRefusal, Addresses, testing::Values("buffers", "images"));
-
-TEST_P(Addresses, OutsideTheFolderAreRefused) {
-  const auto refusal_of_uri = [](const std::string& uri) {
-    return refusal_with(("/" + GetParam()).c_str(), Json::array({Json::object(), {{"uri", uri}}}));
-  };
-  for (const char* uri : {"mesh.bin", "meshes/desk.bin", "data:application/octet-stream;base64,AAAA", "..bin",
-                          "console.bin", "a%20b.bin"}) {
-    EXPECT_EQ(refusal_of_uri(uri), "") << uri;
-  }
-  const std::vector<std::pair<const char*, const char*>> bad{
-      {"../secret.bin", "climbs out of the file's folder"},
-      {"meshes/../../secret.bin", "climbs out of the file's folder"},
-      {"%2e%2e/secret.bin", "climbs out of the file's folder"},
-      {"..%5Csecret.bin", "climbs out of the file's folder"},
-      {"..\\secret.bin", "climbs out of the file's folder"},
-      {"meshes/..", "climbs out of the file's folder"},
-      {"/dev/zero", "is an absolute path"},
-      {"%2Fdev%2Fzero", "is an absolute path"},
-      {"\\\\host\\share", "is an absolute path"},
-      {"file:///etc/passwd", "is an address or a drive, not a file beside this one"},
-      {"https://example.com/a.bin", "is an address or a drive, not a file beside this one"},
-      {"C:secret.bin", "is an address or a drive, not a file beside this one"},
-      {"NUL", "names a device"},
-      {"meshes/con.bin", "names a device"},
-      {"com1", "names a device"},
-      {"", "is not a file name"},
-      {"a%00b", "is not a file name"}};
-  for (const auto& [uri, reason] : bad) {
-    EXPECT_EQ(refusal_of_uri(uri),
-              "test.gltf: " + GetParam() + "[1].uri is \"" + std::string(uri) + "\", which " + reason);
-  }
-  refused(("/" + GetParam()).c_str(), Json::array({{{"uri", 7}}}), GetParam() + "[0].uri is not a string");
-}
-
-// Of two values for one key, readers take one or the other.
-TEST(SceneRefusal, KeysThatAreThereTwice) {
+// Readers differ in which of two values they take.
+TEST(SceneRefusal, RepeatedKeys) {
   const auto with_member = [](const std::string& before, const std::string& member) {
     std::string text = good().dump();
     return text.insert(text.find(before), member + ",");
   };
-  refused(with_member("\"nodes\":[{", "\"nodes\":[]"), R"(its JSON has the key "nodes" twice)");
-  refused(with_member("\"radius_m\"", "\"radius_m\":1"), R"("nodes[0].extras.haptic" has the key "radius_m" twice)");
-  refused(with_member("\"translation\"", "\"translation\":7"), R"("nodes[1]" has the key "translation" twice)");
-  refused(with_member("\"asset\"", R"("meshes":[{"a":[[{"b":1,"a\u0000":{},"\u0062":2}]]}])"),
-          R"("meshes[0].a[0][0]" has the key "b" twice)");
+  expect_refused(with_member("\"nodes\":[{", "\"nodes\":[]"), "key \"nodes\" twice");
+  expect_refused(with_member("\"radius_m\"", "\"radius_m\":1"), "key \"radius_m\" twice");
+  expect_refused(with_member("\"translation\"", "\"translation\":7"), "key \"translation\" twice");
   EXPECT_EQ(refusal(with_member("\"asset\"", R"("meshes":[{"b":{"b":1}},{"b":1}])")), "");
 }
 
@@ -272,76 +226,57 @@ TEST(SceneRefusal, PathsThatAreNoFile) {
 #endif
 }
 
-// A line of 100,000 nodes, each the child of the one before; the roles lie at its end.
-TEST(SceneRefusal, DeepNodeTree) {
+TEST(SceneRefusal, DeepNodesAndDeepJson) {
   Json nodes = Json::array();
-  for (int i = 0; i < 99'999; ++i) {
-    nodes.push_back({{"children", Json::array({i + 1})}});
-  }
+  for (int i = 0; i < 99'999; ++i) nodes.push_back({{"children", Json::array({i + 1})}});
   nodes.push_back(plate());
-  const std::string message = refusal(document(nodes));
-  EXPECT_TRUE(message.ends_with("lies deeper than 256 nodes")) << message;
-  EXPECT_LT(message.size(), 300u);
+  expect_refused(document(nodes).dump(), "lies deeper than 256 nodes");
   nodes.push_back(Json::object());
-  refused(document(nodes), "has more than 100000 nodes");
-}
+  expect_refused(document(nodes).dump(), "has more than 100000 nodes");
 
-// JSON within JSON, where glTF has no place for it and where it has.
-TEST(SceneRefusal, DeepJson) {
   const std::string nested = std::string(100'000, '[') + std::string(100'000, ']');
-  for (const char* member : {"nodes", "extras", "images", "unknown"}) {
-    EXPECT_EQ(refusal(R"({"asset":{"version":"2.0"},")" + std::string(member) + "\":" + nested + "}"),
-              "test.gltf: its JSON is nested deeper than 64 levels");
-  }
-  EXPECT_EQ(refusal(std::string(100'000, '[')), "test.gltf: its JSON is nested deeper than 64 levels");
-  EXPECT_EQ(refusal("{\"a\":" + std::string(100'000, '{')).find("test.gltf: "), 0u);
+  for (const char* member : {"nodes", "extras", "images", "unknown"})
+    expect_refused(R"({"asset":{"version":"2.0"},")" + std::string(member) + "\":" + nested + "}",
+                   "deeper than 64 levels");
+  expect_refused(std::string(100'000, '['), "deeper than 64 levels");
+  expect_refused("{\"a\":" + std::string(100'000, '{'), "deeper than 64 levels");
 }
 
 TEST(SceneRefusal, TooMuchOfEverything) {
   std::string zeros = "[0";
-  for (int i = 0; i < 1'000'000; ++i) {
-    zeros += ",0";
-  }
-  refused(R"({"asset":{"version":"2.0"},"nodes":)" + zeros + "]}", "its JSON has more than 1000000 values");
-  refused(std::string((std::size_t{64} << 20) + 1, ' '), "its JSON is larger than 67108864 bytes");
+  for (int i = 0; i < 1'000'000; ++i) zeros += ",0";
+  const auto file = [&](const std::string& section) {
+    return R"({"asset":{"version":"2.0"},")" + section + "\":" + zeros + "]}";
+  };
+  expect_refused(file("nodes"), "more than 1000000 values");
+  expect_refused(file("accessors"), "has 0 scenes");
+  expect_refused(std::string((std::size_t{64} << 20) + 1, ' '), "JSON is larger than 67108864 bytes");
 
   Json nodes = Json::array({plate()});
-  for (int i = 0; i < 1000; ++i) {
-    nodes.push_back(real());
-  }
-  refused(document(nodes), "more than 1000 nodes have a haptic role");
+  for (int i = 0; i < 1000; ++i) nodes.push_back(real());
+  for (std::size_t i = 1; i <= 1000; ++i) nodes[i]["name"] = std::to_string(i);
+  expect_refused(document(nodes).dump(), "more than 1000 nodes have a haptic role");
 }
 
-TEST(SceneRefusal, NamesThatAreNoText) {
-  refused("/nodes/1/extras/haptic/name", std::string(256, 'x'),
-          R"(node "Real": extras.haptic.name has 256 bytes; allowed are 1 to 255)");
-  refused("/nodes/1/extras/haptic/name", std::string("a\0b", 3),
-          R"(node "Real": extras.haptic.name is "a?b", with a control character in it)");
+TEST(SceneRefusal, LongAndUnprintableNames) {
+  const std::string long_name = "\"" + std::string(256, 'x') + "\"";
+  expect_refused(with("/nodes/1/extras/haptic/name", long_name), "extras.haptic.name has 256 bytes");
+  expect_refused(with("/nodes/1/name", long_name), "its name is longer than 255 bytes");
+  EXPECT_EQ(refusal(with("/nodes/3/name", long_name)), "");
+  expect_refused(with("/nodes/1/extras/haptic/" + std::string(3000, 'r'), "1"), std::string(80, 'r') + "... is not");
+  expect_refused(with("/nodes/1/extras/haptic/role", R"("a\nb\u001b[31m\u007f")"), "\"a?b?[31m?\"");
   // Blender lets a node have any name.
-  const Scene scene = load(with("/nodes/1/name", "a\nb"));
+  const Scene scene = load(with("/nodes/1/name", R"("a\nb")"));
   EXPECT_EQ(scene.targets[0].name, "a?b");
   EXPECT_EQ(scene.targets[0].node_path, "a?b");
 }
 
-// 80 of two bytes each.
 TEST(SceneRefusal, LongTextIsCutBetweenCharacters) {
   std::string text;
   for (int i = 0; i < 80; ++i) text += "\u00fc";
   EXPECT_EQ(in_quotes(text), '"' + text + '"');
   EXPECT_EQ(in_quotes(text + "\u00fc"), '"' + text + "...\"");
   EXPECT_EQ(in_quotes("a" + text), "\"a" + text.substr(0, 158) + "...\"");
-}
-
-TEST(SceneRefusal, MessagesHoldNoControlCharacters) {
-  const std::string message = refusal_with("/nodes/1/extras/haptic/role", "a\nb\x1b[31m\x7f");
-  EXPECT_NE(message.find("\"a?b?[31m?\""), std::string::npos) << message;
-}
-
-// The parser quotes what it read last: here, all of the file.
-TEST(SceneRefusal, AnErrorAfterManyLinesIsOneShortLine) {
-  const std::string message = refusal(std::string(5000, '\n') + "'");
-  EXPECT_LT(message.size(), 200u) << message;
-  EXPECT_NE(message.find("line 5001"), message.npos) << message;
 }
 
 }  // namespace

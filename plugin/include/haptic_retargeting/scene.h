@@ -55,8 +55,9 @@ typedef struct hrt_scene_target {
 } hrt_scene_target;
 
 /** Loads the .gltf or .glb file `path`; or, unless `bytes` is null, one from memory, which is not used after
- * the call and which error texts call `path`. Errors: BAD_FORMAT naming the file, the node and the property,
- * LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
+ * the call and which error texts call `path`. The log has a warning if targets are further than ten plate radii
+ * from the plate. If memory runs out while the file is parsed, the process may end (PROCESS.md). Errors:
+ * BAD_FORMAT naming the file, the node and the property, LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length,
                                                 hrt_scene* out_scene) HRT_NOEXCEPT;
 

@@ -7,6 +7,8 @@
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/file.h"
+#include "plugin/src/abi/host.h"
+#include "plugin/src/abi/text.h"
 #include "plugin/src/api/sessions.h"
 #include "plugin/src/session/contact.h"
 #include "scene/scene.h"
@@ -23,6 +25,19 @@ void copy(Vec3 from, double (&to)[3]) {
   to[2] = from.z;
 }
 
+// Warns of targets further than ten plate radii from the plate: the file may not be in metres.
+void log_far_targets(const Scene& scene, std::string_view file) {
+  const double far_m = 10.0 * scene.plate.radius_m;
+  const auto is_far = [&](const SceneTarget& target) { return length(target.position_m) > far_m; };
+  const auto first = std::find_if(scene.targets.begin(), scene.targets.end(), is_far);
+  if (first == scene.targets.end()) return;
+  Text<400> text;
+  text << Shown{file} << ": " << std::count_if(first, scene.targets.end(), is_far)
+       << " of the targets are further than ten plate radii (" << far_m << " m) from the plate, the first one \""
+       << Shown{first->name} << "\" at " << length(first->position_m) << " m; is the file in metres?";
+  write_log(HRT_LOG_WARNING, text.c_str());
+}
+
 // Runs a loader, whose errors begin with the name of the file.
 template <class Load>
 hrt_result add_scene(hrt_scene* out_scene, std::string_view file, Load&& load) {
@@ -34,6 +49,7 @@ hrt_result add_scene(hrt_scene* out_scene, std::string_view file, Load&& load) {
         return fail(HRT_ERROR_BAD_FORMAT, "target name ", in_quotes(target.name), " has ", target.name.size(),
                     " bytes; allowed: up to ", HRT_NAME_SIZE - 1);
     }
+    log_far_targets(*scene, file);
     const std::uint64_t handle = scenes.insert(std::move(scene));
     if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SCENES_MAX, " scenes; destroy one first");
     out_scene->value = handle;

@@ -29,7 +29,8 @@ Vec3 skin_m(const hrt_session_config& config, const hrt_sample& sample) {
   const Vec3 tip_m{p[0], p[1], p[2]};
   if ((sample.flags & HRT_SAMPLE_JOINT_ROTATION) == 0 || !is_not_zero(config.fingertip_offset_m)) return tip_m;
   const auto& offset_m = config.fingertip_offset_m;
-  return tip_m + axes_of(to_pose({}, sample.joint_rotation).orientation) * Vec3{offset_m[0], offset_m[1], offset_m[2]};
+  const Transform joint = transform_of(to_pose({}, sample.joint_rotation));
+  return tip_m + map_direction(joint, {offset_m[0], offset_m[1], offset_m[2]});
 }
 
 hrt_result check_sample(const hrt_sample& sample) {

@@ -21,7 +21,9 @@ class Targets {
   hrt_result set(std::uint64_t id, const hrt_target_config& checked_config);
   hrt_result remove(std::uint64_t id);
   /// Both are targets of the session.
-  void set_served_by(std::uint64_t virtual_id, std::uint64_t real_id) { by_id_.at(virtual_id).served_by.value = real_id; }
+  void set_served_by(std::uint64_t virtual_id, std::uint64_t real_id) {
+    by_id_.at(virtual_id).served_by.value = real_id;
+  }
 
   /// Null if there is none.
   const hrt_target_config* find(std::uint64_t id) const;
