@@ -32,30 +32,6 @@ TEST_F(ProfileTest, ComesBackToTheLastBit) {
   EXPECT_EQ(back.paper.horizon, 3u) << "a profile is the participant's, not the session's";
 }
 
-TEST_F(ProfileTest, TheSteeringOfVersion03IsDropped) {
-  std::string text = save_profile();
-  text.insert(text.rfind('}'), R"(,"steering_rate_per_s":8.25,"steering_delay_s":0.0625)");
-  ASSERT_OK(load_profile(text));
-  EXPECT_EQ(save_profile().find("steering"), std::string::npos);
-  text.insert(text.rfind('}'), R"(,"steering_gain":1)");
-  expect_error(load_profile(text), HRT_ERROR_BAD_FORMAT, "steering_gain");
-}
-
-TEST_F(ProfileTest, ThePersonOfVersion03HasAnUnknownScatter) {
-  std::string covariance;
-  for (int row = 0; row < 9; ++row)
-    for (int column = 0; column <= row; ++column) covariance += row == column ? ",0.01" : ",0";
-  std::string text = save_profile();
-  text.insert(text.rfind('}'),
-              ",\"person_mean\":[0.2,0,14,1,0,0.1,0.2,-0.5,0],\"person_covariance\":[" + covariance.substr(1) + "]");
-  ASSERT_OK(load_profile(text));
-  const hrt_session_config config = config_of(session);
-  EXPECT_EQ(config.person.mean[HRT_PERSON_BIAS], 1.0);
-  EXPECT_EQ(config.person.mean[HRT_PERSON_SCATTER], 1.2);
-  EXPECT_EQ(config.person.covariance[44], 0.01);
-  EXPECT_DOUBLE_EQ(config.person.covariance[54], 0.8 * 0.8);
-}
-
 TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
   hrt_session_config config = session_config();
   config.paper.bias_deg = 1.5;

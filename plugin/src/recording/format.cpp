@@ -41,16 +41,6 @@ void write(const ConfigSet& set, hrt_result, RecordText& out) {
   out << config_comment << json.view() << "\n";
 }
 
-// Columns that recordings of 0.3 call otherwise. bearing_error_deg, 0 under FIXED_DIRECTION, is not compared.
-struct FormerColumn {
-  std::string_view former, name;
-};
-constexpr FormerColumn former_columns[] = {
-    {"normalised_innovation", "misfit"},
-    {"bearing_error_sd_deg", "miss_sd_deg"},
-    {"final_miss_deg", "paper_miss_deg"},
-};
-
 constexpr std::string_view verbs[] = {"added", "set", "removed"};
 
 void write(const TargetChanged& changed, hrt_result, RecordText& out) {
@@ -126,7 +116,7 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
   if (result == HRT_OK) row.put_fields(ended.summary);
 }
 
-// Doubles may be spelled in other ways: other releases have written 1e+05 where this one writes 100000.
+// A double has more than one spelling: 1e+05 is 100000.
 bool is_same_cell(std::string_view cell, std::string_view other) {
   constexpr std::string_view of_doubles = ".e";
   if (cell == other) return true;
@@ -186,24 +176,25 @@ hrt_result read_update(const Cells& cells, Record* out) {
   return HRT_OK;
 }
 
-// Calls `visit` with each cell of a line.
-template <class Visit>
-void for_each_cell(std::string_view line, Visit&& visit) {
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', from), line.size());
-    visit(line.substr(from, comma - from));
-    from = comma + 1;
-  }
+// Removes the first cell of a line, with its comma.
+std::string_view take_cell(std::string_view* line) {
+  const std::size_t size = std::min(line->find(','), line->size());
+  const std::string_view cell = line->substr(0, size);
+  line->remove_prefix(std::min(size + 1, line->size()));
+  return cell;
+}
+
+std::string column_names() {
+  std::string names;
+  for (const std::string_view name : recording_columns) (names += name) += ',';
+  names.pop_back();
+  return names;
 }
 
 }  // namespace
 
 std::string recording_header() {
-  std::string header(recording_begin);
-  header += explanation;
-  for (const std::string_view name : recording_columns) (header += name) += ',';
-  header.back() = '\n';
-  return header;
+  return std::string(recording_begin) + std::string(explanation) + column_names() + "\n";
 }
 
 void write_record(const Record& record, RecordText& out) {
@@ -212,33 +203,18 @@ void write_record(const Record& record, RecordText& out) {
 
 void write_end(std::uint64_t checksum, RecordText& out) { out << end_comment << checksum << "\n"; }
 
-hrt_result FileColumns::read_names(std::string_view line) {
+hrt_result check_column_names(std::string_view line) {
+  if (line == column_names()) return HRT_OK;
   if (!line.starts_with("call,result,"))
     return fail(HRT_ERROR_BAD_FORMAT, "this comes before the names of the columns");
-  bool is_former = false;
-  for_each_cell(line, [&](std::string_view name) {
-    for (const FormerColumn& column : former_columns) {
-      if (name != column.former) continue;
-      name = column.name;
-      is_former = true;
-    }
-    const auto* ours = std::find(std::begin(recording_columns), std::end(recording_columns), name);
-    places_.push_back(static_cast<std::size_t>(ours - recording_columns));
-  });
-  // It was 0 where it is HRT_NOT_MOVING now.
-  if (is_former) std::replace(places_.begin(), places_.end(), column("time_to_go_s"), columns);
-  return HRT_OK;
+  return fail(HRT_ERROR_BAD_FORMAT, "the columns are not those that this version of the library writes");
 }
 
-hrt_result FileColumns::read_row(std::string_view line, Record* out) const {
+hrt_result read_row(std::string_view line, Record* out) {
+  const auto n = static_cast<std::size_t>(1 + std::count(line.begin(), line.end(), ','));
+  if (n != columns) return fail(HRT_ERROR_BAD_FORMAT, "the row has ", n, " columns; ", columns, " are needed");
   Cells cells;
-  std::size_t n = 0;
-  for_each_cell(line, [&](std::string_view cell) {
-    if (n < places_.size() && places_[n] < columns) cells[places_[n]] = cell;
-    ++n;
-  });
-  if (n != places_.size())
-    return fail(HRT_ERROR_BAD_FORMAT, "the row has ", n, " columns; ", places_.size(), " are needed");
+  for (std::string_view& cell : cells) cell = take_cell(&line);
   HRT_RETURN_IF_FAILED(read_cell(cells, column("result"), &out->result));
   if (!cells[column("refused_argument")].empty()) return read_refused(cells, out);
   if (cells[0] == "begin") return read_begin(cells, out);
@@ -258,16 +234,9 @@ hrt_result FileColumns::read_row(std::string_view line, Record* out) const {
               "\"; allowed: begin, update, retarget, touched, cancel, end, setup_update, setup_finish, setup_cancel");
 }
 
-bool FileColumns::is_same_row(std::string_view row, std::string_view written) const {
-  Cells cells;
-  std::size_t n = 0;
-  for_each_cell(written, [&](std::string_view cell) { cells[n++] = cell; });
-  n = 0;
+bool is_same_row(std::string_view row, std::string_view other) {
   bool same = true;
-  for_each_cell(row, [&](std::string_view cell) {
-    const std::size_t place = places_[n++];
-    same = same && (place == columns || is_same_cell(cell, cells[place]));
-  });
+  for (std::size_t i = 0; i < columns; ++i) same = is_same_cell(take_cell(&row), take_cell(&other)) && same;
   return same;
 }
 

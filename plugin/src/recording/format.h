@@ -99,7 +99,7 @@ struct Record {
 using RecordText = Text<8192>;
 
 /// The first line of a recording.
-inline constexpr std::string_view recording_begin = "# haptic retargeting recording, version 3\n";
+inline constexpr std::string_view recording_begin = "# haptic retargeting recording, version 4\n";
 
 /// The lines before the first record: what it is, what its columns mean, and their names.
 std::string recording_header();
@@ -111,8 +111,6 @@ void write_record(const Record& record, RecordText& out);
 inline constexpr std::string_view config_comment = "# config ";
 inline constexpr std::string_view target_comment = "# target ";
 inline constexpr std::string_view plate_comment = "# plate ";
-/// Of 0.3: refused.
-inline constexpr std::string_view calibration_comment = "# calibration ";
 inline constexpr std::string_view setup_comment = "# setup ";
 inline constexpr std::string_view lost_comment = "# lost ";
 inline constexpr std::string_view end_comment = "# end ";
@@ -120,21 +118,14 @@ inline constexpr std::string_view end_comment = "# end ";
 /// The last line: a checksum of all before it.
 void write_end(std::uint64_t checksum, RecordText& out);
 
-/// The columns of a file, which may be one of another version's: of outputs it may have fewer, or others.
-class FileColumns {
- public:
-  bool known() const { return !places_.empty(); }
-  /// Reads the line of their names.
-  hrt_result read_names(std::string_view line);
-  /// Reads a row: what went into the call, and its result. What came out of it is not read.
-  hrt_result read_row(std::string_view line, Record* out) const;
-  /// Whether every cell of a row of the file is the same as in a row that was written here, numbers to the
-  /// bit.
-  bool is_same_row(std::string_view row, std::string_view written) const;
+/// Fails unless the line has the names of all columns, in their order.
+hrt_result check_column_names(std::string_view line);
 
- private:
-  std::vector<std::size_t> places_;  // of each column of the file, among ours; beyond the last: not one of ours
-};
+/// Reads the inputs and the result of a row; outputs are not read.
+hrt_result read_row(std::string_view line, Record* out);
+
+/// Whether all cells of two rows are equal, numbers by their bits.
+bool is_same_row(std::string_view row, std::string_view other);
 
 /// Reads the rest of a comment about a target, the plate or a set-up. Checked except for what depends on
 /// others.

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "core/person/traits.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/session/conditions.h"
@@ -33,9 +32,6 @@ using Json = nlohmann::json;
 constexpr const char* profile_format = "haptic retargeting profile";
 constexpr std::size_t max_text = 65536;
 constexpr std::size_t max_fields = 64;
-
-// Fields of 0.3, which profiles and recordings may carry: read and dropped.
-bool is_of_the_past(std::string_view key) { return key == "steering_rate_per_s" || key == "steering_delay_s"; }
 
 // Each field's key and value.
 template <class Values>
@@ -160,18 +156,6 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   bool in_array_ = false;
 };
 
-// What 0.3 wrote of a person knows nothing of their scatter, the last trait.
-void complete_person(JsonField& field) {
-  constexpr std::size_t former = HRT_PERSON_TRAITS - 1, former_covariances = HRT_PERSON_COVARIANCES - HRT_PERSON_TRAITS;
-  constexpr Trait scatter = person_traits[HRT_PERSON_SCATTER];
-  std::vector<double>& numbers = field.numbers;
-  if (field.key == "person_mean" && numbers.size() == former) numbers.push_back(scatter.mean);
-  if (field.key != "person_covariance" || numbers.size() != former_covariances) return;
-  const bool is_known = std::any_of(numbers.begin(), numbers.end(), [](double number) { return number != 0.0; });
-  numbers.resize(HRT_PERSON_COVARIANCES);
-  if (is_known) numbers.back() = scatter.sd * scatter.sd;
-}
-
 hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
   if (text.size() > max_text)
     return fail(HRT_ERROR_BAD_FORMAT, "the text has ", text.size(), " bytes; allowed: up to ", max_text);
@@ -183,8 +167,6 @@ hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
     if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
       return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is there twice");
   }
-  std::erase_if(reader.fields, [](const JsonField& field) { return is_of_the_past(field.key); });
-  for (JsonField& field : reader.fields) complete_person(field);
   *out = std::move(reader.fields);
   return HRT_OK;
 }

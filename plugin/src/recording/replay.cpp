@@ -84,9 +84,9 @@ class Replay {
   static hrt_result refuse_header(std::string_view text) {
     std::uint64_t version = 0;
     if (starts_with_and_drops(text, "# haptic retargeting recording, version ") &&
-        read_number(text.substr(0, text.find('\n')), &version) && version != 3)
-      return fail(HRT_ERROR_BAD_FORMAT, "version ", version, " is not supported; version 3 is");
-    return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 3 does");
+        read_number(text.substr(0, text.find('\n')), &version) && version != 4)
+      return fail(HRT_ERROR_BAD_FORMAT, "version ", version, " is not supported; version 4 is");
+    return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 4 does");
   }
 
   hrt_result take(std::string_view line) {
@@ -94,8 +94,6 @@ class Replay {
     if (starts_with_and_drops(line, config_comment)) return take_config(line);
     if (starts_with_and_drops(line, target_comment)) return take_target(line);
     if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
-    if (line.starts_with(calibration_comment))
-      return fail(HRT_ERROR_BAD_FORMAT, "a calibration by calls of version 0.3 is not replayed any more");
     if (starts_with_and_drops(line, setup_comment)) return take_setup(line);
     if (starts_with_and_drops(line, end_comment)) {
       take_end(line);
@@ -162,16 +160,16 @@ class Replay {
   }
 
   hrt_result take_row(std::string_view line) {
-    if (!columns_.known()) return columns_.read_names(line);
+    if (!std::exchange(has_columns_, true)) return check_column_names(line);
     HRT_RETURN_IF_FAILED(check_session());
     Record record;
-    HRT_RETURN_IF_FAILED(columns_.read_row(line, &record));
+    HRT_RETURN_IF_FAILED(read_row(line, &record));
     std::visit([&](auto& call) { call_again(call, &record.result); }, record.call);
     ++report_.rows;
     RecordText again;
     write_record(record, again);
     const std::string_view row = again.view().substr(0, again.view().size() - 1);
-    if (report_.first_different_line == 0 && !columns_.is_same_row(line, row))
+    if (report_.first_different_line == 0 && !is_same_row(line, row))
       report_.first_different_line = line_number_;
     return HRT_OK;
   }
@@ -225,7 +223,7 @@ class Replay {
                 last_failure().view());
   }
 
-  FileColumns columns_;
+  bool has_columns_ = false;
   std::optional<Session> session_;
   std::map<std::uint64_t, std::uint64_t> target_ids_;  // by their numbers in the recording; 0: removed
   Hash hash_;

@@ -23,7 +23,7 @@ consteval std::size_t column(std::string_view name) {
   return i;
 }
 
-/// The cells of a row as they are in a file; those of columns that the file does not have are empty.
+/// The cells of a row of a file.
 using Cells = std::array<std::string_view, columns>;
 
 /// Collects the cells of one row, and writes them in the end; those that are not put are empty.

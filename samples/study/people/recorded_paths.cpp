@@ -13,7 +13,7 @@ namespace hrt::study {
 namespace {
 
 constexpr std::string_view recording_start = "# haptic retargeting recording, version ";
-constexpr std::string_view readable_version = "3";
+constexpr std::string_view readable_version = "4";
 constexpr std::string_view config_start = "# config ";
 
 // Of a sample's flags: plugin/include/haptic_retargeting/reach.h.

@@ -430,7 +430,7 @@ TEST_F(Component, Records) {
   std::string line;
   std::ifstream file(path);
   std::getline(file, line);
-  EXPECT_EQ(line, "# haptic retargeting recording, version 3");
+  EXPECT_EQ(line, "# haptic retargeting recording, version 4");
   EXPECT_FALSE(component_.StopRecording());
   EXPECT_FALSE(component_.StartRecording(TEXT("/nowhere/recording.csv")));
 }

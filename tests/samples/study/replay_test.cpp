@@ -17,7 +17,7 @@ namespace hrt::study {
 namespace {
 
 constexpr const char* recording_header =
-    "# haptic retargeting recording, version 3\n"
+    "# haptic retargeting recording, version 4\n"
     "call,result,time_ns,sample_flags,sample_x_m,sample_y_m,sample_z_m,measured_plate_deg,real_direction_deg,"
     "virtual_direction_deg,real_distance_m,start_right_m,start_away_m,plate_orientation_deg\n";
 
@@ -71,13 +71,13 @@ TEST(StudyReplay, ReachesWithoutAPathAreNamed) {
 TEST(StudyReplay, RefusalsNameLineAndAllowedValues) {
   EXPECT_TRUE(has(recording_refusal("# haptic retargeting recording, version 2\n"), "line 1, version: '2'"));
   EXPECT_TRUE(
-      has(recording_refusal("# haptic retargeting recording, version 3\ncall,result\n"), "line 2, column time_ns"));
+      has(recording_refusal("# haptic retargeting recording, version 4\ncall,result\n"), "line 2, column time_ns"));
   EXPECT_TRUE(has(recording_refusal(std::string(recording_header) + "begin,0\n"), "line 3, columns: '2'"));
   EXPECT_TRUE(has(recording_refusal(std::string(recording_header) + begin_row + "update,0,x,2,0,0,0,,,,,,,0\n"),
                   "line 4, column time_ns: 'x'"));
   EXPECT_TRUE(has(recording_refusal(std::string(recording_header) + begin_row + "update,0,1,2,nan,0,0,,,,,,,0\n"),
                   "[-10, 10]"));
-  EXPECT_TRUE(has(recording_refusal("# haptic retargeting recording, version 3\n# config {\"plate_latency_ns\":-1}\n"),
+  EXPECT_TRUE(has(recording_refusal("# haptic retargeting recording, version 4\n# config {\"plate_latency_ns\":-1}\n"),
                   "line 2, config, plate_latency_ns: '-1'"));
   EXPECT_TRUE(has(recording_refusal("x,y\n"), "a.csv"));
 }

@@ -41,14 +41,10 @@ _SAMPLE_COLUMNS = {
     "plate_rotation": ("plate_qx", "plate_qy", "plate_qz", "plate_qw"),
 }
 _COMMAND_COLUMNS = tuple(name for name in COMMAND.names or () if name not in ("struct_size", "flags", "step"))
-
-# What recordings of 0.3 call otherwise.
-_FORMER_COLUMNS = {"normalised_innovation": "misfit", "bearing_error_sd_deg": "miss_sd_deg"}
 _BEGIN_COLUMNS = ("real_direction_deg", "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
 _INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
     "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
-_TEXTS = ("call", "refused_argument")
-_OPTIONAL_TEXTS = ("calibration_result", "setup")
+_TEXTS = ("call", "refused_argument", "setup")
 _CALLS = ("begin", "update", "retarget", "touched", "cancel", "end")
 
 _NEEDED_COLUMNS = (*_TEXTS, *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
@@ -117,8 +113,8 @@ def _read(lines: Iterable[str]) -> Recording:
     complete = False
     number = 0
     for number, line in enumerate(lines, 1):
-        if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 3":
-            raise RecordingError("line 1: not a recording of version 3")
+        if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 4":
+            raise RecordingError("line 1: not a recording of version 4")
         if not line.endswith("\n"):
             break  # cut off within the line
         line = line.rstrip("\r\n")
@@ -151,7 +147,7 @@ def _from_json(kind: type[_S], text: str) -> _S:
 
 
 def _header(line: str) -> list[str]:
-    names = [_FORMER_COLUMNS.get(name, name) for name in line.split(",")]
+    names = line.split(",")
     for column in _NEEDED_COLUMNS:
         if column not in names:
             raise ValueError(f"the column {column} is missing")
@@ -162,7 +158,7 @@ def _row(header: list[str], line: str) -> _Row:
     cells = line.split(",")
     if len(cells) != len(header):
         raise ValueError(f"the row has {len(cells)} columns; {len(header)} are needed")
-    return {name: cell if name in _TEXTS + _OPTIONAL_TEXTS else _number(name, cell) for name, cell in zip(header, cells)}
+    return {name: cell if name in _TEXTS else _number(name, cell) for name, cell in zip(header, cells)}
 
 
 def _number(name: str, cell: str) -> float | None:
@@ -180,7 +176,7 @@ def _number(name: str, cell: str) -> float | None:
 def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None:
     if config is None:
         raise ValueError("a row before the configuration")
-    if str(row["call"]).startswith(("calibration_", "setup_")):
+    if str(row["call"]).startswith("setup_"):
         return  # replay() repeats them
     if row["call"] not in _CALLS:
         raise ValueError(f"the row's call is {row['call']!r}; allowed: {', '.join(_CALLS)}")
