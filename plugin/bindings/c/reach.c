@@ -5,6 +5,7 @@
  *   usage: reach RECORDING_CSV
  */
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/study.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,19 +36,9 @@ static void hash_number(double number) {
 }
 
 static void hash_command(const hrt_command* command) {
-  hash_word(command->flags);
-  hash_word((uint64_t)command->step);
-  hash_number(command->plate_orientation_deg);
-  hash_number(command->finger_direction_deg);
-  hash_number(command->perceived_direction_deg);
-  hash_number(command->aimed_direction_deg);
-  hash_number(command->distance_to_go_m);
-  hash_number(command->tactile_weight);
-  hash_number(command->tactile_weight_sd);
-  hash_number(command->time_to_go_s);
-  hash_number(command->felt_error_deg);
-  hash_number(command->predicted_miss_deg);
-  hash_number(command->misfit);
+#define HASH_WHOLE(name) hash_word((uint64_t)command->name);
+#define HASH_NUMBER(name) hash_number(command->name);
+  HRT_HASHED_FIELDS(HASH_WHOLE, HASH_NUMBER)
 }
 
 /* The columns of the recording that are the samples', by name. */

@@ -148,6 +148,24 @@ HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_rec
 #define HRT_ENDING_LOST_ROWS 2 /**< at rows that a slow disk has lost: only those before were replayed */
 #define HRT_ENDING_ALTERED 3   /**< with an end line whose checksum is not that of the text before it */
 
+/** The fields of hrt_command that hrt_replay_report::hash covers, in this order: WHOLE(name) for each whole number,
+ *  NUMBER(name) for each double. A new field of hrt_command changes no hash. */
+#define HRT_HASHED_FIELDS(WHOLE, NUMBER) \
+  WHOLE(flags)                           \
+  WHOLE(step)                            \
+  NUMBER(plate_orientation_deg)          \
+  NUMBER(finger_direction_deg)           \
+  NUMBER(perceived_direction_deg)        \
+  NUMBER(aimed_direction_deg)            \
+  NUMBER(distance_to_go_m)               \
+  NUMBER(tactile_weight)                 \
+  NUMBER(tactile_weight_sd)              \
+  NUMBER(time_to_go_s)                   \
+  NUMBER(felt_error_deg)                 \
+  NUMBER(predicted_miss_deg)             \
+  NUMBER(misfit)                         \
+  NUMBER(miss_sd_deg)
+
 /** Result of a replay. Set `struct_size` before the call. */
 typedef struct hrt_replay_report {
   uint32_t struct_size;
@@ -158,8 +176,8 @@ typedef struct hrt_replay_report {
   /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows are
    * equal, bit for bit. */
   uint64_t first_different_line;
-  /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as 8
-   * bytes, step and the eleven numbers after it, least significant byte first. */
+  /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", the fields of
+   *  HRT_HASHED_FIELDS as 8 bytes each, least significant byte first. */
   uint64_t hash;
   /** HRT_ENDING_*. */
   uint32_t ending;

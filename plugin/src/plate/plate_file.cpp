@@ -3,12 +3,12 @@
 #include <fcntl.h>
 
 #include <array>
-#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "plugin/src/abi/hash.h"
 #if defined(_WIN32)
 #include "plugin/src/abi/file.h"
 #endif
@@ -19,12 +19,11 @@ namespace {
 constexpr std::string_view mark = "  \"checksum\": \"";
 constexpr std::size_t max_bytes = 1'000'000;
 
-// FNV-1a of 64 bits.
 std::string hash_of(std::string_view text) {
-  std::uint64_t hash = 0xCBF29CE484222325;
-  for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3;
+  plugin::Hash hash;
+  hash.add(text);
   std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash.value()));
   return digits.data();
 }
 

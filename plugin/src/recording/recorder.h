@@ -10,8 +10,8 @@
 
 #include "plugin/src/abi/file.h"
 #include "plugin/src/abi/fork.h"
+#include "plugin/src/abi/hash.h"
 #include "plugin/src/recording/format.h"
-#include "plugin/src/recording/hash.h"
 #include "plugin/src/session/targets.h"
 
 namespace hrt::plugin {

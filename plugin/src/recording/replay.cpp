@@ -1,31 +1,18 @@
 #include "plugin/src/recording/replay.h"
 
-#include <bit>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/text.h"
+#include "plugin/src/recording/command_hash.h"
 #include "plugin/src/recording/format.h"
-#include "plugin/src/recording/hash.h"
 #include "plugin/src/session/session.h"
 
 namespace hrt::plugin {
 namespace {
-
-void add(const hrt_command& command, Hash& hash) {
-  hash.add(std::uint64_t{command.flags});
-  hash.add(static_cast<std::uint64_t>(command.step));
-  // As hrt_replay_report::hash says: not of what came later.
-  int numbers = 0;
-  for_each_field<hrt_command>([&](const auto& field) {
-    if constexpr (std::is_same_v<decltype(field.of(command)), const double&>)
-      if (++numbers <= 11) hash.add(std::bit_cast<std::uint64_t>(field.of(command)));
-  });
-}
 
 hrt_result check_size(const Refused& call) {
   switch (call.argument) {

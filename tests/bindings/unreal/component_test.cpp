@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
 #include <cinttypes>
 #include <cstdlib>
 #include <cstring>
@@ -16,7 +15,7 @@
 
 #include "HapticConversions.h"
 #include "HapticRetargetingComponent.h"
-#include "plugin/src/recording/hash.h"
+#include "plugin/src/recording/command_hash.h"
 #include "tests/plugin/plate/eventually.h"
 
 namespace {
@@ -450,16 +449,6 @@ TEST(UnrealComponents, EndTheirSessions) {
   }
 }
 
-void add_to(hrt::plugin::Hash& hash, const hrt_command& command) {
-  hash.add(command.flags);
-  hash.add(static_cast<uint64_t>(command.step));
-  for (const double number : {command.plate_orientation_deg, command.finger_direction_deg,
-                              command.perceived_direction_deg, command.aimed_direction_deg,
-                              command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd,
- command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit})
-    hash.add(std::bit_cast<uint64_t>(number));
-}
-
 // A commissioned servo, emulated: run by with_plate.
 TEST_F(Component, ItsDeviceTurnsWithTheCommands) {
   const char* device = std::getenv("HRT_PLATE_FILE");
@@ -527,7 +516,7 @@ TEST_F(Component, RunsTheReachOfAllHosts) {
     sample.finger_position_m[2] = real("sample_z_m");
     sample.plate_orientation_deg = real("measured_plate_deg");
     ASSERT_TRUE(component_.UpdateSample(sample)) << last_log();
-    add_to(hash, component_.GetRawCommand());
+    add(component_.GetRawCommand(), hash);
   }
   FHapticSummary summary;
   ASSERT_TRUE(component_.EndReach(summary));

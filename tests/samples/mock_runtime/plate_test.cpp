@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/simulation/person.h"
-#include "plugin/src/recording/hash.h"
+#include "plugin/src/abi/hash.h"
 #include "tests/samples/mock_runtime/support.h"
 
 namespace hrt::mock {

@@ -65,14 +65,14 @@ func next_row() -> PackedStringArray:
 func number(row: PackedStringArray, column: String) -> float:
 	return float(row[columns[column]])
 
-# FNV-1a, as hrt_replay_report::hash in study.h has it.
+# FNV-1a of HRT_HASHED_FIELDS (study.h).
 func hash_command(command: Dictionary) -> void:
 	var bytes := StreamPeerBuffer.new()
 	bytes.put_64(command.flags)
 	bytes.put_64(command.step)
 	for field in ["plate_orientation_deg", "finger_direction_deg", "perceived_direction_deg",
 			"aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd",
-			"time_to_go_s", "felt_error_deg", "predicted_miss_deg", "misfit"]:
+			"time_to_go_s", "felt_error_deg", "predicted_miss_deg", "misfit", "miss_sd_deg"]:
 		bytes.put_double(command[field])
 	for byte in bytes.data_array:
 		fnv = (fnv ^ byte) * 0x100000001b3

@@ -10,12 +10,16 @@ from typing import Any
 import haptic_retargeting as hrt
 
 
+HASHED_FIELDS = ["flags", "step", "plate_orientation_deg", "finger_direction_deg", "perceived_direction_deg",
+                 "aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd", "time_to_go_s",
+                 "felt_error_deg", "predicted_miss_deg", "misfit", "miss_sd_deg"]
+
+
 def fnv1a(commands: Any) -> int:
-    """The hash of the commands as hrt_replay_report::hash has it: of the flags, the step and eleven numbers."""
+    """FNV-1a of HRT_HASHED_FIELDS (study.h), 8 bytes each."""
     value = 0xCBF29CE484222325
-    for command in commands:
-        _, flags, *others = command
-        for byte in int(flags).to_bytes(8, "little") + b"".join(other.tobytes() for other in others[:12]):
+    for flags, *others in commands[HASHED_FIELDS]:
+        for byte in int(flags).to_bytes(8, "little") + b"".join(other.tobytes() for other in others):
             value = (value ^ byte) * 0x100000001B3 % 2**64
     return value
 

@@ -42,14 +42,14 @@ function* updates(recording) {
   }
 }
 
-// FNV-1a, as hrt_replay_report::hash has it.
+// FNV-1a of HRT_HASHED_FIELDS (study.h).
 function hashed(hash, command) {
-  const words = new DataView(new ArrayBuffer(104));
+  const words = new DataView(new ArrayBuffer(112));
   words.setBigUint64(0, BigInt(command.flags), true);
   words.setBigInt64(8, BigInt(command.step), true);
   [command.plate_orientation_deg, command.finger_direction_deg, command.perceived_direction_deg,
    command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd,
-   command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit]
+   command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit, command.miss_sd_deg]
     .forEach((value, i) => words.setFloat64(16 + 8 * i, value, true));
   for (let i = 0; i < words.byteLength; ++i) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(words.getUint8(i))) * 0x100000001b3n);

@@ -99,7 +99,7 @@ namespace HrtSamples
             {
                 command.plateOrientationDeg, command.fingerDirectionDeg, command.perceivedDirectionDeg, command.aimedDirectionDeg,
                 command.distanceToGoM, command.tactileWeight, command.tactileWeightSd, command.timeToGoS, command.feltErrorDeg,
-                command.predictedMissDeg, command.misfit
+                command.predictedMissDeg, command.misfit, command.missSdDeg
             };
             foreach (double number in numbers) Add((ulong)BitConverter.DoubleToInt64Bits(number));
         }
