@@ -83,7 +83,7 @@ void write(const Retargeted& retargeted, hrt_result result, RecordText& out) {
   if (result == HRT_OK) put(retargeted.reach, row);
 }
 
-// A place that is not given may hold anything.
+// Without flags the position is not set.
 void write(const Touched& touched, hrt_result result, RecordText& out) {
   Row(out, "touched", result).put_fields(touched.contact, [&](std::string_view name) {
     return touched.contact.flags != 0 || name != "position_m";
@@ -155,7 +155,7 @@ hrt_result read_touched(const Cells& cells, Record* out) {
   return HRT_OK;
 }
 
-// A refused call, if the row has an argument for which it was.
+// A call that was refused because of the argument named in the row.
 hrt_result read_refused(const Cells& cells, Record* out) {
   const std::string_view name = cells[column("refused_argument")];
   for (const ArgumentName& known : argument_names) {

@@ -1,4 +1,4 @@
-// What is recorded, and how it stands in a file. plugin/README.md describes the format.
+// The records of a recording and their text form. plugin/PROCESS.md describes the format.
 #pragma once
 
 #include <cstdint>
@@ -20,33 +20,33 @@ struct ConfigSet {
   hrt_session_config config;
 };
 
-/// Targets have the numbers that Targets::number() gives them: the same in every run, and small enough for
-/// any reader of tables.
+/// Targets are identified by Targets::number(), which is the same in every run and small enough for any reader of
+/// tables.
 struct TargetChanged {
   enum class Change : std::uint8_t { added, set, removed };
   Change change;
   std::uint64_t number;
-  hrt_target_config config;  ///< not of a removed one
+  hrt_target_config config;  ///< unless it was removed
 };
 
-/// Where the plate stands before anything happens.
+/// Plate orientation at the start of the recording.
 struct PlateStands {
   double orientation_deg;
 };
 
 struct ReachBegun {
   std::uint32_t flags;
-  double plate_orientation_deg;  ///< if flags say that it is given
-  std::uint64_t real_number;     ///< 0: none of this session's targets
+  double plate_orientation_deg;  ///< if flags has HRT_REACH_PLATE_ORIENTATION
+  std::uint64_t real_number;     ///< 0: not a target of this session
   std::uint64_t virtual_number;
   double duration_s;
-  Reach reach;  ///< what targets and configuration make of it; only if the call succeeded
+  Reach reach;  ///< derived from targets and configuration; only if the call succeeded
 };
 
 struct Retargeted {
-  std::uint64_t real_number;  ///< as of ReachBegun
+  std::uint64_t real_number;  ///< as in ReachBegun
   std::uint64_t virtual_number;
-  Reach reach;  ///< as seen from where the finger is; only if the call succeeded
+  Reach reach;  ///< seen from the finger; only if the call succeeded
 };
 
 struct Touched {
@@ -58,7 +58,7 @@ struct ReachCancelled {};
 struct Updated {
   hrt_sample sample;
   hrt_command command;         ///< only if the call succeeded
-  std::optional<Reach> reach;  ///< of the call in which a reach that awaited the finger has started there
+  std::optional<Reach> reach;  ///< if a reach that waited for the finger started in this call
 };
 
 struct ReachEnded {
@@ -81,14 +81,14 @@ struct SetupFinished {
 
 struct SetupCancelled {};
 
-/// A call of which an argument was null or had a size that is none: nothing of it was read.
+/// A call that was refused because an argument was null or had a wrong struct_size.
 struct Refused {
   enum class Argument : std::uint8_t { config, sample, out_command, out_summary, contact };
   Argument argument;
   std::uint32_t struct_size;  ///< as given, unless it was null
 };
 
-/// One call that crossed the boundary.
+/// One call of the C interface.
 struct Record {
   hrt_result result = HRT_OK;
   std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, Touched, ReachCancelled,
@@ -101,13 +101,13 @@ using RecordText = Text<8192>;
 /// The first line of a recording.
 inline constexpr std::string_view recording_begin = "# haptic retargeting recording, version 4\n";
 
-/// The lines before the first record: what it is, what its columns mean, and their names.
+/// The lines before the first record: format, explanation, names of the columns.
 std::string recording_header();
 
-/// The line of a record, with its line feed: a comment for what configures, a row of the table for the rest.
+/// Writes one line: a comment if the record configures something, otherwise a row of the table.
 void write_record(const Record& record, RecordText& out);
 
-/// What comments begin with.
+/// Beginnings of comments.
 inline constexpr std::string_view config_comment = "# config ";
 inline constexpr std::string_view target_comment = "# target ";
 inline constexpr std::string_view plate_comment = "# plate ";
@@ -115,7 +115,7 @@ inline constexpr std::string_view setup_comment = "# setup ";
 inline constexpr std::string_view lost_comment = "# lost ";
 inline constexpr std::string_view end_comment = "# end ";
 
-/// The last line: a checksum of all before it.
+/// Writes the last line, with the checksum of all lines before it.
 void write_end(std::uint64_t checksum, RecordText& out);
 
 /// Fails unless the line has the names of all columns, in their order.
@@ -127,8 +127,8 @@ hrt_result read_row(std::string_view line, Record* out);
 /// Whether all cells of two rows are equal, numbers by their bits.
 bool is_same_row(std::string_view row, std::string_view other);
 
-/// Reads the rest of a comment about a target, the plate or a set-up. Checked except for what depends on
-/// others.
+/// Read the rest of a comment about a target, the plate or a set-up. They check everything that does not depend on
+/// other lines.
 hrt_result read_target_changed(std::string_view rest, TargetChanged* out);
 hrt_result read_plate_stands(std::string_view rest, PlateStands* out);
 hrt_result read_setup_begun(std::string_view rest, SetupBegun* out);

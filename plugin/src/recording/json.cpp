@@ -19,8 +19,7 @@
 namespace hrt::plugin {
 namespace {
 
-// A number that is not whole, with a point: the parser has put the locale's decimal point into its text, and
-// read its value by that.
+// The text of a floating-point number with '.' as the decimal point: the parser has replaced it by the locale's.
 std::string with_point(std::string number) {
   const std::size_t point = number.find_first_not_of("+-0123456789eE");
   if (point != number.npos) number[point] = '.';
@@ -45,7 +44,7 @@ void visit_fields(hrt_conditions& conditions, auto&& visit) {
   visit("tracker", conditions.tracker);
 }
 
-// Writes a flat object, field by field.
+// Writes a JSON object without nested objects.
 class ObjectWriter {
  public:
   explicit ObjectWriter(JsonText& out) : out_(out) { out_ << "{"; }
@@ -88,7 +87,7 @@ void write_object(const Struct& values, JsonText& out) {
   visit_fields(values, ObjectWriter(out));
 }
 
-// A field of a flat object: a number, a string, or an array of numbers.
+// A field of a JSON object: a number, a string, or an array of numbers.
 struct JsonField {
   std::string key;
   bool is_array = false;
@@ -99,8 +98,8 @@ struct JsonField {
   std::string text;
 };
 
-// Takes a flat object in, field by field. The library's own tree of values is not used: its destructors
-// allocate, and so end the process when memory runs out.
+// Reads a JSON object without nested objects. nlohmann::json values are not used: their destructors allocate, so the
+// process would be terminated when memory is exhausted.
 class FlatObjectReader : public nlohmann::json_sax<Json> {
  public:
   std::vector<JsonField> fields;
@@ -121,7 +120,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
     return true;
   }
   bool number_integer(number_integer_t value) override {
-    // Called for what has a sign: 0 is "-0".
+    // Called for numbers with a sign only: 0 was written as "-0".
     return number(value == 0 ? -0.0 : static_cast<double>(value), true, value);
   }
   bool number_unsigned(number_unsigned_t value) override {
@@ -215,7 +214,7 @@ hrt_result read(const JsonField& field, char (&out)[HRT_NAME_SIZE]) {
   return HRT_OK;
 }
 
-// Reads the member of `*out` that has the field's key; `what` names the struct in messages.
+// Reads the member of `*out` with the field's key; `what` is the name of the struct in error texts.
 template <class Struct>
 hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   std::optional<hrt_result> result;
@@ -226,7 +225,7 @@ hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what);
 }
 
-// Reads an object of fields of `*out`. Those that it lacks stay.
+// Reads a JSON object into `*out`. Members that are absent are unchanged.
 template <class Struct>
 hrt_result read_object(const char* what, std::string_view text, Struct* out) {
   std::vector<JsonField> fields;
@@ -247,7 +246,7 @@ bool is_of_participant(std::string_view key) {
 void write_config(const hrt_session_config& config, JsonText& out) { write_object(config, out); }
 
 void write_target(const hrt_target_config& target, JsonText& out) {
-  // Fields that the place does not name are not read, and may hold anything.
+  // Fields that `place` does not select may be uninitialised.
   hrt_target_config read = target;
   if (target.place == HRT_PLACE_DIRECTION)
     std::fill(std::begin(read.position_m), std::end(read.position_m), 0.0);
@@ -302,7 +301,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   std::vector<JsonField> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   hrt_session_config known = *config;
-  // What the profile lacks is not known of its person.
+  // Optional fields that the profile does not have are unknown for this person.
   for_each_field<hrt_session_config>([&](const auto& field) {
     constexpr hrt_session_config unknown = defaults<hrt_session_config>;
     if (field.optional) std::memcpy(&field.of(known), &field.of(unknown), sizeof(field.of(known)));

@@ -13,29 +13,29 @@ namespace hrt::plugin {
 
 using JsonText = Text<6144>;
 
-/// Every field of a configuration, in one line.
+/// Writes all fields of a configuration in one line.
 void write_config(const hrt_session_config& config, JsonText& out);
 
-/// A target, in one line.
+/// Writes a target in one line.
 void write_target(const hrt_target_config& target, JsonText& out);
 
-/// Reads what write_target() wrote, and no other field. Checked except for what depends on other targets or
-/// on the session.
+/// Reads the fields that write_target() writes and refuses others. Checks everything that does not depend on other
+/// targets or on the session.
 hrt_result read_target(std::string_view text, hrt_target_config* out);
 
-/// A set-up's configuration, in one line; and reads it, and no other field; those that are missing take their
-/// defaults. Checked.
+/// Write and read a set-up's configuration in one line. Reading refuses other fields, checks ranges, and gives absent
+/// fields their defaults.
 void write_setup_config(const hrt_setup_config& config, JsonText& out);
 hrt_result read_setup_config(std::string_view text, hrt_setup_config* out);
 
-/// Reads what write_config() wrote, likewise.
+/// Reads a configuration in the same way.
 hrt_result read_config(std::string_view text, hrt_session_config* out);
 
-/// What is known of a participant, and under which conditions they were measured, in one line.
+/// Writes the participant's fields of a configuration, and the conditions of measurement, in one line.
 void write_profile(const hrt_session_config& config, const hrt_conditions& conditions, JsonText& out);
 
-/// Takes a profile into a configuration; fields that it lacks stay. `*conditions` are the profile's; all 0
-/// and empty if it names none. Checked.
+/// Reads a profile into a configuration and checks it. Absent fields are unchanged, unless they are optional.
+/// `*conditions` is zero if the profile has no conditions.
 hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_conditions* conditions);
 
 }  // namespace hrt::plugin

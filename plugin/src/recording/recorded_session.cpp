@@ -9,7 +9,7 @@
 namespace hrt::plugin {
 namespace {
 
-// Removes the targets that were added unless all of them are kept.
+// Removes the added targets on destruction, unless keep() was called.
 class TargetRollback {
  public:
   explicit TargetRollback(Targets& targets) : targets_(targets) {}

@@ -1,4 +1,4 @@
-// A session whose calls are recorded while a recording runs.
+// A session whose calls are recorded while a recording is running.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,8 @@
 
 namespace hrt::plugin {
 
-/// Forwards calls to a session and hands each one to the recorder, if there is one; nothing is built for a
-/// recording that is off. Every call that fails changes nothing. Those of a reach and refuse() are
-/// real-time.
+/// Forwards calls to a session and, while recording, to the recorder. A call that fails changes nothing. Calls of a
+/// reach and refuse() are real-time.
 class RecordedSession {
  public:
   explicit RecordedSession(const hrt_session_config& checked_config) : session_(checked_config) {}
@@ -29,8 +28,8 @@ class RecordedSession {
   hrt_result add_target(const hrt_target_config& checked_config, std::uint64_t* out_id);
   hrt_result set_target(std::uint64_t id, const hrt_target_config& checked_config);
   hrt_result remove_target(std::uint64_t id);
-  /// Replaces the configuration and adds all targets. `served_by` has for each target the index of the real target that
-  /// serves it, if there is one.
+  /// Replaces the configuration and adds all targets, or changes nothing. `served_by` has for each target the index of
+  /// the real target that serves it, if there is one.
   hrt_result add_scene(const hrt_session_config& checked_config, std::span<const hrt_target_config> checked_targets,
                        std::span<const std::optional<std::size_t>> served_by, std::vector<std::uint64_t>* out_ids);
 
@@ -48,23 +47,23 @@ class RecordedSession {
   hrt_result update_setup(const hrt_sample& sample, hrt_setup_step* step);
   hrt_result finish_setup(hrt_setup_result* result);
   hrt_result cancel_setup();
-  /// A call of which `argument` could not be read or written, for `result`. Returns `result`.
+  /// Records a call that was refused with `result` because of `argument`. Returns `result`.
   hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
 
-  /// Logs once that the session has failed, if it has; and once for a configuration that a reach was flagged
-  /// HRT_COMMAND_REGISTRATION. The log names the session by `handle`.
+  /// Logs once if the session has failed, and once per configuration if a reach was flagged HRT_COMMAND_REGISTRATION.
+  /// The log identifies the session by `handle`.
   void log_findings(std::uint64_t handle);
 
-  /// Logs if the person was measured under other conditions than those of now.
+  /// Logs if the person was measured under other conditions than the present ones.
   void log_conditions(std::uint64_t handle) const;
 
   /// HRT_STATE_*.
   std::uint32_t state() const;
 
-  /// The log names the session by `handle`.
+  /// The log identifies the session by `handle`.
   hrt_result start_recording(const char* path, std::uint64_t handle);
   hrt_result check_recording() const;
-  /// These two if check_recording() succeeds.
+  /// Require that check_recording() succeeds.
   RecorderStatus recording_status() const { return recorder_->status(); }
   RecorderStatus stop_recording();
 
@@ -80,7 +79,7 @@ class RecordedSession {
 
   Session session_;
   bool failure_logged_ = false;
-  bool registration_logged_ = false;    // for this configuration
+  bool registration_logged_ = false;    // for the present configuration
   std::unique_ptr<Recorder> recorder_;  // null: nothing is recorded
 };
 

@@ -14,7 +14,7 @@ static_assert(std::is_trivially_copyable_v<Record>, "push() must not allocate");
 namespace {
 
 #if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
-constexpr bool has_threads = false;  // who calls writes the file, whenever the ring is full and at the end
+constexpr bool has_threads = false;  // the caller writes the file, when the ring is full and at the end
 #else
 constexpr bool has_threads = true;
 #endif
@@ -30,7 +30,7 @@ Recorder::Recorder(File file, std::string_view name, const hrt_session_config& c
   watch_forks();
   forks_ = forks();
   const std::string header = recording_header();
-  system_error_.store(file_.clear());  // now that the memory is there
+  system_error_.store(file_.clear());  // after the allocations, so that a failure leaves the file as it is
   write(header);
   write_record_of({.call = ConfigSet{config}});
   write_record_of({.call = PlateStands{plate_orientation_deg}});
@@ -44,7 +44,7 @@ Recorder::Recorder(File file, std::string_view name, const hrt_session_config& c
   if (has_threads) writer_ = start_quiet_thread([this] { write_all(); });
 }
 
-// A variant that holds nothing, of which std::visit() would throw, is never recorded.
+// Records are never valueless, so std::visit() does not throw.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 Recorder::~Recorder() {
   if (is_of_parent())
@@ -81,7 +81,7 @@ RecorderStatus Recorder::stop() {
   return status();
 }
 
-// The thread and the file are the parent's.
+// Thread and file belong to the parent process.
 void Recorder::abandon() {
   std::construct_at(&writer_);
   const std::uint64_t lost = lost_.load();
@@ -94,7 +94,7 @@ void Recorder::abandon() {
 RecorderStatus Recorder::status() const {
   const std::uint64_t written = written_.load();
   const int error = system_error_.load();
-  // After a failed write nothing more arrives, whether or not it found room.
+  // After a failed write no further record reaches the file.
   const std::uint64_t refused = error == 0 ? 0 : pushed_.load() - written;
   return {.written = written, .lost = lost_.load() + refused, .system_error = error};
 }
@@ -113,7 +113,7 @@ void Recorder::write_all() {
   write(end.view());
 }
 
-// Hands what the ring holds to the operating system.
+// Writes the records in the ring to the file.
 void Recorder::drain() {
   for (std::uint64_t n = taken_.load(std::memory_order_relaxed);; taken_.store(++n, std::memory_order_release)) {
     const std::uint64_t held = pushed_.load(std::memory_order_acquire) - n;
@@ -151,7 +151,7 @@ void Recorder::write_lost(std::uint64_t count) {
   lost_unreported_ += count;
 }
 
-// A disk that is too slow stays so for a while: the log gets one line about many gaps.
+// At most one line in the log per interval.
 void Recorder::report_lost(std::chrono::seconds after) {
   if (lost_unreported_ == 0) return;
   const auto now = std::chrono::steady_clock::now();

@@ -1,4 +1,4 @@
-// Records to a file as it happens, without delaying the calling thread.
+// Writes records to a file without delaying the calling thread.
 #pragma once
 
 #include <atomic>
@@ -23,22 +23,22 @@ struct RecorderStatus {
   int system_error = 0;       ///< errno of the first failed write; 0: none
 };
 
-/// A file, and a thread that writes to it what a ring hands over. One thread at a time may be in a call;
-/// push() is real-time.
+/// A ring buffer of records and a thread that writes them to a file. One thread at a time may be in a call; push() is
+/// real-time.
 class Recorder {
  public:
-  /// Writes what the session is before anything happens. `name` names session and file in the log. Throws
-  /// std::system_error, std::bad_alloc.
+  /// Writes the state of the session. `name` identifies session and file in the log. Throws std::system_error,
+  /// std::bad_alloc.
   Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
            double plate_orientation_deg);
-  /// Writes what is left, and waits for the disk to take it.
+  /// Writes the remaining records and closes the file.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   void push(const Record& record) noexcept;
 
-  /// True in a child of the process that records. There push() loses records, and the others may not be
+  /// True in a forked child of the recording process. There push() drops records, and the other functions may not be
   /// called.
   bool is_of_parent() const { return forks_ != forks(); }
 

@@ -161,7 +161,7 @@ class Replay {
     return HRT_OK;
   }
 
-  // Each makes a call, and puts what came out of it in place of what was recorded.
+  // Each repeats a call and replaces the recorded result by the new one.
   void call_again(ReachBegun& call, hrt_result* result) {
     *result = session_->begin({
         .struct_size = sizeof(hrt_reach_config),
@@ -191,10 +191,10 @@ class Replay {
   static void call_again(const Refused& call, hrt_result* result) {
     if (*result == HRT_ERROR_NULL_ARGUMENT) return;
     *result = check_size(call);
-    // A size that is right was refused for bytes beyond what the library knew, which are not recorded.
+    // The size was right, so the refusal was for unknown bytes behind the struct, which are not recorded.
     if (*result == HRT_OK) *result = HRT_ERROR_STRUCT_SIZE;
   }
-  // Of these no row is read.
+  // These are not read from rows.
   static void call_again(const ConfigSet&, hrt_result*) {}
   static void call_again(const TargetChanged&, hrt_result*) {}
   static void call_again(const PlateStands&, hrt_result*) {}
@@ -212,7 +212,7 @@ class Replay {
 
   bool has_columns_ = false;
   std::optional<Session> session_;
-  std::map<std::uint64_t, std::uint64_t> target_ids_;  // by their numbers in the recording; 0: removed
+  std::map<std::uint64_t, std::uint64_t> target_ids_;  // by number in the recording; 0: removed
   Hash hash_;
   hrt_replay_report report_{.struct_size = sizeof(hrt_replay_report),
                             .complete = 0,
@@ -229,7 +229,7 @@ class Replay {
 }  // namespace
 
 hrt_result replay(std::string_view text, hrt_replay_report* out) {
-  const ThreadError before = thread_error;  // the calls in the recording may fail
+  const ThreadError before = thread_error;  // recorded calls may fail again
   const hrt_result result = Replay().run(text, out);
   if (result == HRT_OK) thread_error = before;
   return result;

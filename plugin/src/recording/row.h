@@ -1,4 +1,4 @@
-// A row of a recording's table: its cells by column, written and read.
+// Writes and reads one row of a recording's table.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ inline constexpr std::size_t columns = std::size(recording_columns);
 
 consteval std::size_t column(std::string_view name) {
   std::size_t i = 0;
-  while (recording_columns[i] != name) ++i;  // beyond the last one it does not compile
+  while (recording_columns[i] != name) ++i;  // an unknown name does not compile
   return i;
 }
 
 /// The cells of a row of a file.
 using Cells = std::array<std::string_view, columns>;
 
-/// Collects the cells of one row, and writes them in the end; those that are not put are empty.
+/// Collects the cells of one row and writes them on destruction. Cells that are not set are empty.
 class Row {
  public:
   Row(RecordText& out, std::string_view call, hrt_result result) : out_(out) {
@@ -53,7 +53,7 @@ class Row {
       cells_[at] = Wide<Value>(value);
     }
   }
-  /// The fields whose names `is_given` takes.
+  /// Sets the cells of the fields whose names `is_given` accepts.
   template <class S, class Given>
   void put_fields(const S& values, Given&& is_given) {
     std::size_t i = 0;
@@ -93,7 +93,7 @@ hrt_result read_cell(const Cells& cells, std::size_t at, Value* out) {
   }
 }
 
-/// The columns of a sample; those that its flags do not name are empty.
+/// Sets the cells of a sample that its flags name.
 inline void put_sample(const hrt_sample& sample, Row& row) {
   row.put_fields(sample, [&](std::string_view name) {
     const auto has = [&](std::uint32_t flags) { return (sample.flags & flags) != 0; };
@@ -106,7 +106,7 @@ inline void put_sample(const hrt_sample& sample, Row& row) {
   });
 }
 
-/// A struct that has a column for each field; it keeps what is empty there.
+/// Reads a struct that has a column for each field. Fields with empty cells are unchanged.
 template <class S>
 hrt_result read_fields(const Cells& cells, S* values) {
   values->struct_size = sizeof *values;
@@ -119,7 +119,7 @@ hrt_result read_fields(const Cells& cells, S* values) {
   return result;
 }
 
-// Of setup_format.cpp: how the calls of a set-up stand in a recording.
+// The calls of a set-up: setup_format.cpp.
 void write(const SetupBegun& begun, hrt_result result, RecordText& out);
 void write(const SetupUpdated& updated, hrt_result result, RecordText& out);
 void write(const SetupFinished& finished, hrt_result result, RecordText& out);

@@ -20,9 +20,9 @@ void write_value(Number number, SetupCell& cell) {
 void write_value(const double (&place_m)[3], SetupCell& cell) {
   cell << place_m[0] << ":" << place_m[1] << ":" << place_m[2];
 }
-void write_value(const char (&)[HRT_TEXT_SIZE], SetupCell&) {}  // follows from the numbers
+void write_value(const char (&)[HRT_TEXT_SIZE], SetupCell&) {}  // determined by the numbers
 
-// One cell of names and numbers.
+// One cell of name=value pairs.
 template <class Struct>
 void put_setup(const Struct& values, Row& row, SetupCell& cell) {
   for_each_field<Struct>([&](const auto& field) {
