@@ -11,8 +11,8 @@ namespace hrt {
 class ReachEnd {
  public:
   ReachEnd() = default;
-  /// Of a reach of `distance_m` > 0 from `start`.
-  ReachEnd(const PlatePoint& start, double distance_m) : start_(start), distance_m_(distance_m) {}
+  /// Of a reach of `distance_mm` > 0 from `start`.
+  ReachEnd(const PlatePoint& start, double distance_mm) : start_(start), distance_mm_(distance_mm) {}
 
   void observe(const FingerSample& sample) {
     if (over_) return;
@@ -25,7 +25,7 @@ class ReachEnd {
   void observe(std::int64_t time_ns, const PlatePoint& place);
 
   PlatePoint start_;
-  double distance_m_ = 1.0;
+  double distance_mm_ = 1.0;
   StillFinger finger_;
   bool rests_ = false;  // far enough from the start
   bool over_ = false;

@@ -10,10 +10,10 @@ namespace hrt {
 namespace {
 
 // Below this length the tracker's noise dominates the bearing.
-constexpr double min_leg_m = 0.01;
+constexpr double min_leg_mm = 10.0;
 // At the real target its bearing is undefined.
 constexpr double max_seen_gap_deg = 89.0;
-constexpr double min_seen_distance_m = 0.001;
+constexpr double min_seen_distance_mm = 1.0;
 // No part of a tracker's noise is known to be less: without any a filter takes every trace for the person.
 constexpr double min_known_noise_mm = 0.02;
 
@@ -31,12 +31,12 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
 // If only the total noise is known, two thirds of it are white and three quarters correlated: their squares
 // add up to it. Correlated noise that is absent costs little; unmodelled noise becomes a motion.
 std::optional<TrackerNoise> noise_of(const EstimatorConfig& config) {
-  if (config.correlated_noise_m > 0.0)
-    return TrackerNoise{.white_mm = std::max(mm_per_m * config.tracker_noise_m, min_known_noise_mm),
-                        .correlated_mm = std::max(mm_per_m * config.correlated_noise_m, min_known_noise_mm),
+  if (config.correlated_noise_mm > 0.0)
+    return TrackerNoise{.white_mm = std::max(config.tracker_noise_mm, min_known_noise_mm),
+                        .correlated_mm = std::max(config.correlated_noise_mm, min_known_noise_mm),
                         .correlation_s = config.correlation_s};
-  if (config.tracker_noise_m <= 0.0) return std::nullopt;
-  const double known_mm = std::max(mm_per_m * config.tracker_noise_m, 0.01);
+  if (config.tracker_noise_mm <= 0.0) return std::nullopt;
+  const double known_mm = std::max(config.tracker_noise_mm, 0.01);
   return TrackerNoise{.white_mm = 0.66 * known_mm, .correlated_mm = 0.75 * known_mm};
 }
 
@@ -77,7 +77,7 @@ void Retargeter::begin_here(const Reach& reach) {
 void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& handover) {
   reach_ = reach;
   passed_ = felt_passed_ = reach.start;
-  end_ = ReachEnd(reach.start, reach.real_distance_m);
+  end_ = ReachEnd(reach.start, reach.real_distance_mm);
   if (config_.mode == ControlMode::reach) {
     leader_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, handover);
   } else {
@@ -100,7 +100,7 @@ const PlateCommand& Retargeter::step(double finger_direction_deg) {
 Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
   reach_ = seen_from_here(real, virtual_place);
   std::visit([&](auto& leader) { leader.retarget(real, reach_); }, *leader_);
-  end_ = ReachEnd(reach_.start, reach_.real_distance_m);
+  end_ = ReachEnd(reach_.start, reach_.real_distance_mm);
   return reach_;
 }
 
@@ -115,9 +115,9 @@ ReachSummary Retargeter::summary() const {
 std::optional<SeenFinger> Retargeter::finger() const {
   const std::optional<PlatePoint> place = std::visit([](const auto& leader) { return leader.place(); }, *leader_);
   if (!place) return std::nullopt;
-  if (const auto* person = std::get_if<PersonReach>(&*leader_)) return SeenFinger{*place, person->place_variance_m2()};
-  const double noise_m = summary().estimate.tracker_noise_m;
-  return SeenFinger{*place, noise_m * noise_m};
+  if (const auto* person = std::get_if<PersonReach>(&*leader_)) return SeenFinger{*place, person->place_variance_mm2()};
+  const double noise_mm = summary().estimate.tracker_noise_mm;
+  return SeenFinger{*place, noise_mm * noise_mm};
 }
 
 std::optional<PersonBelief> Retargeter::learnt() const {
@@ -128,22 +128,22 @@ std::optional<PersonBelief> Retargeter::learnt() const {
 Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place) {
   Reach seen = reach_;
   seen.start = std::visit([](const auto& leader) { return leader.place(); }, *leader_).value_or(reach_.start);
-  const double passed_m = distance_m(passed_, seen.start);
-  const PlatePoint felt = point_ahead(felt_passed_, reach_.virtual_direction_deg, passed_m);
+  const double passed_mm = distance_mm(passed_, seen.start);
+  const PlatePoint felt = point_ahead(felt_passed_, reach_.virtual_direction_deg, passed_mm);
   // They turn to the target as they see it once they answer.
-  const double speed_m_s = std::visit([](const auto& leader) { return leader.speed_m_s(); }, *leader_);
-  const PlatePoint answers_from = point_ahead(felt, reach_.virtual_direction_deg, reaction_time_s * speed_m_s);
-  if (passed_m > min_leg_m) {
+  const double speed_mm_s = std::visit([](const auto& leader) { return leader.speed_mm_s(); }, *leader_);
+  const PlatePoint answers_from = point_ahead(felt, reach_.virtual_direction_deg, reaction_time_s * speed_mm_s);
+  if (passed_mm > min_leg_mm) {
     passed_ = seen.start;
     felt_passed_ = felt;
   }
-  if (distance_m(answers_from, virtual_place) > min_leg_m)
+  if (distance_mm(answers_from, virtual_place) > min_leg_mm)
     seen.virtual_direction_deg +=
         wrap_deg(bearing_deg(answers_from, virtual_place) - seen.virtual_direction_deg, 360.0);
   const double goal_deg = goal_direction_deg(config_.participant, seen.virtual_direction_deg);
   const double gap_deg = wrap_deg(goal_deg - bearing_deg(seen.start, real), 360.0);
   seen.real_direction_deg = goal_deg - std::clamp(gap_deg, -max_seen_gap_deg, max_seen_gap_deg);
-  seen.real_distance_m = std::max(distance_m(seen.start, real), min_seen_distance_m);
+  seen.real_distance_mm = std::max(distance_mm(seen.start, real), min_seen_distance_mm);
   return seen;
 }
 

@@ -16,10 +16,10 @@ bool in_range(Vec3 v) {
 }  // namespace
 
 Bearing bearing_from(Vec3 start_m, Vec3 point_m) {
-  const PlatePoint start{start_m.x, -start_m.z};
-  const PlatePoint point{point_m.x, -point_m.z};
-  const double distance = distance_m(start, point);
-  return {.direction_deg = bearing_deg(start, point), .distance_m = distance, .at_start = distance < min_distance_m};
+  const PlatePoint start{mm_per_m * start_m.x, -mm_per_m * start_m.z};
+  const PlatePoint point{mm_per_m * point_m.x, -mm_per_m * point_m.z};
+  const double far_m = distance_mm(start, point) / mm_per_m;
+  return {.direction_deg = bearing_deg(start, point), .distance_m = far_m, .at_start = far_m < min_distance_m};
 }
 
 bool is_valid(const Pose& pose) { return in_range(pose.position_m) && is_unit(pose.orientation); }

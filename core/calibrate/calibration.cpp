@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/math/time.h"
 #include "core/paper/estimator.h"
 
 namespace hrt {
@@ -23,7 +22,7 @@ constexpr double peak_share = 0.25;
 // A goal that turns over the path need not turn evenly: a habit may be off by this share (SD).
 constexpr double uneven_share = 0.2;
 // A slow start is no noise of a finger at rest.
-constexpr std::int64_t before_onset_ns = 50'000'000;
+constexpr double before_onset_s = 0.05;
 
 std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
   if (!std::isfinite(goal_direction_deg)) return CalibrationRefusal{"the goal direction is not a finite number"};
@@ -38,10 +37,10 @@ std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& tri
     for (const double plate_deg : trials[i].plate_deg)
       if (!std::isfinite(plate_deg)) return CalibrationRefusal{name + ": a plate orientation is not finite"};
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      if (!std::isfinite(samples[k].position.right_m) || !std::isfinite(samples[k].position.away_m)) {
+      if (!std::isfinite(samples[k].position.right_mm) || !std::isfinite(samples[k].position.away_mm)) {
         return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) + ": the position is not finite"};
       }
-      if (k > 0 && samples[k].time_ns <= samples[k - 1].time_ns) {
+      if (!std::isfinite(samples[k].time_s) || (k > 0 && samples[k].time_s <= samples[k - 1].time_s)) {
         return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) + ": time does not increase"};
       }
     }
@@ -94,7 +93,7 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
 std::vector<TimedPoint> rest_of(const CalibrationTrial& trial, const SlideTrack& track) {
   const auto& samples = trial.samples;
   return {samples.begin(), std::find_if(samples.begin(), samples.end(), [&](const TimedPoint& p) {
-            return p.time_ns >= track.onset_ns || elapsed_ns(p.time_ns, track.onset_ns) < before_onset_ns;
+            return p.time_s > track.onset_s - before_onset_s;
           })};
 }
 

@@ -32,7 +32,7 @@ double share_at(const SlideTrack& track, double step) {
 class SteeringDelay {
  public:
   // Below it, in the direction of the goal, a finger feels no motion to steer.
-  static constexpr double min_felt_speed_m_s = 0.002;
+  static constexpr double min_felt_speed_mm_s = 2.0;
   static constexpr double max_steps = 62.0;
 
   // `steps`: from what is felt to its answer, -0.5 to max_steps; between steps what is felt is linear.
@@ -69,17 +69,17 @@ class SteeringDelay {
 SlideDirections predicted_directions(const SlideTrack& track, const SlidingPersonModel& person) {
   SteeringDelay steering(std::clamp(person.delay_s / track.step_s, 0.0, SteeringDelay::max_steps));
   const double gain = std::min(exponential(person.log_gain) * track.step_s, 1.0);
-  const double min_advance_m = SteeringDelay::min_felt_speed_m_s * track.step_s;
-  SlideDirections left_m = SlideDirections::Zero();
+  const double min_advance_mm = SteeringDelay::min_felt_speed_mm_s * track.step_s;
+  SlideDirections left_mm = SlideDirections::Zero();
   double direction_deg = person.start_deg + person.start_share * settled_direction_deg(track.direction_deg);
-  double here_m = 0.0;
+  double here_mm = 0.0;
   const double goal_delay = person.goal_delay_s / track.step_s;
   for (std::size_t i = 0; i < track.steps.size(); ++i) {
     const SlideTrack::Step& step = track.steps[i];
-    const double across_m = step.advance_m * tangent(direction_deg);
-    if (step.samples > 0.0) left_m(step.window) += step.samples * (here_m + 0.5 * across_m);
-    here_m += across_m;
-    if (step.advance_m < min_advance_m) {
+    const double across_mm = step.advance_mm * tangent(direction_deg);
+    if (step.samples > 0.0) left_mm(step.window) += step.samples * (here_mm + 0.5 * across_mm);
+    here_mm += across_mm;
+    if (step.advance_mm < min_advance_mm) {
       steering.rest();
       continue;
     }
@@ -91,10 +91,10 @@ SlideDirections predicted_directions(const SlideTrack& track, const SlidingPerso
       direction_deg = std::clamp(direction_deg - gain * answer->share * (answer->felt_deg - goal_deg),
                                  -max_direction_deg, max_direction_deg);
   }
-  left_m = left_m.cwiseQuotient(track.window_samples);
+  left_mm = left_mm.cwiseQuotient(track.window_samples);
   SlideDirections directions;
   for (int part = 0; part < slide_parts; ++part)
-    directions(part) = atan2_deg(left_m(part) - (part > 0 ? left_m(part - 1) : 0.0), track.advance_m(part));
+    directions(part) = atan2_deg(left_mm(part) - (part > 0 ? left_mm(part - 1) : 0.0), track.advance_mm(part));
   return directions;
 }
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/math/distributions.h"
-#include "core/math/time.h"
 #include "core/math/trigonometry.h"
 #include "core/plate/plate_limits.h"
 #include "core/tracker/onset.h"
@@ -25,7 +24,7 @@ constexpr double max_gap_s = 5.0;
 // side, and at least this far.
 constexpr int median_reach = 5;
 constexpr double max_deviations = 6.0;
-constexpr double min_made_up_m = 0.001;
+constexpr double min_made_up_mm = 1.0;
 // Fewer places do not make four parts.
 constexpr std::size_t min_places = 6;
 // A line through fewer places is not smooth.
@@ -38,34 +37,34 @@ constexpr double min_part_share = 0.02;
 // A position relative to where the finger rested: along the goal, and to its left.
 struct Place {
   double time_s;
-  double along_m;
-  double left_m;
+  double along_mm;
+  double left_mm;
 };
 
 // True for each sample that lies with its neighbours.
 std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
   const auto count = static_cast<int>(samples.size());
-  std::vector<double> off_m(samples.size());
+  std::vector<double> off_mm(samples.size());
   for (int i = 0; i < count; ++i) {
     const int reach = std::min({median_reach, i, count - 1 - i});
-    std::vector<double> right_m;
-    std::vector<double> away_m;
+    std::vector<double> right_mm;
+    std::vector<double> away_mm;
     for (int k = i - reach; k <= i + reach; ++k) {
-      right_m.push_back(samples[static_cast<std::size_t>(k)].position.right_m);
-      away_m.push_back(samples[static_cast<std::size_t>(k)].position.away_m);
+      right_mm.push_back(samples[static_cast<std::size_t>(k)].position.right_mm);
+      away_mm.push_back(samples[static_cast<std::size_t>(k)].position.away_mm);
     }
-    off_m[static_cast<std::size_t>(i)] =
-        distance_m({median(right_m), median(away_m)}, samples[static_cast<std::size_t>(i)].position);
+    off_mm[static_cast<std::size_t>(i)] =
+        distance_mm({median(right_mm), median(away_mm)}, samples[static_cast<std::size_t>(i)].position);
   }
-  const double max_m = std::max(min_made_up_m, max_deviations * mad_to_deviation * median(off_m));
+  const double max_mm = std::max(min_made_up_mm, max_deviations * mad_to_deviation * median(off_mm));
   std::vector<bool> keep;
-  for (const double off : off_m) keep.push_back(off <= max_m);
+  for (const double off : off_mm) keep.push_back(off <= max_mm);
   return keep;
 }
 
 // The way along the goal at `time_s` by a weighted line through the places about it; `first` is the first
 // place that may count, and moves on.
-double smooth_along_m(const std::vector<Place>& places, double time_s, std::size_t* first) {
+double smooth_along_mm(const std::vector<Place>& places, double time_s, std::size_t* first) {
   double reach_s = smoothing_s;
   while (*first + 1 < places.size() && places[*first + 1].time_s < time_s - reach_s) ++*first;
   std::size_t from = *first;
@@ -87,11 +86,11 @@ double smooth_along_m(const std::vector<Place>& places, double time_s, std::size
     n += weight;
     t += weight * x;
     tt += weight * x * x;
-    a += weight * places[i].along_m;
-    ta += weight * x * places[i].along_m;
+    a += weight * places[i].along_mm;
+    ta += weight * x * places[i].along_mm;
   }
   const double spread = n * tt - t * t;
-  if (!(n > 0.0)) return places[*first].along_m;
+  if (!(n > 0.0)) return places[*first].along_mm;
   return spread > 1e-6 * n * n ? (a * tt - t * ta) / spread : a / n;
 }
 
@@ -101,12 +100,12 @@ std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const Onset
   const double cosine = cos_deg(goal_direction_deg);
   std::vector<Place> places;
   for (const TimedPoint& sample : samples) {
-    if (sample.time_ns < onset.time_ns()) continue;
-    const double time_s = elapsed_s(onset.time_ns(), sample.time_ns);
+    if (sample.time_s < onset.time_s()) continue;
+    const double time_s = sample.time_s - onset.time_s();
     if (!places.empty() && time_s - places.back().time_s > max_gap_s) break;
-    const double right_m = sample.position.right_m - onset.place().right_m;
-    const double away_m = sample.position.away_m - onset.place().away_m;
-    places.push_back({time_s, away_m * cosine - right_m * sine, -right_m * cosine - away_m * sine});
+    const double right_mm = sample.position.right_mm - onset.place().right_mm;
+    const double away_mm = sample.position.away_mm - onset.place().away_mm;
+    places.push_back({time_s, away_mm * cosine - right_mm * sine, -right_mm * cosine - away_mm * sine});
   }
   return places;
 }
@@ -114,28 +113,28 @@ std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const Onset
 // The pace at steps of `step_s`; none of a slide that is too short. Returns the length.
 double set_pace(const std::vector<Place>& places, SlideTrack* track) {
   const auto count = static_cast<std::size_t>(places.back().time_s / track->step_s);
-  std::vector<double> along_m{0.0};
+  std::vector<double> along_mm{0.0};
   std::size_t first = 0;
   for (std::size_t i = 1; i <= count; ++i)
-    along_m.push_back(smooth_along_m(places, static_cast<double>(i) * track->step_s, &first));
-  const double length_m = *std::max_element(along_m.begin(), along_m.end());
-  for (std::size_t i = 0; i < count && length_m >= min_slide_m; ++i) {
-    const double share = 0.5 * (along_m[i] + along_m[i + 1]) / length_m;
-    SlideTrack::Step step{.advance_m = along_m[i + 1] - along_m[i], .share = share};
+    along_mm.push_back(smooth_along_mm(places, static_cast<double>(i) * track->step_s, &first));
+  const double length_mm = *std::max_element(along_mm.begin(), along_mm.end());
+  for (std::size_t i = 0; i < count && length_mm >= min_slide_mm; ++i) {
+    const double share = 0.5 * (along_mm[i] + along_mm[i + 1]) / length_mm;
+    SlideTrack::Step step{.advance_mm = along_mm[i + 1] - along_mm[i], .share = share};
     if (share >= window_edges[0] && share < window_edges[slide_parts])
       step.window =
           static_cast<int>(std::upper_bound(window_edges.begin(), window_edges.end(), share) - window_edges.begin()) -
           1;
     track->steps.push_back(step);
   }
-  return length_m;
+  return length_mm;
 }
 
 // The chords of the parts, between means of the places in each window: two samples would be noisier. False if
 // a part was not seen, or goes back.
-bool set_directions(const std::vector<Place>& places, double length_m, SlideTrack* track) {
-  SlideDirections left_m = SlideDirections::Zero();
-  SlideDirections mean_along_m = SlideDirections::Zero();
+bool set_directions(const std::vector<Place>& places, double length_mm, SlideTrack* track) {
+  SlideDirections left_mm = SlideDirections::Zero();
+  SlideDirections mean_along_mm = SlideDirections::Zero();
   for (const Place& place : places) {
     const auto i = static_cast<std::size_t>(place.time_s / track->step_s);
     if (i >= track->steps.size()) continue;
@@ -143,18 +142,18 @@ bool set_directions(const std::vector<Place>& places, double length_m, SlideTrac
     if (step.window < 0) continue;
     step.samples += 1.0;
     track->window_samples(step.window) += 1.0;
-    left_m(step.window) += place.left_m;
-    mean_along_m(step.window) += place.along_m;
+    left_mm(step.window) += place.left_mm;
+    mean_along_mm(step.window) += place.along_mm;
   }
   if (track->window_samples.minCoeff() < 1.0) return false;
-  left_m = left_m.cwiseQuotient(track->window_samples);
-  mean_along_m = mean_along_m.cwiseQuotient(track->window_samples);
+  left_mm = left_mm.cwiseQuotient(track->window_samples);
+  mean_along_mm = mean_along_mm.cwiseQuotient(track->window_samples);
   for (int part = 0; part < slide_parts; ++part) {
-    const double from_left_m = part > 0 ? left_m(part - 1) : 0.0;
-    const double from_along_m = part > 0 ? mean_along_m(part - 1) : 0.0;
-    track->advance_m(part) = mean_along_m(part) - from_along_m;
-    if (!(track->advance_m(part) > min_part_share * length_m)) return false;
-    track->direction_deg(part) = atan2_deg(left_m(part) - from_left_m, track->advance_m(part));
+    const double from_left_mm = part > 0 ? left_mm(part - 1) : 0.0;
+    const double from_along_mm = part > 0 ? mean_along_mm(part - 1) : 0.0;
+    track->advance_mm(part) = mean_along_mm(part) - from_along_mm;
+    if (!(track->advance_mm(part) > min_part_share * length_mm)) return false;
+    track->direction_deg(part) = atan2_deg(left_mm(part) - from_left_mm, track->advance_mm(part));
   }
   return true;
 }
@@ -173,10 +172,10 @@ std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal
 
   SlideTrack track;
   track.plate_deg = ridge_normal_deg(trial.plate_orientation_deg, goal_direction_deg) - goal_direction_deg;
-  track.onset_ns = onset->time_ns();
+  track.onset_s = onset->time_s();
   track.step_s = std::max(min_step_s, places.back().time_s / steps_a_slide);
-  const double length_m = set_pace(places, &track);
-  if (!(length_m >= min_slide_m) || !set_directions(places, length_m, &track)) return std::nullopt;
+  const double length_mm = set_pace(places, &track);
+  if (!(length_mm >= min_slide_mm) || !set_directions(places, length_mm, &track)) return std::nullopt;
   return track;
 }
 
@@ -184,8 +183,8 @@ bool plate_turned(const CalibrationTrial& trial, const SlideTrack& track) {
   double min_deg = std::numeric_limits<double>::infinity();
   double max_deg = -min_deg;
   for (std::size_t i = 0; i < trial.plate_deg.size(); ++i) {
-    if (trial.samples[i].time_ns < track.onset_ns) continue;
-    const double step = elapsed_s(track.onset_ns, trial.samples[i].time_ns) / track.step_s;
+    if (trial.samples[i].time_s < track.onset_s) continue;
+    const double step = (trial.samples[i].time_s - track.onset_s) / track.step_s;
     if (!(step < static_cast<double>(track.steps.size()))) break;
     const double share = track.steps[static_cast<std::size_t>(step)].share;
     if (share < end_share || share > 1.0 - end_share) continue;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -31,24 +30,24 @@ struct SlideTrack {
 
   /// The pace, at steps of `step_s` from the onset.
   struct Step {
-    double advance_m;      ///< along the goal in this step
+    double advance_mm;     ///< along the goal in this step
     double share;          ///< of the path, at the step's middle
     int window = -1;       ///< in which the step lies, -1: none
     double samples = 0.0;  ///< positions that were seen in it and count to the window
   };
-  std::int64_t onset_ns = 0;  ///< the finger rested until then
+  double onset_s = 0.0;  ///< the finger rested until then
   double step_s = 0.01;
   std::vector<Step> steps;
-  SlideDirections advance_m = SlideDirections::Zero();  ///< of each part's chord, along the goal
+  SlideDirections advance_mm = SlideDirections::Zero();  ///< of each part's chord, along the goal
   SlideDirections window_samples = SlideDirections::Zero();
 };
 
 /// The direction of the second half of a path.
 inline double settled_direction_deg(const SlideDirections& directions) { return 0.5 * (directions(2) + directions(3)); }
 
-inline constexpr double min_slide_m = 0.03;
+inline constexpr double min_slide_mm = 30.0;
 
-/// None without a motion of `min_slide_m` towards the goal that was seen in all of its parts. Positions
+/// None without a motion of `min_slide_mm` towards the goal that was seen in all of its parts. Positions
 /// that the tracker made up are left out.
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
 

@@ -26,19 +26,19 @@ constexpr double outlier_innovation = 25.0;
 
 bool is_valid(const EstimatorConfig& config) {
   return config.tactile_weight_sd > 0.0 && config.tactile_weight_sd < 0.5 && config.motor_variance_sd_deg2 > 0.0 &&
-         config.motor_variance_sd_deg2 <= 10.0 && config.tracker_noise_m >= 0.0 && config.tracker_noise_m <= 0.1 &&
-         config.correlated_noise_m >= 0.0 && config.correlated_noise_m <= 0.1 && config.correlation_s >= 0.01 &&
+         config.motor_variance_sd_deg2 <= 10.0 && config.tracker_noise_mm >= 0.0 && config.tracker_noise_mm <= 100.0 &&
+         config.correlated_noise_mm >= 0.0 && config.correlated_noise_mm <= 100.0 && config.correlation_s >= 0.01 &&
          config.correlation_s <= 2.0;
 }
 
 Estimator::Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
                      const PlatePoint& start)
     : config_(config),
-      noise_(config.tracker_noise_m),
+      noise_(config.tracker_noise_mm),
       goal_direction_deg_(goal_direction_deg),
       motor_variance_deg2_(participant.motor_variance_deg2),
       motor_variance_information_(1.0 / (config.motor_variance_sd_deg2 * config.motor_variance_sd_deg2)) {
-  state_ << start.right_m * mm_per_m, start.away_m * mm_per_m, initial_speed_mm_s, 0.0, participant.tactile_weight;
+  state_ << start.right_mm, start.away_mm, initial_speed_mm_s, 0.0, participant.tactile_weight;
   covariance_.setZero();
   covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
   covariance_(speed, speed) = initial_speed_sd_mm_s * initial_speed_sd_mm_s;
@@ -47,8 +47,8 @@ Estimator::Estimator(const EstimatorConfig& config, const Participant& participa
 }
 
 void Estimator::rest_at(const PlatePoint& place) {
-  state_(right) = place.right_m * mm_per_m;
-  state_(away) = place.away_m * mm_per_m;
+  state_(right) = place.right_mm;
+  state_(away) = place.away_mm;
   covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
 }
 
@@ -108,8 +108,8 @@ void Estimator::observe_direction(double direction_deg) {
 }
 
 bool Estimator::observe_position(const PlatePoint& position) {
-  const double right_innovation_mm = position.right_m * mm_per_m - state_(right);
-  const double away_innovation_mm = position.away_m * mm_per_m - state_(away);
+  const double right_innovation_mm = position.right_mm - state_(right);
+  const double away_innovation_mm = position.away_mm - state_(away);
   const double a = covariance_(right, right) + noise_.variance_mm2();
   const double b = covariance_(right, away);
   const double c = covariance_(away, away) + noise_.variance_mm2();
@@ -125,14 +125,14 @@ bool Estimator::observe_position(const PlatePoint& position) {
     covariance_.row(away).setZero();
     covariance_.col(away).setZero();
     covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
-    state_(right) = position.right_m * mm_per_m;
-    state_(away) = position.away_m * mm_per_m;
+    state_(right) = position.right_mm;
+    state_(away) = position.away_mm;
     outliers_ = 0;
     return true;
   }
   outliers_ = 0;
-  correct<size>(right, position.right_m * mm_per_m, noise_.variance_mm2());
-  correct<size>(away, position.away_m * mm_per_m, noise_.variance_mm2());
+  correct<size>(right, position.right_mm, noise_.variance_mm2());
+  correct<size>(away, position.away_mm, noise_.variance_mm2());
   return true;
 }
 
@@ -149,11 +149,11 @@ inline void Estimator::correct(Index measured, double value, double noise_varian
 
 FingerEstimate Estimator::estimate() const {
   return {.position = position(),
-          .speed_m_s = speed_m_s(),
+          .speed_mm_s = speed_mm_s(),
           .direction_deg = direction_deg(),
           .tactile_weight = tactile_weight(),
           .tactile_weight_sd = tactile_weight_sd(),
-          .tracker_noise_m = noise_.noise_m(),
+          .tracker_noise_mm = noise_.noise_mm(),
           .motor_variance_deg2 = std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
                                             min_motor_variance_deg2, max_motor_variance_deg2),
           .motor_variance_sd_deg2 = 1.0 / std::sqrt(motor_variance_information_)};

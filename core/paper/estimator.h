@@ -26,11 +26,11 @@ struct EstimatorConfig {
   double tactile_weight_sd = 0.05;
   /// Standard deviation of sigma_u^2 about participant.motor_variance_deg2 before a reach, in (0, 10].
   double motor_variance_sd_deg2 = 0.5;
-  /// White noise of a tracked coordinate, metres in [0, 0.1]; 0: learn it from the samples.
-  double tracker_noise_m = 0.0;
-  /// For the controller for people: noise that decays to 1/e in `correlation_s`, beside the white one. Metres
-  /// in [0, 0.1]; 0: nothing is known of it, and tracker_noise_m is all noise, of either kind.
-  double correlated_noise_m = 0.0;
+  /// White noise of a tracked coordinate, millimetres in [0, 100]; 0: learn it from the samples.
+  double tracker_noise_mm = 0.0;
+  /// For the controller for people: noise that decays to 1/e in `correlation_s`, beside the white one.
+  /// Millimetres in [0, 100]; 0: nothing is known of it, and tracker_noise_mm is all noise, of either kind.
+  double correlated_noise_mm = 0.0;
   /// 0.01 to 2.
   double correlation_s = 0.1;
 };
@@ -68,10 +68,10 @@ class Estimator {
   bool observe_position(const PlatePoint& position);
 
   /// Learns the tracker's noise. To be called with every position, also of a finger at rest.
-  void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position) { noise_.observe(time_ns, position); }
+  void learn_tracker_noise(double time_s, const PlatePoint& position) { noise_.observe(time_s, position); }
 
-  PlatePoint position() const { return {state_(right) / mm_per_m, state_(away) / mm_per_m}; }
-  double speed_m_s() const { return state_(speed) / mm_per_m; }
+  PlatePoint position() const { return {state_(right), state_(away)}; }
+  double speed_mm_s() const { return state_(speed); }
   double direction_deg() const { return state_(direction); }
   double tactile_weight() const { return state_(weight); }
   double tactile_weight_sd() const { return std::sqrt(std::max(covariance_(weight, weight), 0.0)); }

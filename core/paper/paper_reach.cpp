@@ -29,7 +29,7 @@ PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach, const
     : config_(config),
       reach_(reach),
       goal_deg_(goal_direction_deg(config.participant, reach.virtual_direction_deg)),
-      target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m)),
+      target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm)),
       estimator_(config.estimator, config.participant, goal_deg_, reach.start, config.step_period_ns,
                  config.mpc.horizon + max_lead),
       control_(config.mpc, config.plate, config.step_period_ns, goal_deg_),
@@ -103,7 +103,7 @@ ReachSummary PaperReach::summary() const {
           .final_miss_deg = command_.finger_direction_deg - reach_.real_direction_deg,
           .perceived_direction_deg = command_.perceived_direction_deg,
           .perceived_error_deg = command_.perceived_direction_deg - goal_deg_,
-          .distance_to_target_m = distance_to_go_m(),
+          .distance_to_target_mm = distance_to_go_mm(),
           .unreachable = decision_.aim.unreachable,
           .estimate = estimator_.estimate()};
 }
@@ -155,7 +155,7 @@ inline void PaperReach::show_finger(double plate_orientation_deg) {
 const PlateCommand& PaperReach::publish(bool held) {
   command_.plate_orientation_deg = decision_.plate.orientation_deg;
   command_.aimed_direction_deg = decision_.aim.direction_deg;
-  command_.distance_to_go_m = distance_to_go_m();
+  command_.distance_to_go_mm = distance_to_go_mm();
   command_.step = estimator_.current_step();
   command_.active = decision_.plate.active;
   command_.held = held;
@@ -165,8 +165,8 @@ const PlateCommand& PaperReach::publish(bool held) {
   return command_;
 }
 
-double PaperReach::distance_to_go_m() const {
-  return estimator_.place() ? distance_m(*estimator_.place(), target_) : reach_.real_distance_m;
+double PaperReach::distance_to_go_mm() const {
+  return estimator_.place() ? distance_mm(*estimator_.place(), target_) : reach_.real_distance_mm;
 }
 
 }  // namespace hrt

@@ -44,7 +44,7 @@ class PaperReach {
   const PlateCommand& command() const { return command_; }
   /// Where the finger is; none before it moves, and with directions alone.
   std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
-  double speed_m_s() const { return 0.0; }  ///< not used to aim
+  double speed_mm_s() const { return 0.0; }  ///< not used to aim
   ReachSummary summary() const;
   PlateHandover handover() const;
 
@@ -67,7 +67,7 @@ class PaperReach {
   void decide(const Decision& decision);
   void show_finger(double plate_orientation_deg);
   const PlateCommand& publish(bool held);
-  double distance_to_go_m() const;
+  double distance_to_go_mm() const;
 
   PaperReachConfig config_;
   Reach reach_;

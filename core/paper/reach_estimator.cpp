@@ -1,6 +1,7 @@
 #include "core/paper/reach_estimator.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/math/time.h"
 #include "core/plate/plate_limits.h"
@@ -9,7 +10,7 @@ namespace hrt {
 namespace {
 
 // A finger slower than this rests.
-constexpr double rest_speed_m_s = 0.004;
+constexpr double rest_speed_mm_s = 4.0;
 
 }  // namespace
 
@@ -29,7 +30,7 @@ Observation ReachEstimator::observe(const FingerSample& sample, PlateModel& plat
   if (sample.plate_orientation_deg) plate.report(*sample.plate_orientation_deg);
   const Observation observed = take(sample, plate);
   direction_deg_ = estimator_.direction_deg();
-  if (observed == Observation::position) paused_ = estimator_.speed_m_s() < rest_speed_m_s;
+  if (observed == Observation::position) paused_ = estimator_.speed_mm_s() < rest_speed_mm_s;
   if (observed == Observation::position || (predicted() && !paused_ && place_)) place_ = estimator_.position();
   return paused_ ? Observation::none : observed;
 }
@@ -129,16 +130,20 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
     return Observation::none;
   }
   position_ns_ = sample.time_ns;
-  estimator_.learn_tracker_noise(sample.time_ns, sample.position);
+  if (!first_ns_) first_ns_ = sample.time_ns;
+  const double time_s = elapsed_s(*first_ns_, sample.time_ns);
+  estimator_.learn_tracker_noise(time_s, sample.position);
   if (!clock_.started()) {
-    if (!onset_.observe(sample.time_ns, sample.position, estimator_.estimate().tracker_noise_m)) {
+    if (!onset_.observe(time_s, sample.position, estimator_.estimate().tracker_noise_mm)) {
       place_ = sample.position;
       return Observation::none;
     }
     // After a gap nobody knows when the motion started.
-    const bool seen_at_rest =
-        elapsed_ns(onset_.time_ns(), sample.time_ns) < 2 * static_cast<std::uint64_t>(clock_.period_ns());
-    start(seen_at_rest ? onset_.time_ns() : sample.time_ns, seen_at_rest ? onset_.place() : sample.position);
+    const double since_rest_s = time_s - onset_.time_s();
+    if (since_rest_s < 2e-9 * static_cast<double>(clock_.period_ns()))
+      start(sample.time_ns - std::llround(1e9 * since_rest_s), onset_.place());
+    else
+      start(sample.time_ns, sample.position);
     advance(sample.time_ns, plate);
   }
   if (!place_) estimator_.rest_at(sample.position);  // there were directions before

@@ -80,6 +80,7 @@ class ReachEstimator {
   SampleCounts counts_;  // without the step under way
   double direction_deg_ = 0.0;
   std::optional<PlatePoint> place_;
+  std::optional<std::int64_t> first_ns_;     // time of the first position
   std::optional<std::int64_t> position_ns_;  // of the last position
   std::int64_t now_ns_ = 0;                  // of the estimator
   double unseen_s_ = 0.0;                    // that it has moved on since the last sample

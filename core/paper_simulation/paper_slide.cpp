@@ -12,7 +12,7 @@ CalibrationTrial simulate_calibration_trial(const CalibrationCondition& conditio
                                             const TrialId& id) {
   NormalDraws normal(id.seed, id.condition, id.trial);
   SimulatedParticipant participant(condition.participant, condition.goal_direction_deg);
-  SlidingFinger finger({}, condition.distance_m, condition.duration_s);
+  SlidingFinger finger({}, condition.distance_mm, condition.duration_s);
 
   CalibrationTrial trial{.plate_orientation_deg = plate_orientation_deg, .samples = {}};
   std::uint32_t step = 0;
@@ -26,9 +26,9 @@ CalibrationTrial simulate_calibration_trial(const CalibrationCondition& conditio
     finger.slide(time_s, participant.finger_direction_deg());
     // The tracker's draws follow those of the steps.
     const std::uint32_t draw = tracker_draws + 2 * sample;
-    trial.samples.push_back({std::llround(time_s * 1e9),
-                             {finger.place().right_m + condition.tracker_noise_m * normal(draw),
-                              finger.place().away_m + condition.tracker_noise_m * normal(draw + 1)}});
+    trial.samples.push_back({time_s,
+                             {finger.place().right_mm + condition.tracker_noise_mm * normal(draw),
+                              finger.place().away_mm + condition.tracker_noise_mm * normal(draw + 1)}});
   }
   return trial;
 }

@@ -11,11 +11,11 @@ namespace hrt {
 struct CalibrationCondition {
   Participant participant;
   double goal_direction_deg = 0.0;  ///< of the target
-  double distance_m = 0.1;          ///< of the path, > 0
+  double distance_mm = 100.0;       ///< of the path, > 0
   double duration_s = 3.0;          ///< of the path, > 0
   double step_period_s = 0.1;       ///< of the participant's steps, > 0
   double rest_s = 0.5;              ///< tracked at rest before the path, >= 0
-  double tracker_noise_m = 0.0012;  ///< >= 0
+  double tracker_noise_mm = 1.2;    ///< >= 0
   double tracker_rate_hz = 90.0;    ///< > 0
 };
 

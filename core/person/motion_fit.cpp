@@ -26,10 +26,10 @@ constexpr double min_evenness_step = 0.1;
 
 // Rate and evenness decide when the motion began, since the share of the path that lies behind is known; the
 // places since the rest decide between them.
-MotionFit fit_motion(const RecentPlaces& places, const PlaceMm& origin, const PersonBelief& belief, double path_mm,
+MotionFit fit_motion(const RecentPlaces& places, const PlatePoint& origin, const PersonBelief& belief, double path_mm,
                      double noise_variance_mm2) {
   const double seen_s = places[1].time_s;
-  const PlaceMm seen = places.mean_of_last(3);
+  const PlatePoint seen = places.mean_of_last(3);
   const double travelled_mm = std::sqrt(square_distance_mm2(seen, origin));
   const double unit_right = (seen.right_mm - origin.right_mm) / travelled_mm;
   const double unit_away = (seen.away_mm - origin.away_mm) / travelled_mm;
@@ -44,7 +44,7 @@ MotionFit fit_motion(const RecentPlaces& places, const PlaceMm& origin, const Pe
   const auto squares = [&](double evenness, double rate, double onset_s) {
     double sum = 0.0;
     for (int back = 0; back < count && places[back].time_s > onset_s - fit_before_s; back += stride) {
-      const PlaceMm& place = places[back].place;
+      const PlatePoint& place = places[back].position;
       const double along_mm =
           (place.right_mm - origin.right_mm) * unit_right + (place.away_mm - origin.away_mm) * unit_away;
       const double expected_mm = path_mm * progress(evenness, (places[back].time_s - onset_s) * rate).share;

@@ -14,7 +14,7 @@ struct MotionFit {
 
 /// Of a motion over `path_mm` from rest at `origin`, of which at least three places have been seen. Maximum
 /// of the posterior on a grid of paces; `noise_variance_mm2` of a coordinate. No heap, no lock, no exception.
-MotionFit fit_motion(const RecentPlaces& places, const PlaceMm& origin, const PersonBelief& belief, double path_mm,
+MotionFit fit_motion(const RecentPlaces& places, const PlatePoint& origin, const PersonBelief& belief, double path_mm,
                      double noise_variance_mm2);
 
 }  // namespace hrt

@@ -42,14 +42,14 @@ constexpr int max_wild = 2;
 }  // namespace
 
 PersonEstimator::PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
-                                 const PlaceMm& start, const std::optional<TrackerNoise>& noise)
+                                 const PlatePoint& start, const std::optional<TrackerNoise>& noise)
     : belief_(belief),
       virtual_direction_deg_(virtual_direction_deg),
       path_mm_(path_mm),
       rest_(start, noise),
       filter_(belief, virtual_direction_deg, path_mm, rest_.noise()) {}
 
-bool PersonEstimator::observe(double time_s, const PlaceMm& position, const PlateTrace& plate) {
+bool PersonEstimator::observe(double time_s, const PlatePoint& position, const PlateTrace& plate) {
   if (motion_ == FingerMotion::resting) {
     if (is_wild(time_s, position)) return false;
     if (std::exchange(wild_, 0) > max_wild) lifted_ = true;  // it is there, however it came
@@ -69,11 +69,11 @@ bool PersonEstimator::observe(double time_s, const PlaceMm& position, const Plat
   return catch_up(plate);
 }
 
-bool PersonEstimator::is_wild(double time_s, const PlaceMm& position) {
+bool PersonEstimator::is_wild(double time_s, const PlatePoint& position) {
   if (places_.count() == 0 || lifted_) return false;
   const double allowed_mm =
       max_start_speed_mm_s * (time_s - places_[0].time_s) + wild_deviations * std::sqrt(noise().variance_mm2());
-  wild_ = square_distance_mm2(position, places_[0].place) > square(allowed_mm) ? wild_ + 1 : 0;
+  wild_ = square_distance_mm2(position, places_[0].position) > square(allowed_mm) ? wild_ + 1 : 0;
   return wild_ > 0 && wild_ <= max_wild;
 }
 
@@ -113,9 +113,9 @@ std::optional<PersonFilter> PersonEstimator::after_retarget() const {
   return filter;
 }
 
-PlaceMm PersonEstimator::place() const {
-  if (motion_ == FingerMotion::resting) return places_.count() > 0 ? places_[0].place : origin();
-  return {origin().right_mm + filter_.state().right_mm, origin().away_mm + filter_.state().away_mm};
+PlatePoint PersonEstimator::place() const {
+  if (motion_ == FingerMotion::resting) return places_.count() > 0 ? places_[0].position : origin();
+  return origin() + PlatePoint{filter_.state().right_mm, filter_.state().away_mm};
 }
 
 void PersonEstimator::begin_motion() {
@@ -155,16 +155,16 @@ void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
   filter_s_ = time_s;
 }
 
-bool PersonEstimator::take(const TimedPlace& sample, const PlateTrace& plate) {
+bool PersonEstimator::take(const TimedPoint& sample, const PlateTrace& plate) {
   carry_to(sample.time_s, plate);
-  const PlaceMm place{sample.place.right_mm - origin().right_mm, sample.place.away_mm - origin().away_mm};
+  const PlatePoint place = sample.position - origin();
   if (motion_ == FingerMotion::paused) {
     take_paused(sample);
     return true;
   }
   const double speed_mm_s = filter_.speed_mm_s();
   const PersonState x = filter_.state();
-  const PlaceMm innovation{place.right_mm - x.right_mm - x.noise_right_mm, place.away_mm - x.away_mm - x.noise_away_mm};
+  const PlatePoint innovation = place - PlatePoint{x.right_mm + x.noise_right_mm, x.away_mm + x.noise_away_mm};
   const double nis = filter_.observe(place.right_mm, place.away_mm, gate);
   if (nis <= gate) {
     outliers_ = 0;
@@ -178,7 +178,7 @@ bool PersonEstimator::take(const TimedPlace& sample, const PlateTrace& plate) {
     fit_.correlation += fit_share * (product / std::max(size, min_mm2) - fit_.correlation);
     last_innovation_ = innovation;
   }
-  PlaceMm still{};
+  PlatePoint still{};
   if (backlog_ == 0 && nis > 6.0 && speed_mm_s > min_pausing_speed_mm_s && stands_still(still)) {
     motion_ = FingerMotion::paused;
     pause_ = still;
@@ -200,16 +200,16 @@ bool PersonEstimator::take(const TimedPlace& sample, const PlateTrace& plate) {
 }
 
 // A finger that comes down again, or leaves where it rested, moves on.
-void PersonEstimator::take_paused(const TimedPlace& sample) {
-  const PlaceMm place{sample.place.right_mm - origin().right_mm, sample.place.away_mm - origin().away_mm};
+void PersonEstimator::take_paused(const TimedPoint& sample) {
+  const PlatePoint place = sample.position - origin();
   if (lifted_) {
     lifted_ = false;
     filter_.place_at(place.right_mm, place.away_mm);
-    pause_ = sample.place;
+    pause_ = sample.position;
     outliers_ = 0;
     return;
   }
-  const bool away = square_distance_mm2(sample.place, pause_) > square(3.5) * noise().variance_mm2();
+  const bool away = square_distance_mm2(sample.position, pause_) > square(3.5) * noise().variance_mm2();
   outliers_ = away ? outliers_ + 1 : 0;
   filter_.observe(place.right_mm, place.away_mm, gate);
   if (outliers_ < 3) return;
@@ -219,7 +219,7 @@ void PersonEstimator::take_paused(const TimedPlace& sample) {
 }
 
 // The last samples go nowhere: their trend is within the noise, and short of what the motion would have been.
-bool PersonEstimator::stands_still(PlaceMm& where) const {
+bool PersonEstimator::stands_still(PlatePoint& where) const {
   int count = still_samples;
   while (count < places_.count() && places_[0].time_s - places_[count - 1].time_s < still_s) ++count;
   if (places_.count() < count) return false;
@@ -229,8 +229,8 @@ bool PersonEstimator::stands_still(PlaceMm& where) const {
   double spread = 0.0;
   for (int i = 0; i < count; ++i) {
     const double centred = 0.5 * (count - 1) - i;
-    moment_right += centred * places_[i].place.right_mm;
-    moment_away += centred * places_[i].place.away_mm;
+    moment_right += centred * places_[i].position.right_mm;
+    moment_away += centred * places_[i].position.away_mm;
     spread += centred * centred;
   }
   const double trend_mm = std::sqrt(square(moment_right) + square(moment_away)) / spread * (count - 1);

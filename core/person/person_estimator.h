@@ -36,12 +36,12 @@ class PersonEstimator {
  public:
   /// The finger is about to move over `path_mm` from near `start`, asked to go in `virtual_direction_deg`.
   /// `noise`: of the tracker, if it is known; else it is learnt while the finger rests.
-  PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const PlaceMm& start,
+  PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const PlatePoint& start,
                   const std::optional<TrackerNoise>& noise);
 
   /// Takes a position in, seen at `time_s`, after the last one's. `plate` has stood where its trace says.
   /// False if it was left out: it is five standard deviations off, or a resting finger cannot be there so soon.
-  bool observe(double time_s, const PlaceMm& position, const PlateTrace& plate);
+  bool observe(double time_s, const PlatePoint& position, const PlateTrace& plate);
 
   /// Nothing was seen, and time passes until `time_s`.
   void predict(double time_s, const PlateTrace& plate);
@@ -64,22 +64,22 @@ class PersonEstimator {
   /// Of the filter; before the finger moves, of the last position.
   double time_s() const { return filter_s_; }
   /// Where the finger rested: the filter's places are measured from here.
-  const PlaceMm& origin() const { return rest_.place(); }
+  const PlatePoint& origin() const { return rest_.place(); }
   /// The last place that was seen or is predicted.
-  PlaceMm place() const;
+  PlatePoint place() const;
   const TrackerNoise& noise() const { return rest_.noise(); }
   const ModelFit& fit() const { return fit_; }
   /// When the motion began.
   double onset_s() const { return onset_s_; }
 
  private:
-  bool is_wild(double time_s, const PlaceMm& position);
+  bool is_wild(double time_s, const PlatePoint& position);
   void begin_motion();
   bool catch_up(const PlateTrace& plate);
-  bool take(const TimedPlace& sample, const PlateTrace& plate);
-  void take_paused(const TimedPlace& sample);
+  bool take(const TimedPoint& sample, const PlateTrace& plate);
+  void take_paused(const TimedPoint& sample);
   void carry_to(double time_s, const PlateTrace& plate);
-  bool stands_still(PlaceMm& where) const;
+  bool stands_still(PlatePoint& where) const;
 
   struct Retarget {
     double time_s;  // of the answer
@@ -98,14 +98,14 @@ class PersonEstimator {
   ModelFit fit_;
 
   int backlog_ = 0;  // of the last places, those that the filter has not seen
-  PlaceMm pause_{};
+  PlatePoint pause_{};
 
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;
   int outliers_ = 0;  // in a row
   int wild_ = 0;      // in a row, of a finger at rest
   bool lifted_ = false;
-  PlaceMm last_innovation_{0.0, 0.0};
+  PlatePoint last_innovation_{0.0, 0.0};
 };
 
 }  // namespace hrt

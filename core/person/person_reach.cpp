@@ -24,8 +24,6 @@ constexpr double given_duration_log_sd = 0.12;
 // Below this share of the time a reach teaches nothing.
 constexpr double min_taught_phase = 0.7;
 
-PlaceMm to_mm(const PlatePoint& point) { return {mm_per_m * point.right_m, mm_per_m * point.away_m}; }
-
 PersonBelief person_of(const PersonReachConfig& config, const Reach& reach) {
   PersonBelief belief = config.person;
   if (reach.duration_s <= 0.0) return belief;
@@ -52,11 +50,11 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
                          const std::optional<PlateHandover>& handover)
     : config_(config),
       reach_(reach),
-      target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m)),
+      target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm)),
       aimed_direction_deg_(reach.real_direction_deg),
       frame_sd_deg_(bearing_sd_deg(config.touched, config.frame, reach.start, target_)),
-      estimator_(person_of(config, reach), reach.virtual_direction_deg, mm_per_m * reach.real_distance_m,
-                 to_mm(reach.start), config.noise),
+      estimator_(person_of(config, reach), reach.virtual_direction_deg, reach.real_distance_mm, reach.start,
+                 config.noise),
       plate_(handover ? handover->plate
                       : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
       limits_(limits_of(config, reach, plate_.orientation_deg())) {
@@ -80,14 +78,14 @@ void PersonReach::stand_ready() {
 }
 
 void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
-  const double longer_mm = mm_per_m * (now.real_distance_m - distance_m(now.start, target_));
+  const double longer_mm = (now.real_distance_mm - distance_mm(now.start, target_));
   limits_.turn_goal(now.virtual_direction_deg - reach_.virtual_direction_deg);
   reach_.virtual_direction_deg = now.virtual_direction_deg;
   settled_ = command_.arrived = false;
   // The short way round.
   reach_.real_direction_deg =
       now.real_direction_deg + wrap_deg(bearing_deg(reach_.start, real) - now.real_direction_deg, 360.0);
-  reach_.real_distance_m = distance_m(reach_.start, real);
+  reach_.real_distance_mm = distance_mm(reach_.start, real);
   target_ = real;
   frame_sd_deg_ = bearing_sd_deg(config_.touched, config_.frame, reach_.start, target_);
   aimed_from_ = now.start;
@@ -101,12 +99,9 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
 }
 
 // A finger that feels the start is there when it rests, wherever it is seen.
-PlatePoint PersonReach::on_plate(const PlaceMm& seen) const {
-  const PlatePoint place{seen.right_mm / mm_per_m, seen.away_mm / mm_per_m};
-  if (!config_.start_is_felt) return place;
-  const PlaceMm& rest = estimator_.origin();
-  return {place.right_m - rest.right_mm / mm_per_m + reach_.start.right_m,
-          place.away_m - rest.away_mm / mm_per_m + reach_.start.away_m};
+PlatePoint PersonReach::on_plate(const PlatePoint& seen) const {
+  if (!config_.start_is_felt) return seen;
+  return seen - estimator_.origin() + reach_.start;
 }
 
 std::optional<PlatePoint> PersonReach::place() const {
@@ -114,14 +109,14 @@ std::optional<PlatePoint> PersonReach::place() const {
   return on_plate(estimator_.place());
 }
 
-double PersonReach::place_variance_m2() const {
+double PersonReach::place_variance_mm2() const {
   const PersonFilter& filter = estimator_.filter();
-  return 0.5 * (filter.place_variance_mm2(1.0, 0.0) + filter.place_variance_mm2(0.0, 1.0)) / (mm_per_m * mm_per_m);
+  return 0.5 * (filter.place_variance_mm2(1.0, 0.0) + filter.place_variance_mm2(0.0, 1.0));
 }
 
-double PersonReach::speed_m_s() const {
+double PersonReach::speed_mm_s() const {
   if (estimator_.motion() != FingerMotion::moving) return 0.0;
-  return estimator_.filter().now().speed_mm_s / mm_per_m;
+  return estimator_.filter().now().speed_mm_s;
 }
 
 const PlateCommand& PersonReach::update(const FingerSample& sample, bool arrived) {
@@ -157,7 +152,7 @@ bool PersonReach::observe(const FingerSample& sample, double time_s) {
     case Observation::position:
       if (position_ns_ != sample.time_ns) {  // else the tracker has sent it twice
         position_ns_ = sample.time_ns;
-        if (estimator_.observe(time_s, to_mm(sample.position), trace_)) return true;
+        if (estimator_.observe(time_s, sample.position, trace_)) return true;
       }
       break;
     case Observation::none:
@@ -180,18 +175,12 @@ PersonReach::Decision PersonReach::decide(double now_s) {
                                                          : ActiveBound::upper;
   return {.plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach_.virtual_direction_deg, bound},
                                  plate_.orientation_deg()),
-          .predicted_miss_deg = atan2_deg(miss_share_ * plan.miss_mm, mm_per_m * reach_.real_distance_m)};
+          .predicted_miss_deg = atan2_deg(miss_share_ * plan.miss_mm, reach_.real_distance_mm)};
 }
 
 ReachAim PersonReach::aim() const {
-  const PlaceMm target = to_mm(target_);
-  const PlaceMm origin = to_mm(on_plate(estimator_.origin()));
-  ReachAim aim{target.right_mm - origin.right_mm, target.away_mm - origin.away_mm};
-  if (aimed_from_) {
-    aim.from_right_mm = mm_per_m * aimed_from_->right_m - origin.right_mm;
-    aim.from_away_mm = mm_per_m * aimed_from_->away_m - origin.away_mm;
-  }
-  return aim;
+  const PlatePoint origin = on_plate(estimator_.origin());
+  return {.target = target_ - origin, .from = aimed_from_ ? *aimed_from_ - origin : PlatePoint{}};
 }
 
 // By the filter, which may stand at an earlier time.
@@ -218,7 +207,7 @@ double PersonReach::bearing_error_sd_deg() const {
   if (estimator_.motion() == FingerMotion::resting) return frame_sd_deg_;
   const SinCos ahead = sin_cos_deg(reach_.real_direction_deg);
   const double variance_mm2 = estimator_.filter().place_variance_mm2(-ahead.cosine, -ahead.sine);
-  const double place_sd_deg = atan2_deg(deviation(variance_mm2), mm_per_m * reach_.real_distance_m);
+  const double place_sd_deg = atan2_deg(deviation(variance_mm2), reach_.real_distance_mm);
   return std::sqrt(frame_sd_deg_ * frame_sd_deg_ + place_sd_deg * place_sd_deg);
 }
 
@@ -228,7 +217,7 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
   const PlatePoint place = on_plate(estimator_.place());
   const bool begun = estimator_.motion() != FingerMotion::resting;
   const bool moving = estimator_.motion() == FingerMotion::moving;
-  const double to_go_m = begun || counts_.samples > 0 ? distance_m(place, target_) : reach_.real_distance_m;
+  const double to_go_mm = begun || counts_.samples > 0 ? distance_mm(place, target_) : reach_.real_distance_mm;
   const double felt_deg =
       x.direction_deg + felt_shift(now.illusion, plate_.orientation_deg() - x.direction_deg).shift_deg;
   const bool ends = begun && (!moving || x.phase >= last_phase);
@@ -239,12 +228,12 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .plate_orientation_deg = decision_.plate.orientation_deg,
       .finger_direction_deg = x.direction_deg,
       .perceived_direction_deg = felt_deg,
-      .aimed_direction_deg = to_go_m > 0.1 * reach_.real_distance_m && !(settled_ && begun)
+      .aimed_direction_deg = to_go_mm > 0.1 * reach_.real_distance_mm && !(settled_ && begun)
                                  ? bearing_deg(place, target_)
                                  : command_.aimed_direction_deg,
       .tactile_weight = linear.weight,
       .tactile_weight_sd = linear.weight_sd,
-      .distance_to_go_m = to_go_m,
+      .distance_to_go_mm = to_go_mm,
       .time_to_go_s = begun && x.phase >= last_phase ? 0.0
                       : moving                       ? time_to_go_s(now_s)
                                                      : -1.0,
@@ -292,7 +281,7 @@ ReachSummary PersonReach::summary() const {
   summary.perceived_direction_deg = command_.perceived_direction_deg;
   summary.perceived_error_deg =
       command_.perceived_direction_deg - reach_.virtual_direction_deg - config_.person.mean(PersonTrait::bias);
-  summary.distance_to_target_m = distance_m(ended, target_);
+  summary.distance_to_target_mm = distance_mm(ended, target_);
   summary.bearing_error_deg =
       begun ? wrap_deg(bearing_deg(reach_.start, ended) - reach_.real_direction_deg, 360.0) : 0.0;
   summary.bearing_error_sd_deg = command_.bearing_error_sd_deg;
@@ -301,11 +290,11 @@ ReachSummary PersonReach::summary() const {
   summary.unreachable = command_.unreachable;
   summary.off_target = begun && std::abs(summary.bearing_error_deg) > near_deg;
   summary.estimate = {.position = ended,
-                      .speed_m_s = 0.0,
+                      .speed_mm_s = 0.0,
                       .direction_deg = command_.finger_direction_deg,
                       .tactile_weight = command_.tactile_weight,
                       .tactile_weight_sd = command_.tactile_weight_sd,
-                      .tracker_noise_m = std::sqrt(estimator_.noise().variance_mm2()) / mm_per_m};
+                      .tracker_noise_mm = std::sqrt(estimator_.noise().variance_mm2())};
   summary.person = {.curve = x.curve,
                     .curve_sd = sd.curve,
                     .gain_s = x.gain_s,

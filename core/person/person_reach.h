@@ -48,9 +48,9 @@ class PersonReach {
   /// Where the finger is; none before it moves.
   std::optional<PlatePoint> place() const;
   /// Of a coordinate of it, the mean of both.
-  double place_variance_m2() const;
+  double place_variance_mm2() const;
   /// Of the finger, as estimated; 0 before it moves, and at rest.
-  double speed_m_s() const;
+  double speed_mm_s() const;
   /// A position has been seen.
   bool seen() const { return position_ns_.has_value(); }
   ReachSummary summary() const;
@@ -72,7 +72,7 @@ class PersonReach {
   PlateCommand publish(const FingerSample& sample, double now_s, bool decided);
   void count(const PlateCommand& command, bool observed);
   ReachAim aim() const;
-  PlatePoint on_plate(const PlaceMm& seen) const;
+  PlatePoint on_plate(const PlatePoint& seen) const;
   double time_to_go_s(double now_s) const;
   bool can_be_held() const;
   double bearing_error_sd_deg() const;

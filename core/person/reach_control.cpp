@@ -37,11 +37,12 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
   const double step_s = (arrives_s + sensory_delay_s - filter_s) / dead_time_steps;
   const double wander_kept = exponential(-step_s / wander_s);
   const SinCos line = sin_cos_deg(line_deg);
-  Motion motion{.direction_deg = x.direction_deg,
-                .phase = x.phase,
-                .lateral_mm = (aim.right_mm - x.right_mm) * line.cosine + (aim.away_mm - x.away_mm) * line.sine,
-                .wander_deg = x.wander_deg,
-                .shift_deg = 0.0};
+  Motion motion{
+      .direction_deg = x.direction_deg,
+      .phase = x.phase,
+      .lateral_mm = (aim.target.right_mm - x.right_mm) * line.cosine + (aim.target.away_mm - x.away_mm) * line.sine,
+      .wander_deg = x.wander_deg,
+      .shift_deg = 0.0};
   double felt_plate_deg = 0.0;
   Illusion illusion{};
   const double now_deg = outlook.past.at(outlook.now_s);
@@ -103,7 +104,7 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
 
 ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s, const ReachAim& aim,
                      const PlateOutlook& outlook) {
-  const double line_deg = atan2_deg(-(aim.right_mm - aim.from_right_mm), aim.away_mm - aim.from_away_mm);
+  const double line_deg = bearing_deg(aim.from, aim.target);
   const Motion motion = carry_over_dead_time(filter, filter_s, line_deg, aim, outlook);
   const Arrival arrival = arrive(filter, motion, line_deg);
 

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "core/person/person_filter.h"
+#include "core/plate/plate_frame.h"
 #include "core/plate/plate_model.h"
 
 namespace hrt {
@@ -23,14 +24,11 @@ struct ReachControlConfig {
   double max_felt_error_deg = 5.0;
 };
 
-/// Of the real target, in millimetres from where the finger rested.
+/// The line along which the finger is led; the miss is measured across it. Both points are relative to where the
+/// finger rested.
 struct ReachAim {
-  double right_mm;
-  double away_mm;
-  /// Where the line to the target begins, across which the miss is measured: where the finger was when it
-  /// was last aimed.
-  double from_right_mm = 0.0;
-  double from_away_mm = 0.0;
+  PlatePoint target;  ///< the real target
+  PlatePoint from;    ///< where the finger was when the reach was last aimed
 };
 
 /// What the plate does before a command given now is felt.

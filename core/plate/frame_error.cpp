@@ -38,15 +38,15 @@ FrameCovariance frame_covariance(const Registration& registration) {
 }
 
 double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start, const PlatePoint& target) {
-  const double length_m = distance_m(start, target);
-  if (!(length_m > 0.0)) return max_deg;
+  const double length_mm = distance_mm(start, target);
+  if (!(length_mm > 0.0)) return max_deg;
   // Across the line, to the left.
   const double direction_deg = bearing_deg(start, target);
   const double across_right = -cos_deg(direction_deg);
   const double across_away = -sin_deg(direction_deg);
-  const Eigen::Vector3d by{across_away * target.right_m - across_right * target.away_m, across_right, across_away};
-  const double variance_m2 = by.dot(covariance * by);
-  return std::min(max_deg, deg_per_rad * std::sqrt(std::max(0.0, variance_m2)) / length_m);
+  const Eigen::Vector3d by{across_away * target.right_mm - across_right * target.away_mm, across_right, across_away};
+  const double variance_mm2 = by.dot(covariance * by);
+  return std::min(max_deg, deg_per_rad * std::sqrt(std::max(0.0, variance_mm2)) / length_mm);
 }
 
 }  // namespace hrt

@@ -19,7 +19,7 @@
 namespace hrt {
 
 /// Of a plate's pose in its own plane: covariance of its turn about the normal (radians, counter-clockwise)
-/// and of its centre's place to the right and away (metres). Zero: the pose is exact.
+/// and of its centre's place to the right and away (millimetres). Zero: the pose is exact.
 using FrameCovariance = Eigen::Matrix3d;
 
 /// True if finite, symmetric and, within rounding, positive semidefinite.

@@ -11,10 +11,10 @@ namespace {
 using Jacobian = Eigen::Matrix<double, 3, 7>;
 using Information = Eigen::Matrix<double, 7, 7>;
 
-constexpr double min_spread_m = 0.01;
+constexpr double min_spread_mm = 10.0;
 // Of the touch's deviation: so many squares is the assumed one worth.
 constexpr double assumed_squares = 6.0;
-constexpr double max_offset_sd_m = 0.005;
+constexpr double max_offset_sd_mm = 5.0;
 // The least eigenvalue of the offset's information, at most 2 a touch: below this the joint was not turned.
 constexpr double min_turned = 1e-6;
 constexpr double min_cosine_up = 0.5;
@@ -32,8 +32,8 @@ double chi_squared_limit(double freedom) {
   return freedom * root * root * root;
 }
 
-double variance_of(double assumed_sd_m, double square_sum_m2, double freedom) {
-  return (assumed_squares * assumed_sd_m * assumed_sd_m + square_sum_m2) / (assumed_squares + freedom);
+double variance_of(double assumed_sd_mm, double square_sum_mm2, double freedom) {
+  return (assumed_squares * assumed_sd_mm * assumed_sd_mm + square_sum_mm2) / (assumed_squares + freedom);
 }
 
 // Touches with at most one of them left out.
@@ -60,56 +60,56 @@ class Touches {
 
 // Means, and sums of products of the deviations from them.
 struct Moments {
-  Eigen::Vector3d mark_m = Eigen::Vector3d::Zero();
-  Eigen::Vector3d touched_m = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d marks_m2 = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d touched_by_mark_m2 = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d mark_mm = Eigen::Vector3d::Zero();
+  Eigen::Vector3d touched_mm = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d marks_mm2 = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d touched_by_mark_mm2 = Eigen::Matrix3d::Zero();
 };
 
 Moments moments_of(const Touches& touches) {
   Moments result;
   touches.for_each([&](const MarkTouch& touch) {
-    result.mark_m += touch.mark_m / touches.count();
-    result.touched_m += touch.touched_m / touches.count();
+    result.mark_mm += touch.mark_mm / touches.count();
+    result.touched_mm += touch.touched_mm / touches.count();
   });
   touches.for_each([&](const MarkTouch& touch) {
-    const Eigen::Vector3d mark_m = touch.mark_m - result.mark_m;
-    result.marks_m2 += mark_m * mark_m.transpose();
-    result.touched_by_mark_m2 += (touch.touched_m - result.touched_m) * mark_m.transpose();
+    const Eigen::Vector3d mark_mm = touch.mark_mm - result.mark_mm;
+    result.marks_mm2 += mark_mm * mark_mm.transpose();
+    result.touched_by_mark_mm2 += (touch.touched_mm - result.touched_mm) * mark_mm.transpose();
   });
   return result;
 }
 
 // The second largest deviation of the marks from their mean: 0 on a line.
 bool is_degenerate(const Touches& touches) {
-  const double spread_m2 = singular_values(moments_of(touches).marks_m2).values(1);
-  return !(std::sqrt(spread_m2 / touches.count()) >= min_spread_m);
+  const double spread_mm2 = singular_values(moments_of(touches).marks_mm2).values(1);
+  return !(std::sqrt(spread_mm2 / touches.count()) >= min_spread_mm);
 }
 
-Eigen::Vector3d predicted(const Registration& registration, const Eigen::Vector3d& mark_m) {
-  return registration.scale * (registration.rotation * mark_m) + registration.position_m;
+Eigen::Vector3d predicted(const Registration& registration, const Eigen::Vector3d& mark_mm) {
+  return registration.scale * (registration.rotation * mark_mm) + registration.position_mm;
 }
 
 // Of predicted(), by the rotation about the plate's axes, the position and the scale.
-Jacobian jacobian(const Registration& registration, const Eigen::Vector3d& mark_m) {
+Jacobian jacobian(const Registration& registration, const Eigen::Vector3d& mark_mm) {
   Jacobian result;
   for (int axis = 0; axis < 3; ++axis)
-    result.col(axis) = registration.scale * (registration.rotation * Eigen::Vector3d::Unit(axis).cross(mark_m));
+    result.col(axis) = registration.scale * (registration.rotation * Eigen::Vector3d::Unit(axis).cross(mark_mm));
   result.block<3, 3>(0, 3).setIdentity();
-  result.col(6) = registration.rotation * mark_m;
+  result.col(6) = registration.rotation * mark_mm;
   return result;
 }
 
 struct Fit {
   Registration registration;
-  double square_sum_m2;
+  double square_sum_mm2;
   double freedom;
 };
 
 // Umeyama, equations 39 to 42.
 Fit fit(const RegistrationConfig& config, const Touches& touches) {
   const Moments moments = moments_of(touches);
-  const SingularValues svd = singular_values(moments.touched_by_mark_m2);
+  const SingularValues svd = singular_values(moments.touched_by_mark_mm2);
   const Eigen::Matrix3d left = svd.left;
   const Eigen::Matrix3d right = svd.right;
   Eigen::Vector3d signs = Eigen::Vector3d::Ones();
@@ -117,33 +117,33 @@ Fit fit(const RegistrationConfig& config, const Touches& touches) {
   Fit result{};
   Registration& found = result.registration;
   found.rotation = left * signs.asDiagonal() * right.transpose();
-  const double scale = svd.values.dot(signs) / moments.marks_m2.trace();
+  const double scale = svd.values.dot(signs) / moments.marks_mm2.trace();
   if (config.fit_scale && scale >= min_scale && scale <= max_scale) found.scale = scale;
-  found.position_m = moments.touched_m - found.scale * (found.rotation * moments.mark_m);
-  touches.for_each([&](const MarkTouch& touch) { result.square_sum_m2 += std::pow(residual_m(found, touch), 2); });
+  found.position_mm = moments.touched_mm - found.scale * (found.rotation * moments.mark_mm);
+  touches.for_each([&](const MarkTouch& touch) { result.square_sum_mm2 += std::pow(residual_mm(found, touch), 2); });
   result.freedom = 3.0 * touches.count() - (config.fit_scale ? 7.0 : 6.0);
   return result;
 }
 
 bool is_consistent(const RegistrationConfig& config, const Fit& fit) {
-  return fit.square_sum_m2 <= config.touch_sd_m * config.touch_sd_m * chi_squared_limit(fit.freedom);
+  return fit.square_sum_mm2 <= config.touch_sd_mm * config.touch_sd_mm * chi_squared_limit(fit.freedom);
 }
 
 Registration finished(const RegistrationConfig& config, const Fit& fit, const Touches& touches) {
   Registration result = fit.registration;
   result.verdict = RegistrationVerdict::holds;
-  const double variance_m2 = variance_of(config.touch_sd_m, fit.square_sum_m2, fit.freedom);
+  const double variance_mm2 = variance_of(config.touch_sd_mm, fit.square_sum_mm2, fit.freedom);
   Information information = Information::Zero();
   touches.for_each([&](const MarkTouch& touch) {
-    Jacobian j = jacobian(result, touch.mark_m);
+    Jacobian j = jacobian(result, touch.mark_mm);
     if (!config.fit_scale) j.col(6).setZero();
-    information += product(j.transpose(), j) / variance_m2;
+    information += product(j.transpose(), j) / variance_mm2;
   });
   if (!config.fit_scale) information(6, 6) = 1.0;
   result.covariance = inverse(information);
   if (!config.fit_scale) result.covariance(6, 6) = 0.0;
-  result.touch_sd_m = std::sqrt(variance_m2);
-  result.residual_m = std::sqrt(fit.square_sum_m2 / touches.count());
+  result.touch_sd_mm = std::sqrt(variance_mm2);
+  result.residual_mm = std::sqrt(fit.square_sum_mm2 / touches.count());
   return result;
 }
 
@@ -188,29 +188,29 @@ Registration fit_registration(const RegistrationConfig& config, std::span<const 
   return found;
 }
 
-double residual_m(const Registration& registration, const MarkTouch& touch) {
-  return (touch.touched_m - predicted(registration, touch.mark_m)).norm();
+double residual_mm(const Registration& registration, const MarkTouch& touch) {
+  return (touch.touched_mm - predicted(registration, touch.mark_mm)).norm();
 }
 
 RegistrationCheck check_registration(const Registration& registration, const MarkTouch& touch) {
-  const Jacobian j = jacobian(registration, touch.mark_m);
+  const Jacobian j = jacobian(registration, touch.mark_mm);
   Eigen::Matrix3d covariance = congruence(j.transpose(), registration.covariance);
-  covariance.diagonal().array() += registration.touch_sd_m * registration.touch_sd_m;
-  const Eigen::Vector3d off_m = touch.touched_m - predicted(registration, touch.mark_m);
-  const double deviation = std::sqrt(off_m.dot(solve_symmetric(covariance, off_m)));
+  covariance.diagonal().array() += registration.touch_sd_mm * registration.touch_sd_mm;
+  const Eigen::Vector3d off_mm = touch.touched_mm - predicted(registration, touch.mark_mm);
+  const double deviation = std::sqrt(off_mm.dot(solve_symmetric(covariance, off_mm)));
   const double limit = std::sqrt(chi_squared_limit(3.0));
-  const double distance_m = off_m.norm();
+  const double distance_mm = off_mm.norm();
   // In the direction of the touch; of a touch on the mark, on average.
-  const double sd_m = deviation > 0.0 ? distance_m / deviation : std::sqrt(covariance.trace() / 3.0);
-  return {.distance_m = distance_m, .allowed_m = limit * sd_m, .holds = deviation <= limit};
+  const double sd_mm = deviation > 0.0 ? distance_mm / deviation : std::sqrt(covariance.trace() / 3.0);
+  return {.distance_mm = distance_mm, .allowed_mm = limit * sd_mm, .holds = deviation <= limit};
 }
 
 FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const TurnedTouch> touches) {
   // joint_i + R_i offset - mark = 0, linear in (offset, mark). The mean joint is the origin, for accuracy.
   FingertipOffset result{Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(HUGE_VAL), false};
   if (touches.size() < 3) return result;
-  Eigen::Vector3d mean_m = Eigen::Vector3d::Zero();
-  for (const TurnedTouch& touch : touches) mean_m += touch.joint_m / static_cast<double>(touches.size());
+  Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();
+  for (const TurnedTouch& touch : touches) mean_mm += touch.joint_mm / static_cast<double>(touches.size());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(6, 6);
   Eigen::VectorXd moment = Eigen::VectorXd::Zero(6);
   Eigen::Matrix<double, 3, 6> j;
@@ -218,21 +218,21 @@ FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const 
   for (const TurnedTouch& touch : touches) {
     j.leftCols<3>() = touch.joint_rotation;
     information += product(j.transpose(), j);
-    moment -= product(j.transpose(), touch.joint_m - mean_m);
+    moment -= product(j.transpose(), touch.joint_mm - mean_mm);
   }
   if (singular_values(information).values(5) < min_turned) return result;
   const Eigen::MatrixXd inverted = inverse(information);
   const Eigen::VectorXd solution = product(inverted, moment);
-  double square_sum_m2 = 0.0;
+  double square_sum_mm2 = 0.0;
   for (const TurnedTouch& touch : touches) {
     j.leftCols<3>() = touch.joint_rotation;
-    square_sum_m2 += (touch.joint_m - mean_m + product(j, solution)).squaredNorm();
+    square_sum_mm2 += (touch.joint_mm - mean_mm + product(j, solution)).squaredNorm();
   }
   const double freedom = 3.0 * static_cast<double>(touches.size()) - 6.0;
-  const double variance_m2 = variance_of(config.touch_sd_m, square_sum_m2, freedom);
-  result.offset_m = solution.head<3>();
-  result.sd_m = (variance_m2 * inverted.diagonal().head<3>()).cwiseSqrt();
-  result.known = result.sd_m.maxCoeff() < max_offset_sd_m;
+  const double variance_mm2 = variance_of(config.touch_sd_mm, square_sum_mm2, freedom);
+  result.offset_mm = solution.head<3>();
+  result.sd_mm = (variance_mm2 * inverted.diagonal().head<3>()).cwiseSqrt();
+  result.known = result.sd_mm.maxCoeff() < max_offset_sd_mm;
   return result;
 }
 

@@ -14,15 +14,15 @@
 
 namespace hrt {
 
-/// A touch of one mark, metres.
+/// A touch of one mark, millimetres.
 struct MarkTouch {
-  Eigen::Vector3d mark_m;     ///< in plate coordinates
-  Eigen::Vector3d touched_m;  ///< where the tracker saw the fingertip
+  Eigen::Vector3d mark_mm;     ///< in plate coordinates
+  Eigen::Vector3d touched_mm;  ///< where the tracker saw the fingertip
 };
 
 struct RegistrationConfig {
   /// Of a touch, each coordinate, standard deviation as assumed; the residuals correct it. Finite, > 0.
-  double touch_sd_m = 0.003;
+  double touch_sd_mm = 3.0;
   /// The tracker's unit of length may be off, by a factor of 0.5 to 2.
   bool fit_scale = false;
   /// Up in the tracker's frame, of any length: the plate's face must look that way within 60 degrees. Zero:
@@ -43,13 +43,13 @@ enum class RegistrationVerdict {
 struct Registration {
   RegistrationVerdict verdict = RegistrationVerdict::too_few;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from plate coordinates to the tracker's
-  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();    ///< of the plate's centre
+  Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();   ///< of the plate's centre
   double scale = 1.0;                                      ///< 1 unless fitted
-  /// Of the rotation about the plate's axes (radians), the position (metres) and the scale; 0 for a scale
+  /// Of the rotation about the plate's axes (radians), the position (millimetres) and the scale; 0 for a scale
   /// that was not fitted.
   Eigen::Matrix<double, 7, 7> covariance = Eigen::Matrix<double, 7, 7>::Zero();
-  double touch_sd_m = 0.0;      ///< assumed and seen, in proportion to their weight
-  double residual_m = 0.0;      ///< root mean square distance of touches from their marks
+  double touch_sd_mm = 0.0;     ///< assumed and seen, in proportion to their weight
+  double residual_mm = 0.0;     ///< root mean square distance of touches from their marks
   std::optional<int> left_out;  ///< the one touch that does not fit the others
 };
 
@@ -57,12 +57,12 @@ struct Registration {
 Registration fit_registration(const RegistrationConfig& config, std::span<const MarkTouch> touches);
 
 /// Distance of a touch from where the registration has its mark.
-double residual_m(const Registration& registration, const MarkTouch& touch);
+double residual_mm(const Registration& registration, const MarkTouch& touch);
 
 /// Whether a later touch of a mark agrees with a registration that holds.
 struct RegistrationCheck {
-  double distance_m;  ///< of the touch from where the mark should be
-  double allowed_m;   ///< 99.9 % of touches are nearer while the registration is true
+  double distance_mm;  ///< of the touch from where the mark should be
+  double allowed_mm;   ///< 99.9 % of touches are nearer while the registration is true
   bool holds;
 };
 RegistrationCheck check_registration(const Registration& registration, const MarkTouch& touch);
@@ -70,14 +70,14 @@ RegistrationCheck check_registration(const Registration& registration, const Mar
 /// A touch of one and the same mark with the tracked joint turned differently each time.
 struct TurnedTouch {
   Eigen::Matrix3d joint_rotation;
-  Eigen::Vector3d joint_m;
+  Eigen::Vector3d joint_mm;
 };
 
 /// From the joint to the skin that touches, in the joint's axes: joint + R offset is the same for all
 /// touches.
 struct FingertipOffset {
-  Eigen::Vector3d offset_m;
-  Eigen::Vector3d sd_m;
+  Eigen::Vector3d offset_mm;
+  Eigen::Vector3d sd_mm;
   bool known;  ///< each standard deviation is below 5 mm: the joint was turned enough
 };
 FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const TurnedTouch> touches);

@@ -18,7 +18,7 @@ constexpr double chi_squared_999_of_2 = 13.816;
 using Matrix24 = Eigen::Matrix<double, 2, 4>;
 
 Eigen::Vector2d from_home(const TouchedFrame& frame, const PlatePoint& place) {
-  return {place.right_m - frame.home.right_m, place.away_m - frame.home.away_m};
+  return {place.right_mm - frame.home.right_mm, place.away_mm - frame.home.away_mm};
 }
 
 // D r as a function of D's entries.
@@ -30,15 +30,15 @@ Matrix24 by_entries(const Eigen::Vector2d& r) {
 }
 
 // Of D r before any contact.
-Eigen::Matrix2d prior_m2(const FrameCovariance& registered, const PlatePoint& place, double square_m2) {
+Eigen::Matrix2d prior_mm2(const FrameCovariance& registered, const PlatePoint& place, double square_mm2) {
   Eigen::Matrix<double, 2, 3> by;
-  by << -place.away_m, 1.0, 0.0, place.right_m, 0.0, 1.0;
-  return by * registered * by.transpose() + prior_sd * prior_sd * square_m2 * Eigen::Matrix2d::Identity();
+  by << -place.away_mm, 1.0, 0.0, place.right_mm, 0.0, 1.0;
+  return by * registered * by.transpose() + prior_sd * prior_sd * square_mm2 * Eigen::Matrix2d::Identity();
 }
 
-// Kronecker's product with the identity: D r has then prior_m2().
-Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place, double square_m2) {
-  const Eigen::Matrix2d entries = prior_m2(registered, place, square_m2) / square_m2;
+// Kronecker's product with the identity: D r has then prior_mm2().
+Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place, double square_mm2) {
+  const Eigen::Matrix2d entries = prior_mm2(registered, place, square_mm2) / square_mm2;
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
   for (Eigen::Index i = 0; i < 2; ++i)
     for (Eigen::Index j = 0; j < 2; ++j)
@@ -52,23 +52,23 @@ Eigen::Matrix2d matrix(const TouchedFrame& frame) { return Eigen::Matrix2d::Iden
 struct Expectation {
   Eigen::Matrix4d entries;
   Matrix24 by;
-  Eigen::Vector2d innovation_m;
-  Eigen::Matrix2d covariance_m2;  // of the innovation
+  Eigen::Vector2d innovation_mm;
+  Eigen::Matrix2d covariance_mm2;  // of the innovation
 };
 
 PlatePoint to_place(const TouchedFrame& frame, const Eigen::Vector2d& r) {
-  return {frame.home.right_m + r.x(), frame.home.away_m + r.y()};
+  return {frame.home.right_mm + r.x(), frame.home.away_mm + r.y()};
 }
 
 Expectation expect(const TouchedFrame& before, const FrameCovariance& registered, const Contact& contact) {
-  Expectation expected{
-      .entries = drifted(before).covariance,
-      .by = by_entries(matrix(before).inverse() * from_home(before, contact.finger)),
-      .innovation_m = {contact.place.right_m - contact.finger.right_m, contact.place.away_m - contact.finger.away_m},
-      .covariance_m2 = contact.variance_m2 * Eigen::Matrix2d::Identity()};
+  Expectation expected{.entries = drifted(before).covariance,
+                       .by = by_entries(matrix(before).inverse() * from_home(before, contact.finger)),
+                       .innovation_mm = {contact.place.right_mm - contact.finger.right_mm,
+                                         contact.place.away_mm - contact.finger.away_mm},
+                       .covariance_mm2 = contact.variance_mm2 * Eigen::Matrix2d::Identity()};
   if (!before.known())
     expected.entries = prior(registered, contact.place, from_home(before, contact.place).squaredNorm());
-  expected.covariance_m2 += expected.by * expected.entries * expected.by.transpose();
+  expected.covariance_mm2 += expected.by * expected.entries * expected.by.transpose();
   return expected;
 }
 
@@ -93,21 +93,21 @@ TouchedFrame drifted(const TouchedFrame& frame) {
 
 bool is_elsewhere(const TouchedFrame& before, const Contact& contact) {
   const Expectation expected = expect(before, FrameCovariance::Zero(), contact);
-  return expected.innovation_m.dot(expected.covariance_m2.inverse() * expected.innovation_m) > chi_squared_999_of_2;
+  return expected.innovation_mm.dot(expected.covariance_mm2.inverse() * expected.innovation_mm) > chi_squared_999_of_2;
 }
 
 TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered, const Contact& contact) {
-  const auto [entries, by, innovation_m, expected_m2] = expect(before, registered, contact);
+  const auto [entries, by, innovation_mm, expected_mm2] = expect(before, registered, contact);
   TouchedFrame after = before;
   Eigen::Matrix4d& covariance = after.covariance;
-  const Eigen::Matrix<double, 4, 2> gain = entries * by.transpose() * expected_m2.inverse();
-  const Eigen::Vector4d change = gain * innovation_m;
+  const Eigen::Matrix<double, 4, 2> gain = entries * by.transpose() * expected_mm2.inverse();
+  const Eigen::Vector4d change = gain * innovation_mm;
   after.stretch.row(0) += change.head<2>().transpose();
   after.stretch.row(1) += change.tail<2>().transpose();
   after.stretch = after.stretch.cwiseMax(-max_entry).cwiseMin(max_entry).eval();
   // As Joseph has it, which stays positive definite.
   const Eigen::Matrix4d kept = Eigen::Matrix4d::Identity() - gain * by;
-  covariance = (kept * entries * kept.transpose() + contact.variance_m2 * gain * gain.transpose()).eval();
+  covariance = (kept * entries * kept.transpose() + contact.variance_mm2 * gain * gain.transpose()).eval();
   covariance = (0.5 * (covariance + covariance.transpose())).eval();
   return after;
 }
@@ -120,19 +120,19 @@ double turned_deg(const TouchedFrame& before, const TouchedFrame& after, const P
 
 double bearing_sd_deg(const TouchedFrame& frame, const FrameCovariance& registered, const PlatePoint& start,
                       const PlatePoint& target) {
-  const double length_m = distance_m(start, target);
-  if (!frame.known() || !(length_m > 0.0)) return frame_bearing_sd_deg(registered, start, target);
+  const double length_mm = distance_mm(start, target);
+  if (!frame.known() || !(length_mm > 0.0)) return frame_bearing_sd_deg(registered, start, target);
   const double direction_deg = bearing_deg(start, target);
   const Eigen::Vector2d across{-cos_deg(direction_deg), -sin_deg(direction_deg)};
   const Eigen::Vector4d by = by_entries(from_home(frame, target)).transpose() * across;
-  return deg_per_rad * std::sqrt(std::max(0.0, by.dot(frame.covariance * by))) / length_m;
+  return deg_per_rad * std::sqrt(std::max(0.0, by.dot(frame.covariance * by))) / length_mm;
 }
 
 bool contradicts(const TouchedFrame& frame, const FrameCovariance& registered, const PlatePoint& target) {
   const Eigen::Vector2d r = from_home(frame, target);
   const Eigen::Vector2d moved = frame.stretch * r;
   if (!frame.known() || !(r.squaredNorm() > 0.0)) return false;
-  return moved.dot(prior_m2(registered, target, r.squaredNorm()).inverse() * moved) > chi_squared_999_of_2;
+  return moved.dot(prior_mm2(registered, target, r.squaredNorm()).inverse() * moved) > chi_squared_999_of_2;
 }
 
 }  // namespace hrt

@@ -36,14 +36,14 @@ PlatePoint corrected(const TouchedFrame& frame, const PlatePoint& seen);
 /// A place of the finger as estimated, with the variance of a coordinate.
 struct SeenFinger {
   PlatePoint place;
-  double variance_m2;
+  double variance_mm2;
 };
 
 /// A finger on an object.
 struct Contact {
-  PlatePoint finger;   ///< as it is believed to be: corrected
-  PlatePoint place;    ///< as it is known to be
-  double variance_m2;  ///< of their difference in each coordinate, > 0
+  PlatePoint finger;    ///< as it is believed to be: corrected
+  PlatePoint place;     ///< as it is known to be
+  double variance_mm2;  ///< of their difference in each coordinate, > 0
 };
 
 /// The frame after a contact; before the first one it is as `registered` has it at the contact's place, which

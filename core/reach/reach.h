@@ -27,7 +27,7 @@ struct Reach {
   double virtual_direction_deg;        ///< theta_V, finite
   double plate_orientation_deg = 0.0;  ///< where the plate stands before the reach
   PlatePoint start;                    ///< where the finger rests until it moves
-  double real_distance_m = 0.1;        ///< from the start to the real target, > 0
+  double real_distance_mm = 100.0;     ///< from the start to the real target, > 0
   double duration_s = 0.0;             ///< that the motion is expected to take, 0.1 to 20; 0: unknown
 };
 
@@ -35,8 +35,8 @@ struct Reach {
 inline bool is_valid(const Reach& reach, double goal_direction_deg) {
   return std::isfinite(reach.real_direction_deg) && std::isfinite(reach.virtual_direction_deg) &&
          std::abs(reach.real_direction_deg - goal_direction_deg) < 90.0 && std::isfinite(reach.plate_orientation_deg) &&
-         std::isfinite(reach.start.right_m) && std::isfinite(reach.start.away_m) &&
-         std::isfinite(reach.real_distance_m) && reach.real_distance_m > 0.0 &&
+         std::isfinite(reach.start.right_mm) && std::isfinite(reach.start.away_mm) &&
+         std::isfinite(reach.real_distance_mm) && reach.real_distance_mm > 0.0 &&
          (reach.duration_s == 0.0 || (reach.duration_s >= 0.1 && reach.duration_s <= 20.0));
 }
 
@@ -56,7 +56,7 @@ struct PlateCommand {
   double aimed_direction_deg = 0.0;      ///< the wanted direction, if it can be held
   double tactile_weight = 0.0;           ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
   double tactile_weight_sd = 0.0;        ///< its standard deviation; 0 without adaptation
-  double distance_to_go_m = 0.0;         ///< to the real target's place; the whole until a position is seen
+  double distance_to_go_mm = 0.0;        ///< to the real target's place; the whole until a position is seen
   double time_to_go_s = 0.0;        ///< until the motion ends, then 0; -1 before it and in a pause; 0 under the paper's
   double felt_error_deg = 0.0;      ///< felt less intended direction, now, as estimated
   double predicted_miss_deg = 0.0;  ///< bearing of the place of arrival less the real target's, as predicted
@@ -82,11 +82,11 @@ inline constexpr double near_deg = 1.5;
 /// The finger of the paper's person, as estimated in a reach. Standard deviations are the filter's own.
 struct FingerEstimate {
   PlatePoint position;
-  double speed_m_s = 0.0;
+  double speed_mm_s = 0.0;
   double direction_deg = 0.0;
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;
-  double tracker_noise_m = 0.0;
+  double tracker_noise_mm = 0.0;
   /// sigma_u^2 as corrected by this reach, and its standard deviation: about the configured one
   /// if the reach cannot determine them.
   double motor_variance_deg2 = 0.0;
@@ -118,7 +118,7 @@ struct ReachSummary {
   double final_miss_deg = 0.0;           ///< final_direction_deg - P_R
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
   double perceived_error_deg = 0.0;      ///< perceived_direction_deg less theta_V and the configured bias
-  double distance_to_target_m = 0.0;     ///< from the last position, seen or predicted, to the real target's
+  double distance_to_target_mm = 0.0;    ///< from the last position, seen or predicted, to the real target's
   double bearing_error_deg = 0.0;        ///< of the last position from the start, less P_R; 0 without positions
   double bearing_error_sd_deg = 0.0;     ///< as in the last PlateCommand
   double peak_felt_error_deg = 0.0;      ///< largest size of PlateCommand::felt_error_deg

@@ -12,16 +12,16 @@ constexpr int guide_rest_tenths = 14;
 constexpr int guide_stop_tenths = 20;
 // A rest is at an end of a guide within this share of the guide's length, and within this.
 constexpr double near_share = 0.3;
-constexpr double max_near_m = 0.03;
+constexpr double max_near_mm = 30.0;
 constexpr double max_unseen_s = 0.5;
 constexpr double max_raised_s = 0.1;
 // Of one slide to an object from the mean of the others: the finger was not at the guide's end.
-constexpr double max_deviation_m = 0.0048;
+constexpr double max_deviation_mm = 4.8;
 // Scatter of a coordinate that is expected, as good as so many that were seen.
-constexpr double expected_sd_m = 0.001;
+constexpr double expected_sd_mm = 1.0;
 constexpr double expected_count = 6.0;
 // What a tracker that sees a finger at rest may have otherwise in motion, and an end that is not quite met.
-constexpr double hold_sd_m = 0.0007;
+constexpr double hold_sd_mm = 0.7;
 // Of an entry of the frame's stretch.
 constexpr double stretch_sd = 0.05;
 
@@ -58,17 +58,17 @@ void GuidedSlides::observe(const SetupSample& sample) {
   }
   seen_ns_ = sample.time_ns;
   const PlatePoint& at = sample.on_plate.position;
-  still_.observe(sample.time_ns, {at.right_m, 0.0, -at.away_m});
-  if (const auto rest_m = still_.rest(guide_rest_tenths))
-    come_to_rest({rest_m->x(), -rest_m->z()}, still_.rest(guide_stop_tenths).has_value());
+  still_.observe(sample.time_ns, {at.right_mm, 0.0, -at.away_mm});
+  if (const auto rest_mm = still_.rest(guide_rest_tenths))
+    come_to_rest({rest_mm->x(), -rest_mm->z()}, still_.rest(guide_stop_tenths).has_value());
 }
 
 void GuidedSlides::come_to_rest(const PlatePoint& place, bool long_since) {
   const PlatePoint& end = ends_[static_cast<std::size_t>(object_)];
-  const double near_m = std::min(max_near_m, near_share * distance_m(start_, end));
+  const double near_mm = std::min(max_near_mm, near_share * distance_mm(start_, end));
   const PlatePoint& last = rests_ % 2 == 0 ? end : start_;
-  if (distance_m(place, next()) > near_m) {
-    const bool stays = distance_m(place, last) <= near_m;
+  if (distance_mm(place, next()) > near_mm) {
+    const bool stays = distance_mm(place, last) <= near_mm;
     if (rests_ > 0 && !stays && long_since) again(SetupProblem::stopped);
     return;
   }
@@ -82,39 +82,39 @@ void GuidedSlides::come_to_rest(const PlatePoint& place, bool long_since) {
 
 std::optional<GuidedSlides::Seen> GuidedSlides::seen(const Rests& rests) const {
   constexpr int count = slides_an_object / 2;
-  Eigen::Matrix<double, 2, count> to_m;
+  Eigen::Matrix<double, 2, count> to_mm;
   for (int i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(2 * i);
-    to_m.col(i) =
-        Eigen::Vector2d(rests[at + 1].right_m, rests[at + 1].away_m) -
-        0.5 * Eigen::Vector2d(rests[at].right_m + rests[at + 2].right_m, rests[at].away_m + rests[at + 2].away_m);
+    to_mm.col(i) =
+        Eigen::Vector2d(rests[at + 1].right_mm, rests[at + 1].away_mm) -
+        0.5 * Eigen::Vector2d(rests[at].right_mm + rests[at + 2].right_mm, rests[at].away_mm + rests[at + 2].away_mm);
   }
-  const Eigen::Vector2d mean_m = to_m.rowwise().mean();
-  to_m.colwise() -= mean_m;
-  if (to_m.colwise().norm().maxCoeff() > max_deviation_m) return std::nullopt;
-  return Seen{mean_m, to_m.squaredNorm()};
+  const Eigen::Vector2d mean_mm = to_mm.rowwise().mean();
+  to_mm.colwise() -= mean_mm;
+  if (to_mm.colwise().norm().maxCoeff() > max_deviation_mm) return std::nullopt;
+  return Seen{mean_mm, to_mm.squaredNorm()};
 }
 
 std::optional<TouchedFrame> GuidedSlides::fit() const {
   constexpr int means = slides_an_object / 2;
-  std::array<Eigen::Vector2d, max_objects> from_start_m;
-  double square_m2 = expected_count * expected_sd_m * expected_sd_m;
+  std::array<Eigen::Vector2d, max_objects> from_start_mm;
+  double square_mm2 = expected_count * expected_sd_mm * expected_sd_mm;
   double freedom = expected_count;
   for (int i = 0; i < count_; ++i) {
     const std::optional<Seen> object = seen(seen_[static_cast<std::size_t>(i)]);
     if (!object) return std::nullopt;
-    from_start_m[static_cast<std::size_t>(i)] = object->from_start_m;
-    square_m2 += object->square_m2;
+    from_start_mm[static_cast<std::size_t>(i)] = object->from_start_mm;
+    square_mm2 += object->square_mm2;
     freedom += 2.0 * (means - 1);
   }
-  const double variance_m2 = square_m2 / freedom / means + hold_sd_m * hold_sd_m;
+  const double variance_mm2 = square_mm2 / freedom / means + hold_sd_mm * hold_sd_mm;
   TouchedFrame frame{.home = start_};
   frame.covariance.diagonal().setConstant(stretch_sd * stretch_sd);
   for (int i = 0; i < count_; ++i) {
-    const Eigen::Vector2d& r = from_start_m[static_cast<std::size_t>(i)];
-    const Contact contact{.finger = corrected(frame, {start_.right_m + r.x(), start_.away_m + r.y()}),
+    const Eigen::Vector2d& r = from_start_mm[static_cast<std::size_t>(i)];
+    const Contact contact{.finger = corrected(frame, {start_.right_mm + r.x(), start_.away_mm + r.y()}),
                           .place = ends_[static_cast<std::size_t>(i)],
-                          .variance_m2 = variance_m2};
+                          .variance_mm2 = variance_mm2};
     if (is_elsewhere(frame, contact)) return std::nullopt;
     frame = after_contact(frame, FrameCovariance::Zero(), contact);
   }

@@ -17,10 +17,10 @@ class GuidedSlides {
   static constexpr int max_objects = 8;
   static constexpr int slides_an_object = 6;  ///< to, fro, to, ...
 
-  /// Awaits slides between `start` and each of the places where guides end, min_guide_m away at least.
+  /// Awaits slides between `start` and each of the places where guides end, min_guide_mm away at least.
   GuidedSlides(const PlatePoint& start, const std::array<PlatePoint, max_objects>& ends, int count);
 
-  static constexpr double min_guide_m = 0.04;
+  static constexpr double min_guide_mm = 40.0;
 
   void observe(const SetupSample& sample);
   /// Forgets all slides.
@@ -42,8 +42,8 @@ class GuidedSlides {
   static constexpr int rests_an_object = slides_an_object + 1;  // at the start, at the object, at the start, ...
   using Rests = std::array<PlatePoint, rests_an_object>;
   struct Seen {
-    Eigen::Vector2d from_start_m;
-    double square_m2;  // of the deviations of one coordinate from their mean
+    Eigen::Vector2d from_start_mm;
+    double square_mm2;  // of the deviations of one coordinate from their mean
   };
   std::optional<Seen> seen(const Rests& rests) const;
   void again(SetupProblem problem);

@@ -10,7 +10,7 @@ namespace hrt {
 
 struct SetupTouch {
   std::int64_t time_ns;
-  Eigen::Vector3d touched_m;  ///< in the tracker's frame
+  Eigen::Vector3d touched_mm;  ///< in the tracker's frame
   Eigen::Matrix3d joint_rotation;
 };
 
@@ -37,8 +37,8 @@ class MarkTouches {
   int count_ = 0;
   int wanted_ = 0;
   StillFinger still_;
-  std::optional<Eigen::Vector3d> from_m_;  // where it was when it was asked for
-  int away_ = 0;                           // positions in a row
+  std::optional<Eigen::Vector3d> from_mm_;  // where it was when it was asked for
+  int away_ = 0;                            // positions in a row
   bool moved_ = false;
   bool lost_ = false;
 };

@@ -13,7 +13,7 @@ constexpr std::size_t samples_a_slide = 1000;
 constexpr std::array<double, first_slides> shares{-0.4, 0.8,  0.0, -0.8, 0.4, -0.6, 0.2, -0.2,
                                                   0.6,  -0.7, 0.3, -0.3, 0.7, -0.5, 0.5, -0.1};
 
-Eigen::Vector3d place_of(const PlatePoint& point) { return {point.right_m, 0.0, -point.away_m}; }
+Eigen::Vector3d place_of(const PlatePoint& point) { return {point.right_mm, 0.0, -point.away_mm}; }
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void Setup::next_slide() {
   const double half_deg = 0.5 * (config_.upper_plate_deg - config_.lower_plate_deg);
   plate_orientation_deg_ = middle_deg + half_deg * planned_share(slides_->count());
   slides_->begin(plate_orientation_deg_);
-  watch_.begin(config_.start, config_.slide_distance_m, plate_orientation_deg_);
+  watch_.begin(config_.start, config_.slide_distance_mm, plate_orientation_deg_);
 }
 
 bool Setup::slides_are_full() const { return wanted_slides_ >= config_.max_slides || slides_->full(); }
@@ -82,7 +82,7 @@ bool Setup::can_show(const SetupSample& sample) const {
 }
 
 void Setup::update(const SetupSample& sample) {
-  while (config_.only_possible && left_ != 0 && sample.tracked_m && !can_show(sample)) close();
+  while (config_.only_possible && left_ != 0 && sample.tracked_mm && !can_show(sample)) close();
   if (finish_is_due()) return;
   if (has_part(touch_parts)) {
     const int before = touches_.count();
@@ -112,12 +112,12 @@ void Setup::slide(const SetupSample& sample) {
 void Setup::describe_slide(SetupStep* step) const {
   step->done = slides_->count();
   step->of = wanted_slides_;
-  step->place_m = place_of(config_.start);
+  step->place_mm = place_of(config_.start);
   if (watch_.phase() == SlideWatch::Phase::rest_at_start) {
     step->instruction = Instruction::rest_at_start;
   } else if (watch_.phase() == SlideWatch::Phase::slide) {
     step->instruction = Instruction::slide;
-    step->place_m = place_of(point_ahead(config_.start, 0.0, config_.slide_distance_m));
+    step->place_mm = place_of(point_ahead(config_.start, 0.0, config_.slide_distance_mm));
   }
 }
 
@@ -125,7 +125,7 @@ void Setup::describe_guide(SetupStep* step) const {
   step->number = guided_.object();
   step->done = guided_.done();
   step->of = guided_.of();
-  step->place_m = place_of(guided_.next());
+  step->place_mm = place_of(guided_.next());
   step->instruction = guided_.has_begun() ? Instruction::slide : Instruction::rest_at_start;
 }
 
@@ -136,7 +136,7 @@ SetupStep Setup::step() const {
                  .number = touches_.count(),
                  .done = touches_.count(),
                  .of = touches_.wanted(),
-                 .place_m = Eigen::Vector3d::Zero(),
+                 .place_mm = Eigen::Vector3d::Zero(),
                  .plate_orientation_deg = plate_orientation_deg_};
   if (has_part(slide_parts_of_setup)) {
     describe_slide(&step);
@@ -147,7 +147,7 @@ SetupStep Setup::step() const {
                      : has_part(setup_check)   ? config_.check_mark
                                                : touches_.count() % config_.mark_count;
     if (!has_part(setup_fingertip)) step.number = mark;
-    step.place_m = config_.marks_m[static_cast<std::size_t>(mark)];
+    step.place_mm = config_.marks_mm[static_cast<std::size_t>(mark)];
     step.instruction = touches_.holding() ? Instruction::hold_still : Instruction::touch_mark;
     if (touches_.lost()) step.problem = SetupProblem::lost;
   }

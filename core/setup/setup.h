@@ -19,7 +19,7 @@ struct SetupConfig {
   /// Parts that the samples cannot show are left out.
   bool only_possible = false;
   /// In plate coordinates. The first one is touched for the fingertip.
-  std::array<Eigen::Vector3d, max_marks> marks_m;
+  std::array<Eigen::Vector3d, max_marks> marks_mm;
   int mark_count = 0;  ///< 3 to max_marks
   int touches_per_mark = 1;
   int check_mark = 0;
@@ -27,7 +27,7 @@ struct SetupConfig {
   PlatePoint start;
   std::array<PlatePoint, GuidedSlides::max_objects> guides;  ///< where they end
   int guide_count = 0;
-  double slide_distance_m = 0.1;  ///< straight ahead
+  double slide_distance_mm = 100.0;  ///< straight ahead
   double lower_plate_deg = -75.0;
   double upper_plate_deg = 75.0;
   double enough_weight_width = 0.04;  ///< of the 95 % interval of w_T

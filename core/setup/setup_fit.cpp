@@ -11,15 +11,15 @@ namespace {
 std::vector<MarkTouch> mark_touches(const Setup& setup) {
   std::vector<MarkTouch> touches;
   for (int i = 0; i < setup.touches().count(); ++i)
-    touches.push_back({setup.config().marks_m[static_cast<std::size_t>(i % setup.config().mark_count)],
-                       setup.touches()[i].touched_m});
+    touches.push_back({setup.config().marks_mm[static_cast<std::size_t>(i % setup.config().mark_count)],
+                       setup.touches()[i].touched_mm});
   return touches;
 }
 
 SetupProblem fit_fingertip_of(const Setup& setup, SetupFit* fit) {
   std::vector<TurnedTouch> touches;
   for (int i = 0; i < setup.touches().count(); ++i)
-    touches.push_back({setup.touches()[i].joint_rotation, setup.touches()[i].touched_m});
+    touches.push_back({setup.touches()[i].joint_rotation, setup.touches()[i].touched_mm});
   const FingertipOffset found = fit_fingertip(setup.config().registration, touches);
   if (!found.known) return SetupProblem::undetermined;
   fit->fingertip = found;
@@ -38,7 +38,7 @@ SetupProblem fit_registration_of(const Setup& setup, SetupFit* fit) {
 SetupProblem check_of(const Setup& setup, const Registration& registered, SetupFit* fit) {
   const SetupConfig& config = setup.config();
   const RegistrationCheck found = check_registration(
-      registered, {config.marks_m[static_cast<std::size_t>(config.check_mark)], setup.touches()[0].touched_m});
+      registered, {config.marks_mm[static_cast<std::size_t>(config.check_mark)], setup.touches()[0].touched_mm});
   if (!found.holds && setup.step().problem != SetupProblem::disagrees) return SetupProblem::disagrees;
   fit->check = found;
   return SetupProblem::none;

@@ -24,7 +24,7 @@ enum class Instruction : std::uint32_t {
   touch_mark,     ///< lift, and touch the mark `SetupStep::number`
   hold_still,     ///< on the mark
   rest_at_start,  ///< come to the start and rest
-  slide,          ///< slide to `SetupStep::place_m`, and rest there
+  slide,          ///< slide to `SetupStep::place_mm`, and rest there
   finish,         ///< nothing: the fit is due
 };
 
@@ -46,7 +46,7 @@ enum class SetupProblem : std::uint32_t {
 struct SetupSample {
   std::int64_t time_ns = 0;  ///< not before the last one's
   /// The finger in the tracker's frame; none: lost.
-  std::optional<Eigen::Vector3d> tracked_m;
+  std::optional<Eigen::Vector3d> tracked_mm;
   /// That frame is the plate's: its pose is not needed.
   bool in_plate = false;
   std::optional<Eigen::Matrix3d> joint_rotation;
@@ -61,7 +61,7 @@ struct SetupStep {
   int number;  ///< of the mark, or of the way to hold the finger, from 0
   int done;    ///< touches or slides
   int of;
-  Eigen::Vector3d place_m;  ///< where the finger is to go, in plate coordinates
+  Eigen::Vector3d place_mm;  ///< where the finger is to go, in plate coordinates
   double plate_orientation_deg;
 };
 

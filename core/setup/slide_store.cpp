@@ -6,7 +6,7 @@
 namespace hrt {
 namespace {
 
-constexpr std::uint64_t min_spacing_ns = 3'900'000;
+constexpr double min_stored_spacing_s = 0.0039;
 constexpr std::ptrdiff_t rest_samples = 250;
 
 }  // namespace
@@ -25,11 +25,13 @@ void SlideStore::begin(double plate_orientation_deg) {
 
 bool SlideStore::add(const FingerSample& sample) {
   const bool any = samples_.size() > slides_.back().first_sample;
-  if (any && elapsed_ns(samples_.back().time_ns, sample.time_ns) < min_spacing_ns) return true;
+  if (!first_ns_) first_ns_ = sample.time_ns;
+  const double time_s = elapsed_s(*first_ns_, sample.time_ns);
+  if (any && time_s - samples_.back().time_s < min_stored_spacing_s) return true;
   if (full()) return false;
   // Ridges are the same after half a turn, and a plate does not jump.
   if (sample.plate_orientation_deg) now_plate_deg_ += wrap_deg(*sample.plate_orientation_deg - now_plate_deg_, 180.0);
-  samples_.push_back({sample.time_ns, sample.position});
+  samples_.push_back({time_s, sample.position});
   plate_deg_.push_back(now_plate_deg_);
   return true;
 }

@@ -1,6 +1,8 @@
 // The slides of a calibration as they are made.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/calibrate/slide_track.h"
@@ -37,6 +39,7 @@ class SlideStore {
   };
   std::vector<Slide> slides_;
   std::vector<TimedPoint> samples_;
+  std::optional<std::int64_t> first_ns_;  // origin of the samples' times
   std::vector<double> plate_deg_;
   bool under_way_ = false;
   double now_plate_deg_ = 0.0;

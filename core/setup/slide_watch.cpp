@@ -10,11 +10,11 @@ namespace {
 constexpr int rest_tenths = 5;
 constexpr int arrival_tenths = 5;
 constexpr int stop_tenths = 15;
-constexpr double start_radius_m = 0.015;
-constexpr double near_start_m = 0.025;  // of a single position, with the tracker's noise
+constexpr double start_radius_mm = 15.0;
+constexpr double near_start_mm = 25.0;  // of a single position, with the tracker's noise
 // A finger this far from where it rested has left; so has one of so many positions in a row, not one wild
 // one.
-constexpr double leaving_m = 0.01;
+constexpr double leaving_mm = 10.0;
 constexpr int leaving_samples = 3;
 constexpr double max_bearing_deg = 60.0;
 constexpr double plate_tolerance_deg = 2.0;
@@ -28,13 +28,13 @@ constexpr double max_slide_s = 8.0;
 constexpr double tenth_s = 0.1;
 
 // In the plane of the plate.
-Eigen::Vector3d to_vector(const PlatePoint& point) { return {point.right_m, 0.0, -point.away_m}; }
+Eigen::Vector3d to_vector(const PlatePoint& point) { return {point.right_mm, 0.0, -point.away_mm}; }
 
 }  // namespace
 
-void SlideWatch::begin(const PlatePoint& start, double distance_m, double plate_orientation_deg) {
+void SlideWatch::begin(const PlatePoint& start, double distance_mm, double plate_orientation_deg) {
   start_ = start;
-  distance_m_ = distance_m;
+  distance_mm_ = distance_mm;
   plate_orientation_deg_ = plate_orientation_deg;
   again(SetupProblem::none);
 }
@@ -78,7 +78,7 @@ bool SlideWatch::await_rest(const SetupSample& sample) {
     again(problem_);
     return false;
   }
-  if (!seen || distance_m(at, start_) > near_start_m) {
+  if (!seen || distance_mm(at, start_) > near_start_mm) {
     still_.restart();
     resting_ = false;
     return false;
@@ -86,9 +86,9 @@ bool SlideWatch::await_rest(const SetupSample& sample) {
   first_ = !resting_;
   resting_ = true;
   still_.observe(sample.time_ns, to_vector(at));
-  if (const auto rest_m = still_.rest(rest_tenths)) {
-    rest_ = {rest_m->x(), -rest_m->z()};
-    if (distance_m(rest_, start_) > start_radius_m) return true;
+  if (const auto rest_mm = still_.rest(rest_tenths)) {
+    rest_ = {rest_mm->x(), -rest_mm->z()};
+    if (distance_mm(rest_, start_) > start_radius_mm) return true;
     phase_ = Phase::slide;
     seen_ns_ = sample.time_ns;
     problem_ = SetupProblem::none;
@@ -117,17 +117,17 @@ bool SlideWatch::follow(const SetupSample& sample) {
 
 void SlideWatch::come_to(const PlatePoint& place, std::int64_t time_ns) {
   if (!left_ns_) {
-    beyond_ = distance_m(place, rest_) > leaving_m ? beyond_ + 1 : 0;
+    beyond_ = distance_mm(place, rest_) > leaving_mm ? beyond_ + 1 : 0;
     if (beyond_ == leaving_samples) left_ns_ = time_ns;
     return;
   }
   const double moved_s = elapsed_s(*left_ns_, time_ns);
   if (moved_s > max_slide_s) return again(SetupProblem::too_slow);
-  const auto arrived_m = still_.rest(arrival_tenths);
-  if (!arrived_m) return;
-  const PlatePoint end{arrived_m->x(), -arrived_m->z()};
+  const auto arrived_mm = still_.rest(arrival_tenths);
+  if (!arrived_mm) return;
+  const PlatePoint end{arrived_mm->x(), -arrived_mm->z()};
   const bool ahead =
-      distance_m(end, rest_) >= 0.5 * distance_m_ && std::abs(bearing_deg(rest_, end)) <= max_bearing_deg;
+      distance_mm(end, rest_) >= 0.5 * distance_mm_ && std::abs(bearing_deg(rest_, end)) <= max_bearing_deg;
   if (!ahead) {
     if (still_.rest(stop_tenths)) again(SetupProblem::stopped);
   } else if (moved_s - arrival_tenths * tenth_s < min_slide_s) {

@@ -13,7 +13,7 @@ class SlideWatch {
   enum class Phase : std::uint8_t { plate_turns, rest_at_start, slide, done };
 
   /// Asks for a slide straight ahead.
-  void begin(const PlatePoint& start, double distance_m, double plate_orientation_deg);
+  void begin(const PlatePoint& start, double distance_mm, double plate_orientation_deg);
   /// True if the sample is of the rest before the slide, or of the slide. If it is the first one, those
   /// before it are not.
   bool observe(const SetupSample& sample);
@@ -33,7 +33,7 @@ class SlideWatch {
   bool plate_is_off(const SetupSample& sample, double tolerance_deg) const;
 
   PlatePoint start_;
-  double distance_m_ = 0.0;
+  double distance_mm_ = 0.0;
   double plate_orientation_deg_ = 0.0;
   Phase phase_ = Phase::done;
   SetupProblem problem_ = SetupProblem::none;

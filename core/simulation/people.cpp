@@ -28,8 +28,8 @@ void headset(PersonCondition& condition, Draws& draws) {
   tracker.latency_s = 0.045;
   // Of the target's place, in any direction.
   const double towards_deg = 360.0 * draws.uniform();
-  const double along = 1.0 + 0.011 / condition.distance_m * cos_deg(towards_deg);
-  const double across = 0.011 / condition.distance_m * sin_deg(towards_deg);
+  const double along = 1.0 + 11.0 / condition.distance_mm * cos_deg(towards_deg);
+  const double across = 11.0 / condition.distance_mm * sin_deg(towards_deg);
   tracker.turned_deg = atan2_deg(across, along);
   tracker.scale = std::sqrt(along * along + across * across);
 }
@@ -44,13 +44,13 @@ void arm(PersonCondition& condition, Steering steering, double mass_kg, double m
 
 void wild(PersonCondition& condition, Draws& draws, double from_s, double to_s) {
   condition.tracker.wild_samples = draws.uniform() < 0.5 ? 1 : 2;
-  condition.tracker.wild_m = 0.01 + 0.29 * draws.uniform();
+  condition.tracker.wild_mm = 10.0 + 290.0 * draws.uniform();
   condition.tracker.wild_at_s = from_s + (to_s - from_s) * draws.uniform();
 }
 
-void turned_and_touched(PersonCondition& condition, Draws& draws, double contact_sd_m) {
+void turned_and_touched(PersonCondition& condition, Draws& draws, double contact_sd_mm) {
   condition.tracker.turned_deg = either_side(2.0, draws);
-  condition.contact_sd_m = contact_sd_m;
+  condition.contact_sd_mm = contact_sd_mm;
 }
 
 constexpr PeopleFamily all_families[] = {
@@ -127,16 +127,16 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws& d) { c.person.path_scale = 1.0 + 0.05 * d.normal(); }},
     {"noise-100", "tracker noise correlated over 100 ms", true,
      [](PersonCondition& c, Draws&) {
-       c.tracker.white_m = 0.0;
-       c.tracker.correlated_m = 0.0012;
+       c.tracker.white_mm = 0.0;
+       c.tracker.correlated_mm = 1.2;
      }},
     {"noise-300", "tracker noise correlated over 300 ms", false,
      [](PersonCondition& c, Draws&) {
-       c.tracker.white_m = 0.0;
-       c.tracker.correlated_m = 0.0012;
+       c.tracker.white_mm = 0.0;
+       c.tracker.correlated_mm = 1.2;
        c.tracker.correlation_s = 0.3;
      }},
-    {"noise-3", "tracker noise of 3 mm", true, [](PersonCondition& c, Draws&) { c.tracker.white_m = 0.003; }},
+    {"noise-3", "tracker noise of 3 mm", true, [](PersonCondition& c, Draws&) { c.tracker.white_mm = 3.0; }},
     {"wild-rest", "one or two positions off by 10 to 300 mm while the finger rests", true,
      [](PersonCondition& c, Draws& d) { wild(c, d, 0.1, 0.4); }},
     {"wild-moving", "the same in motion", false,
@@ -167,8 +167,8 @@ constexpr PeopleFamily all_families[] = {
        illusion<IllusionFamily::saturating>(c, 60.0);
        c.person.bias_deg = either_side(2.0, d);
        c.person.habit_deg = either_side(3.0, d);
-       c.tracker.white_m = 0.0006;
-       c.tracker.correlated_m = 0.00104;
+       c.tracker.white_mm = 0.6;
+       c.tracker.correlated_mm = 1.04;
      }},
     {"turned-1", "tracker frame turned by ±1°", false,
      [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = either_side(1.0, d); }, true},
@@ -184,21 +184,21 @@ constexpr PeopleFamily all_families[] = {
     {"marks-touch3", "marks, and a contact known to 3 mm after each reach", false,
      [](PersonCondition& c, Draws& d) {
        c.tracker.turned_deg = 1.2 * d.normal();
-       c.contact_sd_m = 0.003;
+       c.contact_sd_mm = 3.0;
      },
      true},
     {"turned-touch1", "turned by ±2°, and a contact known to 1 mm after each reach", false,
-     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 0.001); }, true},
+     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 1.0); }, true},
     {"turned-touch3", "turned by ±2°, and a contact known to 3 mm", false,
-     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 0.003); }, true},
+     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 3.0); }, true},
     {"headset-touch", "headset, and a contact known to 1 mm", false,
      [](PersonCondition& c, Draws& d) {
        headset(c, d);
-       c.contact_sd_m = 0.001;
+       c.contact_sd_mm = 1.0;
      },
      true},
     {"placed-touch3", "a frame that holds, and a contact known to 3 mm: what contacts cost", false,
-     [](PersonCondition& c, Draws&) { c.contact_sd_m = 0.003; }, true},
+     [](PersonCondition& c, Draws&) { c.contact_sd_mm = 3.0; }, true},
     {"plate-off-5", "ridges ±5° from where the plate is believed to stand", false,
      [](PersonCondition& c, Draws& d) { c.plate_offset_deg = either_side(5.0, d); }, true},
 };
@@ -239,7 +239,7 @@ bool can_hold(const PersonCondition& condition) {
   const Person& person = condition.person;
   const double gap_deg =
       condition.virtual_direction_deg + person.bias_deg - person.own_bias_deg - condition.real_direction_deg;
-  return max_shift_deg(person, condition.distance_m / person.duration_s, bound_deg, gap_deg) > std::abs(gap_deg);
+  return max_shift_deg(person, condition.distance_mm / person.duration_s, bound_deg, gap_deg) > std::abs(gap_deg);
 }
 
 }  // namespace hrt

@@ -25,10 +25,10 @@ struct PersonCondition {
   double plate_offset_deg = 0.0;  ///< of the ridges from where the controller believes that they stand
   double real_direction_deg = -5.0;
   double virtual_direction_deg = 5.0;
-  double distance_m = 0.1;
+  double distance_mm = 100.0;
   std::optional<TargetMove> move;  ///< within each reach
   /// After each reach the finger meets an object, and its place is known to this (SD); 0: none.
-  double contact_sd_m = 0.0;
+  double contact_sd_mm = 0.0;
   bool faulty = false;  ///< each reach has a fault of tracker or plate, see draw_fault()
 };
 

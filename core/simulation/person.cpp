@@ -12,7 +12,7 @@ namespace hrt {
 namespace {
 
 constexpr double tick_s = 0.001;
-constexpr double min_felt_speed_m_s = 0.0005;
+constexpr double min_felt_speed_mm_s = 0.5;
 constexpr int correction_ms = 250;
 
 double minimum_jerk(double u) { return hrt::progress(0.0, u).share; }
@@ -59,18 +59,18 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
   return 0.0;
 }
 
-double mean_felt_shift_deg(const Person& person, double speed_m_s, double offset_deg) {
+double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg) {
   const double shift_deg = felt_shift_deg(person.illusion, offset_deg);
   if (person.steering != Steering::crossings) return shift_deg;
   // Felt anew at each ridge, it fades until the next one.
-  const double between_s = ridge_spacing_m / (speed_m_s * std::max(std::abs(cos_deg(offset_deg)), 1e-6));
+  const double between_s = ridge_spacing_mm / (speed_mm_s * std::max(std::abs(cos_deg(offset_deg)), 1e-6));
   return shift_deg * touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));
 }
 
-double max_shift_deg(const Person& person, double speed_m_s, double bound_deg, double sign) {
+double max_shift_deg(const Person& person, double speed_mm_s, double bound_deg, double sign) {
   double max = 0.0;
   for (int half = 0; half <= static_cast<int>(2.0 * bound_deg); ++half) {
-    const double shift_deg = mean_felt_shift_deg(person, speed_m_s, std::copysign(0.5 * half, sign));
+    const double shift_deg = mean_felt_shift_deg(person, speed_mm_s, std::copysign(0.5 * half, sign));
     max = std::max(max, std::copysign(1.0, sign) * shift_deg);
   }
   return max;
@@ -81,12 +81,12 @@ double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double
 }
 
 SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
-                             double distance_m, Draws draws, bool feels_place)
+                             double distance_mm, Draws draws, bool feels_place)
     : person_(person),
       virtual_direction_deg_(virtual_direction_deg),
-      distance_m_(distance_m * person.path_scale),
+      distance_mm_(distance_mm * person.path_scale),
       total_s_(with_pauses_s(person)),
-      virtual_place_(point_ahead(start, virtual_direction_deg, distance_m_)),
+      virtual_place_(point_ahead(start, virtual_direction_deg, distance_mm_)),
       draws_(draws),
       position_(start),
       felt_position_(start),
@@ -152,9 +152,9 @@ void SlidingPerson::retarget(const PlatePoint& place) {
 void SlidingPerson::answer() {
   const double turn_deg = bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   virtual_direction_deg_ += wrap_deg(turn_deg, 360.0);
-  const double left_m = person_.path_scale * hrt::distance_m(felt_position_, virtual_place_);
+  const double left_mm = person_.path_scale * hrt::distance_mm(felt_position_, virtual_place_);
   const double left = 1.0 - share_;
-  distance_m_ = left > 0.1 ? left_m / left : left_m;
+  distance_mm_ = left > 0.1 ? left_mm / left : left_mm;
   if (left > 0.1) return;
   millisecond_ = rested_ms_ = 0;
   time_s_ = share_ = 0.0;
@@ -166,19 +166,19 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   if (done_) return;
   time_s_ = ++millisecond_ / 1000.0;
   const double s = progress(time_s_);
-  const double travel_m = distance_m_ * (s - share_);
+  const double travel_mm = distance_mm_ * (s - share_);
   share_ = s;
-  speed_m_s_ = travel_m / tick_s;
-  const double motion_deg = move(travel_m);
-  felt_deg_ = motion_deg + person_.own_bias_deg + felt_shift_deg(plate_orientation_deg - motion_deg, travel_m);
+  speed_mm_s_ = travel_mm / tick_s;
+  const double motion_deg = move(travel_mm);
+  felt_deg_ = motion_deg + person_.own_bias_deg + felt_shift_deg(plate_orientation_deg - motion_deg, travel_mm);
 
   goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s);
   if (feels_place_) {
     const SinCos felt = sin_cos_deg(felt_deg_);
-    felt_position_.right_m -= travel_m * felt.sine;
-    felt_position_.away_m += travel_m * felt.cosine;
+    felt_position_.right_mm -= travel_mm * felt.sine;
+    felt_position_.away_mm += travel_mm * felt.cosine;
   }
-  if (seeks_place() && hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
+  if (seeks_place() && hrt::distance_mm(felt_position_, virtual_place_) > 0.15 * distance_mm_) {
     goal_deg_ += bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   }
   steer(motion_deg);
@@ -186,37 +186,38 @@ void SlidingPerson::advance(double plate_orientation_deg) {
 }
 
 // Along the present direction; a heavy arm is pulled that way. Returns the direction of the motion.
-double SlidingPerson::move(double travel_m) {
+double SlidingPerson::move(double travel_mm) {
   const auto [sine, cosine] = sin_cos_deg(direction_deg_);
   if (!is_arm()) {
-    position_.right_m -= travel_m * sine;
-    position_.away_m += travel_m * cosine;
+    position_.right_mm -= travel_mm * sine;
+    position_.away_mm += travel_mm * cosine;
     return direction_deg_;
   }
-  constexpr double damping_n_s_m = 20.0;
-  const double wanted_right_n = damping_n_s_m * (-speed_m_s_ * sine - velocity_right_m_s_);
-  const double wanted_away_n = damping_n_s_m * (speed_m_s_ * cosine - velocity_away_m_s_);
-  force_right_n_ += (wanted_right_n - force_right_n_) * tick_s / person_.muscle_s;
-  force_away_n_ += (wanted_away_n - force_away_n_) * tick_s / person_.muscle_s;
-  velocity_right_m_s_ += force_right_n_ / person_.mass_kg * tick_s;
-  velocity_away_m_s_ += force_away_n_ / person_.mass_kg * tick_s;
-  position_.right_m += velocity_right_m_s_ * tick_s;
-  position_.away_m += velocity_away_m_s_ * tick_s;
-  const double speed = std::sqrt(velocity_right_m_s_ * velocity_right_m_s_ + velocity_away_m_s_ * velocity_away_m_s_);
-  return speed > 0.002 ? atan2_deg(-velocity_right_m_s_, velocity_away_m_s_) : direction_deg_;
+  constexpr double damping_kg_s = 20.0;
+  const double wanted_right_mn = damping_kg_s * (-speed_mm_s_ * sine - velocity_right_mm_s_);
+  const double wanted_away_mn = damping_kg_s * (speed_mm_s_ * cosine - velocity_away_mm_s_);
+  force_right_mn_ += (wanted_right_mn - force_right_mn_) * tick_s / person_.muscle_s;
+  force_away_mn_ += (wanted_away_mn - force_away_mn_) * tick_s / person_.muscle_s;
+  velocity_right_mm_s_ += force_right_mn_ / person_.mass_kg * tick_s;
+  velocity_away_mm_s_ += force_away_mn_ / person_.mass_kg * tick_s;
+  position_.right_mm += velocity_right_mm_s_ * tick_s;
+  position_.away_mm += velocity_away_mm_s_ * tick_s;
+  const double speed =
+      std::sqrt(velocity_right_mm_s_ * velocity_right_mm_s_ + velocity_away_mm_s_ * velocity_away_mm_s_);
+  return speed > 2.0 ? atan2_deg(-velocity_right_mm_s_, velocity_away_mm_s_) : direction_deg_;
 }
 
-double SlidingPerson::felt_shift_deg(double offset_deg, double travel_m) {
+double SlidingPerson::felt_shift_deg(double offset_deg, double travel_mm) {
   SimulatedIllusion illusion = person_.illusion;
   if (person_.weight_drift != 0.0) illusion.tactile_weight += person_.weight_drift * (time_s_ / total_s_);
   illusion.tactile_weight = std::clamp(illusion.tactile_weight, 0.01, 0.49);
   const double shift_deg = hrt::felt_shift_deg(illusion, offset_deg);
   if (person_.touch_s > 0.0) return touched_shift_deg_ += (shift_deg - touched_shift_deg_) * tick_s / person_.touch_s;
   if (person_.steering != Steering::crossings) return shift_deg;
-  ridge_travel_m_ += std::abs(travel_m * cos_deg(offset_deg));
+  ridge_travel_mm_ += std::abs(travel_mm * cos_deg(offset_deg));
   crossed_shift_deg_ -= crossed_shift_deg_ * tick_s / touch_memory_s;
-  if (ridge_travel_m_ >= ridge_spacing_m) {
-    ridge_travel_m_ -= ridge_spacing_m;
+  if (ridge_travel_mm_ >= ridge_spacing_mm) {
+    ridge_travel_mm_ -= ridge_spacing_mm;
     crossed_shift_deg_ = shift_deg;
   }
   return crossed_shift_deg_;
@@ -228,7 +229,7 @@ void SlidingPerson::steer(double motion_deg) {
   // Of touch and of bias, apart from the direction itself, for who knows the own motion without delay.
   const double answered_deg = predicts ? felt_deg_ - motion_deg : felt_deg_;
   // A finger at rest feels no motion to steer.
-  if (std::abs(speed_m_s_) < min_felt_speed_m_s) {
+  if (std::abs(speed_mm_s_) < min_felt_speed_mm_s) {
     rested_ms_ = millisecond_;
     felt_at_rest_deg_ = answered_deg;
     return;

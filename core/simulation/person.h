@@ -81,13 +81,13 @@ struct Person {
 };
 
 /// Distance between ridges, and the time constant with which a crossed ridge fades from what is felt.
-inline constexpr double ridge_spacing_m = 0.01;
+inline constexpr double ridge_spacing_mm = 10.0;
 inline constexpr double touch_memory_s = 0.3;
 
 /// What the person feels of the shift, in the mean of a motion at that speed, which only those who feel ridges as
 /// they cross them depend on.
-double mean_felt_shift_deg(const Person& person, double speed_m_s, double offset_deg);
-double max_shift_deg(const Person& person, double speed_m_s, double bound_deg, double sign);
+double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg);
+double max_shift_deg(const Person& person, double speed_mm_s, double bound_deg, double sign);
 
 /// From a target's move to the person's answer.
 inline constexpr double reaction_s = 0.2;
@@ -95,9 +95,9 @@ inline constexpr double reaction_s = 0.2;
 /// One reach of a person. Advances in milliseconds.
 class SlidingPerson {
  public:
-  /// At rest at `start`, asked to go `distance_m` to the virtual target in `virtual_direction_deg`. Without
+  /// At rest at `start`, asked to go `distance_mm` to the virtual target in `virtual_direction_deg`. Without
   /// `feels_place` felt_position() is void unless the person seeks a place, and the target cannot move.
-  SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg, double distance_m,
+  SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg, double distance_mm,
                 Draws draws, bool feels_place = true);
 
   /// The virtual target is at `place` from now on. They answer after `reaction_s`, as seen from where they
@@ -111,7 +111,7 @@ class SlidingPerson {
   const PlatePoint& position() const { return position_; }
   /// Where they feel that the finger is: the start, and every motion since in the direction that was felt.
   const PlatePoint& felt_position() const { return felt_position_; }
-  double speed_m_s() const { return speed_m_s_; }
+  double speed_mm_s() const { return speed_mm_s_; }
   double direction_deg() const { return direction_deg_; }
   /// Felt direction less the virtual target's.
   double felt_error_deg() const { return felt_deg_ - virtual_direction_deg_; }
@@ -123,15 +123,15 @@ class SlidingPerson {
   void draw_reach();
   double progress(double time_s) const;
   void answer();
-  double move(double travel_m);
-  double felt_shift_deg(double offset_deg, double travel_m);
+  double move(double travel_mm);
+  double felt_shift_deg(double offset_deg, double travel_mm);
   void steer(double motion_deg);
   bool is_arm() const { return person_.steering == Steering::heavy_arm || person_.steering == Steering::placing_arm; }
   bool seeks_place() const { return person_.steering == Steering::place || person_.steering == Steering::placing_arm; }
 
   Person person_;
   double virtual_direction_deg_;
-  double distance_m_;
+  double distance_mm_;
   double total_s_;  // with pauses
   PlatePoint virtual_place_;
   int answers_in_ms_ = 0;  // to a target that has moved; 0: answered
@@ -142,14 +142,14 @@ class SlidingPerson {
   int delay_;            // milliseconds
   double noise_sd_deg_;  // a millisecond's
   double direction_deg_;
-  double velocity_right_m_s_ = 0.0, velocity_away_m_s_ = 0.0;  // heavy arm
-  double force_right_n_ = 0.0, force_away_n_ = 0.0;
-  double speed_m_s_ = 0.0;
+  double velocity_right_mm_s_ = 0.0, velocity_away_mm_s_ = 0.0;  // heavy arm
+  double force_right_mn_ = 0.0, force_away_mn_ = 0.0;
+  double speed_mm_s_ = 0.0;
   double time_s_ = 0.0, share_ = 0.0;  // progress(time_s_)
   double felt_deg_;
   double goal_deg_;
   double crossed_shift_deg_ = 0.0, touched_shift_deg_ = 0.0;
-  double ridge_travel_m_ = 0.0;
+  double ridge_travel_mm_ = 0.0;
   double perceived_variance_deg2_ = 0.0;  // steps
   // Where one of submovements ends.
   struct Part {

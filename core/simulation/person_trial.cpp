@@ -19,17 +19,17 @@ class Targets {
  public:
   explicit Targets(const PersonCondition& condition)
       : condition_(condition),
-        real_(point_ahead(start, condition.real_direction_deg, condition.distance_m)),
+        real_(point_ahead(start, condition.real_direction_deg, condition.distance_mm)),
         moves_(condition.move.has_value()) {}
 
   // Moves them once the finger is far enough.
   void follow(SlidingPerson& person, Retargeter* controller) {
-    if (!moves_ || distance_m(start, person.position()) < condition_.move->at_share * condition_.distance_m) return;
+    if (!moves_ || distance_mm(start, person.position()) < condition_.move->at_share * condition_.distance_mm) return;
     moves_ = false;
     const PlatePoint& by = condition_.move->by;
-    const PlatePoint virtual_place = point_ahead(start, condition_.virtual_direction_deg, condition_.distance_m);
-    const PlatePoint virtual_now{virtual_place.right_m + by.right_m, virtual_place.away_m + by.away_m};
-    real_ = {real_.right_m + by.right_m, real_.away_m + by.away_m};
+    const PlatePoint virtual_place = point_ahead(start, condition_.virtual_direction_deg, condition_.distance_mm);
+    const PlatePoint virtual_now = virtual_place + by;
+    real_ = real_ + by;
     person.retarget(virtual_now);
     if (controller) controller->retarget(real_, virtual_now);
   }
@@ -50,7 +50,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
   Draws draws(seed, PersonStream::tracking, index, reach_number);
   const double rest_s = 0.4 + 0.4 * draws.uniform();
   Tracker tracker(condition.tracker, start, draws);
-  SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_m,
+  SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_mm,
                        Draws(seed, PersonStream::steering, index, reach_number), watch || condition.move);
   PlateModel plate(condition.plate, 0.0);
   plate.advance(0);
@@ -59,7 +59,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
                        .virtual_direction_deg = condition.virtual_direction_deg,
                        .plate_orientation_deg = 0.0,
                        .start = start,
-                       .real_distance_m = condition.distance_m});
+                       .real_distance_mm = condition.distance_mm});
     plate.command(controller->command().plate_orientation_deg);
   }
   Targets targets(condition);
@@ -70,7 +70,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
     plate.advance(now_ns);
     if (now_s > rest_s && !person.done()) {
       person.advance(plate.orientation_deg() + condition.plate_offset_deg);
-      if (person.elapsed_s() > 0.05 && person.speed_m_s() > 0.01)
+      if (person.elapsed_s() > 0.05 && person.speed_mm_s() > 10.0)
         peak_deg = std::max(peak_deg, std::abs(person.felt_error_deg()));
     }
     targets.follow(person, controller);
@@ -91,7 +91,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
   }
   const double error_deg = bearing_deg(start, person.position()) - targets.real_direction_deg();
   return {.bearing_error_deg = error_deg,
-          .miss_m = distance_m(start, person.position()) * sin_deg(error_deg),
+          .miss_mm = distance_mm(start, person.position()) * sin_deg(error_deg),
           .finger = person.position(),
           .peak_felt_error_deg = peak_deg,
           .summary = controller ? controller->summary() : ReachSummary{},
@@ -99,13 +99,13 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
 }
 
 // The object shows where the finger is, wherever it has ended.
-void touch(const PersonOutcome& outcome, const Retargeter& retargeter, double sd_m, Draws& draws,
+void touch(const PersonOutcome& outcome, const Retargeter& retargeter, double sd_mm, Draws& draws,
            RetargeterConfig& config) {
   const std::optional<SeenFinger> seen = retargeter.finger();
   if (!seen) return;
-  Contact contact{.finger = seen->place, .place = outcome.finger, .variance_m2 = sd_m * sd_m + seen->variance_m2};
-  contact.place.right_m += sd_m * draws.normal();
-  contact.place.away_m += sd_m * draws.normal();
+  Contact contact{.finger = seen->place, .place = outcome.finger, .variance_mm2 = sd_mm * sd_mm + seen->variance_mm2};
+  contact.place.right_mm += sd_mm * draws.normal();
+  contact.place.away_mm += sd_mm * draws.normal();
   config = carried(config, contact, outcome.learnt.has_value());
 }
 
@@ -130,8 +130,8 @@ std::vector<PersonOutcome> simulate_person(const PersonCondition& condition, con
       config.person = carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
       outcomes.back().learnt = config.person;
     }
-    if (controller && condition.contact_sd_m > 0.0)
-      touch(outcomes.back(), retargeter, condition.contact_sd_m, touching, config);
+    if (controller && condition.contact_sd_mm > 0.0)
+      touch(outcomes.back(), retargeter, condition.contact_sd_mm, touching, config);
   }
   return outcomes;
 }

@@ -15,7 +15,7 @@ namespace hrt {
 /// How a reach ended: truth, not estimate.
 struct PersonOutcome {
   double bearing_error_deg;            ///< bearing of the end from the start, less the real target's
-  double miss_m;                       ///< across the real direction, signed as bearing_error_deg
+  double miss_mm;                      ///< across the real direction, signed as bearing_error_deg
   PlatePoint finger;                   ///< where it is at the end
   double peak_felt_error_deg;          ///< largest felt less virtual direction while the finger moves
   ReachSummary summary;                ///< the controller's own account; zero without a controller

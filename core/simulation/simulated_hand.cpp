@@ -13,9 +13,9 @@ SimulatedHand::SimulatedHand(double duration_s, std::uint64_t seed)
       start_share_(condition_.person.start_direction_deg / condition_.virtual_direction_deg),
       seed_(seed) {}
 
-void SimulatedHand::begin(const PlatePoint& start, double virtual_direction_deg, double distance_m) {
+void SimulatedHand::begin(const PlatePoint& start, double virtual_direction_deg, double distance_mm) {
   condition_.person.start_direction_deg = start_share_ * virtual_direction_deg;
-  finger_.emplace(condition_.person, start, virtual_direction_deg, distance_m,
+  finger_.emplace(condition_.person, start, virtual_direction_deg, distance_mm,
                   Draws(seed_, PersonStream::steering, 0, reach_));
   tracking_.emplace(seed_, PersonStream::tracking, 0, reach_);
   ++reach_;
@@ -41,9 +41,9 @@ PlatePoint SimulatedHand::move(std::int64_t time_ns, double plate_orientation_de
   }
   plate_.advance(time_ns);
   const PlatePoint& at = finger_->position();
-  const double noise_m = condition_.tracker.white_m;
-  const double right_m = at.right_m + noise_m * tracking_->normal();
-  return {.right_m = right_m, .away_m = at.away_m + noise_m * tracking_->normal()};
+  const double noise_mm = condition_.tracker.white_mm;
+  const double right_mm = at.right_mm + noise_mm * tracking_->normal();
+  return {.right_mm = right_mm, .away_mm = at.away_mm + noise_mm * tracking_->normal()};
 }
 
 }  // namespace hrt

@@ -18,8 +18,8 @@ class SimulatedHand {
   /// Person, tracker and plate as drawn, to be changed before begin().
   PersonCondition& condition() { return condition_; }
 
-  /// At rest at `start`; will go `distance_m` to the virtual target.
-  void begin(const PlatePoint& start, double virtual_direction_deg, double distance_m);
+  /// At rest at `start`; will go `distance_mm` to the virtual target.
+  void begin(const PlatePoint& start, double virtual_direction_deg, double distance_mm);
   bool has_begun() const { return finger_.has_value(); }
   /// True if `time_ns` is before the last move() of this reach.
   bool is_past(std::int64_t time_ns) const { return moved_ && time_ns < now_ns_; }

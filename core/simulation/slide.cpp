@@ -23,7 +23,7 @@ CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_o
   Person sliding = condition.person;
   sliding.start_direction_deg += start_deviation_deg * draws.normal();
   Tracker tracker(condition.tracker, start, draws);
-  SlidingPerson finger(sliding, start, 0.0, condition.distance_m, Draws(seed, steering_stream, person, slide), false);
+  SlidingPerson finger(sliding, start, 0.0, condition.distance_mm, Draws(seed, steering_stream, person, slide), false);
   CalibrationTrial trial{.plate_orientation_deg = plate_orientation_deg, .samples = {}, .plate_deg = {}};
   double ended_s = -1.0;
   for (std::int64_t now_ns = 0;; now_ns += 1'000'000) {
@@ -33,7 +33,8 @@ CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_o
     if (ended_s >= 0.0 && now_s > ended_s + slide_tail_s + condition.tracker.latency_s) break;
     tracker.look(now_s, finger.position());
     while (const auto sample = tracker.arrived(now_ns))
-      if (sample->observation == Observation::position) trial.samples.push_back({sample->time_ns, sample->position});
+      if (sample->observation == Observation::position)
+        trial.samples.push_back({1e-9 * static_cast<double>(sample->time_ns), sample->position});
   }
   return trial;
 }

@@ -13,15 +13,15 @@ enum class SpeedProfile {
 
 class SlidingFinger {
  public:
-  /// Rests at `start` until time 0, and again after `duration_s` > 0 and `distance_m` of path.
-  SlidingFinger(const PlatePoint& start, double distance_m, double duration_s,
+  /// Rests at `start` until time 0, and again after `duration_s` > 0 and `distance_mm` of path.
+  SlidingFinger(const PlatePoint& start, double distance_mm, double duration_s,
                 SpeedProfile profile = SpeedProfile::constant)
-      : place_(start), distance_m_(distance_m), duration_s_(duration_s), profile_(profile) {}
+      : place_(start), distance_mm_(distance_mm), duration_s_(duration_s), profile_(profile) {}
 
   /// Slides along `direction_deg` from where the last call left the finger until `time_s`, not before it.
   void slide(double time_s, double direction_deg) {
     const double travelled = progress(profile_ == SpeedProfile::constant ? 1.0 : 0.0, time_s / duration_s_).share;
-    place_ = point_ahead(place_, direction_deg, distance_m_ * (travelled - travelled_));
+    place_ = point_ahead(place_, direction_deg, distance_mm_ * (travelled - travelled_));
     travelled_ = travelled;
   }
 
@@ -29,7 +29,7 @@ class SlidingFinger {
 
  private:
   PlatePoint place_;
-  double distance_m_;
+  double distance_mm_;
   double duration_s_;
   SpeedProfile profile_;
   double travelled_ = 0.0;  // share of the path

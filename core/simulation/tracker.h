@@ -14,21 +14,21 @@ namespace hrt {
 /// How good it is.
 struct TrackerModel {
   double rate_hz = 90.0;
-  double white_m = 0.0012;    ///< noise of a coordinate, standard deviation, anew at each sample
-  double correlated_m = 0.0;  ///< and decaying within correlation_s
+  double white_mm = 1.2;       ///< noise of a coordinate, standard deviation, anew at each sample
+  double correlated_mm = 0.0;  ///< and decaying within correlation_s
   double correlation_s = 0.1;
   double latency_s = 0.0;           ///< from a motion to its sample
   double declared_latency_s = 0.0;  ///< of it, what the controller is given
   double late_s = 0.0;              ///< samples come up to this later still, each anew; less than between samples
   double outlier_share = 0.0;       ///< of samples that are off by 30 mm, standard deviation
-  double wild_m = 0.0;              ///< wild_samples from wild_at_s on are off by this
+  double wild_mm = 0.0;             ///< wild_samples from wild_at_s on are off by this
   double wild_at_s = 0.0;
   int wild_samples = 0;
   double dropout_share = 0.0;  ///< of samples at which tracking is lost, for some ten samples
   double jitter_share = 0.0;   ///< of the time between samples
   double turned_deg = 0.0;     ///< of its frame about the start
   double scale = 1.0;          ///< of its frame about the start
-  double shear = 0.0;          ///< seen to the right by this for each metre away from the start
+  double shear = 0.0;          ///< seen to the right by this for each millimetre away from the start
 };
 
 /// A tracker in use.
@@ -53,7 +53,7 @@ class Tracker {
   Draws draws_;
   double kept_;  // of the correlated noise from sample to sample
   double next_s_ = 0.0;
-  double right_m_, away_m_;  // correlated noise
+  double right_mm_, away_mm_;  // correlated noise
   bool lost_ = false;
   int wild_ = 0;  // positions so far
   std::deque<FingerSample> under_way_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/time.h"
-
 namespace hrt {
 namespace {
 
@@ -16,29 +14,28 @@ constexpr double max_surprise = 9.0;
 
 }  // namespace
 
-NoiseLearner::NoiseLearner(double known_m)
-    : is_known_(known_m > 0.0),
-      variance_mm2_(is_known_ ? known_m * mm_per_m * (known_m * mm_per_m) : initial_variance_mm2) {}
+NoiseLearner::NoiseLearner(double known_mm)
+    : is_known_(known_mm > 0.0), variance_mm2_(is_known_ ? known_mm * (known_mm) : initial_variance_mm2) {}
 
-void NoiseLearner::observe(std::int64_t time_ns, const PlatePoint& position) {
-  if (is_known_ || (last_ && time_ns <= last_->time_ns)) return;
+void NoiseLearner::observe(double time_s, const PlatePoint& position) {
+  if (is_known_ || (last_ && time_s <= last_->time_s)) return;
   if (last_but_one_) {
-    const double share = elapsed_s(last_but_one_->time_ns, last_->time_ns) / elapsed_s(last_but_one_->time_ns, time_ns);
-    const auto departure_mm2 = [&](double first_m, double middle_m, double last_m) {
-      const double departure_mm = mm_per_m * (middle_m - ((1.0 - share) * first_m + share * last_m));
+    const double share = (last_->time_s - last_but_one_->time_s) / (time_s - last_but_one_->time_s);
+    const auto departure_mm2 = [&](double first_mm, double middle_mm, double last_mm) {
+      const double departure_mm = middle_mm - ((1.0 - share) * first_mm + share * last_mm);
       return departure_mm * departure_mm / (1.0 + (1.0 - share) * (1.0 - share) + share * share);
     };
     const double seen_mm2 =
-        0.5 * (departure_mm2(last_but_one_->position.right_m, last_->position.right_m, position.right_m) +
-               departure_mm2(last_but_one_->position.away_m, last_->position.away_m, position.away_m));
+        0.5 * (departure_mm2(last_but_one_->position.right_mm, last_->position.right_mm, position.right_mm) +
+               departure_mm2(last_but_one_->position.away_mm, last_->position.away_mm, position.away_mm));
     weight_ += 1.0;
     variance_mm2_ += (std::min(seen_mm2, max_surprise * variance_mm2_) - variance_mm2_) / weight_;
     variance_mm2_ = std::max(variance_mm2_, min_variance_mm2);
   }
   last_but_one_ = last_;
-  last_ = {time_ns, position};
+  last_ = {time_s, position};
 }
 
-double NoiseLearner::noise_m() const { return std::sqrt(variance_mm2_) / mm_per_m; }
+double NoiseLearner::noise_mm() const { return std::sqrt(variance_mm2_); }
 
 }  // namespace hrt

@@ -1,7 +1,6 @@
 // A tracker's white noise, from positions as they come.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "core/plate/plate_frame.h"
@@ -12,15 +11,15 @@ namespace hrt {
 /// white noise stays. No heap, no lock, no exception.
 class NoiseLearner {
  public:
-  /// `known_m`: standard deviation of a coordinate, metres; 0: learn it.
-  explicit NoiseLearner(double known_m = 0.0);
+  /// `known_mm`: standard deviation of a coordinate; 0: learn it.
+  explicit NoiseLearner(double known_mm = 0.0);
 
   /// To be called with every position, also of a finger at rest. One with the time of the last is left out.
-  void observe(std::int64_t time_ns, const PlatePoint& position);
+  void observe(double time_s, const PlatePoint& position);
 
   double variance_mm2() const { return variance_mm2_; }
   /// Standard deviation of a coordinate.
-  double noise_m() const;
+  double noise_mm() const;
 
  private:
   bool is_known_;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -17,18 +16,18 @@ class Onset {
   /// the noise is not known yet.
   explicit Onset(bool averaged = true) : averaged_(averaged) {}
 
-  /// Takes one position in; `noise_m` is the standard deviation of its coordinates as far as it is
-  /// known. Returns true once the finger is four of them, and at least `min_travel_m`, from where it
+  /// Takes one position in; `noise_mm` is the standard deviation of its coordinates as far as it is
+  /// known. Returns true once the finger is four of them, and at least `min_travel_mm`, from where it
   /// rested; more while there are few samples.
-  bool observe(std::int64_t time_ns, const PlatePoint& position, double noise_m);
+  bool observe(double time_s, const PlatePoint& position, double noise_mm);
 
   /// The last time at which the finger was still at rest, as far as the noise shows.
-  std::int64_t time_ns() const { return rest_ns_; }
+  double time_s() const { return rest_s_; }
 
   /// Where it rested.
   const PlatePoint& place() const { return place_; }
 
-  static constexpr double min_travel_m = 0.0002;
+  static constexpr double min_travel_mm = 0.2;
 
  private:
   PlatePoint mean_of_last() const;
@@ -38,7 +37,7 @@ class Onset {
   int rested_ = 0;    // of the samples, those that place_ is made of
   PlatePoint place_;  // mean of the positions at rest
   std::array<PlatePoint, 3> last_{};
-  std::int64_t rest_ns_ = 0;
+  double rest_s_ = 0.0;
 };
 
 /// The onset in recorded positions, of a tracker whose noise is learnt from all of them. None without a

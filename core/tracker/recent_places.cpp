@@ -10,10 +10,10 @@ constexpr double min_spacing_s = 0.004;
 
 }  // namespace
 
-bool RecentPlaces::add(double time_s, const PlaceMm& position) {
+bool RecentPlaces::add(double time_s, const PlatePoint& position) {
   if (count_ > 0 && time_s - (*this)[0].time_s < min_spacing_s) {
     ++merged_;
-    PlaceMm& last = places_[static_cast<std::size_t>(last_)].place;
+    PlatePoint& last = places_[static_cast<std::size_t>(last_)].position;
     last.right_mm += (position.right_mm - last.right_mm) / merged_;
     last.away_mm += (position.away_mm - last.away_mm) / merged_;
     return false;
@@ -25,11 +25,11 @@ bool RecentPlaces::add(double time_s, const PlaceMm& position) {
   return true;
 }
 
-PlaceMm RecentPlaces::mean_of_last(int places) const {
-  PlaceMm mean{0.0, 0.0};
+PlatePoint RecentPlaces::mean_of_last(int places) const {
+  PlatePoint mean{0.0, 0.0};
   for (int i = 0; i < places; ++i) {
-    mean.right_mm += (*this)[i].place.right_mm / places;
-    mean.away_mm += (*this)[i].place.away_mm / places;
+    mean.right_mm += (*this)[i].position.right_mm / places;
+    mean.away_mm += (*this)[i].position.away_mm / places;
   }
   return mean;
 }

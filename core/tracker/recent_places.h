@@ -8,18 +8,13 @@
 
 namespace hrt {
 
-struct TimedPlace {
-  double time_s;
-  PlaceMm place;
-};
-
 /// No heap, no lock, no exception. One thread at a time.
 class RecentPlaces {
  public:
   static constexpr int capacity = 128;
 
   /// False if the position was averaged into the last place, which is less than 4 ms before it.
-  bool add(double time_s, const PlaceMm& position);
+  bool add(double time_s, const PlatePoint& position);
 
   /// The last position was.
   bool merged() const { return merged_ > 1; }
@@ -27,16 +22,16 @@ class RecentPlaces {
   /// From 0 to `capacity`.
   int count() const { return count_; }
   /// `back` of 0 is the last one; less than count().
-  const TimedPlace& operator[](int back) const {
+  const TimedPoint& operator[](int back) const {
     return places_[static_cast<std::size_t>((last_ + capacity - back) % capacity)];
   }
   /// Of the last `places`, 1 to count().
-  PlaceMm mean_of_last(int places) const;
+  PlatePoint mean_of_last(int places) const;
   /// All but the last one are void.
   void keep_last() { count_ = 1; }
 
  private:
-  std::array<TimedPlace, capacity> places_{};
+  std::array<TimedPoint, capacity> places_{};
   int last_ = -1;
   int count_ = 0;
   int merged_ = 0;  // positions that make up the last place

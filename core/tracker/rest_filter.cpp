@@ -19,19 +19,19 @@ class RestFilter {
   explicit RestFilter(double share) : share_(share), variance_(share) {}
 
   struct Innovation {
-    std::array<double, 2> place_m;
+    std::array<double, 2> place_mm;
     double one;
     double variance;
   };
-  Innovation predict(double kept, const std::array<double, 2>& place_m) {
+  Innovation predict(double kept, const std::array<double, 2>& place_mm) {
     for (double& noise : noise_) noise *= kept;
     one_ *= kept;
     variance_ = share_ + kept * kept * (variance_ - share_);
-    return {{place_m[0] - noise_[0], place_m[1] - noise_[1]}, 1.0 - one_, variance_ + 1.0 - share_};
+    return {{place_mm[0] - noise_[0], place_mm[1] - noise_[1]}, 1.0 - one_, variance_ + 1.0 - share_};
   }
   void take(const Innovation& innovation) {
     const double gain = variance_ / innovation.variance;
-    for (std::size_t a = 0; a < 2; ++a) noise_[a] += gain * innovation.place_m[a];
+    for (std::size_t a = 0; a < 2; ++a) noise_[a] += gain * innovation.place_mm[a];
     one_ += gain * innovation.one;
     variance_ *= 1.0 - gain;
   }
@@ -50,7 +50,7 @@ struct PlaceSums {
 
   void add(const RestFilter::Innovation& seen) {
     const double precision = 1.0 / seen.variance;
-    for (std::size_t a = 0; a < 2; ++a) products[a] += precision * seen.one * seen.place_m[a];
+    for (std::size_t a = 0; a < 2; ++a) products[a] += precision * seen.one * seen.place_mm[a];
     weight += precision * seen.one * seen.one;
   }
 };
@@ -73,9 +73,9 @@ RestLikelihood rest_likelihood(const std::vector<Rest>& rests, double share, con
     double product_of_variances = 1.0;
     int in_product = 0;
     for (const RestSample& sample : rest) {
-      const RestFilter::Innovation seen = filter.predict(kept[index++], sample.place_m);
+      const RestFilter::Innovation seen = filter.predict(kept[index++], sample.place_mm);
       const double precision = 1.0 / seen.variance;
-      for (const double off_m : seen.place_m) sums.squares += precision * off_m * off_m;
+      for (const double off_mm : seen.place_mm) sums.squares += precision * off_mm * off_mm;
       place.add(seen);
       product_of_variances *= seen.variance;
       if (++in_product == 16) {
@@ -91,7 +91,7 @@ RestLikelihood rest_likelihood(const std::vector<Rest>& rests, double share, con
   return sums;
 }
 
-std::vector<Rest> inliers(const std::vector<Rest>& rests, const RestNoiseShape& noise, double variance_m2) {
+std::vector<Rest> inliers(const std::vector<Rest>& rests, const RestNoiseShape& noise, double variance_mm2) {
   const std::vector<double> kept = kept_between(rests, noise.correlation_s);
   std::vector<Rest> result;
   std::size_t first = 0;
@@ -100,7 +100,7 @@ std::vector<Rest> inliers(const std::vector<Rest>& rests, const RestNoiseShape& 
     PlaceSums place;
     RestFilter all(noise.share);
     for (std::size_t i = 0; i < rest.size(); ++i) {
-      const RestFilter::Innovation seen = all.predict(kept[first + i], rest[i].place_m);
+      const RestFilter::Innovation seen = all.predict(kept[first + i], rest[i].place_mm);
       place.add(seen);
       all.take(seen);
     }
@@ -109,13 +109,13 @@ std::vector<Rest> inliers(const std::vector<Rest>& rests, const RestNoiseShape& 
     double since_s = 0.0;
     for (std::size_t i = 0; i < rest.size(); ++i) {
       since_s += rest[i].since_s;
-      std::array<double, 2> away_m = rest[i].place_m;
-      for (std::size_t a = 0; a < 2; ++a) away_m[a] -= place.products[a] / place.weight;
-      const RestFilter::Innovation seen = filter.predict(kept[first + i], away_m);
-      const double squares_m2 = seen.place_m[0] * seen.place_m[0] + seen.place_m[1] * seen.place_m[1];
-      if (squares_m2 > max_deviations * max_deviations * seen.variance * variance_m2) continue;
+      std::array<double, 2> away_mm = rest[i].place_mm;
+      for (std::size_t a = 0; a < 2; ++a) away_mm[a] -= place.products[a] / place.weight;
+      const RestFilter::Innovation seen = filter.predict(kept[first + i], away_mm);
+      const double squares_mm2 = seen.place_mm[0] * seen.place_mm[0] + seen.place_mm[1] * seen.place_mm[1];
+      if (squares_mm2 > max_deviations * max_deviations * seen.variance * variance_mm2) continue;
       filter.take(seen);
-      inlying.push_back({inlying.empty() ? 0.0 : since_s, rest[i].place_m});
+      inlying.push_back({inlying.empty() ? 0.0 : since_s, rest[i].place_mm});
       since_s = 0.0;
     }
     first += rest.size();
@@ -138,12 +138,12 @@ RestInnovations innovations(const std::vector<Rest>& rests, const RestNoiseShape
     PlaceSums before;
     std::vector<std::array<double, 2>> normalised;
     for (const RestSample& sample : rest) {
-      const RestFilter::Innovation seen = filter.predict(kept[index++], sample.place_m);
+      const RestFilter::Innovation seen = filter.predict(kept[index++], sample.place_mm);
       if (before.weight > 0.0) {
         const double deviation = std::sqrt(seen.variance + seen.one * seen.one / before.weight);
         auto& z = normalised.emplace_back();
         for (std::size_t a = 0; a < 2; ++a)
-          z[a] = (seen.place_m[a] - seen.one * before.products[a] / before.weight) / deviation;
+          z[a] = (seen.place_mm[a] - seen.one * before.products[a] / before.weight) / deviation;
       }
       before.add(seen);
       filter.take(seen);

@@ -10,7 +10,7 @@ namespace hrt {
 /// A position that is used.
 struct RestSample {
   double since_s;  ///< the one before it
-  std::array<double, 2> place_m;
+  std::array<double, 2> place_mm;
 };
 using Rest = std::vector<RestSample>;
 
@@ -33,7 +33,7 @@ RestLikelihood rest_likelihood(const std::vector<Rest>& rests, double share, con
 
 /// The rests without the positions that noise of this variance does not explain: 1 in 3000 of those that it
 /// does.
-std::vector<Rest> inliers(const std::vector<Rest>& rests, const RestNoiseShape& noise, double variance_m2);
+std::vector<Rest> inliers(const std::vector<Rest>& rests, const RestNoiseShape& noise, double variance_mm2);
 
 /// How normalised innovations are distributed: independent and normal if the noise is of this kind.
 struct RestInnovations {

@@ -27,7 +27,7 @@ constexpr double min_place_sd_mm = 0.05;
 
 }  // namespace
 
-RestingFinger::RestingFinger(const PlaceMm& start, const std::optional<TrackerNoise>& noise)
+RestingFinger::RestingFinger(const PlatePoint& start, const std::optional<TrackerNoise>& noise)
     : noise_(noise.value_or(TrackerNoise{})), noise_known_(noise.has_value()), place_(start) {}
 
 bool RestingFinger::has_left(const RecentPlaces& places) const {
@@ -41,23 +41,23 @@ bool RestingFinger::has_left(const RecentPlaces& places) const {
 
 bool RestingFinger::observe(const RecentPlaces& places) {
   if (has_left(places)) return true;
-  const TimedPlace& seen = places[0];
+  const TimedPoint& seen = places[0];
   if (rested_ == 0) {
     // A finger that is seen first in motion began where it was asked to.
-    if (square_distance_mm2(seen.place, place_) > square(start_tolerance_mm)) place_ = seen.place;
+    if (square_distance_mm2(seen.position, place_) > square(start_tolerance_mm)) place_ = seen.position;
     rested_ = 1;
     return false;
   }
-  step_sum_mm2_ += 0.25 * square_distance_mm2(seen.place, places[1].place);
+  step_sum_mm2_ += 0.25 * square_distance_mm2(seen.position, places[1].position);
   spacing_sum_s_ += seen.time_s - places[1].time_s;
   ++steps_;
   learn_noise();
-  const double departure_mm2 = square_distance_mm2(seen.place, place_);
+  const double departure_mm2 = square_distance_mm2(seen.position, place_);
   if (departure_mm2 > square(rest_place_deviations) * noise_.variance_mm2() && rested_ > 3) return false;
   ++rested_;
   const double share = std::max(1.0 / (rested_ - 1), spacing_sum_s_ / steps_ / place_memory_s);
-  place_.right_mm += share * (seen.place.right_mm - place_.right_mm);
-  place_.away_mm += share * (seen.place.away_mm - place_.away_mm);
+  place_.right_mm += share * (seen.position.right_mm - place_.right_mm);
+  place_.away_mm += share * (seen.position.away_mm - place_.away_mm);
   if (rested_ <= 3) return false;
   square_sum_mm2_ += 0.5 * departure_mm2;
   ++departures_;

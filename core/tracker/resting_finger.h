@@ -20,7 +20,7 @@ struct TrackerNoise {
 class RestingFinger {
  public:
   /// It is expected at `start`. `noise`: of the tracker, if it is known; else it is learnt.
-  RestingFinger(const PlaceMm& start, const std::optional<TrackerNoise>& noise);
+  RestingFinger(const PlatePoint& start, const std::optional<TrackerNoise>& noise);
 
   /// Takes the last of `places` in. True once the finger has left; that place is not one of the rest.
   bool observe(const RecentPlaces& places);
@@ -28,7 +28,7 @@ class RestingFinger {
   /// The finger was lifted: the next place is the first of another rest.
   void lift() { rested_ = 0; }
 
-  const PlaceMm& place() const { return place_; }
+  const PlatePoint& place() const { return place_; }
   double place_sd_mm() const;
   const TrackerNoise& noise() const { return noise_; }
 
@@ -38,7 +38,7 @@ class RestingFinger {
 
   TrackerNoise noise_;
   bool noise_known_;
-  PlaceMm place_;
+  PlatePoint place_;
   int rested_ = 0;  // places that place_ is made of
   // Squares of its distance from the mean, and of its steps.
   double square_sum_mm2_ = 0.0;

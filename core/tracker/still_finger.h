@@ -15,23 +15,23 @@ class StillFinger {
   static constexpr int max_tenths = 20;
 
   /// True if another tenth of a second begins: rest() may have changed, as at no other place.
-  bool observe(std::int64_t time_ns, const Eigen::Vector3d& place_m);
+  bool observe(std::int64_t time_ns, const Eigen::Vector3d& place_mm);
   /// The finger was lost or lifted.
   void restart() { tenths_ = 0; }
 
   /// Root mean square distance of the means from their own; and from the first half of them to the second,
   /// whose middles are half of the time apart.
-  static constexpr double max_spread_m = 0.004;
-  static constexpr double max_drift_m_s = 0.0086;
+  static constexpr double max_spread_mm = 4.0;
+  static constexpr double max_drift_mm_s = 8.6;
 
   /// Where it has rested for so many tenths of a second, 2 to max_tenths: the mean over the second half, as
   /// it may have come in the first. None if it moves.
-  std::optional<Eigen::Vector3d> rest(int tenths, double drifting_m_s = max_drift_m_s) const;
+  std::optional<Eigen::Vector3d> rest(int tenths, double drifting_mm_s = max_drift_mm_s) const;
 
  private:
   struct Mean {
     double count;
-    Eigen::Vector3d place_m;
+    Eigen::Vector3d place_mm;
   };
   const Mean& back(int tenths) const;
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/math/exponential.h"
-#include "core/math/time.h"
 #include "core/tracker/rest_filter.h"
 
 namespace hrt {
@@ -36,8 +35,8 @@ constexpr int noise_halvings = 20;
 // Half of the distances from the middle of normal noise in two coordinates are within this many deviations.
 constexpr double median_distance = 1.1774;
 // Coordinates nearer to each other than this are the same; further apart than that they are of no tracker.
-constexpr double same_coordinate_m = 1e-9;
-constexpr double max_quantum_m = 1.0;
+constexpr double same_coordinate_mm = 1e-6;
+constexpr double max_quantum_mm = 1000.0;
 // Successive innovations of noise of this kind are independent: 99.9 % point of chi-squared with 10 degrees.
 constexpr double max_dependence = 29.588;
 
@@ -50,25 +49,25 @@ std::vector<Rest> screened(std::span<const std::vector<TimedPoint>> rests) {
     std::vector<double> right;
     std::vector<double> away;
     for (const TimedPoint& sample : rests[r]) {
-      right.push_back(sample.position.right_m);
-      away.push_back(sample.position.away_m);
+      right.push_back(sample.position.right_mm);
+      away.push_back(sample.position.away_mm);
     }
     middles[r] = {median(std::move(right)), median(std::move(away))};
-    for (const TimedPoint& sample : rests[r]) distances[r].push_back(distance_m(middles[r], sample.position));
+    for (const TimedPoint& sample : rests[r]) distances[r].push_back(distance_mm(middles[r], sample.position));
     all.insert(all.end(), distances[r].begin(), distances[r].end());
   }
-  const double max_m = grossly_outlying * median(std::move(all)) / median_distance;
+  const double max_mm = grossly_outlying * median(std::move(all)) / median_distance;
   std::vector<Rest> kept;
   for (std::size_t r = 0; r < rests.size(); ++r) {
     Rest rest;
-    std::int64_t last_ns = 0;
+    double last_s = 0.0;
     for (std::size_t i = 0; i < rests[r].size(); ++i) {
-      if (distances[r][i] > max_m) continue;
+      if (distances[r][i] > max_mm) continue;
       const TimedPoint& sample = rests[r][i];
-      const double since_s = rest.empty() ? 0.0 : elapsed_s(last_ns, sample.time_ns);
+      const double since_s = rest.empty() ? 0.0 : sample.time_s - last_s;
       rest.push_back(
-          {since_s, {sample.position.right_m - middles[r].right_m, sample.position.away_m - middles[r].away_m}});
-      last_ns = sample.time_ns;
+          {since_s, {sample.position.right_mm - middles[r].right_mm, sample.position.away_mm - middles[r].away_mm}});
+      last_s = sample.time_s;
     }
     if (rest.size() > 1) kept.push_back(std::move(rest));
   }
@@ -82,11 +81,11 @@ struct Point {
   RestLikelihood sums;
   double count;  // degrees of freedom: two a sample, less two a rest
 
-  double variance_m2() const { return std::max(sums.squares / count, 1e-30); }
+  double variance_mm2() const { return std::max(sums.squares / count, 1e-30); }
   double log_likelihood(double variance) const {
     return -0.5 * (count * logarithm(variance) + sums.determinant + sums.squares / variance);
   }
-  double peak() const { return log_likelihood(variance_m2()); }
+  double peak() const { return log_likelihood(variance_mm2()); }
   RestNoiseShape shape() const { return {share, correlation_s}; }
 };
 
@@ -161,8 +160,8 @@ Interval deviation_interval(const Surface& surface, double drop, const std::func
     return max;
   };
   const Point& best = surface.best_point();
-  const double total_m = std::sqrt(best.variance_m2());
-  const double value = std::sqrt(part(best)) * total_m;
+  const double total_mm = std::sqrt(best.variance_mm2());
+  const double value = std::sqrt(part(best)) * total_mm;
   const double floor = surface.peak() - 0.5 * drop;
   // The first deviation beyond which the likelihood stays below the floor.
   const auto end = [&](double from, double ratio, double last) {
@@ -179,13 +178,13 @@ Interval deviation_interval(const Surface& surface, double drop, const std::func
     }
     return inside;
   };
-  const double min_m = min_searched * total_m;
-  Interval interval{value, 0.0, end(std::max(value, min_m), search_ratio, max_searched * total_m), true};
-  if (value > min_m && profile(0.0) < floor) {
-    interval.lower = end(value, 1.0 / search_ratio, min_m);
-    if (interval.lower <= min_m) interval.lower = 0.0;
+  const double min_mm = min_searched * total_mm;
+  Interval interval{value, 0.0, end(std::max(value, min_mm), search_ratio, max_searched * total_mm), true};
+  if (value > min_mm && profile(0.0) < floor) {
+    interval.lower = end(value, 1.0 / search_ratio, min_mm);
+    if (interval.lower <= min_mm) interval.lower = 0.0;
   }
-  interval.known = interval.lower > 0.0 || interval.upper < little * total_m;
+  interval.known = interval.lower > 0.0 || interval.upper < little * total_mm;
   return interval;
 }
 
@@ -226,15 +225,15 @@ double mean_duration_s(const std::vector<Rest>& rests) {
 }
 
 // The step to which coordinates are rounded; a tiny number if they are not.
-double quantum_m(const std::vector<Rest>& rests) {
+double quantum_mm(const std::vector<Rest>& rests) {
   std::vector<double> values;
   for (const Rest& rest : rests)
     for (std::size_t i = 1; i < rest.size(); ++i)
-      for (std::size_t a = 0; a < 2; ++a) values.push_back(std::abs(rest[i].place_m[a] - rest[i - 1].place_m[a]));
-  double min_m = std::numeric_limits<double>::infinity();
+      for (std::size_t a = 0; a < 2; ++a) values.push_back(std::abs(rest[i].place_mm[a] - rest[i - 1].place_mm[a]));
+  double min_mm = std::numeric_limits<double>::infinity();
   for (const double value : values)
-    if (value > same_coordinate_m) min_m = std::min(min_m, value);
-  return min_m;
+    if (value > same_coordinate_mm) min_mm = std::min(min_mm, value);
+  return min_mm;
 }
 
 }  // namespace
@@ -251,8 +250,8 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
     for (std::size_t i = 1; i < rest.size(); ++i) periods_s.push_back(rest[i].since_s);
   const double period_s = median(std::move(periods_s));
   Box whole{0.0, 1.0, std::max(min_correlation_s, min_periods * period_s), max_correlation_s};
-  const double quantum = quantum_m(kept);
-  const bool searchable = whole.min_s < whole.max_s && quantum < max_quantum_m;
+  const double quantum = quantum_mm(kept);
+  const bool searchable = whole.min_s < whole.max_s && quantum < max_quantum_mm;
   RestNoise unknown{
       {0.0, 0.0, 0.0, false}, {0.0, 0.0, 0.0, false}, {min_correlation_s, min_correlation_s, max_correlation_s, false}};
   if (count() < min_noise_samples || !searchable) return unknown;
@@ -260,7 +259,7 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   Surface surface = search(kept, whole);
   for (int round = 0; round < 2; ++round) {
     const std::size_t before = count();
-    kept = inliers(kept, surface.best_point().shape(), surface.best_point().variance_m2());
+    kept = inliers(kept, surface.best_point().shape(), surface.best_point().variance_mm2());
     if (count() < min_noise_samples) return unknown;
     if (count() == before) break;
     surface = search(kept, whole);
@@ -279,23 +278,23 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   RestNoise noise{deviation_interval(surface, drop, [](const Point& point) { return 1.0 - point.share; }),
                   correlated_interval(), time.interval_s};
   // Noise that decays from one sample to the next cannot be separated from white noise.
-  if (is_correlated && !(noise.white_m.known && time.beyond_shortest))
-    noise.correlated_m.known = noise.correlation_s.known = false;
+  if (is_correlated && !(noise.white_mm.known && time.beyond_shortest))
+    noise.correlated_mm.known = noise.correlation_s.known = false;
   if (is_correlated && time.interval_s.lower < min_separate_periods * period_s)
-    noise.white_m.known = noise.correlated_m.known = noise.correlation_s.known = false;
-  const double total_m = std::sqrt(surface.best_point().variance_m2());
-  if (left.dependence > max_dependence || quantum > total_m)
-    noise.white_m.known = noise.correlated_m.known = noise.correlation_s.known = false;
+    noise.white_mm.known = noise.correlated_mm.known = noise.correlation_s.known = false;
+  const double total_mm = std::sqrt(surface.best_point().variance_mm2());
+  if (left.dependence > max_dependence || quantum > total_mm)
+    noise.white_mm.known = noise.correlated_mm.known = noise.correlation_s.known = false;
   return noise;
 }
 
 std::optional<KnownNoise> known_noise(const RestNoise& noise) {
-  if (!noise.white_m.known) return std::nullopt;
-  if (!noise.correlated_m.known) return KnownNoise{noise.white_m.value};
-  if (noise.correlated_m.lower > 0.0 && noise.correlation_s.known)
-    return KnownNoise{noise.white_m.value, noise.correlated_m.value, noise.correlation_s.value};
+  if (!noise.white_mm.known) return std::nullopt;
+  if (!noise.correlated_mm.known) return KnownNoise{noise.white_mm.value};
+  if (noise.correlated_mm.lower > 0.0 && noise.correlation_s.known)
+    return KnownNoise{noise.white_mm.value, noise.correlated_mm.value, noise.correlation_s.value};
   return KnownNoise{
-      std::sqrt(noise.white_m.value * noise.white_m.value + noise.correlated_m.value * noise.correlated_m.value)};
+      std::sqrt(noise.white_mm.value * noise.white_mm.value + noise.correlated_mm.value * noise.correlated_mm.value)};
 }
 
 }  // namespace hrt

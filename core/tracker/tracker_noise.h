@@ -22,8 +22,8 @@ namespace hrt {
 /// says that there may be no such noise. `known` is false if the samples are too few, are rounded to more
 /// than their noise, or are not noise of this kind.
 struct RestNoise {
-  Interval white_m;  ///< includes the rounding of the tracker's numbers
-  Interval correlated_m;
+  Interval white_mm;  ///< includes the rounding of the tracker's numbers
+  Interval correlated_mm;
   Interval correlation_s;  ///< searched from 0.7 sample periods, at least 10 ms, to 2 s
 };
 
@@ -33,9 +33,9 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
 
 /// What a controller takes of it.
 struct KnownNoise {
-  double white_m;              ///< all of the noise if correlated_m is 0
-  double correlated_m = 0.0;   ///< 0: not distinguished
-  double correlation_s = 0.0;  ///< with correlated_m
+  double white_mm;             ///< all of the noise if correlated_mm is 0
+  double correlated_mm = 0.0;  ///< 0: not distinguished
+  double correlation_s = 0.0;  ///< with correlated_mm
 };
 
 /// None if the white part is not known. The correlated part goes with its time, and only if there is

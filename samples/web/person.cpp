@@ -2,7 +2,8 @@
 // over the plate, the plate's servo or a connected plate in its place, and a tracker with white noise. The
 // page has the controller, and what it draws.
 //
-// Units are in the names. Coordinates are those of plate_frame.h: right and away of the centre of the plate.
+// Units are in the names. Coordinates are right and away of the centre of the plate, in metres for the
+// page and in millimetres inside (core/plate/plate_frame.h).
 // The plate's orientation is the direction of the normal of the ridges, counter-clockwise from the mid-line.
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ void hrt_web_set_person(double seed, double tactile_weight, double duration_s) {
 /// The servo's latency is plate_latency_ms().
 HRT_WEB_EXPORT(set_apparatus)
 void hrt_web_set_apparatus(double noise_m, double max_speed_deg_s) {
-  world.condition.tracker.white_m = noise_m;
+  world.condition.tracker.white_mm = hrt::mm_per_m * noise_m;
   world.condition.plate = {.max_speed_deg_s = max_speed_deg_s, .latency_ns = plate_latency_ns};
 }
 
@@ -83,8 +84,9 @@ void hrt_web_begin_reach(double number, double start_right_m, double start_away_
   const auto reach = static_cast<std::uint32_t>(number);
   hrt::Person person = world.condition.person;
   person.start_direction_deg *= virtual_deg;
-  const hrt::PlatePoint start{start_right_m, start_away_m};
-  world.person.emplace(person, start, virtual_deg, distance_m, hrt::Draws(world.seed, steering_stream, 0, reach));
+  const hrt::PlatePoint start{hrt::mm_per_m * start_right_m, hrt::mm_per_m * start_away_m};
+  world.person.emplace(person, start, virtual_deg, hrt::mm_per_m * distance_m,
+                       hrt::Draws(world.seed, steering_stream, 0, reach));
   world.tracker.emplace(world.seed, tracking_stream, 0, reach);
   world.peak_felt_error_deg = 0.0;
   world.ended_s = -1.0;
@@ -106,7 +108,7 @@ void hrt_web_advance() {
   if (!world.person || now_s <= rest_s || world.person->done()) return;
   hrt::SlidingPerson& person = *world.person;
   person.advance(world.plate.orientation_deg());
-  if (person.elapsed_s() > 0.05 && person.speed_m_s() > 0.01)
+  if (person.elapsed_s() > 0.05 && person.speed_mm_s() > 10.0)
     world.peak_felt_error_deg = std::max(world.peak_felt_error_deg, std::abs(person.felt_error_deg()));
   if (person.done()) world.ended_s = now_s;
 }
@@ -115,9 +117,9 @@ void hrt_web_advance() {
 HRT_WEB_EXPORT(look)
 void hrt_web_look() {
   if (!world.person || !world.tracker) return;
-  const double noise_m = world.condition.tracker.white_m;
-  world.seen.right_m = world.person->position().right_m + noise_m * world.tracker->normal();
-  world.seen.away_m = world.person->position().away_m + noise_m * world.tracker->normal();
+  const double noise_mm = world.condition.tracker.white_mm;
+  world.seen.right_mm = world.person->position().right_mm + noise_mm * world.tracker->normal();
+  world.seen.away_mm = world.person->position().away_mm + noise_mm * world.tracker->normal();
 }
 
 HRT_WEB_EXPORT(command)
@@ -143,16 +145,16 @@ double hrt_web_over() {
   return world.ended_s >= 0.0 && now_s > world.ended_s + tail_s ? 1.0 : 0.0;
 }
 
-HRT_WEB_VALUE(finger_right_m, world.person ? world.person->position().right_m : 0.0)
-HRT_WEB_VALUE(finger_away_m, world.person ? world.person->position().away_m : 0.0)
-HRT_WEB_VALUE(felt_right_m, world.person ? world.person->felt_position().right_m : 0.0)
-HRT_WEB_VALUE(felt_away_m, world.person ? world.person->felt_position().away_m : 0.0)
+HRT_WEB_VALUE(finger_right_m, world.person ? world.person->position().right_mm / hrt::mm_per_m : 0.0)
+HRT_WEB_VALUE(finger_away_m, world.person ? world.person->position().away_mm / hrt::mm_per_m : 0.0)
+HRT_WEB_VALUE(felt_right_m, world.person ? world.person->felt_position().right_mm / hrt::mm_per_m : 0.0)
+HRT_WEB_VALUE(felt_away_m, world.person ? world.person->felt_position().away_mm / hrt::mm_per_m : 0.0)
 HRT_WEB_VALUE(finger_deg, world.person ? world.person->direction_deg() : 0.0)
 /// Felt direction less the virtual target's.
 HRT_WEB_VALUE(felt_error_deg, world.person ? world.person->felt_error_deg() : 0.0)
 HRT_WEB_VALUE(peak_felt_error_deg, world.person ? world.peak_felt_error_deg : 0.0)
-HRT_WEB_VALUE(seen_right_m, world.seen.right_m)
-HRT_WEB_VALUE(seen_away_m, world.seen.away_m)
+HRT_WEB_VALUE(seen_right_m, world.seen.right_mm / hrt::mm_per_m)
+HRT_WEB_VALUE(seen_away_m, world.seen.away_mm / hrt::mm_per_m)
 
 /// Felt less true direction of a finger that moves in `finger_deg` over a plate at `plate_deg`, for the
 /// person.

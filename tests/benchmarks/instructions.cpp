@@ -92,7 +92,7 @@ void count_sessions() {
 std::uint64_t count_updates(std::uint32_t person, int period_ms) {
   const PersonCondition condition = draw_person(people_families()[0], 1.5, 1, person);
   Frames frames(hrt_session_config_init(), condition.real_direction_deg, condition.virtual_direction_deg);
-  SlidingPerson finger(condition.person, {}, condition.virtual_direction_deg, condition.distance_m, {1, 0, person, 0});
+  SlidingPerson finger(condition.person, {}, condition.virtual_direction_deg, condition.distance_mm, {1, 0, person, 0});
   Draws noise(1, 1, person, 0);
   std::uint64_t updates = 0;
   for (int t = 0; !finger.done(); ++t) {
@@ -103,8 +103,8 @@ std::uint64_t count_updates(std::uint32_t person, int period_ms) {
     sample.struct_size = sizeof sample;
     sample.flags = HRT_SAMPLE_PLATE_POSITION;
     sample.time_ns = std::int64_t{1'000'000} * t;
-    sample.finger_position_m[0] = finger.position().right_m + 0.0012 * noise.normal();
-    sample.finger_position_m[2] = 0.05 - finger.position().away_m + 0.0012 * noise.normal();
+    sample.finger_position_m[0] = 1e-3 * (finger.position().right_mm + 1.2 * noise.normal());
+    sample.finger_position_m[2] = 0.05 - 1e-3 * (finger.position().away_mm - 1.2 * noise.normal());
     const auto update = [&] { return frames.update(sample); };
     require((moves ? counted(update) : update()) == HRT_OK, "hrt_reach_update");
     updates += moves;

@@ -27,7 +27,7 @@ void time_reach(std::uint32_t person, int period_ms, std::vector<double>& min_us
   const Reach reach{.real_direction_deg = condition.real_direction_deg,
                     .virtual_direction_deg = condition.virtual_direction_deg};
   PersonReach controller({.person = unknown_person(), .plate = condition.plate}, reach);
-  SlidingPerson finger(condition.person, {}, reach.virtual_direction_deg, reach.real_distance_m, {1, 0, person, 0});
+  SlidingPerson finger(condition.person, {}, reach.virtual_direction_deg, reach.real_distance_mm, {1, 0, person, 0});
   Draws noise(1, 1, person, 0);
   std::size_t update = 0;
   for (int t = 0; t < milliseconds; ++t) {
@@ -35,8 +35,8 @@ void time_reach(std::uint32_t person, int period_ms, std::vector<double>& min_us
     if (t % period_ms != 0) continue;
     const FingerSample sample{.time_ns = std::int64_t{1'000'000} * t,
                               .observation = Observation::position,
-                              .position = {finger.position().right_m + 0.0012 * noise.normal(),
-                                           finger.position().away_m + 0.0012 * noise.normal()}};
+                              .position = {finger.position().right_mm + 1.2 * noise.normal(),
+                                           finger.position().away_mm + 1.2 * noise.normal()}};
     const auto begun = std::chrono::steady_clock::now();
     controller.update(sample);
     const double us = elapsed_us(begun);

@@ -79,9 +79,9 @@ class World {
     sample.struct_size = sizeof sample;
     sample.flags = HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | (lifted ? HRT_SAMPLE_LIFTED : 0u);
     sample.time_ns = now_ns_ + static_cast<std::int64_t>(std::clamp(noise_.normal(), -2.0, 2.0) * 0.2 * ms);
-    sample.finger_position_m[0] = rounded(finger.right_m + tracker_noise_m * noise_.normal(), 1e6);
+    sample.finger_position_m[0] = rounded((finger.right_mm + tracker_noise_mm * noise_.normal()) / hrt::mm_per_m, 1e6);
     sample.finger_position_m[1] = height_m;
-    sample.finger_position_m[2] = rounded(-finger.away_m + tracker_noise_m * noise_.normal(), 1e6);
+    sample.finger_position_m[2] = rounded((-finger.away_mm + tracker_noise_mm * noise_.normal()) / hrt::mm_per_m, 1e6);
     sample.plate_orientation_deg = rounded(plate_.orientation_deg() + 0.1 * noise_.normal(), 100.0);
     return sample;
   }
@@ -89,7 +89,7 @@ class World {
   const hrt::SlidingPerson& person() const { return person_; }
 
  private:
-  static constexpr double tracker_noise_m = 0.0005;
+  static constexpr double tracker_noise_mm = 0.5;
 
   /// The double next to a decimal of few digits.
   static double rounded(double value, double per_unit) {
@@ -98,9 +98,9 @@ class World {
 
   hrt::PlateModel plate_;
   hrt::SlidingPerson person_{{.illusion = {.tactile_weight = 0.24}, .bias_deg = 1.0, .duration_s = 2.4},
-                             {0.0, -0.05},
+                             {0.0, -50.0},
                              5.0,
-                             0.1,
+                             100.0,
                              hrt::Draws(7, 0, 0, 0)};
   hrt::Draws noise_{7, 1, 0, 0};
   std::int64_t now_ns_ = 0;
@@ -132,7 +132,7 @@ void run_reach(hrt_session session, const hrt_session_config& config) {
   hrt_reach_summary summary{};
   summary.struct_size = sizeof summary;
   check(hrt_reach_end(session, &summary));
-  const double bearing_deg = hrt::bearing_deg({0.0, -0.05}, world.person().position());
+  const double bearing_deg = hrt::bearing_deg({0.0, -50.0}, world.person().position());
   std::printf("the finger ended at %.2f degrees, feeling %.2f; the real target is at -5, the virtual one at 5\n",
               bearing_deg, 5.0 + world.person().felt_error_deg());
 }

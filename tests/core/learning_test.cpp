@@ -88,10 +88,10 @@ TEST(Learning, AReachsDeviationIsNotTheirBias) {
 TEST(Learning, AContactTakesTheFramesPartOfTheBias) {
   RetargeterConfig config;
   config.person.mean(PersonTrait::bias) = 2.0;
-  const Contact contact{{0.0, 0.1}, {0.004, 0.1}, 4e-6};
+  const Contact contact{{0.0, 100.0}, {4.0, 100.0}, 4.0};
   const RetargeterConfig learnt = carried(config, contact, true);
   EXPECT_NEAR(learnt.person.mean(PersonTrait::bias), 2.0 - 1.1458, 1e-3);
-  EXPECT_NEAR(corrected(learnt.touched, contact.finger).right_m, 0.002, 1e-12);
+  EXPECT_NEAR(corrected(learnt.touched, contact.finger).right_mm, 2.0, 1e-9);
   EXPECT_EQ(learnt.person.covariance, config.person.covariance);
   EXPECT_EQ(carried(config, contact, false).person.mean(PersonTrait::bias), 2.0);
   EXPECT_TRUE(is_valid(learnt));

@@ -9,17 +9,17 @@
 namespace hrt {
 namespace {
 
-FingerSample seen(std::int64_t time_ns, double away_m) {
-  return {.time_ns = time_ns, .observation = Observation::position, .position = {0.0, away_m}};
+FingerSample seen(std::int64_t time_ns, double away_mm) {
+  return {.time_ns = time_ns, .observation = Observation::position, .position = {0.0, away_mm}};
 }
 
-// A finger that jumps to `away_m` at 0 and stays: over once 4 or 20 tenths of a second are whole.
+// A finger that jumps to `away_mm` at 0 and stays: over once 4 or 20 tenths of a second are whole.
 TEST(ReachEnd, HasItsTwoRestsByHand) {
-  for (const auto& [away_m, over_ms] : {std::pair{0.091, 400}, {0.089, 2000}, {0.031, 2000}, {0.029, 9999}}) {
-    ReachEnd end({}, 0.1);
+  for (const auto& [away_mm, over_ms] : {std::pair{91.0, 400}, {89.0, 2000}, {31.0, 2000}, {29.0, 9999}}) {
+    ReachEnd end({}, 100.0);
     for (int t = 0; t < 3000; t += 10) {
-      end.observe(seen(t * ms, away_m));
-      EXPECT_EQ(end.over(), t >= over_ms) << away_m << ' ' << t;
+      end.observe(seen(t * ms, away_mm));
+      EXPECT_EQ(end.over(), t >= over_ms) << away_mm << ' ' << t;
     }
   }
 }
@@ -27,17 +27,17 @@ TEST(ReachEnd, HasItsTwoRestsByHand) {
 // Halves of 0.4 s have middles that are 0.2 s apart.
 TEST(ReachEnd, ASlowFingerRestsByHand) {
   for (const double speed_mm_s : {8.0, 9.0}) {
-    ReachEnd end({}, 0.1);
-    for (int t = 0; t < 500; t += 10) end.observe(seen(t * ms, 0.095 + 1e-6 * speed_mm_s * t));
+    ReachEnd end({}, 100.0);
+    for (int t = 0; t < 500; t += 10) end.observe(seen(t * ms, 95.0 + 1e-3 * speed_mm_s * t));
     EXPECT_EQ(end.over(), speed_mm_s < 8.6);
   }
 }
 
 TEST(ReachEnd, LiftsAndGapsAreNoRest) {
   for (const bool lifted : {true, false}) {
-    ReachEnd end({}, 0.1);
+    ReachEnd end({}, 100.0);
     for (int t = 0; t < 3000; t += 10) {
-      FingerSample sample = seen(t * ms, 0.1);
+      FingerSample sample = seen(t * ms, 100.0);
       if (lifted && t % 300 == 0) sample.observation = Observation::lifted;
       if (lifted || t % 600 < 250) end.observe(sample);
     }
@@ -49,20 +49,20 @@ TEST(ReachEnd, LiftsAndGapsAreNoRest) {
 TEST(ReachEnd, IsFoundSoonAfterTheMotionAndNotWithinIt) {
   int early = 0;
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
-    for (const double noise_m : {0.0, 0.0012, 0.003}) {
+    for (const double noise_mm : {0.0, 1.2, 3.0}) {
       for (const double duration_s : {0.8, 1.5, 3.0}) {
         for (std::uint32_t i = 0; i < 40; ++i) {
-          ReachEnd end({}, 0.1);
-          Tracker tracker({.rate_hz = rate_hz, .white_m = noise_m}, {}, Draws(3, i, 0, 0));
+          ReachEnd end({}, 100.0);
+          Tracker tracker({.rate_hz = rate_hz, .white_mm = noise_mm}, {}, Draws(3, i, 0, 0));
           const double pause_s = 0.7 * duration_s;
           for (int t = 0; t < 1000.0 * duration_s + 1600.0; ++t) {
             const double moved_s = 1e-3 * (t - 300);
             const double clock_s = moved_s < pause_s ? moved_s : std::max(pause_s, moved_s - 0.3);
-            tracker.look(1e-3 * t, {0.0, 0.1 * progress(0.0, clock_s / duration_s).share});
+            tracker.look(1e-3 * t, {0.0, 100.0 * progress(0.0, clock_s / duration_s).share});
             while (const auto sample = tracker.arrived(t * ms)) end.observe(*sample);
             early += clock_s < 0.8 * duration_s && end.over();
           }
-          EXPECT_TRUE(end.over()) << rate_hz << ' ' << noise_m << ' ' << duration_s;
+          EXPECT_TRUE(end.over()) << rate_hz << ' ' << noise_mm << ' ' << duration_s;
         }
       }
     }

@@ -34,14 +34,14 @@ RetargeterConfig registered(double turn_sd_deg) {
 TEST(RegisteredReach, CommandsAreThoseOfAnExactPlate) {
   Retargeter exact(registered(0.0));
   Retargeter registered_by_touch(registered(2.0));
-  const Reach reach{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0, .real_distance_m = 0.1};
+  const Reach reach{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0, .real_distance_mm = 100.0};
   exact.begin(reach);
   registered_by_touch.begin(reach);
   for (int i = 0; i < 150; ++i) {
     const double share = std::clamp((i - 30) / 90.0, 0.0, 1.0);
     const FingerSample sample{.time_ns = i * 11 * ms,
                               .observation = Observation::position,
-                              .position = point_ahead({}, 3.0, 0.1 * share * share * (3.0 - 2.0 * share))};
+                              .position = point_ahead({}, 3.0, 100.0 * share * share * (3.0 - 2.0 * share))};
     PlateCommand a, b;
     {
       const HeapGuard no_heap;

@@ -16,11 +16,11 @@ namespace hrt {
 namespace {
 
 constexpr Reach gap_of_ten{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0};
-const PlatePoint real_place = point_ahead({}, -5.0, 0.1);
-const PlatePoint virtual_place = point_ahead({}, 5.0, 0.1);
+const PlatePoint real_place = point_ahead({}, -5.0, 100.0);
+const PlatePoint virtual_place = point_ahead({}, 5.0, 100.0);
 
-PlatePoint moved(const PlatePoint& place, double right_m, double away_m) {
-  return {place.right_m + right_m, place.away_m + away_m};
+PlatePoint moved(const PlatePoint& place, double right_mm, double away_mm) {
+  return place + PlatePoint{right_mm, away_mm};
 }
 
 FingerSample seen(std::int64_t time_ns, const PlatePoint& place) {
@@ -30,7 +30,7 @@ FingerSample seen(std::int64_t time_ns, const PlatePoint& place) {
 // A finger that rests for 0.3 s and then slides along the mid-line, 10 cm in 1.5 s.
 PlatePoint slid(std::int64_t time_ns) {
   const double u = std::clamp((1e-9 * static_cast<double>(time_ns) - 0.3) / 1.5, 0.0, 1.0);
-  return {0.0, 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))};
+  return {0.0, 100.0 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))};
 }
 
 RetargeterConfig config_of(ControlMode mode) {
@@ -55,12 +55,12 @@ TEST(Retarget, BeforeTheMotionIsAnotherBeginning) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter(config_of(mode));
     retargeter.begin(gap_of_ten);
-    const Reach aimed = retargeter.retarget(point_ahead({}, 2.0, 0.08), point_ahead({}, 9.0, 0.08));
+    const Reach aimed = retargeter.retarget(point_ahead({}, 2.0, 80.0), point_ahead({}, 9.0, 80.0));
     EXPECT_NEAR(aimed.real_direction_deg, 2.0, 1e-9);
     EXPECT_NEAR(aimed.virtual_direction_deg, 9.0, 1e-9);
-    EXPECT_NEAR(aimed.real_distance_m, 0.08, 1e-12);
+    EXPECT_NEAR(aimed.real_distance_mm, 80.0, 1e-9);
     Retargeter fresh(config_of(mode));
-    fresh.begin({.real_direction_deg = 2.0, .virtual_direction_deg = 9.0, .real_distance_m = 0.08});
+    fresh.begin({.real_direction_deg = 2.0, .virtual_direction_deg = 9.0, .real_distance_mm = 80.0});
     for (std::int64_t time_ns = 0; time_ns < 1500 * ms; time_ns += 10 * ms) {
       const PlateCommand command = retargeter.update(seen(time_ns, slid(time_ns)));
       EXPECT_NEAR(command.plate_orientation_deg, fresh.update(seen(time_ns, slid(time_ns))).plate_orientation_deg,
@@ -78,7 +78,7 @@ TEST(Retarget, ToTheSameTargetsChangesLittle) {
     const PlateCommand command = retargeter.update(seen(time_ns, slid(time_ns)));
     const PlateCommand other = undisturbed.update(seen(time_ns, slid(time_ns)));
     EXPECT_NEAR(command.plate_orientation_deg, other.plate_orientation_deg, 3.0);
-    EXPECT_NEAR(command.distance_to_go_m, other.distance_to_go_m, 1e-12);
+    EXPECT_NEAR(command.distance_to_go_mm, other.distance_to_go_mm, 1e-9);
     EXPECT_NEAR(command.tactile_weight, other.tactile_weight, 1e-6);
   }
 }
@@ -87,14 +87,14 @@ TEST(Retarget, ToTheSameTargetsChangesLittle) {
 TEST(Retarget, DirectionsAreSeenFromTheFingerAndFromWhereItIsFelt) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter = slid_until(mode, 1050 * ms);
-    const Reach aimed = retargeter.retarget(moved(real_place, -0.03, 0.0), moved(virtual_place, -0.03, 0.0));
-    EXPECT_NEAR(aimed.start.away_m, 0.05, 0.002);
-    EXPECT_NEAR(aimed.real_direction_deg, bearing_deg({0.0, 0.05}, moved(real_place, -0.03, 0.0)), 1.5);
+    const Reach aimed = retargeter.retarget(moved(real_place, -30.0, 0.0), moved(virtual_place, -30.0, 0.0));
+    EXPECT_NEAR(aimed.start.away_mm, 50.0, 2.0);
+    EXPECT_NEAR(aimed.real_direction_deg, bearing_deg({0.0, 50.0}, moved(real_place, -30.0, 0.0)), 1.5);
     // A person answers 0.2 s later.
-    const PlatePoint felt = point_ahead({}, 5.0, slid(mode == ControlMode::reach ? 1250 * ms : 1050 * ms).away_m);
-    EXPECT_NEAR(aimed.virtual_direction_deg, bearing_deg(felt, moved(virtual_place, -0.03, 0.0)), 5.0);
+    const PlatePoint felt = point_ahead({}, 5.0, slid(mode == ControlMode::reach ? 1250 * ms : 1050 * ms).away_mm);
+    EXPECT_NEAR(aimed.virtual_direction_deg, bearing_deg(felt, moved(virtual_place, -30.0, 0.0)), 5.0);
     const PlateCommand command = retargeter.update(seen(1060 * ms, slid(1060 * ms)));
-    EXPECT_NEAR(command.distance_to_go_m, distance_m(slid(1060 * ms), moved(real_place, -0.03, 0.0)), 0.002);
+    EXPECT_NEAR(command.distance_to_go_mm, distance_mm(slid(1060 * ms), moved(real_place, -30.0, 0.0)), 2.0);
   }
 }
 
@@ -103,7 +103,7 @@ TEST(Retarget, AGapThatGrowsTooLargeIsUnreachable) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter = slid_until(mode, 700 * ms);
     EXPECT_FALSE(retargeter.command().unreachable);
-    retargeter.retarget(moved(real_place, 0.06, 0.0), virtual_place);
+    retargeter.retarget(moved(real_place, 60.0, 0.0), virtual_place);
     EXPECT_TRUE(retargeter.update(seen(710 * ms, slid(710 * ms))).unreachable);
   }
 }
@@ -116,16 +116,16 @@ TEST(Retarget, AnyTargetAtAnyMomentGivesNumbers) {
     retargeter.begin(gap_of_ten);
     Draws draws(3, 0, 0, 0);
     for (std::int64_t time_ns = 0; time_ns < 4000 * ms; time_ns += 10 * ms) {
-      const auto place = [&] { return PlatePoint{0.2 * draws.uniform() - 0.1, 0.2 * draws.uniform() - 0.1}; };
+      const auto place = [&] { return PlatePoint{200.0 * draws.uniform() - 100.0, 200.0 * draws.uniform() - 100.0}; };
       const Reach aimed = retargeter.retarget(draws.uniform() < 0.1 ? slid(time_ns) : place(), place());
       ASSERT_LT(std::abs(aimed.real_direction_deg - aimed.virtual_direction_deg), 90.0);
       const PlateCommand command = retargeter.update(seen(time_ns, slid(time_ns)));
       for (const double value :
            {command.plate_orientation_deg, command.felt_error_deg, command.predicted_miss_deg, command.time_to_go_s,
-            command.distance_to_go_m, command.aimed_direction_deg, command.nis})
+            command.distance_to_go_mm, command.aimed_direction_deg, command.nis})
         ASSERT_TRUE(std::isfinite(value));
       const ReachSummary summary = retargeter.summary();
-      ASSERT_TRUE(std::isfinite(summary.bearing_error_deg) && std::isfinite(summary.distance_to_target_m));
+      ASSERT_TRUE(std::isfinite(summary.bearing_error_deg) && std::isfinite(summary.distance_to_target_mm));
     }
   }
 }
@@ -159,10 +159,10 @@ TEST(Retarget, AMovedTargetIsReachedNearlyAsWellAsAFreshOne) {
   for (const int reaches : {1, 5}) {
     const Shares fresh = shares(3.0, {}, reaches);
     EXPECT_GE(fresh.hits, 0.97);
-    for (const double size_m : {0.02, 0.04}) {
+    for (const double size_mm : {20.0, 40.0}) {
       for (const double direction_deg : {0.0, 90.0}) {
-        SCOPED_TRACE(testing::Message() << reaches << " reaches, " << size_m << " m at " << direction_deg);
-        const Shares led = shares(3.0, TargetMove{0.3, point_ahead({}, direction_deg, size_m)}, reaches);
+        SCOPED_TRACE(testing::Message() << reaches << " reaches, " << size_mm << " mm at " << direction_deg);
+        const Shares led = shares(3.0, TargetMove{0.3, point_ahead({}, direction_deg, size_mm)}, reaches);
         EXPECT_GE(led.hits, fresh.hits - 0.12);
         EXPECT_LE(led.unflagged, 0.03);
       }

@@ -10,7 +10,7 @@ namespace {
 constexpr Reach reach{.real_direction_deg = -5, .virtual_direction_deg = 5, .plate_orientation_deg = 20};
 
 FingerSample position(int i) {
-  return {.time_ns = i * 10 * ms, .observation = Observation::position, .position = {0, 0.0005 * i}};
+  return {.time_ns = i * 10 * ms, .observation = Observation::position, .position = {0, 0.5 * i}};
 }
 
 FingerSample direction(int i) {
@@ -80,7 +80,7 @@ TEST(Retargeter, AReachThatStartsElsewhereKeepsThePlateUnderWay) {
     const double ready_deg = retargeter.command().plate_orientation_deg;
     for (int i = 0; i < 3; ++i) retargeter.update({.time_ns = i * 50 * ms});
     Reach elsewhere = reach;
-    elsewhere.start = {0.01, 0.0};
+    elsewhere.start = {10.0, 0.0};
     elsewhere.plate_orientation_deg = ready_deg;  // commanded, and not yet there
     retargeter.begin_here(elsewhere);
     EXPECT_EQ(retargeter.summary().samples, 0);

@@ -12,20 +12,20 @@
 namespace hrt::test {
 namespace {
 
-constexpr PlatePoint start{0.0, -0.05};
+constexpr PlatePoint start{0.0, -50.0};
 
 hrt_contact contact_at(const PlatePoint& place, double sd_m) {
   auto contact = output<hrt_contact>();
   contact.flags = HRT_CONTACT_PLATE_POSITION;
-  contact.position_m[0] = place.right_m;
-  contact.position_m[2] = -place.away_m;
+  contact.position_m[0] = place.right_mm / mm_per_m;
+  contact.position_m[2] = -place.away_mm / mm_per_m;
   contact.sd_m = sd_m;
   return contact;
 }
 
 /// 100 mm from the start.
 hrt_contact contact_in(double direction_deg, double sd_m = 0.001) {
-  return contact_at(point_ahead(start, direction_deg, 0.1), sd_m);
+  return contact_at(point_ahead(start, direction_deg, 100.0), sd_m);
 }
 
 bool has_no_contacts(const hrt_session_config& config) {
@@ -152,7 +152,7 @@ TEST_F(ContactTest, ARegistrationThatItContradictsIsFlagged) {
   for (const bool contradicts : {false, true}) {
     create(registered());
     begin_straight_ahead();
-    const hrt_contact contact = contact_at({contradicts ? 0.008 : 0.007, 0.05}, 0.0001);
+    const hrt_contact contact = contact_at({contradicts ? 8.0 : 7.0, 50.0}, 0.0001);
     EXPECT_EQ(slide().flags & HRT_COMMAND_CONTACTS, 0u);
     ASSERT_OK(touch(contact));
     const std::uint32_t expected = contradicts ? HRT_COMMAND_CONTACTS : 0;
@@ -178,10 +178,10 @@ TEST_F(ContactTest, RefusalsNameTheReasonAndChangeNothing) {
   refused(contact, "flags is 3; allowed: one of");
   contact.flags = 4;
   refused(contact, "flags is 4");
-  refused(contact_at({0.0, -0.041}, 0.001), "from start_position_m; at least 0.01 is needed");
-  refused(contact_at({0.0, -0.05}, 0.001), "is 0 m from start_position_m");
-  refused(contact_at({0.035, 0.05}, 0.001), "from where the finger was seen; allowed: up to 0.0");
-  ASSERT_OK(touch(contact_at({0.025, 0.05}, 0.001)));
+  refused(contact_at({0.0, -41.0}, 0.001), "from start_position_m; at least 0.01 is needed");
+  refused(contact_at({0.0, -50.0}, 0.001), "is 0 m from start_position_m");
+  refused(contact_at({35.0, 50.0}, 0.001), "from where the finger was seen; allowed: up to 0.0");
+  ASSERT_OK(touch(contact_at({25.0, 50.0}, 0.001)));
   expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "known already");
   ASSERT_OK(hrt_reach_cancel(session));
   EXPECT_TRUE(has_no_contacts(config_of(session))) << "a cancelled reach teaches nothing";
@@ -311,11 +311,10 @@ TEST_F(ContactTest, CostPeopleInAGoodFrameLittle) {
         }
         end();
         EXPECT_OK(hrt_person_get_state(person, &state));
-        const PlatePoint place{state.position_m[0], -state.position_m[2]};
+        const PlatePoint place{mm_per_m * state.position_m[0], -mm_per_m * state.position_m[2]};
         if (n == 4) sum_deg += std::abs(bearing_deg(start, place) + 5.0);
         if (touches) {
-          EXPECT_OK(touch(
-              contact_at({place.right_m + 0.001 * draws.normal(), place.away_m + 0.001 * draws.normal()}, 0.001)));
+          EXPECT_OK(touch(contact_at({place.right_mm + draws.normal(), place.away_mm + draws.normal()}, 0.001)));
         }
       }
       EXPECT_OK(hrt_person_destroy(person));

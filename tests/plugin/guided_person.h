@@ -77,7 +77,7 @@ class GuidedPerson {
     if (step.instruction == HRT_STEP_SLIDE) {
       Person sliding = condition.person;
       sliding.start_direction_deg += 2.0 * draws_.normal();
-      slide_.emplace(sliding, PlatePoint{skin_m_.x(), -skin_m_.z()}, 0.0, 0.1,
+      slide_.emplace(sliding, PlatePoint{mm_per_m * skin_m_.x(), -mm_per_m * skin_m_.z()}, 0.0, 100.0,
                      Draws(79, PersonStream::steering, index_, slides_++));
       moves_ms_ = time_ms_ + 300;
     } else if (step.instruction == HRT_STEP_WAIT) {
@@ -100,7 +100,7 @@ class GuidedPerson {
   void advance() {
     if (slide_) {
       if (time_ms_ > moves_ms_ && !slide_->done()) slide_->advance(plate_.orientation_deg());
-      skin_m_ = {slide_->position().right_m, 0.0, -slide_->position().away_m};
+      skin_m_ = {slide_->position().right_mm / mm_per_m, 0.0, -slide_->position().away_mm / mm_per_m};
     } else if (time_ms_ >= moves_ms_) {
       skin_m_ = goal_m_;
     }

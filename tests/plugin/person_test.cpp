@@ -44,7 +44,7 @@ class PersonTest : public SessionTest {
   static PersonCondition steady_person() {
     PersonCondition condition;
     condition.person.noise_deg2_per_s = 0.0;
-    condition.tracker.white_m = 0.0;
+    condition.tracker.white_mm = 0.0;
     return condition;
   }
 
@@ -61,8 +61,8 @@ class PersonTest : public SessionTest {
     config.duration_s = duration_s;
     EXPECT_OK(hrt_reach_begin(session, &config));
 
-    const PlatePoint start{0.0, start_forward_m};
-    SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_m,
+    const PlatePoint start{0.0, mm_per_m * start_forward_m};
+    SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_mm,
                          Draws(3, 0, number, 0));
     Draws tracker(3, 1, number, 0);
     PlateModel plate(condition.plate, 0.0);
@@ -73,8 +73,8 @@ class PersonTest : public SessionTest {
       if (now_ns > rest_ns && !person.done()) person.advance(plate.orientation_deg());
       if (person.done() && stopped_ns - now_ns > 300 * ms) stopped_ns = now_ns + 300 * ms;
       if (now_ns % (11 * ms) != 0) continue;
-      const double right_m = person.position().right_m + condition.tracker.white_m * tracker.normal();
-      const double forward_m = person.position().away_m + condition.tracker.white_m * tracker.normal();
+      const double right_m = (person.position().right_mm + condition.tracker.white_mm * tracker.normal()) / mm_per_m;
+      const double forward_m = (person.position().away_mm + condition.tracker.white_mm * tracker.normal()) / mm_per_m;
       const hrt_command command = update(position_sample(now_ns, right_m, forward_m));
       // As a host may: commands that repeat the former one are not sent again.
       if ((command.flags & HRT_COMMAND_HELD) == 0) plate.command(command.plate_orientation_deg);

@@ -116,9 +116,9 @@ TEST_F(RetargetTest, LeadsToTheNewPlaces) {
     ASSERT_OK(hrt_reach_retarget(session, real, cup));
     const hrt_command command = slide(910, 920);
     const double u = 610.0 / 1500.0;
-    const PlatePoint finger{0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))};
-    EXPECT_NEAR(command.distance_to_go_m, distance_m(finger, {-0.02, 0.05}), 0.003);
-    EXPECT_NEAR(command.aimed_direction_deg, bearing_deg(finger, {-0.02, 0.05}), 3.0) << guidance;
+    const PlatePoint finger{0.0, -50.0 + 100.0 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))};
+    EXPECT_NEAR(command.distance_to_go_m, distance_mm(finger, {-20.0, 50.0}) / mm_per_m, 0.003);
+    EXPECT_NEAR(command.aimed_direction_deg, bearing_deg(finger, {-20.0, 50.0}), 3.0) << guidance;
     slide(920, 2200);
     const hrt_reach_summary summary = end();
     EXPECT_NEAR(summary.distance_to_target_m, 0.02, 0.002);
@@ -135,8 +135,8 @@ TEST_F(RetargetTest, StartsWhereTheFingerIsFirstSeen) {
     auto lost = output<hrt_sample>();
     update(lost);
     const hrt_command first = update(position_sample(10 * ms, 0.02, -0.02));
-    EXPECT_NEAR(first.distance_to_go_m, distance_m({0.02, -0.02}, {0.03, 0.04}), 1e-9);
-    EXPECT_NEAR(first.aimed_direction_deg, bearing_deg({0.02, -0.02}, {0.03, 0.04}), 1e-9);
+    EXPECT_NEAR(first.distance_to_go_m, distance_mm({20.0, -20.0}, {30.0, 40.0}) / mm_per_m, 1e-9);
+    EXPECT_NEAR(first.aimed_direction_deg, bearing_deg({20.0, -20.0}, {30.0, 40.0}), 1e-9);
     end();
   }
 }
@@ -186,27 +186,29 @@ TEST_F(RetargetTest, BringsAPersonToTheMovedTarget) {
   hrt_session_config config = session_config();
   config.plate.max_speed_deg_s = 400.0;
   create(config);
-  const PlatePoint start{0.0, -0.05};
-  const PlatePoint real_place = point_ahead(start, -5.0, 0.1), seen_place = point_ahead(start, 5.0, 0.1);
-  const hrt_target real = add_at(HRT_TARGET_REAL, real_place.right_m, real_place.away_m),
-                   cup = add_at(HRT_TARGET_VIRTUAL, seen_place.right_m, seen_place.away_m);
+  const PlatePoint start{0.0, -50.0};
+  const PlatePoint real_place = point_ahead(start, -5.0, 100.0), seen_place = point_ahead(start, 5.0, 100.0);
+  const hrt_target real = add_at(HRT_TARGET_REAL, real_place.right_mm / mm_per_m, real_place.away_mm / mm_per_m),
+                   cup = add_at(HRT_TARGET_VIRTUAL, seen_place.right_mm / mm_per_m, seen_place.away_mm / mm_per_m);
+  const PlatePoint shift{-30.0, 0.0};
+  const PlatePoint moved = real_place + shift, seen_now = seen_place + shift;
   SlidingPerson person({.illusion = {.tactile_weight = 0.25}, .noise_deg2_per_s = 0.0, .duration_s = 2.0}, start, 5.0,
-                       0.1, {1, 0, 0, 0});
+                       100.0, {1, 0, 0, 0});
   ASSERT_OK(begin(real, cup));
   double plate_deg = 0.0;
   for (std::int64_t t = 0; !person.done(); ++t) {
     if (t > 500) person.advance(plate_deg);
     if (t == 500 + 900) {
-      change(real, placed(HRT_TARGET_REAL, real_place.right_m - 0.03, real_place.away_m));
-      change(cup, placed(HRT_TARGET_VIRTUAL, seen_place.right_m - 0.03, seen_place.away_m));
+      change(real, placed(HRT_TARGET_REAL, moved.right_mm / mm_per_m, moved.away_mm / mm_per_m));
+      change(cup, placed(HRT_TARGET_VIRTUAL, seen_now.right_mm / mm_per_m, seen_now.away_mm / mm_per_m));
       ASSERT_OK(hrt_reach_retarget(session, real, cup));
-      person.retarget({seen_place.right_m - 0.03, seen_place.away_m});
+      person.retarget(seen_now);
     }
     if (t % 10 == 0)
       plate_deg =
-          update(position_sample(t * ms, person.position().right_m, person.position().away_m)).plate_orientation_deg;
+          update(position_sample(t * ms, person.position().right_mm / mm_per_m, person.position().away_mm / mm_per_m))
+              .plate_orientation_deg;
   }
-  const PlatePoint moved{real_place.right_m - 0.03, real_place.away_m};
   EXPECT_NEAR(bearing_deg(start, person.position()), bearing_deg(start, moved), 1.5);
   const hrt_reach_summary summary = end();
   EXPECT_EQ(summary.flags, 0u);

@@ -59,11 +59,11 @@ TEST(SessionConfig, DefaultsAreTheModels) {
   EXPECT_EQ(config.paper.motor_variance_sd_deg2, core.estimator.motor_variance_sd_deg2);
   EXPECT_EQ(config.paper.sensory_variance_deg2, core.participant.sensory_variance_deg2);
   EXPECT_EQ(config.paper.initial_variance_deg2, core.participant.initial_variance_deg2);
-  EXPECT_EQ(config.tracker.noise_m, core.estimator.tracker_noise_m);
+  EXPECT_EQ(mm_per_m * config.tracker.noise_m, core.estimator.tracker_noise_mm);
   EXPECT_EQ(config.lift_height_m, PlateSurface().lift_height_m);
   EXPECT_EQ(config.max_felt_error_deg, core.reach.max_felt_error_deg);
   EXPECT_EQ(config.motion_bound_deg, core.reach.bound_deg);
-  EXPECT_EQ(config.tracker.correlated_noise_m, core.estimator.correlated_noise_m);
+  EXPECT_EQ(mm_per_m * config.tracker.correlated_noise_m, core.estimator.correlated_noise_mm);
   EXPECT_EQ(config.tracker.correlation_s, core.estimator.correlation_s);
 }
 

@@ -31,8 +31,8 @@ TEST(SceneGeometry, DefaultStartIsTwoThirdsTowardsTheUser) {
 // one at 150, the short way round.
 TEST(SceneGeometry, WithoutServedByTheNearestInDirectionServes) {
   const auto at = [](const char* name, const char* role, double direction_deg) {
-    const PlatePoint place = point_ahead({0.0, -0.05}, direction_deg, 0.05);
-    return node(name, haptic(role), {{"translation", {place.right_m, 0.0, -place.away_m}}});
+    const PlatePoint place = point_ahead({0.0, -50.0}, direction_deg, 50.0);
+    return node(name, haptic(role), {{"translation", {place.right_mm / mm_per_m, 0.0, -place.away_mm / mm_per_m}}});
   };
   const Scene scene =
       load(document({plate(), at("Far", "real", -170.0), at("Near", "real", 60.0), at("Equal", "real", 60.0),

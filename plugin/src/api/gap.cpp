@@ -26,17 +26,17 @@ hrt_gap gap_of(const Session& session, hrt_target real_target, hrt_target virtua
   const bool arrival = core.mode == ControlMode::reach;
   const double bias_deg = arrival ? core.person.mean(PersonTrait::bias) : config.paper.bias_deg;
   const double goal_deg = view(config, virtual_config).direction_deg + bias_deg;
-  const Bearing seen = view(config, real);
+  const TargetView seen = view(config, real);
   const double gap_deg = wrap_deg(goal_deg - seen.direction_deg, 360.0);
   const Authority paper =
       steering_authority(goal_deg - gap_deg, goal_deg, config.paper.tactile_weight, config.paper.plate_bound_deg);
   const Authority authority =
-      arrival ? authority_about_motion(goal_deg - gap_deg, goal_deg, illusion_of(config, seen.distance_m),
+      arrival ? authority_about_motion(goal_deg - gap_deg, goal_deg, illusion_of(config, seen.distance_mm),
                                        config.motion_bound_deg)
               : paper;
   const PlatePoint start = start_of(config);
   const double registration_sd_deg = bearing_sd_deg(touched_of(config), frame_covariance_of(config), start,
-                                                    point_ahead(start, seen.direction_deg, seen.distance_m));
+                                                    point_ahead(start, seen.direction_deg, seen.distance_mm));
   return {
       .struct_size = sizeof(hrt_gap),
       .reachable = authority.reachable ? 1u : 0u,

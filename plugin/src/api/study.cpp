@@ -18,7 +18,7 @@ std::unique_ptr<SimulatedHand> made(const hrt_person_config& config, std::uint64
   PersonCondition& condition = hand->condition();
   if (config.tactile_weight != 0.0) condition.person.illusion.tactile_weight = config.tactile_weight;
   condition.person.bias_deg = config.bias_deg;
-  if (config.tracker_noise_m != 0.0) condition.tracker.white_m = config.tracker_noise_m;
+  if (config.tracker_noise_m != 0.0) condition.tracker.white_mm = mm_per_m * config.tracker_noise_m;
   if (config.plate_max_speed_deg_s != 0.0) condition.plate.max_speed_deg_s = config.plate_max_speed_deg_s;
   if (config.plate_latency_ns != 0) condition.plate.latency_ns = config.plate_latency_ns;
   return hand;
@@ -35,15 +35,14 @@ hrt_result check_begun(const SimulatedHand& hand) {
 }
 
 void write_point(const PlatePoint& point, double (&out)[3]) {
-  out[0] = point.right_m;
+  out[0] = point.right_mm / mm_per_m;
   out[1] = 0.0;
-  out[2] = -point.away_m;
+  out[2] = -point.away_mm / mm_per_m;
 }
 
 }  // namespace
 }  // namespace hrt::plugin
 
-using hrt::Bearing;
 using hrt::SimulatedHand;
 using namespace hrt::plugin;
 
@@ -71,9 +70,8 @@ hrt_result hrt_person_begin(hrt_person person, hrt_session session, hrt_target v
       const hrt_target_config* target = nullptr;
       HRT_RETURN_IF_FAILED(
           find_target(s.session().targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &target));
-      const Bearing seen = view(config, *target);
-      const double(&start_m)[3] = config.start_position_m;
-      hand.begin({start_m[0], -start_m[2]}, seen.direction_deg, seen.distance_m);
+      const TargetView seen = view(config, *target);
+      hand.begin(start_of(config), seen.direction_deg, seen.distance_mm);
       return HRT_OK;
     });
   });

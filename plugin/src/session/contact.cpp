@@ -15,9 +15,9 @@
 namespace hrt::plugin {
 namespace {
 
-constexpr double unknown_radius_m = 0.01;
+constexpr double unknown_radius_mm = 10.0;
 // Nearer to the start a place shows the start rather than a turn.
-constexpr double min_contact_m = 0.01;
+constexpr double min_contact_mm = 10.0;
 // Of a frame that is off: 25 mm at 100 mm.
 constexpr double max_share = 0.25;
 constexpr double max_deviations = 3.0;
@@ -105,26 +105,28 @@ hrt_result read_contact(const hrt_session_config& config, const hrt_contact& giv
   const bool is_placed = given.flags != 0;
   if (is_placed) HRT_RETURN_IF_FAILED(check_field(given, F::position_m));
   HRT_RETURN_IF_FAILED(check_field(given, F::sd_m));
-  const Bearing at = view_from(start, config, is_placed ? placed_at(given) : real);
-  const double near_m = is_placed ? at.distance_m : std::max(0.0, at.distance_m - real.radius_m);
-  const double radius_m = real.radius_m > 0.0 ? real.radius_m : unknown_radius_m;
-  *out = {point_ahead(start, at.direction_deg, near_m), given.sd_m > 0.0 ? given.sd_m : radius_m};
+  const TargetView at = view_from(start, config, is_placed ? placed_at(given) : real);
+  const double radius_mm = mm_per_m * real.radius_m;
+  const double near_mm = is_placed ? at.distance_mm : std::max(0.0, at.distance_mm - radius_mm);
+  const double usual_sd_mm = radius_mm > 0.0 ? radius_mm : unknown_radius_mm;
+  *out = {point_ahead(start, at.direction_deg, near_mm), given.sd_m > 0.0 ? mm_per_m * given.sd_m : usual_sd_mm};
   return HRT_OK;
 }
 
 hrt_result check_contact(const hrt_session_config& config, const TouchedPlace& touched, const SeenFinger& finger,
                          Contact* out) {
-  const double far_m = distance_m(start_of(config), touched.place);
-  if (far_m < min_contact_m)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "the place that was touched is ", far_m, " m from start_position_m; at least ",
-                min_contact_m, " is needed");
-  *out = {
-      .finger = finger.place, .place = touched.place, .variance_m2 = touched.sd_m * touched.sd_m + finger.variance_m2};
-  const double off_m = distance_m(finger.place, touched.place);
-  const double max_m = max_share * far_m + max_deviations * std::sqrt(out->variance_m2);
-  if (off_m <= max_m) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, "the place that was touched is ", off_m,
-              " m from where the finger was seen; allowed: up to ", max_m, ". Was it another object?");
+  const double far_mm = distance_mm(start_of(config), touched.place);
+  if (far_mm < min_contact_mm)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "the place that was touched is ", far_mm / mm_per_m,
+                " m from start_position_m; at least ", min_contact_mm / mm_per_m, " is needed");
+  *out = {.finger = finger.place,
+          .place = touched.place,
+          .variance_mm2 = touched.sd_mm * touched.sd_mm + finger.variance_mm2};
+  const double off_mm = distance_mm(finger.place, touched.place);
+  const double max_mm = max_share * far_mm + max_deviations * std::sqrt(out->variance_mm2);
+  if (off_mm <= max_mm) return HRT_OK;
+  return fail(HRT_ERROR_OUT_OF_RANGE, "the place that was touched is ", off_mm / mm_per_m,
+              " m from where the finger was seen; allowed: up to ", max_mm / mm_per_m, ". Was it another object?");
 }
 
 hrt_session_config after_contact(const hrt_session_config& config, const Contact& contact) {

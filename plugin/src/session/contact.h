@@ -28,7 +28,7 @@ void take_contacts_of_profile(const hrt_session_config& session, hrt_session_con
 
 struct TouchedPlace {
   PlatePoint place;
-  double sd_m;
+  double sd_mm;
 };
 
 /// What a contact says in a reach from `start` to `real`. Fails naming the first field that is out of its

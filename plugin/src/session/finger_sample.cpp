@@ -65,7 +65,7 @@ void observe_position(const hrt_session_config& config, const hrt_sample& sample
     *command_flags |= HRT_COMMAND_LIFTED;
   } else {
     observed->observation = Observation::position;
-    observed->position = {.right_m = finger.position_m.x, .away_m = -finger.position_m.z};
+    observed->position = plate_point(finger.position_m);
     if (knows_contacts(config)) observed->position = corrected(touched_of(config), observed->position);
   }
 }

@@ -18,9 +18,9 @@ namespace {
 void write_noise(const RestNoise& rest, hrt_session_config* config) {
   const auto noise = known_noise(rest);
   if (!noise) return;
-  config->tracker.noise_m = noise->white_m;
-  config->tracker.correlated_noise_m = noise->correlated_m;
-  if (noise->correlated_m > 0.0) config->tracker.correlation_s = noise->correlation_s;
+  config->tracker.noise_m = noise->white_mm / mm_per_m;
+  config->tracker.correlated_noise_m = noise->correlated_mm / mm_per_m;
+  if (noise->correlated_mm > 0.0) config->tracker.correlation_s = noise->correlation_s;
 }
 
 Interval interval_about(double value, double sd) {
@@ -38,7 +38,7 @@ Interval believed_trait(const hrt_session_config& config, int trait) {
 void write_registration(const Registration& registration, std::int64_t time_ns, hrt_session_config* config) {
   Eigen::Quaterniond q(registration.rotation);
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  for (int i = 0; i < 3; ++i) config->plate.position_m[i] = registration.position_m(i);
+  for (int i = 0; i < 3; ++i) config->plate.position_m[i] = registration.position_mm(i) / mm_per_m;
   for (int i = 0; i < 4; ++i) config->plate.rotation[i] = q.coeffs()(i);
   config->plate.scale = registration.scale;
   write_frame_covariance(frame_covariance(registration), config);
@@ -47,24 +47,23 @@ void write_registration(const Registration& registration, std::int64_t time_ns, 
   config->flags |= HRT_SESSION_REGISTERED;
 }
 
-Registration registration_of(const hrt_session_config& config, double touch_sd_m) {
+Registration registration_of(const hrt_session_config& config, double touch_sd_mm) {
   const double(&q)[4] = config.plate.rotation;
-  Registration registration{
-      .verdict = RegistrationVerdict::holds,
-      .rotation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized().toRotationMatrix(),
-      .position_m = {config.plate.position_m[0], config.plate.position_m[1], config.plate.position_m[2]},
-      .scale = config.plate.scale,
-      .touch_sd_m = touch_sd_m};
+  Registration registration{.verdict = RegistrationVerdict::holds,
+                            .rotation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized().toRotationMatrix(),
+                            .position_mm = mm_per_m * Eigen::Vector3d::Map(config.plate.position_m),
+                            .scale = config.plate.scale,
+                            .touch_sd_mm = touch_sd_mm};
   const FrameCovariance plane = frame_covariance_of(config);
-  const double height_m2 = 0.5 * (plane(1, 1) + plane(2, 2));
+  const double height_mm2 = 0.5 * (plane(1, 1) + plane(2, 2));
   // The turn, and the place to the right and away (-z), in the plate's axes.
-  Eigen::Matrix3d place_m2 = height_m2 * Eigen::Matrix3d::Identity();
-  place_m2(0, 0) = plane(1, 1);
-  place_m2(2, 2) = plane(2, 2);
-  place_m2(0, 2) = place_m2(2, 0) = -plane(1, 2);
+  Eigen::Matrix3d place_mm2 = height_mm2 * Eigen::Matrix3d::Identity();
+  place_mm2(0, 0) = plane(1, 1);
+  place_mm2(2, 2) = plane(2, 2);
+  place_mm2(0, 2) = place_mm2(2, 0) = -plane(1, 2);
   const Eigen::Matrix3d& turned = registration.rotation;
   registration.covariance.diagonal().head<3>().setConstant(plane(0, 0));
-  registration.covariance.block<3, 3>(3, 3) = turned * place_m2 * turned.transpose();
+  registration.covariance.block<3, 3>(3, 3) = turned * place_mm2 * turned.transpose();
   const Eigen::Vector3d turn_by_place = turned * Eigen::Vector3d(plane(0, 1), 0.0, -plane(0, 2));
   registration.covariance.block<1, 3>(1, 3) = turn_by_place.transpose();
   registration.covariance.block<3, 1>(3, 1) = turn_by_place;

@@ -35,7 +35,7 @@ bool zero_what_is_not_finite(Struct& values) {
 }
 
 PlatePoint real_place(const Reach& reach) {
-  return point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m);
+  return point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm);
 }
 
 // Whether there is no registration where one is asked for, or one that turns the real target by too much.
@@ -90,20 +90,20 @@ hrt_result Session::set_config(const hrt_session_config& checked_config) {
 
 // Directions and distance of the pair as seen from the start; fails unless a reach from there can go to it.
 hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* out) const {
-  const Bearing real = view_from(start, config_, pair.real);
-  const Bearing seen = view_from(start, config_, pair.virtual_target);
-  if (!(real.distance_m >= min_distance_m))
-    return fail(HRT_ERROR_OUT_OF_RANGE, "real_target is ", real.distance_m, " m from the start; at least ",
+  const TargetView real = view_from(start, config_, pair.real);
+  const TargetView seen = view_from(start, config_, pair.virtual_target);
+  if (!(real.distance_mm >= mm_per_m * min_distance_m))
+    return fail(HRT_ERROR_OUT_OF_RANGE, "real_target is ", real.distance_mm / mm_per_m, " m from the start; at least ",
                 min_distance_m, " is needed");
   if (seen.at_start)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "virtual_target is ", seen.distance_m, " m from the start; at least ",
-                min_distance_m, " is needed");
+    return fail(HRT_ERROR_OUT_OF_RANGE, "virtual_target is ", seen.distance_mm / mm_per_m,
+                " m from the start; at least ", min_distance_m, " is needed");
   Reach reach = *out;
   reach.start = start;
   reach.virtual_direction_deg = seen.direction_deg;
   // The short way round from the virtual direction.
   reach.real_direction_deg = seen.direction_deg - wrap_deg(seen.direction_deg - real.direction_deg, 360.0);
-  reach.real_distance_m = real.distance_m;
+  reach.real_distance_mm = real.distance_mm;
   const double goal_deg = goal_direction_deg(to_core(config_).participant, reach.virtual_direction_deg);
   if (!is_valid(reach, goal_deg))
     return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", reach.real_direction_deg, " degrees, the virtual at ",
@@ -160,8 +160,8 @@ hrt_result Session::retarget(hrt_target real_target, hrt_target virtual_target) 
   Reach from_start = reach_;
   HRT_RETURN_IF_FAILED(aim(pair, start_, &from_start));
   const auto place = [&](const hrt_target_config& target) {
-    const Bearing bearing = view_from(start_, config_, target);
-    return point_ahead(start_, bearing.direction_deg, bearing.distance_m);
+    const TargetView seen = view_from(start_, config_, target);
+    return point_ahead(start_, seen.direction_deg, seen.distance_mm);
   };
   pair_ = pair;
   reach_ = retargeter_->retarget(place(pair.real), place(pair.virtual_target));
@@ -257,7 +257,7 @@ void Session::write_command(const PlateCommand& command, std::uint32_t flags, hr
       .finger_direction_deg = command.finger_direction_deg,
       .perceived_direction_deg = command.perceived_direction_deg,
       .aimed_direction_deg = command.aimed_direction_deg,
-      .distance_to_go_m = command.distance_to_go_m,
+      .distance_to_go_m = command.distance_to_go_mm / mm_per_m,
       .tactile_weight = command.tactile_weight,
       .tactile_weight_sd = command.tactile_weight_sd,
       .time_to_go_s = retargeter_->leads_person() ? command.time_to_go_s : HRT_NOT_MOVING,
@@ -344,7 +344,7 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
       .paper_miss_deg = summary.final_miss_deg,
       .perceived_direction_deg = summary.perceived_direction_deg,
       .perceived_error_deg = summary.perceived_error_deg,
-      .distance_to_target_m = summary.distance_to_target_m,
+      .distance_to_target_m = summary.distance_to_target_mm / mm_per_m,
       .miss_deg = summary.person ? summary.bearing_error_deg : summary.final_miss_deg,
       .miss_sd_deg = summary.bearing_error_sd_deg,
       .peak_felt_error_deg = summary.peak_felt_error_deg,
@@ -367,7 +367,7 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
                  .bias_sd_deg = person.bias_sd_deg,
                  .habit_deg = person.habit_deg,
                  .habit_sd_deg = person.habit_sd_deg,
-                 .tracker_noise_m = estimate.tracker_noise_m,
+                 .tracker_noise_m = estimate.tracker_noise_mm / mm_per_m,
                  .motor_variance_deg2 =
                      learns_variance ? estimate.motor_variance_deg2 : config_.paper.motor_variance_deg2,
                  .motor_variance_sd_deg2 = learns_variance ? estimate.motor_variance_sd_deg2 : 0.0},

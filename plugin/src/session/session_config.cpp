@@ -21,7 +21,7 @@ using ConfigFields = Fields<C>;
 bool turns_freely(const C& config) { return config.plate.lower_stop_deg == 0.0 && config.plate.upper_stop_deg == 0.0; }
 
 // The core squares it; the square of less would lose its digits, or be 0.
-constexpr double min_tracker_noise_m = 1e-9;
+constexpr double min_tracker_noise_mm = 1e-6;
 
 static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_SCATTER == PersonTrait::scatter &&
               HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
@@ -69,11 +69,17 @@ hrt_result check_plate_covariance(const hrt_session_config& config) {
 }  // namespace
 
 FrameCovariance frame_covariance_of(const hrt_session_config& config) {
-  return from_triangle<3>(config.plate.covariance);
+  const Eigen::Vector3d to_mm{1.0, mm_per_m, mm_per_m};
+  return to_mm.asDiagonal() * from_triangle<3>(config.plate.covariance) * to_mm.asDiagonal();
 }
 
 void write_frame_covariance(const FrameCovariance& covariance, hrt_session_config* config) {
-  write_triangle<3>(covariance, config->plate.covariance);
+  const Eigen::Vector3d to_m{1.0, 1.0 / mm_per_m, 1.0 / mm_per_m};
+  write_triangle<3>(to_m.asDiagonal() * covariance * to_m.asDiagonal(), config->plate.covariance);
+}
+
+PlatePoint plate_point(Vec3 position_m) {
+  return {.right_mm = mm_per_m * position_m.x, .away_mm = -mm_per_m * position_m.z};
 }
 
 Vec3 unscaled(const hrt_session_config& config, Vec3 plate_position_m, Vec3 world_position_m) {
@@ -141,9 +147,10 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .estimator = {.adapt = config.adaptation != HRT_ADAPTATION_OFF,
                     .tactile_weight_sd = config.paper.tactile_weight_sd,
                     .motor_variance_sd_deg2 = config.paper.motor_variance_sd_deg2,
-                    .tracker_noise_m =
-                        config.tracker.noise_m > 0.0 ? std::max(config.tracker.noise_m, min_tracker_noise_m) : 0.0,
-                    .correlated_noise_m = config.tracker.correlated_noise_m,
+                    .tracker_noise_mm = config.tracker.noise_m > 0.0
+                                            ? std::max(mm_per_m * config.tracker.noise_m, min_tracker_noise_mm)
+                                            : 0.0,
+                    .correlated_noise_mm = mm_per_m * config.tracker.correlated_noise_m,
                     .correlation_s = config.tracker.correlation_s},
       .plate = {.max_speed_deg_s = limit_or_none(config.plate.max_speed_deg_s),
                 .max_acceleration_deg_s2 = limit_or_none(config.plate.max_acceleration_deg_s2),
@@ -171,9 +178,8 @@ void write_person(const PersonBelief& belief, hrt_session_config* config) {
       std::clamp(linear.weight_sd, ConfigFields::tactile_weight_sd.low, ConfigFields::tactile_weight_sd.high);
 }
 
-Illusion illusion_of(const hrt_session_config& config, double distance_m) {
+Illusion illusion_of(const hrt_session_config& config, double distance_mm) {
   if (!knows_person(config)) return {config.paper.tactile_weight, 0.0};
-  const double distance_mm = 1000.0 * distance_m;
   return {.weight = config.person.mean[HRT_PERSON_WEIGHT],
           .curve = config.person.mean[HRT_PERSON_CURVE],
           .fading = config.person.mean[HRT_PERSON_FADING],
@@ -181,7 +187,8 @@ Illusion illusion_of(const hrt_session_config& config, double distance_m) {
 }
 
 PlatePoint start_of(const hrt_session_config& config) {
-  return {.right_m = config.start_position_m[0], .away_m = -config.start_position_m[2]};
+  const double(&start_m)[3] = config.start_position_m;
+  return plate_point({start_m[0], start_m[1], start_m[2]});
 }
 
 PlateSurface surface_of(const hrt_session_config& config) {

@@ -33,11 +33,14 @@ void write_person(const PersonBelief& belief, hrt_session_config* config);
 
 /// What is believed of the person's illusion on a path of that length: linear unless person_covariance holds
 /// something.
-Illusion illusion_of(const hrt_session_config& config, double distance_m);
+Illusion illusion_of(const hrt_session_config& config, double distance_mm);
 
 /// Between plate_covariance and the core's matrix.
 FrameCovariance frame_covariance_of(const hrt_session_config& config);
 void write_frame_covariance(const FrameCovariance& covariance, hrt_session_config* config);
+
+/// The point of the plate above which a position in plate coordinates is.
+PlatePoint plate_point(Vec3 position_m);
 
 /// A place in the engine's world as if plate_scale were 1, seen from a plate at `plate_position_m`.
 Vec3 unscaled(const hrt_session_config& config, Vec3 plate_position_m, Vec3 world_position_m);

@@ -22,9 +22,9 @@ namespace {
 constexpr std::uint32_t all_parts = 63;
 constexpr std::uint32_t slide_parts_asked = HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST;
 constexpr double min_range_deg = 40.0;
-constexpr double max_slide_m = 0.1;
-constexpr double min_slide_room_m = 0.05;
-constexpr double rim_margin_m = 0.01;
+constexpr double max_slide_mm = 100.0;
+constexpr double min_slide_room_mm = 50.0;
+constexpr double rim_margin_mm = 10.0;
 
 static_assert(setup_fingertip == HRT_SETUP_FINGERTIP && setup_registration == HRT_SETUP_REGISTRATION &&
               setup_check == HRT_SETUP_CHECK && setup_guides == HRT_SETUP_GUIDES &&
@@ -44,10 +44,11 @@ std::uint32_t missing(const hrt_session_config& session) {
 }
 
 // Straight ahead, on the plate.
-double room_ahead_m(const hrt_session_config& session) {
+double room_ahead_mm(const hrt_session_config& session) {
   const PlatePoint start = start_of(session);
-  const double square_m2 = session.plate.radius_m * session.plate.radius_m - start.right_m * start.right_m;
-  return std::sqrt(std::max(0.0, square_m2)) - start.away_m - rim_margin_m;
+  const double radius_mm = mm_per_m * session.plate.radius_m;
+  const double square_mm2 = radius_mm * radius_mm - start.right_mm * start.right_mm;
+  return std::sqrt(std::max(0.0, square_mm2)) - start.away_mm - rim_margin_mm;
 }
 
 // The start, and places on the rim a third of a right angle from the line across: none opposite the start.
@@ -64,7 +65,7 @@ void set_marks(const hrt_session_config& session, const hrt_setup_config& given,
   config->mark_count = static_cast<int>(given.mark_count == 0 ? std::size(usual_m) : given.mark_count);
   for (int i = 0; i < config->mark_count; ++i) {
     const double* mark_m = given.mark_count == 0 ? usual_m[i] : given.marks_m + std::ptrdiff_t{3} * i;
-    config->marks_m[static_cast<std::size_t>(i)] = {mark_m[0], mark_m[1], mark_m[2]};
+    config->marks_mm[static_cast<std::size_t>(i)] = mm_per_m * Eigen::Vector3d(mark_m[0], mark_m[1], mark_m[2]);
   }
   config->check_mark = std::min(static_cast<int>(given.check_mark), config->mark_count - 1);
 }
@@ -76,14 +77,14 @@ hrt_result find_guides(const hrt_session_config& session, const Targets& targets
   config->guide_count = 0;
   for (const auto& [id, target] : targets.all()) {
     if (target.role != HRT_TARGET_REAL) continue;
-    const Bearing at = view(session, target);
-    const double length_m = at.distance_m - target.radius_m;
-    if (length_m < GuidedSlides::min_guide_m)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "real target \"", target.name, "\" is ", length_m,
-                  " m from start_position_m; allowed for a guide: at least ", GuidedSlides::min_guide_m);
+    const TargetView at = view(session, target);
+    const double length_mm = at.distance_mm - mm_per_m * target.radius_m;
+    if (length_mm < GuidedSlides::min_guide_mm)
+      return fail(HRT_ERROR_OUT_OF_RANGE, "real target \"", target.name, "\" is ", length_mm / mm_per_m,
+                  " m from start_position_m; allowed for a guide: at least ", GuidedSlides::min_guide_mm / mm_per_m);
     if (config->guide_count == GuidedSlides::max_objects) break;
     config->guides[static_cast<std::size_t>(config->guide_count++)] =
-        point_ahead(config->start, at.direction_deg, length_m);
+        point_ahead(config->start, at.direction_deg, length_mm);
   }
   if (config->guide_count > 0) return HRT_OK;
   return fail(HRT_ERROR_WRONG_STATE, "the session has no real target, to which a guide would lead");
@@ -96,12 +97,13 @@ SetupConfig to_setup(const hrt_session_config& session, const Targets& targets, 
   config.parts = config.only_possible ? missing(session) : what;
   set_marks(session, given, &config);
   config.touches_per_mark = static_cast<int>(given.touches_per_mark);
-  config.registration = {
-      .touch_sd_m = given.touch_sd_m, .fit_scale = given.fit_scale != 0, .up = {given.up[0], given.up[1], given.up[2]}};
+  config.registration = {.touch_sd_mm = mm_per_m * given.touch_sd_m,
+                         .fit_scale = given.fit_scale != 0,
+                         .up = {given.up[0], given.up[1], given.up[2]}};
   if ((what & HRT_SETUP_GUIDES) != 0) static_cast<void>(find_guides(session, targets, &config));  // checked before
   config.start = start_of(session);
-  config.slide_distance_m = std::min(max_slide_m, room_ahead_m(session));
-  if (config.only_possible && config.slide_distance_m < min_slide_room_m)
+  config.slide_distance_mm = std::min(max_slide_mm, room_ahead_mm(session));
+  if (config.only_possible && config.slide_distance_mm < min_slide_room_mm)
     config.parts &= ~std::uint32_t{HRT_SETUP_CALIBRATION};
   config.lower_plate_deg = given.lower_plate_deg;
   config.upper_plate_deg = given.upper_plate_deg;
@@ -155,15 +157,15 @@ void take_guides(const TouchedFrame& found, const SetupConfig& config, hrt_sessi
 // What the fit found, described and written into the configuration. False if it is nothing to be applied.
 bool take(const SetupFit& fit, const SetupConfig& config, hrt_session_config* session, hrt_setup_result* result) {
   if (fit.fingertip) {
-    for (int i = 0; i < 3; ++i) session->fingertip_offset_m[i] = fit.fingertip->offset_m(i);
-    result->fingertip_sd_m = fit.fingertip->sd_m.maxCoeff();
+    for (int i = 0; i < 3; ++i) session->fingertip_offset_m[i] = fit.fingertip->offset_mm(i) / mm_per_m;
+    result->fingertip_sd_m = fit.fingertip->sd_mm.maxCoeff() / mm_per_m;
   } else if (fit.registration) {
     write_registration(*fit.registration, fit.touched_ns, session);
-    result->registration_residual_m = fit.registration->residual_m;
+    result->registration_residual_m = fit.registration->residual_mm / mm_per_m;
     constexpr double deg_per_radian = 57.29577951308232;
     result->registration_turn_sd_deg = deg_per_radian * std::sqrt(std::max(0.0, fit.registration->covariance(1, 1)));
   } else if (fit.check) {
-    result->check_distance_m = fit.check->distance_m;
+    result->check_distance_m = fit.check->distance_mm / mm_per_m;
     if (fit.check->holds) {
       session->registration.time_ns = fit.touched_ns;
     } else {
@@ -212,15 +214,15 @@ hrt_result SessionSetup::check(const hrt_session_config& session, const Targets&
     SetupConfig guides;
     HRT_RETURN_IF_FAILED(find_guides(session, targets, &guides));
   }
-  if ((what & slide_parts_asked) != 0 && room_ahead_m(session) < min_slide_room_m)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "start_position_m leaves ", room_ahead_m(session),
-                " m for a slide straight ahead; allowed: at least ", min_slide_room_m);
+  if ((what & slide_parts_asked) != 0 && room_ahead_mm(session) < min_slide_room_mm)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "start_position_m leaves ", room_ahead_mm(session) / mm_per_m,
+                " m for a slide straight ahead; allowed: at least ", min_slide_room_mm / mm_per_m);
   return HRT_OK;
 }
 
 SessionSetup::SessionSetup(const hrt_session_config& session, const Targets& targets, std::uint32_t what,
                            const hrt_setup_config& checked_config, double plate_orientation_deg)
-    : touch_sd_m_(checked_config.touch_sd_m),
+    : touch_sd_mm_(mm_per_m * checked_config.touch_sd_m),
       setup_(to_setup(session, targets, what, checked_config, plate_orientation_deg)),
       plate_orientation_deg_(plate_orientation_deg) {
   result_.struct_size = sizeof result_;
@@ -232,14 +234,14 @@ SetupSample SessionSetup::seen(const hrt_session_config& session, const hrt_samp
   if (setup_.part() == setup_fingertip) std::memset(config.fingertip_offset_m, 0, sizeof config.fingertip_offset_m);
   std::uint32_t flags = 0;
   SetupSample seen{.time_ns = sample.time_ns,
-                   .tracked_m = {},
+                   .tracked_mm = {},
                    .in_plate = (sample.flags & HRT_SAMPLE_PLATE_POSITION) != 0,
                    .joint_rotation = {},
                    .on_plate = observe(config, sample, &flags)};
   seen.off_plate = (flags & HRT_COMMAND_OFF_PLATE) != 0;
   if ((sample.flags & finger_flags) != 0 && (sample.flags & HRT_SAMPLE_LIFTED) == 0) {
     const Vec3 at_m = skin_m(config, sample);
-    seen.tracked_m = Eigen::Vector3d(at_m.x, at_m.y, at_m.z);
+    seen.tracked_mm = mm_per_m * Eigen::Vector3d(at_m.x, at_m.y, at_m.z);
   }
   if (sample.flags & HRT_SAMPLE_JOINT_ROTATION) {
     const double(&q)[4] = sample.joint_rotation;
@@ -252,7 +254,7 @@ hrt_result SessionSetup::check_shown(const hrt_sample& sample, const SetupSample
   if (sample.flags & HRT_SAMPLE_DIRECTION)
     return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
                 "; allowed: PLATE_POSITION or WORLD_POSITION, or none");
-  if (setup_.config().only_possible || setup_.left() == 0 || !seen.tracked_m || setup_.can_show(seen)) return HRT_OK;
+  if (setup_.config().only_possible || setup_.left() == 0 || !seen.tracked_mm || setup_.can_show(seen)) return HRT_OK;
   const char* needed = setup_.part() == setup_fingertip ? "WORLD_POSITION with JOINT_ROTATION" : "WORLD_POSITION";
   return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags, "; allowed in this part of the set-up: ", needed);
 }
@@ -268,7 +270,7 @@ hrt_setup_step SessionSetup::to_c(const SetupStep& step, const hrt_session_confi
                      .of = static_cast<std::uint32_t>(step.of),
                      .number = static_cast<std::uint32_t>(step.number),
                      .reserved = 0,
-                     .place_m = {step.place_m.x(), step.place_m.y(), step.place_m.z()},
+                     .place_m = {step.place_mm.x() / mm_per_m, step.place_mm.y() / mm_per_m, step.place_mm.z() / mm_per_m},
                      .plate_orientation_deg = plate_orientation_deg_,
                      .text = {}};
   write_step_text(step, out.text);
@@ -298,7 +300,7 @@ hrt_result SessionSetup::finish(hrt_session_config* session, std::vector<hrt_set
   if (setup_.left() != 0) {
     std::vector<hrt_setup_residual> slides;  // memory is taken before anything changes
     if (setup_.part() & slide_parts_asked) slides.reserve(static_cast<std::size_t>(setup_.config().max_slides));
-    const SetupFit fit = finish_part(&setup_, registration_of(*session, touch_sd_m_));
+    const SetupFit fit = finish_part(&setup_, registration_of(*session, touch_sd_mm_));
     if (fit.calibration) {
       write_residuals(*fit.calibration, &slides);
       residuals->swap(slides);

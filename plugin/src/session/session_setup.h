@@ -33,7 +33,7 @@ class SessionSetup {
   hrt_result check_shown(const hrt_sample& sample, const SetupSample& seen) const;
   hrt_setup_step to_c(const SetupStep& step, const hrt_session_config& session);
 
-  double touch_sd_m_;
+  double touch_sd_mm_;
   Setup setup_;
   hrt_setup_result result_{};
   double plate_orientation_deg_;  // as last asked for

@@ -46,9 +46,9 @@ hrt_result check_target_fields(hrt_target_config* config) {
 
 hrt_result check_target_config(const hrt_session_config& session_config, hrt_target_config* config) {
   HRT_RETURN_IF_FAILED(check_target_fields(config));
-  const Bearing bearing = view(session_config, *config);
-  if (bearing.at_start)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", bearing.distance_m,
+  const TargetView seen = view(session_config, *config);
+  if (seen.at_start)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", seen.distance_mm / mm_per_m,
                 " m from the start in the plane of the plate; at least ", min_distance_m, " is needed");
   return HRT_OK;
 }
@@ -110,19 +110,22 @@ std::uint64_t Targets::find(std::string_view name) const {
   return found == by_name_.end() ? 0 : found->second;
 }
 
-Bearing view_from(const PlatePoint& start, const hrt_session_config& config, const hrt_target_config& target) {
+TargetView view_from(const PlatePoint& start, const hrt_session_config& config, const hrt_target_config& target) {
   if (target.place == HRT_PLACE_DIRECTION)
-    return {.direction_deg = target.direction_deg, .distance_m = target.distance_m, .at_start = false};
+    return {.direction_deg = target.direction_deg, .distance_mm = mm_per_m * target.distance_m, .at_start = false};
   const auto& p = target.position_m;
   const bool in_world = target.place == HRT_PLACE_WORLD_POSITION;
   const Pose plate = in_world ? plate_pose_of(config) : Pose{};
   const Vec3 given_m{p[0], p[1], p[2]};
   FingerOnPlate place{};
   locate_finger(surface_of(config), plate, in_world ? unscaled(config, plate.position_m, given_m) : given_m, place);
-  return bearing_from({start.right_m, 0.0, -start.away_m}, place.position_m);
+  const PlatePoint at = plate_point(place.position_m);
+  const double far_mm = distance_mm(start, at);
+  return {
+      .direction_deg = bearing_deg(start, at), .distance_mm = far_mm, .at_start = far_mm < mm_per_m * min_distance_m};
 }
 
-Bearing view(const hrt_session_config& config, const hrt_target_config& target) {
+TargetView view(const hrt_session_config& config, const hrt_target_config& target) {
   return view_from(start_of(config), config, target);
 }
 

@@ -52,11 +52,16 @@ hrt_result check_target_fields(hrt_target_config* config);
 /// The same, and fails too if the target is too near to where the session's reaches start.
 hrt_result check_target_config(const hrt_session_config& session_config, hrt_target_config* config);
 
-/// A target in the plane of the plate, seen from a start in plate coordinates.
-Bearing view_from(const PlatePoint& start, const hrt_session_config& config, const hrt_target_config& target);
+/// A target seen from the start of a reach, in the plane of the plate.
+struct TargetView {
+  double direction_deg;  ///< in (-180, 180]; 0 at the start itself
+  double distance_mm;    ///< >= 0
+  bool at_start;         ///< nearer than min_distance_m: the direction is undetermined
+};
+TargetView view_from(const PlatePoint& start, const hrt_session_config& config, const hrt_target_config& target);
 
 /// The same from where the session's reaches start.
-Bearing view(const hrt_session_config& config, const hrt_target_config& target);
+TargetView view(const hrt_session_config& config, const hrt_target_config& target);
 
 /// The targets of a reach.
 struct Pair {

@@ -9,18 +9,18 @@ namespace {
 constexpr XrDuration millisecond_ns = 1'000'000;
 // A finger that just started or hardly moves feels no direction.
 constexpr double felt_after_s = 0.05;
-constexpr double felt_speed_m_s = 0.01;
+constexpr double felt_speed_mm_s = 10.0;
 constexpr double plate_bound_deg = 75.0;
 
-Eigen::Vector2d on_plate(const PlatePoint& point) { return {point.right_m, -point.away_m}; }
+Eigen::Vector2d on_plate(const PlatePoint& point) { return {point.right_mm / mm_per_m, -point.away_mm / mm_per_m}; }
 
 }  // namespace
 
 Reach::Reach(const DrawnPerson& drawn, const ReachInstruction& instruction, std::uint64_t seed, std::uint32_t number,
              XrTime start)
     : simulated_(drawn.towards(instruction.goal_direction_deg)),
-      person_(simulated_, {instruction.start_m.x(), -instruction.start_m.y()}, instruction.goal_direction_deg,
-              instruction.path_length_m, noise_of_reach(seed, number)),
+      person_(simulated_, {mm_per_m * instruction.start_m.x(), -mm_per_m * instruction.start_m.y()},
+              instruction.goal_direction_deg, mm_per_m * instruction.path_length_m, noise_of_reach(seed, number)),
       goal_direction_deg_(instruction.goal_direction_deg),
       moves_(start + drawn.reaction_ns),
       path_{instruction.start_m} {}
@@ -41,7 +41,7 @@ void Reach::advance(XrTime time, const PlateModel& plate) {
   for (XrTime end = millisecond_end(path_.size() - 1); !done() && end <= time; end += millisecond_ns) {
     person_.advance(plate.orientation_at_deg(end));
     path_.push_back(on_plate(person_.position()));
-    if (person_.elapsed_s() > felt_after_s && person_.speed_m_s() > felt_speed_m_s)
+    if (person_.elapsed_s() > felt_after_s && person_.speed_mm_s() > felt_speed_mm_s)
       peak_felt_error_deg_ = std::max(peak_felt_error_deg_, std::abs(person_.felt_error_deg()));
   }
 }

@@ -41,8 +41,8 @@ bool is_folder(const std::string& path) {
 
 void run(ParticipantsOptions options) {
   Session& session = options.session;
-  session.condition.distance_m = 1e-3 * options.distance_mm;
-  session.condition.tracker_noise_m = 1e-3 * options.tracker_noise_mm;
+  session.condition.distance_mm = options.distance_mm;
+  session.condition.tracker_noise_mm = options.tracker_noise_mm;
   check_size(options);
   const bool one_file = options.tactile_weights.size() == 1 && !is_folder(options.out);
   if (!one_file && options.out.empty())

@@ -61,8 +61,8 @@ std::vector<EstimatedTrait> estimated_traits(const Calibration& calibration) {
           {"max_gap_deg", "largest gap, °", calibration.max_gap_deg, 1},
           {"person_weight", "slope w of the controller's curve", calibration.slope, 3},
           {"person_curve", "curve b of it", calibration.curve, 3},
-          {"tracker_noise_mm", "tracker noise, white, mm", in_thousandths(calibration.noise.white_m), 3},
-          {"correlated_noise_mm", "tracker noise, correlated, mm", in_thousandths(calibration.noise.correlated_m), 3},
+          {"tracker_noise_mm", "tracker noise, white, mm", calibration.noise.white_mm, 3},
+          {"correlated_noise_mm", "tracker noise, correlated, mm", calibration.noise.correlated_mm, 3},
           {"noise_correlation_s", "its correlation time, s", calibration.noise.correlation_s, 3}};
 }
 
@@ -122,9 +122,9 @@ std::string calibration_profile(const Calibration& calibration) {
   }
   if (calibration.bias_deg.known) profile["bias_deg"] = calibration.bias_deg.value;
   if (const auto noise = known_noise(calibration.noise)) {
-    profile["tracker_noise_m"] = noise->white_m;
-    if (noise->correlated_m > 0.0) {
-      profile["tracker_correlated_noise_m"] = noise->correlated_m;
+    profile["tracker_noise_m"] = noise->white_mm / mm_per_m;
+    if (noise->correlated_mm > 0.0) {
+      profile["tracker_correlated_noise_m"] = noise->correlated_mm / mm_per_m;
       profile["tracker_correlation_s"] = noise->correlation_s;
     }
   }

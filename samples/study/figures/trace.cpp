@@ -22,18 +22,17 @@ struct Spot {
   double y;
 };
 
-Spot spot(const PlatePoint& point) { return {1e3 * point.right_m, -(1e3 * point.away_m + start_away_mm)}; }
+Spot spot(const PlatePoint& point) { return {point.right_mm, -(point.away_mm + start_away_mm)}; }
 
 Spot target(const PersonCondition& condition, double direction_deg) {
-  return spot(point_ahead({0.0, 0.0}, direction_deg, condition.distance_m));
+  return spot(point_ahead({0.0, 0.0}, direction_deg, condition.distance_mm));
 }
 
 // The samples of each frame of the picture, from shortly before the finger moves.
 std::vector<TracedSample> frames(const Trace& trace) {
   const auto& samples = trace.samples;
-  const auto moves = std::find_if(samples.begin(), samples.end(), [](const TracedSample& sample) {
-    return std::hypot(sample.finger.right_m, sample.finger.away_m) > 1e-3;
-  });
+  const auto moves = std::find_if(samples.begin(), samples.end(),
+                                  [](const TracedSample& sample) { return distance_mm({}, sample.finger) > 1.0; });
   const double first_s = std::max(samples.front().time_s, moves->time_s - before_s);
   std::vector<TracedSample> found;
   auto next = samples.begin();

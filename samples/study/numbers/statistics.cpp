@@ -15,11 +15,6 @@ PercentInterval wilson_interval(double percent, double trials) {
   return {100.0 * std::max(0.0, centre - half), 100.0 * std::min(1.0, centre + half)};
 }
 
-Interval in_thousandths(Interval interval) {
-  for (double* value : {&interval.value, &interval.lower, &interval.upper}) *value *= 1e3;
-  return interval;
-}
-
 void Share::count(bool hit) {
   hits += hit;
   ++of;

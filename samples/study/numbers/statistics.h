@@ -18,9 +18,6 @@ struct PercentInterval {
 /// Wilson's 95 % interval for a proportion seen as `percent` of `trials` > 0 trials.
 PercentInterval wilson_interval(double percent, double trials);
 
-/// Of metres in millimetres, of seconds in milliseconds.
-Interval in_thousandths(Interval interval);
-
 /// A share, counted case by case.
 struct Share {
   std::uint64_t hits = 0;

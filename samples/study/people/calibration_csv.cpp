@@ -1,5 +1,4 @@
 // Reads calibration data and checks all of it.
-#include <cmath>
 #include <set>
 
 #include "samples/study/numbers/csv.h"
@@ -10,6 +9,8 @@ namespace {
 
 // A plate "at rest" as its own sensor may see it.
 constexpr double rest_tolerance_deg = 1.0;
+// Times are written with nine digits after the point.
+constexpr double min_spacing_s = 0.5e-9;
 
 class SlidesReader {
  public:
@@ -35,10 +36,11 @@ class SlidesReader {
     csv_.take_row();
     const double trial = csv_.number("trial", {.low = 0.0, .high = 1e9, .whole = true});
     const double time_s = csv_.number("time_s", {-1e9, 1e9});
-    const PlatePoint place{csv_.number("right_m", place_range), csv_.number("away_m", place_range)};
+    const PlatePoint place{mm_per_m * csv_.number("right_m", place_range),
+                           mm_per_m * csv_.number("away_m", place_range)};
     const double plate_deg = csv_.number("plate_orientation_deg", {-1e6, 1e6});
     if (trials_.empty() || trial != number_) begin_trial(trial, plate_deg);
-    add({std::llround(time_s * 1e9), place}, plate_deg);
+    add({time_s, place}, plate_deg);
   }
 
   void begin_trial(double number_of_trial, double plate_deg) {
@@ -54,7 +56,7 @@ class SlidesReader {
 
   void add(const TimedPoint& sample, double plate_deg) {
     std::vector<TimedPoint>& samples = trials_.back().samples;
-    if (!samples.empty() && sample.time_ns <= samples.back().time_ns)
+    if (!samples.empty() && sample.time_s - samples.back().time_s < min_spacing_s)
       throw csv_.wrong("time_s", "later than in the row before, by a nanosecond or more");
     samples.push_back(sample);
     trials_.back().plate_deg.push_back(plate_deg);

@@ -69,9 +69,9 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   if (kind.change) kind.change(condition, draws);
   Person person = condition.person;
   person.illusion.tactile_weight += 0.5 * person.weight_drift;  // in the middle of the path
-  const double speed_m_s = speed_over_path * condition.distance_m / session.duration_s;
-  const auto shift = [&](double t) { return mean_felt_shift_deg(person, speed_m_s, t); };
-  const auto largest = [&](double sign) { return max_shift_deg(person, speed_m_s, curve_bound_deg, sign); };
+  const double speed_mm_s = speed_over_path * condition.distance_mm / session.duration_s;
+  const auto shift = [&](double t) { return mean_felt_shift_deg(person, speed_mm_s, t); };
+  const auto largest = [&](double sign) { return max_shift_deg(person, speed_mm_s, curve_bound_deg, sign); };
   double bias_deg = person.bias_deg - person.own_bias_deg;
   double habit_deg = person.habit_deg;
   if (person.steering == Steering::place) {
@@ -93,8 +93,8 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
       const double off_deg = (draws.uniform() < 0.5 ? -1.0 : 1.0) * (15.0 + 25.0 * draws.uniform());
       for (TimedPoint& sample : trial.samples) {
         const PlatePoint& p = sample.position;
-        sample.position = {p.right_m * cos_deg(off_deg) - p.away_m * sin_deg(off_deg),
-                           p.right_m * sin_deg(off_deg) + p.away_m * cos_deg(off_deg)};
+        sample.position = {p.right_mm * cos_deg(off_deg) - p.away_mm * sin_deg(off_deg),
+                           p.right_mm * sin_deg(off_deg) + p.away_mm * cos_deg(off_deg)};
       }
     }
     trials.push_back(std::move(trial));

@@ -51,7 +51,7 @@ std::string session_csv(const Session& session) {
   csv += comment("tactile_weight", participant.tactile_weight) + comment("bias_deg", participant.bias_deg) +
          comment("motor_variance_deg2", participant.motor_variance_deg2) +
          comment("sensory_variance_deg2", participant.sensory_variance_deg2) +
-         comment("tracker_noise_m", condition.tracker_noise_m) +
+         comment("tracker_noise_m", condition.tracker_noise_mm / mm_per_m) +
          comment("goal_direction_deg", condition.goal_direction_deg) +
          comment("step_period_s", condition.step_period_s) + "# seed " + std::to_string(session.seed) +
          ", participant " + std::to_string(session.person + 1) + '\n' + calibration_header + '\n';
@@ -59,9 +59,9 @@ std::string session_csv(const Session& session) {
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const CalibrationTrial& trial = trials[i];
     for (std::size_t k = 0; k < trial.samples.size(); ++k)
-      csv += std::to_string(i + 1) + ',' + fixed(static_cast<double>(trial.samples[k].time_ns) * 1e-9, 9) + ',' +
-             number(trial.samples[k].position.right_m) + ',' + number(trial.samples[k].position.away_m) + ',' +
-             number(trial.plate_orientation_deg) + '\n';
+      csv += std::to_string(i + 1) + ',' + fixed(trial.samples[k].time_s, 9) + ',' +
+             number(trial.samples[k].position.right_mm / mm_per_m) + ',' +
+             number(trial.samples[k].position.away_mm / mm_per_m) + ',' + number(trial.plate_orientation_deg) + '\n';
   }
   return csv;
 }

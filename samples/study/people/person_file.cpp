@@ -26,7 +26,6 @@ struct NumberParameter {
 };
 
 #define HRT_FIELD(field) [](const C& c) { return c.field; }, [](C& c, double value) { c.field = value; }
-#define HRT_FIELD_MM(field) [](const C& c) { return 1e3 * c.field; }, [](C& c, double value) { c.field = 1e-3 * value; }
 
 constexpr NumberRange share{0.0, 0.5};
 constexpr NumberRange angle{-45.0, 45.0};
@@ -46,8 +45,8 @@ constexpr NumberParameter number_parameters[] = {
     {"duration_s", {0.3, 20.0}, HRT_FIELD(person.duration_s)},
     {"path_scale", {0.5, 2.0}, HRT_FIELD(person.path_scale)},
     {"tracker_rate_hz", {10.0, 1000.0}, HRT_FIELD(tracker.rate_hz)},
-    {"tracker_white_mm", {0.0, 20.0}, HRT_FIELD_MM(tracker.white_m)},
-    {"tracker_correlated_mm", {0.0, 20.0}, HRT_FIELD_MM(tracker.correlated_m)},
+    {"tracker_white_mm", {0.0, 20.0}, HRT_FIELD(tracker.white_mm)},
+    {"tracker_correlated_mm", {0.0, 20.0}, HRT_FIELD(tracker.correlated_mm)},
     {"tracker_correlation_s", {0.0, 10.0, false}, HRT_FIELD(tracker.correlation_s)},
     {"tracker_latency_s", share, HRT_FIELD(tracker.latency_s)},
     {"tracker_declared_latency_s", share, HRT_FIELD(tracker.declared_latency_s)},
@@ -63,11 +62,10 @@ constexpr NumberParameter number_parameters[] = {
     {"plate_offset_deg", {-90.0, 90.0}, HRT_FIELD(plate_offset_deg)},
     {"real_direction_deg", angle, HRT_FIELD(real_direction_deg)},
     {"virtual_direction_deg", angle, HRT_FIELD(virtual_direction_deg)},
-    {"distance_mm", {30.0, 500.0}, HRT_FIELD_MM(distance_m)},
+    {"distance_mm", {30.0, 500.0}, HRT_FIELD(distance_mm)},
 };
 
 #undef HRT_FIELD
-#undef HRT_FIELD_MM
 
 // Words in the order of the enumeration that they stand for; its last ones are for families alone.
 constexpr const char* illusions[] = {"linear", "saturating", "sine", "tanh", "dead_band", "unequal"};

@@ -95,8 +95,9 @@ class PathsReader {
     Reach& reach = path_->reach;
     reach.real_direction_deg = number_in("real_direction_deg", direction_range);
     reach.virtual_direction_deg = number_in("virtual_direction_deg", direction_range);
-    reach.start = {number_in("start_right_m", place_range), number_in("start_away_m", place_range)};
-    reach.real_distance_m = number_in("real_distance_m", place_range);
+    reach.start = {mm_per_m * number_in("start_right_m", place_range),
+                   mm_per_m * number_in("start_away_m", place_range)};
+    reach.real_distance_mm = mm_per_m * number_in("real_distance_m", place_range);
     if (!is_valid(reach, reach.virtual_direction_deg)) why_ = "its targets are not those of a reach";
   }
 
@@ -117,7 +118,7 @@ class PathsReader {
       sample.observation = Observation::lifted;
     } else if ((sample_flags & plate_position_flag) != 0) {
       sample.observation = height_m > lift_height_m_ ? Observation::lifted : Observation::position;
-      sample.position = {.right_m = right_m, .away_m = -towards_m};
+      sample.position = {.right_mm = mm_per_m * right_m, .away_mm = -mm_per_m * towards_m};
     }
     plate_->advance(sample.time_ns);
     if ((sample_flags & measured_plate_flag) != 0) {
@@ -174,9 +175,9 @@ RecordedPaths read_calibration(const std::string& name, std::string_view text) {
                   .virtual_direction_deg = 0.0,
                   .plate_orientation_deg = trial.plate_orientation_deg,
                   .start = trial.samples.front().position,
-                  .real_distance_m = assumed_distance_m};
+                  .real_distance_mm = assumed_distance_mm};
     for (const TimedPoint& point : trial.samples)
-      path.samples.push_back({.time_ns = point.time_ns,
+      path.samples.push_back({.time_ns = std::llround(1e9 * point.time_s),
                               .observation = Observation::position,
                               .position = point.position,
                               .plate_orientation_deg = trial.plate_orientation_deg});

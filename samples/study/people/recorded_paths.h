@@ -39,7 +39,7 @@ struct RecordedPaths {
 /// The gap that is assumed where a file has no real target, to the right of the goal straight ahead, and the
 /// distance to both targets.
 inline constexpr double assumed_gap_deg = 10.0;
-inline constexpr double assumed_distance_m = 0.1;
+inline constexpr double assumed_distance_mm = 100.0;
 
 /// Reads a recording (format 3) or calibration data. `name` is the file's name in errors. Throws UsageError
 /// naming file, line and the allowed values.

@@ -65,7 +65,7 @@ std::vector<std::pair<const char*, double>> numbers(const ReplayedPath& replayed
           {"habit_deg", or_nan(known, person.habit_deg)},
           {"habit_sd_deg", or_nan(known, person.habit_sd_deg)},
           {"duration_s", or_nan(known, person.duration_s)},
-          {"tracker_noise_mm", 1e3 * summary.estimate.tracker_noise_m},
+          {"tracker_noise_mm", summary.estimate.tracker_noise_mm},
           {"peak_felt_error_deg", replayed.peak_felt_error_deg},
           {"command_change_median_deg", replayed.command_change_deg.value},
           {"last_command_deg", replayed.last.plate_orientation_deg},

@@ -27,7 +27,7 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
   const double weight_error = summary.estimate.tactile_weight - true_weight(condition);
   return {.can_hold = can_hold(condition),
           .bearing_error_deg = outcome.bearing_error_deg,
-          .miss_mm = 1e3 * std::abs(outcome.miss_m),
+          .miss_mm = std::abs(outcome.miss_mm),
           .peak_felt_error_deg = outcome.peak_felt_error_deg,
           .unreachable = summary.unreachable,
           .misfit = summary.misfit,

@@ -34,8 +34,8 @@ std::string trace_csv(const Trace& trace) {
   page += '\n';
   for (const TracedSample& sample : trace.samples) {
     page += number(sample.time_s);
-    for (const double value : {1e3 * sample.finger.right_m, 1e3 * sample.finger.away_m, 1e3 * sample.felt.right_m,
-                               1e3 * sample.felt.away_m, sample.plate_deg, sample.commanded_deg, sample.felt_error_deg})
+    for (const double value : {sample.finger.right_mm, sample.finger.away_mm, sample.felt.right_mm, sample.felt.away_mm,
+                               sample.plate_deg, sample.commanded_deg, sample.felt_error_deg})
       page += ',' + number(value);
     for (std::size_t i = 0; i < sample.mean.size(); ++i)
       page += ',' + number(sample.mean[i]) + ',' + number(sample.deviation[i]);

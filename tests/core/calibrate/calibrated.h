@@ -51,9 +51,9 @@ inline std::vector<CalibrationTrial> slides(const PersonCondition& condition, st
 inline CalibrationTrial straight_slide(double plate_deg, double direction_deg, int samples) {
   CalibrationTrial trial{.plate_orientation_deg = plate_deg, .samples = {}};
   for (int i = 0; i <= samples; ++i) {
-    const double travel_m = 0.1 * i / samples;
+    const double travel_mm = 100.0 * i / samples;
     trial.samples.push_back(
-        {i * 3'000'000'000LL / samples, {-travel_m * sin_deg(direction_deg), travel_m * cos_deg(direction_deg)}});
+        {3.0 * i / samples, {-travel_mm * sin_deg(direction_deg), travel_mm * cos_deg(direction_deg)}});
   }
   return trial;
 }

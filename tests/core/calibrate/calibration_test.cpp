@@ -62,7 +62,7 @@ TEST(Calibration, RefusesSlopesBeyondAnyWeight) {
 TEST(Calibration, ASampleAtTheEndOfTimeIsSurvived) {
   auto trials = simulate({}, 3);
   const Calibration timely = calibrated(trials);
-  trials[7].samples.back().time_ns = std::numeric_limits<std::int64_t>::max();
+  trials[7].samples.back().time_s = 1e10;
   const Calibration late = calibrated(trials);
   EXPECT_NEAR(late.tactile_weight.value, timely.tactile_weight.value, 0.001);
   EXPECT_NEAR(late.bias_deg.value, timely.bias_deg.value, 0.05);
@@ -83,7 +83,7 @@ TEST(Calibration, IntervalsCoverTheTruth) {
     const Calibration calibration = calibrated(simulate(condition, 3, person));
     weight_covered += covers(calibration.tactile_weight, condition.participant.tactile_weight);
     bias_covered += covers(calibration.bias_deg, condition.participant.bias_deg);
-    noise_covered += covers(calibration.noise.white_m, condition.tracker_noise_m);
+    noise_covered += covers(calibration.noise.white_mm, condition.tracker_noise_mm);
     weight_error += (calibration.tactile_weight.value - condition.participant.tactile_weight) / people;
   }
   // P(fewer than 4 of 6 at 95 %) is about 2e-3. Shares of many people: hrt-study coverage.
@@ -139,10 +139,10 @@ TEST(Calibration, ASlideWithinWhichThePlateTurnedIsLeftOut) {
 
 TEST(Calibration, RefusesBrokenDataByName) {
   std::vector<CalibrationTrial> trials = simulate({}, 2);
-  trials[3].samples[7].position.away_m = std::numeric_limits<double>::quiet_NaN();
+  trials[3].samples[7].position.away_mm = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refused(trials), "trial 4, sample 8: the position is not finite");
   trials = simulate({}, 2);
-  trials[0].samples[5].time_ns = trials[0].samples[4].time_ns;
+  trials[0].samples[5].time_s = trials[0].samples[4].time_s;
   EXPECT_EQ(refused(trials), "trial 1, sample 6: time does not increase");
   trials[2].plate_orientation_deg = std::numeric_limits<double>::infinity();
   EXPECT_EQ(refused({trials[2]}), "trial 1: the plate orientation is not a finite number");
@@ -161,7 +161,7 @@ TEST(Calibration, MirrorSymmetry) {
   const Calibration one = calibrated(trials);
   for (CalibrationTrial& trial : trials) {
     trial.plate_orientation_deg = -trial.plate_orientation_deg;
-    for (TimedPoint& sample : trial.samples) sample.position.right_m = -sample.position.right_m;
+    for (TimedPoint& sample : trial.samples) sample.position.right_mm = -sample.position.right_mm;
   }
   const Calibration other = calibrated(trials);
   EXPECT_NEAR(one.tactile_weight.value, other.tactile_weight.value, 1e-4);

@@ -52,7 +52,7 @@ TEST(PersonFit, IsUnbiasedWithoutNoise) {
       PersonCondition condition;
       condition.person = {.gain_per_s = gain, .delay_s = delay_s, .noise_deg2_per_s = 0.0, .bias_deg = 2.0};
       condition.person.duration_s = 2.0;
-      condition.tracker.white_m = 1e-6;
+      condition.tracker.white_mm = 1e-3;
       const Calibration calibration = calibrated(slides(condition, 0, grid(2)));
       EXPECT_NEAR(calibration.tactile_weight.value, 0.2, 0.002) << gain << ' ' << delay_s;
       EXPECT_NEAR(calibration.bias_deg.value, 2.0, 0.1);
@@ -101,7 +101,7 @@ TEST(PersonFit, NamesSlidesThatWentElsewhere) {
   std::vector<CalibrationTrial> trials = slides(condition, 1, grid(3));
   const Calibration before = calibrated(trials);
   for (const std::size_t trial : {4U, 17U}) {
-    for (TimedPoint& sample : trials[trial].samples) sample.position.right_m += 0.4 * sample.position.away_m;
+    for (TimedPoint& sample : trials[trial].samples) sample.position.right_mm += 0.4 * sample.position.away_mm;
   }
   const Calibration after = calibrated(trials);
   for (const CalibratedSlide& slide : after.slides) {

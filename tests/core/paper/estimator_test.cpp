@@ -11,7 +11,6 @@
 #include "core/paper/participant.h"
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
-#include "tests/times.h"
 
 namespace hrt {
 namespace {
@@ -20,7 +19,7 @@ TEST(PlatePoint, BearingIsPositiveToTheLeft) {
   EXPECT_DOUBLE_EQ(bearing_deg({0, 0}, {0, 1}), 0.0);
   EXPECT_DOUBLE_EQ(bearing_deg({0, 0}, {-1, 1}), 45.0);
   EXPECT_DOUBLE_EQ(bearing_deg({0.1, 0.2}, {0.2, 0.2}), -90.0);
-  EXPECT_DOUBLE_EQ(distance_m({1, 1}, {4, 5}), 5.0);
+  EXPECT_DOUBLE_EQ(distance_mm({1, 1}, {4, 5}), 5.0);
 }
 
 TEST(Time, ElapsedAndLaterDoNotOverflow) {
@@ -72,34 +71,34 @@ TEST(Estimator, KeepsTheWeightInItsRangeWhateverIsSeen) {
 TEST(Estimator, FindsSpeedAndDirectionOfExactPositions) {
   Estimator estimator({}, Participant{}, 0.0, {});
   for (int i = 1; i <= 90; ++i) {
-    const double travel_m = 0.033 * i / 90.0;
-    const PlatePoint place{-travel_m * sin_deg(12.0), travel_m * cos_deg(12.0)};
-    estimator.learn_tracker_noise(i * 11 * ms, place);
+    const double travel_mm = 33.0 * i / 90.0;
+    const PlatePoint place{-travel_mm * sin_deg(12.0), travel_mm * cos_deg(12.0)};
+    estimator.learn_tracker_noise(0.011 * i, place);
     estimator.move(1.0 / 90.0);
     EXPECT_TRUE(estimator.observe_position(place));
   }
   const FingerEstimate estimate = estimator.estimate();
   EXPECT_NEAR(estimate.direction_deg, 12.0, 0.1);
-  EXPECT_NEAR(estimate.speed_m_s, 0.033, 0.0005);
-  EXPECT_LT(estimate.tracker_noise_m, 0.0001);
+  EXPECT_NEAR(estimate.speed_mm_s, 33.0, 0.5);
+  EXPECT_LT(estimate.tracker_noise_mm, 0.1);
 }
 
 TEST(Estimator, LeavesOutliersOutButFollowsAFingerThatWasMoved) {
-  Estimator estimator({.tracker_noise_m = 0.001}, Participant{}, 0.0, {});
+  Estimator estimator({.tracker_noise_mm = 1.0}, Participant{}, 0.0, {});
   for (int i = 1; i <= 30; ++i) {
     estimator.move(0.01);
-    EXPECT_TRUE(estimator.observe_position({0.0, 0.0003 * i}));
+    EXPECT_TRUE(estimator.observe_position({0.0, 0.3 * i}));
   }
   estimator.move(0.01);
-  EXPECT_FALSE(estimator.observe_position({0.05, 0.01}));
-  EXPECT_NEAR(estimator.estimate().position.right_m, 0.0, 0.001);
+  EXPECT_FALSE(estimator.observe_position({50.0, 10.0}));
+  EXPECT_NEAR(estimator.estimate().position.right_mm, 0.0, 1.0);
   int left_out = 1;
-  while (!estimator.observe_position({0.05, 0.01})) {
+  while (!estimator.observe_position({50.0, 10.0})) {
     estimator.move(0.01);
     ASSERT_LT(++left_out, 10);
   }
   EXPECT_EQ(left_out, Estimator::max_outliers);
-  EXPECT_NEAR(estimator.estimate().position.right_m, 0.05, 0.001);
+  EXPECT_NEAR(estimator.estimate().position.right_mm, 50.0, 1.0);
 }
 
 // One exact step with V = 0.5 that is off by 1.5: the samples narrow all of V, so the score is
@@ -118,7 +117,7 @@ TEST(Estimator, LearnsTheMotorVarianceByHand) {
 // mean of the normalised innovations and errors lies in its chi-squared interval.
 TEST(Estimator, IsConsistent) {
   constexpr int reaches = 400;
-  constexpr double noise_m = 0.0012;
+  constexpr double noise_mm = 1.2;
   double innovations = 0.0;
   double weight_errors = 0.0;
   int samples = 0;
@@ -130,19 +129,19 @@ TEST(Estimator, IsConsistent) {
     person.tactile_weight = std::clamp(0.15 + 0.02 * normal(1'000'000), 0.08, 0.22);
     constexpr double goal_deg = 5.0;
     SimulatedParticipant participant(person, goal_deg);
-    Estimator estimator({.adapt = true, .tactile_weight_sd = 0.02, .tracker_noise_m = noise_m}, Participant{}, goal_deg,
-                        {});
+    Estimator estimator({.adapt = true, .tactile_weight_sd = 0.02, .tracker_noise_mm = noise_mm}, Participant{},
+                        goal_deg, {});
     GainWindow gains(person, 1);
     PlatePoint finger;
     for (std::uint32_t k = 0; k < 30; ++k) {
       for (std::uint32_t i = 0; i < 9; ++i) {
-        const double travel_m = 0.1 / 270.0;
-        finger.right_m -= travel_m * sin_deg(participant.finger_direction_deg());
-        finger.away_m += travel_m * cos_deg(participant.finger_direction_deg());
+        const double travel_mm = 100.0 / 270.0;
+        finger.right_mm -= travel_mm * sin_deg(participant.finger_direction_deg());
+        finger.away_mm += travel_mm * cos_deg(participant.finger_direction_deg());
         estimator.move(3.0 / 270.0);
         const std::uint32_t draw = 1000 + 2 * (9 * k + i);
         estimator.observe_position(
-            {finger.right_m + noise_m * normal(draw), finger.away_m + noise_m * normal(draw + 1)});
+            {finger.right_mm + noise_mm * normal(draw), finger.away_mm + noise_mm * normal(draw + 1)});
         if (k >= 5) {
           innovations += estimator.normalised_innovation();
           ++samples;

@@ -51,9 +51,9 @@ struct StreamedReach {
   double final_direction_deg = 0.0;
 
   void run() {
-    PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -0.05}});
+    PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -50.0}});
     SimulatedParticipant participant(Participant{}, -5.0);
-    SlidingFinger finger({0.0, -0.05}, 0.1, 3.0);
+    SlidingFinger finger({0.0, -50.0}, 100.0, 3.0);
     const auto move_to = [&](std::int64_t time_ns) {
       finger.slide(static_cast<double>(time_ns) * 1e-9, participant.finger_direction_deg());
     };
@@ -114,14 +114,14 @@ TEST(PaperReach, DirectionSamplesAreThePapersLoop) {
 }
 
 TEST(PaperReach, PositionsAfterDirectionsShowWhereTheFingerIs) {
-  const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -0.05}};
+  const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -50.0}};
   PaperReach led({}, reach);
   for (int k = 0; k < 10; ++k) led.update(direction(k * 100 * ms, 1.0));
   for (int k = 0; k < 20; ++k) {
-    const PlatePoint place{0.0, -0.01 + 0.0005 * k};
+    const PlatePoint place{0.0, -10.0 + 0.5 * k};
     const PlateCommand command = led.update(position(1000 * ms + k * 11 * ms, place));
-    EXPECT_NEAR(command.distance_to_go_m, distance_m(place, point_ahead(reach.start, 5.0, reach.real_distance_m)),
-                1e-3);
+    EXPECT_NEAR(command.distance_to_go_mm, distance_mm(place, point_ahead(reach.start, 5.0, reach.real_distance_mm)),
+                1.0);
   }
   EXPECT_EQ(led.summary().dropped_samples, 0);
 }
@@ -152,8 +152,8 @@ TEST(PaperReach, AFingerThatFeelsNothingStopsTheSteps) {
   EXPECT_TRUE(command.held);
 
   PaperReach resting({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
-  for (int i = 0; i < 50; ++i) resting.update(position(i * 10 * ms, {0, 0.0003 * i}));
-  for (int i = 50; i < 400; ++i) resting.update(position(i * 10 * ms, {0, 0.015}));
+  for (int i = 0; i < 50; ++i) resting.update(position(i * 10 * ms, {0, 0.3 * i}));
+  for (int i = 50; i < 400; ++i) resting.update(position(i * 10 * ms, {0, 15.0}));
   EXPECT_TRUE(resting.command().held);
   EXPECT_LT(resting.command().step, 12);
 }
@@ -190,23 +190,23 @@ TEST(PaperReach, PredictedStepsPublishThePredictedFinger) {
 TEST(PaperReach, TheDistanceToGoFollowsThePredictedFinger) {
   PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 0});
   int t = 0;
-  for (; t < 1000; t += 10) led.update(position(t * ms, {0, 33e-6 * t}));
-  const double seen_m = led.command().distance_to_go_m;
-  EXPECT_NEAR(seen_m, 0.1 - 0.033, 0.001);
+  for (; t < 1000; t += 10) led.update(position(t * ms, {0, 33e-3 * t}));
+  const double seen_mm = led.command().distance_to_go_mm;
+  EXPECT_NEAR(seen_mm, 100.0 - 33.0, 1.0);
   for (; t < 1500; t += 10) led.update({.time_ns = t * ms});
   EXPECT_TRUE(led.command().predicted);
-  const double predicted_m = led.command().distance_to_go_m;
-  EXPECT_NEAR(predicted_m, seen_m - 0.033 * 0.5, 0.002);
-  EXPECT_EQ(led.summary().distance_to_target_m, predicted_m);
+  const double predicted_mm = led.command().distance_to_go_mm;
+  EXPECT_NEAR(predicted_mm, seen_mm - 33.0 * 0.5, 2.0);
+  EXPECT_EQ(led.summary().distance_to_target_mm, predicted_mm);
   for (; t < 2000; t += 10) led.update({.time_ns = t * ms, .observation = Observation::lifted});
-  EXPECT_EQ(led.command().distance_to_go_m, predicted_m);
+  EXPECT_EQ(led.command().distance_to_go_mm, predicted_mm);
 }
 
 TEST(PaperReach, ASampleSentTwiceCountsOnce) {
   const auto run = [](int times) {
     PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
     for (int i = 0; i < 100; ++i)
-      for (int repeat = 0; repeat < times; ++repeat) led.update(position(i * 10 * ms, {0, 0.0003 * i}));
+      for (int repeat = 0; repeat < times; ++repeat) led.update(position(i * 10 * ms, {0, 0.3 * i}));
     return led.command().plate_orientation_deg;
   };
   EXPECT_EQ(run(1), run(3));
@@ -260,15 +260,16 @@ TEST(PaperReach, ThePlateStaysUntilTheFingerMoves) {
 // Ten seconds at rest; then, after a lift, 15 mm aside.
 TEST(PaperReach, NoiseStartsNoReach) {
   int started = 0;
-  for (const double noise_m : {0.0003, 0.0012}) {
-    for (const double known_m : {0.0, noise_m}) {
+  for (const double noise_mm : {0.3, 1.2}) {
+    for (const double known_mm : {0.0, noise_mm}) {
       for (std::uint32_t seed = 0; seed < 50; ++seed) {
-        PaperReach led({.estimator = {.tracker_noise_m = known_m}},
+        PaperReach led({.estimator = {.tracker_noise_mm = known_mm}},
                        {.real_direction_deg = -5, .virtual_direction_deg = 5});
         Draws draws(seed, 0, 0, 0);
         for (int i = 0; i < 1000; ++i) {
-          const double right_m = i < 900 ? 0.0 : 0.015;
-          FingerSample sample = position(i * 10 * ms, {right_m + noise_m * draws.normal(), noise_m * draws.normal()});
+          const double right_mm = i < 900 ? 0.0 : 15.0;
+          FingerSample sample =
+              position(i * 10 * ms, {right_mm + noise_mm * draws.normal(), noise_mm * draws.normal()});
           if (i >= 895 && i < 900) sample.observation = Observation::lifted;
           if (led.update(sample).step < 0) continue;
           ++started;
@@ -288,7 +289,7 @@ TEST(PaperReach, ALiftBeforeTheMotionDoesNotDelayTheSteps) {
     for (int i = 0; i < 20; ++i) led.update({.time_ns = i * 10 * ms, .observation = before});
     int step_one = 0;
     for (int i = 20; step_one == 0 && i < 200; ++i)
-      if (led.update(position(i * 10 * ms, {0.0, 0.0005 * std::max(0, i - 60)})).step == 1) step_one = i;
+      if (led.update(position(i * 10 * ms, {0.0, 0.5 * std::max(0, i - 60)})).step == 1) step_one = i;
     steps.push_back(step_one);
   }
   EXPECT_GT(steps[0], 60);
@@ -297,12 +298,12 @@ TEST(PaperReach, ALiftBeforeTheMotionDoesNotDelayTheSteps) {
 
 // 33 mm/s for two seconds; not for all of the ten that nobody sees.
 TEST(PaperReach, PredictionEndsAfterTwoSeconds) {
-  PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5, .real_distance_m = 1.0});
+  PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5, .real_distance_mm = 1000.0});
   int i = 0;
-  for (; i < 150; ++i) led.update(position(i * 10 * ms, {0.0, 0.00033 * std::max(0, i - 50)}));
-  const double seen_m = led.command().distance_to_go_m;
+  for (; i < 150; ++i) led.update(position(i * 10 * ms, {0.0, 0.33 * std::max(0, i - 50)}));
+  const double seen_mm = led.command().distance_to_go_mm;
   for (; i < 1150; ++i) led.update({.time_ns = i * 10 * ms});
-  EXPECT_NEAR(seen_m - led.command().distance_to_go_m, 2.0 * 0.033, 0.01);
+  EXPECT_NEAR(seen_mm - led.command().distance_to_go_mm, 2.0 * 33.0, 10.0);
 }
 
 std::vector<std::int64_t> ends_until(StepClock& clock, std::int64_t time_ns) {

@@ -19,9 +19,9 @@ struct Finger {
   double duration_s = 1.5;
   double pause_from_s = 1e9;  // of the motion
   double pause_s = 0.0;
-  PlaceMm start{0.0, 0.0};
+  PlatePoint start{0.0, 0.0};
 
-  PlaceMm at(double time_s) const {
+  PlatePoint at(double time_s) const {
     double moved_s = time_s - onset_s;
     if (moved_s > pause_from_s) moved_s = std::max(pause_from_s, moved_s - pause_s);
     return {start.right_mm, start.away_mm + 100.0 * progress(0.0, moved_s / duration_s).share};
@@ -34,7 +34,7 @@ class PersonEstimatorTest : public ::testing::Test {
 
   void watch(const Finger& finger, double from_s, double to_s) {
     for (double t = from_s; t < to_s; t += 1.0 / rate_hz_) {
-      const PlaceMm place = finger.at(t);
+      const PlatePoint place = finger.at(t);
       estimator_.observe(t, {place.right_mm + noise_mm_ * draws_.normal(), place.away_mm + noise_mm_ * draws_.normal()},
                          plate_);
     }

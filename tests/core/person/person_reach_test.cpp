@@ -27,7 +27,7 @@ struct Trial {
   explicit Trial(const Person& person, PersonReachConfig config = {.person = unknown_person()},
                  const Reach& towards = gap_of_ten, std::int64_t origin_ns = 0)
       : reach(config, towards),
-        finger(person, towards.start, towards.virtual_direction_deg, towards.real_distance_m, {1, 0, 0, 0}),
+        finger(person, towards.start, towards.virtual_direction_deg, towards.real_distance_mm, {1, 0, 0, 0}),
         time_ns(origin_ns) {
     for (int i = 0; i < 30; ++i) sample(towards.start);
   }
@@ -41,8 +41,8 @@ struct Trial {
     for (int i = 0; i < milliseconds && !finger.done(); ++i) {
       finger.advance(reach.command().plate_orientation_deg);
       if (i % 10 == 9) {
-        sample({finger.position().right_m + noise_m * draws.normal(),
-                finger.position().away_m + noise_m * draws.normal()});
+        sample({finger.position().right_mm + noise_mm * draws.normal(),
+                finger.position().away_mm + noise_mm * draws.normal()});
       }
     }
   }
@@ -51,7 +51,7 @@ struct Trial {
   SlidingPerson finger;
   std::int64_t time_ns;
   PlateCommand last;
-  double noise_m = 0.0;
+  double noise_mm = 0.0;
   Draws draws{2, 0, 0, 0};
 };
 
@@ -65,7 +65,7 @@ TEST(PersonReach, HoldsThePlateWhileTheFingerRests) {
   EXPECT_GT(ready_deg, 10.0);
   EXPECT_FALSE(reach.seen());
   for (int i = 0; i < 500; ++i) {
-    const PlateCommand command = reach.update(seen(i * 11 * ms, {1e-4 * (i % 3), 0.0}));
+    const PlateCommand command = reach.update(seen(i * 11 * ms, {0.1 * (i % 3), 0.0}));
     EXPECT_EQ(command.plate_orientation_deg, ready_deg);
     EXPECT_EQ(command.held, i > 0) << "the first command turns the plate ready";
     EXPECT_EQ(command.step, -1);
@@ -113,7 +113,7 @@ TEST(PersonReach, TheFeltErrorAtTheEndIsOfTheBiasedGoal) {
 TEST(PersonReach, PredictsADropoutAndDropsDuplicates) {
   Trial trial(linear_person());
   trial.run_for(500);
-  const double to_go_m = trial.last.distance_to_go_m;
+  const double to_go_mm = trial.last.distance_to_go_mm;
   const std::int64_t dropped = trial.reach.summary().dropped_samples;
   for (int i = 0; i < 10; ++i) {
     const PlateCommand command =
@@ -121,15 +121,15 @@ TEST(PersonReach, PredictsADropoutAndDropsDuplicates) {
     EXPECT_TRUE(command.predicted);
     EXPECT_TRUE(command.held);
   }
-  EXPECT_LT(trial.reach.command().distance_to_go_m, to_go_m - 0.005);
+  EXPECT_LT(trial.reach.command().distance_to_go_mm, to_go_mm - 5.0);
   EXPECT_EQ(trial.reach.summary().dropped_samples, dropped + 10);
 
   Trial twice(linear_person());
   twice.run_for(500);
   const PlateCommand once = twice.last;
-  const PlateCommand again = twice.reach.update(seen(twice.time_ns - 10 * ms, {0.5, 0.5}));
+  const PlateCommand again = twice.reach.update(seen(twice.time_ns - 10 * ms, {500.0, 500.0}));
   EXPECT_EQ(again.plate_orientation_deg, once.plate_orientation_deg);
-  EXPECT_EQ(again.distance_to_go_m, once.distance_to_go_m);
+  EXPECT_EQ(again.distance_to_go_mm, once.distance_to_go_mm);
   EXPECT_EQ(twice.reach.summary().dropped_samples, 1);
 }
 
@@ -177,17 +177,17 @@ TEST(PersonReach, SurvivesTheEndOfTime) {
   for (const std::int64_t origin_ns : {std::numeric_limits<std::int64_t>::min(), std::int64_t{0}}) {
     Trial trial(linear_person(), {.person = unknown_person()}, gap_of_ten, origin_ns);
     trial.run_for(600);
-    const PlateCommand command = trial.reach.update(seen(std::numeric_limits<std::int64_t>::max(), {0.0, 0.05}));
+    const PlateCommand command = trial.reach.update(seen(std::numeric_limits<std::int64_t>::max(), {0.0, 50.0}));
     EXPECT_GE(command.step, 0);
     EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
-    EXPECT_TRUE(std::isfinite(command.distance_to_go_m));
+    EXPECT_TRUE(std::isfinite(command.distance_to_go_mm));
     EXPECT_GE(trial.reach.summary().predicted_steps, 0);
   }
 }
 
 TEST(PersonReach, UsesNoHeap) {
   Trial trial(linear_person());
-  trial.noise_m = 0.0012;
+  trial.noise_mm = 1.2;
   const HeapGuard guard;
   trial.run_for(5000);
   (void)trial.reach.summary();
@@ -213,7 +213,7 @@ TEST(PersonReach, KnownCorrelatedNoiseBringsMoreReachesToTheTarget) {
             near[reach] += std::abs(outcomes[reach].bearing_error_deg) <= 1.5;
         };
         add(unknown);
-        config.estimator.correlated_noise_m = condition.tracker.correlated_m;
+        config.estimator.correlated_noise_mm = condition.tracker.correlated_mm;
         config.estimator.correlation_s = condition.tracker.correlation_s;
         add(known);
       }

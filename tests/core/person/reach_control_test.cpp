@@ -31,15 +31,15 @@ PersonFilter under_way(double sign) {
 }
 
 ReachPlan plan(const ReachControlConfig& config, const PersonFilter& filter, double plate_deg,
-               ReachAim aim = {0.0, 100.0}) {
+               ReachAim aim = {{0.0, 100.0}}) {
   PlateTrace trace;
   trace.add(0.0, plate_deg);
   return plan_reach(config, filter, 0.5, aim, {trace, 0.5, 0.03, plate_deg});
 }
 
 TEST(ReachControl, MirrorsWhatIsMirrored) {
-  const ReachPlan left = plan({}, under_way(1.0), 35.0, {3.0, 100.0});
-  const ReachPlan right = plan({}, under_way(-1.0), -35.0, {-3.0, 100.0});
+  const ReachPlan left = plan({}, under_way(1.0), 35.0, {{3.0, 100.0}});
+  const ReachPlan right = plan({}, under_way(-1.0), -35.0, {{-3.0, 100.0}});
   EXPECT_NEAR(left.plate_deg, -right.plate_deg, 1e-9);
   EXPECT_NEAR(left.miss_mm, -right.miss_mm, 1e-9);
   EXPECT_NEAR(left.felt_error_deg, -right.felt_error_deg, 1e-9);
@@ -54,7 +54,7 @@ TEST(ReachControl, KeepsTheFeltErrorWithinItsLimit) {
       belief.mean(PersonTrait::curve) = 0.0;
       PersonFilter filter(belief, 0.0, 100.0, {});
       filter.begin(-std::log(2.0), 0.1, 0.02, 0.3);
-      const ReachPlan planned = plan({.max_felt_error_deg = limit_deg}, filter, 0.0, {right_mm, 100.0});
+      const ReachPlan planned = plan({.max_felt_error_deg = limit_deg}, filter, 0.0, {{right_mm, 100.0}});
       EXPECT_LE(std::abs(planned.felt_error_deg), limit_deg + 1e-9);
     }
   }
@@ -83,7 +83,7 @@ TEST(ReachControl, BringsThePersonOfTheModelToTheTarget) {
       belief.mean(PersonTrait::log_rate) = -std::log(duration_s);
       PersonFilter person(belief, virtual_deg, 100.0, {});
       person.begin(-std::log(duration_s), 0.1, 0.0, 0.0);
-      const ReachAim aim{0.0, 100.0};
+      const ReachAim aim{{0.0, 100.0}};
       constexpr double step_s = 0.01;
       PlateTrace trace;
       double plate_deg = ready_orientation_deg({}, person, aim);
@@ -104,7 +104,7 @@ TEST(ReachControl, BringsThePersonOfTheModelToTheTarget) {
 // As soon as the motion begins the plan finds the plate where it wants it.
 TEST(ReachControl, StandsReadyWhereTheFirstPlanWantsIt) {
   const PersonFilter filter(unknown_person(), 10.0, 100.0, {});
-  const double ready_deg = ready_orientation_deg({}, filter, {0.0, 100.0});
+  const double ready_deg = ready_orientation_deg({}, filter, {{0.0, 100.0}});
   PlateTrace trace;
   trace.add(0.0, ready_deg);
   const ReachPlan first = plan_reach({}, filter, 0.0, {0.0, 100.0}, {trace, -sensory_delay_s, 0.0, ready_deg});
@@ -115,7 +115,7 @@ TEST(ReachControl, StandsReadyWhereTheFirstPlanWantsIt) {
 // Virtual and real target agree, the person is unbiased and sets out straight: the ridges stay across.
 TEST(ReachControl, LeavesAPersonAloneWhoNeedsNoHelp) {
   const PersonFilter filter(unknown_person(), 0.0, 100.0, {});
-  EXPECT_NEAR(ready_orientation_deg({}, filter, {0.0, 100.0}), 0.0, 1e-9);
+  EXPECT_NEAR(ready_orientation_deg({}, filter, {{0.0, 100.0}}), 0.0, 1e-9);
 }
 
 TEST(ReachControl, IsFiniteAtArrival) {

@@ -14,47 +14,47 @@ namespace {
 
 FrameCovariance of_turn_about(const PlatePoint& centre, double sd_deg) {
   const double sd_rad = sd_deg * rad_per_deg;
-  const Vector3d by_turn{1.0, centre.away_m, -centre.right_m};
-  return sd_rad * sd_rad * by_turn * by_turn.transpose();
+  const Vector3d by_turn{1.0, centre.away_mm, -centre.right_mm};
+  return sd_rad * sd_rad * (by_turn * by_turn.transpose());
 }
 
 // 100 mm * 1 degree in radians = 1.745 mm, wherever the start is.
 TEST(FrameError, OneDegreeAboutTheStartCostsOnePointSevenMillimetres) {
-  for (const PlatePoint start : {PlatePoint{0.0, 0.0}, PlatePoint{0.0, -0.05}, PlatePoint{0.02, 0.01}}) {
+  for (const PlatePoint start : {PlatePoint{0.0, 0.0}, PlatePoint{0.0, -50.0}, PlatePoint{20.0, 10.0}}) {
     for (const double direction_deg : {0.0, -5.0, 30.0, 90.0}) {
-      const PlatePoint target = point_ahead(start, direction_deg, 0.1);
+      const PlatePoint target = point_ahead(start, direction_deg, 100.0);
       const double sd_deg = frame_bearing_sd_deg(of_turn_about(start, 1.0), start, target);
       EXPECT_NEAR(sd_deg, 1.0, 1e-6);
-      EXPECT_NEAR(0.1 * sd_deg * rad_per_deg, 0.001745, 1e-6);
+      EXPECT_NEAR(100.0 * sd_deg * rad_per_deg, 1.745, 1e-3);
     }
   }
 }
 
 // About the centre, 5 cm beyond the start, the target is only 5 cm away from where the frame turns.
 TEST(FrameError, AboutTheCentreItCostsHalf) {
-  EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -0.05}, {0.0, 0.05}), 0.5, 1e-6);
-  EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -0.05}, {0.0, 0.0}), 0.0, 1e-9);
+  EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 50.0}), 0.5, 1e-6);
+  EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -50.0}, {0.0, 0.0}), 0.0, 1e-9);
 }
 
 // 2 mm to the side at 100 mm are 0.02 radians; along the path they change no bearing.
 TEST(FrameError, PlaceByHand) {
   FrameCovariance covariance = FrameCovariance::Zero();
-  covariance(1, 1) = 4e-6;
-  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -0.05}, {0.0, 0.05}), 0.02 / rad_per_deg, 1e-9);
-  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {-0.05, 0.0}, {0.05, 0.0}), 0.0, 1e-9);
-  covariance << 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4e-6;
-  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -0.05}, {0.0, 0.05}), 0.0, 1e-9);
+  covariance(1, 1) = 4.0;
+  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -50.0}, {0.0, 50.0}), 0.02 / rad_per_deg, 1e-9);
+  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {-50.0, 0.0}, {50.0, 0.0}), 0.0, 1e-9);
+  covariance << 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0;
+  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -50.0}, {0.0, 50.0}), 0.0, 1e-9);
 }
 
 TEST(FrameError, AnExactPlateHasNone) {
-  EXPECT_EQ(frame_bearing_sd_deg(FrameCovariance::Zero(), {0.0, -0.05}, {0.01, 0.05}), 0.0);
+  EXPECT_EQ(frame_bearing_sd_deg(FrameCovariance::Zero(), {0.0, -50.0}, {10.0, 50.0}), 0.0);
   EXPECT_EQ(frame_bearing_sd_deg(FrameCovariance::Identity(), {0.0, 0.0}, {0.0, 0.0}), 180.0);
-  EXPECT_EQ(frame_bearing_sd_deg(1e12 * FrameCovariance::Identity(), {0.0, 0.0}, {0.0, 0.1}), 180.0);
+  EXPECT_EQ(frame_bearing_sd_deg(1e18 * FrameCovariance::Identity(), {0.0, 0.0}, {0.0, 100.0}), 180.0);
 }
 
 TEST(FrameError, RefusesWhatIsNoCovariance) {
   EXPECT_TRUE(is_frame_covariance(FrameCovariance::Zero()));
-  EXPECT_TRUE(is_frame_covariance(of_turn_about({0.02, -0.05}, 1.0)));  // of rank 1
+  EXPECT_TRUE(is_frame_covariance(of_turn_about({20.0, -50.0}, 1.0)));  // of rank 1
   FrameCovariance covariance = FrameCovariance::Identity();
   EXPECT_TRUE(is_frame_covariance(covariance));
   covariance(1, 0) = covariance(0, 1) = 1.01;
@@ -76,22 +76,22 @@ TEST(FrameError, RefusesWhatIsNoCovariance) {
 // mm of noise: binomial bounds of four deviations about 95 %.
 TEST(FrameError, CoversWhereTheFingerEnds) {
   const Matrix3d rotation = some_rotation();
-  const Vector3d position(0.3, 0.75, -0.4);
+  const Vector3d position(300.0, 750.0, -400.0);
   const std::vector<Vector3d> five = {
-      {0.0, 0.0, 0.0}, {0.0, 0.0, 0.05}, {0.075, 0.0, 0.0}, {-0.075, 0.0, 0.0}, {0.0, 0.0, -0.075}};
-  const PlatePoint start{0.0, -0.05};
-  const PlatePoint target = point_ahead(start, -5.0, 0.1);
-  for (const double noise_m : {0.001, 0.003}) {
+      {0.0, 0.0, 0.0}, {0.0, 0.0, 50.0}, {75.0, 0.0, 0.0}, {-75.0, 0.0, 0.0}, {0.0, 0.0, -75.0}};
+  const PlatePoint start{0.0, -50.0};
+  const PlatePoint target = point_ahead(start, -5.0, 100.0);
+  for (const double noise_mm : {1.0, 3.0}) {
     int covered = 0, fitted = 0;
     double sd_sum_deg = 0.0;
     for (std::uint32_t i = 0; i < 2000; ++i) {
       Draws draws(11, 0, i, 0);
-      const std::vector<MarkTouch> touches = touches_of(position, noise_m, draws, 1.0, five);
-      const Registration found = fit_registration({.touch_sd_m = noise_m}, touches);
+      const std::vector<MarkTouch> touches = touches_of(position, noise_mm, draws, 1.0, five);
+      const Registration found = fit_registration({.touch_sd_mm = noise_mm}, touches);
       if (found.verdict != RegistrationVerdict::holds || found.left_out) continue;
       ++fitted;
-      const Vector3d believed(target.right_m, 0.0, -target.away_m);
-      const Vector3d truly = rotation.transpose() * (found.rotation * believed + found.position_m - position);
+      const Vector3d believed(target.right_mm, 0.0, -target.away_mm);
+      const Vector3d truly = rotation.transpose() * (found.rotation * believed + found.position_mm - position);
       const double error_deg = bearing_deg(start, {truly.x(), -truly.z()}) - bearing_deg(start, target);
       const double sd_deg = frame_bearing_sd_deg(frame_covariance(found), start, target);
       sd_sum_deg += sd_deg;
@@ -100,9 +100,9 @@ TEST(FrameError, CoversWhereTheFingerEnds) {
     ASSERT_GT(fitted, 1950);
     EXPECT_GT(covered, 0.93 * fitted);
     EXPECT_LT(covered, 0.97 * fitted);
-    EXPECT_NEAR(sd_sum_deg / fitted, 310.0 * noise_m, 0.03);
-    std::printf("touches of %.0f mm: bearing known to %.2f degrees, covered %d of %d\n", 1e3 * noise_m,
-                sd_sum_deg / fitted, covered, fitted);
+    EXPECT_NEAR(sd_sum_deg / fitted, 0.31 * noise_mm, 0.03);
+    std::printf("touches of %.0f mm: bearing known to %.2f degrees, covered %d of %d\n", noise_mm, sd_sum_deg / fitted,
+                covered, fitted);
   }
 }
 

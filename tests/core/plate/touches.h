@@ -17,8 +17,7 @@ inline constexpr double rad_per_deg = 0.017453292519943295;
 
 /// Centre, start and four marks on the rim of a plate of 75 mm.
 inline std::vector<Vector3d> marks() {
-  return {{0.0, 0.0, 0.0},   {0.0, 0.0, 0.05},   {0.075, 0.0, 0.0},
-          {0.0, 0.0, 0.075}, {-0.075, 0.0, 0.0}, {0.0, 0.0, -0.075}};
+  return {{0.0, 0.0, 0.0}, {0.0, 0.0, 50.0}, {75.0, 0.0, 0.0}, {0.0, 0.0, 75.0}, {-75.0, 0.0, 0.0}, {0.0, 0.0, -75.0}};
 }
 
 inline Matrix3d some_rotation() {
@@ -26,12 +25,12 @@ inline Matrix3d some_rotation() {
 }
 
 /// A plate turned by some_rotation(), touched with noise.
-inline std::vector<MarkTouch> touches_of(const Vector3d& position_m, double noise_m, Draws& draws, double scale = 1.0,
+inline std::vector<MarkTouch> touches_of(const Vector3d& position_mm, double noise_mm, Draws& draws, double scale = 1.0,
                                          const std::vector<Vector3d>& touched = marks()) {
   std::vector<MarkTouch> touches;
   for (const Vector3d& mark : touched) {
-    const Vector3d noise(noise_m * draws.normal(), noise_m * draws.normal(), noise_m * draws.normal());
-    touches.push_back({mark, scale * (some_rotation() * mark) + position_m + noise});
+    const Vector3d noise(noise_mm * draws.normal(), noise_mm * draws.normal(), noise_mm * draws.normal());
+    touches.push_back({mark, scale * (some_rotation() * mark) + position_mm + noise});
   }
   return touches;
 }

@@ -9,13 +9,13 @@
 namespace hrt {
 namespace {
 
-constexpr PlatePoint start{0.0, -0.05};
+constexpr PlatePoint start{0.0, -50.0};
 
-SetupSample at(std::int64_t time_ms, double right_m, double away_m) {
-  SetupSample sample{.time_ns = time_ms * ms, .tracked_m = Eigen::Vector3d(right_m, 0.0, -away_m)};
+SetupSample at(std::int64_t time_ms, double right_mm, double away_mm) {
+  SetupSample sample{.time_ns = time_ms * ms, .tracked_mm = Eigen::Vector3d(right_mm, 0.0, -away_mm)};
   sample.on_plate = {.time_ns = sample.time_ns,
                      .observation = Observation::position,
-                     .position = {right_m, away_m},
+                     .position = {right_mm, away_mm},
                      .plate_orientation_deg = 0.0};
   return sample;
 }
@@ -28,27 +28,27 @@ SetupSample lost(std::int64_t time_ms) {
 
 TEST(StillFinger, RestsOnceItHasStayed) {
   StillFinger finger;
-  for (int t = 0; t <= 690; t += 10) finger.observe(t * ms, {0.1, 0.0, 0.0});
+  for (int t = 0; t <= 690; t += 10) finger.observe(t * ms, {100.0, 0.0, 0.0});
   EXPECT_FALSE(finger.rest(7));
-  finger.observe(700 * ms, {0.1, 0.0, 0.0});
+  finger.observe(700 * ms, {100.0, 0.0, 0.0});
   ASSERT_TRUE(finger.rest(7));
-  EXPECT_NEAR(finger.rest(7)->x(), 0.1, 1e-12);
+  EXPECT_NEAR(finger.rest(7)->x(), 100.0, 1e-12);
   EXPECT_FALSE(finger.rest(8));
 }
 
 // The halves of 0.6 s have middles that are 0.3 s apart.
 TEST(StillFinger, DoesNotRestWhileItCreeps) {
-  for (const double speed_m_s : {0.008, 0.009}) {
+  for (const double speed_mm_s : {8.0, 9.0}) {
     StillFinger finger;
-    for (int t = 0; t <= 600; t += 10) finger.observe(t * ms, {speed_m_s * t * 1e-3, 0.0, 0.0});
-    EXPECT_EQ(finger.rest(6).has_value(), speed_m_s < 0.0086) << speed_m_s;
+    for (int t = 0; t <= 600; t += 10) finger.observe(t * ms, {speed_mm_s * t * 1e-3, 0.0, 0.0});
+    EXPECT_EQ(finger.rest(6).has_value(), speed_mm_s < 8.6) << speed_mm_s;
   }
 }
 
 TEST(StillFinger, BeginsAnewAfterAGap) {
   StillFinger finger;
-  for (int t = 0; t <= 700; t += 10) finger.observe(t * ms, {0.1, 0.0, 0.0});
-  finger.observe(1010 * ms, {0.1, 0.0, 0.0});
+  for (int t = 0; t <= 700; t += 10) finger.observe(t * ms, {100.0, 0.0, 0.0});
+  finger.observe(1010 * ms, {100.0, 0.0, 0.0});
   EXPECT_FALSE(finger.rest(2));
 }
 
@@ -58,33 +58,33 @@ TEST(MarkTouches, TakeAFingerThatCameAndStayed) {
   int t = 0;
   for (; t <= 900; t += 10) touches.observe(at(t, 0.0, 0.0));
   EXPECT_EQ(touches.count(), 0) << "it has rested there before it was asked";
-  for (; t <= 1800; t += 10) touches.observe(at(t, 0.02, 0.0));
+  for (; t <= 1800; t += 10) touches.observe(at(t, 20.0, 0.0));
   ASSERT_EQ(touches.count(), 1);
-  EXPECT_NEAR(touches[0].touched_m.x(), 0.02, 1e-9);
-  for (; t <= 2700; t += 10) touches.observe(at(t, 0.02, 0.0));
+  EXPECT_NEAR(touches[0].touched_mm.x(), 20.0, 1e-9);
+  for (; t <= 2700; t += 10) touches.observe(at(t, 20.0, 0.0));
   EXPECT_EQ(touches.count(), 1) << "the same rest";
   for (; t <= 2800; t += 10) touches.observe(lost(t));
-  for (; t <= 3600; t += 10) touches.observe(at(t, 0.02, 0.0));
+  for (; t <= 3600; t += 10) touches.observe(at(t, 20.0, 0.0));
   EXPECT_TRUE(touches.complete()) << "it was away, and may have come back";
 }
 
 class SlideWatchTest : public ::testing::Test {
  protected:
   SlideWatchTest() {
-    watch.begin(start, 0.1, 0.0);
-    for (; t < 700; t += 10) watch.observe(at(t, 0.0, -0.05));
+    watch.begin(start, 100.0, 0.0);
+    for (; t < 700; t += 10) watch.observe(at(t, 0.0, -50.0));
     EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
   }
 
-  /// Goes to `away_m` in the time.
-  void go(double right_m, double away_m, int duration_ms) {
+  /// Goes to `away_mm` in the time.
+  void go(double right_mm, double away_mm, int duration_ms) {
     for (const int began = t; t <= began + duration_ms; t += 10) {
       const double share = static_cast<double>(t - began) / duration_ms;
-      watch.observe(at(t, share * right_m, -0.05 + share * (away_m + 0.05)));
+      watch.observe(at(t, share * right_mm, -50.0 + share * (away_mm + 50.0)));
     }
   }
-  void stay(double right_m, double away_m, int duration_ms) {
-    for (const int began = t; t <= began + duration_ms; t += 10) watch.observe(at(t, right_m, away_m));
+  void stay(double right_mm, double away_mm, int duration_ms) {
+    for (const int began = t; t <= began + duration_ms; t += 10) watch.observe(at(t, right_mm, away_mm));
   }
   void expect_problem(SetupProblem problem) const {
     EXPECT_EQ(watch.problem(), problem);
@@ -97,34 +97,34 @@ class SlideWatchTest : public ::testing::Test {
 };
 
 TEST_F(SlideWatchTest, EndsWithARest) {
-  go(0.0, 0.05, 1000);
+  go(0.0, 50.0, 1000);
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
-  stay(0.0, 0.05, 700);
+  stay(0.0, 50.0, 700);
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::done);
 }
 
 TEST_F(SlideWatchTest, AShortPauseIsNoEnd) {
-  go(0.0, -0.02, 400);
-  stay(0.0, -0.02, 800);
+  go(0.0, -20.0, 400);
+  stay(0.0, -20.0, 800);
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
-  stay(0.0, -0.02, 1200);
+  stay(0.0, -20.0, 1200);
   expect_problem(SetupProblem::stopped);
 }
 
 TEST_F(SlideWatchTest, ElsewhereIsNoEnd) {
-  go(0.06, -0.04, 1000);
-  stay(0.06, -0.04, 2000);
+  go(60.0, -40.0, 1000);
+  stay(60.0, -40.0, 2000);
   expect_problem(SetupProblem::stopped);
 }
 
 TEST_F(SlideWatchTest, TooFast) {
-  go(0.0, 0.05, 150);
-  stay(0.0, 0.05, 600);
+  go(0.0, 50.0, 150);
+  stay(0.0, 50.0, 600);
   expect_problem(SetupProblem::too_fast);
 }
 
 TEST_F(SlideWatchTest, TooSlow) {
-  go(0.0, 0.05, 9400);
+  go(0.0, 50.0, 9400);
   expect_problem(SetupProblem::too_slow);
 }
 
@@ -158,8 +158,8 @@ TEST_F(SlideWatchTest, ThePlateMoves) {
 }
 
 TEST_F(SlideWatchTest, OneWildPositionIsNoSlide) {
-  watch.observe(at(t, 0.0, 0.05));
-  stay(0.0, -0.05, 2000);
+  watch.observe(at(t, 0.0, 50.0));
+  stay(0.0, -50.0, 2000);
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
   EXPECT_FALSE(watch.has_left());
 }
@@ -188,7 +188,7 @@ TEST(SlideStore, KeepsTheLastOfALongRest) {
   ASSERT_EQ(trials.size(), 1u);
   EXPECT_GE(trials[0].samples.size(), 250u);
   EXPECT_EQ(trials[0].samples.size(), trials[0].plate_deg.size());
-  EXPECT_EQ(trials[0].samples.back().time_ns, 59'996 * ms);
+  EXPECT_EQ(trials[0].samples.back().time_s, 59.996);
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST(SimulationPeople, FamiliesHaveTheTraitThatTheyAreNamedAfter) {
   EXPECT_EQ(values("drift", [](C c) { return c.person.weight_drift; }), (Values{-0.05, 0.05}));
   EXPECT_EQ(values("slow-plate", [](C c) { return c.plate.max_speed_deg_s; }), (Values{250.0}));
   EXPECT_EQ(values("noise-300", [](C c) { return c.tracker.correlation_s; }), (Values{0.3}));
-  EXPECT_EQ(values("noise-300", [](C c) { return c.tracker.white_m; }), (Values{0.0}));
+  EXPECT_EQ(values("noise-300", [](C c) { return c.tracker.white_mm; }), (Values{0.0}));
   EXPECT_EQ(values("wild-rest", [](C c) { return 1.0 * c.tracker.wild_samples; }), (Values{1.0, 2.0}));
   EXPECT_EQ(values("clip-60", [](C c) { return c.person.illusion.scale_deg; }), (Values{60.0}));
   EXPECT_EQ(draw("clip-45").person.illusion.family, IllusionFamily::saturating);
@@ -182,14 +182,14 @@ TEST(SimulationPeople, AnOutcomeIsAFunctionOfItsArguments) {
   const auto again = simulate_person(person, &controller, 5, 1, 3);
   ASSERT_EQ(five.size(), 5U);
   for (std::size_t i = 0; i < five.size(); ++i) {
-    EXPECT_EQ(five[i].miss_m, again[i].miss_m);
+    EXPECT_EQ(five[i].miss_mm, again[i].miss_mm);
     EXPECT_EQ(five[i].summary.estimate.tactile_weight, again[i].summary.estimate.tactile_weight);
   }
   // Later reaches do not change the first; seed and index do; reaches differ.
-  EXPECT_EQ(simulate_person(person, &controller, 1, 1, 3).front().miss_m, five.front().miss_m);
-  EXPECT_NE(simulate_person(person, &controller, 1, 2, 3).front().miss_m, five.front().miss_m);
-  EXPECT_NE(simulate_person(person, &controller, 1, 1, 4).front().miss_m, five.front().miss_m);
-  EXPECT_NE(five[0].miss_m, five[1].miss_m);
+  EXPECT_EQ(simulate_person(person, &controller, 1, 1, 3).front().miss_mm, five.front().miss_mm);
+  EXPECT_NE(simulate_person(person, &controller, 1, 2, 3).front().miss_mm, five.front().miss_mm);
+  EXPECT_NE(simulate_person(person, &controller, 1, 1, 4).front().miss_mm, five.front().miss_mm);
+  EXPECT_NE(five[0].miss_mm, five[1].miss_mm);
 }
 
 // Who feels nothing goes to the virtual target, 10 deg from the real one, whatever the plate does.
@@ -205,7 +205,7 @@ TEST(SimulationPeople, WithoutIllusionNobodyIsLed) {
       const PersonOutcome outcome = simulate_person(person, config, 1, 1, 0).front();
       EXPECT_NEAR(outcome.bearing_error_deg, 10.0 * side, 1e-6);
       EXPECT_EQ(outcome.summary.person.has_value(), config != none);
-      EXPECT_NEAR(outcome.miss_m, side * 0.1 * std::sin(10.0 * 3.14159265358979 / 180.0), 1e-9);
+      EXPECT_NEAR(outcome.miss_mm, side * 100.0 * std::sin(10.0 * 3.14159265358979 / 180.0), 1e-6);
       EXPECT_NEAR(outcome.peak_felt_error_deg, 0.0, 1e-6);
     }
   }
@@ -253,10 +253,9 @@ TEST(SimulationPeople, AReachHasOneFaultOrNone) {
     const TrackerModel& now = with.tracker;
     // The rate and jitter of slow-tracker, and size and time of noise-100, are one fault each.
     const bool has[] = {now.rate_hz != before.rate_hz,
-                        now.correlated_m != before.correlated_m,
-                        now.white_m > before.white_m,
-                        now.wild_samples > 0 && now.wild_at_s < 0.5,
-                        now.wild_samples > 0 && now.wild_at_s >= 0.5,
+                        now.correlated_mm != before.correlated_mm,
+                        now.white_mm > before.white_mm,
+                        now.wild_samples > 0 && now.wild_at_s<0.5, now.wild_samples> 0 && now.wild_at_s >= 0.5,
                         now.outlier_share > 0.0,
                         now.dropout_share > 0.0,
                         with.plate.max_speed_deg_s != plate.max_speed_deg_s,
@@ -281,14 +280,14 @@ TEST(SimulationPeople, RestIsFoundAndMotionIsNoRest) {
       PersonMoment last{};
       double paused_s = -1.0, found_s = -1.0;
       simulate_person(condition, &controller, 1, 1, person, [&](int, const PersonMoment& now) {
-        const double speed_m_s = distance_m(now.finger, last.finger) / std::max(now.time_s - last.time_s, 1e-9);
+        const double speed_mm_s = distance_mm(now.finger, last.finger) / std::max(now.time_s - last.time_s, 1e-9);
         const bool begun = last.time_s > 0.0 && now.command.step >= 0;
         // No plate without stops goes to another orientation that feels the same.
         if (begun) {
           EXPECT_LT(std::abs(now.command.plate_orientation_deg - last.command.plate_orientation_deg), 90.0);
         }
-        if (begun && !pauses_once && speed_m_s > 0.04) ++moving, said_of_moving += now.command.resting;
-        if (begun && paused_s < 0.0 && speed_m_s < 0.0005 && now.finger.away_m < 0.08) paused_s = now.time_s;
+        if (begun && !pauses_once && speed_mm_s > 40.0) ++moving, said_of_moving += now.command.resting;
+        if (begun && paused_s < 0.0 && speed_mm_s < 0.5 && now.finger.away_mm < 80.0) paused_s = now.time_s;
         if (paused_s > 0.0 && found_s < 0.0 && now.command.resting) found_s = now.time_s;
         last = now;
       });
@@ -309,7 +308,7 @@ TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
     condition.person.noise_deg2_per_s = condition.person.start_direction_deg = 0.0;
     condition.virtual_direction_deg = 0.0;
     condition.real_direction_deg = 5.0;
-    condition.tracker.white_m = 0.0;
+    condition.tracker.white_mm = 0.0;
     return led(condition);
   };
   const ReachSummary turned = seen(draw("turned-2"));
@@ -321,7 +320,7 @@ TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
   const double scale = draw("scaled-5").tracker.scale;
   const double across_mm = 100.0 * std::sin(5.0 * 3.14159265358979 / 180.0);
   const double along_mm = 100.0 * std::cos(5.0 * 3.14159265358979 / 180.0) - 100.0 * scale;
-  EXPECT_NEAR(1e3 * seen(draw("scaled-5")).distance_to_target_m, std::hypot(across_mm, along_mm), 0.3);
+  EXPECT_NEAR(seen(draw("scaled-5")).distance_to_target_mm, std::hypot(across_mm, along_mm), 0.3);
   for (std::uint32_t i = 0; i < 20; ++i) {
     const TrackerModel tracker = draw("headset", i).tracker;
     const double turn = tracker.turned_deg * 3.14159265358979 / 180.0;
@@ -450,14 +449,14 @@ TEST(SimulationPeople, AConfiguredLatencyIsCompensated) {
 TEST(SlidingFinger, RestsBeforeAndAfterItsPath) {
   SlidingFinger finger({0.01, -0.05}, 0.1, 2.0);
   finger.slide(-1.0, 45.0);
-  EXPECT_EQ(finger.place().right_m, 0.01);
-  EXPECT_EQ(finger.place().away_m, -0.05);
+  EXPECT_EQ(finger.place().right_mm, 0.01);
+  EXPECT_EQ(finger.place().away_mm, -0.05);
   finger.slide(1.0, 0.0);
-  EXPECT_DOUBLE_EQ(finger.place().away_m, 0.0);
+  EXPECT_DOUBLE_EQ(finger.place().away_mm, 0.0);
   finger.slide(2.0, 90.0);
   finger.slide(3.0, 90.0);
-  EXPECT_DOUBLE_EQ(finger.place().right_m, -0.04);
-  EXPECT_NEAR(finger.place().away_m, 0.0, 1e-15);
+  EXPECT_DOUBLE_EQ(finger.place().right_mm, -0.04);
+  EXPECT_NEAR(finger.place().away_mm, 0.0, 1e-15);
 }
 
 // 10 / 64 - 15 / 256 + 6 / 1024 = 0.103515625 of the path in the first quarter of the time, half of it at
@@ -465,9 +464,9 @@ TEST(SlidingFinger, RestsBeforeAndAfterItsPath) {
 TEST(SlidingFinger, MinimumJerkStartsSlowly) {
   SlidingFinger finger({}, 0.1, 2.0, SpeedProfile::minimum_jerk);
   finger.slide(0.5, 0.0);
-  EXPECT_DOUBLE_EQ(finger.place().away_m, 0.0103515625);
+  EXPECT_DOUBLE_EQ(finger.place().away_mm, 0.0103515625);
   finger.slide(1.0, 0.0);
-  EXPECT_DOUBLE_EQ(finger.place().away_m, 0.05);
+  EXPECT_DOUBLE_EQ(finger.place().away_mm, 0.05);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace hrt {
 namespace {
 
 constexpr double virtual_deg = 5.0;
-constexpr double path_m = 0.1;
+constexpr double path_mm = 100.0;
 constexpr Pace paces[] = {Pace::minimum_jerk, Pace::even,      Pace::skewed,  Pace::stop_and_go,
                           Pace::pause,        Pace::two_parts, Pace::reversal};
 
@@ -43,16 +43,16 @@ struct Walk {
   std::vector<PlatePoint> places;  // one a millisecond
   SlidingPerson person;
 
-  double length_m() const {
-    double sum_m = 0.0;
-    for (std::size_t i = 1; i < places.size(); ++i) sum_m += distance_m(places[i - 1], places[i]);
-    return sum_m;
+  double length_mm() const {
+    double sum_mm = 0.0;
+    for (std::size_t i = 1; i < places.size(); ++i) sum_mm += distance_mm(places[i - 1], places[i]);
+    return sum_mm;
   }
 };
 
 // A whole reach with the ridges `plate(person)` deg.
 Walk walk(const Person& person, const std::function<double(const SlidingPerson&)>& plate, const Draws& from = draws()) {
-  Walk result{.places = {{}}, .person = {person, {}, virtual_deg, path_m, from}};
+  Walk result{.places = {{}}, .person = {person, {}, virtual_deg, path_mm, from}};
   while (!result.person.done()) {
     result.person.advance(plate(result.person));
     result.places.push_back(result.person.position());
@@ -116,7 +116,7 @@ TEST(SimulationPerson, PathAndTimeAreAsAskedFor) {
     person.duration_s = 1.2;
     person.path_scale = 1.1;
     const Walk bent = walk_beside(person, 30.0);
-    EXPECT_NEAR(bent.length_m(), 1.1 * path_m * (pace == Pace::reversal ? 1.2 : 1.0), 1e-6);
+    EXPECT_NEAR(bent.length_mm(), 1.1 * path_mm * (pace == Pace::reversal ? 1.2 : 1.0), 1e-3);
     const double pauses_s = pace == Pace::stop_and_go || pace == Pace::pause ? 0.6 : 0.0;
     const double back_s = pace == Pace::reversal ? 0.48 : 0.0;
     EXPECT_NEAR(bent.person.elapsed_s(), 1.2 + pauses_s + back_s, 0.0011);
@@ -128,9 +128,9 @@ TEST(SimulationPerson, MinimumJerkByHand) {
   Person person = numb();
   person.duration_s = 2.0;
   const Walk straight = walk_beside(person, 0.0);
-  EXPECT_NEAR(distance_m({}, straight.places[500]), 0.103515625 * path_m, 1e-9);
-  EXPECT_NEAR(distance_m({}, straight.places[1000]), 0.5 * path_m, 1e-9);
-  EXPECT_NEAR(distance_m(straight.places[1000], straight.places[1001]), 1.875 * path_m * 0.0005, 1e-8);
+  EXPECT_NEAR(distance_mm({}, straight.places[500]), 0.103515625 * path_mm, 1e-6);
+  EXPECT_NEAR(distance_mm({}, straight.places[1000]), 0.5 * path_mm, 1e-6);
+  EXPECT_NEAR(distance_mm(straight.places[1000], straight.places[1001]), 1.875 * path_mm * 0.0005, 1e-5);
 }
 
 TEST(SimulationPerson, RestsAreWhereTheyAreSaidToBe) {
@@ -141,7 +141,7 @@ TEST(SimulationPerson, RestsAreWhereTheyAreSaidToBe) {
     const Walk straight = walk_beside(person, 0.0);
     int count = 0;
     for (std::size_t i = 200; i + 200 < straight.places.size(); ++i)
-      count += distance_m(straight.places[i], straight.places[i + 1]) == 0.0;
+      count += distance_mm(straight.places[i], straight.places[i + 1]) == 0.0;
     return count;
   };
   EXPECT_NEAR(at_rest_ms(Pace::minimum_jerk), 0, 0);
@@ -150,23 +150,23 @@ TEST(SimulationPerson, RestsAreWhereTheyAreSaidToBe) {
 }
 
 TEST(SimulationPerson, WithoutIllusionTheyArriveAtTheVirtualTarget) {
-  const PlatePoint target = point_ahead({}, virtual_deg, path_m);
+  const PlatePoint target = point_ahead({}, virtual_deg, path_mm);
   for (const Steering steering : {Steering::continuous, Steering::predictive, Steering::place, Steering::crossings})
     for (const Pace pace : paces) {
       Person person = numb();
       person.steering = steering;
       person.pace = pace;
-      EXPECT_LT(distance_m(walk_beside(person, 60.0).person.position(), target), 1e-9);
+      EXPECT_LT(distance_mm(walk_beside(person, 60.0).person.position(), target), 1e-6);
       // From another first direction too, except for what the first moments cost.
       person.start_direction_deg = 0.0;
       if (pace != Pace::minimum_jerk) continue;
-      EXPECT_LT(distance_m(walk_beside(person, 60.0).person.position(), target), 0.0005);
+      EXPECT_LT(distance_mm(walk_beside(person, 60.0).person.position(), target), 0.5);
     }
   Person heavy = numb();
   heavy.steering = Steering::heavy_arm;
   const Walk arm = walk_beside(heavy, 60.0);
   EXPECT_NEAR(bearing_deg({}, arm.person.position()), virtual_deg, 1e-6);
-  EXPECT_NEAR(distance_m({}, arm.person.position()), path_m, 0.002);
+  EXPECT_NEAR(distance_mm({}, arm.person.position()), path_mm, 2.0);
 }
 
 // In steps of 100 ms with noise of their own: on average at the virtual target, and straight in between.
@@ -175,7 +175,7 @@ TEST(SimulationPerson, StepsAreOfTenthsOfASecond) {
   person.steering = Steering::steps;
   double sum_deg = 0.0;
   for (std::uint32_t i = 0; i < 200; ++i) {
-    SlidingPerson now(person, {}, virtual_deg, path_m, draws(i));
+    SlidingPerson now(person, {}, virtual_deg, path_mm, draws(i));
     double last_deg = now.direction_deg();
     for (int millisecond = 1; !now.done(); ++millisecond) {
       now.advance(0.0);
@@ -242,7 +242,7 @@ TEST(SimulationPerson, RidgesThatAreNotCrossedAreNotFelt) {
   EXPECT_NEAR(walk_beside(person, 90.0).person.direction_deg(), virtual_deg, 1e-9);
   const Walk crossed = walk_beside(person, 40.0);
   double min_deg = virtual_deg;
-  SlidingPerson now(person, {}, virtual_deg, path_m, draws());
+  SlidingPerson now(person, {}, virtual_deg, path_mm, draws());
   while (!now.done()) {
     now.advance(now.direction_deg() + 40.0);
     min_deg = std::min(min_deg, now.direction_deg());
@@ -255,7 +255,10 @@ TEST(SimulationPerson, APathIsAFunctionOfItsDraws) {
   Person person = linear();
   person.noise_deg2_per_s = 8.0;
   const auto end = [&](std::uint32_t reach) {
-    return walk(person, [](const SlidingPerson&) { return 20.0; }, draws(reach)).person.position().right_m;
+    return walk(
+               person, [](const SlidingPerson&) { return 20.0; }, draws(reach))
+        .person.position()
+        .right_mm;
   };
   EXPECT_EQ(end(4), end(4));
   EXPECT_NE(end(4), end(5));
@@ -270,7 +273,7 @@ TEST(SimulationPerson, NoiseHasItsVariance) {
   constexpr int n = 1000;
   double squares = 0.0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    SlidingPerson now(person, {}, virtual_deg, path_m, draws(i));
+    SlidingPerson now(person, {}, virtual_deg, path_mm, draws(i));
     while (!now.done()) now.advance(0.0);
     squares += std::pow(now.direction_deg() - virtual_deg, 2);
   }

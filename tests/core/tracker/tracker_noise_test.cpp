@@ -44,7 +44,7 @@ Rests simulate_rests(const SimulatedTracker& tracker, int rests, double rest_s, 
         seen_right_mm += 30.0 * draws.normal();
         seen_away_mm += 30.0 * draws.normal();
       }
-      rest.push_back({std::llround(1e9 * time_s), {1e-3 * rounded(seen_right_mm), 1e-3 * rounded(seen_away_mm)}});
+      rest.push_back({time_s, {rounded(seen_right_mm), rounded(seen_away_mm)}});
       const double period_s = (1.0 + tracker.jitter_share * (2.0 * draws.uniform() - 1.0)) / tracker.rate_hz;
       time_s += period_s;
       const double kept = std::exp(-period_s / tracker.correlation_s);
@@ -57,8 +57,8 @@ Rests simulate_rests(const SimulatedTracker& tracker, int rests, double rest_s, 
 }
 
 void expect_unknown(const RestNoise& noise) {
-  EXPECT_FALSE(noise.white_m.known);
-  EXPECT_FALSE(noise.correlated_m.known);
+  EXPECT_FALSE(noise.white_mm.known);
+  EXPECT_FALSE(noise.correlated_mm.known);
   EXPECT_FALSE(noise.correlation_s.known);
 }
 
@@ -72,41 +72,40 @@ TEST(TrackerNoise, KnowsNothingFromNothing) {
 
 // The correlated part goes with its time, and only if there is certainly one.
 TEST(TrackerNoise, IsToldToAControllerInPartsIfTheyAreKnown) {
-  RestNoise noise{.white_m = {0.003, 0.002, 0.004, true},
-                  .correlated_m = {0.004, 0.003, 0.005, true},
+  RestNoise noise{.white_mm = {3.0, 2.0, 4.0, true},
+                  .correlated_mm = {4.0, 3.0, 5.0, true},
                   .correlation_s = {0.2, 0.1, 0.3, true}};
-  EXPECT_EQ(known_noise(noise)->white_m, 0.003);
-  EXPECT_EQ(known_noise(noise)->correlated_m, 0.004);
+  EXPECT_EQ(known_noise(noise)->white_mm, 3.0);
+  EXPECT_EQ(known_noise(noise)->correlated_mm, 4.0);
   EXPECT_EQ(known_noise(noise)->correlation_s, 0.2);
   noise.correlation_s.known = false;
-  EXPECT_DOUBLE_EQ(known_noise(noise)->white_m, 0.005);
-  EXPECT_EQ(known_noise(noise)->correlated_m, 0.0);
+  EXPECT_DOUBLE_EQ(known_noise(noise)->white_mm, 5.0);
+  EXPECT_EQ(known_noise(noise)->correlated_mm, 0.0);
   noise.correlation_s.known = true;
-  noise.correlated_m.lower = 0.0;
-  EXPECT_DOUBLE_EQ(known_noise(noise)->white_m, 0.005);
-  noise.correlated_m.known = false;
-  EXPECT_EQ(known_noise(noise)->white_m, 0.003);
-  noise.white_m.known = false;
+  noise.correlated_mm.lower = 0.0;
+  EXPECT_DOUBLE_EQ(known_noise(noise)->white_mm, 5.0);
+  noise.correlated_mm.known = false;
+  EXPECT_EQ(known_noise(noise)->white_mm, 3.0);
+  noise.white_mm.known = false;
   EXPECT_FALSE(known_noise(noise));
 }
 
 TEST(TrackerNoise, KnowsNothingFromAPlaceThatNeverChanges) {
   std::vector<TimedPoint> rest;
-  for (std::int64_t i = 0; i < 500; ++i) rest.push_back({i * 10'000'000, {0.1, 0.2}});
+  for (int i = 0; i < 500; ++i) rest.push_back({0.01 * i, {100.0, 200.0}});
   expect_unknown(fit_rest_noise({&rest, 1}));
 }
 
 TEST(TrackerNoise, SeesAlternatingPlacesAsNoNoiseOfThisKind) {
   std::vector<TimedPoint> rest;
-  for (std::int64_t i = 0; i < 500; ++i) rest.push_back({i * 10'000'000, {i % 2 ? 0.001 : -0.001, 0.0}});
+  for (int i = 0; i < 500; ++i) rest.push_back({0.01 * i, {i % 2 ? 1.0 : -1.0, 0.0}});
   expect_unknown(fit_rest_noise({&rest, 1}));
 }
 
 TEST(TrackerNoise, SeesATremblingFingerAsNoNoiseOfThisKind) {
   Rests rests = simulate_rests({"white", 0.3, 0.0, 0.1, 90.0}, 10, 1.0, 0);
   for (auto& rest : rests)
-    for (TimedPoint& sample : rest)
-      sample.position.right_m += 0.001 * std::sin(6.283185307 * 10.0 * 1e-9 * static_cast<double>(sample.time_ns));
+    for (TimedPoint& sample : rest) sample.position.right_mm += std::sin(6.283185307 * 10.0 * sample.time_s);
   expect_unknown(fit_rest_noise(rests));
 }
 
@@ -121,10 +120,10 @@ TEST(TrackerNoise, DoesNotDependOnWhereOrInWhatUnitTheFingerRests) {
   const RestNoise here = fit_rest_noise(rests);
   for (auto& rest : rests)
     for (TimedPoint& sample : rest)
-      sample.position = {0.5 + 2.0 * sample.position.away_m, 2.0 * sample.position.right_m};
+      sample.position = {500.0 + 2.0 * sample.position.away_mm, 2.0 * sample.position.right_mm};
   const RestNoise there = fit_rest_noise(rests);
-  EXPECT_NEAR(there.white_m.value, 2.0 * here.white_m.value, 1e-8);
-  EXPECT_NEAR(there.correlated_m.upper, 2.0 * here.correlated_m.upper, 1e-8);
+  EXPECT_NEAR(there.white_mm.value, 2.0 * here.white_mm.value, 1e-5);
+  EXPECT_NEAR(there.correlated_mm.upper, 2.0 * here.correlated_mm.upper, 1e-5);
   EXPECT_NEAR(there.correlation_s.value, here.correlation_s.value, 1e-6);
 }
 
@@ -133,11 +132,11 @@ TEST(TrackerNoise, IsAsSureOfWhiteNoiseAsItsVarianceAllows) {
   const SimulatedTracker tracker{"white", 1.2, 0.0, 0.1, 90.0};
   const Rests rests = simulate_rests(tracker, 1, 20.0, 0);
   const RestNoise noise = fit_rest_noise(rests);
-  const double min_m = 2.0 * 1.96 * 0.0012 / std::sqrt(2.0 * 2.0 * 1800.0);
-  EXPECT_TRUE(noise.white_m.known);
-  EXPECT_GT(noise.white_m.upper - noise.white_m.lower, 0.8 * min_m);
-  EXPECT_LT(noise.white_m.upper - noise.white_m.lower, 3.0 * min_m);
-  EXPECT_EQ(noise.correlated_m.lower, 0.0);
+  const double min_mm = 2.0 * 1.96 * 1.2 / std::sqrt(2.0 * 2.0 * 1800.0);
+  EXPECT_TRUE(noise.white_mm.known);
+  EXPECT_GT(noise.white_mm.upper - noise.white_mm.lower, 0.8 * min_mm);
+  EXPECT_LT(noise.white_mm.upper - noise.white_mm.lower, 3.0 * min_mm);
+  EXPECT_EQ(noise.correlated_mm.lower, 0.0);
   EXPECT_FALSE(noise.correlation_s.known);
 }
 
@@ -153,8 +152,8 @@ TEST_P(TrackerNoiseCoverage, IntervalsCoverWhereverKnown) {
     int known = 0;
     int covered = 0;
   };
-  Count white{1e-3 * std::hypot(tracker.white_mm, rounding_mm)};
-  Count correlated{1e-3 * tracker.correlated_mm};
+  Count white{std::hypot(tracker.white_mm, rounding_mm)};
+  Count correlated{tracker.correlated_mm};
   Count time{tracker.correlation_s};
   for (int person = 0; person < people; ++person) {
     const RestNoise noise = fit_rest_noise(simulate_rests(tracker, 20, 0.5, static_cast<std::uint32_t>(person)));
@@ -165,8 +164,8 @@ TEST_P(TrackerNoiseCoverage, IntervalsCoverWhereverKnown) {
       ++c.known;
       c.covered += interval.lower <= c.truth && c.truth <= interval.upper;
     };
-    count(white, noise.white_m);
-    count(correlated, noise.correlated_m);
+    count(white, noise.white_mm);
+    count(correlated, noise.correlated_mm);
     count(time, noise.correlation_s);
   }
   const auto expect_coverage = [](const Count& c) { EXPECT_GE(c.covered, c.known - 8) << c.known; };

@@ -65,7 +65,7 @@ TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
                       .pace = Pace::stop_and_go,
                       .duration_s = 1.3,
                       .path_scale = 1.1};
-  SlidingPerson by_hand(person, {0.0, -0.05}, 5.0, 0.1, Draws(6, 1, 0, 0));
+  SlidingPerson by_hand(person, {0.0, -50.0}, 5.0, 100.0, Draws(6, 1, 0, 0));
   XrTime now = 1'000'000'000;  // where a manual clock begins
   double plate_deg = 0.0;
   double peak_deg = 0.0;
@@ -74,12 +74,12 @@ TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
     now += 10'000'000;
     for (int millisecond = 0; period >= 25 && millisecond < 10; ++millisecond) {
       by_hand.advance(plate_deg);
-      if (by_hand.elapsed_s() > 0.05 && by_hand.speed_m_s() > 0.01)
+      if (by_hand.elapsed_s() > 0.05 && by_hand.speed_mm_s() > 10.0)
         peak_deg = std::max(peak_deg, std::abs(by_hand.felt_error_deg()));
     }
     const XrVector3f tip = index_tip(now);
-    EXPECT_NEAR(static_cast<double>(tip.x), by_hand.position().right_m, 1e-6);
-    EXPECT_NEAR(static_cast<double>(tip.z), -by_hand.position().away_m, 1e-6);
+    EXPECT_NEAR(static_cast<double>(tip.x), 1e-3 * by_hand.position().right_mm, 1e-6);
+    EXPECT_NEAR(static_cast<double>(tip.z), -1e-3 * by_hand.position().away_mm, 1e-6);
     plate_deg = 8.0 * (period % 13) - 50.0;
     ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, plate_deg));
   }

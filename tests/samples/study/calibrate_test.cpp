@@ -41,9 +41,9 @@ TEST(StudyCalibrate, ReadsWhatItWrites) {
     EXPECT_EQ(read[i].plate_orientation_deg, written[i].plate_orientation_deg);
     ASSERT_EQ(read[i].samples.size(), written[i].samples.size());
     for (std::size_t k = 0; k < read[i].samples.size(); ++k) {
-      EXPECT_EQ(read[i].samples[k].time_ns, written[i].samples[k].time_ns);
-      EXPECT_EQ(read[i].samples[k].position.right_m, written[i].samples[k].position.right_m);
-      EXPECT_EQ(read[i].samples[k].position.away_m, written[i].samples[k].position.away_m);
+      EXPECT_NEAR(read[i].samples[k].time_s, written[i].samples[k].time_s, 1e-9);
+      EXPECT_DOUBLE_EQ(read[i].samples[k].position.right_mm, written[i].samples[k].position.right_mm);
+      EXPECT_DOUBLE_EQ(read[i].samples[k].position.away_mm, written[i].samples[k].position.away_mm);
     }
   }
 }
@@ -57,9 +57,9 @@ TEST(StudyCalibrate, ReadsOtherOrdersCommentsAndLineEndings) {
   ASSERT_EQ(trials.size(), 2U);
   ASSERT_EQ(trials[0].samples.size(), 2U);
   EXPECT_DOUBLE_EQ(trials[0].plate_orientation_deg, 30.25);
-  EXPECT_EQ(trials[0].samples[1].time_ns, 2);
-  EXPECT_EQ(trials[0].samples[1].position.right_m, 0.3);
-  EXPECT_EQ(trials[0].samples[1].position.away_m, 0.4);
+  EXPECT_EQ(trials[0].samples[1].time_s, 2e-9);
+  EXPECT_EQ(trials[0].samples[1].position.right_mm, 300.0);
+  EXPECT_EQ(trials[0].samples[1].position.away_mm, 400.0);
   EXPECT_EQ(trials[1].plate_orientation_deg, -30.0);
 }
 
@@ -71,8 +71,8 @@ TEST(StudyCalibrate, SlidesOverATurningPlateAreLeftOut) {
   EXPECT_TRUE(trials[0].plate_deg.empty());
   for (std::size_t i = 0; i < trials[0].samples.size(); ++i)
     csv += "99," + std::to_string(0.01 * static_cast<double>(i)) + ',' +
-           std::to_string(trials[0].samples[i].position.right_m) + ',' +
-           std::to_string(trials[0].samples[i].position.away_m) + (i < 150 ? ",0\n" : ",30\n");
+           std::to_string(trials[0].samples[i].position.right_mm / mm_per_m) + ',' +
+           std::to_string(trials[0].samples[i].position.away_mm / mm_per_m) + (i < 150 ? ",0\n" : ",30\n");
   EXPECT_EQ(parse_calibration_csv("data.csv", csv).back().plate_deg.back(), 30.0);
   write(folder / "me.csv", csv);
   const StudyRun run = expect_exit(0, run_study({"calibrate", folder / "me.csv", "--format", "json"}));

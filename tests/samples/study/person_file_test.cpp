@@ -28,7 +28,7 @@ TEST(StudyPersonFile, WhatIsNotNamedKeepsItsDefault) {
       "tracker_white_mm": 2, "plate_latency_s": 0.06})");
   EXPECT_EQ(file.condition.person.illusion.family, IllusionFamily::sine);
   EXPECT_EQ(file.condition.person.illusion.tactile_weight, 0.3);
-  EXPECT_EQ(file.condition.tracker.white_m, 0.002);
+  EXPECT_EQ(file.condition.tracker.white_mm, 2.0);
   EXPECT_EQ(file.condition.plate.latency_ns, 60'000'000);
   EXPECT_EQ(file.condition.person.gain_per_s, Person{}.gain_per_s);
   EXPECT_FALSE(file.has_duration);
@@ -85,7 +85,7 @@ TEST(StudyPersonFile, HelpHasAllParameters) {
   EXPECT_EQ(count, 34);
   EXPECT_EQ(condition.person.illusion.tactile_weight, standard.person.illusion.tactile_weight);
   EXPECT_EQ(condition.plate.latency_ns, standard.plate.latency_ns);
-  EXPECT_EQ(condition.distance_m, standard.distance_m);
+  EXPECT_EQ(condition.distance_mm, standard.distance_mm);
   EXPECT_EQ(condition.person.pace, standard.person.pace);
 }
 

@@ -44,10 +44,10 @@ TEST(StudyReplay, ARecordingByHand) {
   EXPECT_TRUE(recorded.left_out.empty());
   const RecordedPath& path = recorded.paths.front();
   EXPECT_EQ(path.reach.real_direction_deg, -5.0);
-  EXPECT_EQ(path.reach.start.away_m, -0.05);
+  EXPECT_EQ(path.reach.start.away_mm, -50.0);
   ASSERT_EQ(path.samples.size(), 4U);
-  EXPECT_EQ(path.samples[0].position.right_m, 0.01);
-  EXPECT_EQ(path.samples[0].position.away_m, -0.05);
+  EXPECT_EQ(path.samples[0].position.right_mm, 10.0);
+  EXPECT_EQ(path.samples[0].position.away_mm, -50.0);
   EXPECT_EQ(path.samples[0].plate_orientation_deg, 0.0);   // before its command
   EXPECT_EQ(path.samples[1].plate_orientation_deg, 20.0);  // the servo is not limited
   EXPECT_EQ(path.samples[2].plate_orientation_deg, -7.0);
@@ -94,8 +94,8 @@ TEST(StudyReplay, AReachOfTheControllersOwnIsCommandedAndBelievedAgain) {
                     .virtual_direction_deg = condition.virtual_direction_deg,
                     .plate_orientation_deg = 0.0,
                     .start = start,
-                    .real_distance_m = 0.1});
-  SlidingPerson person(condition.person, start, condition.virtual_direction_deg, 0.1, Draws(1, 0, 0, 0));
+                    .real_distance_mm = 100.0});
+  SlidingPerson person(condition.person, start, condition.virtual_direction_deg, 100.0, Draws(1, 0, 0, 0));
   const auto cell = [](double value) { return ',' + number(value); };
   std::string text = std::string(recording_header) + "begin,0,,,,,," + cell(condition.real_direction_deg) +
                      cell(condition.virtual_direction_deg) + ",0.1,0,0,0\n";
@@ -108,8 +108,8 @@ TEST(StudyReplay, AReachOfTheControllersOwnIsCommandedAndBelievedAgain) {
                               .position = person.position(),
                               .plate_orientation_deg = std::nullopt};
     plate_deg = retargeter.update(sample).plate_orientation_deg;
-    text += "update,0," + std::to_string(sample.time_ns) + ",2" + cell(sample.position.right_m) + ",0" +
-            cell(-sample.position.away_m) + ",,,,,," + cell(plate_deg) + '\n';
+    text += "update,0," + std::to_string(sample.time_ns) + ",2" + cell(sample.position.right_mm / mm_per_m) + ",0" +
+            cell(-sample.position.away_mm / mm_per_m) + ",,,,,," + cell(plate_deg) + '\n';
   }
   const std::vector<ReplayedPath> replayed = replay(parse_recorded_paths("a.csv", text + "end,0,,,,,,,,,,,,\n"));
   ASSERT_EQ(replayed.size(), 1U);

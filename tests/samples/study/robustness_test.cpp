@@ -287,7 +287,7 @@ TEST(StudyRobustness, APersonOfOnesOwn) {
   const RetargeterConfig controller = people_controller();
   std::vector<double> misses_mm;
   for (std::uint32_t i = 0; i < 8; ++i)
-    misses_mm.push_back(1e3 * std::abs(simulate_person(condition, &controller, 1, 1, i).front().miss_m));
+    misses_mm.push_back(std::abs(simulate_person(condition, &controller, 1, 1, i).front().miss_mm));
   EXPECT_DOUBLE_EQ(std::stod(field(rows[0], rows[3], "miss_median_mm")), median(misses_mm));
 
   const StudyRun both = expect_exit(0, run_study({"robustness", "--person", folder / "me, myself.json", "--people", "2",

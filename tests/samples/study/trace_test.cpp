@@ -44,8 +44,8 @@ TEST(StudyTrace, FilterKnowsTheFingerAndThePerson) {
       EXPECT_NEAR(last.mean[state], truth, 4.0 * last.deviation[state] + 1e-9)
           << family << ' ' << person_state_names[state];
     };
-    within(PersonFilter::right, 1e3 * last.finger.right_m);
-    within(PersonFilter::away, 1e3 * last.finger.away_m);
+    within(PersonFilter::right, last.finger.right_mm);
+    within(PersonFilter::away, last.finger.away_mm);
     within(PersonFilter::weight, trace.condition.person.illusion.tactile_weight);
     within(PersonFilter::bias, trace.condition.person.bias_deg);
   }
