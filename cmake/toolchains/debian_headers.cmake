@@ -7,7 +7,7 @@ endif()
 
 set(root ${CMAKE_BINARY_DIR}/debian_headers)
 file(MAKE_DIRECTORY ${root}/include ${root}/share/cmake ${root}/share/eigen3)
-foreach(header CLI eigen3 fast_float fmt nlohmann Random123 tiny_gltf.h)
+foreach(header CLI eigen3 fast_float fmt nlohmann tiny_gltf.h)
   file(CREATE_LINK /usr/include/${header} ${root}/include/${header} SYMBOLIC)
 endforeach()
 # Copies: the packages find their headers from where these files are.

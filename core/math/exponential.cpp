@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/math/round_down.h"
-
 namespace hrt {
 namespace {
 
@@ -19,7 +17,7 @@ double power_of_two(int n) { return std::bit_cast<double>(static_cast<std::uint6
 
 double exponential(double x) {
   x = std::clamp(x, -700.0, 700.0);
-  const double doublings = round_down(x / ln2 + 0.5);
+  const double doublings = std::floor(x / ln2 + 0.5);
   const double f = x - doublings * ln2;  // within ln2 / 2
   // Taylor's series; its remainder is below 1e-16 there.
   constexpr double coefficients[] = {

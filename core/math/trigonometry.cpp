@@ -57,7 +57,7 @@ struct Reduced {
 };
 
 Reduced reduced(double angle_deg) {
-  const double quarter = round_down(angle_deg / 90.0 + 0.5);
+  const double quarter = std::floor(angle_deg / 90.0 + 0.5);
   return {static_cast<int>(quarter) & 3, (angle_deg - quarter * 90.0) * rad_per_deg};
 }
 

@@ -1,8 +1,8 @@
-// Sine, cosine and arctangent in degrees, built from the four operations and comparisons alone. The C
-// library's own differ in the last bit between hosts, and a recording must replay to the same bits on all.
+// Sine, cosine and arctangent in degrees, built from the four operations, comparisons and floor alone.
+// The C library's own differ in the last bit between hosts, and a recording must replay to the same bits on all.
 #pragma once
 
-#include "core/math/round_down.h"
+#include <cmath>
 
 namespace hrt {
 
@@ -29,7 +29,7 @@ double atan2_deg(double y, double x);
 
 /// `angle_deg` less the whole turns of `period_deg` that bring it into [-period/2, period/2).
 inline double wrap_deg(double angle_deg, double period_deg) {
-  return angle_deg - period_deg * round_down(angle_deg / period_deg + 0.5);
+  return angle_deg - period_deg * std::floor(angle_deg / period_deg + 0.5);
 }
 
 }  // namespace hrt

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
-#include <optional>
 #include <thread>
-
-#include "core/paper_simulation/trial_table.h"
 
 namespace hrt {
 namespace {
@@ -79,10 +76,9 @@ class Chunks {
   std::vector<std::uint64_t> ends_;  // of each job, the number after its last chunk's
 };
 
-// One trial after the other through the Retargeter, for conditions without a table.
-BatchResult run_untabulated(const BatchJob& job, std::uint64_t seed, std::uint32_t first, std::uint32_t last) {
+BatchResult run_trials(const BatchJob& job, std::uint64_t seed, const Chunk& chunk) {
   BatchResult result;
-  for (std::uint32_t trial = first; trial < last; ++trial) {
+  for (std::uint32_t trial = chunk.first_trial; trial < chunk.last_trial; ++trial) {
     const TrialOutcome outcome =
         simulate_trial(job.condition, {.seed = seed, .condition = job.condition_id, .trial = trial});
     ++result.trials;
@@ -95,26 +91,11 @@ BatchResult run_untabulated(const BatchJob& job, std::uint64_t seed, std::uint32
   return result;
 }
 
-// Which way trials go depends on the condition alone, never on how many there are: the two ways differ in
-// their last bits.
-BatchResult run_trials(const BatchJob& job, const std::optional<TrialTable>& table, std::uint64_t seed,
-                       std::uint32_t first, std::uint32_t last) {
-  return table ? table->run(seed, job.condition_id, first, last) : run_untabulated(job, seed, first, last);
-}
-
 }  // namespace
 
 std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed, const BatchOptions& options) {
-  // A job's table is made by the thread that comes to it first, and goes when its last chunk is done.
-  struct JobState {
-    std::once_flag tabulated;
-    std::optional<TrialTable> table;
-    std::atomic<std::uint64_t> chunks_left{0};
-  };
-  std::vector<JobState> states(jobs.size());
   std::vector<BatchResult> results(jobs.size());
   const Chunks chunks(jobs);
-  for (std::size_t job = 0; job < jobs.size(); ++job) states[job].chunks_left = chunks.count_of(job);
   std::uint64_t total = 0;
   for (const BatchJob& job : jobs) total += job.last_trial - job.first_trial;
 
@@ -125,15 +106,11 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
     while (!(options.cancel && options.cancel->load(std::memory_order_relaxed))) {
       const std::uint64_t taken = next_chunk.fetch_add(1);
       if (taken >= chunks.count()) return;
-      const auto [index, first, last] = chunks[taken];
-      const BatchJob& job = jobs[index];
-      JobState& state = states[index];
-      std::call_once(state.tabulated, [&] { state.table = TrialTable::tabulate(job.condition); });
-      const BatchResult result = run_trials(job, state.table, seed, first, last);
-      if (--state.chunks_left == 0) state.table.reset();
+      const Chunk chunk = chunks[taken];
+      const BatchResult result = run_trials(jobs[chunk.job], seed, chunk);
       {
         const std::lock_guard lock(results_mutex);
-        results[index] += result;
+        results[chunk.job] += result;
       }
       done += result.trials;
       after_chunk();

@@ -8,13 +8,6 @@
 #include "core/person/steering.h"
 #include "core/reach/pace.h"
 
-#if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
-#include <cpuid.h>
-#define HRT_AVX2 [[gnu::target("avx2")]]
-#else
-#define HRT_AVX2
-#endif
-
 namespace hrt {
 namespace {
 
@@ -40,7 +33,7 @@ constexpr PersonFilter::Index state_of[states] = {PersonFilter::weight,  PersonF
                                                   PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
 
 // F P F', as (P F')' F': columns lie side by side. A step leaves the person's traits as they are.
-[[gnu::always_inline]] inline void carry(PersonFilter::Covariance& covariance, PersonFilter::Step f) {
+void carry(PersonFilter::Covariance& covariance, const PersonFilter::Step& f) {
   using X = PersonFilter;
   // A row times F'. Each line uses only what is not yet changed.
   const auto transform = [&](auto&& row) {
@@ -68,36 +61,13 @@ constexpr PersonFilter::Index state_of[states] = {PersonFilter::weight,  PersonF
 }
 
 // Two coordinates have been measured, of which these are the rows of P and the variances.
-[[gnu::always_inline]] inline void correct(PersonFilter::Covariance& covariance, const PersonFilter::State& by_right,
-                                           double right_mm2, const PersonFilter::State& by_away, double away_mm2) {
+void correct(PersonFilter::Covariance& covariance, const PersonFilter::State& by_right, double right_mm2,
+             const PersonFilter::State& by_away, double away_mm2) {
   // Copies, which writing into P can't change. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
   const PersonFilter::State right = by_right, away = by_away;
   const PersonFilter::State gain_right = right / right_mm2, gain_away = away / away_mm2;
   for (int j = 0; j < PersonFilter::size; ++j)
     for (int i = 0; i < PersonFilter::size; ++i) covariance(i, j) -= right(i) * gain_right(j) + away(i) * gain_away(j);
-}
-
-// gcc's target_clones and __builtin_cpu_supports() ask for all that the processor has while the library is loaded: a
-// third of that time on a virtual machine, where each CPUID traps.
-inline bool has_avx2() {
-#if defined(bit_AVX2)
-  static const bool found = [] {
-    unsigned a = 0, b = 0, c = 0, d = 0;
-    if (__get_cpuid(1, &a, &b, &c, &d) == 0 || (c & bit_OSXSAVE) == 0) return false;
-    constexpr unsigned both_halves = 6;  // of registers of 256 bits, which the system keeps
-    __asm__("xgetbv" : "=a"(a), "=d"(d) : "c"(0));
-    return (a & both_halves) == both_halves && __get_cpuid_count(7, 0, &a, &b, &c, &d) != 0 && (b & bit_AVX2) != 0;
-  }();
-  return found;
-#else
-  return false;
-#endif
-}
-
-// `compute`, compiled for AVX2. It gives the same bits: nothing is summed in another order or contracted.
-template <auto compute>
-HRT_AVX2 void by_fours(auto&... arguments) {
-  compute(arguments...);
 }
 
 }  // namespace
@@ -109,7 +79,6 @@ PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_
       scatter_variance_deg2_(belief.covariance(PersonTrait::scatter, PersonTrait::scatter)),
       path_mm_(path_mm),
       noise_(noise) {
-  has_avx2();  // so that no update asks the processor
   state_.setZero();
   covariance_.setZero();
   for (int i = 0; i < states; ++i) {
@@ -190,7 +159,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
                   .turn_by_felt = k * seconds,
                   .turn_by_direction = -steering.decay_s * seconds,
                   .turn_by_gain = -steering.felt_error_deg * seconds};
-  has_avx2() ? by_fours<carry>(covariance_, step) : carry(covariance_, step);
+  carry(covariance_, step);
   move_state(step);
   add_noise(step);
 }
@@ -242,8 +211,7 @@ double PersonFilter::observe(double right_mm, double away_mm, double gate) {
   const double off_away_mm = away_mm - state_(away) - state_(noise_away) - shared * off_right_mm;
   const double nis = off_right_mm * off_right_mm / right_mm2 + off_away_mm * off_away_mm / away_mm2;
   if (nis > gate) return nis;
-  has_avx2() ? by_fours<correct>(covariance_, by_right, right_mm2, by_away, away_mm2)
-             : correct(covariance_, by_right, right_mm2, by_away, away_mm2);
+  correct(covariance_, by_right, right_mm2, by_away, away_mm2);
   const double per_right = off_right_mm / right_mm2, per_away = off_away_mm / away_mm2;
   for (int i = 0; i < size; ++i) state_(i) += by_right(i) * per_right + by_away(i) * per_away;
   keep_in_range();

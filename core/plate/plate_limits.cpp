@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/round_down.h"
-
 namespace hrt {
 namespace {
 
@@ -32,7 +30,7 @@ double clamped(double orientation_deg, const PlateStops& stops) {
 }
 
 double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateStops& stops) {
-  double half_turns = round_down((current_deg - orientation_deg) / 180.0 + 0.5);
+  double half_turns = std::floor((current_deg - orientation_deg) / 180.0 + 0.5);
   if (orientation_deg + 180.0 * half_turns > stops.upper_deg) {
     half_turns = std::floor((stops.upper_deg - orientation_deg) / 180.0);
   }

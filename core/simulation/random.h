@@ -1,13 +1,37 @@
-// The random numbers of simulations: counter-based, so that each is a pure function of where it is used
-// and results do not depend on threads, order or how a batch is split.
+// The random numbers of simulations: counter-based, so that each is a pure function of its counter and results do not
+// depend on threads, order or how a batch is split.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "core/simulation/philox.h"
+
 namespace hrt {
 
-/// Where a random number is used.
+/// Two independent draws from N(0, 1) from 64 random bits, by the formula of Box and Muller: 40 bits for the radius, so
+/// that the tails are exact to 7.5 standard deviations, and 24 for the angle. Uses only the four operations and the
+/// square root: the same bits on every compiler that keeps IEEE arithmetic, with any mathematics library.
+std::array<double, 2> normal_pair(std::uint64_t bits);
+
+/// Draws from N(0, 1) for the steps of one trial. Philox of the counter {step / 4, trial, condition, 0} serves four
+/// steps; the last block is kept. One thread at a time.
+class NormalDraws {
+ public:
+  NormalDraws(std::uint64_t seed, std::uint32_t condition, std::uint32_t trial)
+      : seed_(seed), condition_(condition), trial_(trial) {}
+
+  double operator()(std::uint32_t step);
+
+ private:
+  std::uint64_t seed_;
+  std::uint32_t condition_;
+  std::uint32_t trial_;
+  std::uint32_t block_ = ~std::uint32_t{0};  // of no step
+  std::array<double, 4> draws_{};
+};
+
+/// Identifies one draw of NormalDraws.
 struct RandomCounter {
   std::uint64_t seed;
   std::uint32_t condition;
@@ -15,31 +39,17 @@ struct RandomCounter {
   std::uint32_t step;
 };
 
-/// A draw from N(0, 1): Philox 4x32-10 of Random123 and the transform of random_lanes.h. A block of four
-/// words serves steps 4 i to 4 i + 3. The same bits on every compiler that keeps IEEE arithmetic.
-double standard_normal(const RandomCounter& counter);
+/// Returns one draw of NormalDraws.
+inline double standard_normal(const RandomCounter& counter) {
+  return NormalDraws(counter.seed, counter.condition, counter.trial)(counter.step);
+}
 
-/// The draws of one trial, with the bits of standard_normal(). Keeps the last block: draws in sequence cost
-/// less than half. One thread at a time.
-class NormalDraws {
- public:
-  NormalDraws(std::uint64_t seed, std::uint32_t condition, std::uint32_t trial)
-      : trial_{.seed = seed, .condition = condition, .trial = trial, .step = 0} {}
-
-  double operator()(std::uint32_t step);
-
- private:
-  RandomCounter trial_;
-  std::uint32_t block_ = ~std::uint32_t{0};  // of no step
-  std::array<double, 4> draws_{};
-};
-
-/// The draws of one reach of a simulated person, normal and uniform, in the order they are asked for. Counter
+/// The draws of one reach of a simulated person, normal and uniform, in the order in which they are requested. Counter
 /// word 3 is `stream` + 1, so that no block is one of a trial's. One thread at a time.
 class Draws {
  public:
   Draws(std::uint64_t seed, std::uint32_t stream, std::uint32_t person, std::uint32_t reach)
-      : seed_(seed), block_{0, person, reach, stream + 1} {}
+      : seed_(seed), counter_{0, person, reach, stream + 1} {}
 
   double normal();
   /// In [0, 1).
@@ -49,7 +59,7 @@ class Draws {
   std::uint64_t bits();
 
   std::uint64_t seed_;
-  std::array<std::uint32_t, 4> block_;  // the next one's counter
+  PhiloxBlock counter_;  // of the next block
   std::uint64_t late_half_ = 0;
   double spare_ = 0.0;
   bool has_late_half_ = false;

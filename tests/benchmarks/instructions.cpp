@@ -1,5 +1,5 @@
-// What `instructions` counts under callgrind: loading the library, a session, updates through the C ABI, a
-// set-up's too, solves, a step of a batch, and simulated reaches. A row ends with a dump of its counts,
+// What `instructions` counts under callgrind: a session, updates through the C ABI, a set-up's too, solves, and
+// simulated reaches. A row ends with a dump of its counts,
 // "name|how many of it".
 #include <dlfcn.h>
 #include <valgrind/callgrind.h>
@@ -9,9 +9,7 @@
 #include <string>
 
 #include "core/paper_simulation/participant.h"
-#include "core/paper_simulation/trial_table.h"
 #include "core/simulation/controllers.h"
-#include "core/simulation/lanes.h"
 #include "core/simulation/person_trial.h"
 #include "haptic_retargeting/functions.h"
 #include "tests/core/paper/mpc_random_problem.h"
@@ -40,11 +38,10 @@ void end_row(const std::string& row, std::uint64_t count) {
   CALLGRIND_DUMP_STATS_AT(name.c_str());
 }
 
-void count_load(const char* path) {
-  void* library = counted([&] { return dlopen(path, RTLD_NOW | RTLD_LOCAL); });
+void load(const char* path) {
+  void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   require(library, path);
-  require(!hrt_functions_load(dlsym, library, &api), path);
-  end_row("load of the library", 1);
+  require(hrt_functions_load(dlsym, library, &api), path);
 }
 
 // A session with a reach under way.
@@ -204,13 +201,6 @@ void count_solves(int horizon, bool has_rate_bound) {
           problems);
 }
 
-void count_batch() {
-  Condition condition;
-  const TrialTable table = *TrialTable::tabulate(condition);
-  const BatchResult result = counted([&] { return table.run<PairLanes>(1, 0, 0, 512); });
-  end_row("step of a batch", result.steps);
-}
-
 void count_reaches(const char* family) {
   constexpr std::uint32_t people = 2;
   constexpr int reaches = 5;
@@ -231,7 +221,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: hrt_instructions LIBRARY, under callgrind; `instructions` does it all\n");
     return 2;
   }
-  count_load(argv[1]);
+  load(argv[1]);
   count_sessions();
   count_updates("update under ARRIVAL at 90 Hz", 11);
   count_updates("update under ARRIVAL at 1 kHz", 1);
@@ -242,6 +232,5 @@ int main(int argc, char** argv) {
   }
   for (const int horizon : {3, 50})
     for (const bool has_rate_bound : {false, true}) count_solves(horizon, has_rate_bound);
-  count_batch();
   for (const char* family : {"linear", "place", "mixture"}) count_reaches(family);
 }

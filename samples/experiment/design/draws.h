@@ -30,11 +30,10 @@ class Stream {
 
   /// In [0, 1).
   double uniform() {
-    std::uint32_t words[4];
-    hrt_philox(counter_, key_, words);
+    const std::uint32_t word = philox(counter_, key_)[0];
     ++counter_[0];
     constexpr double two_to_minus_32 = 1.0 / 4294967296.0;
-    return words[0] * two_to_minus_32;
+    return word * two_to_minus_32;
   }
   /// Below `count`.
   unsigned below(unsigned count) { return static_cast<unsigned>(uniform() * count); }
@@ -47,7 +46,7 @@ class Stream {
 
  private:
   std::uint64_t key_;
-  std::uint32_t counter_[4];
+  PhiloxBlock counter_;
 };
 
 }  // namespace hrt::experiment

@@ -8,18 +8,11 @@
 
 #include "core/math/distributions.h"
 #include "core/math/exponential.h"
-#include "core/math/round_down.h"
 
 namespace hrt {
 namespace {
 
 constexpr long double pi = std::numbers::pi_v<long double>;
-
-TEST(RoundDown, IsTheFloor) {
-  for (const double x :
-       {0.0, 1e-300, 0.49999999999999994, 0.5, 0.9999999999999999, 1.0, 1.5, 2.5, 3e9 + 0.5, 1e15 + 0.5, 0x1p51 - 1.0})
-    for (const double sign : {1.0, -1.0}) EXPECT_EQ(round_down(sign * x), std::floor(sign * x)) << sign * x;
-}
 
 TEST(Trigonometry, ExactAngles) {
   EXPECT_EQ(sin_deg(0.0), 0.0);

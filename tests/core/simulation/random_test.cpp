@@ -8,24 +8,17 @@
 #include <numbers>
 #include <vector>
 
-#include "core/simulation/random_lanes.h"
-
 namespace hrt {
 namespace {
 
 // The known answers that Random123 is distributed with (kat_vectors, philox4x32 of 10 rounds).
 TEST(SimulationRandom, PhiloxKnownAnswers) {
-  const auto zeros = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(0), 0, 0, 0, 0);
-  EXPECT_EQ(zeros.first, 0xe169c58d'6627e8d5u);
-  EXPECT_EQ(zeros.second, 0x9b00dbd8'bc57ac4cu);
-  const std::uint64_t max = 0xffffffff;
-  const auto ones = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(~std::uint64_t{0}), max, max, max, max);
-  EXPECT_EQ(ones.first, 0x41c83b0e'408f276du);
-  EXPECT_EQ(ones.second, 0x6d5451fd'a20bc7c6u);
-  const auto pi =
-      philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(0x299f31d0'a4093822), 0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344);
-  EXPECT_EQ(pi.first, 0x94fdcceb'd16cfe09u);
-  EXPECT_EQ(pi.second, 0x24126ea1'5001e420u);
+  EXPECT_EQ(philox({}, 0), (PhiloxBlock{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  constexpr std::uint32_t max = 0xffffffff;
+  EXPECT_EQ(philox({max, max, max, max}, ~std::uint64_t{0}),
+            (PhiloxBlock{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, 0x299f31d0'a4093822),
+            (PhiloxBlock{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
 // Box and Muller's formula in long double, on the bits as normal_pair() lays them out.
@@ -39,11 +32,11 @@ std::array<long double, 2> reference_pair(std::uint64_t bits) {
 }
 
 void expect_near_reference(std::uint64_t bits) {
-  const NormalPair<ScalarLanes> pair = normal_pair<ScalarLanes>(bits);
+  const std::array<double, 2> pair = normal_pair(bits);
   const auto [first, second] = reference_pair(bits);
   const double tolerance = 3e-15 * std::max(1.0, static_cast<double>(std::hypot(first, second)));
-  ASSERT_NEAR(pair.first, static_cast<double>(first), tolerance) << std::hex << bits;
-  ASSERT_NEAR(pair.second, static_cast<double>(second), tolerance) << std::hex << bits;
+  ASSERT_NEAR(pair[0], static_cast<double>(first), tolerance) << std::hex << bits;
+  ASSERT_NEAR(pair[1], static_cast<double>(second), tolerance) << std::hex << bits;
 }
 
 TEST(SimulationRandom, TransformAgreesWithLongDouble) {
@@ -54,27 +47,6 @@ TEST(SimulationRandom, TransformAgreesWithLongDouble) {
       expect_near_reference(radius_bits << 24 | angle_bits);
   }
   for (std::uint64_t i = 0; i < 200'000; ++i) expect_near_reference(i * 0x9e3779b97f4a7c15u);
-}
-
-TEST(SimulationRandom, LanesDoNotMatter) {
-  const PhiloxKeys<PairLanes> keys(0x0123456789abcdef);
-  for (std::uint32_t trial = 0; trial < 5000; trial += 2) {
-    std::array<std::uint64_t, 2> trials{trial, trial + 1};
-    const auto block = philox<PairLanes>(keys, PairLanes::all(std::uint64_t{5}), PairLanes::load(trials.data()),
-                                         PairLanes::all(std::uint64_t{77}), PairLanes::all(std::uint64_t{0}));
-    std::array<std::array<double, PairLanes::count>, 4> draws;
-    const NormalPair<PairLanes> early = normal_pair<PairLanes>(block.first);
-    const NormalPair<PairLanes> late = normal_pair<PairLanes>(block.second);
-    PairLanes::store(draws[0].data(), early.first);
-    PairLanes::store(draws[1].data(), early.second);
-    PairLanes::store(draws[2].data(), late.first);
-    PairLanes::store(draws[3].data(), late.second);
-    for (std::uint32_t lane = 0; lane < PairLanes::count; ++lane) {
-      for (std::uint32_t step = 0; step < 4; ++step) {
-        ASSERT_EQ(draws[step][lane], standard_normal({0x0123456789abcdef, 77, trial + lane, 20 + step}));
-      }
-    }
-  }
 }
 
 // In sequence, with gaps, backwards and at the ends of the range of steps.
@@ -187,16 +159,17 @@ TEST(SimulationRandom, NeighboursAreIndependent) {
 // Philox of the counter {block, person, reach, stream + 1}: 64 bits for a uniform draw or for two normal
 // ones.
 TEST(SimulationDraws, TakeHalfABlockAtATime) {
-  const PhiloxKeys<ScalarLanes> keys(7);
-  const auto first = philox<ScalarLanes>(keys, 0, 3, 4, 3);
-  const auto second = philox<ScalarLanes>(keys, 1, 3, 4, 3);
+  const auto half = [](std::uint32_t block, std::size_t half) {
+    const PhiloxBlock words = philox({block, 3, 4, 3}, 7);
+    return static_cast<std::uint64_t>(words[2 * half + 1]) << 32 | words[2 * half];
+  };
   Draws draws(7, 2, 3, 4);
-  EXPECT_EQ(draws.uniform(), static_cast<double>(first.first >> 11) * 0x1p-53);
-  const auto pair = normal_pair<ScalarLanes>(first.second);
-  EXPECT_EQ(draws.normal(), pair.first);
-  EXPECT_EQ(draws.uniform(), static_cast<double>(second.first >> 11) * 0x1p-53);
-  EXPECT_EQ(draws.normal(), pair.second);
-  EXPECT_EQ(draws.normal(), normal_pair<ScalarLanes>(second.second).first);
+  EXPECT_EQ(draws.uniform(), static_cast<double>(half(0, 0) >> 11) * 0x1p-53);
+  const auto [first, second] = normal_pair(half(0, 1));
+  EXPECT_EQ(draws.normal(), first);
+  EXPECT_EQ(draws.uniform(), static_cast<double>(half(1, 0) >> 11) * 0x1p-53);
+  EXPECT_EQ(draws.normal(), second);
+  EXPECT_EQ(draws.normal(), normal_pair(half(1, 1))[0]);
 }
 
 TEST(SimulationDraws, AreAFunctionOfTheirKeyAlone) {
