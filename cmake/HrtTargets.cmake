@@ -74,29 +74,15 @@ function(hrt_harden name)
   set_target_properties(${name} PROPERTIES HRT_HARDENED ON)
 endfunction()
 
-# hrt_keep_small(name): small rather than fast; the linker drops what nobody calls.
-function(hrt_keep_small name)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-Os> -ffunction-sections)
-endfunction()
-
-# hrt_keep_fast(SOURCE): what each frame runs of a target that is kept small.
-function(hrt_keep_fast source)
-  set_source_files_properties(${source} PROPERTIES
-    SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
-endfunction()
-
-# hrt_precompile(name HEADERS...): for targets of many sources, whose time to compile is mostly that of Eigen's
+# hrt_precompile(name HEADERS...): for targets of many C++ sources, whose time to compile is mostly that of Eigen's
 # headers. The options let ccache store what uses them. Where many sources are compiled as one they cost more than they save.
 function(hrt_precompile name)
   get_target_property(as_one ${name} UNITY_BUILD)
-  if(as_one)
-    return()
+  if(NOT as_one)
+    target_precompile_headers(${name} PRIVATE ${ARGN})
+    target_compile_options(${name} PRIVATE
+      $<IF:$<CXX_COMPILER_ID:GNU>,-fpch-preprocess,SHELL:-Xclang -fno-pch-timestamp>)
   endif()
-  string(REPLACE ">" "$<ANGLE-R>" headers "${ARGN}")
-  list(TRANSFORM headers REPLACE "(.+)" "$<$<COMPILE_LANGUAGE:CXX>:\\1>")
-  target_precompile_headers(${name} PRIVATE ${headers})
-  target_compile_options(${name} PRIVATE
-    $<IF:$<CXX_COMPILER_ID:GNU>,-fpch-preprocess,SHELL:-Xclang -fno-pch-timestamp>)
 endfunction()
 
 # hrt_fuzzed(name): what the fuzz targets run has their counters in it.
@@ -106,8 +92,8 @@ function(hrt_fuzzed name)
   endif()
 endfunction()
 
-# hrt_make_loadable(name MAP): what a shared library needs that any process may load: it exports what MAP names, has
-# the C++ runtime inside, needs glibc 2.31 at most. On Windows import libraries of MinGW (.dll.a) and of MSVC (.lib) are beside
+# hrt_make_loadable(name MAP): what a shared library needs that any process may load: it exports what MAP names and has
+# the C++ runtime inside. On Windows import libraries of MinGW (.dll.a) and of MSVC (.lib) are beside
 # the DLL, and the .def from which others are made.
 function(hrt_make_loadable name map)
   set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
@@ -136,16 +122,11 @@ function(hrt_make_loadable name map)
   endif()
 endfunction()
 
-# hrt_bring_runtime(name): on Linux, the C++ runtime inside, and glibc 2.31 at most.
+# hrt_bring_runtime(name): on Linux, the C++ runtime inside, since the host may bring another.
 function(hrt_bring_runtime name)
-  # The host may bring another C++ runtime; ours is inside, and hidden.
   target_link_options(${name} PRIVATE -static-libstdc++ LINKER:--gc-sections $<$<CONFIG:Release>:LINKER:--strip-all>)
-  if(NOT HRT_SANITIZE)  # sanitizers have definitions of their own for these, and leave theirs to the program
+  if(NOT HRT_SANITIZE)  # sanitizers leave their definitions to the program
     target_link_options(${name} PRIVATE -static-libgcc LINKER:-z,defs)
-    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/plugin/src/abi/runtime_inside.cpp
-                   ${PROJECT_SOURCE_DIR}/plugin/src/abi/glibc_compat.cpp)
-    target_link_options(${name} PRIVATE LINKER:--push-state,--no-as-needed -l:libpthread.so.0
-                        LINKER:--pop-state)
   endif()
 endfunction()
 

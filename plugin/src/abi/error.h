@@ -21,11 +21,9 @@ struct ThreadError {
 
 extern thread_local constinit ThreadError thread_error;
 
-// By value, so that callers keep in registers what they check. NOLINTBEGIN(performance-unnecessary-value-param)
-
 /// Sets the text of hrt_last_error() to the call and `parts`.
 template <class... Parts>
-[[gnu::cold]] void set_error(Parts... parts) {
+void set_error(const Parts&... parts) {
   thread_error.text.clear();
   thread_error.text << thread_error.call << ": ";
   (thread_error.text << ... << parts);
@@ -34,12 +32,10 @@ template <class... Parts>
 
 /// The same, and returns `code`.
 template <class... Parts>
-hrt_result fail(hrt_result code, Parts... parts) {
+hrt_result fail(hrt_result code, const Parts&... parts) {
   set_error(parts...);
   return code;
 }
-
-// NOLINTEND(performance-unnecessary-value-param)
 
 /// What fail() was last given, without the call.
 inline Text<240> last_failure() {

@@ -1,7 +1,6 @@
 /* An engine that has the headers and finds the library when it runs. */
 #include <dlfcn.h>
 #include <haptic_retargeting/functions.h>
-#include <malloc.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/types.h>
@@ -12,18 +11,6 @@
 static void* find_most(void* library, const char* name) {
   if (!strcmp(name, "hrt_reach_retarget") || !strcmp(name, "hrt_reach_cancel")) return NULL;
   return dlsym(library, name);
-}
-
-/* Bytes that the process has from malloc() more after 1,000 times than after the first ten. */
-static long left_by_opening(const char* path) {
-  size_t before = 0;
-  int i;
-  for (i = 0; i < 1010; ++i) {
-    void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    if (!library || dlclose(library) != 0) return -1;
-    if (i == 9) before = mallinfo2().uordblks;
-  }
-  return (long)(mallinfo2().uordblks - before);
 }
 
 int main(int argc, char** argv) {
@@ -50,7 +37,6 @@ int main(int argc, char** argv) {
   child = fork();
   if (child == 0) _exit(0);
   if (waitpid(child, &status, 0) != child || status != 0) return 11;
-  if (left_by_opening(argv[1]) != 0) return 12;
   puts("opened, used and closed");
   return 0;
 }
