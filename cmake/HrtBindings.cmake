@@ -1,11 +1,10 @@
-# What is written from the C headers: the library's own table of fields (generated/fields.h in the build folder), and what the hosts
-# take, beside their own files, where git ignores it. At configuring, and again after a change of the headers or of the generator; a
-# file that stays the same is not touched. Python is in the build base of every system that we know, and nothing but it is needed.
+# What is generated from plugin/bindings/api.json: the library's own table of fields (generated/fields.h in the build folder), and the
+# files of the hosts, in their folders, where git ignores them. At configuring, and again after a change of the data or of the
+# generator; a file that stays the same is not touched. Needs Python and no package of it.
 find_program(HRT_PYTHON3 NAMES python3 python HINTS /usr/bin REQUIRED)
 set(HRT_BINDINGS ${PROJECT_SOURCE_DIR}/plugin/bindings)
 execute_process(COMMAND ${HRT_PYTHON3} ${HRT_BINDINGS}/generate ${PROJECT_BINARY_DIR}/generated COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${HRT_PYTHON3} ${HRT_BINDINGS}/unity/metas COMMAND_ERROR_IS_FATAL ANY)
-file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/plugin/include/haptic_retargeting/*.h ${HRT_BINDINGS}/generator/*.py)
-list(FILTER sources EXCLUDE REGEX "/(init|functions)\\.h$")
+file(GLOB sources CONFIGURE_DEPENDS ${HRT_BINDINGS}/api.json ${HRT_BINDINGS}/generator/*.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources} ${HRT_BINDINGS}/generate
   ${HRT_BINDINGS}/godot/plate_node.h ${HRT_BINDINGS}/godot/README.md ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/plugin/THIRD_PARTY_NOTICES.md)

@@ -16,6 +16,7 @@ install(TARGETS ${HRT_LIBRARIES} EXPORT HapticRetargetingTargets
   ARCHIVE COMPONENT development)
 install(DIRECTORY plugin/include/ TYPE INCLUDE COMPONENT development
         FILES_MATCHING PATTERN "*.h")
+install(FILES plugin/bindings/api.json DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/haptic_retargeting COMPONENT development)
 
 set(HRT_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/HapticRetargeting)
 install(EXPORT HapticRetargetingTargets NAMESPACE HapticRetargeting:: DESTINATION ${HRT_CMAKE_DIR}

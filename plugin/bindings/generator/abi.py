@@ -1,236 +1,251 @@
-"""The C interface as a model: constants, structs, functions, and their comments. headers.py reads it."""
+"""The C interface, from api.json: constants, enumerations, structs, callbacks, functions. Hosts do not have parts of structs: the
+fields of a part are those of its struct, under other names, also in texts: plate.max_speed_deg_s is plate_max_speed_deg_s."""
 
 from __future__ import annotations
 
+import json
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
 
-import comments
-
-# Ends of the names of numbers without a unit: ratios, unit vectors, and arrays whose elements have units of their own.
-_WITHOUT_UNIT = ("weight", "width", "scale", "rotation", "up", "mean", "covariance", "correction")
+API = Path(__file__).resolve().parent.parent / "api.json"
 SIZES = {"char": 1, "int32_t": 4, "uint32_t": 4, "int64_t": 8, "uint64_t": 8, "double": 8}
+HIDDEN = ("struct_size", "reserved")
 
 
-class HeaderError(Exception):
-    """A header has something that the model has no place for."""
+class HostError(Exception):
+    """A host cannot show something of the interface."""
 
 
 @dataclass(frozen=True)
 class Type:
-    """`name` is a key of SIZES, "size_t", "void", or the name of a struct or a callback."""
+    """`name` is a key of SIZES, "size_t", "void", "hrt_result", or the name of a struct or a callback."""
 
     name: str
     pointer: bool = False
     const: bool = False  # what is pointed to
-    callback: bool = False
 
     def __str__(self) -> str:
-        """As C writes it."""
         return ("const " if self.const else "") + self.name + ("*" if self.pointer else "")
 
 
-@dataclass(frozen=True)
-class Constant:
+@dataclass(frozen=True, kw_only=True)
+class Value:
+    """A constant, a field or a parameter, as update_api describes it."""
+
     name: str
-    value: int
-    unsigned: bool
-    doc: str
-    group: str  # what heads the group that begins with this one
+    header: str = ""
+    type: Type = Type("int32_t")
+    count: Any = 0  # length of a fixed array; of a parameter, the name of the parameter that has its length
+    offset: int = 0
+    member: str = ""  # of a field, as C writes it behind the struct: plate.max_speed_deg_s
+    value: int = 0
+    unsigned: bool = False
+    enumeration: str = ""  # that a constant belongs to
+    values: str = ""  # enumeration of the constants that it takes
+    elements: str = ""
+    unit: str = ""
+    min: Decimal | None = None
+    max: Decimal | None = None
+    zero: bool = False  # 0 is allowed too, below `min`
+    norm: tuple[Decimal, ...] = ()
+    unbounded: bool = False
+    default: Any = None  # a constant's name, or the number of each element
+    boolean: bool = False
+    ccw: bool = False
+    profile: Any = False
+    flatten: str = ""
+    text: str = ""
+
+    @property
+    def lowest(self) -> Decimal | None:
+        return min(self.min, Decimal(0)) if self.zero and self.min is not None else self.min
+
+    @property
+    def bounded(self) -> bool:
+        return self.min is not None and self.max is not None
+
+    @property
+    def defaults(self) -> list[Decimal]:
+        """Its numbers if they are not all 0."""
+        return self.default if isinstance(self.default, list) and any(self.default) else []
+
+    @property
+    def literals(self) -> list[str]:
+        """Its default as C has it, for each element; empty: zero."""
+        return [self.default] if isinstance(self.default, str) else [self.literal(n) for n in self.defaults]
+
+    def literal(self, number: Decimal) -> str:
+        if self.type.name != "double":
+            return f"{int(number)}"
+        text = f"{number.normalize() + 0:f}" if abs(number.adjusted()) < 7 else str(number.normalize()).lower()
+        return text if "." in text or "e" in text else text + ".0"
+
+    @property
+    def doc(self) -> str:
+        """The text with range and default."""
+        def amount(number: Decimal) -> str:
+            seconds = number / 1_000_000_000 if self.unit == "ns" else Decimal(0)
+            return f"{shown(seconds)} s" if seconds >= 1 else f"{shown(seconds * 1000)} ms" if seconds else shown(number)
+
+        parts = [self.text, f"{self.values}_*." * bool(self.values)]
+        if self.min is not None:
+            parts.append("0 or " * self.zero + amount(self.min) + (f" to {amount(self.max)}." if self.max is not None else " or more."))
+        if self.default is not None:
+            parts.append(f"Default {self.default if isinstance(self.default, str) else ', '.join(map(amount, self.default))}.")
+        return " ".join(filter(None, parts))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Enumeration:
-    """Constants of which a field, parameter or result has one, or several as flags: HRT_CONTROL_*."""
+    """Constants of which a field, parameter or result has one, or several as flags."""
 
-    prefix: str  # with "_"
-    members: tuple[Constant, ...]
-    doc: str
-
-    @property
-    def flags(self) -> bool:
-        """Of single bits, written as unsigned."""
-        return all(m.unsigned and m.value.bit_count() == 1 for m in self.members)
-
-    @property
-    def distinct(self) -> list[Constant]:
-        """Without further names of one value."""
-        return [m for i, m in enumerate(self.members) if m.value not in [o.value for o in self.members[:i]]]
-
-    def short(self, constant: Constant) -> str:
-        return constant.name.removeprefix(self.prefix)
-
-
-@dataclass(frozen=True)
-class Field:
     name: str
-    type: Type
-    length: int  # of a fixed array; 0: a single value
-    doc: str
-    shared_doc: str  # its own, or that of the field before, which describes both
-    place: int  # among those with this comment
-    path: tuple[str, ...] = ()  # of a part's field: each member on the way to it
+    header: str
+    flags: bool
+    text: str
+    members: list[Value]
 
-    @property
-    def member(self) -> str:
-        """As C writes it behind the struct: plate.max_speed_deg_s, of the field that others see as plate_max_speed_deg_s."""
-        return ".".join(self.path) or self.name
-
-    @property
-    def named_prefix(self) -> str:
-        """The prefix of the constants that its comment names, or nothing."""
-        named = re.search(r"\b(HRT_[A-Z_]+_)\*", self.doc)
-        return named[1] if named else ""
-
-    @property
-    def enumeration(self) -> str:
-        """The prefix of the constants that it takes, or nothing."""
-        return self.named_prefix if self.type == Type("uint32_t") else ""
-
-    @property
-    def boolean(self) -> bool:
-        return self.type == Type("uint32_t") and re.match(r"1 if |1; or 0", self.doc) is not None
-
-    @property
-    def unit(self) -> str:
-        """What its name ends with: deg, m, ns ..., or nothing."""
-        found = re.search(r"_(deg_s2|deg_s|deg2|deg|per_s|ns|s|m)$", self.name)
-        return found[1] if found else ""
-
-    @property
-    def numbers(self) -> comments.Numbers:
-        if self.name in ("struct_size", "reserved"):
-            return comments.Numbers()
-        return comments.numbers(self.shared_doc, self.unit, self.place)
-
-    def check(self, struct: str, needs_default: bool) -> None:
-        """Of a struct that hosts fill in, a field without range, unit or default is an error."""
-        numbers = self.numbers
-        if self.type.name not in SIZES or self.type.pointer or self.name in ("struct_size", "reserved"):
-            return  # no number or text that a host chooses
-        if not numbers.has_range or needs_default and not numbers.has_default:
-            raise HeaderError(f"{struct}::{self.name}: its comment does not end with a range{' and a default' * needs_default}, "
-                              "as generator/comments.py reads them")
-        word = self.name.removesuffix("_sd").rpartition("_")[2]
-        if self.type.name == "double" and not self.unit and word not in _WITHOUT_UNIT:
-            raise HeaderError(f"{struct}::{self.name}: its name has no unit at its end; generator/abi.py lists which need none")
+    def short(self, constant: Value) -> str:
+        return constant.name.removeprefix(f"{self.name}_")
 
 
-@dataclass(frozen=True)
-class Place:
-    offset: int
-    size: int  # of all elements
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Struct:
     name: str
-    fields: tuple[Field, ...]
-    doc: str
     header: str
+    text: str
+    fields: list[Value]
+    size: int = 0  # unknown with pointers, which differ between machines
 
     @property
     def has_default(self) -> bool:
-        """Of what is configured, every field has one."""
         return self.name.endswith(("_config", "_options"))
 
     @property
     def is_handle(self) -> bool:
-        return [f.name for f in self.fields] == ["value"]
+        return self.fields[0].name == "value" and len(self.fields) == 1
+
+    @property
+    def shown(self) -> list[Value]:
+        return [f for f in self.fields if f.name not in HIDDEN]
 
 
-@dataclass(frozen=True)
-class Parameter:
-    name: str
-    type: Type
-    array: bool  # many elements, or none: a neighbour is its `capacity`, `count` or `length`
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Function:
     name: str
     result: Type
-    parameters: tuple[Parameter, ...]
-    doc: str
+    params: list[Value] = field(default_factory=list)
+    text: str = ""
+    header: str = ""
+    returns: str = ""
+    thread: str = ""
+    thread_text: str = ""
 
     @property
     def returns_result(self) -> bool:
-        """An hrt_result, which nothing else has the type of."""
-        return self.result == Type("int32_t")
+        return self.result.name == "hrt_result"
 
     @property
     def declared(self) -> str:
         """Its parameters as C has them."""
-        return ", ".join(f"{p.type} {p.name}" for p in self.parameters) or "void"
-
-
-@dataclass
-class Abi:
-    constants: list[Constant] = field(default_factory=list)
-    structs: list[Struct] = field(default_factory=list)
-    callbacks: list[Function] = field(default_factory=list)
-    functions: list[Function] = field(default_factory=list)
-    result_doc: str = ""
-    headers: list[str] = field(default_factory=list)  # each includes what it needs
-
-    def struct(self, name: str) -> Struct:
-        found = [s for s in self.structs if s.name == name]
-        if not found:
-            raise HeaderError(f"no struct {name}, which a host shows")
-        return found[0]
+        return ", ".join(f"{p.type} {p.name}" for p in self.params) or "void"
 
     @property
-    def enumerations(self) -> list[Enumeration]:
-        """Those of the errors, and all that a comment names as HRT_NAME_*."""
-        texts = [f.doc for f in self.functions + self.callbacks]
-        prefixes = {"HRT_ERROR_"} | {f.enumeration for s in self.structs for f in s.fields if f.enumeration}
-        prefixes |= {prefix for text in texts for prefix in re.findall(r"\b(HRT_[A-Z_]+_)\*", text)}
-        # Of prefixes that begin alike, a constant has the longest.
-        of = {c.name: max((p for p in prefixes if c.name.startswith(p)), key=len, default="") for c in self.constants}
-        found = []
-        for prefix in dict.fromkeys(of[c.name] for c in self.constants if of[c.name]):
-            members = tuple(c for c in self.constants if of[c.name] == prefix and not c.name.endswith("_MAX"))
-            doc = next((c.group for c in members if c.group), "")
-            found.append(Enumeration(prefix, members, self.result_doc if prefix == "HRT_ERROR_" else doc))
-        return found
+    def doc(self) -> str:
+        return f"{self.text} Errors: {self.returns}" if self.returns_result and self.returns else self.text
+
+
+class Abi:
+    """The interface of the plugin, or of the library that drives the plate."""
+
+    def __init__(self, plate: bool = False) -> None:
+        text = API.read_text(encoding="utf-8")
+        parts = {f["type"]: f for s in json.loads(text)["structs"] for f in s["fields"] if "*" in f.get("flatten", "")}
+        names = {f"{parts[s['name']]['name']}.{f['name']}": f.get("flatten", parts[s["name"]]["flatten"]).replace("*", f["name"])
+                 for s in json.loads(text)["structs"] if s["name"] in parts for f in s["fields"]}
+        text = re.sub(rf"\b({'|'.join(map(re.escape, names))})\b", lambda m: names[m[0]], text)
+        api = json.loads(text, parse_float=Decimal, object_hook=_made)
+        self.version: str = api["version"]
+
+        def here(entries: list[Any]) -> list[Any]:
+            return [e for e in entries if (e.header == "plate.h") == plate]
+
+        def flat(whole: Value) -> list[Value]:
+            """The field, or those of the part that it is."""
+            return [replace(whole, member=whole.name)] if "*" not in whole.flatten else [
+                replace(f, name=names[f"{whole.name}.{f.name}"], member=f"{whole.name}.{f.name}", offset=whole.offset + f.offset)
+                for s in api["structs"] if s.name == whole.type.name for f in s.fields]
+
+        self.constants: list[Value] = here(api["constants"])
+        self.enumerations: list[Enumeration] = here(api["enumerations"])
+        for e in self.enumerations:
+            e.members.extend(c for c in self.constants if c.enumeration == e.name)
+        self.structs: list[Struct] = [replace(s, fields=[f for whole in s.fields for f in flat(whole)])
+                                      for s in here(api["structs"]) if s.name not in parts]
+        self.functions: list[Function] = here(api["functions"])
+        self.callbacks: list[Function] = here(api["callbacks"])
+        self.headers = sorted({s.header for s in self.structs})
+
+    def struct(self, name: str) -> Struct:
+        return next(s for s in self.structs if s.name == name)
+
+    def enumeration(self, name: str) -> Enumeration:
+        return next(e for e in self.enumerations if e.name == name)
+
+    def size(self, value: Value) -> int:
+        """Of all elements, in bytes."""
+        return (SIZES.get(value.type.name) or self.struct(value.type.name).size) * (value.count or 1)
 
     def enumeration_names(self, special: dict[str, str], flags: str) -> dict[str, str]:
-        """A type's name for each prefix: Guidance, SessionFlags with `flags` "Flags". One that is also a struct's gets
-        its field's name too: RegistrationVerdict."""
-        taken = {s.name.removeprefix("hrt_").upper() + "_" for s in self.structs if not s.is_handle}
-        names = {}
-        for e in self.enumerations:
-            name = pascal(e.prefix.removeprefix("HRT_"))
-            if not e.flags and e.prefix.removeprefix("HRT_") in taken:
-                name += pascal(next(f.name for s in self.structs for f in s.fields if f.enumeration == e.prefix))
-            names[e.prefix] = special.get(e.prefix) or name + (flags if e.flags else "")
-        return names
-
-    def layout(self, struct: Struct, pointer_size: int) -> tuple[list[Place], int]:
-        """Where each field is, and the size of all."""
-        places: list[Place] = []
-        end = 0
-        for f in struct.fields:
-            size, alignment = self._size(f.type, pointer_size)
-            offset = -(-end // alignment) * alignment
-            places.append(Place(offset, size * max(f.length, 1)))
-            end = offset + places[-1].size
-        return places, -(-end // self._alignment(struct, pointer_size)) * self._alignment(struct, pointer_size)
-
-    def _alignment(self, struct: Struct, pointer_size: int) -> int:
-        return max(self._size(f.type, pointer_size)[1] for f in struct.fields)
-
-    def _size(self, type_: Type, pointer_size: int) -> tuple[int, int]:
-        if type_.pointer or type_.callback or type_.name == "size_t":
-            return pointer_size, pointer_size
-        if type_.name in SIZES:
-            return SIZES[type_.name], SIZES[type_.name]
-        inner = next(s for s in self.structs if s.name == type_.name)
-        return self.layout(inner, pointer_size)[1], self._alignment(inner, pointer_size)
+        """A type's name for each enumeration: Guidance, SessionFlags with `flags` "Flags"."""
+        return {e.name: special.get(e.name) or pascal(e.name.removeprefix("HRT_")) + (flags if e.flags else "")
+                for e in self.enumerations}
 
 
-def prefix_of(constant: str) -> str:
-    return "_".join(constant.split("_")[:2]) + "_"
+def _made(entry: dict[str, Any]) -> Any:
+    """An object of the file."""
+    for key in entry.keys() & {"type", "result"}:
+        text = entry[key]
+        entry[key] = Type(text.removeprefix("const ").rstrip("*"), text.endswith("*"), text.startswith("const "))
+    for key in entry.keys() & {"min", "max"}:
+        entry[key] = Decimal(entry[key])
+    if not isinstance(entry.get("default", ""), str):
+        given = entry["default"]
+        entry["default"] = [Decimal(number) for number in (given if isinstance(given, list) else [given])]
+    if "version" in entry:
+        return entry
+    if "fields" in entry:
+        return Struct(**entry)
+    return Enumeration(**entry, members=[]) if "flags" in entry else Function(**entry) if "params" in entry else Value(**entry)
+
+
+class Names:
+    """The names of a host, by those of C."""
+
+    def __init__(self, types: dict[str, str], enumerations: dict[str, str], constants: dict[str, str], fields: dict[str, str]) -> None:
+        self.types, self.enumerations, self.constants, self.fields = types, enumerations, constants, fields
+
+    def renamed(self, text: str) -> str:
+        """A text with these names; constants may be without HRT_ in it."""
+        def name(found: re.Match[str]) -> str:
+            struct, field, enumeration, constant = found.groups()
+            if struct:
+                return f"{self.types.get(struct, struct)}.{self.fields.get(field, field)}"
+            if enumeration:
+                return self.enumerations.get(enumeration, found[0].removeprefix("HRT_"))
+            if constant:
+                return self.constants.get(found[0]) or self.constants.get(f"HRT_{constant}", found[0])
+            return self.types.get(found[0]) or self.fields.get(found[0], found[0])
+
+        return re.sub(r"\b(hrt_\w+)::(\w+)|\b(HRT_[A-Z_]+)_\*|\b(?:HRT_)?([A-Z]+_[A-Z0-9_]+)\b|\b[a-z]+(?:_[a-z0-9]+)+\b(?!\()", name, text)
+
+
+def shown(number: Decimal) -> str:
+    text = f"{number.normalize() + 0:f}"
+    return text if len(text) < 8 else str(number.normalize()).lower().replace("+", "")
 
 
 def pascal(name: str) -> str:

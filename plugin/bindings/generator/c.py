@@ -3,12 +3,8 @@ when they run."""
 
 from __future__ import annotations
 
-import textwrap
+from abi import Abi, Struct
 
-import fields
-from abi import Abi, Function, Struct
-
-_WIDTH = 110
 # The layers of headers, each with the file that has its structs by value.
 LAYERS = {"init.h": ("base.h", "reach.h", "session.h", "target.h"),
           "setup_init.h": ("profile.h", "scene.h", "setup.h"),
@@ -32,12 +28,16 @@ def render_init(abi: Abi, notice: str, name: str) -> str:
 
 def _init(struct: Struct) -> str:
     name = struct.name
-    fill = "  value.struct_size = sizeof value;\n" + "".join(
-        f"  value.{f.member}{f'[{i}]' if f.length else ''} = {value};\n" for f in struct.fields
-        for i, value in enumerate(fields.default_of(f)) if struct.has_default and value.strip("0."))
     what = "Every field with its default" if struct.has_default else "All zero, with its size"
     return (f"/** {what}. [any-thread] */\n"
-            f"static inline {name} {name}_init(void) {{\n  {name} value = HRT_EMPTY;\n{fill}  return value;\n}}\n")
+            f"static inline {name} {name}_init(void) {{\n  {name} value = HRT_EMPTY;\n{fill(struct)}  return value;\n}}\n")
+
+
+def fill(struct: Struct) -> str:
+    """Sets the size and the defaults of `value`, which is zero."""
+    return "  value.struct_size = sizeof value;\n" + "".join(
+        f"  value.{f.member}{f'[{i}]' if f.count else ''} = {literal};\n" for f in struct.fields
+        for i, literal in enumerate(f.literals) if struct.has_default and literal.strip("0."))
 
 
 def render_functions(abi: Abi, notice: str) -> str:
@@ -50,7 +50,7 @@ def render_functions(abi: Abi, notice: str) -> str:
             " *   if (!missing) hrt.session_create(HRT_VERSION, &config, &session);\n */\n"
             "/* clang-format off */\n#ifndef HAPTIC_RETARGETING_FUNCTIONS_H\n#define HAPTIC_RETARGETING_FUNCTIONS_H\n\n"
             "#include <string.h>\n\n#include \"haptic_retargeting.h\"\n#include \"setup.h\"\n#include \"study.h\"\n\n"
-            + "".join(_typedef(f) for f in abi.functions)
+            + "".join(f"typedef {f.result} (*PFN_{f.name})({f.declared});\n" for f in abi.functions)
             + "\n/** Every function, without hrt_. */\ntypedef struct hrt_functions {\n"
             + "".join(f"  PFN_{f.name} {member};\n" for f, member in members)
             + "} hrt_functions;\n\n"
@@ -67,13 +67,3 @@ def render_functions(abi: Abi, notice: str) -> str:
             "  if (address == NULL && missing == NULL) missing = \"hrt_\" #name;\n"
             + "".join(f"  HRT_LOAD({member})\n" for _, member in members)
             + "#undef HRT_LOAD\n  return missing;\n}\n\n#endif\n")
-
-
-def _typedef(function: Function) -> str:
-    head = f"typedef {'hrt_result' if function.returns_result else function.result} (*PFN_{function.name})("
-    parameters = function.declared
-    if len(head + parameters) + 2 <= _WIDTH:
-        return f"{head}{parameters});\n"
-    indent = " " * len(head) if len(head) < 60 else "    "
-    lines = textwrap.wrap(parameters + ");", _WIDTH - len(indent))
-    return head + ("\n" + indent).join(lines) + "\n"

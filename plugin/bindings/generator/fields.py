@@ -3,10 +3,8 @@ what a compiler must see of their layout."""
 
 from __future__ import annotations
 
-from decimal import Decimal
-
-import comments
-from abi import Abi, Constant, Field, Struct
+import c
+from abi import Abi, Struct, Value
 
 _CPP = {"char": "char", "int32_t": "std::int32_t", "uint32_t": "std::uint32_t", "int64_t": "std::int64_t",
         "uint64_t": "std::uint64_t", "double": "double"}
@@ -30,7 +28,7 @@ _RECORDED = (
 
 def render(abi: Abi, notice: str, others: str = '"plugin/src/abi/field.h"') -> str:
     """`others` is the header to include."""
-    structs = [s for s in abi.structs if not s.is_handle and not any(f.type.pointer or f.type.callback for f in s.fields)]
+    structs = [s for s in abi.structs if s.size and not s.is_handle]
     return (f"// {notice}\n// clang-format off\n#pragma once\n\n"
             + "".join(f'#include "haptic_retargeting/{name}"\n' for name in abi.headers)
             + f"#include {others}" + "\n\nnamespace hrt::plugin {\n\n"
@@ -42,8 +40,8 @@ def render(abi: Abi, notice: str, others: str = '"plugin/src/abi/field.h"') -> s
 def _calls(abi: Abi) -> str:
     """What can be refused for an argument."""
     handles = {s.name for s in abi.structs if s.is_handle}
-    rows = "".join(f'    {{"{f.name}", "{" ".join(p.name for p in f.parameters)}"}},\n' for f in abi.functions if f.returns_result
-                   and any(p.type.pointer or p.type.callback or p.type.name in handles for p in f.parameters))
+    rows = "".join(f'    {{"{f.name}", "{" ".join(p.name for p in f.params)}"}},\n' for f in abi.functions if f.returns_result
+                   and any(p.type.pointer or p.type.name in handles for p in f.params))
     return f"\ninline constexpr Call calls[] = {{\n{rows}}};\n"
 
 
@@ -51,87 +49,46 @@ def _fields(abi: Abi, struct: Struct) -> str:
     fields = [f for f in struct.fields if f.name != "struct_size"]
     text = f"template <>\nstruct Fields<{struct.name}> {{\n  using S = {struct.name};\n"
     for f in fields:
-        kind = _kind(f)
         attributes = "".join(f", .{name} = {value}" for name, value in _attributes(abi, struct, f).items())
-        text += (f'  static constexpr Field<S, {kind}> {f.name}{{.name = "{f.name}", '
-                 f'.offset = offsetof(S, {f.member}){attributes}}};\n')
-        elements = _elements(abi, f)
-        if elements:
-            rows = "".join(f'      {{"{f.name}[{c.name}]", {_literal(f, n.lower)}, {_literal(f, n.upper)}}},\n' for c, n in elements)
+        text += f'  static constexpr Field<S, {_kind(f)}> {f.name}{{.name = "{f.name}", .offset = offsetof(S, {f.member}){attributes}}};\n'
+        # The elements of an array that constants name, with ranges of their own.
+        if elements := [e for e in abi.constants if f.elements and e.name.startswith(f"{f.elements}_") and e.min is not None]:
+            rows = "".join(f'      {{"{f.name}[{e.name}]", {f.literal(e.min)}, {f.literal(e.max)}}},\n' for e in elements)
             text += f"  static constexpr Element {f.name}_elements[] = {{\n{rows}  }};\n"
-    places, size = abi.layout(struct, 8)
     return (text + f"  static constexpr auto all = std::tuple({', '.join(f.name for f in fields)});\n}};\n"
-            + f'static_assert(sizeof({struct.name}) == {size}, "of the model of the headers");\n'
-            + "".join(f"static_assert(offsetof({struct.name}, {f.member}) == {place.offset});\n"
-                      for f, place in zip(struct.fields, places)))
+            + f'static_assert(sizeof({struct.name}) == {struct.size}, "as in api.json");\n'
+            + "".join(f"static_assert(offsetof({struct.name}, {f.member}) == {f.offset});\n" for f in struct.fields))
 
 
-def _kind(f: Field) -> str:
-    return _CPP.get(f.type.name, f.type.name) + (f"[{f.length}]" if f.length else "")
+def _kind(f: Value) -> str:
+    return _CPP.get(f.type.name, f.type.name) + (f"[{f.count}]" if f.count else "")
 
 
-def _attributes(abi: Abi, struct: Struct, f: Field) -> dict[str, str]:
+def _attributes(abi: Abi, struct: Struct, f: Value) -> dict[str, str]:
     """What Field has besides the name and the place."""
-    numbers = f.numbers
     if f.name == "reserved":
         return {"kind": "FieldKind::reserved"}
     attributes = {}
-    if f.enumeration and numbers.has_range:
-        members = next(e for e in abi.enumerations if e.prefix == f.enumeration)
-        values = [m.value for m in members.members]
-        attributes = ({"kind": "FieldKind::flags", "high": f"{sum(values)}u"} if members.flags else
+    if f.values:
+        enumeration = abi.enumeration(f.values)
+        values = [m.value for m in enumeration.members]
+        attributes = ({"kind": "FieldKind::flags", "high": f"{sum(values)}u"} if enumeration.flags else
                       {"kind": "FieldKind::number", "low": f"{min(values)}u", "high": f"{max(values)}u"})
-    elif numbers.lower is not None:
-        upper = _literal(f, numbers.upper) if numbers.upper is not None else f"std::numeric_limits<{_CPP[f.type.name]}>::max()"
-        attributes = {"kind": "FieldKind::number", "low": _literal(f, numbers.lower), "high": upper}
-    if numbers.zero:
+    elif f.min is not None:
+        upper = f.literal(f.max) if f.max is not None else f"std::numeric_limits<{_CPP[f.type.name]}>::max()"
+        attributes = {"kind": "FieldKind::number", "low": f.literal(f.min), "high": upper}
+    if f.zero:
         attributes["zero"] = "true"
-    if numbers.in_profiles:
-        by = next((g for g in struct.fields if g.name == numbers.known_by), None)
+    if f.profile:
+        by = next((g for g in struct.fields if g.name == f.profile), None)
         known = f"&is_set<S, {_kind(by)}, offsetof(S, {by.member})>" if by else "&always<S>"
-        attributes |= {"in_profile": known} | ({"optional": "true"} if numbers.known_by else {})
+        attributes |= {"in_profile": known} | ({"optional": "true"} if by else {})
     return attributes
 
 
-def _elements(abi: Abi, f: Field) -> list[tuple[Constant, comments.Numbers]]:
-    """Of an array whose elements constants name, with ranges of their own."""
-    prefix = f.named_prefix if f.length and f.type.name == "double" else ""
-    read = [(c, comments.numbers(c.doc, "", 0)) for c in abi.constants if prefix and c.name.startswith(prefix)]
-    return [(c, n) for c, n in read if n.lower is not None]
-
-
 def _defaults(struct: Struct) -> str:
-    text, open_part = "", ""
-    for f in struct.fields:
-        part, name = f.member.split(".") if f.path else ("", f.name)
-        if part != open_part:
-            text += ("},\n" if open_part else "") + (f"    .{part} = {{" if part else "")
-            open_part = part
-        value = f"sizeof({struct.name})" if name == "struct_size" else _default(f)
-        text += f".{name} = {value}, " if part else f"    .{name} = {value},\n"
-    return (f"\ntemplate <>\ninline constexpr {struct.name} defaults<{struct.name}>{{\n"
-            + text + ("},\n" if open_part else "") + "};\n")
-
-
-def default_of(f: Field) -> list[str]:
-    """Each number of its default, or a constant's name; empty: zero."""
-    given = f.numbers.default
-    return [given] if isinstance(given, str) else [_literal(f, number) for number in given or ()]
-
-
-def _default(f: Field) -> str:
-    given = default_of(f)
-    if not any(number.strip("0.") for number in given):
-        return "{}"
-    return "{" + ", ".join(given) + "}" if f.length else given[0]
-
-
-def _literal(f: Field, number: Decimal | None) -> str:
-    assert number is not None
-    if f.type.name != "double":
-        return f"{int(number)}"
-    text = f"{number:f}" if abs(number.adjusted()) < 7 else f"{number:e}"
-    return text if "." in text or "e" in text else text + ".0"
+    return (f"\ntemplate <>\ninline constexpr {struct.name} defaults<{struct.name}> = [] {{\n"
+            f"  {struct.name} value{{}};\n{c.fill(struct)}  return value;\n}}();\n")
 
 
 def _columns(abi: Abi) -> str:
@@ -140,16 +97,16 @@ def _columns(abi: Abi) -> str:
     text = ""
     for struct, names in _RECORDED:
         firsts = []
-        for f in (f for f in abi.struct(struct).fields if f.name not in ("struct_size", "reserved")) if struct else ():
+        for f in abi.struct(struct).shown if struct else ():
             name = names.get(f.name, f.name)
-            new = [name.format(axis) for axis in "xyzw"[:f.length]] if f.length else [name]
-            columns += [c for c in new if c not in columns]
+            new = [name.format(axis) for axis in "xyzw"[:f.count]] if f.count else [name]
+            columns += [column for column in new if column not in columns]
             firsts.append(str(columns.index(new[0])))
         if struct:
             text += f"template <>\ninline constexpr std::size_t columns_of<{struct}>[] = {{{', '.join(firsts)}}};\n"
         else:
             columns += names
-    quoted = ", ".join(f'"{c}"' for c in columns)
+    quoted = ", ".join(f'"{column}"' for column in columns)
     return (f"\ninline constexpr std::string_view recording_columns[] = {{{quoted}}};\n\n"
             "/// The first column of each field, in the order of Fields.\ntemplate <class S>\n"
             "inline constexpr std::size_t columns_of[1] = {};\n" + text)

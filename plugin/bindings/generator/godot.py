@@ -8,7 +8,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 import settings
-from abi import Abi, Enumeration, Field, pascal
+from abi import Abi, Enumeration, Value, pascal
 
 # What a script gets as a Dictionary.
 _RECORDS = ("hrt_command", "hrt_reach_summary", "hrt_gap", "hrt_setup_step", "hrt_setup_result", "hrt_conditions",
@@ -16,10 +16,10 @@ _RECORDS = ("hrt_command", "hrt_reach_summary", "hrt_gap", "hrt_setup_step", "hr
 # Of no Dictionary and no property: the marks of a set-up are the start and five places on the rim.
 _NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
 # Of no property or Dictionary: methods return Godot's own errors.
-_NO_CONSTANTS = ("HRT_ERROR_", "HRT_LOG_")
+_NO_CONSTANTS = ("HRT_ERROR", "HRT_LOG")
 _ACRONYMS = {"MPC"}
 _SETUP = "hrt_setup_config"
-_UNITS = {"deg": "°", "deg_s": "°/s", "deg_s2": "°/s²", "deg2": "°²", "per_s": "/s"}
+_UNITS = {"deg": "°", "deg/s": "°/s", "deg/s^2": "°/s²", "deg^2": "°²", "1/s": "/s", "1": ""}
 _GODOT = Path(__file__).parent.parent / "godot"
 _PARTS = {"": "value", "_lower": "lower", "_upper": "upper", "_known": "known"}  # of an interval
 
@@ -61,33 +61,33 @@ def _methods() -> list[str]:
     return [f'bind<&PlateNode::{name}>("{name}", {{{names}}}, &PlateNode::{name})' for name, names in methods]
 
 
-def _property(abi: Abi, of: str, field: Field, prefix: str, group: str) -> str:
+def _property(abi: Abi, of: str, field: Value, prefix: str, group: str) -> str:
     """With how the inspector shows it."""
-    hint, text, numbers = "kNone", "", field.numbers
-    if field.enumeration:
-        enumeration = next(e for e in abi.enumerations if e.prefix == field.enumeration)
+    hint, text = "kNone", ""
+    if field.values:
+        enumeration = abi.enumeration(field.values)
         hint, text = ("kFlags" if enumeration.flags else "kEnum"), _choices(enumeration)
-    elif numbers.lowest is not None and numbers.upper is not None and not field.length:
+    elif field.bounded and not field.count:
         unit = _UNITS.get(field.unit, field.unit)
-        hint, text = "kRange", ",".join(f"{n.normalize():f}" for n in (numbers.lowest, numbers.upper, _step(field)))
+        hint, text = "kRange", ",".join(f"{n.normalize():f}" for n in (field.lowest, field.max, _step(field)))
         text += f",suffix:{unit}" if unit else ""
     place = f"[](Properties& of) -> Place {{ return &of.{of}.{field.member}; }}"
     return f'{{"{prefix}{field.name}", {place}, Hint::{hint}, "{text}", "{group}"}}'
 
 
-def _step(field: Field) -> Decimal:
+def _step(field: Value) -> Decimal:
     """To which the inspector rounds."""
-    lowest, upper = field.numbers.lowest, field.numbers.upper
+    lowest, upper = field.lowest, field.max
     if field.type.name != "double":
         return Decimal(1)
     return min(abs(lowest) or 1, Decimal("0.001"), Decimal(10) ** ((upper - lowest).adjusted() - 6))
 
 
-def _reference(abi: Abi, plate: Abi, setup: list[Field]) -> str:
+def _reference(abi: Abi, plate: Abi, setup: list[Value]) -> str:
     """The class reference, as the editor shows it: of properties and constants from the headers, of the rest from the README."""
     def doc(comment: str) -> str:
         comment = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", comment)  # links
-        return escape(re.sub(r"\bHRT_([A-Z])", r"\1", re.sub(r"`([^`]*)`", r"[code]\1[/code]", comment.replace(" (base.h)", ""))))
+        return escape(re.sub(r"\bHRT_([A-Z])", r"\1", re.sub(r"`([^`]*)`", r"[code]\1[/code]", comment)))
 
     members = [(f.name, f) for f in settings.shown(abi)] + [(f"setup_{f.name}", f) for f in setup]
     readme = (_GODOT / "README.md").read_text(encoding="utf-8")
@@ -102,27 +102,27 @@ def _reference(abi: Abi, plate: Abi, setup: list[Field]) -> str:
         text += f"</{kind}s>\n"
     text += "<members>\n"
     for name, f in members:
-        type_ = "Vector3" if f.length else "float" if f.type.name == "double" else "int"
-        text += f'<member name="{name}" type="{type_}" setter="set_{name}" getter="get_{name}">{doc(f.shared_doc)}</member>\n'
+        type_ = "Vector3" if f.count else "float" if f.type.name == "double" else "int"
+        text += f'<member name="{name}" type="{type_}" setter="set_{name}" getter="get_{name}">{doc(f.doc)}</member>\n'
     text += "</members>\n<constants>\n"
     for e in _shown(abi) + _shown(plate):
         for m in e.members:
-            text += f'<constant name="{m.name.removeprefix("HRT_")}" value="{m.value}" enum="{_enum(e)}">{doc(m.doc)}</constant>\n'
+            text += f'<constant name="{m.name.removeprefix("HRT_")}" value="{m.value}" enum="{_enum(e)}">{doc(m.text)}</constant>\n'
     return text + "</constants>\n</class>\n"
 
 
 def _enum(enumeration: Enumeration) -> str:
-    return pascal(enumeration.prefix.removeprefix("HRT_").strip("_"))
+    return pascal(enumeration.name.removeprefix("HRT_"))
 
 
 def _shown(abi: Abi) -> list[Enumeration]:
-    return [e for e in abi.enumerations if e.prefix not in _NO_CONSTANTS and e.members]
+    return [e for e in abi.enumerations if e.name not in _NO_CONSTANTS and e.members]
 
 
 def _choices(enumeration: Enumeration) -> str:
     """As the inspector offers them: "MPC,Fixed Plate"; with its number where that is not the place, and of flags: "Real:1"."""
     texts = []
-    for i, member in enumerate(enumeration.distinct):
+    for i, member in enumerate(enumeration.members):
         short = enumeration.short(member)
         text = " ".join(word if word in _ACRONYMS else pascal(word) for word in short.split("_"))
         texts.append(text if member.value == i and not enumeration.flags else f"{text}:{member.value}")

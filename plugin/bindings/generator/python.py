@@ -3,18 +3,16 @@ and constants that belong together an enumeration."""
 
 from __future__ import annotations
 
-import re
 import textwrap
 
-from abi import Abi, Enumeration, Field, Function, Struct, Type, pascal
-from fields import default_of
+from abi import Abi, Enumeration, Names, Struct, Type, Value, pascal
 
-_CTYPES = {"char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
+_CTYPES = {"char": "c_char", "int32_t": "c_int32", "hrt_result": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
            "uint64_t": "c_uint64", "double": "c_double", "size_t": "c_size_t"}
 # Of _struct.py.
 _ANNOTATED = {"int32_t": "Int32", "uint32_t": "UInt32", "int64_t": "Int64", "uint64_t": "UInt64", "double": "Double"}
 # Whose names in Python are not those of the headers.
-_ENUMERATIONS = {"HRT_ERROR_": "ErrorCode", "HRT_LOG_": "LogLevel", "HRT_TARGET_": "Role"}
+_ENUMERATIONS = {"HRT_ERROR": "ErrorCode", "HRT_LOG": "LogLevel", "HRT_TARGET": "Role"}
 # Classes of the package whose methods take fields of a struct by keyword: method, what it takes before them, and what
 # it hands them to.
 _KEYWORDS = {
@@ -24,140 +22,106 @@ _KEYWORDS = {
 }
 
 
+_HEAD = '''"""The C interface as ctypes sees it. Meanings, units and ranges are those of the C headers."""
+
+from __future__ import annotations
+
+from ctypes import CFUNCTYPE, POINTER, Array, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
+from typing import TYPE_CHECKING, Annotated, Any
+
+from ._struct import Choice, Double, Flags, FunctionPointer, Int32, Int64, Pointer, Struct, UInt32, UInt64, laid_out
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+'''
+_KEYWORDS_HEAD = '''"""Methods whose keywords are fields of a struct, so that type checkers and editors know them; None: not given."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ._abi import *
+from ._struct import Numbers
+
+
+def _given(arguments: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in arguments.items() if value is not None and name not in ("self", "seed")}
+'''
+
+
 def render(abi: Abi, notice: str) -> str:
-    names = _Names(abi)
-    members = {m.name for e in abi.enumerations for m in e.members}
-    constants = [c for c in abi.constants if c.name not in members]
-    version = ", ".join(str(c.value) for c in constants if c.name.startswith("HRT_VERSION_"))
-    number = next((c.value for c in constants if c.name == "HRT_VERSION"), 0)
-    parts = [
-        f"# {notice}\n"
-        '"""The C interface as ctypes sees it. Meanings, units and ranges are those of the C headers."""\n\n'
-        "from __future__ import annotations\n\n"
-        "from ctypes import (\n"
-        "    CFUNCTYPE, POINTER, Array, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,\n"
-        ")\n"
-        "from typing import TYPE_CHECKING, Annotated, Any\n\n"
-        "from ._struct import (\n"
-        "    Choice, Double, Flags, FunctionPointer, Int32, Int64, Pointer, Struct, UInt32, UInt64, laid_out,\n"
-        ")\n\n"
-        "if TYPE_CHECKING:\n    from numpy.typing import ArrayLike\n",
-        (f'VERSION = ({version})\n"""Of the headers that this was written from."""\nVERSION_NUMBER = {number}\n' if version else "")
-        + "".join(f"{c.name.removeprefix('HRT_')} = {c.value}\n" + _docstring(c.doc, "", names)
-                  for c in constants if not c.name.startswith("HRT_VERSION")),
-    ]
-    parts.extend(_enumeration(e, names) for e in abi.enumerations)
-    parts.append("".join(_callback(f, names) for f in abi.callbacks))
-    parts.extend(_struct(s, names) for s in abi.structs)
-    public = sorted([*names.enums.values(), *(names.structs[s.name] for s in abi.structs if not s.is_handle)])
-    parts.insert(2, "__all__ = [\n" + textwrap.fill(", ".join(f'"{n}"' for n in public), 112, initial_indent="    ",
-                                                      subsequent_indent="    ") + ",\n]\n")
-    parts.append(
-        "FUNCTIONS: dict[str, tuple[Any, ...]] = {\n"
-        + "".join(f'    "{f.name}": ({_list([_type(t, names) for t in (f.result, *(p.type for p in f.parameters))])}),\n'
-                  for f in abi.functions)
-        + '}\n"""The types of each function\'s result and parameters."""\n')
-    return "\n\n".join(part.rstrip("\n") + "\n" for part in parts if part)
+    names = _Host(abi)
+    public = sorted([*names.enumerations.values(), *(names.types[s.name] for s in abi.structs if not s.is_handle)])
+    text = f"# {notice}\n{_HEAD}__all__ = {public}\n\n"
+    for c in (c for c in abi.constants if not c.enumeration):
+        if c.name == "HRT_VERSION":
+            text += f'VERSION = ({abi.version.replace(".", ", ")})\n"""Of the headers."""\nVERSION_NUMBER = {c.value}\n'
+        elif not c.name.startswith("HRT_VERSION"):
+            text += f"{c.name.removeprefix('HRT_')} = {c.value}\n" + _doc(c.text, [], names, "")
+    text += "".join(_enumeration(e, names) for e in abi.enumerations)
+    for f in abi.callbacks:
+        text += (f"\n{names.types[f.name]} = CFUNCTYPE({', '.join(_type(t, names) for t in (f.result, *(p.type for p in f.params)))})\n"
+                 + _doc(f.text, [], names, ""))
+    text += "".join(_struct(s, names) for s in abi.structs) + "\n\nFUNCTIONS: dict[str, tuple[Any, ...]] = {\n"
+    for f in abi.functions:
+        text += f'    "{f.name}": ({"".join(_type(t, names) + ", " for t in (f.result, *(p.type for p in f.params)))}),\n'
+    return text + '}\n"""The types of each function\'s result and parameters."""\n'
 
 
 def render_keywords(abi: Abi, notice: str) -> str:
-    names = _Names(abi)
-    used = sorted({names.enums[f.enumeration] for struct, _ in _KEYWORDS.values()
-                   for f in abi.struct(struct).fields if f.enumeration})
-    text = (f"# {notice}\n"
-            '"""Methods whose keywords are fields of a struct, so that type checkers and editors know them; None: not given."""\n\n'
-            "from __future__ import annotations\n\nfrom typing import Any\n\n"
-            f"from ._abi import {', '.join(used)}\nfrom ._struct import Numbers\n\n\n"
-            "def _given(arguments: dict[str, Any]) -> dict[str, Any]:\n"
-            "    return {name: value for name, value in arguments.items()\n"
-            '            if value is not None and name not in ("self", "seed")}\n')
+    names = _Host(abi)
+    text = f"# {notice}\n{_KEYWORDS_HEAD}"
     for name, (struct, methods) in _KEYWORDS.items():
-        text += f'\n\nclass {name}:\n    """The fields of {names.structs[struct]}, by keyword."""\n'
+        text += f'\n\nclass {name}:\n    """The fields of {names.types[struct]}, by keyword."""\n'
+        keywords = ", ".join(f"{f.name}: {_given_hint(f, names)} | None = None" for f in abi.struct(struct).shown)
         for method, before, to in methods:
-            keywords = [f"{f.name}: {_given_hint(f, names)} | None = None"
-                        for f in abi.struct(struct).fields if f.name not in ("struct_size", "reserved")]
-            text += f"\n    def {method}(\n" + _wrapped([f"self, {before}*", *keywords], 12) + "\n    ) -> None:\n"
-            text += f"        self.{to}({before.partition(':')[0] + ', ' if before else ''}_given(locals()))\n"
-            taken = before.replace(" = 0", "")
-            text += (f"\n    def {to}(self, {taken}fields: dict[str, Any]) -> None:\n"
+            passed = before.partition(":")[0] + ", " if before else ""
+            text += (f"\n    def {method}(self, {before}*, {keywords}) -> None:\n        self.{to}({passed}_given(locals()))\n"
+                     f"\n    def {to}(self, {before.replace(' = 0', '')}fields: dict[str, Any]) -> None:\n"
                      "        raise NotImplementedError\n")
     return text
 
 
-class _Names:
-    """What structs, callbacks and enumerations are called here."""
-
+class _Host(Names):
     def __init__(self, abi: Abi) -> None:
-        self.structs = {s.name: pascal(s.name.removeprefix("hrt_")) + "Handle" * s.is_handle for s in abi.structs}
-        self.structs |= {f.name: pascal(f.name.removeprefix("hrt_")) for f in abi.callbacks}
-        self.enums = abi.enumeration_names(_ENUMERATIONS, "Flag")
-        self.members = {m.name: f"{self.enums[e.prefix]}.{e.short(m)}" for e in abi.enumerations for m in e.members}
+        self.callbacks = {f.name: pascal(f.name.removeprefix("hrt_")) for f in abi.callbacks}
+        structs = {s.name: pascal(s.name.removeprefix("hrt_")) + "Handle" * s.is_handle for s in abi.structs}
+        enumerations = abi.enumeration_names(_ENUMERATIONS, "Flag")
+        self.members = {m.name: f"{enumerations[e.name]}.{e.short(m)}" for e in abi.enumerations for m in e.members}
+        super().__init__(structs | self.callbacks, enumerations, {c.name: c.name.removeprefix("HRT_") for c in abi.constants} | self.members, {})
 
 
-def _enumeration(enumeration: Enumeration, names: _Names) -> str:
-    lines = textwrap.wrap(_renamed(enumeration.doc, names), 104) + [""]
-    values = ""
-    for member in enumeration.members:
-        short = enumeration.short(member)
-        values += f"    {short} = {member.value}\n"
-        lines += textwrap.wrap(f"{short}: {_renamed(member.doc, names)}" if member.doc else short, 104,
-                               subsequent_indent="    ")
-    doc = "\n    ".join(lines).replace("\n    \n", "\n\n")
-    kind = "Flags" if enumeration.flags else "Choice"
-    return f'class {names.enums[enumeration.prefix]}({kind}):\n    """{doc}\n    """\n\n{values}'
+def _doc(text: str, items: list[tuple[str, str]], names: _Host, indent: str = "    ") -> str:
+    """A text, and one of each item, which help() shows."""
+    lines = textwrap.wrap(names.renamed(text), 104) + [""] * bool(items)
+    for name, item in items:
+        lines += textwrap.wrap(f"{name}: {names.renamed(item)}" if item else name, 104, subsequent_indent="    ")
+    doc = f"\n{indent}".join(lines).replace(f"\n{indent}\n", "\n\n").replace("\\", "\\\\")
+    return f'{indent}"""{doc}"""\n' if doc else ""
 
 
-def _docstring(text: str, indent: str, names: _Names) -> str:
-    if not text:
-        return ""
-    lines = textwrap.wrap(_renamed(text, names).replace("\\", "\\\\"), 110 - len(indent) - 6)
-    return indent + '"""' + f"\n{indent}".join(lines) + '"""\n'
+def _enumeration(enumeration: Enumeration, names: _Host) -> str:
+    members = [(enumeration.short(m), m) for m in enumeration.members]
+    return (f"\n\nclass {names.enumerations[enumeration.name]}({'Flags' if enumeration.flags else 'Choice'}):\n"
+            + _doc(enumeration.text, [(short, m.text) for short, m in members], names)
+            + "\n" + "".join(f"    {short} = {m.value}\n" for short, m in members))
 
 
-def _callback(function: Function, names: _Names) -> str:
-    types = [_type(function.result, names)] + [_type(p.type, names) for p in function.parameters]
-    return f"{names.structs[function.name]} = CFUNCTYPE({', '.join(types)})\n" + _docstring(function.doc, "", names)
-
-
-def _struct(struct: Struct, names: _Names) -> str:
-    # What help() shows has the fields too.
-    lines = textwrap.wrap(_renamed(struct.doc, names), 104) + [""]
-    for f in struct.fields:
-        if f.doc:
-            lines += textwrap.wrap(f"{f.name}: {_renamed(f.doc, names)}", 104, subsequent_indent="    ")
-        elif f.name not in ("struct_size", "reserved"):
-            lines.append(f.name)
-    fields = "".join(f"    {f.name}: {_stored(f, names)}\n" for f in struct.fields)
-    keywords = [f"{f.name}: {_given_hint(f, names, 'ArrayLike')} = ..." for f in struct.fields
-                if f.name not in ("struct_size", "reserved")]
-    doc = "\n    ".join(lines).rstrip().replace("\n    \n", "\n\n")
-    doc = f'    """{doc}\n    """\n' if "\n" in doc else f'    """{doc}"""\n'
+def _struct(struct: Struct, names: _Host) -> str:
+    text = (f"\n\n@laid_out\nclass {names.types[struct.name]}(Struct):\n"
+            + _doc(struct.text, [(f.name, f.doc) for f in struct.shown], names) + "\n"
+            + "".join(f"    {f.name}: {_stored(f, names)}\n" for f in struct.fields))
     if struct.has_default:
-        fields += f"    _defaults_ = {{{_defaults(struct, names)}}}\n"
-    return (f"@laid_out\nclass {names.structs[struct.name]}(Struct):\n{doc}\n{fields}\n"
-            f"    if TYPE_CHECKING:\n        def __init__(\n{_wrapped(['self, *', *keywords], 12)}\n"
-            "        ) -> None: ...\n")
+        values = {f.name: [names.members.get(n, n) for n in f.literals] for f in struct.fields if f.literals}
+        text += "    _defaults_ = {" + ", ".join(f'"{f}": ' + (v[0] if len(v) == 1 else f"({', '.join(v)})")
+                                                 for f, v in values.items()) + "}\n"
+    keywords = ", ".join(f"{f.name}: {_given_hint(f, names, 'ArrayLike')} = ..." for f in struct.shown)
+    return text + f"\n    if TYPE_CHECKING:\n        def __init__(self, *, {keywords}) -> None: ...\n"
 
 
-def _defaults(struct: Struct, names: _Names) -> str:
-    """What is not 0."""
-    given = {f.name: default_of(f) for f in struct.fields}
-    return ", ".join(f'"{f.name}": ' + (f"({_list(given[f.name])})" if f.length else names.members.get(given[f.name][0], given[f.name][0]))
-                     for f in struct.fields if any(n.strip("0.") for n in given[f.name]))
-
-
-def _renamed(doc: str, names: _Names) -> str:
-    """The headers' text with the names of this module."""
-    for prefix, name in names.enums.items():
-        doc = doc.replace(f"{prefix}*", name).replace(prefix, f"{name}.")
-    doc = re.sub(r"\b(hrt_\w+)::", lambda found: names.structs.get(found[1], found[1]) + ".", doc)
-    doc = re.sub(r"\bhrt_\w+\b(?!\()", lambda found: names.structs.get(found[0], found[0]), doc)
-    doc = re.sub(r"\bHRT_(?=[A-Z])", "", doc)
-    return re.sub(r" ?(Set `struct_size` before the call|hrt_\w+_init\(\) fills every field)\.", "", doc)
-
-
-def _type(type_: Type, names: _Names) -> str:
-    name = _CTYPES.get(type_.name) or names.structs.get(type_.name)
+def _type(type_: Type, names: _Host) -> str:
+    name = _CTYPES.get(type_.name) or names.types.get(type_.name)
     if not type_.pointer:
         return name or "None"
     if type_.name == "void":
@@ -167,39 +131,28 @@ def _type(type_: Type, names: _Names) -> str:
     return f"POINTER({name})"
 
 
-def _stored(field: Field, names: _Names) -> str:
+def _stored(field: Value, names: _Host) -> str:
     """The type that a script reads, annotated with the one of ctypes where that is another."""
-    if field.enumeration:
-        return names.enums[field.enumeration]
+    if field.values:
+        return names.enumerations[field.values]
     stored = _type(field.type, names)
-    if field.length:
-        return f"Annotated[{'bytes' if field.type.name == 'char' else f'Array[{stored}]'}, {stored} * {field.length}]"
-    if field.type.callback:
+    if field.count:
+        return f"Annotated[{'bytes' if field.type.name == 'char' else f'Array[{stored}]'}, {stored} * {field.count}]"
+    if field.type.name in names.callbacks:
         return f"Annotated[FunctionPointer, {stored}]"
     return "Pointer" if field.type.pointer else _ANNOTATED.get(field.type.name, stored)
 
 
-def _given_hint(field: Field, names: _Names, numbers: str = "Numbers") -> str:
+def _given_hint(field: Value, names: _Host, numbers: str = "Numbers") -> str:
     """The type of what may be given."""
-    if field.length:
+    if field.count:
         return "str | bytes" if field.type.name == "char" else numbers
     if field.boolean:
         return "bool | int"
-    if field.enumeration:
-        return names.enums[field.enumeration]
-    if field.type.callback:
+    if field.values:
+        return names.enumerations[field.values]
+    if field.type.name in names.callbacks:
         return "FunctionPointer"
     if field.type.pointer:
         return "int | None"
-    return "float" if field.type.name == "double" else names.structs.get(field.type.name, "int")
-
-
-def _wrapped(parameters: list[str], indent: int) -> str:
-    """Lines that break between parameters only."""
-    text = ", ".join(parameter.replace(" ", "\N{NO-BREAK SPACE}") for parameter in parameters) + ","
-    lines = textwrap.wrap(text, 118 - indent, break_long_words=False, break_on_hyphens=False)
-    return textwrap.indent("\n".join(lines), " " * indent).replace("\N{NO-BREAK SPACE}", " ")
-
-
-def _list(items: list[str]) -> str:
-    return ", ".join(items) + ("," if len(items) == 1 else "")
+    return "float" if field.type.name == "double" else names.types.get(field.type.name, "int")

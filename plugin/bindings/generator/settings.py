@@ -4,36 +4,31 @@ hold."""
 
 from __future__ import annotations
 
-from abi import Abi, Field
+from abi import HIDDEN, Abi, Value
 
 STRUCT = "hrt_session_config"
 POSE = ("plate_position_m", "plate_rotation")
 FOUND = ("fingertip_offset_m",)  # by a set-up
 
 
-def shown(abi: Abi) -> list[Field]:
-    return [f for f in abi.struct(STRUCT).fields if f.length in (0, 3) and f.name not in ("struct_size", "reserved", *POSE, *FOUND)]
+def shown(abi: Abi) -> list[Value]:
+    return [f for f in abi.struct(STRUCT).fields if f.count in (0, 3) and f.name not in (*HIDDEN, *POSE, *FOUND)]
 
 
-def hidden(abi: Abi) -> list[Field]:
+def hidden(abi: Abi) -> list[Value]:
     """What is to be kept when a configuration is made from the settings."""
-    return [f for f in abi.struct(STRUCT).fields if (f.length not in (0, 3) or f.name in FOUND) and f.name not in POSE]
+    return [f for f in abi.struct(STRUCT).fields if (f.count not in (0, 3) or f.name in FOUND) and f.name not in POSE]
 
 
-def section(field: Field) -> str:
-    """Where an inspector shows it."""
-    words = field.name.split("_")
-    if {"plate", "start", "lift"} & set(words[:2]):
-        return "Plate"
-    if words[0] == "tracker" or words[0] == "registration":
-        return "Tracker"
-    if words[0] in ("tactile", "bias", "motor", "sensory", "initial"):
-        return "User"
-    return "Controller"
+_SECTIONS = {"Plate": ("plate", "start", "lift"), "User": ("tactile", "bias", "motor", "sensory", "initial"),
+             "Tracker": ("tracker", "registration")}
 
 
-def by_section(abi: Abi) -> dict[str, list[Field]]:
-    sections: dict[str, list[Field]] = {"Controller": [], "Plate": [], "User": [], "Tracker": []}
-    for field in shown(abi):
-        sections[section(field)].append(field)
-    return sections
+def section(field: Value) -> str:
+    """Where an inspector shows it: by the first word of its name."""
+    first = field.name.removeprefix("fixed_").partition("_")[0]
+    return next((name for name, words in _SECTIONS.items() if first in words), "Controller")
+
+
+def by_section(abi: Abi) -> dict[str, list[Value]]:
+    return {name: [f for f in shown(abi) if section(f) == name] for name in ("Controller", *_SECTIONS)}

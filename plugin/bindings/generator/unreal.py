@@ -1,7 +1,6 @@
 """What Blueprints see of the C interface: enums and structs in Unreal's terms, and the conversions between the two.
 
-Unreal has centimetres, seconds, and yaw, which is positive to the right. The end of a field's name says its unit; of
-fields in degrees, a word of its name says whether it is a direction, which becomes a yaw, or a size.
+Unreal has centimetres, seconds, and yaw, which is positive clockwise, so that the sign of every `ccw` angle changes.
 """
 
 from __future__ import annotations
@@ -11,21 +10,25 @@ import textwrap
 from dataclasses import dataclass, replace
 from decimal import Decimal
 
-import comments
 import settings
-from abi import Abi, Constant, Enumeration, Field, HeaderError, Struct, pascal
+from abi import HIDDEN, Abi, Enumeration, HostError, Names, Struct, Value, pascal
 
 _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand", "hrt_reach_summary": "FHapticSummary",
             "hrt_gap": "FHapticGap", "hrt_scene_target": "FHapticSceneTarget",
             "hrt_setup_step": "FHapticSetupStep", "hrt_setup_result": "FHapticSetupResult"}
+_OUTPUTS = [name for name in _STRUCTS if name != settings.STRUCT]
+_TO_CONFIG = "hrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, const hrt_session_config& Before)"
 # The component's transform has the first; the plugin keeps the others.
-_NOT_SHOWN = ("struct_size", "reserved", "plate_rotation", "covariance", "sd_m")
+_NOT_SHOWN = (*HIDDEN, "plate_rotation", "covariance", "sd_m")
 # Arguments of the component.
-_ENUMERATIONS = ("HRT_TARGET_",)
-_SIZES = {"max", "largest", "bound", "peak", "rms", "sd", "margin", "width", "scale", "distance", "span"}
-_DIRECTIONS = {"direction", "orientation", "error", "miss", "bias", "habit", "gap", "stop", "turn", "plate", "fitted", "residual"}
+_ENUMERATIONS = ("HRT_TARGET",)
 _ACRONYMS = {"MPC"}
-_WIDTH = 116
+_UNITS = {"m": "cm", "deg/s": "degrees a second", "deg/s^2": "degrees a second squared", "ns": "seconds", "s": "seconds"}
+_WIDTH = 112
+
+
+def _without_unit(field: Value) -> str:
+    return re.sub("_(deg2|deg_s2?|deg|per_s|ns|s|m)$", "", field.name)
 
 
 def _words(name: str) -> str:
@@ -36,7 +39,7 @@ def _words(name: str) -> str:
 class _Member:
     """A field of the C interface as a member of Unreal's struct."""
 
-    field: Field
+    field: Value
     type: str
     name: str
     to: str  # the C field's value, with S for the struct of Unreal
@@ -44,209 +47,144 @@ class _Member:
     default: str
 
 
-class _Renderer:
+class _Renderer(Names):
     def __init__(self, abi: Abi) -> None:
         self.abi = abi
-        self.enums = {p: f"EHaptic{n}" for p, n in
-                      abi.enumeration_names({"HRT_TARGET_": "TargetRole"}, "Flags").items()}
-        self.enumerations = {e.prefix: e for e in abi.enumerations}
+        self.enums = {e.name: e for e in abi.enumerations}
+        names = {e: f"EHaptic{name}" for e, name in abi.enumeration_names({"HRT_TARGET": "TargetRole"}, "Flags").items()}
+        super().__init__(_STRUCTS, names, {c.name: f"{names[e.name]}::{_words(e.short(c))}" for e in abi.enumerations for c in e.members}, {})
         # A settings' flag is a bool of its own, so it needs no enum.
-        shown = [f.enumeration for s in _STRUCTS for f in abi.struct(s).fields
-                 if s != settings.STRUCT or not self.is_flags(f)]
-        self.shown = [e for e in abi.enumerations if e.prefix in shown or e.prefix in _ENUMERATIONS]
-        self.constants = {c.name: f"{self.enums[e.prefix]}::{_words(e.short(c))}" for e in self.shown for c in e.members}
+        shown = [f.values for s in _STRUCTS for f in abi.struct(s).fields if s != settings.STRUCT or not self.is_flags(f)]
+        self.shown = [e for e in abi.enumerations if e.name in (*shown, *_ENUMERATIONS)]
         self.members = {name: self.members_of(abi.struct(name)) for name in _STRUCTS}
-        self.names = {m.field.name: m.name for members in self.members.values() for m in members if "_" in m.field.name}
+        self.fields = {m.field.name: m.name for members in self.members.values() for m in members if "_" in m.field.name}
 
-    def is_flags(self, field: Field) -> bool:
-        return bool(field.enumeration) and self.enumerations[field.enumeration].flags
-
-    def is_yaw(self, struct: Struct, field: Field) -> bool:
-        words = set(field.name.split("_"))
-        if field.unit != "deg" or words & _SIZES:
-            return False
-        if not words & _DIRECTIONS:
-            raise HeaderError(f"{struct.name}::{field.name}: a direction or a size? generator/unreal.py lists the "
-                              "words of both")
-        return True
+    def is_flags(self, field: Value) -> bool:
+        return bool(field.values) and self.enums[field.values].flags
 
     # Members
 
     def members_of(self, struct: Struct) -> list[_Member]:
         if struct.name != settings.STRUCT:
             fields = [f for f in struct.fields if f.name not in _NOT_SHOWN]
-            return [m for f in fields for m in (self.interval(struct, f) if f.type.name == "hrt_interval" else [self.member(struct, f)])]
+            return [m for f in fields for m in (self.interval(f) if f.type.name == "hrt_interval" else [self.member(f)])]
         members = []
         for f in (f for fields in settings.by_section(self.abi).values() for f in fields):
             if self.is_flags(f):
-                members += [self.flag(f, c) for c in self.enumerations[f.enumeration].members]
+                members += [self.flag(f, c) for c in self.enums[f.values].members]
             else:
-                members.append(self.member(struct, f))
+                members.append(self.member(f))
         return members
 
-    def flag(self, field: Field, constant: Constant) -> _Member:
-        name = "b" + _words(constant.name.removeprefix(field.enumeration))
-        return _Member(replace(field, shared_doc=constant.doc), "bool", name, f"S.{name} ? {constant.name} : 0u",
+    def flag(self, field: Value, constant: Value) -> _Member:
+        name = self.constants[constant.name] = "b" + _words(self.enums[field.values].short(constant))
+        return _Member(replace(field, text=constant.text), "bool", name, f"S.{name} ? {constant.name} : 0u",
                        f"(C.{field.member} & {constant.name}) != 0", "false")
 
-    def member(self, struct: Struct, field: Field) -> _Member:
-        base = field.name.removesuffix("_" + field.unit) if field.unit else field.name
-        yaw = self.is_yaw(struct, field)
-        name = _words(base)
-        if yaw:
+    def member(self, field: Value) -> _Member:
+        name, member, of_other = _words(_without_unit(field)), field.member, ""
+        if field.ccw:
             name = re.sub("(Direction|Orientation)$", "", name) + "Yaw"
+            # To mirror is to exchange the ends of a range.
+            member = re.sub("([_.])(lower|upper)_", lambda m: m[1] + {"lower": "upper_", "upper": "lower_"}[m[2]], member)
+            of_other = re.sub("Lower|Upper", lambda m: {"Lower": "Upper", "Upper": "Lower"}[m[0]], name)
         elif field.boolean:
             name = "b" + name
-        # To mirror is to exchange the ends of a range.
-        other = re.sub("([_.])(lower|upper)_", lambda m: m[1] + {"lower": "upper_", "upper": "lower_"}[m[2]], field.member)
-        source = other if yaw else field.member
-        of_other = re.sub("Lower|Upper", lambda m: {"Lower": "Upper", "Upper": "Lower"}[m[0]], name) if yaw else name
-        type_, to, taken = self.conversion(field, yaw)
-        return _Member(field, type_, name, to.format(f"S.{of_other}"), taken.format(f"C.{source}"),
-                       self.default(field, type_, yaw))
+        type_, to, taken, default = self.conversion(field)
+        return _Member(field, type_, name, to.format(f"S.{of_other or name}"), taken.format(f"C.{member}"), default)
 
-    def interval(self, struct: Struct, field: Field) -> list[_Member]:
+    def interval(self, field: Value) -> list[_Member]:
         """Value, ends and whether it is known: bias_deg is BiasYaw, BiasYawLower, BiasYawUpper, bBiasYawKnown."""
-        yaw = self.is_yaw(struct, field)
-        name = _words(field.name.removesuffix("_" + field.unit) if field.unit else field.name) + ("Yaw" if yaw else "")
-        ends = ("upper", "lower") if yaw else ("lower", "upper")
-        value = "Turned(C.{}.{})" if yaw else "C.{}.{}"
+        name = _words(_without_unit(field)) + "Yaw" * field.ccw
+        value = "Turned(C.{}.{})" if field.ccw else "C.{}.{}"
+        members = [_Member(field, "double", name, "", value.format(field.member, "value"), "0.0")]
+        for end, of in (("Lower", "upper"), ("Upper", "lower")) if field.ccw else (("Lower", "lower"), ("Upper", "upper")):
+            part = replace(field, name=f"{field.name}_{end.lower()}", text=f"{end} end of its 95 % interval.")
+            members.append(_Member(part, "double", name + end, "", value.format(field.member, of), "0.0"))
+        part = replace(field, name=f"{field.name}_known", text="True if the data determine it.")
+        return [*members, _Member(part, "bool", f"b{name}Known", "", f"C.{field.member}.known != 0", "false")]
 
-        def member(end: str, part: str, doc: str) -> _Member:
-            part_of = replace(field, name=f"{field.name}_{end.lower()}", doc=doc)
-            if end == "Known":
-                return _Member(part_of, "bool", f"b{name}Known", "", f"C.{field.member}.known != 0", "false")
-            return _Member(part_of if end else field, "double", name + end, "", value.format(field.member, part), "0.0")
-
-        return [member("", "value", ""), member("Lower", ends[0], "Lower end of its 95 % interval."),
-                member("Upper", ends[1], "Upper end of its 95 % interval."), member("Known", "", "True if the data determine it.")]
-
-    def conversion(self, field: Field, yaw: bool) -> tuple[str, str, str]:
-        """The type in Unreal, and how it is converted to C and back."""
-        kind, length = field.type.name, field.length
-        if field.enumeration:
-            if self.is_flags(field):
-                return "int32", "static_cast<uint32_t>({})", "static_cast<int32>({})"
-            return (self.enums[field.enumeration], "static_cast<uint32_t>({})",
-                    f"static_cast<{self.enums[field.enumeration]}>({{}})")
-        if field.type.pointer or field.type.callback or length == 3 and field.unit != "m":
-            raise HeaderError(f"{field.name} is of a type that generator/unreal.py does not show")
-        if (kind, length) == ("double", 3):
-            return "FVector", "ToMetres({})", "FromMetres({})"
-        if kind == "char" and length:
-            return "FString", "", "FString(UTF8_TO_TCHAR({}))"
-        if length:
-            raise HeaderError(f"{field.name}: an array, which generator/unreal.py does not show")
+    def conversion(self, field: Value) -> tuple[str, str, str, str]:
+        """The type in Unreal, how it is converted to C and back, and its default."""
+        kind, enum = field.type.name, self.enumerations.get(field.values, "")
+        number = _shown(field, field.defaults[0]) if field.defaults and not field.count else Decimal(0)
+        if field.values and not self.is_flags(field):
+            default = self.constants[field.default or self.enums[field.values].members[0].name]
+            return enum, "static_cast<uint32_t>({})", f"static_cast<{enum}>({{}})", default
+        if kind == "double" and field.count == 3 and field.unit == "m":
+            x, y, z = field.defaults or (Decimal(0),) * 3
+            return ("FVector", "ToMetres({})", "FromMetres({})",
+                    f"FVector({_literal(-z * 100)}, {_literal(x * 100)}, {_literal(y * 100)})")
+        if kind == "char" and field.count:
+            return "FString", "", "FString(UTF8_TO_TCHAR({}))", ""
+        if field.type.pointer or field.count:
+            raise HostError(f"{field.name} is of a type that generator/unreal.py does not show")
         if kind == "hrt_target":
-            return "FHapticTarget", "ToTarget({})", "FromTarget({})"
+            return "FHapticTarget", "ToTarget({})", "FromTarget({})", ""
         if field.boolean:
-            return "bool", "{} ? 1u : 0u", "{} != 0"
+            return "bool", "{} ? 1u : 0u", "{} != 0", "false"
         if field.unit == "ns":
-            return "double", "ToNanoseconds({})", "static_cast<double>({}) / NanosecondsPerSecond"
-        if kind in ("uint32_t", "int32_t"):
-            return "int32", f"static_cast<{kind}>({{}})", "static_cast<int32>({})"
-        if kind in ("uint64_t", "int64_t"):
-            return "int64", f"static_cast<{kind}>({{}})", "static_cast<int64>({})"
+            return "double", "ToNanoseconds({})", "static_cast<double>({}) / NanosecondsPerSecond", _literal(number)
+        if kind != "double":
+            type_ = "int64" if "64" in kind else "int32"
+            return type_, f"static_cast<{kind}>({{}})", f"static_cast<{type_}>({{}})", f"{number:f}"
         if field.unit == "m":
-            return "double", "{} / CentimetresPerMetre", "{} * CentimetresPerMetre"
-        return ("double", "Turned({})", "Turned({})") if yaw else ("double", "{}", "{}")
-
-    def default(self, field: Field, type_: str, yaw: bool) -> str:
-        given = field.numbers.default
-        if isinstance(given, str):
-            return self.constants[given]
-        if type_.startswith("EHaptic"):
-            enumeration = self.enumerations[field.enumeration]
-            return f"{type_}::{_words(enumeration.short(enumeration.members[0]))}"
-        if type_ == "FVector":
-            x, y, z = (given or (Decimal(0),) * 3) if len(given or ()) in (0, 3) else (Decimal(0),) * 3
-            return f"FVector({_literal(-z * 100)}, {_literal(x * 100)}, {_literal(y * 100)})"
-        if type_ in ("FHapticTarget", "FString"):
-            return ""
-        number = _shown(field, given[0]) if given else Decimal(0)
-        return {"bool": "false", "double": _literal(-number if yaw and number else number)}.get(type_, f"{number:f}")
+            return "double", "{} / CentimetresPerMetre", "{} * CentimetresPerMetre", _literal(number)
+        if field.ccw:
+            return "double", "Turned({})", "Turned({})", _literal(-number)
+        return "double", "{}", "{}", _literal(number)
 
     # Text
 
     def doc(self, text: str, indent: str = "\t") -> str:
-        text = re.sub(r"\b(hrt_\w+)::(\w+)", lambda m: self.names.get(m[2], _words(m[2])), text)
-        text = re.sub(r"\bhrt_\w+\b(?!\()", lambda m: _STRUCTS.get(m[0], m[0]), text)
-        text = re.sub(r" \(HRT_[A-Z_]+_\*\)", "", text)
-        text = re.sub(r"^HRT_[A-Z_]+_\*, (.)", lambda m: m[1].upper(), text)
-        text = re.sub(r"(^| |`)HRT_[A-Z_]+_\*(?:: ?)?", r"\1", text).replace(" (base.h)", "")
-        text = text.replace("; y is the height", "; Z is the height")
-        text = re.sub(r"\b(?:HRT_)?([A-Z]+_[A-Z0-9_]+)\b", self.constant, text)
-        text = re.sub(r"\b[a-z]+(?:_[a-z0-9]+)+\b(?!\()", lambda m: self.names.get(m[0], m[0]), text)
-        text = re.sub(r" ?(Named `reserved` before|Since) version [\d.]+\.", "", text).replace("`", "").strip(" .:;")
+        text = self.renamed(text).replace("; y is the height", "; Z is the height").replace("`", "").strip(" .:;")
         if not text:
             return ""
         end = "\N{NO-BREAK SPACE}*/"  # never a line of its own
-        lines = textwrap.wrap(f"/** {text}.{end}", _WIDTH - 4, subsequent_indent=" *  ", break_on_hyphens=False)
+        lines = textwrap.wrap(f"/** {text}.{end}", _WIDTH, subsequent_indent=" *  ", break_on_hyphens=False)
         return "".join(f"{indent}{line}\n" for line in lines).replace(end, " */")
-
-    def constant(self, found: re.Match[str]) -> str:
-        """FIXED_DIRECTION of a comment, with or without what is before it, as it is called here."""
-        known = self.constants.get("HRT_" + found[1])
-        short = found[0].removeprefix("HRT_SESSION_")
-        return known or (short if short.startswith("HRT_") else pascal(short))
 
     def enum(self, enumeration: Enumeration) -> str:
         flags = enumeration.flags
         spec = 'meta = (Bitflags, UseEnumValuesAsMaskValuesInEditor = "true")' if flags else "BlueprintType"
-        text = self.doc(re.sub(r"^hrt_\w+::flags\.", "", enumeration.doc), "") + f"UENUM({spec})\n"
-        text += f"enum class {self.enums[enumeration.prefix]} : {'int32' if flags else 'uint8'}\n{{\n"
+        text = self.doc(enumeration.text, "") + f"UENUM({spec})\n"
+        text += f"enum class {self.enumerations[enumeration.name]} : {'int32' if flags else 'uint8'}\n{{\n"
         # Unreal wants a value for 0.
         rows = [] if any(m.value == 0 for m in enumeration.members) else ["\tNone = 0 UMETA(Hidden)"]
-        rows += [self.doc(m.doc) + f"\t{_words(enumeration.short(m))} = {m.value}" for m in enumeration.distinct]
+        rows += [self.doc(m.text) + f"\t{_words(enumeration.short(m))} = {m.value}" for m in enumeration.members]
         return text + ",\n".join(rows) + "\n};\n"
 
     def comment(self, member: _Member) -> str:
-        """Without range and default, which Unreal shows in its own way and unit, except where they need words."""
-        field = member.field
-        if self.is_flags(field) and member.type == "bool":
-            return self.doc(field.shared_doc)
-        if field.enumeration and not self.is_flags(field):
-            return self.doc(self.enumerations[field.enumeration].doc)
-        text = comments.without_range(field.shared_doc)
-        if field.boolean:
-            text = re.sub("^1; or 0: ", "False: ", re.sub(r"^1 if (.*), else 0\b", r"True if \1", text))
-            text = re.sub(r"^1 if (.*?); else 0:", r"True if \1; else false:", text)
-        if member.name.endswith("Yaw"):
-            text = text.replace("left positive", "right positive").replace("counter-clockwise", "clockwise")
-        zero = re.search(r"; (both )?(0: [^.;]*)", field.shared_doc)
-        if zero and zero[2] not in text:
-            text += f" {(zero[1] or '').capitalize()}{zero[2]}."
-        unit = {"m": " In cm.", "deg_s": " In degrees a second.", "deg_s2": " In degrees a second squared.",
-                "ns": " In seconds.", "s": " In seconds."}.get(field.unit, "")
-        return self.doc(text.rstrip(". ") + "." + unit)
+        """Without range and default, which Unreal shows in its own way and unit."""
+        text = member.field.text
+        if member.field.boolean:
+            text = re.sub("^1 if ", "True if ", re.sub("^0 if ", "False if ", text))
+        if member.field.ccw:
+            text = text.replace("counter-clockwise", "clockwise")
+        unit = _UNITS.get(member.field.unit) if member.type in ("double", "FVector") else None
+        return self.doc(f"{text} In {unit}." if unit else text)
 
     def property(self, struct: str, member: _Member) -> str:
+        head, meta = 'BlueprintReadOnly, Category = "Haptic Retargeting"', ""
         if struct == settings.STRUCT:
-            meta = self.meta(member)
-            head = f'EditAnywhere, BlueprintReadWrite, Category = "{settings.section(member.field)}"'
-        else:
-            bitmask = f'Bitmask, BitmaskEnum = "/Script/HapticRetargeting.{self.enums.get(member.field.enumeration)}"'
-            meta = bitmask if self.is_flags(member.field) else ""
-            head = 'BlueprintReadOnly, Category = "Haptic Retargeting"'
-        line = f"\tUPROPERTY({head}, meta = ({meta}))"
-        head += ("" if not meta else f", meta = ({meta})" if len(line) < _WIDTH else f",\n\t\tmeta = ({meta})")
+            head, meta = f'EditAnywhere, BlueprintReadWrite, Category = "{settings.section(member.field)}"', self.meta(member)
+        elif self.is_flags(member.field):
+            meta = f'Bitmask, BitmaskEnum = "/Script/HapticRetargeting.{self.enumerations[member.field.values]}"'
+        head += f", meta = ({meta})" * bool(meta)
         default = f" = {member.default}" if member.default else ""
         return f"\n{self.comment(member)}\tUPROPERTY({head})\n\t{member.type} {member.name}{default};\n"
 
     def meta(self, member: _Member) -> str:
-        field, numbers = member.field, member.field.numbers
+        field = member.field
         units = {"m": "cm", "ns": "s", "s": "s", "deg": "deg"}.get(field.unit)
         items = [f'Units = "{units}"'] if units and member.type == "double" else []
-        if numbers.lowest is not None and numbers.upper is not None and member.type in ("double", "int32"):
-            ends = sorted((-1 if member.name.endswith("Yaw") else 1) * _shown(field, n)
-                          for n in (numbers.lowest, numbers.upper))
+        if field.bounded and member.type in ("double", "int32"):
+            ends = sorted((-1 if field.ccw else 1) * _shown(field, n) for n in (field.lowest, field.max))
             items += [f'ClampMin = "{ends[0].normalize():f}"', f'ClampMax = "{ends[1].normalize():f}"']
         return ", ".join(items)
 
     def struct(self, name: str) -> str:
-        doc = {settings.STRUCT: "A session's assumptions of user, plate and tracker."}.get(name, self.abi.struct(name).doc)
-        doc = re.sub(r" ?(Set `struct_size` before the call|This struct never grows)\.", "", doc)
-        doc = re.sub(r"; the fields are those of hrt_session_config", "", doc)
+        doc = {settings.STRUCT: "A session's assumptions of user, plate and tracker."}.get(name, self.abi.struct(name).text)
         return (self.doc(doc, "") + f"USTRUCT(BlueprintType)\nstruct {_STRUCTS[name]}\n{{\n\tGENERATED_BODY()\n"
                 + "".join(self.property(name, m) for m in self.members[name]) + "};\n")
 
@@ -259,41 +197,27 @@ class _Renderer:
                 + "\t\treturn Result;\n\t}\n")
 
     def to_config(self) -> str:
-        text, done = "", set()
+        members: dict[str, list[_Member]] = {}
         for m in self.members[settings.STRUCT]:
-            if m.field.name in done:
-                continue
-            done.add(m.field.name)
-            same = [o for o in self.members[settings.STRUCT] if o.field.name == m.field.name]
-            if m.type == "FVector":
-                text += f"\t\tToMetres(S.{m.name}, Config.{m.field.member});\n"
-            else:
-                value = m.to if len(same) == 1 else " | ".join(f"({o.to})" for o in same)
-                text += f"\t\tConfig.{m.field.member} = {value};\n"
-        return ("\thrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, "
-                "const hrt_session_config& Before)\n\t{\n"
-                "\t\thrt_session_config Config = hrt_session_config_init();\n" + text
-                + "\t\tToMetres(Plate.GetLocation(), Config.plate.position_m);\n"
+            members.setdefault(m.field.member, []).append(m)
+        text = "".join(f"\t\tToMetres(S.{of[0].name}, Config.{field});\n" if of[0].type == "FVector" else
+                       f"\t\tConfig.{field} = {of[0].to if len(of) == 1 else ' | '.join(f'({m.to})' for m in of)};\n"
+                       for field, of in members.items())
+        return (f"\t{_TO_CONFIG}\n\t{{\n\t\thrt_session_config Config = hrt_session_config_init();\n{text}"
+                "\t\tToMetres(Plate.GetLocation(), Config.plate.position_m);\n"
                 "\t\tToQuaternion(Plate.GetRotation(), Config.plate.rotation);\n"
                 + "".join(f"\t\tstd::memcpy(Config.{f.member}, Before.{f.member}, sizeof Config.{f.member});\n"
                           for f in settings.hidden(self.abi)) + "\t\treturn Config;\n\t}\n")
 
     def take_changes(self) -> str:
-        members = ", ".join(f"&FHapticSettings::{m.name}" for m in self.members[settings.STRUCT])
-        return ("\t/** Members that differ between `Before` and `Now` become those of `Now`. */\n"
-                "\ttemplate <typename... Members>\n"
-                "\tstatic void TakeMembers(const FHapticSettings& Before, const FHapticSettings& Now, FHapticSettings& S,\n"
-                "\t\tMembers... Member)\n\t{\n"
-                "\t\tconst auto Take = [](const auto& Old, const auto& New, auto& Into)\n\t\t{\n"
-                "\t\t\tif (std::memcmp(&Old, &New, sizeof New) != 0)\n\t\t\t{\n\t\t\t\tInto = New;\n\t\t\t}\n\t\t};\n"
-                "\t\t(Take(Before.*Member, Now.*Member, S.*Member), ...);\n\t}\n\n"
+        return ("\ttemplate <typename T>\n\tstatic void Take(const T& Old, const T& New, T& Into)\n\t{\n"
+                "\t\tif (std::memcmp(&Old, &New, sizeof New) != 0)\n\t\t{\n\t\t\tInto = New;\n\t\t}\n\t}\n\n"
                 "\tvoid TakeChanges(const hrt_session_config& Before, const hrt_session_config& C, FHapticSettings& S)\n"
-                "\t{\n\t\tTakeMembers(FromSettings(Before), FromSettings(C), S,\n"
-                + textwrap.fill(members + ");", _WIDTH - 8, initial_indent="\t\t\t", subsequent_indent="\t\t\t",
-                                expand_tabs=False) + "\n\t}\n")
+                "\t{\n\t\tconst FHapticSettings Old = FromSettings(Before), New = FromSettings(C);\n"
+                + "".join(f"\t\tTake(Old.{m.name}, New.{m.name}, S.{m.name});\n" for m in self.members[settings.STRUCT]) + "\t}\n")
 
 
-def _shown(field: Field, number: Decimal) -> Decimal:
+def _shown(field: Value, number: Decimal) -> Decimal:
     return {"m": number * 100, "ns": number / 1_000_000_000}.get(field.unit, number)
 
 
@@ -316,23 +240,18 @@ def render_types(abi: Abi, notice: str) -> str:
 
 
 def render_header(notice: str) -> str:
-    outputs = [name for name in _STRUCTS if name != settings.STRUCT]
     return (f"// {notice}\n#pragma once\n\n"
             '#include "HapticRetargetingTypes.h"\n#include "haptic_retargeting/setup.h"\n\n'
             "namespace HapticConversions\n{\n"
-            "\t/** What the settings do not show is as in `Before`. */\n"
-            "\thrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, "
-            "const hrt_session_config& Before);\n"
-            "\t/** Takes what differs from `Before` into the settings; others may have been set and wait. */\n"
+            f"\t/** Fields that the settings do not show are as in `Before`. */\n\t{_TO_CONFIG};\n"
+            "\t/** Copies fields that differ from `Before` into the settings. */\n"
             "\tvoid TakeChanges(const hrt_session_config& Before, const hrt_session_config& C, FHapticSettings& S);\n"
-            + "".join(f"\t{_STRUCTS[n]} From{_STRUCTS[n].removeprefix('FHaptic')}(const {n}& C);\n" for n in outputs)
-            + "}\n")
+            + "".join(f"\t{_STRUCTS[n]} From{_STRUCTS[n].removeprefix('FHaptic')}(const {n}& C);\n" for n in _OUTPUTS) + "}\n")
 
 
 def render_conversions(abi: Abi, notice: str) -> str:
     r = _Renderer(abi)
-    outputs = [name for name in _STRUCTS if name != settings.STRUCT]
     return (f"// {notice}\n#include \"HapticStructs.h\"\n\n#include <cstring>\n\n#include \"HapticConversions.h\"\n\n"
             "namespace HapticConversions\n{\n"
             + "\n".join([r.to_config(), r.from_(settings.STRUCT, "static "), r.take_changes()]
-                        + [r.from_(name) for name in outputs]) + "}\n")
+                        + [r.from_(name) for name in _OUTPUTS]) + "}\n")

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 
-import fields
-from abi import Abi, Field, Function, HeaderError, Struct, Type
+from abi import Abi, HostError, Struct, Type
 
-_POINTER_SIZE = 4
 _ELEMENTS = {"char": "u8", "int32_t": "i32", "uint32_t": "u32", "int64_t": "i64", "uint64_t": "u64",
-             "double": "f64", "size_t": "u32"}
-_IN_FRAMES = ("f64", "u32", "i64")  # what numbers.mjs writes and reads without making objects
+             "double": "f64", "size_t": "u32", "hrt_result": "i32"}
+# What numbers.mjs writes and reads without making objects.
+_FRAME_TYPES = {"double": ("view.setFloat64(at + {0}, {1}, true)", "view.getFloat64(at + {0}, true)"),
+                "uint32_t": ('writeU32(view, at + {0}, "{1}", {1})', "view.getUint32(at + {0}, true)"),
+                "int64_t": ('writeI64(view, at + {0}, "{1}", {1})', "readI64(view, at + {0})")}
 
 
 def render_script(abi: Abi, notice: str) -> str:
@@ -18,13 +19,17 @@ def render_script(abi: Abi, notice: str) -> str:
     text += "".join(f"export const {c.name} = {c.value};\n" for c in abi.constants)
     text += "\n// Where each field of a struct is, in bytes; `length` of a fixed array. i64 and u64 are BigInt.\n"
     text += "export const structs = Object.freeze({\n"
-    for struct in abi.structs:
-        text += f"  {struct.name}: {{ size: {abi.layout(struct, _POINTER_SIZE)[1]}, fields: {{\n"
-        text += "".join(f"    {name}: {json.dumps(place)},\n" for name, place in _places(abi, struct).items())
+    for struct in (s for s in abi.structs if s.size):
+        text += f"  {struct.name}: {{ size: {struct.size}, fields: {{\n"
+        for f in struct.fields:
+            place = {"offset": f.offset, "type": _element(abi, f.type)} | ({"length": f.count} if f.count else {})
+            text += f"    {f.name}: {json.dumps(place)},\n"
         text += "  }" + (f", defaults: {{ {_defaults(abi, struct)} }}" if struct.has_default else "") + " },\n"
     text += "});\n\n// Every function that the module exports, with its parameters; i64 and u64 are BigInt.\n"
     text += "export const functions = Object.freeze([\n"
-    text += "".join(f'  "{f.name}",{_parameters(abi, f)}\n' for f in abi.functions)
+    for f in abi.functions:
+        parameters = ", ".join(f"{p.name}: {_element(abi, p.type)}" for p in f.params)
+        text += f'  "{f.name}",{parameters and "  // " + parameters}\n'
     return text + "]);\n"
 
 
@@ -33,84 +38,71 @@ def render_frames(abi: Abi, notice: str) -> str:
     objects and no name is looked up."""
     text = f"// {notice}\n" + 'import { writeF64s, writeI64, writeU32, readI64 } from "./numbers.mjs";\n'
     for name, title in (("hrt_sample", "Sample"), ("hrt_command", "Command")):
-        places = {f: p for f, p in _places(abi, abi.struct(name)).items() if f not in ("struct_size", "reserved")}
-        for field, place in places.items():
-            if place["type"] not in _IN_FRAMES:
-                raise HeaderError(f"{name}::{field}: the web's frames have {', '.join(_IN_FRAMES)}, not {place['type']}")
-        arrays = [f for f, place in places.items() if "length" in place]
-        text += f"\nexport class {title} {{\n"
-        text += "".join(f"  {f} = " + (f"new Float64Array({place['length']})" if "length" in place else "0") + ";\n"
-                        for f, place in places.items())
-        text += "  constructor() { Object.preventExtensions(this); }\n"
-        if arrays:
-            parts = ", ".join(f"{f}: [...this.{f}]" for f in arrays)
-            text += f"  toJSON() {{ return {{ ...this, {parts} }}; }}\n"
-        text += "}\n"
+        fields, writes, reads, starts, arrays = abi.struct(name).shown, "", "", "", []
+        for f in fields:
+            if f.type.name not in _FRAME_TYPES:
+                raise HostError(f"{name}::{f.name}: the web's frames have {', '.join(_FRAME_TYPES)}, not {f.type.name}")
+            write, read = _FRAME_TYPES[f.type.name]
+            if f.count:
+                arrays.append(f"{f.name}: [...this.{f.name}]")
+                starts += f"  {f.name} = new Float64Array({f.count});\n"
+                writes += f'  writeF64s(view, at + {f.offset}, "{f.name}", {f.name}, {f.count});\n'
+                reads += "".join(f"  into.{f.name}[{i}] = {read.format(f.offset + 8 * i)};\n" for i in range(f.count))
+            else:
+                starts += f"  {f.name} = 0;\n"
+                writes += f"  {write.format(f.offset, f.name)};\n"
+                reads += f"  into.{f.name} = {read.format(f.offset)};\n"
+        text += f"\nexport class {title} {{\n{starts}  constructor() {{ Object.preventExtensions(this); }}\n"
+        text += f"  toJSON() {{ return {{ ...this, {', '.join(arrays)} }}; }}\n" * bool(arrays) + "}\n"
         if title == "Sample":
-            text += (f"\nexport function write{title}(view, at, {{ {', '.join(places)} }}) {{\n"
-                     + "".join(f"  {_write(f, place)}\n" for f, place in places.items()) + "}\n")
-        text += (f"\nexport function read{title}(view, at, into) {{\n"
-                 + "".join(f"  {line}\n" for f, place in places.items() for line in _reads(f, place)) + "}\n")
+            text += f"\nexport function write{title}(view, at, {{ {', '.join(f.name for f in fields)} }}) {{\n{writes}}}\n"
+        text += f"\nexport function read{title}(view, at, into) {{\n{reads}}}\n"
     return text
 
 
 def _defaults(abi: Abi, struct: Struct) -> str:
     values = {c.name: str(c.value) for c in abi.constants}
-    given = {f.name: [values.get(n, n) + "n" * (f.unit == "ns") for n in fields.default_of(f)] for f in struct.fields}
-    shown = {f.name: f"[{', '.join(given[f.name])}]" if f.length else given[f.name][0] for f in struct.fields
-             if any(n.strip("0.n") for n in given[f.name])}
-    return ", ".join(f"{name}: {value}" for name, value in shown.items())
+    given = {f.name: [values.get(n, n) + "n" * (f.unit == "ns") for n in f.literals] for f in struct.fields if f.literals}
+    return ", ".join(f"{name}: {v[0]}" if len(v) == 1 else f"{name}: [{', '.join(v)}]" for name, v in given.items())
 
 
-def _parameters(abi: Abi, function: Function) -> str:
-    return "".join(f"{', ' if i else '  // '}{p.name}: {_element(abi, p.type)}" for i, p in enumerate(function.parameters))
+_LAYOUT_TYPES = """
+export interface FieldPlace {
+  readonly offset: number;
+  /** Or the name of a struct. A handle is its u64. */
+  readonly type: "u8" | "i32" | "u32" | "i64" | "u64" | "f64" | string;
+  readonly length?: number;
+}
 
+export interface StructLayout<Field extends string> {
+  readonly size: number;
+  /** Defaults other than 0. */
+  readonly defaults?: Readonly<Partial<Record<Field, unknown>>>;
+  readonly fields: Readonly<Record<Field, FieldPlace>>;
+}
 
-def _write(field: str, place: dict[str, object]) -> str:
-    at = f"at + {place['offset']}"
-    if "length" in place:
-        return f'writeF64s(view, {at}, "{field}", {field}, {place["length"]});'
-    if place["type"] == "f64":
-        return f"view.setFloat64({at}, {field}, true);"
-    return f'write{str(place["type"]).upper()}(view, {at}, "{field}", {field});'
+export declare const functions: readonly string[];
 
-
-def _reads(field: str, place: dict[str, object]) -> list[str]:
-    offset = int(str(place["offset"]))
-    if "length" not in place:
-        return [f"into.{field} = {_read(place)};"]
-    return [f"into.{field}[{i}] = {_read({**place, 'offset': offset + 8 * i})};" for i in range(int(str(place["length"])))]
-
-
-def _read(place: dict[str, object]) -> str:
-    at = f"at + {place['offset']}"
-    if place["type"] == "i64":
-        return f"readI64(view, {at})"
-    return f"view.{ {'f64': 'getFloat64', 'u32': 'getUint32'}[str(place['type'])] }({at}, true)"
+export declare const structs: {
+"""
 
 
 def render_types(abi: Abi, notice: str) -> str:
     text = f"// {notice}\n"
-    for constant in abi.constants:
-        text += ("\n" + _comment(constant.group) if constant.group else "") + _comment(constant.doc)
-        text += f"export declare const {constant.name} = {constant.value};\n"
-    text += (
-        "\nexport interface FieldPlace {\n"
-        "  readonly offset: number;\n"
-        '  /** Or the name of a struct. A handle is its u64. */\n'
-        '  readonly type: "u8" | "i32" | "u32" | "i64" | "u64" | "f64" | "pointer" | string;\n'
-        "  readonly length?: number;\n"
-        "}\n\n"
-        "export interface StructLayout<Field extends string> {\n"
-        "  readonly size: number;\n"
-        "  /** What is not 0 by default. */\n"
-        "  readonly defaults?: Readonly<Partial<Record<Field, unknown>>>;\n"
-        "  readonly fields: Readonly<Record<Field, FieldPlace>>;\n"
-        "}\n\n"
-        "export declare const structs: {\n")
-    text += "".join(f"  readonly {struct.name}: StructLayout<keyof {struct.name}>;\n" for struct in abi.structs)
-    text += "};\n\nexport declare const functions: readonly string[];\n\n"
-    return text + "\n".join(_interface(abi, struct) for struct in abi.structs)
+    begun = {e.members[0].name: "\n" + _comment(e.text) for e in abi.enumerations}
+    for c in abi.constants:
+        text += begun.get(c.name, "") + _comment(c.doc) + f"export declare const {c.name} = {c.value};\n"
+    structs = [s for s in abi.structs if s.size]
+    text += _LAYOUT_TYPES + "".join(f"  readonly {s.name}: StructLayout<keyof {s.name}>;\n" for s in structs) + "};\n"
+    for s in structs:
+        text += f"\n{_comment(s.text)}export interface {s.name} {{\n"
+        for f in s.fields:
+            element = _element(abi, f.type)
+            kind = "bigint" if element in ("i64", "u64") else element if element.startswith("hrt_") else "number"
+            kind = kind if not f.count else "string" if element == "u8" else f"{kind}[]"
+            text += ("  " + _comment(f.doc) if f.doc else "") + f"  {f.name}: {kind};\n"
+        text += "}\n"
+    return text
 
 
 def _comment(text: str) -> str:
@@ -118,30 +110,9 @@ def _comment(text: str) -> str:
 
 
 def _element(abi: Abi, type_: Type) -> str:
-    if type_.pointer or type_.callback:
+    if type_.pointer:
         return "pointer"
     if type_.name in _ELEMENTS:
         return _ELEMENTS[type_.name]
     inner = abi.struct(type_.name)
     return "u64" if inner.is_handle else inner.name
-
-
-def _places(abi: Abi, struct: Struct) -> dict[str, dict[str, object]]:
-    places: dict[str, dict[str, object]] = {}
-    for field, place in zip(struct.fields, abi.layout(struct, _POINTER_SIZE)[0]):
-        places[field.name] = {"offset": place.offset, "type": _element(abi, field.type)}
-        if field.length:
-            places[field.name]["length"] = field.length
-    return places
-
-
-def _interface(abi: Abi, struct: Struct) -> str:
-    """The struct as a JavaScript object."""
-    text = _comment(struct.doc) + f"export interface {struct.name} {{\n"
-    for field in struct.fields:
-        element = _element(abi, field.type)
-        kind = "bigint" if element in ("i64", "u64") else element if element.startswith("hrt_") else "number"
-        if field.length:
-            kind = "string" if field.type.name == "char" else f"{kind}[]"
-        text += ("  " + _comment(field.doc) if field.doc else "") + f"  {field.name}: {kind};\n"
-    return text + "}\n"

@@ -3,31 +3,46 @@
  * headers.
  *
  * Calls
- *  - Every call returns hrt_result. HRT_OK is 0; every error is negative. On an error neither the session nor
- *    the outputs change, and hrt_last_error() names the call, the field, its value and what is allowed.
- *  - No call throws, aborts or terminates, when memory runs out neither.
+ *  - Every call returns hrt_result. HRT_OK is 0; every error is negative. On an error, the session and the
+ *    outputs are unchanged, and hrt_last_error() names the call, the field, its value and what is allowed.
+ *  - No call throws, aborts or terminates, including when memory is exhausted; hrt_scene_load() is an exception.
+ *  - NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE and BUSY are possible wherever they apply. The comment of a
+ *    call lists its other errors.
  *  - Thread tags:
- *      [any-thread]  any thread, any time.
- *      [one-thread]  any thread, but one at a time for a session. The second thread gets HRT_ERROR_BUSY.
- *      [real-time]   as [one-thread]; no lock, allocation, system call or I/O, and bounded time, on error
- *                    paths too. On Windows a thread's first call allocates memory for its error text.
+ *      [any-thread]  any thread, at any time.
+ *      [one-thread]  any thread, but only one at a time for a session. A second thread gets HRT_ERROR_BUSY.
+ *      [real-time]   as [one-thread]; without lock, allocation, system call or I/O, and in bounded time, on
+ *                    error paths too. On Windows, the first call of a thread allocates memory for its error
+ *                    text.
  *
  * Structs
- *  - Set `struct_size` to sizeof the struct; hrt_session_config_init() and its like (init.h) do, and set the
- *    defaults. A null configuration means the defaults, too. Bytes beyond the library's size must be zero.
- *  - Fields named `reserved` must be zero. Integers have a fixed width. Fields are aligned as C
- *    aligns them.
+ *  - Set `struct_size` to sizeof the struct before each call, also in structs that the call fills.
+ *    hrt_session_config_init() and the like (init.h) set it together with the defaults. A null configuration
+ *    means the defaults. Bytes beyond the size that the library knows must be zero.
+ *  - Fields named `reserved` must be zero. Integers have a fixed width. Fields have the alignment of C.
  *  - Texts and paths are UTF-8, on Windows too.
  *
  * In your process (plugin/README.md has numbers and details)
- *  - Calls round to nearest and, on x86, trap no floating-point exception; they restore the host's mode.
- * Flush-to-zero and the locale have no effect.
- *  - No signal is sent or handled. The only threads are those of recordings, one each, which block signals.
- *  - In the child of a fork sessions work; recordings stay with the parent (study.h).
+ *  - Calls round to nearest and, on x86, mask floating-point exceptions; they restore the host's mode.
+ *    Flush-to-zero and the locale have no effect.
+ *  - The library sends and handles no signals. Its only threads are one for each recording; they block
+ *    signals.
+ *  - In the child of a fork, sessions work; recordings stay with the parent (study.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.
  *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 16 kB a session, 9 MB a recording.
  *
- * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds.
+ * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds. Comments give
+ * other units, ranges, defaults and references as tags. Each number of an array has the range of the array:
+ *   @unit U           unit of a value whose name does not end in it; 1: none
+ *   @range A to B     allowed values; "0 or A to B" allows 0 as well
+ *   @default V        value that hrt_..._init() sets
+ *   @norm A to B      allowed length of a vector
+ *   @values HRT_X     takes one of the constants HRT_X_*, or several of them if these are flags
+ *   @elements HRT_X   array whose elements the constants HRT_X_* index
+ *   @bool             0 or 1
+ *   @ccw              angle that is positive counter-clockwise, seen from above
+ *   @profile FIELD    stored in profiles (profile.h), and if FIELD is given, only if that is not 0
+ *   @flatten NAME     name in other languages, profiles and recordings: of the field, or with * of all fields of a part
  *
  * Plate coordinates are right-handed: x to the user's right, y up from the plate's face, z towards the user.
  * The origin is the plate's centre. The mid-line is -z: straight away from the user.
@@ -67,7 +82,7 @@
 #define HRT_API
 #endif
 
-/* Of results that must not be ignored: of every call but those that destroy. */
+/* The result must not be ignored. Every call has it except those that destroy. */
 #if defined(__cplusplus) && __cplusplus >= 201703L
 #define HRT_NODISCARD [[nodiscard]]
 #elif defined(__GNUC__)
@@ -85,21 +100,22 @@ extern "C" {
 
 /** Version of these headers. hrt_get_version() returns the library's. */
 #define HRT_VERSION_MAJOR 0
-#define HRT_VERSION_MINOR 4
-#define HRT_VERSION_PATCH 0
-/** Version that hrt_session_create() is given: the same major and, before 1.0, minor number is needed. */
+#define HRT_VERSION_MINOR 4 /**< changes with every incompatible change before 1.0 */
+#define HRT_VERSION_PATCH 0 /**< changes without effect on the interface */
+/** Version to pass to hrt_session_create(). The library accepts the same major and, before 1.0, minor number. */
 #define HRT_VERSION (HRT_VERSION_MAJOR * 10000 + HRT_VERSION_MINOR * 100 + HRT_VERSION_PATCH)
 
-/** HRT_OK or one of the errors below. Their numbers never change. */
+/** Result of a call: HRT_OK or one of HRT_ERROR_*. */
 typedef int32_t hrt_result;
 
-#define HRT_OK 0
+#define HRT_OK 0 /**< the call succeeded */
+/** @enumeration HRT_ERROR Errors of calls. Their numbers never change. */
 /** A pointer that must not be null was null. */
 #define HRT_ERROR_NULL_ARGUMENT (-1)
 /** The handle or id is null, stale, of another session, or was never given out. */
 #define HRT_ERROR_INVALID_HANDLE (-2)
-/** `struct_size` is below this library's, no multiple of 8, or above 4096, or bytes that this library does not know
- * are not zero. */
+/** `struct_size` is below the size that this library knows, not a multiple of 8, or above 4096; or bytes that this
+ *  library does not know are not zero. */
 #define HRT_ERROR_STRUCT_SIZE (-3)
 /** A value is outside its documented range, not a number, or infinite. */
 #define HRT_ERROR_OUT_OF_RANGE (-4)
@@ -119,52 +135,64 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_NAME_TAKEN (-12)
 /** The operating system refused a file or a thread. */
 #define HRT_ERROR_SYSTEM (-13)
-/** A file or text is malformed, or a scene's file cannot be read. hrt_last_error() names the place. */
+/** A file or text is malformed, or the file of a scene cannot be read. hrt_last_error() names the position. */
 #define HRT_ERROR_BAD_FORMAT (-14)
 /** The data cannot determine the requested value. hrt_last_error() names what is missing. */
 #define HRT_ERROR_INSUFFICIENT_DATA (-15)
 /** A defect in this library. Please report it with the text of hrt_last_error(). */
 #define HRT_ERROR_INTERNAL (-99)
 
-/** Returns the name of a result, such as "HRT_ERROR_BUSY", or "unknown result". Never null; valid as long as
- * the library is loaded. [any-thread] */
+/** Returns the name of a result.
+ *
+ *  @param result  Any number.
+ *  @return Name such as "HRT_ERROR_BUSY", or "unknown result". Never null; valid as long as the library is loaded.
+ *  @threadsafety [any-thread] */
 HRT_API const char* hrt_result_string(hrt_result result) HRT_NOEXCEPT;
 
 /** Returns the text of this thread's last failed call: one line of English, empty if no call has failed.
- * Never null; valid until this thread's next failed call. [any-thread] */
+ *
+ *  @return Text in UTF-8. Never null; valid until this thread's next failed call.
+ *  @threadsafety [any-thread] */
 HRT_API const char* hrt_last_error(void) HRT_NOEXCEPT;
 
-/** Returns the library's version. From 1.0 on, a major version only grows by additions; before, the changelog
- * names what a minor version changes. Null pointers are skipped. [any-thread] */
+/** Returns the library's version. From 1.0 on, a major version only grows by additions; before, the changelog names
+ *  what a minor version changes.
+ *
+ *  @param out_major  Null is allowed for each of the three.
+ *  @threadsafety [any-thread] */
 HRT_API void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t* out_patch) HRT_NOEXCEPT;
 
-/** Level of a log message. */
+/** @enumeration HRT_LOG Level of a log message. */
 #define HRT_LOG_WARNING 1
 #define HRT_LOG_ERROR 2
 
-/** What the host lends to the library, for the whole process. All zero with `struct_size`: memory of the C
- * library, and no log. No function may call this library or throw. Each is called on any thread. */
+/** Functions that the host lends to the library, for the whole process. All zero except `struct_size`: memory of the
+ *  C library, and no log. These functions must not call this library or throw. Each may be called on any thread. */
 typedef struct hrt_host {
   uint32_t struct_size;
   uint32_t reserved;
   /** Passed to all functions. The library does not read it. */
   void* context;
-  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure.
-   * Called concurrently. Null, as `release` then has to be: the C library's. */
+  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. Called
+   *  concurrently. Null, then `release` must be null too: the allocator of the C library. */
   void* (*allocate)(void* context, size_t size, size_t alignment);
-  /** Releases memory that allocate() returned. As of free(), it gets no size: an allocator that needs it
-   * keeps it beside the memory. Called concurrently. */
+  /** Releases memory that allocate() returned. Like free(), it is not given the size: an allocator that needs the
+   *  size must store it next to the memory. Called concurrently. */
   void (*release)(void* context, void* memory);
-  /** Receives what no call can return, for example that a recording's disk is full. `level` is HRT_LOG_*.
-   * `text` is one line that names the session and, of a recording, the file; valid during the call. Called
-   * within calls that are not real-time or on a thread of the library, one call at a time. Null: no log. */
+  /** Receives events that no call can return, for example that the disk of a recording is full. `level` is one of
+   *  HRT_LOG_*. `text` is one line that names the session and, for a recording, the file; it is valid during the
+   *  call. Called within calls that are not real-time or on a thread of the library, one call at a time. Null: no
+   *  log. */
   void (*log)(void* context, uint32_t level, const char* text);
 } hrt_host;
 
-/** Sets allocator and log; the struct is copied. Null: the defaults. Waits for a call of the former log to
- * end; it is not called any more once this returns. Errors: WRONG_STATE if the allocator changes while a
- * session, person or scene exists; NULL_ARGUMENT for one of allocate and release. [any-thread];
- * an allocator changes while no other thread is in a call of this library. */
+/** Sets allocator and log. Waits for a running call of the former log; the former log is not called after this
+ *  returns.
+ *
+ *  @param host  Copied. Null: the defaults.
+ *  @return WRONG_STATE if the allocator changes while a session, person or scene exists; NULL_ARGUMENT if only one of
+ *          allocate and release is given.
+ *  @threadsafety [any-thread], but while the allocator changes no other thread may be in a call of this library. */
 HRT_NODISCARD HRT_API hrt_result hrt_set_host(const hrt_host* host) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)

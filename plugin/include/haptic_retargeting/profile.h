@@ -5,15 +5,15 @@
  *    "tactile_weight_sd":0.05,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,"sensory_variance_deg2":0.1,
  *    "initial_variance_deg2":0,"bias_deg":0}
  *
- * and "person_mean":[...],"person_covariance":[...] once a reach has learnt of the person.
+ * and "person_mean":[...],"person_covariance":[...] after a reach has estimated the user's traits.
  *
  * If the host names them, it also has the conditions under which the person was measured:
  *
  *    "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
- * Fields and ranges are those of hrt_session_config whose comments say "In profiles". Contacts stand with the
- * pose of the plate under which they were made. A session with another pose leaves them out; in one with the
- * same pose their covariance is wider by 0.2 %, since trackers drift.
+ * Fields and ranges are those of hrt_session_config with the tag @profile. Contacts are stored together with the
+ * pose of the plate under which they were made. A session with another pose ignores them; a session with the
+ * same pose enlarges their covariance by 0.2 %, because trackers drift.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
@@ -24,45 +24,58 @@
 extern "C" {
 #endif
 
-/** How the conditions of the profile differ from those of now: hrt_conditions::differing. */
-#define HRT_CONDITION_PLATE UINT32_C(1)
-#define HRT_CONDITION_TRACKER UINT32_C(2)
+/** @flags HRT_CONDITION hrt_conditions::differing: conditions of the profile that differ from the present ones. */
+#define HRT_CONDITION_PLATE UINT32_C(1)   /**< the name of the plate */
+#define HRT_CONDITION_TRACKER UINT32_C(2) /**< the name of the tracker */
 
 /** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. */
 typedef struct hrt_conditions {
   uint32_t struct_size;
-  /** Output: of what both the profile and the host name, and not alike. Input: not read. HRT_CONDITION_*. */
+  /** Output: conditions that both the profile and the host name, and that differ. Input: not read.
+   *  @values HRT_CONDITION */
   uint32_t differing;
-  /** Seconds since 1970, UTC. 0 to 253402300799, the end of the year 9999; 0: unknown. */
+  /** Seconds since 1970, UTC, until the end of the year 9999; 0: unknown. @range 0 to 253402300799 */
   int64_t time_s;
-  /** Name of the plate; empty: unknown. UTF-8 without control characters, ended by a zero. */
+  /** Name of the plate; empty: unknown. UTF-8 without control characters, terminated by a zero. */
   char plate[HRT_NAME_SIZE];
-  /** Name of the tracker; empty: unknown. UTF-8 without control characters, ended by a zero. */
+  /** Name of the tracker; empty: unknown. UTF-8 without control characters, terminated by a zero. */
   char tracker[HRT_NAME_SIZE];
 } hrt_conditions;
 
-/** Sets the session's conditions of now: what a set-up's calibration measures under, and what profiles are
- * compared with. If those of the profile differ, the log has a warning, here or when the profile is loaded.
- * Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach or a set-up. [one-thread] */
+/** Sets the session's present conditions: those under which a set-up calibrates, and with which profiles are
+ *  compared. If those of the profile differ, the log has a warning, in this call or when the profile is loaded.
+ *
+ *  @param conditions  The present conditions.
+ *  @return OUT_OF_RANGE naming the field; WRONG_STATE during a reach or a set-up.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
                                                             const hrt_conditions* conditions) HRT_NOEXCEPT;
 
-/** Returns the conditions under which the person was measured: of the loaded profile, or of now if a
- * set-up has calibrated since; unknown without both. `differing` compares them with those of now. Set
- * `struct_size` before the call. [one-thread] */
+/** Returns the conditions under which the person was measured: of the loaded profile, or the present ones if a set-up
+ *  has calibrated since; unknown without both.
+ *
+ *  @param out_conditions  The conditions. `differing` compares them with the present ones.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
                                                             hrt_conditions* out_conditions) HRT_NOEXCEPT;
 
-/** Writes the session's profile as UTF-8 with a terminating zero, and its length without the zero. With
- * `capacity` 0 the call only returns the length, and `out_text` may be null. Errors: BUFFER_TOO_SMALL unless
- * `capacity` exceeds the length. [one-thread] */
+/** Writes the session's profile as UTF-8 with a terminating zero.
+ *
+ *  @param capacity    Bytes of `out_text`. 0: only the length is returned.
+ *  @param out_text    The profile. May be null if `capacity` is 0.
+ *  @param out_length  Its length without the zero.
+ *  @return BUFFER_TOO_SMALL unless `capacity` exceeds the length.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                                                   uint64_t* out_length) HRT_NOEXCEPT;
 
-/** Copies a profile of `length` bytes into the session's configuration. Of the person and of correlated noise,
- * fields missing in the profile are the default again; other fields that are missing keep their values. Unknown
- * fields are refused. Errors: BAD_FORMAT, OUT_OF_RANGE naming the field, WRONG_STATE during a reach or a set-up.
- * [one-thread] */
+/** Copies a profile into the session's configuration. Fields of the person and of correlated noise that the profile
+ *  does not have are reset to the default; other missing fields keep their values. Unknown fields are refused.
+ *
+ *  @param text    The profile in UTF-8.
+ *  @param length  Its bytes.
+ *  @return BAD_FORMAT; OUT_OF_RANGE naming the field; WRONG_STATE during a reach or a set-up.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)

@@ -1,9 +1,9 @@
 /*
- * Setting up, before any frame: scenes from files, the plate's place, who the user is, their profile; and
- * which targets a session has, and which real one serves which virtual one.
+ * Setting up, before any frame: scenes from files, the position of the plate, the user and their profile; and
+ * the targets of a session and their assignment to each other.
  *
- * A set-up is a frame loop with another call in it. It says what the user is to do, sees it done, and repeats
- * what failed:
+ * A set-up is a frame loop with another call. It instructs the user, detects when each instruction is completed,
+ * and repeats what failed:
  *
  *   hrt_setup_begin(session, HRT_SETUP_ALL_MISSING, NULL);
  *   do {
@@ -11,8 +11,8 @@
  *     hrt_setup_finish(session, &result);
  *   } while (result.left);
  *
- * where each frame shows step.text and step.place_m and sends step.plate_orientation_deg to the plate. Tried
- * on simulated people only.
+ * where each frame displays step.text and step.place_m and sends step.plate_orientation_deg to the plate. Tested
+ * with simulated people only.
  */
 #ifndef HAPTIC_RETARGETING_SETUP_H
 #define HAPTIC_RETARGETING_SETUP_H
@@ -25,31 +25,32 @@
 extern "C" {
 #endif
 
-/** Parts of a set-up, in the order in which they are done: each uses the results of those before it. */
-/** The skin that touches, beside the tracked joint, from six touches of one mark with the finger held
- *  differently: hrt_session_config::fingertip_offset_m. Needs HRT_SAMPLE_JOINT_ROTATION. */
+/** @flags HRT_SETUP Parts of a set-up, in the order in which they are done: each uses the results of the parts before
+ *  it. */
+/** Offset of the point of contact on the skin from the tracked joint, from six touches of one mark with the finger
+ *  held in different ways: hrt_session_config::fingertip_offset_m. Requires HRT_SAMPLE_JOINT_ROTATION. */
 #define HRT_SETUP_FINGERTIP UINT32_C(1)
-/** The plate's pose in the world, from touches of marks. Needs HRT_SAMPLE_WORLD_POSITION. A frame that is
- *  turned by 1 degree about the start turns every reach by as much, and nothing within a reach shows it. */
+/** The plate's pose in the world, from touches of marks. Requires HRT_SAMPLE_WORLD_POSITION. A frame that is rotated
+ *  by 1 degree about the start rotates every reach by 1 degree, and nothing within a reach reveals it. */
 #define HRT_SETUP_REGISTRATION UINT32_C(2)
-/** Whether the plate is still where it was registered, by one touch, as before each reach; by a second one if
- *  the first disagrees. Sets registration.time_ns, or clears HRT_SESSION_REGISTERED. Not with REGISTRATION.
- */
+/** Check of the registration by one touch, for example before each reach; by a second touch if the first disagrees.
+ *  Sets registration.time_ns, or clears HRT_SESSION_REGISTERED. Not together with REGISTRATION. */
 #define HRT_SETUP_CHECK UINT32_C(4)
-/** What is left of the registration's error at the real targets, from slides to and fro along a guide from the
- * start to each of them, the first 8 in the order of their addition: a strip with an end at the object, and a
- * dimple at the start. Six slides a target, with a rest of 1.4 s at each end and without a lift. Sets
- * registration.contact_correction and HRT_SESSION_START_FELT. Halves the error of six marks, and more where the
- * tracker's frame is not rigid. Needs HRT_SESSION_REGISTERED, and real targets whose nearer sides are at least 40 mm
- * from the start. Not with REGISTRATION. */
+/** Remaining error of the registration at the real targets, from slides back and forth along a guide from the start
+ *  to each of the first 8 targets in the order of their addition. A guide is a strip that ends at the object, with a
+ *  dimple at the start. Each target takes six slides without lifting, with a rest of 1.4 s at each end. Sets
+ *  registration.contact_correction and HRT_SESSION_START_FELT. Halves the error of six marks, and reduces it further
+ *  if the tracker's frame is not rigid. Requires HRT_SESSION_REGISTERED and real targets whose near sides are at
+ *  least 40 mm from the start. Not together with REGISTRATION. */
 #define HRT_SETUP_GUIDES UINT32_C(8)
-/** The user: curve of the illusion, bias and habit, and the tracker's noise, from slides straight ahead over
- * a plate at rest. */
+/** The user's illusion curve, bias and habit, and the tracker's noise, from slides straight ahead over a plate at
+ *  rest. */
 #define HRT_SETUP_CALIBRATION UINT32_C(16)
-/** As CALIBRATION, and hrt_setup_result::differing compares it with what was believed before. Not with it. */
+/** As CALIBRATION; in addition, hrt_setup_result::differing compares the result with the values before it. Not
+ *  together with CALIBRATION. */
 #define HRT_SETUP_RETEST UINT32_C(32)
-/** Those of FINGERTIP, REGISTRATION and CALIBRATION of which the session has no result, and which
- * the samples can show. Alone. */
+/** Those of FINGERTIP, REGISTRATION and CALIBRATION for which the session has no result and the samples have the
+ *  data. Not together with other parts. */
 #define HRT_SETUP_ALL_MISSING UINT32_C(64)
 
 /** Maximum number of marks. */
@@ -59,198 +60,231 @@ extern "C" {
 /** Bytes of a sentence, including the terminating zero. */
 #define HRT_TEXT_SIZE 256
 
-/** Configuration of a set-up. hrt_setup_config_init() fills every field. */
+/** Configuration of a set-up. */
 typedef struct hrt_setup_config {
   uint32_t struct_size;
-  /** Number of marks. 3 to 8; 0: the start and five places on the rim. Default 0. */
+  /** Number of marks; 0: the start and five points on the rim. @range 0 or 3 to 8 @default 0 */
   uint32_t mark_count;
-  /** Touches of each mark: four halve the error of the pose. 1 to 5. Default 1. */
+  /** Touches of each mark. Four halve the error of the pose. @range 1 to 5 @default 1 */
   uint32_t touches_per_mark;
-  /** Number of the mark that CHECK asks for, from 0. One far from the start shows best that the plate has
-   *  turned. 0 to 7. Default 1. */
+  /** Index of the mark that CHECK asks for. A mark far from the start shows a rotation of the plate best.
+   *  @range 0 to 7 @default 1 */
   uint32_t check_mark;
-  /** 1: the tracker's unit of length is fitted too, of use if it may be off by more than 1 in 100. 0 to 1.
-   *  Default 0. */
+  /** 1: also fit the tracker's unit of length. Useful if it may be wrong by more than 1 %. @bool @default 0 */
   uint32_t fit_scale;
-  /** Maximum number of slides. The first 16 are followed by 8 more, again and again, until the weight is
-   *  known well enough. 16 to 200. Default 40. */
+  /** Maximum number of slides. The first 16 are followed by groups of 8 until the weight is accurate enough.
+   *  @range 16 to 200 @default 40 */
   uint32_t max_slides;
-  /** The marks in plate coordinates, x, y and z of each. Each within 1000. Default 0. */
+  /** Marks in plate coordinates: x, y and z of each. @range -1000 to 1000 @default 0 */
   double marks_m[HRT_MARK_NUMBERS];
-  /** Standard deviation of each coordinate of a touch, as expected. Raising it accepts worse touches. 1e-5 to
-   *  0.1. Default 0.003. */
+  /** Expected SD of each coordinate of a touch. Raising it accepts less accurate touches. @range 1e-5 to 0.1
+   *  @default 0.003 */
   double touch_sd_m;
-  /** Up in the engine's world, of any length: the plate's face must look that way within 60 degrees. All 0:
-   *  not checked, and touches of which left and right were confused pass for those of a plate upside down.
-   *  Each within 1000. Default (0, 1, 0). */
+  /** Upward direction in the engine's world, of any length: the plate's face must point within 60 degrees of it. All
+   *  0: not checked; touches with left and right confused are then accepted as those of a plate that is upside down.
+   *  @range -1000 to 1000 @unit 1 @default (0, 1, 0) */
   double up[3];
-  /** Range of the plate orientations (base.h) in slides. -89 to 89, the upper at least 40 above the lower.
-   *  Default -75 and 75. */
+  /** Lower end of the plate orientations in slides. @range -89 to 89 @default -75 @ccw */
   double lower_plate_deg;
+  /** Upper end of the plate orientations in slides, at least 40 above the lower end. @range -89 to 89 @default 75
+   *  @ccw */
   double upper_plate_deg;
-  /** Width of the 95 % interval of the tactile weight at which slides are enough. Lowering it asks for more
-   *  slides, of use for a study of people: no reach relies on a narrower one than the default. 0.001 to 0.5.
-   *  Default 0.04. */
+  /** Width of the 95 % interval of the tactile weight at which no more slides are needed. Lowering it takes more
+   *  slides, for a study of people: reaches do not need a narrower interval than the default. @range 0.001 to 0.5
+   *  @unit 1 @default 0.04 */
   double enough_weight_width;
 } hrt_setup_config;
 
-/** What is asked of the user, or of the host. */
+/** @enumeration HRT_STEP Instruction to the user or to the host. */
 #define HRT_STEP_WAIT UINT32_C(0)          /**< lift the finger: the plate turns */
 #define HRT_STEP_TOUCH_MARK UINT32_C(1)    /**< lift the finger, and touch the mark at place_m */
-#define HRT_STEP_HOLD_STILL UINT32_C(2)    /**< there */
-#define HRT_STEP_REST_AT_START UINT32_C(3) /**< put the finger to the start, and let it rest */
+#define HRT_STEP_HOLD_STILL UINT32_C(2)    /**< hold the finger still on the mark */
+#define HRT_STEP_REST_AT_START UINT32_C(3) /**< put the finger on the start, and let it rest */
 #define HRT_STEP_SLIDE UINT32_C(4)         /**< slide towards place_m, and rest there */
-#define HRT_STEP_FINISH UINT32_C(5)        /**< nothing: hrt_setup_finish() is to be called */
+#define HRT_STEP_FINISH UINT32_C(5)        /**< nothing for the user: call hrt_setup_finish() */
 
-/** What was wrong with the last try, which is repeated. */
-#define HRT_PROBLEM_NONE UINT32_C(0)
-#define HRT_PROBLEM_TOO_FAST UINT32_C(1)      /**< the slide took less than some 0.4 s */
+/** @enumeration HRT_PROBLEM Problem of the last attempt, which is repeated. */
+#define HRT_PROBLEM_NONE UINT32_C(0)          /**< no problem */
+#define HRT_PROBLEM_TOO_FAST UINT32_C(1)      /**< the slide took less than about 0.4 s */
 #define HRT_PROBLEM_TOO_SLOW UINT32_C(2)      /**< the slide took more than 8 s */
-#define HRT_PROBLEM_STOPPED UINT32_C(3)       /**< the finger rested before it was half way, or elsewhere */
-#define HRT_PROBLEM_LEFT_PLATE UINT32_C(4)    /**< the finger was lifted, or went over the rim */
+#define HRT_PROBLEM_STOPPED UINT32_C(3)       /**< the finger rested before half of the path, or elsewhere */
+#define HRT_PROBLEM_LEFT_PLATE UINT32_C(4)    /**< the finger was lifted, or moved over the rim */
 #define HRT_PROBLEM_LOST UINT32_C(5)          /**< the tracker lost the finger */
 #define HRT_PROBLEM_MOVED UINT32_C(6)         /**< the plate turned during the slide */
-#define HRT_PROBLEM_PLATE UINT32_C(7)         /**< the plate has not turned as it was asked, for 5 s */
-#define HRT_PROBLEM_DISAGREES UINT32_C(8)     /**< touches, or guided slides, do not fit the marks or each other */
-#define HRT_PROBLEM_UPSIDE_DOWN UINT32_C(9)   /**< by the touches the plate lies upside down: marks were confused */
-#define HRT_PROBLEM_UNDETERMINED UINT32_C(10) /**< what was done does not determine the result: more is needed */
+#define HRT_PROBLEM_PLATE UINT32_C(7)         /**< the plate has not followed its command for 5 s */
+#define HRT_PROBLEM_DISAGREES UINT32_C(8)     /**< touches or guided slides do not fit the marks or each other */
+#define HRT_PROBLEM_UPSIDE_DOWN UINT32_C(9)   /**< the touches fit a plate upside down: marks were confused */
+#define HRT_PROBLEM_UNDETERMINED UINT32_C(10) /**< the data do not determine the result: more are needed */
 
-/** What to do now. Set `struct_size` before the call. */
+/** The next action. */
 typedef struct hrt_setup_step {
   uint32_t struct_size;
-  /** HRT_STEP_*. */
+  /** Instruction to the user or to the host. @values HRT_STEP */
   uint32_t instruction;
-  /** HRT_SETUP_*: the part that is under way; 0: none is left. */
+  /** Part in progress; 0: all parts are finished. @values HRT_SETUP */
   uint32_t part;
-  /** HRT_PROBLEM_*. */
+  /** Problem of the last attempt. @values HRT_PROBLEM */
   uint32_t problem;
-  /** Touches or slides that are done, and the number that this part needs. */
+  /** Touches or slides that are completed in this part. */
   uint32_t done;
+  /** Touches or slides that this part needs. */
   uint32_t of;
-  /** Number of the mark, of the way to hold the finger, or of the guide, from 0. */
+  /** Index of the mark, of the way to hold the finger, or of the guide. */
   uint32_t number;
   uint32_t reserved;
-  /** Where the finger is to go, in plate coordinates. */
+  /** Position to which the finger is to move, in plate coordinates. */
   double place_m[3];
-  /** Plate orientation (base.h) to turn to now. */
+  /** Plate orientation to turn to now. @ccw */
   double plate_orientation_deg;
-  /** Problem and instruction in one line of UTF-8, for a label or a voice. */
+  /** Problem and instruction in one line of UTF-8, to display or to speak. */
   char text[HRT_TEXT_SIZE];
 } hrt_setup_step;
 
-/** An estimate with the ends of its 95 % interval. This struct never grows. */
+/** An estimate with its 95 % interval. */
 typedef struct hrt_interval {
-  double value;
-  double lower;
-  double upper;
-  /** 1; or 0: the data cannot determine the value. Then the interval is the range that was searched, and
-   *  the value its likeliest point. */
+  double value; /**< estimate @unit mixed */
+  double lower; /**< lower end @unit mixed */
+  double upper; /**< upper end @unit mixed */
+  /** 0 if the data cannot determine the value. Then the interval is the range that was searched, and the value its
+   *  most likely point. @bool */
   uint32_t known;
   uint32_t reserved;
 } hrt_interval;
 
-/** Patterns in what the fit leaves unexplained: hrt_setup_result::lack_of_fit. */
-/** Over the plate orientation: no curve fits. Check the plate's orientations and the goal direction. */
+/** @flags HRT_LACK_OF_FIT hrt_setup_result::lack_of_fit: patterns in the residuals of the fit. */
+/** Over the plate orientation: no curve fits. Check the plate orientations and the direction of the slides. */
 #define HRT_LACK_OF_FIT_ANGLE UINT32_C(1)
-/** Over the order of the slides: the user learns or tires. Let them practise or rest, and repeat. */
+/** Over the order of the slides: the user learns or gets tired. Allow practice or rest, and repeat. */
 #define HRT_LACK_OF_FIT_ORDER UINT32_C(2)
-/** Along the paths: they bend as neither a habit nor the model's steering does. Ask for slower, longer and
- *  even slides, and repeat. */
+/** Along the paths: they bend in a way that neither a habit nor the model's steering explains. Ask for slower, longer
+ *  and more even slides, and repeat. */
 #define HRT_LACK_OF_FIT_PATH UINT32_C(4)
 
-/** Differences of a retest: hrt_setup_result::differing. */
-#define HRT_RETEST_TACTILE_WEIGHT UINT32_C(1)
-#define HRT_RETEST_BIAS UINT32_C(2)
-#define HRT_RETEST_HABIT UINT32_C(4)
+/** @flags HRT_RETEST hrt_setup_result::differing: differences of a retest. */
+#define HRT_RETEST_TACTILE_WEIGHT UINT32_C(1) /**< the tactile weight has changed */
+#define HRT_RETEST_BIAS UINT32_C(2)           /**< the bias has changed */
+#define HRT_RETEST_HABIT UINT32_C(4)          /**< the habit has changed */
 
-/** What a set-up has found. The session's configuration has the values themselves. Values of parts that are
- *  not `done` are 0. Set `struct_size` before the call. */
+/** Result of a set-up. The values themselves are in the session's configuration. Values of parts that are not `done`
+ *  are 0. */
 typedef struct hrt_setup_result {
   uint32_t struct_size;
-  /** Parts that were found and applied, since the set-up began: HRT_SETUP_*. */
+  /** Parts that were determined and applied since the set-up began. @values HRT_SETUP */
   uint32_t done;
-  /** HRT_SETUP_*: parts that are to be done yet, so updates continue. 0: the set-up is over. */
+  /** Parts that remain, so that updates continue. 0: the set-up is over. @values HRT_SETUP */
   uint32_t left;
-  /** HRT_RETEST_*, by Holm's procedure: if nothing has changed, any of them is set in 5 % of retests. */
+  /** Differences of a RETEST, by Holm's procedure: if nothing has changed, 5 % of retests have any.
+   *  @values HRT_RETEST */
   uint32_t differing;
-  /** HRT_LACK_OF_FIT_*: the user is not like the model, and nothing of them is known. 0: none was found, each
-   * at 1 % of people whom the model fits. */
+  /** Patterns that the model does not explain; the user's traits are then unknown. 0: none was found. If the model
+   *  fits, each is found for 1 % of users. @values HRT_LACK_OF_FIT */
   uint32_t lack_of_fit;
-  /** Slides that were made, and those of them that count. */
+  /** Slides that were made. */
   uint32_t slides;
+  /** Slides that are part of the fit. */
   uint32_t slides_used;
   uint32_t reserved;
-  /** Root mean square distance of the touches from their marks, and the standard deviation of the plate's
-   *  turn about its normal, which turns every reach. */
+  /** Root mean square distance of the touches from their marks. */
   double registration_residual_m;
+  /** SD of the plate's rotation about its normal. An error of this rotation rotates every reach. */
   double registration_turn_sd_deg;
-  /** Distance of a CHECK's touch from where its mark should be. */
+  /** Distance of the touch of a CHECK from the expected position of its mark. */
   double check_distance_m;
-  /** Largest standard deviation of a coordinate of the fingertip's offset. */
+  /** Largest SD of a coordinate of the fingertip's offset. */
   double fingertip_sd_m;
-  /** Felt shift over the offset of the ridge normal from the motion, at 60 degrees, at the pace of the slides. */
+  /** Perceived shift divided by the angle between ridge normal and motion, at 60 degrees, at the pace of the slides.
+   *  @unit 1 */
   hrt_interval tactile_weight;
-  /** Goal minus target direction, left positive. */
+  /** Bias: aimed minus target direction. @ccw */
   hrt_interval bias_deg;
-  /** Largest gap between real and virtual direction that can be held, on the weaker side. */
+  /** Largest gap between real and virtual direction that the plate can sustain, on the weaker side. */
   hrt_interval max_gap_deg;
 } hrt_setup_result;
 
-/** Begins a set-up of `what`, HRT_SETUP_*. Until it is
- * over no reach can begin, and the configuration does not change but by the set-up. Takes 1.4 MB for slides.
- * After a cancel, ALL_MISSING continues with the part that was under way: parts that are done are not
- * missing. `config` may be null: the defaults. Errors: OUT_OF_RANGE naming the field, for CALIBRATION also if
- * the plate has less than 50 mm ahead of start_position_m, for GUIDES if a target is too near; WRONG_STATE during
- * a reach or a set-up, for CHECK and GUIDES without what they need; OUT_OF_MEMORY. [one-thread] */
+/** Begins a set-up. Until it is over, no reach can begin, and only the set-up changes the configuration. Slides take
+ *  1.4 MB. After hrt_setup_cancel(), ALL_MISSING continues with the part that was in progress: completed parts are
+ *  not missing.
+ *
+ *  @param what    Parts to do. @values HRT_SETUP
+ *  @param config  Null: the defaults.
+ *  @return OUT_OF_RANGE naming the field, for CALIBRATION also if the plate extends less than 50 mm ahead of
+ *          start_position_m, for GUIDES if a target is too near; WRONG_STATE during a reach or a set-up, for CHECK
+ *          and GUIDES without their requirements; OUT_OF_MEMORY.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_begin(hrt_session session, uint32_t what,
                                                  const hrt_setup_config* config) HRT_NOEXCEPT;
 
-/** Takes one sample, also of a finger that is lost or lifted, and returns what to do now. Errors: WRONG_STATE
- * without a set-up; OUT_OF_RANGE naming the field, or flags: HRT_SAMPLE_DIRECTION, which shows nothing here,
- * or a sample without what a part needs that was asked for by name; TIME_REVERSED. [real-time] */
+/** Processes one sample and returns the next action. Call it every frame, also while the finger is lifted or lost.
+ *
+ *  @param sample  The finger, and the plate if it is measured.
+ *  @return WRONG_STATE without a set-up; OUT_OF_RANGE naming the field, or flags: for HRT_SAMPLE_DIRECTION, which has
+ *          no use here, or if a part that was requested by name needs a field that the sample does not have;
+ *          TIME_REVERSED.
+ *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_setup_step* out_step) HRT_NOEXCEPT;
 
-/** Fits what was done, once a step says HRT_STEP_FINISH, and applies the result to the configuration; then
- * the set-up continues with what is left. A part that its fit refuses is left, and repeated; a calibration
- * that max_slides do not determine, or that has lack of fit, is neither `done` nor left. Takes some 25
- * microseconds a sample of slides, up to a second: too long for a thread that draws frames. Errors:
- * WRONG_STATE without a set-up, or before HRT_STEP_FINISH; OUT_OF_MEMORY. [one-thread] */
+/** Fits the data after a step with HRT_STEP_FINISH and applies the result to the configuration; then the set-up
+ *  continues with the remaining parts. A part whose fit is rejected remains and is repeated. A calibration that
+ *  max_slides do not determine, or that has lack of fit, is neither `done` nor repeated. Takes about 25 microseconds
+ *  for a sample of slides, up to a second: do not call it on a thread that renders.
+ *
+ *  @return WRONG_STATE without a set-up, or before HRT_STEP_FINISH; OUT_OF_MEMORY.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_finish(hrt_session session, hrt_setup_result* out_result) HRT_NOEXCEPT;
 
-/** Ends the set-up. What hrt_setup_finish() has applied stays. Errors: WRONG_STATE without a set-up.
- * [one-thread] */
+/** Ends the set-up. Results that hrt_setup_finish() has applied are kept.
+ *
+ *  @return WRONG_STATE without a set-up.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_cancel(hrt_session session) HRT_NOEXCEPT;
 
-/** Another user comes: what is known of the last one is the default again, which is the part person, what profiles
- * hold of the part paper, motion_bound_deg and fingertip_offset_m. Plate, tracker, registration and targets stay,
- * so that HRT_SETUP_ALL_MISSING asks for the user alone. Errors: WRONG_STATE during a reach or a set-up.
- * [one-thread] */
+/** Resets the fields of the user for a new user: the part person, the fields of the part paper that profiles contain,
+ *  motion_bound_deg and fingertip_offset_m. Plate, tracker, registration and targets are kept, so that
+ *  HRT_SETUP_ALL_MISSING asks for the user only.
+ *
+ *  @return WRONG_STATE during a reach or a set-up.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_new_person(hrt_session session) HRT_NOEXCEPT;
 
-/** Returns a target. Set `out_config->struct_size` before the call. [one-thread] */
+/** Returns a target.
+ *
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target target,
                                                 hrt_target_config* out_config) HRT_NOEXCEPT;
 
-/** Lists the targets of a role (0: both) in the order of addition. With `capacity` 0 the call only counts
- *  them, and `out_targets` may be null. Errors: BUFFER_TOO_SMALL. [one-thread] */
+/** Lists the targets of a role in the order of their addition.
+ *
+ *  @param role         Role of the targets; 0: both. @values HRT_TARGET
+ *  @param capacity     Elements of `out_targets`. 0: the targets are only counted.
+ *  @param out_targets  Their ids. May be null if `capacity` is 0.
+ *  @param out_count    Their number.
+ *  @return BUFFER_TOO_SMALL.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity,
                                                  hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;
 
-/** Flags of hrt_target_assign(). */
-/** A real target serves one virtual target at most. Otherwise it may serve any number. */
+/** @flags HRT_ASSIGN Flags of hrt_target_assign(). */
+/** A real target serves at most one virtual target. Otherwise, it may serve any number. */
 #define HRT_ASSIGN_EXCLUSIVE UINT32_C(1)
 
-/** Maximum number of virtual targets, and of real ones, in hrt_target_assign(). */
+/** Maximum number of virtual targets, and of real targets, in hrt_target_assign(). */
 #define HRT_ASSIGN_TARGETS_MAX 1000
 
-/** Assigns a real target to each virtual one: as many as possible are served, and of all such assignments the
- * largest share, gap_deg over max_gap_deg, is the smallest; exactly so. `out_gaps[i]` is that of
- * virtual_targets[i]; `out_gaps[0].struct_size` is the size of each. One that cannot be served has
- * `reachable` 0, a null real_target, and the numbers of the nearest real target. Takes up to a second
- * for 1000 of each with EXCLUSIVE. `flags` is HRT_ASSIGN_*. Errors: BUFFER_TOO_SMALL if `capacity` is below
- * `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the argument and the index of a wrong or repeated
- * id; OUT_OF_MEMORY. [one-thread] */
+/** Assigns a real target to each virtual one: as many as possible are served, and among these assignments, the
+ *  largest ratio of gap_deg to max_gap_deg is minimal. The result is exact. Takes up to a second for 1000 of each
+ *  with EXCLUSIVE.
+ *
+ *  @param virtual_targets  Targets to serve.
+ *  @param real_targets     Targets that may serve them.
+ *  @param flags            Options. @values HRT_ASSIGN
+ *  @param capacity         Elements of `out_gaps`.
+ *  @param out_gaps         The gap of each virtual target. `out_gaps[0].struct_size` is the size of each. A target
+ *                          that cannot be served has `reachable` 0, a null real_target, and the numbers of the
+ *                          nearest real target.
+ *  @return BUFFER_TOO_SMALL if `capacity` is below `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the
+ *          argument and the index of a wrong or repeated id; OUT_OF_MEMORY.
+ *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets,
                                                    uint64_t virtual_count, const hrt_target* real_targets,
                                                    uint64_t real_count, uint32_t flags, uint64_t capacity,

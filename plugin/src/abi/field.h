@@ -1,5 +1,5 @@
-// What the C headers say of a field: its name, its range, whether profiles have it. generated/fields.h, which
-// plugin/bindings/generate writes, has Fields of every struct, and defaults of those that have some.
+// Properties of a field of the C interface: name, range, whether profiles have it. generated/fields.h, which
+// plugin/bindings/generate writes from api.json, has Fields of every struct, and the defaults of configurations.
 #pragma once
 
 #include <cstddef>

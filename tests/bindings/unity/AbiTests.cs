@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Hrt.HostTests
 {
-    // The declarations against generated/abi.txt, with which the C compiler agrees: sizes, offsets, values, functions.
+    // The declarations against api.json, which libclang reads from the headers: sizes, offsets, functions.
     public sealed class AbiTests
     {
         static readonly Assembly package = typeof(HapticRetargetingSession).Assembly;

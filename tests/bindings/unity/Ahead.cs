@@ -61,7 +61,7 @@ static class Ahead
 
         TargetId target = component.Session.AddTarget(TargetRole.Virtual, 3, 0.1, "goblet");
         Expect(component.Session.FindTarget("goblet") == target, "no target of this name");
-        Expect(component.Session.AssignTargets(new[] { target }, component.Session.ListTargets(1), 0).Length == 1,
+        Expect(component.Session.AssignTargets(new[] { target }, component.Session.ListTargets(TargetRole.Real), 0).Length == 1,
                "no assignment");
         component.Session.LoadProfile(component.Session.SaveProfile());
         component.gameObject.SetActive(false);

@@ -96,7 +96,7 @@ namespace Hrt
             PrepareReach();
             TargetId seen = IdOf(virtualTarget);
             Gap best = default(Gap);
-            foreach (TargetId real in Session.ListTargets((uint)TargetRole.Real))
+            foreach (TargetId real in Session.ListTargets(TargetRole.Real))
             {
                 Gap gap = Session.QueryGap(real, seen);
                 if (best.structSize == 0 || gap.marginDeg > best.marginDeg) best = gap;

@@ -51,7 +51,7 @@ namespace Hrt.Tests
             TargetId first = session.AddTarget(TargetRole.Real, -5);
             TargetId second = session.AddTarget(TargetRole.Virtual, 5);
             CollectionAssert.AreEqual(new[] {first, second}, session.ListTargets(0));
-            CollectionAssert.AreEqual(new[] {second}, session.ListTargets((uint)TargetRole.Virtual));
+            CollectionAssert.AreEqual(new[] {second}, session.ListTargets(TargetRole.Virtual));
             var two = new[] {first, session.AddTarget(TargetRole.Real, 8)};
             Assert.AreEqual(two[1], session.AssignTargets(new[] {second}, two, AssignFlags.Exclusive)[0].realTarget);
         }
