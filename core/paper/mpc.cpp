@@ -3,59 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/paper/mpc_rate_bound.h"
-
 namespace hrt {
 namespace {
 
-ActiveBound active_bound(const WorkingSet& set, int i) {
-  if (set.pin[i]) return set.pin[i] > 0 ? ActiveBound::upper : ActiveBound::lower;
-  if (set.link[i]) return set.link[i] > 0 ? ActiveBound::rate_up : ActiveBound::rate_down;
-  return ActiveBound::none;
-}
+// A smaller gain counts as 0.
+constexpr double min_gain = 1e-12;
 
-// The problem from step `first` on, in units of what is felt of the plate.
-WindowProblem window_of(const MpcConfig& config, const MpcProblem& problem, int first, double miss_deg,
-                        double last_plate_deg) {
-  const double w = problem.tactile_weight;
-  return {
-      .horizon = config.horizon - first,
-      .perceived_weight = config.perceived_weight,
-      .actual_weight = config.actual_weight,
-      .miss_deg = miss_deg,
-      .real_offset_deg = problem.real_offset_deg,
-      .proprioceptive_weight = 1.0 - w,
-      .bound_deg = w * config.plate_bound_deg,
-      .rate_deg = w * config.plate_rate_bound_deg,
-      .last_plate_deg = w * last_plate_deg,
-      .gains = problem.gains + first,
-  };
-}
-
-// What the plate does in a step of the window, from `last_plate_deg`.
-Mpc::Command command_of(const MpcConfig& config, const WindowProblem& window, const WindowSolution& solution,
-                        const WorkingSet& held, int step, double tactile_weight, double last_plate_deg) {
-  const double bound_deg = config.plate_bound_deg;
-  const double rate_deg = config.plate_rate_bound_deg;
-  // Where the plate is not felt it turns to where it next is, or stays.
-  int felt = step;
-  while (felt < window.horizon && window.gains[felt] < min_step_gain)
-    felt = std::isfinite(rate_deg) ? felt + 1 : window.horizon;
-  ActiveBound active = felt == step ? active_bound(held, step) : ActiveBound::none;
-  double wanted_deg = felt < window.horizon ? solution.plate_deg[felt] * (1.0 / tactile_weight) : last_plate_deg;
-  if (active == ActiveBound::upper || active == ActiveBound::lower) wanted_deg = held.pin[step] * bound_deg;
-  if (active == ActiveBound::rate_up) wanted_deg = last_plate_deg + rate_deg;
-  if (active == ActiveBound::rate_down) wanted_deg = last_plate_deg - rate_deg;
-  // Rounding, or a path that is not optimal, must not carry the plate past a bound.
-  const double low_deg = last_plate_deg - rate_deg;
-  const double high_deg = last_plate_deg + rate_deg;
-  const double plate_deg = std::clamp(std::clamp(wanted_deg, low_deg, high_deg), -bound_deg, bound_deg);
-  if (plate_deg != wanted_deg && (active != ActiveBound::none || !solution.optimal))
-    active = plate_deg == bound_deg    ? ActiveBound::upper
-             : plate_deg == -bound_deg ? ActiveBound::lower
-             : plate_deg < wanted_deg  ? ActiveBound::rate_up
-                                       : ActiveBound::rate_down;
-  return {plate_deg, active, solution.optimal};
+// A step without gain is left out: it adds its rate bound to that of the next step, and its weight to that of the next
+// miss, because the finger does not move.
+Window window_of(const MpcConfig& config, const MpcProblem& problem, double last_plate_deg) {
+  Window window;
+  window.steps = 0;
+  window.perceived_weight = config.perceived_weight;
+  window.tactile_weight = problem.tactile_weight;
+  window.finger_deg = problem.finger_offset_deg;
+  window.real_deg = problem.real_offset_deg;
+  window.bound_deg = config.plate_bound_deg;
+  window.last_plate_deg = last_plate_deg;
+  double rate_deg = 0.0;
+  double weight = 0.0;
+  for (int i = 0; i < config.horizon; ++i) {
+    rate_deg += config.plate_rate_bound_deg;
+    weight += config.actual_weight;
+    if (problem.gains[i] < min_gain) continue;
+    window.gain[window.steps] = problem.gains[i];
+    window.rate_deg[window.steps] = rate_deg;
+    window.miss_weight[window.steps] = weight;
+    ++window.steps;
+    rate_deg = weight = 0.0;
+  }
+  window.miss_weight[window.steps] = weight;
+  return window;
 }
 
 }  // namespace
@@ -66,80 +44,87 @@ bool is_valid(const MpcConfig& config) {
          config.plate_bound_deg > 0.0 && config.plate_bound_deg <= 90.0 && config.plate_rate_bound_deg > 0.0;
 }
 
-Mpc::Mpc(const MpcConfig& config)
-    : config_(config), plate_bound_solver_(config.horizon, config.perceived_weight, config.actual_weight) {}
-
-Mpc::Command Mpc::solve(const MpcProblem& problem) const {
-  const double bound_deg = config_.plate_bound_deg;
-  const double rate_deg = config_.plate_rate_bound_deg;
-  const double by_felt = 1.0 / problem.tactile_weight;
-  const double last_plate_deg = std::isfinite(rate_deg) ? problem.plate_offset_deg : 0.0;
-  const WindowProblem window =
-      window_of(config_, problem, 0, problem.finger_offset_deg - problem.real_offset_deg, last_plate_deg);
-  if (const std::optional<double> free_deg = plate_bound_solver_.free_first_deg(window)) {
-    const double within_rate_deg =
-        std::clamp(*free_deg * by_felt, last_plate_deg - rate_deg, last_plate_deg + rate_deg);
-    return {std::clamp(within_rate_deg, -bound_deg, bound_deg), ActiveBound::none, true};
+Mpc::Mpc(const MpcConfig& config) : config_(config) {
+  double cost = 0.0;  // S
+  for (int left = 1; left <= config.horizon; ++left) {
+    free_gain_[left] = cost / (config.perceived_weight + cost);
+    cost = config.actual_weight + config.perceived_weight * free_gain_[left];
   }
-  return std::isfinite(rate_deg) ? solve(problem, nullptr) : solve_without_rate(problem);
 }
 
-// Of a plate that turns at once the first step is all that has to be written.
-Mpc::Command Mpc::solve_without_rate(const MpcProblem& problem) const {
-  const double bound_deg = config_.plate_bound_deg;
-  const PlateBoundSolver::FirstStep first = plate_bound_solver_.solve_first(
-      window_of(config_, problem, 0, problem.finger_offset_deg - problem.real_offset_deg, 0.0));
-  if (!first.optimal) return solve(problem, nullptr);
-  if (first.pin) return {first.pin * bound_deg, first.pin > 0 ? ActiveBound::upper : ActiveBound::lower, true};
-  const double plate_deg = first.plate_deg * (1.0 / problem.tactile_weight);
-  return {std::clamp(plate_deg, -bound_deg, bound_deg), ActiveBound::none, true};
+// Follows the table of gains. Returns false if a step meets a bound or has no gain; otherwise the path is the optimum.
+bool Mpc::follow_table(const MpcProblem& problem, double last_deg, WindowPath& path) const {
+  const double by_weight = 1.0 / problem.tactile_weight;
+  const double finger_weight = 1.0 - problem.tactile_weight;
+  double finger_deg = problem.finger_offset_deg;
+  for (int i = 0; i < config_.horizon; ++i) {
+    const double error_deg = free_gain_[config_.horizon - i] * (finger_deg - problem.real_offset_deg);
+    const double plate_deg = (error_deg / problem.gains[i] - finger_weight * finger_deg) * by_weight;
+    if (problem.gains[i] < min_gain || std::abs(plate_deg) >= config_.plate_bound_deg ||
+        std::abs(plate_deg - last_deg) >= config_.plate_rate_bound_deg)
+      return false;
+    path.plate_deg[i] = last_deg = plate_deg;
+    finger_deg -= error_deg;
+  }
+  return true;
+}
+
+// Follows the table of gains clamped to the bounds, and moves from there to the optimum.
+bool Mpc::solve_window(const Window& window, WindowPath& path) const {
+  double finger_deg = window.finger_deg;
+  double last_deg = window.last_plate_deg;
+  for (int i = 0; i < window.steps; ++i) {
+    const double low_deg = std::max(-window.bound_deg, last_deg - window.rate_deg[i]);
+    const double high_deg = std::min(window.bound_deg, last_deg + window.rate_deg[i]);
+    const double finger_part_deg = (1.0 - window.tactile_weight) * finger_deg;
+    const double error_deg = free_gain_[window.steps - i] * (finger_deg - window.real_deg);
+    const double free_deg = (error_deg / window.gain[i] - finger_part_deg) / window.tactile_weight;
+    const double plate_deg = free_deg >= high_deg ? high_deg : std::max(free_deg, low_deg);
+    const int side = (free_deg >= high_deg) - (free_deg <= low_deg);
+    const bool pinned = plate_deg == side * window.bound_deg;
+    path.pin[i] = static_cast<std::int8_t>(pinned ? side : 0);
+    path.link[i] = static_cast<std::int8_t>(pinned ? 0 : side);
+    path.plate_deg[i] = last_deg = plate_deg;
+    finger_deg -= window.gain[i] * (window.tactile_weight * plate_deg + finger_part_deg);
+  }
+  return window.steps == 0 || solve_active_set(window, path);
 }
 
 Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) const {
-  const double w = problem.tactile_weight;
   const double bound_deg = config_.plate_bound_deg;
   const double rate_deg = config_.plate_rate_bound_deg;
-  const bool has_rate_bound = std::isfinite(rate_deg);
-  double last_plate_deg = has_rate_bound ? problem.plate_offset_deg : 0.0;
-  double finger_deg = problem.finger_offset_deg;
-  int i = 0;
-  Command command{};
-  const auto take = [&](const Command& step) {
-    if (i == 0) command = step;
-    if (plan) plan->plate_offset_deg[i] = step.plate_offset_deg, plan->active[i] = step.active;
-    last_plate_deg = step.plate_offset_deg;
-    ++i;
-  };
+  double last_deg = std::isfinite(rate_deg) ? problem.plate_offset_deg : 0.0;
+  if (last_deg > bound_deg + rate_deg) return {last_deg - rate_deg, ActiveBound::rate_down, true};
+  if (last_deg < -bound_deg - rate_deg) return {last_deg + rate_deg, ActiveBound::rate_up, true};
 
-  // Out of the bound, and too far to come back in one step: full speed towards it.
-  while (has_rate_bound && i < config_.horizon && std::abs(last_plate_deg) > bound_deg + rate_deg) {
-    const bool above = last_plate_deg > 0.0;
-    const double plate_deg = last_plate_deg + (above ? -rate_deg : rate_deg);
-    finger_deg += participant_step_on_plate({.tactile_weight = w,
-                                             .gain = problem.gains[i],
-                                             .goal_direction_deg = 0.0,
-                                             .plate_orientation_deg = plate_deg,
-                                             .finger_direction_deg = finger_deg})
-                      .motor_command_deg;
-    take({plate_deg, above ? ActiveBound::rate_down : ActiveBound::rate_up, true});
+  WindowPath path;
+  int steps = config_.horizon;
+  bool optimal = true;
+  if (follow_table(problem, last_deg, path)) {
+    if (!plan) return {path.plate_deg[0], ActiveBound::none, true};
+    path.pin = path.link = {};
+  } else {
+    const Window window = window_of(config_, problem, last_deg);
+    steps = window.steps;
+    optimal = solve_window(window, path);
   }
-  if (i == config_.horizon) return command;
-
-  const int forced = i;
-  const WindowProblem window =
-      window_of(config_, problem, forced, finger_deg - problem.real_offset_deg, last_plate_deg);
-  WindowSolution solution;
-  WorkingSet held;
-  solve_window(window, held, solution);
-  do {
-    take(command_of(config_, window, solution, held, i - forced, w, last_plate_deg));
-  } while (plan && i < config_.horizon);
-  return command;
-}
-
-void Mpc::solve_window(const WindowProblem& window, WorkingSet& held, WindowSolution& solution) const {
-  plate_bound_solver_.solve(window, held, solution);
-  if (!solution.optimal) solve_rate_bound(window, held, solution);
+  Command first{};
+  for (int step = 0, i = 0; step < (plan ? config_.horizon : 1); ++step) {
+    // At an active bound the plate goes as far as the bounds allow, so that rounding cannot carry it past them. Where
+    // it is not perceived it rotates towards the next offset that is.
+    const bool perceived = problem.gains[step] >= min_gain;
+    const int side = !perceived ? 0 : path.pin[i] ? path.pin[i] : path.link[i];
+    const double wanted_deg = side ? side * 2.0 * bound_deg : i < steps ? path.plate_deg[i] : last_deg;
+    last_deg = std::clamp(std::clamp(wanted_deg, last_deg - rate_deg, last_deg + rate_deg), -bound_deg, bound_deg);
+    const bool at_plate_bound = last_deg == side * bound_deg;
+    const ActiveBound active = side > 0   ? (at_plate_bound ? ActiveBound::upper : ActiveBound::rate_up)
+                               : side < 0 ? (at_plate_bound ? ActiveBound::lower : ActiveBound::rate_down)
+                                          : ActiveBound::none;
+    if (step == 0) first = {last_deg, active, optimal};
+    if (plan) plan->plate_offset_deg[step] = last_deg, plan->active[step] = active;
+    if (perceived) ++i;
+  }
+  return first;
 }
 
 }  // namespace hrt

@@ -1,350 +1,190 @@
 #include "core/paper/mpc_active_set.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace hrt {
 namespace {
 
-// The constraint multipliers, with the sign of the bound they belong to: >= 0 at an upper bound, <= 0 at
-// a lower one, 0 where none is held. Stationarity at step i reads
-//     gradient_i + pin_i + link_i - link_i+1 = 0.
-struct Multipliers {
-  std::array<double, max_horizon> pin;
-  std::array<double, max_horizon> link;
-};
+constexpr int max_iterations = 1000;
 
-// A constraint that may be held: step i's pin or link at the bound of `sign`.
-struct Constraint {
-  bool is_link;
-  int i;
-  std::int8_t sign;  // 0: no constraint
-};
-
-class DualActiveSet {
+// A primal active-set method. The constraints that it holds as equalities are the pins and links of the path. Links
+// join steps to runs. No run contains more than one pin, and none if it is linked to t_-1, so that the constraints
+// held are linearly independent whatever the numbers are.
+class ActiveSet {
  public:
-  DualActiveSet(const FeltWindow& window, int max_passes, std::array<double, max_horizon>& plate_deg, WorkingSet& held);
+  ActiveSet(const Window& window, WindowPath& path)
+      : window_(window),
+        path_(path),
+        finger_weight_(1.0 - window.tactile_weight),
+        tolerance_deg_(1e-14 * (std::abs(window.finger_deg) + std::abs(window.real_deg) +
+                                window.tactile_weight * window.bound_deg)) {}
 
-  bool climb();
+  void optimise();
+  bool advance();
+  bool release(bool only_first);
 
  private:
-  void hold_clamping();
+  void fix_runs();
 
-  // Optimum under the constraints held, as if all others did not exist: plate_deg_ and target_.
-  void solve_held();
-  void resolve_fixed();
-  void sweep_backwards();
-  void sweep_forwards();
-  void find_multipliers();
-  void copy(const Multipliers& from, Multipliers& to) const;
-
-  bool make_dual_feasible();
-  Constraint max_violated() const;
-  bool add(Constraint constraint);
-  bool depends_on_held(Constraint constraint) const;
-  void push_to_ground(int i, double flow);
-  std::int8_t& held(const Constraint& c) { return (c.is_link ? set_.link : set_.pin)[c.i]; }
-  static double& value(Multipliers& multipliers, const Constraint& c) {
-    return (c.is_link ? multipliers.link : multipliers.pin)[c.i];
-  }
-
-  const FeltWindow& window_;
-  const WindowProblem& problem_;
-  double multiplier_tolerance_;
-  double plate_tolerance_deg_;
-  int sweeps_left_;
-  int steps_;
-  WorkingSet& set_;
-  std::array<double, max_horizon>& plate_deg_;
-
-  struct CostToGo {  // from x_i: s x^2 + 2 m x u_i-1 + 2 r x, and what does not depend on x
-    double s;
-    double m;
-    double r;
-  };
-  std::array<CostToGo, max_horizon + 1> cost_to_go_;
-  WorkingSet swept_{};  // for which they hold
-
-  std::array<bool, max_horizon> fixed_;       // u_i is determined by the constraints held alone
-  std::array<double, max_horizon> law_gain_;  // u_i = law_gain x_i + law_constant where it is chosen freely
-  std::array<double, max_horizon> law_constant_;
-  std::array<double, max_horizon> gradient_;  // half the derivative of the cost by u_i
-  Multipliers current_;
-  Multipliers target_;
+  const Window& window_;
+  WindowPath& path_;
+  double finger_weight_;                                        // 1 - w_T
+  double tolerance_deg_;                                        // rounding error of perceived angles, as of e_i
+  std::array<bool, max_horizon> fixed_;                         // the constraints held determine t_i
+  std::array<double, max_horizon> law_slope_, law_offset_deg_;  // t_i = slope p_i + offset where fixed or not linked
+  std::array<double, max_horizon> target_deg_;
+  std::array<double, max_horizon + 1> finger_deg_;  // p_i on the target path
+  std::array<double, max_horizon> error_deg_;       // e_i
 };
 
-DualActiveSet::DualActiveSet(const FeltWindow& window, int max_passes, std::array<double, max_horizon>& plate_deg,
-                             WorkingSet& held)
-    : window_(window),
-      problem_(window.problem),
-      multiplier_tolerance_((problem_.perceived_weight + problem_.actual_weight) * tolerance_deg(problem_)),
-      plate_tolerance_deg_(tolerance_deg(problem_)),
-      sweeps_left_(max_passes),
-      steps_(window.steps),
-      set_(held),
-      plate_deg_(plate_deg) {
-  cost_to_go_[steps_] = {window.last_miss_weight, 0.0, 0.0};
-  swept_.pin.fill(2);  // of no step
-}
-
-// Holds the bounds that clamp the path in plate_deg_, step after step.
-void DualActiveSet::hold_clamping() {
-  set_ = {};
-  double last_deg = problem_.last_plate_deg;
-  for (int i = 0; i < steps_; ++i) {
-    const double u = plate_deg_[i];
-    const double high_deg = std::min(problem_.bound_deg, last_deg + window_.rate_deg[i]);
-    const double low_deg = std::max(-problem_.bound_deg, last_deg - window_.rate_deg[i]);
-    if (u >= high_deg) (high_deg == problem_.bound_deg ? set_.pin : set_.link)[i] = 1;
-    if (u <= low_deg) (low_deg == -problem_.bound_deg ? set_.pin : set_.link)[i] = -1;
-    last_deg = std::clamp(u, low_deg, high_deg);
-  }
-}
-
-// From one optimum of the constraints held to the next, as the header says. False if out of sweeps.
-bool DualActiveSet::climb() {
-  hold_clamping();
-  if (!make_dual_feasible()) return false;
-  for (;;) {
-    const Constraint violated = max_violated();
-    if (violated.sign == 0) return true;
-    if (!add(violated)) return false;
-  }
-}
-
-void DualActiveSet::resolve_fixed() {
-  auto& u = plate_deg_;
-  double last_deg = problem_.last_plate_deg;
+// Finds the steps whose run contains a pin or is linked to t_-1, and sets their laws.
+void ActiveSet::fix_runs() {
+  double last_deg = window_.last_plate_deg;
   bool fixed = true;
-  for (int i = 0; i < steps_; ++i) {
-    const std::int8_t pin = set_.pin[i];
-    const std::int8_t link = set_.link[i];
-    fixed = pin != 0 || (link != 0 && fixed);
+  for (int i = 0; i < window_.steps; ++i) {
+    const int pin = path_.pin[i];
+    const int link = path_.link[i];
+    fixed = pin || (link && fixed);
     fixed_[i] = fixed;
-    if (fixed) u[i] = last_deg = pin ? pin * problem_.bound_deg : last_deg + link * window_.rate_deg[i];
-    if (pin == 0) continue;
-    for (int j = i; j > 0 && set_.link[j]; --j) {
-      u[j - 1] = u[j] - set_.link[j] * window_.rate_deg[j];
+    if (!fixed) continue;
+    last_deg = pin ? pin * window_.bound_deg : last_deg + link * window_.rate_deg[i];
+    law_slope_[i] = 0.0;
+    law_offset_deg_[i] = last_deg;
+    if (!pin) continue;
+    for (int j = i; j > 0 && path_.link[j]; --j) {
       fixed_[j - 1] = true;
+      law_slope_[j - 1] = 0.0;
+      law_offset_deg_[j - 1] = law_offset_deg_[j] - path_.link[j] * window_.rate_deg[j];
     }
   }
 }
 
-// The cost to go from x_i is s x^2 + 2 r x plus a constant. Within a run of linked steps that no pin
-// fixes, it depends on the run's free level z too: s x^2 + 2 m x z + v z^2 + 2 r x + 2 f z.
-void DualActiveSet::sweep_backwards() {
-  const int n = steps_;
-  const double q_perceived = problem_.perceived_weight;
-  const double pw = problem_.proprioceptive_weight;
-  // Behind the run of the last constraint that changed since the last sweep, costs to go are as they were.
-  int from = n - 1;
-  while (from >= 0 && set_.pin[from] == swept_.pin[from] && set_.link[from] == swept_.link[from]) --from;
-  while (from + 1 < n && set_.link[from + 1]) ++from;
-  swept_ = set_;
-  auto [s, unused, r] = cost_to_go_[from + 1];  // of no link
-  double m = 0.0, v = 0.0, f = 0.0;
-  double level_deg = 0.0;  // u_i - z
-  for (int i = from; i >= 0; --i) {
-    const double k = window_.gain[i];
-    const double q_actual = window_.miss_weight[i];
-    const double a = k * pw;  // e = a x + k u + a p_R
-    const bool leads = !set_.link[i];
-    const bool followed = i + 1 < n && set_.link[i + 1];
-    if (!fixed_[i] && leads && !followed) {
-      const double inverse = 1.0 / (q_perceived + s);
-      const double per_gain = inverse / k;
-      law_gain_[i] = s * per_gain - pw;
-      law_constant_[i] = r * per_gain - pw * problem_.real_offset_deg;
-      r *= q_perceived * inverse;
-      s = q_actual + q_perceived * inverse * s;
-      cost_to_go_[i] = {s, 0.0, r};
+// Sets the target path to the optimum under the constraints held alone, by dynamic programming. Backwards, the least
+// cost of the steps from i on is  pp p_i^2 + 2 pt p_i t_i-1 + tt t_i-1^2 + 2 p1 p_i + 2 t1 t_i-1  and a constant; t_i-1
+// matters only if step i is linked to it. Its minimum by t_i is the law of step i.
+void ActiveSet::optimise() {
+  fix_runs();
+  const double q = window_.perceived_weight;
+  double pp = window_.miss_weight[window_.steps];
+  double p1 = -pp * window_.real_deg;
+  double pt = 0.0, tt = 0.0, t1 = 0.0;
+  for (int i = window_.steps - 1; i >= 0; --i) {
+    const double k = window_.gain[i] * window_.tactile_weight;
+    const double a = window_.gain[i] * finger_weight_;  // e = k t + a p
+    const double b = 1.0 - a;
+    const double slope = k * pp - pt;
+    tt += q * k * k + k * (slope - pt);
+    t1 -= k * p1;
+    pt = q * a * k - b * slope;
+    pp = window_.miss_weight[i] + q * a * a + b * b * pp;
+    p1 = b * p1 - window_.miss_weight[i] * window_.real_deg;
+    if (path_.link[i] && !fixed_[i]) {
+      const double turn_deg = path_.link[i] * window_.rate_deg[i];
+      p1 += pt * turn_deg;
+      t1 += tt * turn_deg;
       continue;
     }
-    const double u = fixed_[i] ? plate_deg_[i] : level_deg;
-    const double d = k * u + a * problem_.real_offset_deg;  // e without x and z
-    if (!fixed_[i]) {
-      f = q_perceived * k * d - k * (r - s * d) + f - m * d;
-      r = q_perceived * a * d + (1.0 - a) * (r - s * d);
-      v = q_perceived * k * k + k * k * s - 2.0 * k * m + v;
-      m = q_perceived * a * k + (1.0 - a) * (m - k * s);
-      s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
-      level_deg -= set_.link[i] * window_.rate_deg[i];
-      if (!leads) {
-        cost_to_go_[i] = {s, m, r - m * level_deg};
-        continue;
-      }
-      law_gain_[i] = -m / v;
-      law_constant_[i] = level_deg - f / v;
-      s -= m * m / v;
-      r -= m * f / v;
-      m = v = f = level_deg = 0.0;
-    } else {
-      r = q_perceived * a * d + (1.0 - a) * (r - s * d);
-      s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
-    }
-    cost_to_go_[i] = {s, 0.0, r};
+    if (!fixed_[i]) law_slope_[i] = -pt / tt, law_offset_deg_[i] = -t1 / tt;
+    pp += pt * law_slope_[i];
+    p1 += pt * law_offset_deg_[i];
+    pt = tt = t1 = 0.0;
+  }
+  finger_deg_[0] = window_.finger_deg;
+  for (int i = 0; i < window_.steps; ++i) {
+    target_deg_[i] = path_.link[i] && !fixed_[i] ? target_deg_[i - 1] + path_.link[i] * window_.rate_deg[i]
+                                                 : law_slope_[i] * finger_deg_[i] + law_offset_deg_[i];
+    error_deg_[i] = window_.gain[i] * (window_.tactile_weight * target_deg_[i] + finger_weight_ * finger_deg_[i]);
+    finger_deg_[i + 1] = finger_deg_[i] - error_deg_[i];
   }
 }
 
-// The gradient comes with it, from the slope of the cost to go by x_i+1.
-void DualActiveSet::sweep_forwards() {
-  const double q_perceived = problem_.perceived_weight;
-  double x = problem_.miss_deg;
-  double u = problem_.last_plate_deg;
-  for (int i = 0; i < steps_; ++i) {
-    if (fixed_[i])
-      u = plate_deg_[i];
-    else
-      plate_deg_[i] = u = set_.link[i] ? u + set_.link[i] * window_.rate_deg[i] : law_gain_[i] * x + law_constant_[i];
-    const double e = window_.gain[i] * (u + problem_.proprioceptive_weight * (x + problem_.real_offset_deg));
-    x -= e;
-    const auto& [s, m, r] = cost_to_go_[i + 1];
-    gradient_[i] = window_.gain[i] * (q_perceived * e - (s * x + m * u + r));
-  }
-}
-
-// The multipliers that balance the gradient. A run of linked steps is a chain along which link multipliers flow;
-// what is left of the chain's total goes to ground at its pin or at u_k-1. A run without either is free, and its
-// gradients sum to 0 at the optimum.
-void DualActiveSet::find_multipliers() {
-  for (int i = steps_ - 1; i > 0; --i)
-    if (set_.link[i]) gradient_[i - 1] += gradient_[i];  // now of all the run from here on
-  double to_pin = 0.0;
-  for (int i = 0; i < steps_; ++i) {
-    if (!set_.link[i]) to_pin = gradient_[i];
-    target_.link[i] = to_pin - gradient_[i];
-    target_.pin[i] = 0.0;
-    if (set_.pin[i]) target_.pin[i] = -to_pin, to_pin = 0.0;
-  }
-}
-
-void DualActiveSet::copy(const Multipliers& from, Multipliers& to) const {
-  for (int i = 0; i < steps_; ++i) {
-    to.pin[i] = from.pin[i];
-    to.link[i] = from.link[i];
-  }
-}
-
-void DualActiveSet::solve_held() {
-  --sweeps_left_;
-  resolve_fixed();
-  sweep_backwards();
-  sweep_forwards();
-  find_multipliers();
-}
-
-// Lets go of constraints that pull the wrong way until none does. False if out of sweeps.
-bool DualActiveSet::make_dual_feasible() {
-  bool dropped = true;
-  while (dropped && sweeps_left_ > 0) {
-    solve_held();
-    dropped = false;
-    for (int i = 0; i < steps_; ++i) {
-      const double slack = multiplier_tolerance_ * window_.gain[i];
-      if (set_.pin[i] * target_.pin[i] < -slack) set_.pin[i] = 0, dropped = true;
-      if (set_.link[i] * target_.link[i] < -slack) set_.link[i] = 0, dropped = true;
-    }
-  }
-  copy(target_, current_);
-  return !dropped;
-}
-
-Constraint DualActiveSet::max_violated() const {
-  Constraint max{false, 0, 0};
-  double max_deg = plate_tolerance_deg_;
-  const auto consider = [&](double excess_deg, bool is_link, int i, double sign) {
-    const double effect_deg = excess_deg * window_.gain[i];
-    if (effect_deg <= max_deg) return;
-    max_deg = effect_deg;
-    max = {is_link, i, static_cast<std::int8_t>(sign < 0.0 ? -1 : 1)};
+// Moves the path towards the target as far as the bounds allow. Holds the first bound in the way, or returns true if
+// there is none. Where the constraints held determine a bound's value, the path does not move against it.
+bool ActiveSet::advance() {
+  double fraction = 1.0;
+  std::int8_t* blocking = nullptr;
+  std::int8_t sign = 0;
+  const auto consider = [&](double from_deg, double to_deg, double bound_deg, std::int8_t& constraint) {
+    const double excess_deg = std::abs(to_deg) - bound_deg;
+    if (window_.tactile_weight * excess_deg <= tolerance_deg_) return;
+    const double room_deg = std::max(0.0, bound_deg - (to_deg < 0.0 ? -from_deg : from_deg));
+    if (room_deg >= fraction * (room_deg + excess_deg)) return;
+    fraction = room_deg / (room_deg + excess_deg);
+    blocking = &constraint;
+    sign = to_deg < 0.0 ? -1 : 1;
   };
-  double last_deg = problem_.last_plate_deg;
-  for (int i = 0; i < steps_; ++i) {
-    const double u = plate_deg_[i];
-    if (!set_.pin[i]) consider(std::abs(u) - problem_.bound_deg, false, i, u);
-    if (!set_.link[i]) consider(std::abs(u - last_deg) - window_.rate_deg[i], true, i, u - last_deg);
-    last_deg = u;
+  for (int i = 0; i < window_.steps; ++i) {
+    const double last_deg = i > 0 ? path_.plate_deg[i - 1] : window_.last_plate_deg;
+    const double last_target_deg = i > 0 ? target_deg_[i - 1] : window_.last_plate_deg;
+    if (!fixed_[i]) consider(path_.plate_deg[i], target_deg_[i], window_.bound_deg, path_.pin[i]);
+    if (!path_.link[i] && !(fixed_[i] && (i == 0 || fixed_[i - 1])))
+      consider(path_.plate_deg[i] - last_deg, target_deg_[i] - last_target_deg, window_.rate_deg[i], path_.link[i]);
   }
-  return max;
-}
-
-// Whether the constraints held already determine the value that `constraint` would set.
-bool DualActiveSet::depends_on_held(Constraint constraint) const {
-  if (!fixed_[constraint.i]) return false;
-  return !constraint.is_link || constraint.i == 0 || fixed_[constraint.i - 1];
-}
-
-// Adds to target_ the balance of a multiplier `flow` that enters at step i of a fixed run.
-void DualActiveSet::push_to_ground(int i, double flow) {
-  int pinned = i;
-  while (!set_.pin[pinned] && pinned + 1 < steps_ && set_.link[pinned + 1]) ++pinned;
-  if (set_.pin[pinned]) {
-    for (int j = i + 1; j <= pinned; ++j) target_.link[j] += flow;
-    target_.pin[pinned] -= flow;
-    return;
+  if (!blocking) {
+    std::copy_n(target_deg_.begin(), window_.steps, path_.plate_deg.begin());
+    return true;
   }
-  for (int j = i; j >= 0; --j) {
-    if (set_.pin[j]) {
-      target_.pin[j] -= flow;
-      return;
-    }
-    target_.link[j] -= flow;
-  }
-}
-
-// Moves along the dual to where `constraint` holds as well, letting go of those that come to pull the
-// wrong way. False if out of sweeps.
-bool DualActiveSet::add(Constraint constraint) {
-  while (sweeps_left_ > 0) {
-    resolve_fixed();
-    const bool dependent = depends_on_held(constraint);
-    if (dependent) {
-      // The plate cannot move. Only the multipliers do, by a circulation, until one of them is gone.
-      --sweeps_left_;
-      copy(current_, target_);
-      value(target_, constraint) += constraint.sign;
-      push_to_ground(constraint.i, constraint.sign);
-      if (constraint.is_link && constraint.i > 0) push_to_ground(constraint.i - 1, -constraint.sign);
-    } else {
-      held(constraint) = constraint.sign;
-      solve_held();
-      held(constraint) = 0;
-    }
-    // The first multiplier to vanish on the way from current_ to target_, and beyond if dependent.
-    double step = dependent ? std::numeric_limits<double>::infinity() : 1.0;
-    Constraint blocking{false, 0, 0};
-    const auto consider = [&](const Constraint& c) {
-      if (c.sign == 0) return;
-      const double from = c.sign * value(current_, c);
-      const double to = c.sign * value(target_, c);
-      if (to >= from || (!dependent && to >= -multiplier_tolerance_ * window_.gain[c.i])) return;
-      const double at = std::max(0.0, from) / (from - to);
-      if (at < step) step = at, blocking = c;
-    };
-    for (int i = 0; i < steps_; ++i) {
-      consider({false, i, set_.pin[i]});
-      consider({true, i, set_.link[i]});
-    }
-    if (blocking.sign == 0) {
-      held(constraint) = constraint.sign;
-      copy(target_, current_);
-      return !dependent;
-    }
-    for (int i = 0; i < steps_; ++i) {
-      current_.pin[i] += step * (target_.pin[i] - current_.pin[i]);
-      current_.link[i] += step * (target_.link[i] - current_.link[i]);
-    }
-    held(blocking) = 0;
-    value(current_, blocking) = 0.0;
-  }
+  for (int i = 0; i < window_.steps; ++i) path_.plate_deg[i] += fraction * (target_deg_[i] - path_.plate_deg[i]);
+  *blocking = sign;
   return false;
+}
+
+// Releases constraints whose multipliers have the wrong sign, at the optimum under the constraints held. Half the
+// derivative of the cost by t_i is g_i = K_i w_T (q_perceived e_i - c_i+1), where c_i is half the derivative by p_i of
+// the cost from step i on. The multipliers satisfy g_i + pin_i + link_i - link_i+1 = 0: that of a link is the sum of g
+// over the steps of its run before it, or minus the sum over those after it, on a side without a pin or t_-1.
+bool ActiveSet::release(bool only_first) {
+  struct Part {
+    double gradient;
+    double gain;    // sum of K_i w_T, the scale of rounding errors
+    bool grounded;  // contains a pin or is linked to t_-1
+
+    Part operator+(const Part& o) const { return {gradient + o.gradient, gain + o.gain, grounded || o.grounded}; }
+  };
+  const int n = window_.steps;
+  const double q = window_.perceived_weight;
+  std::array<Part, max_horizon> step;
+  std::array<Part, max_horizon> after;  // step i and those linked to it after it
+  double costate = window_.miss_weight[n] * (finger_deg_[n] - window_.real_deg);
+  double weights = q + window_.miss_weight[n];
+  for (int i = n - 1; i >= 0; --i) {
+    const double k = window_.gain[i] * window_.tactile_weight;
+    const double a = window_.gain[i] * finger_weight_;
+    after[i] = step[i] = {k * (q * error_deg_[i] - costate), k, path_.pin[i] != 0};
+    if (i + 1 < n && path_.link[i + 1]) after[i] = step[i] + after[i + 1];
+    costate =
+        a * q * error_deg_[i] + (1.0 - a) * costate + window_.miss_weight[i] * (finger_deg_[i] - window_.real_deg);
+    weights += window_.miss_weight[i];
+  }
+  bool released = false;
+  const auto check = [&](std::int8_t& constraint, double multiplier, double gain) {
+    if (constraint * multiplier >= -weights * tolerance_deg_ * gain || (released && only_first)) return;
+    constraint = 0;
+    released = true;
+  };
+  Part before{0.0, 0.0, true};
+  for (int i = 0; i < n; ++i) {
+    if (!path_.link[i]) before = {};
+    check(path_.pin[i], -(before.gradient + after[i].gradient), before.gain + after[i].gain);
+    if (!before.grounded && (after[i].grounded || before.gain < after[i].gain))
+      check(path_.link[i], before.gradient, before.gain);
+    else
+      check(path_.link[i], -after[i].gradient, after[i].gain);
+    before = before + step[i];
+  }
+  return released;
 }
 
 }  // namespace
 
-bool solve_active_set(const FeltWindow& window, int max_passes, std::array<double, max_horizon>& plate_deg,
-                      WorkingSet& held) {
-  return DualActiveSet(window, max_passes, plate_deg, held).climb();
+bool solve_active_set(const Window& window, WindowPath& path) {
+  ActiveSet set(window, path);
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
+    set.optimise();
+    if (set.advance() && !set.release(iteration > 2 * window.steps)) return true;
+  }
+  return false;
 }
 
 }  // namespace hrt

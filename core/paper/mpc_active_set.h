@@ -1,19 +1,37 @@
-// An exact solver of the controller's problem with any mixture of plate and rate bounds: a dual active-set
-// method (Goldfarb and Idnani, Mathematical Programming 27, 1983) whose every equality-constrained
-// problem is solved along the window in O(N). See core/paper/README.md for the derivation.
+// The quadratic programme of one window and an exact method for it. Derivation: core/paper/README.md.
 #pragma once
 
 #include <array>
+#include <cstdint>
 
-#include "core/paper/mpc_window.h"
+#include "core/paper/mpc_config.h"
 
 namespace hrt {
 
-/// Solves the problem of `window`. Starts from the path in `plate_deg`, the plate in degrees felt at each felt step,
-/// finite: each step is clamped to the bounds, and those that clamp it are held. Leaves the optimum in `plate_deg`, and
-/// the constraints that hold it in `held`. False if `max_passes` over the window do not lead there: the path is then no
-/// optimum and may break bounds.
-bool solve_active_set(const FeltWindow& window, int max_passes, std::array<double, max_horizon>& plate_deg,
-                      WorkingSet& held);
+/// Minimise  sum of q_perceived e_i^2 + miss_weight_i (p_i - p_R)^2  over the plate offsets t_i, in degrees, where
+/// e_i = K_i (w_T t_i + (1 - w_T) p_i)  and  p_i+1 = p_i - e_i,  subject to  |t_i| <= L  and  |t_i - t_i-1| <= R_i.
+struct Window {
+  int steps;                                        ///< 1 to max_horizon
+  double perceived_weight;                          ///< q_perceived > 0
+  double tactile_weight;                            ///< w_T
+  double finger_deg;                                ///< p_0
+  double real_deg;                                  ///< p_R
+  double bound_deg;                                 ///< L
+  double last_plate_deg;                            ///< t_-1, |t_-1| <= L + R_0
+  std::array<double, max_horizon> gain;             ///< K_i > 0
+  std::array<double, max_horizon> rate_deg;         ///< R_i, may be infinite
+  std::array<double, max_horizon + 1> miss_weight;  ///< the last one weighs the miss after the window
+};
+
+/// A path of the plate and its active bounds: +1 at the upper bound, -1 at the lower bound, 0 inactive.
+struct WindowPath {
+  std::array<double, max_horizon> plate_deg;  ///< t_i
+  std::array<std::int8_t, max_horizon> pin;   ///< t_i is at +-L
+  std::array<std::int8_t, max_horizon> link;  ///< t_i - t_i-1 is at +-R_i
+};
+
+/// Moves `path` to the optimum. Requires a path within the bounds, and at each step at most one active bound. Returns
+/// false if the number of iterations reaches its limit; the path is then within the bounds but not optimal.
+bool solve_active_set(const Window& window, WindowPath& path);
 
 }  // namespace hrt

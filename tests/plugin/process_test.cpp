@@ -133,7 +133,7 @@ class Stack : public SessionTest {
 
 TEST_F(Stack, OfRealTimeCallsIsAsDocumented) {
   hrt_session_config config = session_config();
-  config.paper.horizon = 50;
+  config.paper.horizon = 20;
   std::size_t max = 0;
   for (const std::uint32_t guidance : {HRT_GUIDANCE_ARRIVAL, HRT_GUIDANCE_FIXED_DIRECTION}) {
     config.guidance = guidance;

@@ -131,7 +131,7 @@ TEST(SessionConfig, FieldsThatDependOnEachOtherAreChecked) {
     hrt_session session{7};
     expect_error(hrt_session_create(HRT_VERSION, &config, &session), HRT_ERROR_OUT_OF_RANGE, field);
   };
-  refused([](hrt_session_config& c) { c.paper.horizon = 0; }, "horizon is 0; allowed: 1 to 50");
+  refused([](hrt_session_config& c) { c.paper.horizon = 0; }, "horizon is 0; allowed: 1 to 20");
   refused([](hrt_session_config& c) { c.flags = 8; }, "flags is 8; allowed: the bits of 7");
   refused([](hrt_session_config& c) { c.start_position_m[1] = 1001.0; },
           "start_position_m[1] is 1001; allowed: -1000 to 1000");

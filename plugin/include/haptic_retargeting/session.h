@@ -179,7 +179,7 @@ typedef struct hrt_session_registration {
  *  the tactile weight and the bias. */
 typedef struct hrt_session_paper {
   /** Steps that the controller plans ahead. With 1, most reaches miss; more than 3 changes little and costs time.
-   *  @range 1 to 50 @default 3 */
+   *  @range 1 to 20 @default 3 */
   uint32_t horizon;
   /** Duration of one step of the model and of the controller. The variances below are per step: scale them with it.
    *  @range 1 ms to 10 s @default 100 ms */

@@ -148,7 +148,7 @@ depend on threads or parts.
 Examples:
   hrt-study sweep --gap 2:20:10 --tactile-weight 0.05:0.45:9 --out gaps.csv
   hrt-study sweep --perceived-weight 0.01,0.1,1,10 --trials 100000
-  hrt-study sweep --horizon 1:50:50 --part $SLURM_ARRAY_TASK_ID/8 --out part$SLURM_ARRAY_TASK_ID.csv
+  hrt-study sweep --horizon 1:20:20 --part $SLURM_ARRAY_TASK_ID/8 --out part$SLURM_ARRAY_TASK_ID.csv
   cat part1.csv part2.csv part3.csv > whole.csv)",
                   [options] { run(*options); });
   add_numbers(command, "--gap", &options->grid.gaps_deg, gap_range, "Gap: virtual minus real direction, deg.");

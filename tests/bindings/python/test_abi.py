@@ -37,7 +37,7 @@ def test_every_function_is_declared() -> None:
 
 def test_help_has_units_ranges_and_defaults() -> None:
     text = hrt.SessionConfig.__doc__ or ""
-    assert re.search(r"horizon: Steps that the controller plans ahead.*1\s+to 50\. Default 3\.", text, re.S)
+    assert re.search(r"horizon: Steps that the controller plans ahead.*1\s+to 20\. Default 3\.", text, re.S)
     assert "Control.FIXED_PLATE" in text and "HRT_" not in text and "struct_size" not in text
     assert "OUT_OF_RANGE: A value is outside" in (hrt.ErrorCode.__doc__ or "")
     missing = [f"{struct.__name__}.{name}" for struct in vars(_abi).values()

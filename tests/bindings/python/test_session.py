@@ -29,7 +29,7 @@ def test_configuration_has_defaults_and_takes_keywords() -> None:
         ({"struct_size": 3}, TypeError, "struct_size"),
         ({"horizon": -1}, ValueError, "horizon is -1"),
         ({"horizon": 2.5}, TypeError, "SessionConfig.horizon is 2.5"),
-        ({"horizon": 51}, hrt.Error, "horizon"),
+        ({"horizon": 21}, hrt.Error, "horizon"),
         ({"tactile_weight": float("nan")}, hrt.Error, "tactile_weight"),
         ({"tactile_weight": "much"}, TypeError, "SessionConfig.tactile_weight is 'much': a number"),
         ({"plate_position_m": (1, 2)}, ValueError, "SessionConfig.plate_position_m is .*: 3 numbers"),

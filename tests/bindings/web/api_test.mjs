@@ -294,7 +294,7 @@ test("bad arguments are refused by name", () => {
   assert.throws(() => library.createSession({ tactile_weight: "0.2" }), /tactile_weight is 0.2; a number is needed/);
   assert.throws(() => library.createSession().addTarget({ name: 5 }), /name is 5; a string is needed/);
   assert.throws(() => library.createSession({ start_position_m: [1, 2] }), /start_position_m is not an array of 3/);
-  throws(() => library.createSession({ horizon: 51 }), "HRT_ERROR_OUT_OF_RANGE", "horizon is 51; allowed: 1 to 50");
+  throws(() => library.createSession({ horizon: 21 }), "HRT_ERROR_OUT_OF_RANGE", "horizon is 21; allowed: 1 to 20");
   throws(() => library.createSession({ tactile_weight: NaN }), "HRT_ERROR_OUT_OF_RANGE", "tactile_weight");
   assert.throws(() => library.createSession().addTarget({ name: "ü".repeat(32) }), /64 bytes in UTF-8; up to 63/);
 });

@@ -1,5 +1,5 @@
-// Random problems for the controller: every quantity over its whole range, with values that meet each other
-// exactly now and then. The same on every host.
+// Random problems for the controller: every quantity over its whole range, with values that coincide exactly now and
+// then. The same on every host.
 #pragma once
 
 #include <algorithm>
@@ -18,20 +18,25 @@ inline double uniform(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-enum class RandomGains { felt, two_thirds_zero, mostly_small };
+enum class RandomGains { perceived, two_thirds_zero, mostly_small, ten_to_minus_six_to_one };
+enum class RandomRate { none, moderate, slow, fraction_of_bound };
 
 struct RandomProblem {
   MpcConfig config;
   std::array<double, max_horizon> gains{};
   MpcProblem problem;
 
-  RandomProblem(Random& random, int horizon, bool has_rate_bound, RandomGains gain_kind = RandomGains::felt) {
+  RandomProblem(Random& random, int horizon, RandomRate rate, RandomGains gain_kind = RandomGains::perceived) {
     config.horizon = horizon;
     config.perceived_weight = std::exp(uniform(random, -3.0, 3.0));
     config.actual_weight = random() % 8 == 0 ? 0.0 : std::exp(uniform(random, -3.0, 3.0));
     config.plate_bound_deg = random() % 2 ? 90.0 : std::ceil(uniform(random, 0.0, 90.0));
-    if (has_rate_bound)
+    if (rate == RandomRate::moderate)
       config.plate_rate_bound_deg = random() % 2 ? 0.5 * config.plate_bound_deg : uniform(random, 0.5, 60.0);
+    if (rate == RandomRate::slow)
+      config.plate_rate_bound_deg = config.plate_bound_deg * std::exp(uniform(random, -6.0, 0.0));
+    if (rate == RandomRate::fraction_of_bound)  // steps at full rate lead exactly to the plate bound
+      config.plate_rate_bound_deg = config.plate_bound_deg / static_cast<double>(1 + random() % 8);
     if (random() % 2) {
       std::generate_n(gains.begin(), horizon, [&] { return uniform(random, 0.01, 1.0); });
     } else {
@@ -44,13 +49,18 @@ struct RandomProblem {
       for (int i = 0; i < horizon; ++i)
         if (random() % 3 != 0) gains[i] = 0.0;
     if (gain_kind == RandomGains::mostly_small)
-      for (int i = 0; i < horizon; ++i) gains[i] = std::pow(uniform(random, 0.0, 1.0), 4);
+      std::generate_n(gains.begin(), horizon, [&] { return std::pow(uniform(random, 0.0, 1.0), 4); });
+    if (gain_kind == RandomGains::ten_to_minus_six_to_one)
+      std::generate_n(gains.begin(), horizon, [&] { return std::pow(10.0, uniform(random, -6.0, 0.0)); });
     const double w = uniform(random, 0.02, 0.49);
     const double max_gap = config.plate_bound_deg * w / (1.0 - w);
     problem.finger_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -3.0, 3.0) * max_gap;
     problem.real_offset_deg = random() % 4 == 0 ? max_gap : uniform(random, -1.5, 1.5) * max_gap;
     problem.tactile_weight = w;
     problem.plate_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -1.0, 1.0) * config.plate_bound_deg;
+    if (rate == RandomRate::fraction_of_bound)
+      problem.plate_offset_deg =
+          config.plate_rate_bound_deg * std::round(problem.plate_offset_deg / config.plate_rate_bound_deg);
     problem.gains = gains.data();
   }
   RandomProblem(const RandomProblem&) = delete;  // `problem` points into this

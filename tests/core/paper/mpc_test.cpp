@@ -127,26 +127,17 @@ TEST(Mpc, TurnsThroughAStepThatIsNotFeltByHand) {
   EXPECT_DOUBLE_EQ(plan.plate_offset_deg[1], -50.0);
 }
 
-// A new goal can leave the plate out of the bound about it. It comes back at full speed, and once it can
-// be inside within a step the optimum is exact again: it is that of the shorter window from there.
-TEST(Mpc, ComesBackIntoTheBoundAtFullSpeed) {
-  const MpcConfig config{.horizon = 5, .plate_rate_bound_deg = 40.0};
-  const MpcProblem problem{3.0, -2.0, 0.15, -170.0, gains.data()};
-  MpcPlan plan;
-  EXPECT_EQ(Mpc(config).solve(problem, &plan).active, ActiveBound::rate_up);
-  EXPECT_DOUBLE_EQ(plan.plate_offset_deg[0], -130.0);
-  EXPECT_DOUBLE_EQ(plan.plate_offset_deg[1], -90.0);
-  EXPECT_EQ(plan.active[1], ActiveBound::rate_up);
-  // At -130 the ridges feel as at 50, at -90 as at -90.
-  const double after_1 = 3.0 - gains[0] * (0.15 * 50.0 + 0.85 * 3.0);
-  const double after_2 = after_1 - gains[0] * (0.15 * -90.0 + 0.85 * after_1);
-  MpcConfig shorter = config;
-  shorter.horizon = 3;
-  MpcProblem from_there = problem;
-  from_there.finger_offset_deg = after_2;
-  from_there.plate_offset_deg = -90.0;
-  EXPECT_NEAR(Mpc(shorter).solve(from_there).plate_offset_deg, plan.plate_offset_deg[2], 1e-10);
-  EXPECT_GE(plan.plate_offset_deg[2], -84.5);
+// A new goal can leave the plate beyond the bound about it. It returns at full rate.
+TEST(Mpc, ReturnsIntoTheBoundAtFullRate) {
+  const Mpc mpc({.horizon = 5, .plate_rate_bound_deg = 40.0});
+  double plate_deg = -170.0;
+  for (const double next_deg : {-130.0, -90.0}) {
+    const Mpc::Command command = mpc.solve({3.0, -2.0, 0.15, plate_deg, gains.data()});
+    EXPECT_EQ(command.active, ActiveBound::rate_up);
+    EXPECT_DOUBLE_EQ(command.plate_offset_deg, next_deg);
+    plate_deg = command.plate_offset_deg;
+  }
+  EXPECT_GE(mpc.solve({3.0, -2.0, 0.15, plate_deg, gains.data()}).plate_offset_deg, -84.5);
 }
 
 // w_T = 0.1 and a gap of 10 need 0.9 / 0.1 * 10 = 90 degrees: at rest the optimum touches the bound of 90
@@ -154,7 +145,7 @@ TEST(Mpc, ComesBackIntoTheBoundAtFullSpeed) {
 TEST(Mpc, SettlesWhereEveryStepJustTouchesTheBound) {
   for (const double real : {-10.0, 10.0}) {
     for (const double rate : {std::numeric_limits<double>::infinity(), 45.0, 40.0}) {
-      for (const int horizon : {3, 10, 50}) {
+      for (const int horizon : {3, 10, 20}) {
         const Mpc mpc({.horizon = horizon, .plate_bound_deg = 90.0, .plate_rate_bound_deg = rate});
         double finger = 0.0;
         double plate = 0.0;

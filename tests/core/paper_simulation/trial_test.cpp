@@ -42,7 +42,7 @@ TEST(SimulationTrial, RefusesWhatIsOutOfRange) {
   EXPECT_TRUE(is_valid(Condition{}));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(is_valid(Condition{.participant = {.tactile_weight = 0.5}}));
-  EXPECT_FALSE(is_valid(Condition{.controller = {.mpc = {.horizon = 51}}}));
+  EXPECT_FALSE(is_valid(Condition{.controller = {.mpc = {.horizon = 21}}}));
   EXPECT_FALSE(is_valid(Condition{.real_direction_deg = nan}));
   EXPECT_FALSE(is_valid(Condition{.virtual_direction_deg = nan}));
   EXPECT_FALSE(is_valid(Condition{.real_direction_deg = -45.0, .virtual_direction_deg = 45.0}));

@@ -31,7 +31,7 @@ TEST_P(StudyBadArgument, IsOneLineAndExitCodeTwo) {
   EXPECT_TRUE(entries(folder.path).empty());
 }
 
-const std::string from_1_to_50 = "a whole number from 1 to 50";
+const std::string from_1_to_20 = "a whole number from 1 to 20";
 const std::string tactile_weight = "a number in (0, 0.5)";
 const std::string part = "i/n, whole numbers with 1 <= i <= n";
 const std::string many = "1:40:100";
@@ -48,8 +48,8 @@ INSTANTIATE_TEST_SUITE_P(
         {{"trial", "--assumed-tactile-weight", "0.7"}, "--assumed-tactile-weight", tactile_weight},
         {{"trial", "--motor-variance", "-1"}, "--motor-variance", "a number in [0, 1e+06]"},
         {{"trial", "--sensory-variance", "0"}, "--sensory-variance", "a number in (0, 1e+06]"},
-        {{"trial", "--horizon", "0"}, "--horizon", from_1_to_50},
-        {{"trial", "--horizon", "2.5"}, "--horizon", from_1_to_50},
+        {{"trial", "--horizon", "0"}, "--horizon", from_1_to_20},
+        {{"trial", "--horizon", "2.5"}, "--horizon", from_1_to_20},
         {{"trial", "--actual-weight", "-1"}, "--actual-weight", "a number in [0, 1e+06]"},
         {{"trial", "--plate-bound", "90.5"}, "--plate-bound", "a number in (0, 90]"},
         {{"trial", "--plate-rate-bound", "-inf"}, "--plate-rate-bound", "(0, 360], or inf"},
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
         {{"sweep", "--part", "1"}, "--part", part},
         {{"sweep", "--part", "-1/3"}, "--part", part},
         {{"sweep", "--part", "1/9999999"}, "--part", part},
-        {{"sweep", "--horizon", "3,51"}, "--horizon", from_1_to_50},
+        {{"sweep", "--horizon", "3,21"}, "--horizon", from_1_to_20},
         {{"sweep", "--motor-variance", "1,-1"}, "--motor-variance", "a number in [0, 1e+06]"},
         {{"sweep", "--gap", "nan"}, "--gap", "a number in (-90, 90)"},
         {{"sweep", "--gap", "89.99999999999999", "--virtual", "-180"}, "--gap", "a number in (-90, 90)"},
