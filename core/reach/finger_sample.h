@@ -22,6 +22,7 @@ struct FingerSample {
   Observation observation = Observation::none;
   double direction_deg = 0.0;  ///< finite
   PlatePoint position;         ///< finite
+  bool off_plate = false;      ///< the position is beyond the plate's rim
   /// Where the plate stands, if its device reports it.
   std::optional<double> plate_orientation_deg;
 };

@@ -57,7 +57,7 @@ struct PlateCommand {
   double tactile_weight = 0.0;           ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
   double tactile_weight_sd = 0.0;        ///< its standard deviation; 0 without adaptation
   double distance_to_go_mm = 0.0;        ///< to the real target's place; the whole until a position is seen
-  double time_to_go_s = 0.0;        ///< until the motion ends, then 0; -1 before it and in a pause; 0 under the paper's
+  double time_to_go_s = -1.0;       ///< until the motion ends, then 0; -1 before it, in a pause and under the paper's
   double felt_error_deg = 0.0;      ///< felt less intended direction, now, as estimated
   double predicted_miss_deg = 0.0;  ///< bearing of the place of arrival less the real target's, as predicted
   /// Standard deviation of the finger's true place across the line to the real target, as a bearing from the
@@ -74,6 +74,12 @@ struct PlateCommand {
   bool off_target = false;   ///< the finger is going to end beyond `near_deg` of the real target's bearing
   bool resting = false;      ///< the finger rests within the reach
   bool arrived = false;      ///< the reach is over: see reach_end.h
+  // The caller of the controller sets these.
+  bool lifted = false;                 ///< the finger does not touch the plate
+  bool off_plate = false;              ///< the finger is beyond the plate's rim
+  bool registration_doubtful = false;  ///< the plate's registration is older or worse than allowed
+  bool contacts_disagree = false;      ///< contacts contradict the registration
+  bool fault = false;                  ///< a value was not a finite number
 };
 
 /// Within this of the real target's bearing, a reach ends on it.
@@ -127,6 +133,8 @@ struct ReachSummary {
   bool unreachable = false;              ///< as in the last PlateCommand
   bool misfit = false;                   ///< at any time
   bool off_target = false;               ///< the finger ended beyond `near_deg` of the real target's bearing
+  bool registration_doubtful = false;    ///< at any time
+  bool contacts_disagree = false;        ///< as in the last PlateCommand, or after the contact of this reach
   FingerEstimate estimate;               ///< of w_T and tracker noise
   std::optional<PersonEstimate> person;  ///< none without positions
 };

@@ -168,7 +168,7 @@ class RealTimeTest : public SessionTest {
       instructions |= 1u << step.instruction;
     }
     expect(hrt_setup_update(session, &early, &step), HRT_ERROR_TIME_REVERSED);
-    expect(hrt_setup_update(session, &direction, &step), HRT_ERROR_TIME_REVERSED);
+    expect(hrt_setup_update(session, &direction, &step), HRT_ERROR_OUT_OF_RANGE);
     expect(hrt_setup_update(session, nullptr, &step), HRT_ERROR_NULL_ARGUMENT);
     return wrong + (step.done < 5) + ((instructions & 1u << HRT_STEP_SLIDE) == 0);
   }

@@ -14,16 +14,6 @@ namespace hrt::plugin {
 
 enum class FieldKind : std::uint8_t { free, number, flags, reserved };
 
-/// What stands in a struct, or in a part of it, so many bytes from its beginning.
-template <class T, class S>
-T& at(S& values, std::size_t offset) {
-  return *reinterpret_cast<T*>(reinterpret_cast<char*>(&values) + offset);
-}
-template <class T, class S>
-const T& at(const S& values, std::size_t offset) {
-  return *reinterpret_cast<const T*>(reinterpret_cast<const char*>(&values) + offset);
-}
-
 template <class S, class T>
 struct Field {
   using Element = std::remove_extent_t<T>;
@@ -36,8 +26,8 @@ struct Field {
   bool (*in_profile)(const S&) = nullptr;
   bool optional = false;  ///< in some profiles only
 
-  T& of(S& values) const { return at<T>(values, offset); }
-  const T& of(const S& values) const { return at<T>(values, offset); }
+  T& of(S& values) const { return *reinterpret_cast<T*>(reinterpret_cast<char*>(&values) + offset); }
+  const T& of(const S& values) const { return of(const_cast<S&>(values)); }
 };
 
 /// The range of one element of an array.
@@ -76,7 +66,7 @@ bool is_not_zero(const T& value) {
 
 template <class S, class T, std::size_t offset>
 bool is_set(const S& values) {
-  return is_not_zero(at<T>(values, offset));
+  return is_not_zero(Field<S, T>{.name = "", .offset = offset}.of(values));
 }
 
 /// Visits every field of a struct that holds something.

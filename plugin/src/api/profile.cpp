@@ -3,14 +3,16 @@
 #include <cstring>
 
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/api/read.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/api/write.h"
 #include "plugin/src/recording/json.h"
 
 using namespace hrt::plugin;
 
 hrt_result hrt_profile_set_conditions(hrt_session session, const hrt_conditions* conditions) noexcept {
   return with_session("hrt_profile_set_conditions", session, [&](RecordedSession& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    HRT_RETURN_IF_FAILED(s.session().check_idle());
     hrt_conditions known{};
     HRT_RETURN_IF_FAILED(read_struct("conditions", conditions, &known));
     HRT_RETURN_IF_FAILED(check_conditions(&known));
@@ -32,7 +34,7 @@ hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_te
   return with_session("hrt_profile_save", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_length) return fail(HRT_ERROR_NULL_ARGUMENT, "out_length is null");
     JsonText text;
-    write_profile(s.session().config(), s.conditions.measured(), text);
+    write_profile(to_c(s.session().model()), s.conditions.measured(), text);
     if (capacity > 0) {
       if (!out_text) return fail(HRT_ERROR_NULL_ARGUMENT, "out_text is null");
       if (capacity <= text.view().size())
@@ -47,13 +49,18 @@ hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_te
 
 hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) noexcept {
   return with_session("hrt_profile_load", session, [&](RecordedSession& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    HRT_RETURN_IF_FAILED(s.session().check_idle());
     if (!text) return fail(HRT_ERROR_NULL_ARGUMENT, "text is null");
-    hrt_session_config config = s.session().config();
+    const SessionModel& model = s.session().model();
+    SessionModel loaded;
+    hrt_session_config config = to_c(model);
     hrt_conditions measured{};
     HRT_RETURN_IF_FAILED(read_profile({text, static_cast<std::size_t>(length)}, &config, &measured));
+    HRT_RETURN_IF_FAILED(read(config, &loaded));
+    HRT_RETURN_IF_FAILED(check_conditions(&measured));
+    take_contacts_of_profile(model, is_not_zero(config.registration.contact_covariance), &loaded);
     s.log_findings(session.value);
-    HRT_RETURN_IF_FAILED(s.set_config(config));
+    HRT_RETURN_IF_FAILED(s.set_model(loaded));
     s.conditions.set_measured(measured);
     s.log_conditions(session.value);
     return HRT_OK;

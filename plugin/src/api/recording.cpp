@@ -4,9 +4,9 @@
 #include "haptic_retargeting/study.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/file.h"
+#include "plugin/src/api/replay.h"
 #include "plugin/src/api/sessions.h"
 #include "plugin/src/recording/format.h"
-#include "plugin/src/recording/replay.h"
 
 namespace hrt::plugin {
 namespace {

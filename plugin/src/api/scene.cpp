@@ -9,8 +9,9 @@
 #include "plugin/src/abi/file.h"
 #include "plugin/src/abi/host.h"
 #include "plugin/src/abi/text.h"
+#include "plugin/src/api/read.h"
 #include "plugin/src/api/sessions.h"
-#include "plugin/src/session/contact.h"
+#include "plugin/src/api/write.h"
 #include "scene/scene.h"
 
 namespace hrt::plugin {
@@ -23,6 +24,13 @@ void copy(Vec3 from, double (&to)[3]) {
   to[0] = from.x;
   to[1] = from.y;
   to[2] = from.z;
+}
+
+void copy(const Quaternion& from, double (&to)[4]) {
+  to[0] = from.x;
+  to[1] = from.y;
+  to[2] = from.z;
+  to[3] = from.w;
 }
 
 // Warns of targets further than ten plate radii from the plate: the file may not be in metres.
@@ -70,58 +78,47 @@ std::uint32_t role_of(const SceneTarget& target) {
   return target.kind == TargetKind::real_object ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL;
 }
 
-hrt_session_config with_plate_of(const Scene& scene, hrt_session_config config) {
-  copy(scene.start_m, config.start_position_m);
-  copy(scene.plate.pose.position_m, config.plate.position_m);
-  const Quaternion& q = scene.plate.pose.orientation;
-  config.plate.rotation[0] = q.x;
-  config.plate.rotation[1] = q.y;
-  config.plate.rotation[2] = q.z;
-  config.plate.rotation[3] = q.w;
-  config.plate.radius_m = scene.plate.radius_m;
-  if (scene.plate.max_speed_deg_s) config.plate.max_speed_deg_s = *scene.plate.max_speed_deg_s;
-  return config;
+// The scene's pose takes the place of a registered one. Fails if a value of the scene is out of range.
+hrt_result with_plate_of(const Scene& scene, SessionModel model, SessionModel* out) {
+  model.start_m = scene.start_m;
+  model.mount.pose = scene.plate.pose;
+  model.mount.scale = 1.0;
+  model.mount.surface.radius_m = scene.plate.radius_m;
+  if (scene.plate.max_speed_deg_s) model.control.plate.max_speed_deg_s = *scene.plate.max_speed_deg_s;
+  model.control.frame.setZero();
+  model.registration.made = false;
+  model.registration.time_ns = 0;
+  forget_contacts(&model);
+  return read(to_c(model), out);
 }
 
-// The scene's pose takes the place of a registered one.
-hrt_session_config unregistered(hrt_session_config config) {
-  config.flags &= ~HRT_SESSION_REGISTERED;
-  config.plate.scale = 1.0;
-  write_frame_covariance(FrameCovariance::Zero(), &config);
-  config.registration.time_ns = 0;
-  forget_contacts(&config);
-  return config;
-}
-
-hrt_target_config config_of(const SceneTarget& target) {
-  hrt_target_config config{};
-  config.struct_size = sizeof config;
-  config.role = role_of(target);
-  config.place = HRT_PLACE_PLATE_POSITION;
-  copy(target.position_m, config.position_m);
-  std::memcpy(config.name, target.name.data(), target.name.size());
-  config.radius_m = std::min(target.radius_m.value_or(0.0), Fields<hrt_target_config>::radius_m.high);
-  return config;
+hrt_result read_target(const SceneTarget& target, const SessionModel& model, Target* out) {
+  *out = {.role = target.kind == TargetKind::real_object ? TargetRole::real : TargetRole::virtual_target,
+          .place = {.kind = TargetPlace::Kind::plate_position,
+                    .position_m = target.position_m,
+                    .radius_m = std::min(target.radius_m.value_or(0.0), Fields<hrt_target_config>::radius_m.high)}};
+  std::memcpy(out->name.data(), target.name.data(), target.name.size());
+  HRT_RETURN_IF_FAILED(read(to_c(*out), out));
+  return check_target(model, *out);
 }
 
 hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uint64_t capacity,
                           hrt_target* out_targets) {
-  HRT_RETURN_IF_FAILED(session.session().check_no_reach());
+  HRT_RETURN_IF_FAILED(session.session().check_idle());
   if (capacity > 0 && !out_targets) return fail(HRT_ERROR_NULL_ARGUMENT, "out_targets is null");
   if (out_targets && capacity < scene.targets.size())
     return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; the scene has ", scene.targets.size(),
                 " targets");
-  const hrt_session_config config = unregistered(with_plate_of(scene, session.session().config()));
-  HRT_RETURN_IF_FAILED(check_session_config(config));
-  std::vector<hrt_target_config> targets;
+  SessionModel model;
+  HRT_RETURN_IF_FAILED(with_plate_of(scene, session.session().model(), &model));
+  std::vector<Target> targets(scene.targets.size());
   std::vector<std::optional<std::size_t>> served_by;
-  for (const SceneTarget& target : scene.targets) {
-    targets.push_back(config_of(target));
-    served_by.push_back(target.served_by);
-    HRT_RETURN_IF_FAILED(check_target_config(config, &targets.back()));
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    HRT_RETURN_IF_FAILED(read_target(scene.targets[i], model, &targets[i]));
+    served_by.push_back(scene.targets[i].served_by);
   }
   std::vector<std::uint64_t> ids;
-  HRT_RETURN_IF_FAILED(session.add_scene(config, targets, served_by, &ids));
+  HRT_RETURN_IF_FAILED(session.add_scene(model, targets, served_by, &ids));
   if (out_targets) {
     for (const std::uint64_t id : ids) (out_targets++)->value = id;
   }
@@ -149,14 +146,13 @@ hrt_result hrt_scene_destroy(hrt_scene scene) noexcept {
 hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_info* out_info) noexcept {
   return with_scene("hrt_scene_get_info", scene, [&](const hrt::Scene& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_info", out_info));
-    const hrt_session_config plate = with_plate_of(s, {});
     hrt_scene_info info{};
     info.target_count = static_cast<std::uint32_t>(s.targets.size());
-    std::memcpy(info.plate_position_m, plate.plate.position_m, sizeof info.plate_position_m);
-    std::memcpy(info.plate_rotation, plate.plate.rotation, sizeof info.plate_rotation);
-    info.plate_radius_m = plate.plate.radius_m;
-    info.plate_max_speed_deg_s = plate.plate.max_speed_deg_s;
-    std::memcpy(info.start_position_m, plate.start_position_m, sizeof info.start_position_m);
+    copy(s.plate.pose.position_m, info.plate_position_m);
+    copy(s.plate.pose.orientation, info.plate_rotation);
+    info.plate_radius_m = s.plate.radius_m;
+    info.plate_max_speed_deg_s = s.plate.max_speed_deg_s.value_or(0.0);
+    copy(s.start_m, info.start_position_m);
     write_struct(info, out_info);
     return HRT_OK;
   });

@@ -4,7 +4,9 @@
 
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/api/read.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
 
@@ -30,9 +32,9 @@ hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config
   return guarded("hrt_session_create", [&]() -> hrt_result {
     HRT_RETURN_IF_FAILED(check_version(version));
     if (!out_session) return fail(HRT_ERROR_NULL_ARGUMENT, "out_session is null");
-    hrt_session_config checked;
-    HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
-    const std::uint64_t handle = sessions.insert(std::make_unique<RecordedSession>(checked));
+    SessionModel model;
+    HRT_RETURN_IF_FAILED(read_or_default(config, &model));
+    const std::uint64_t handle = sessions.insert(std::make_unique<RecordedSession>(model));
     if (handle == 0)
       return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SESSIONS_MAX, " sessions; destroy one first");
     out_session->value = handle;
@@ -44,7 +46,7 @@ hrt_result hrt_session_get(hrt_session session, hrt_session_config* out_config, 
   return with_session("hrt_session_get", session, [&](RecordedSession& s) -> hrt_result {
     if (out_config) {
       HRT_RETURN_IF_FAILED(check_output("out_config", out_config));
-      write_struct(s.session().config(), out_config);
+      write_struct(to_c(s.session().model()), out_config);
     }
     if (out_state) *out_state = s.state();
     return HRT_OK;
@@ -62,10 +64,10 @@ hrt_result hrt_session_destroy(hrt_session session) noexcept {
 
 hrt_result hrt_session_set(hrt_session session, const hrt_session_config* config) noexcept {
   return with_session("hrt_session_set", session, [&](RecordedSession& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    HRT_RETURN_IF_FAILED(s.session().check_idle());
     s.log_findings(session.value);
-    hrt_session_config checked;
-    HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
-    return s.set_config(checked);
+    SessionModel model;
+    HRT_RETURN_IF_FAILED(read_or_default(config, &model));
+    return s.set_model(model);
   });
 }

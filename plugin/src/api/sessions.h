@@ -2,8 +2,7 @@
 #pragma once
 
 #include "plugin/src/abi/handles.h"
-#include "plugin/src/abi/lease.h"
-#include "plugin/src/recording/recorded_session.h"
+#include "plugin/src/api/recorded_session.h"
 
 namespace hrt::plugin {
 

@@ -3,8 +3,9 @@
 #include "generated/fields.h"
 #include "haptic_retargeting/study.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/api/read.h"
 #include "plugin/src/api/sessions.h"
-#include "plugin/src/session/session_config.h"
+#include "plugin/src/api/write.h"
 
 using namespace hrt::plugin;
 
@@ -46,19 +47,21 @@ hrt_result hrt_setup_cancel(hrt_session session) noexcept {
 hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide, hrt_setup_residual* out_residual) noexcept {
   return with_session("hrt_setup_get_residual", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_residual", out_residual));
-    hrt_setup_residual known{};
-    HRT_RETURN_IF_FAILED(s.session().get_residual(slide, &known));
-    write_struct(known, out_residual);
+    const std::vector<hrt::CalibratedSlide>& slides = s.session().slides();
+    if (slides.empty()) return fail(HRT_ERROR_WRONG_STATE, "no set-up of this session has calibrated yet");
+    HRT_RETURN_IF_FAILED(check_range("slide", slide, 0u, static_cast<std::uint32_t>(slides.size()) - 1));
+    write_struct(to_c(slides[slide]), out_residual);
     return HRT_OK;
   });
 }
 
 hrt_result hrt_session_new_person(hrt_session session) noexcept {
   return with_session("hrt_session_new_person", session, [&](RecordedSession& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    HRT_RETURN_IF_FAILED(s.session().check_idle());
     s.log_findings(session.value);
-    hrt_session_config config = s.session().config();
-    forget_user(&config);
-    return s.set_config(config);
+    SessionModel defaults, model = s.session().model();
+    HRT_RETURN_IF_FAILED(read_or_default(nullptr, &defaults));
+    forget_user(defaults, &model);
+    return s.set_model(model);
   });
 }

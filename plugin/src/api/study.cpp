@@ -4,6 +4,7 @@
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
 namespace {
@@ -34,12 +35,6 @@ hrt_result check_begun(const SimulatedHand& hand) {
   return fail(HRT_ERROR_WRONG_STATE, "the person has begun no reach: call hrt_person_begin() first");
 }
 
-void write_point(const PlatePoint& point, double (&out)[3]) {
-  out[0] = point.right_mm / mm_per_m;
-  out[1] = 0.0;
-  out[2] = -point.away_mm / mm_per_m;
-}
-
 }  // namespace
 }  // namespace hrt::plugin
 
@@ -66,12 +61,12 @@ hrt_result hrt_person_destroy(hrt_person person) noexcept {
 hrt_result hrt_person_begin(hrt_person person, hrt_session session, hrt_target virtual_target) noexcept {
   return with_person("hrt_person_begin", person, [&](SimulatedHand& hand) -> hrt_result {
     return with_session("hrt_person_begin", session, [&](RecordedSession& s) -> hrt_result {
-      const hrt_session_config& config = s.session().config();
-      const hrt_target_config* target = nullptr;
+      const SessionModel& model = s.session().model();
+      const Target* target = nullptr;
       HRT_RETURN_IF_FAILED(
-          find_target(s.session().targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &target));
-      const TargetView seen = view(config, *target);
-      hand.begin(start_of(config), seen.direction_deg, seen.distance_mm);
+          s.session().targets.find("virtual_target", virtual_target.value, TargetRole::virtual_target, &target));
+      const TargetView seen = view(model, target->place);
+      hand.begin(start_of(model), seen.direction_deg, seen.distance_mm);
       return HRT_OK;
     });
   });

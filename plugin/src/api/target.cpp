@@ -1,16 +1,18 @@
 #include "generated/fields.h"
 #include "haptic_retargeting/setup.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/api/read.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
 namespace {
 
-hrt_result read_target_config(const hrt_session_config& session_config, const hrt_target_config* given,
-                              hrt_target_config* config) {
-  *config = defaults<hrt_target_config>;
-  HRT_RETURN_IF_FAILED(read_struct("config", given, config));
-  return check_target_config(session_config, config);
+hrt_result read_target(const Session& session, const hrt_target_config* given, Target* out) {
+  hrt_target_config config;
+  HRT_RETURN_IF_FAILED(read_struct("config", given, &config));
+  HRT_RETURN_IF_FAILED(read(config, out));
+  return check_target(session.model(), *out);
 }
 
 }  // namespace
@@ -21,16 +23,16 @@ using namespace hrt::plugin;
 hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config, hrt_target* out_target) noexcept {
   return with_session("hrt_target_add", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
-    hrt_target_config checked;
-    HRT_RETURN_IF_FAILED(read_target_config(s.session().config(), config, &checked));
+    Target checked;
+    HRT_RETURN_IF_FAILED(read_target(s.session(), config, &checked));
     return s.add_target(checked, &out_target->value);
   });
 }
 
 hrt_result hrt_target_set(hrt_session session, hrt_target target, const hrt_target_config* config) noexcept {
   return with_session("hrt_target_set", session, [&](RecordedSession& s) -> hrt_result {
-    hrt_target_config checked;
-    HRT_RETURN_IF_FAILED(read_target_config(s.session().config(), config, &checked));
+    Target checked;
+    HRT_RETURN_IF_FAILED(read_target(s.session(), config, &checked));
     return s.set_target(target.value, checked);
   });
 }
@@ -38,9 +40,9 @@ hrt_result hrt_target_set(hrt_session session, hrt_target target, const hrt_targ
 hrt_result hrt_target_get(hrt_session session, hrt_target target, hrt_target_config* out_config) noexcept {
   return with_session("hrt_target_get", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_config", out_config));
-    const hrt_target_config* config = nullptr;
-    HRT_RETURN_IF_FAILED(find_target(s.session().targets, "target", target, 0, &config));
-    write_struct(*config, out_config);
+    const Target* found = nullptr;
+    HRT_RETURN_IF_FAILED(s.session().targets.find("target", target.value, TargetRole::any, &found));
+    write_struct(to_c(*found), out_config);
     return HRT_OK;
   });
 }
@@ -54,7 +56,8 @@ hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity
   return with_session("hrt_target_list", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_count) return fail(HRT_ERROR_NULL_ARGUMENT, "out_count is null");
     HRT_RETURN_IF_FAILED(check_range<unsigned>("role", role, 0, HRT_TARGET_VIRTUAL));
-    const auto listed = [role](const auto& entry) { return role == 0 || entry.second.role == role; };
+    const auto wanted = static_cast<TargetRole>(role);
+    const auto listed = [&](const auto& entry) { return wanted == TargetRole::any || entry.second.role == wanted; };
     std::uint64_t count = 0;
     for (const auto& entry : s.session().targets.all()) count += listed(entry) ? 1 : 0;
     if (capacity > 0) {

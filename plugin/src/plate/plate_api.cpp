@@ -6,7 +6,6 @@
 #include "haptic_retargeting/plate.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/handles.h"
-#include "plugin/src/abi/lease.h"
 #include "plugin/src/plate/plate_driver.h"
 
 using namespace hrt::plugin;

@@ -64,12 +64,12 @@ void write(const Refused& refused, hrt_result result, RecordText& out) {
   if (result != HRT_ERROR_NULL_ARGUMENT) row.put(column("struct_size"), refused.struct_size);
 }
 
-void put(const Reach& reach, Row& row) {
+void put(const AimedReach& reach, Row& row) {
   row.put(column("real_direction_deg"), reach.real_direction_deg);
   row.put(column("virtual_direction_deg"), reach.virtual_direction_deg);
-  row.put(column("real_distance_m"), reach.real_distance_mm / mm_per_m);
-  row.put(column("start_right_m"), reach.start.right_mm / mm_per_m);
-  row.put(column("start_away_m"), reach.start.away_mm / mm_per_m);
+  row.put(column("real_distance_m"), reach.real_distance_m);
+  row.put(column("start_right_m"), reach.start_right_m);
+  row.put(column("start_away_m"), reach.start_away_m);
 }
 
 void put_targets(std::uint64_t real_number, std::uint64_t virtual_number, Row& row) {

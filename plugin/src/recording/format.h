@@ -8,13 +8,22 @@
 #include <variant>
 #include <vector>
 
-#include "core/reach/reach.h"
 #include "haptic_retargeting/reach.h"
 #include "haptic_retargeting/setup.h"
 #include "haptic_retargeting/target.h"
 #include "plugin/src/recording/json.h"
 
 namespace hrt::plugin {
+
+/// A reach as targets and configuration make it.
+struct AimedReach {
+  double real_direction_deg;
+  double virtual_direction_deg;
+  double real_distance_m;
+  double start_right_m;
+  double start_away_m;
+  double plate_orientation_deg;
+};
 
 struct ConfigSet {
   hrt_session_config config;
@@ -40,13 +49,13 @@ struct ReachBegun {
   std::uint64_t real_number;     ///< 0: not a target of this session
   std::uint64_t virtual_number;
   double duration_s;
-  Reach reach;  ///< derived from targets and configuration; only if the call succeeded
+  AimedReach reach;  ///< derived from targets and configuration; only if the call succeeded
 };
 
 struct Retargeted {
   std::uint64_t real_number;  ///< as in ReachBegun
   std::uint64_t virtual_number;
-  Reach reach;  ///< seen from the finger; only if the call succeeded
+  AimedReach reach;  ///< seen from the finger; only if the call succeeded
 };
 
 struct Touched {
@@ -57,8 +66,8 @@ struct ReachCancelled {};
 
 struct Updated {
   hrt_sample sample;
-  hrt_command command;         ///< only if the call succeeded
-  std::optional<Reach> reach;  ///< if a reach that waited for the finger started in this call
+  hrt_command command;              ///< only if the call succeeded
+  std::optional<AimedReach> reach;  ///< if a reach that waited for the finger started in this call
 };
 
 struct ReachEnded {

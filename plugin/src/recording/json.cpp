@@ -10,11 +10,6 @@
 
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/session/conditions.h"
-#include "plugin/src/session/contact.h"
-#include "plugin/src/session/session_config.h"
-#include "plugin/src/session/session_setup.h"
-#include "plugin/src/session/targets.h"
 
 namespace hrt::plugin {
 namespace {
@@ -260,7 +255,6 @@ void write_setup_config(const hrt_setup_config& config, JsonText& out) { write_o
 hrt_result read_setup_config(std::string_view text, hrt_setup_config* out) {
   hrt_setup_config config = defaults<hrt_setup_config>;
   HRT_RETURN_IF_FAILED(read_object("set-up", text, &config));
-  HRT_RETURN_IF_FAILED(check_setup_config(config));
   *out = config;
   return HRT_OK;
 }
@@ -268,7 +262,6 @@ hrt_result read_setup_config(std::string_view text, hrt_setup_config* out) {
 hrt_result read_config(std::string_view text, hrt_session_config* out) {
   hrt_session_config config = defaults<hrt_session_config>;
   HRT_RETURN_IF_FAILED(read_object("configuration", text, &config));
-  HRT_RETURN_IF_FAILED(check_session_config(config));
   *out = config;
   return HRT_OK;
 }
@@ -277,7 +270,6 @@ hrt_result read_target(std::string_view text, hrt_target_config* out) {
   hrt_target_config target{};
   target.struct_size = sizeof target;
   HRT_RETURN_IF_FAILED(read_object("target", text, &target));
-  HRT_RETURN_IF_FAILED(check_target_fields(&target));
   *out = target;
   return HRT_OK;
 }
@@ -321,9 +313,6 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   }
   if (!has_format) return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"");
   if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1");
-  HRT_RETURN_IF_FAILED(check_session_config(known));
-  take_contacts_of_profile(*config, &known);
-  HRT_RETURN_IF_FAILED(check_conditions(&measured));
   *config = known;
   *conditions = measured;
   return HRT_OK;

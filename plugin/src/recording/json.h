@@ -19,12 +19,11 @@ void write_config(const hrt_session_config& config, JsonText& out);
 /// Writes a target in one line.
 void write_target(const hrt_target_config& target, JsonText& out);
 
-/// Reads the fields that write_target() writes and refuses others. Checks everything that does not depend on other
-/// targets or on the session.
+/// Reads the fields that write_target() writes and refuses others. Values are not checked.
 hrt_result read_target(std::string_view text, hrt_target_config* out);
 
-/// Write and read a set-up's configuration in one line. Reading refuses other fields, checks ranges, and gives absent
-/// fields their defaults.
+/// Write and read a set-up's configuration in one line. Reading refuses other fields and gives absent fields their
+/// defaults. Values are not checked.
 void write_setup_config(const hrt_setup_config& config, JsonText& out);
 hrt_result read_setup_config(std::string_view text, hrt_setup_config* out);
 
@@ -34,8 +33,8 @@ hrt_result read_config(std::string_view text, hrt_session_config* out);
 /// Writes the participant's fields of a configuration, and the conditions of measurement, in one line.
 void write_profile(const hrt_session_config& config, const hrt_conditions& conditions, JsonText& out);
 
-/// Reads a profile into a configuration and checks it. Absent fields are unchanged, unless they are optional.
-/// `*conditions` is zero if the profile has no conditions.
+/// Reads a profile into a configuration. Absent fields are unchanged. `*conditions` is zero if the profile has no
+/// conditions. Values are not checked.
 hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_conditions* conditions);
 
 }  // namespace hrt::plugin

@@ -23,8 +23,8 @@ constexpr std::chrono::seconds seconds_between_reports{1};
 
 }  // namespace
 
-Recorder::Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
-                   double plate_orientation_deg)
+Recorder::Recorder(File file, std::string_view name, const hrt_session_config& config,
+                   std::span<const TargetChanged> targets, double plate_orientation_deg)
     : ring_(std::make_unique<Entry[]>(capacity)), file_(std::move(file)) {
   name_ << name;
   watch_forks();
@@ -34,11 +34,7 @@ Recorder::Recorder(File file, std::string_view name, const hrt_session_config& c
   write(header);
   write_record_of({.call = ConfigSet{config}});
   write_record_of({.call = PlateStands{plate_orientation_deg}});
-  for (const auto& [id, target] : targets.all()) {
-    TargetChanged added{TargetChanged::Change::added, targets.number(id), target};
-    added.config.served_by = {targets.number_or_zero(target.served_by)};
-    write_record_of({.call = added});
-  }
+  for (const TargetChanged& target : targets) write_record_of({.call = target});
   if (const int error = system_error_.load(); error != 0)
     throw std::system_error(error, std::generic_category(), name_.c_str());
   if (has_threads) writer_ = start_quiet_thread([this] { write_all(); });

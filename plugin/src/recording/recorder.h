@@ -5,14 +5,15 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <thread>
 
 #include "plugin/src/abi/file.h"
 #include "plugin/src/abi/fork.h"
 #include "plugin/src/abi/hash.h"
+#include "plugin/src/recording/command_hash.h"
 #include "plugin/src/recording/format.h"
-#include "plugin/src/session/targets.h"
 
 namespace hrt::plugin {
 
@@ -29,7 +30,7 @@ class Recorder {
  public:
   /// Writes the state of the session. `name` identifies session and file in the log. Throws std::system_error,
   /// std::bad_alloc.
-  Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
+  Recorder(File file, std::string_view name, const hrt_session_config& config, std::span<const TargetChanged> targets,
            double plate_orientation_deg);
   /// Writes the remaining records and closes the file.
   ~Recorder();

@@ -1,102 +1,128 @@
-// One user and one plate, as the entry points and replays call them.
+// One user and one plate, in core types. Every call that fails changes nothing. Calls of a reach are real-time.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
-#include "core/plate/touched_frame.h"
-#include "core/reach/reach.h"
-#include "haptic_retargeting/reach.h"
-#include "plugin/src/session/session_config.h"
+#include "core/retargeter.h"
+#include "plugin/src/session/contact.h"
 #include "plugin/src/session/session_setup.h"
-#include "plugin/src/session/targets.h"
-
-namespace hrt {
-class Retargeter;
-}
 
 namespace hrt::plugin {
 
-/// Every call that fails changes nothing. Those of a reach are real-time.
+/// What a host asks for when a reach begins.
+struct ReachRequest {
+  std::uint64_t real_target = 0;
+  std::uint64_t virtual_target = 0;
+  std::optional<double> plate_orientation_deg;  ///< none: where the last command left the plate
+  double duration_s = 0.0;                      ///< expected; 0: unknown
+  bool starts_at_finger = false;                ///< where the finger is first seen
+};
+
 class Session {
  public:
-  explicit Session(const hrt_session_config& checked_config);
-  ~Session();
+  /// Requires is_valid(model), as set_model() does.
+  explicit Session(const SessionModel& model) : model_(model) {}
 
-  const hrt_session_config& config() const { return config_; }
-  /// Between reaches.
-  hrt_result set_config(const hrt_session_config& checked_config);
+  const SessionModel& model() const { return model_; }
+  /// Replaces the model between reaches.
+  hrt_result set_model(const SessionModel& model);
 
   /// Where the last command left the plate.
   double plate_orientation_deg() const { return plate_orientation_deg_; }
   void set_plate_orientation_deg(double orientation_deg) { plate_orientation_deg_ = orientation_deg; }
 
-  /// What a caller gave has been read, not checked.
-  hrt_result begin(const hrt_reach_config& config);
-  hrt_result update(const hrt_sample& sample, hrt_command* command);
-  hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
-  hrt_result touched(const hrt_contact& contact);
-  hrt_result cancel();
-  hrt_result end(hrt_reach_summary* summary);
-  /// Nor a set-up.
-  hrt_result check_no_reach() const;
-  hrt_result check_reach() const;
-  bool reaching() const { return reaching_; }
+  bool is_reaching() const { return std::holds_alternative<Reaching>(state_); }
+  bool is_setting_up() const { return std::holds_alternative<SettingUp>(state_); }
+  /// Fails during a reach and during a set-up.
+  hrt_result check_idle() const;
+  hrt_result check_reaching() const;
+  hrt_result check_setting_up() const;
 
-  hrt_result begin_setup(std::uint32_t what, const hrt_setup_config& config);
-  hrt_result update_setup(const hrt_sample& sample, hrt_setup_step* step);
-  /// Not real-time, as begin_setup() and cancel_setup().
-  hrt_result finish_setup(hrt_setup_result* result);
+  hrt_result begin(const ReachRequest& request);
+  hrt_result update(const FingerSample& sample, PlateCommand* out);
+  hrt_result retarget(std::uint64_t real_target, std::uint64_t virtual_target);
+  /// Fails unless the contact of a reach may be reported now.
+  hrt_result check_contact_due() const;
+  hrt_result touched(const ContactReport& report);
+  hrt_result cancel();
+  hrt_result end(ReachSummary* out);
+  /// A value of the reach under way was not a finite number: the reach teaches nothing.
+  void mark_faulty();
+
+  /// The reach under way as it was last aimed, and whether it starts where the finger is still to be seen.
+  const Reach& reach() const { return std::get<Reaching>(state_).reach; }
+  bool awaits_finger() const { return is_reaching() && std::get<Reaching>(state_).awaits_finger; }
+
+  hrt_result begin_setup(std::uint32_t parts, const SetupConfig& asked);
+  hrt_result update_setup(const SetupSample& sample, SetupStep* out);
+  /// Not real-time, as begin_setup() and cancel_setup(). Ends a set-up of which nothing is left.
+  hrt_result finish_setup();
   hrt_result cancel_setup();
-  hrt_result get_residual(std::uint32_t slide, hrt_setup_residual* out) const;
-  bool setting_up() const { return setup_ != nullptr; }
-  /// A value of some command or summary was not finite (HRT_COMMAND_FAULT).
-  bool has_failed() const { return failed_; }
-  /// A command under this configuration was flagged HRT_COMMAND_REGISTRATION.
-  bool has_doubted_registration() const { return registration_doubted_; }
-  /// What the last begin() or retarget() made of its targets, or the update() that started.
-  const Reach& reach() const { return reach_; }
-  /// reach() if it has started in the last update(), where the finger was first seen.
-  std::optional<Reach> started() const { return started_ ? std::optional(reach_) : std::nullopt; }
+  /// The part under way, while setting up.
+  SetupPart setup_part() const { return std::get<SettingUp>(state_)->part(); }
+  /// Of the set-up that was begun last.
+  const SetupReport& setup_report() const { return *report_; }
+  /// Of the last calibration; empty before.
+  const std::vector<CalibratedSlide>& slides() const {
+    return report_ && report_->calibration ? report_->calibration->slides : former_slides_;
+  }
 
   Targets targets;
 
  private:
-  hrt_result aim(const Pair& pair, const PlatePoint& start, Reach* out) const;
-  hrt_result start_at(const PlatePoint& finger);
-  void judge_registration(const Reach& reach);
-  bool is_registration_doubtful(std::int64_t time_ns) const;
-  void learn_from(const Contact& contact);
-  void write_command(const PlateCommand& command, std::uint32_t finger_flags, hrt_command* out) const;
-  hrt_result check_setup() const;
-  hrt_reach_summary to_c(const ReachSummary& summary) const;
-  void carry(const FingerEstimate& estimate);
+  /// The targets of a reach, as they were when the reach was given them.
+  struct Pair {
+    TargetPlace real;
+    TargetPlace virtual_target;
+  };
+  /// The registration as it concerns a reach.
+  struct Judgement {
+    bool is_poor = false;  // for any sample
+    bool contacts_disagree = false;
+  };
+  /// A reach that has ended, and whose contact may still be reported.
+  struct Ended {
+    PlatePoint start;
+    TargetPlace real;
+    std::optional<SeenFinger> finger;
+    bool was_touched = false;
+  };
+  struct Idle {
+    std::optional<Ended> last;
+  };
+  struct Reaching {
+    Reaching(const Pair& targets, const Reach& first, const RetargeterConfig& config)
+        : pair(targets), reach(first), start(first.start), retargeter(config) {}
 
-  hrt_session_config config_;
-  const std::unique_ptr<Retargeter> retargeter_;  // apart, so that who calls a session is not built anew with it
-  std::unique_ptr<SessionSetup> setup_;           // null: none is under way
-  std::vector<hrt_setup_residual> residuals_;     // of the last calibration
-  Pair pair_{};                                   // as the targets were when the reach was given them
-  PlatePoint start_;
-  Reach reach_{};
-  bool reaching_ = false;
-  bool awaits_finger_ = false;         // the reach starts where the finger is first seen
-  bool started_ = false;               // there, in the last update
-  bool sampled_ = false;               // the reach has had a sample
-  bool ended_ = false;                 // the reach has ended, and its contact may still come
-  std::optional<SeenFinger> finger_;   // where it was then
-  bool touched_ = false;               // the contact of the reach is known
-  std::optional<Contact> contact_;     // of the reach that is under way
-  bool contradicted_ = false;          // contacts move the real target by more than is believable
-  bool registration_poor_ = false;     // as far as it can be known before a sample
-  bool registration_flagged_ = false;  // by any command of the reach
-  bool registration_doubted_ = false;  // of any reach under this configuration
-  bool faulty_ = false;                // a value of the reach was not finite
-  bool failed_ = false;                // nor was one of any reach
-  std::int64_t last_time_ns_ = 0;
+    Pair pair;
+    Reach reach;       // as it was last aimed
+    PlatePoint start;  // before it was aimed again
+    Retargeter retargeter;
+    bool awaits_finger = false;
+    Judgement judgement;
+    std::optional<std::int64_t> last_time_ns;
+    std::optional<Contact> contact;
+    bool registration_doubtful = false;  // at any time
+    bool faulty = false;
+  };
+  using SettingUp = std::unique_ptr<SessionSetup>;
+
+  hrt_result find_pair(std::uint64_t real_target, std::uint64_t virtual_target, Pair* out) const;
+  hrt_result aim(const Pair& pair, const PlatePoint& start, Reach* reach) const;
+  hrt_result start_at(const PlatePoint& finger, Reaching* reaching) const;
+  Judgement judge(const Reach& reach) const;
+  bool is_too_old(std::int64_t time_ns) const;
+  void learn(const Retargeter& retargeter, const ReachSummary& summary);
+
+  SessionModel model_;
+  std::variant<Idle, Reaching, SettingUp> state_;
   double plate_orientation_deg_ = 0.0;
+  std::unique_ptr<SetupReport> report_;         // null before a set-up
+  std::vector<CalibratedSlide> former_slides_;  // of the last calibration before that of report_
 };
 
 }  // namespace hrt::plugin

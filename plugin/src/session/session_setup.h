@@ -1,47 +1,55 @@
-// A session's set-up: what is asked for, seen and found crosses the boundary here.
+// A set-up of a session: which parts are missing, what is shown and what the fits change.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/setup/setup.h"
-#include "haptic_retargeting/setup.h"
-#include "haptic_retargeting/study.h"
+#include "plugin/src/session/found_model.h"
 #include "plugin/src/session/targets.h"
 
 namespace hrt::plugin {
 
-/// Fails naming the first field that is out of its range.
-hrt_result check_setup_config(const hrt_setup_config& config);
+/// Not a part: all parts of which the session has no result, and which the samples can show.
+inline constexpr std::uint32_t setup_all_missing = 64;
+
+/// What a set-up has found since it began.
+struct SetupReport {
+  std::uint32_t done = 0;  ///< parts that were found and applied
+  std::uint32_t left = 0;
+  int slides = 0;  ///< that were made
+  std::optional<FingertipOffset> fingertip;
+  std::optional<Registration> registration;
+  std::optional<RegistrationCheck> check;
+  std::optional<Calibration> calibration;
+  RetestDifference differing;
+};
 
 /// Every call that fails changes nothing.
 class SessionSetup {
  public:
-  /// Whether one can be made: of a checked configuration.
-  static hrt_result check(const hrt_session_config& session, const Targets& targets, std::uint32_t what);
-  SessionSetup(const hrt_session_config& session, const Targets& targets, std::uint32_t what,
-               const hrt_setup_config& checked_config, double plate_orientation_deg);
+  /// Fails unless a set-up of these parts can be made.
+  static hrt_result check(const SessionModel& model, const Targets& targets, std::uint32_t parts);
 
+  /// `asked` has what a caller may choose: marks, of which there may be none, their touches, slides and the plate's
+  /// range.
+  SessionSetup(const SessionModel& model, const Targets& targets, std::uint32_t parts, const SetupConfig& asked,
+               double plate_orientation_deg);
+
+  SetupPart part() const { return setup_.part(); }
   /// Real-time.
-  hrt_result update(const hrt_session_config& session, const hrt_sample& sample, hrt_setup_step* out);
-  /// Fits and writes what is found into `*session`, and the slides of a calibration to `*residuals`.
-  hrt_result finish(hrt_session_config* session, std::vector<hrt_setup_residual>* residuals, hrt_setup_result* out);
+  hrt_result update(const SessionModel& model, const SetupSample& sample, SetupStep* out);
+  /// Fits the part under way, applies the result to the model and adds it to the report.
+  hrt_result finish(SessionModel* model, SetupReport* report);
   bool is_over() const { return setup_.left() == 0; }
 
  private:
-  SetupSample seen(const hrt_session_config& session, const hrt_sample& sample) const;
-  hrt_result check_shown(const hrt_sample& sample, const SetupSample& seen) const;
-  hrt_setup_step to_c(const SetupStep& step, const hrt_session_config& session);
+  hrt_result check_shown(const SetupSample& sample) const;
 
-  double touch_sd_mm_;
   Setup setup_;
-  hrt_setup_result result_{};
-  double plate_orientation_deg_;  // as last asked for
-  bool sampled_ = false;
-  std::int64_t last_time_ns_ = 0;
+  double plate_orientation_deg_;  // of the last step
+  std::optional<std::int64_t> last_time_ns_;
 };
-
-/// What the user reads or hears, in one line.
-void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]);
 
 }  // namespace hrt::plugin

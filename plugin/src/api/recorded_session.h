@@ -1,4 +1,5 @@
-// A session whose calls are recorded while a recording is running.
+// A session as the C interface has it: its calls take and return the structs of the headers, and are recorded while a
+// recording runs.
 #pragma once
 
 #include <cstdint>
@@ -7,51 +8,52 @@
 #include <span>
 #include <vector>
 
+#include "plugin/src/api/conditions.h"
 #include "plugin/src/recording/recorder.h"
-#include "plugin/src/session/conditions.h"
 #include "plugin/src/session/session.h"
 
 namespace hrt::plugin {
 
-/// Forwards calls to a session and, while recording, to the recorder. A call that fails changes nothing. Calls of a
-/// reach and refuse() are real-time.
+/// Each call reads its structs, calls the session and writes the results. Every call that fails changes nothing. Those
+/// of a reach and refuse() are real-time. Nothing is built for a recording that is off.
 class RecordedSession {
  public:
-  explicit RecordedSession(const hrt_session_config& checked_config) : session_(checked_config) {}
+  explicit RecordedSession(const SessionModel& valid_model) : session_(valid_model) {}
   ~RecordedSession() = default;
   RecordedSession(const RecordedSession&) = delete;
   RecordedSession& operator=(const RecordedSession&) = delete;
 
   const Session& session() const { return session_; }
 
-  hrt_result set_config(const hrt_session_config& checked_config);
-  hrt_result add_target(const hrt_target_config& checked_config, std::uint64_t* out_id);
-  hrt_result set_target(std::uint64_t id, const hrt_target_config& checked_config);
+  hrt_result set_model(const SessionModel& valid_model);
+  hrt_result add_target(const Target& checked_target, std::uint64_t* out_id);
+  hrt_result set_target(std::uint64_t id, const Target& checked_target);
   hrt_result remove_target(std::uint64_t id);
-  /// Replaces the configuration and adds all targets, or changes nothing. `served_by` has for each target the index of
-  /// the real target that serves it, if there is one.
-  hrt_result add_scene(const hrt_session_config& checked_config, std::span<const hrt_target_config> checked_targets,
+  /// Replaces the model and adds all targets. `served_by` has for each target the index of the real target that serves
+  /// it, if there is one.
+  hrt_result add_scene(const SessionModel& valid_model, std::span<const Target> checked_targets,
                        std::span<const std::optional<std::size_t>> served_by, std::vector<std::uint64_t>* out_ids);
 
   hrt_result begin(const hrt_reach_config& config);
-  hrt_result update(const hrt_sample& sample, hrt_command* command) {
-    const hrt_result result = session_.update(sample, command);
-    if (recorder_) record_update(result, sample, *command);
-    return result;
-  }
+  hrt_result update(const hrt_sample& sample, hrt_command* out);
   hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
   hrt_result touched(const hrt_contact& contact);
   hrt_result cancel();
-  hrt_result end(hrt_reach_summary* summary);
+  hrt_result end(hrt_reach_summary* out);
   hrt_result begin_setup(std::uint32_t what, const hrt_setup_config& config);
-  hrt_result update_setup(const hrt_sample& sample, hrt_setup_step* step);
-  hrt_result finish_setup(hrt_setup_result* result);
+  hrt_result update_setup(const hrt_sample& sample, hrt_setup_step* out);
+  hrt_result finish_setup(hrt_setup_result* out);
   hrt_result cancel_setup();
   /// Records a call that was refused with `result` because of `argument`. Returns `result`.
   hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
 
-  /// Logs once if the session has failed, and once per configuration if a reach was flagged HRT_COMMAND_REGISTRATION.
-  /// The log identifies the session by `handle`.
+  /// The plate's orientation before anything happens in a replay.
+  hrt_result set_plate_orientation_deg(double orientation_deg);
+  /// The reach in progress as it was last aimed, for a recording.
+  AimedReach aimed() const;
+
+  /// Logs once if a value was not finite (HRT_COMMAND_FAULT), and once for a configuration if a command was flagged
+  /// HRT_COMMAND_REGISTRATION. The log names the session by `handle`.
   void log_findings(std::uint64_t handle);
 
   /// Logs if the person was measured under other conditions than the present ones.
@@ -74,12 +76,12 @@ class RecordedSession {
   void record(MakeRecord&& make_record) const {
     if (recorder_) recorder_->push(make_record());
   }
-  void record_update(hrt_result result, const hrt_sample& sample, const hrt_command& command) const;
-  void record_target(TargetChanged::Change change, std::uint64_t id) const;
+  TargetChanged changed(TargetChanged::Change change, std::uint64_t id) const;
 
   Session session_;
-  bool failure_logged_ = false;
-  bool registration_logged_ = false;    // for the present configuration
+  bool had_fault_ = false, logged_fault_ = false;
+  // A command under this configuration was flagged HRT_COMMAND_REGISTRATION.
+  bool doubted_registration_ = false, logged_registration_ = false;
   std::unique_ptr<Recorder> recorder_;  // null: nothing is recorded
 };
 

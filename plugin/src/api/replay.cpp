@@ -1,4 +1,4 @@
-#include "plugin/src/recording/replay.h"
+#include "plugin/src/api/replay.h"
 
 #include <map>
 #include <optional>
@@ -7,9 +7,10 @@
 
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/text.h"
+#include "plugin/src/api/read.h"
+#include "plugin/src/api/recorded_session.h"
 #include "plugin/src/recording/command_hash.h"
 #include "plugin/src/recording/format.h"
-#include "plugin/src/session/session.h"
 
 namespace hrt::plugin {
 namespace {
@@ -101,9 +102,11 @@ class Replay {
 
   hrt_result take_config(std::string_view json) {
     hrt_session_config config{};
+    SessionModel model;
     HRT_RETURN_IF_FAILED(read_config(json, &config));
-    if (session_) return session_->set_config(config);
-    session_.emplace(config);
+    HRT_RETURN_IF_FAILED(read(config, &model));
+    if (session_) return session_->set_model(model);
+    session_.emplace(model);
     return HRT_OK;
   }
 
@@ -114,29 +117,29 @@ class Replay {
   hrt_result take_target(std::string_view rest) {
     HRT_RETURN_IF_FAILED(check_session());
     TargetChanged changed;
+    Target target;
     HRT_RETURN_IF_FAILED(read_target_changed(rest, &changed));
-    changed.config.served_by = target(changed.config.served_by.value);
+    changed.config.served_by = this->target(changed.config.served_by.value);
+    if (changed.change != TargetChanged::Change::removed) HRT_RETURN_IF_FAILED(read(changed.config, &target));
     std::uint64_t& id = target_ids_[changed.number];
     if ((changed.change == TargetChanged::Change::added) != (id == 0))
       return fail(HRT_ERROR_BAD_FORMAT, "target ", changed.number, id == 0 ? " is not there" : " is there already");
     switch (changed.change) {
       case TargetChanged::Change::added:
-        return session_->targets.add(changed.config, &id);
+        return session_->add_target(target, &id);
       case TargetChanged::Change::set:
-        return session_->targets.set(id, changed.config);
+        return session_->set_target(id, target);
       case TargetChanged::Change::removed:
-        return session_->targets.remove(std::exchange(id, 0));
+        return session_->remove_target(std::exchange(id, 0));
     }
     return HRT_OK;
   }
 
   hrt_result take_plate(std::string_view rest) {
     HRT_RETURN_IF_FAILED(check_session());
-    HRT_RETURN_IF_FAILED(session_->check_no_reach());
     PlateStands plate{};
     HRT_RETURN_IF_FAILED(read_plate_stands(rest, &plate));
-    session_->set_plate_orientation_deg(plate.orientation_deg);
-    return HRT_OK;
+    return session_->set_plate_orientation_deg(plate.orientation_deg);
   }
 
   hrt_result take_setup(std::string_view rest) {
@@ -171,16 +174,17 @@ class Replay {
         .plate_orientation_deg = call.plate_orientation_deg,
         .duration_s = call.duration_s,
     });
-    call.reach = session_->reach();
+    call.reach = session_->aimed();
   }
   void call_again(Updated& call, hrt_result* result) {
+    const bool awaited_finger = session_->session().awaits_finger();
     *result = session_->update(call.sample, &call.command);
-    call.reach = session_->started();
+    if (awaited_finger && !session_->session().awaits_finger()) call.reach = session_->aimed();
     if (*result == HRT_OK) add(call.command, hash_);
   }
   void call_again(Retargeted& call, hrt_result* result) {
     *result = session_->retarget(target(call.real_number), target(call.virtual_number));
-    call.reach = session_->reach();
+    call.reach = session_->aimed();
   }
   void call_again(Touched& call, hrt_result* result) { *result = session_->touched(call.contact); }
   void call_again(ReachCancelled&, hrt_result* result) { *result = session_->cancel(); }
@@ -211,8 +215,8 @@ class Replay {
   }
 
   bool has_columns_ = false;
-  std::optional<Session> session_;
-  std::map<std::uint64_t, std::uint64_t> target_ids_;  // by number in the recording; 0: removed
+  std::optional<RecordedSession> session_;
+  std::map<std::uint64_t, std::uint64_t> target_ids_;  // by their numbers in the recording; 0: removed
   Hash hash_;
   hrt_replay_report report_{.struct_size = sizeof(hrt_replay_report),
                             .complete = 0,

@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "plugin/src/abi/text.h"
-#include "plugin/src/session/session_setup.h"
+#include "plugin/src/api/write.h"
 
 namespace hrt::plugin {
 namespace {

@@ -1,0 +1,27 @@
+// From core types to the structs of the C interface.
+#pragma once
+
+#include "haptic_retargeting/setup.h"
+#include "haptic_retargeting/study.h"
+#include "plugin/src/session/gap.h"
+#include "plugin/src/session/session.h"
+
+namespace hrt::plugin {
+
+hrt_session_config to_c(const SessionModel& model);
+hrt_target_config to_c(const Target& target);
+/// A number that is not finite becomes 0, and the result is flagged HRT_COMMAND_FAULT, as the next one.
+hrt_command to_c(const PlateCommand& command);
+hrt_reach_summary to_c(const ReachSummary& summary);
+hrt_setup_step to_c(const SetupStep& step);
+hrt_setup_result to_c(const SetupReport& report);
+hrt_setup_residual to_c(const CalibratedSlide& slide);
+hrt_gap to_c(const Gap& gap, hrt_target real_target, hrt_target virtual_target);
+
+/// A point at the height of the plate's face.
+void write_point(const PlatePoint& point, double (&out_m)[3]);
+
+/// Problem and instruction of a step as a sentence for the user.
+void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]);
+
+}  // namespace hrt::plugin

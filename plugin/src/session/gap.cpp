@@ -1,0 +1,74 @@
+#include "plugin/src/session/gap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/assignment.h"
+#include "core/math/trigonometry.h"
+#include "core/person/illusion.h"
+
+namespace hrt::plugin {
+namespace {
+
+double needed_share(const Authority& authority) {
+  if (!authority.reachable) return std::numeric_limits<double>::infinity();
+  return authority.gap_deg == 0.0 ? 0.0 : std::abs(authority.gap_deg) / authority.max_gap_deg;
+}
+
+}  // namespace
+
+Gaps::Real Gaps::real(const TargetPlace& place) const {
+  const TargetView seen = view(model_, place);
+  return {seen.direction_deg,
+          bearing_sd_deg(model_.control.touched, model_.control.frame, start_of(model_), seen.point),
+          illusion_of(model_, seen.distance_mm)};
+}
+
+double Gaps::goal_deg(const TargetPlace& virtual_place) const {
+  const RetargeterConfig& control = model_.control;
+  return view(model_, virtual_place).direction_deg +
+         (control.mode == ControlMode::reach ? control.person.mean(PersonTrait::bias) : control.participant.bias_deg);
+}
+
+Gap Gaps::gap(const Real& real, double goal_deg) const {
+  const RetargeterConfig& control = model_.control;
+  const double real_deg = goal_deg - wrap_deg(goal_deg - real.direction_deg, 360.0);
+  const Authority paper =
+      steering_authority(real_deg, goal_deg, control.participant.tactile_weight, control.mpc.plate_bound_deg);
+  return {.authority = control.mode == ControlMode::reach
+                           ? authority_about_motion(real_deg, goal_deg, real.illusion, control.reach.bound_deg)
+                           : paper,
+          .paper_max_gap_deg = paper.max_gap_deg,
+          .registration_sd_deg = real.registration_sd_deg};
+}
+
+std::vector<Served> assign(const SessionModel& model, std::span<const Target* const> virtuals,
+                           std::span<const Target* const> reals, bool exclusive) {
+  const Gaps gaps(model);
+  std::vector<Gaps::Real> seen;
+  for (const Target* real : reals) seen.push_back(gaps.real(real->place));
+  std::vector<double> goals_deg, shares;
+  std::vector<std::size_t> nearest, serves;
+  for (const Target* virtual_target : virtuals) {
+    const double goal_deg = goals_deg.emplace_back(gaps.goal_deg(virtual_target->place));
+    double min_gap_deg = std::numeric_limits<double>::infinity(), min_share = min_gap_deg;
+    nearest.push_back(0);
+    serves.push_back(unserved);
+    for (std::size_t j = 0; j < seen.size(); ++j) {
+      const Authority authority = gaps.gap(seen[j], goal_deg).authority;
+      const double share = shares.emplace_back(needed_share(authority));
+      if (share < min_share) min_share = share, serves.back() = j;
+      if (std::abs(authority.gap_deg) < min_gap_deg) min_gap_deg = std::abs(authority.gap_deg), nearest.back() = j;
+    }
+  }
+  if (exclusive) serves = assign_exclusively(shares, reals.size());
+  std::vector<Served> served;
+  for (std::size_t i = 0; i < virtuals.size(); ++i) {
+    const std::size_t real = serves[i] == unserved ? nearest[i] : serves[i];
+    served.push_back({real, serves[i] != unserved, gaps.gap(seen[real], goals_deg[i])});
+  }
+  return served;
+}
+
+}  // namespace hrt::plugin

@@ -1,0 +1,118 @@
+#include "plugin/src/session/session_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/exponential.h"
+
+namespace hrt::plugin {
+namespace {
+
+bool has(const Range& range, const Vec3& v) { return range.has(v.x) && range.has(v.y) && range.has(v.z); }
+
+bool are_same(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+bool have_same_pose(const PlateMount& a, const PlateMount& b) {
+  const Quaternion &p = a.pose.orientation, &q = b.pose.orientation;
+  return are_same(a.pose.position_m, b.pose.position_m) && p.x == q.x && p.y == q.y && p.z == q.z && p.w == q.w &&
+         a.scale == b.scale;
+}
+
+// Of a covariance of the turn in radians and the position to the right and away.
+Eigen::Matrix3d mm_by_m() {
+  const Eigen::Vector3d units{1.0, mm_per_m, mm_per_m};
+  return units * units.transpose();
+}
+
+}  // namespace
+
+bool is_valid(const SessionModel& model) {
+  const RetargeterConfig& control = model.control;
+  const EstimatorConfig& estimator = control.estimator;
+  const PlateMount& mount = model.mount;
+  return is_valid(control) && weight_range.has(control.participant.tactile_weight) &&
+         weight_sd_range.has(estimator.tactile_weight_sd) && bias_range_deg.has(control.participant.bias_deg) &&
+         motion_bound_range_deg.has(control.reach.bound_deg) && noise_range_mm.has(estimator.tracker_noise_mm) &&
+         noise_range_mm.has(estimator.correlated_noise_mm) && is_valid(mount.pose) && scale_range.has(mount.scale) &&
+         has(position_range_m, mount.pose.position_m) && has(fingertip_range_m, mount.fingertip_offset_m);
+}
+
+PlatePoint plate_point(Vec3 position_m) {
+  return {.right_mm = mm_per_m * position_m.x, .away_mm = -mm_per_m * position_m.z};
+}
+
+FingerOnPlate locate(const PlateMount& mount, Vec3 world_position_m) {
+  const Vec3& centre_m = mount.pose.position_m;
+  if (mount.scale != 1.0) world_position_m = centre_m + (world_position_m - centre_m) * (1.0 / mount.scale);
+  FingerOnPlate finger{};
+  locate_finger(mount.surface, mount.pose, world_position_m, finger);
+  return finger;
+}
+
+FingerOnPlate locate_on_plate(const PlateMount& mount, Vec3 plate_position_m) {
+  FingerOnPlate finger{};
+  locate_finger(mount.surface, Pose{}, plate_position_m, finger);
+  return finger;
+}
+
+void forget_person(SessionModel* model) {
+  RetargeterConfig& control = model->control;
+  const double weight = control.participant.tactile_weight, bias_deg = control.participant.bias_deg;
+  model->knows_person = false;
+  control.person = model->adaptation == Adaptation::off
+                       ? known_person(weight, bias_deg)
+                       : unknown_person(weight, control.estimator.tactile_weight_sd, bias_deg);
+}
+
+void forget_user(const SessionModel& defaults, SessionModel* model) {
+  model->control.participant = defaults.control.participant;
+  model->control.estimator.tactile_weight_sd = defaults.control.estimator.tactile_weight_sd;
+  model->control.estimator.motor_variance_sd_deg2 = defaults.control.estimator.motor_variance_sd_deg2;
+  model->control.reach.bound_deg = defaults.control.reach.bound_deg;
+  model->mount.fingertip_offset_m = defaults.mount.fingertip_offset_m;
+  forget_person(model);
+}
+
+void know_person(const PersonBelief& belief, SessionModel* model) {
+  const LinearIllusion linear = linear_illusion(belief);
+  model->control.person = belief;
+  model->knows_person = true;
+  model->control.participant.tactile_weight = linear.weight;
+  model->control.estimator.tactile_weight_sd = std::clamp(linear.weight_sd, weight_sd_range.low, weight_sd_range.high);
+}
+
+Illusion illusion_of(const SessionModel& model, double distance_mm) {
+  if (!model.knows_person) return {model.control.participant.tactile_weight, 0.0};
+  const PersonBelief::Vector& mean = model.control.person.mean;
+  return {.weight = mean(PersonTrait::weight),
+          .curve = mean(PersonTrait::curve),
+          .fading = mean(PersonTrait::fading),
+          .slowness = ridge_slowness(distance_mm * exponential(mean(PersonTrait::log_rate)), distance_mm)};
+}
+
+void forget_contacts(SessionModel* model) { model->control.touched = {.home = start_of(*model)}; }
+
+void forget_contacts_elsewhere(const SessionModel& before, SessionModel* next) {
+  const TouchedFrame &was = before.control.touched, &is = next->control.touched;
+  if (!have_same_pose(before.mount, next->mount) && was.stretch == is.stretch && was.covariance == is.covariance)
+    forget_contacts(next);
+}
+
+void take_contacts_of_profile(const SessionModel& session, bool has_contacts, SessionModel* profile) {
+  TouchedFrame& touched = profile->control.touched;
+  if (!has_contacts) {
+    touched = session.control.touched;
+  } else if (have_same_pose(session.mount, profile->mount)) {
+    if (touched.known()) touched = drifted(touched);
+  } else {
+    forget_contacts(profile);
+  }
+  profile->mount.pose = session.mount.pose;
+  profile->mount.scale = session.mount.scale;
+}
+
+FrameCovariance frame_of_m(const Eigen::Matrix3d& covariance_m) { return covariance_m.cwiseProduct(mm_by_m()); }
+
+Eigen::Matrix3d frame_in_m(const FrameCovariance& covariance) { return covariance.cwiseQuotient(mm_by_m()); }
+
+}  // namespace hrt::plugin
