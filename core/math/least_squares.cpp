@@ -9,7 +9,7 @@ namespace {
 
 constexpr int max_passes = 25;
 constexpr int max_attempts = 8;
-constexpr double min_gain = 1e-5;
+constexpr double min_improvement = 1e-5;
 // A residual grows by this factor at most when its group is left out: a group that alone shows a parameter
 // leaves nothing to predict it from.
 constexpr double max_growth = 5.0;
@@ -55,7 +55,7 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& firs
         damping *= 10.0;
       }
     }
-    if (!(gained > min_gain)) break;
+    if (!(gained > min_improvement)) break;
   }
   return fit;
 }
