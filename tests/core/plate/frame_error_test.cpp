@@ -15,7 +15,8 @@ namespace {
 FrameCovariance of_turn_about(const PlatePoint& centre, double sd_deg) {
   const double sd_rad = sd_deg * rad_per_deg;
   const Vector3d by_turn{1.0, centre.away_mm, -centre.right_mm};
-  return sd_rad * sd_rad * (by_turn * by_turn.transpose());
+  const FrameCovariance outer = by_turn * by_turn.transpose();  // symmetric to the last bit
+  return sd_rad * sd_rad * outer;
 }
 
 // 100 mm * 1 degree in radians = 1.745 mm, wherever the start is.
