@@ -41,7 +41,7 @@ void end_row(const std::string& row, std::uint64_t count) {
 void load(const char* path) {
   void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   require(library, path);
-  require(hrt_functions_load(dlsym, library, &api), path);
+  require(!hrt_functions_load(dlsym, library, &api), path);
 }
 
 // A session with a reach under way.
