@@ -17,7 +17,7 @@ constexpr std::size_t max_text = 255;
 constexpr double min_number = 0.001;  // metres or degrees per second, the limit of a session for a radius
 constexpr double max_radius_m = 10.0;
 constexpr double speed_limit_deg_s = 1e5;
-constexpr std::string_view nested_key = "haptic";
+constexpr const char* nested_key = "haptic";
 constexpr std::string_view flat_prefix = "haptic_";
 
 // A role and the properties that it takes.
@@ -35,79 +35,6 @@ constexpr Role roles[] = {{"plate", HapticRole::plate, plate_keys},
                           {"virtual", HapticRole::virtual_target, virtual_keys},
                           {"start", HapticRole::start, start_keys}};
 
-class PropertyReader {
- public:
-  PropertyReader(const tinygltf::Value& extras, const std::string& where) : where_(where) {
-    take(extras, flat_prefix);
-    if (!extras.Has(std::string(nested_key))) return;
-    if (!values_.empty())
-      refuse(where, "both extras.haptic and {} are given; keep one form", label(values_.begin()->first));
-    const tinygltf::Value& nested = extras.Get(std::string(nested_key));
-    if (!nested.IsObject()) refuse(where, "extras.haptic is not an object with a role");
-    prefix_ = "extras.haptic.";
-    take(nested, "");
-  }
-
-  HapticProperties read() const {
-    const std::optional<std::string> name = text("role");
-    if (!name) refuse(where_, "{} is missing", label("role"));
-    const auto* role = std::find_if(std::begin(roles), std::end(roles), [&](const Role& r) { return r.name == *name; });
-    if (role == std::end(roles))
-      refuse(where_, "{} is {}; allowed: \"plate\", \"real\", \"virtual\" and \"start\"", label("role"),
-             in_quotes(*name));
-    for (const auto& [key, value] : values_)
-      if (std::find(role->keys.begin(), role->keys.end(), key) == role->keys.end())
-        refuse(where_, "{} is not a property of the role {}; allowed: {}", label(key), role->name,
-               fmt::join(role->keys, ", "));
-    HapticProperties result{.role = role->role,
-                            .name = text("name"),
-                            .radius_m = number("radius_m", max_radius_m),
-                            .max_speed_deg_s = number("max_speed_deg_s", speed_limit_deg_s),
-                            .served_by = text("served_by")};
-    if (result.role == HapticRole::plate && !result.radius_m)
-      refuse(where_, "{} is missing: a plate needs its radius in metres", label("radius_m"));
-    return result;
-  }
-
- private:
-  // The members of an object whose keys begin with `prefix`.
-  void take(const tinygltf::Value& object, std::string_view prefix) {
-    for (const auto& [key, value] : object.Get<tinygltf::Value::Object>())
-      if (key.starts_with(prefix)) values_.emplace(key.substr(prefix.size()), &value);
-  }
-
-  // A property in messages.
-  std::string label(std::string_view key) const {
-    const std::string quoted = in_quotes(key);
-    return prefix_ + quoted.substr(1, quoted.size() - 2);
-  }
-
-  std::optional<std::string> text(const char* key) const {
-    const auto found = values_.find(key);
-    if (found == values_.end()) return std::nullopt;
-    if (!found->second->IsString()) refuse(where_, "{} is not a string", label(key));
-    const auto& value = found->second->Get<std::string>();
-    if (value.empty() || value.size() > max_text)
-      refuse(where_, "{} has {} bytes; allowed: 1 to {}", label(key), value.size(), max_text);
-    if (value != printable(value)) refuse(where_, "{} is {}: it has a control character", label(key), in_quotes(value));
-    return value;
-  }
-
-  std::optional<double> number(const char* key, double max) const {
-    const auto found = values_.find(key);
-    if (found == values_.end()) return std::nullopt;
-    if (!found->second->IsNumber()) refuse(where_, "{} is not a number", label(key));
-    const double value = found->second->GetNumberAsDouble();
-    if (!(value >= min_number && value <= max))
-      refuse(where_, "{} is {:g}; allowed: {:g} to {:g}", label(key), value, min_number, max);
-    return value;
-  }
-
-  const std::string& where_;
-  std::string prefix_ = "extras.haptic_";
-  std::map<std::string, const tinygltf::Value*> values_;  // by key, without the prefix of the flat form
-};
-
 }  // namespace
 
 bool is_haptic(const tinygltf::Value& extras) {
@@ -119,7 +46,59 @@ bool is_haptic(const tinygltf::Value& extras) {
 }
 
 HapticProperties haptic_properties(const tinygltf::Value& extras, const std::string& where) {
-  return PropertyReader(extras, where).read();
+  std::map<std::string, const tinygltf::Value*> values;  // by key, without the prefix of the flat form
+  std::string prefix = "extras.haptic_";
+  const auto label = [&](std::string_view key) {
+    const std::string quoted = in_quotes(key);
+    return prefix + quoted.substr(1, quoted.size() - 2);
+  };
+  for (const auto& [key, value] : extras.Get<tinygltf::Value::Object>())
+    if (key.starts_with(flat_prefix)) values.emplace(key.substr(flat_prefix.size()), &value);
+  if (extras.Has(nested_key)) {
+    if (!values.empty())
+      refuse(where, "both extras.haptic and {} are given; keep one form", label(values.begin()->first));
+    if (!extras.Get(nested_key).IsObject()) refuse(where, "extras.haptic is not an object with a role");
+    prefix = "extras.haptic.";
+    for (const auto& [key, value] : extras.Get(nested_key).Get<tinygltf::Value::Object>()) values.emplace(key, &value);
+  }
+
+  const auto text = [&](const char* key) -> std::optional<std::string> {
+    const auto found = values.find(key);
+    if (found == values.end()) return std::nullopt;
+    if (!found->second->IsString()) refuse(where, "{} is not a string", label(key));
+    const auto& value = found->second->Get<std::string>();
+    if (value.empty() || value.size() > max_text)
+      refuse(where, "{} has {} bytes; allowed: 1 to {}", label(key), value.size(), max_text);
+    if (value != printable(value)) refuse(where, "{} is {}: it has a control character", label(key), in_quotes(value));
+    return value;
+  };
+  const auto number = [&](const char* key, double max) -> std::optional<double> {
+    const auto found = values.find(key);
+    if (found == values.end()) return std::nullopt;
+    if (!found->second->IsNumber()) refuse(where, "{} is not a number", label(key));
+    const double value = found->second->GetNumberAsDouble();
+    if (!(value >= min_number && value <= max))
+      refuse(where, "{} is {:g}; allowed: {:g} to {:g}", label(key), value, min_number, max);
+    return value;
+  };
+
+  const std::optional<std::string> name = text("role");
+  if (!name) refuse(where, "{} is missing", label("role"));
+  const auto* role = std::find_if(std::begin(roles), std::end(roles), [&](const Role& r) { return r.name == *name; });
+  if (role == std::end(roles))
+    refuse(where, "{} is {}; allowed: \"plate\", \"real\", \"virtual\" and \"start\"", label("role"), in_quotes(*name));
+  for (const auto& [key, value] : values)
+    if (std::find(role->keys.begin(), role->keys.end(), key) == role->keys.end())
+      refuse(where, "{} is not a property of the role {}; allowed: {}", label(key), role->name,
+             fmt::join(role->keys, ", "));
+  HapticProperties result{.role = role->role,
+                          .name = text("name"),
+                          .radius_m = number("radius_m", max_radius_m),
+                          .max_speed_deg_s = number("max_speed_deg_s", speed_limit_deg_s),
+                          .served_by = text("served_by")};
+  if (result.role == HapticRole::plate && !result.radius_m)
+    refuse(where, "{} is missing: a plate needs its radius in metres", label("radius_m"));
+  return result;
 }
 
 }  // namespace hrt
