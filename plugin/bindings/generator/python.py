@@ -41,7 +41,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from ._abi import *
 from ._struct import Numbers
 
 
@@ -71,7 +70,9 @@ def render(abi: Abi, notice: str) -> str:
 
 def render_keywords(abi: Abi, notice: str) -> str:
     names = _Host(abi)
-    text = f"# {notice}\n{_KEYWORDS_HEAD}"
+    hints = {_given_hint(f, names) for struct, _ in _KEYWORDS.values() for f in abi.struct(struct).shown}
+    used = sorted(hints & {*names.enumerations.values(), *names.types.values()})
+    text = f"# {notice}\n" + _KEYWORDS_HEAD.replace("from ._struct", f"from ._abi import {', '.join(used)}\nfrom ._struct")
     for name, (struct, methods) in _KEYWORDS.items():
         text += f'\n\nclass {name}:\n    """The fields of {names.types[struct]}, by keyword."""\n'
         keywords = ", ".join(f"{f.name}: {_given_hint(f, names)} | None = None" for f in abi.struct(struct).shown)

@@ -100,8 +100,8 @@ extern "C" {
 
 /** Version of these headers. hrt_get_version() returns the library's. */
 #define HRT_VERSION_MAJOR 0
-#define HRT_VERSION_MINOR 4 /**< changes with every incompatible change before 1.0 */
-#define HRT_VERSION_PATCH 0 /**< changes without effect on the interface */
+#define HRT_VERSION_MINOR 4
+#define HRT_VERSION_PATCH 0
 /** Version to pass to hrt_session_create(). The library accepts the same major and, before 1.0, minor number. */
 #define HRT_VERSION (HRT_VERSION_MAJOR * 10000 + HRT_VERSION_MINOR * 100 + HRT_VERSION_PATCH)
 
