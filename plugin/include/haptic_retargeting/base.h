@@ -29,7 +29,7 @@
  *    signals.
  *  - In the child of a fork, sessions work; recordings stay with the parent (study.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.
- *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 16 kB a session, 9 MB a recording.
+ *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 17 kB a session, 9 MB a recording.
  *
  * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds. Comments give
  * other units, ranges, defaults and references as tags. Each number of an array has the range of the array:

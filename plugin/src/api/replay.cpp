@@ -159,8 +159,7 @@ class Replay {
     RecordText again;
     write_record(record, again);
     const std::string_view row = again.view().substr(0, again.view().size() - 1);
-    if (report_.first_different_line == 0 && !is_same_row(line, row))
-      report_.first_different_line = line_number_;
+    if (report_.first_different_line == 0 && !is_same_row(line, row)) report_.first_different_line = line_number_;
     return HRT_OK;
   }
 

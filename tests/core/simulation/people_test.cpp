@@ -255,7 +255,8 @@ TEST(SimulationPeople, AReachHasOneFaultOrNone) {
     const bool has[] = {now.rate_hz != before.rate_hz,
                         now.correlated_mm != before.correlated_mm,
                         now.white_mm > before.white_mm,
-                        now.wild_samples > 0 && now.wild_at_s<0.5, now.wild_samples> 0 && now.wild_at_s >= 0.5,
+                        now.wild_samples > 0 && now.wild_at_s < 0.5,
+                        now.wild_samples > 0 && now.wild_at_s >= 0.5,
                         now.outlier_share > 0.0,
                         now.dropout_share > 0.0,
                         with.plate.max_speed_deg_s != plate.max_speed_deg_s,
@@ -421,8 +422,8 @@ TEST(SimulationPeople, ContactsFindATurnedFrame) {
   EXPECT_GE(hits("placed-touch3", 5), 95.0);
 }
 
-// Of the people of four families whose tracker is late: percent of first reaches within 1.5 degrees if the controller is
-// configured with the latency, and if it is not.
+// Of the people of four families whose tracker is late: percent of first reaches within 1.5 degrees if the controller
+// is configured with the latency, and if it is not.
 TEST(SimulationPeople, AConfiguredLatencyIsCompensated) {
   const auto percent = [](double latency_s, double configured_s) {
     int near = 0, all = 0;

@@ -255,10 +255,7 @@ TEST(SimulationPerson, APathIsAFunctionOfItsDraws) {
   Person person = linear();
   person.noise_deg2_per_s = 8.0;
   const auto end = [&](std::uint32_t reach) {
-    return walk(
-               person, [](const SlidingPerson&) { return 20.0; }, draws(reach))
-        .person.position()
-        .right_mm;
+    return walk(person, [](const SlidingPerson&) { return 20.0; }, draws(reach)).person.position().right_mm;
   };
   EXPECT_EQ(end(4), end(4));
   EXPECT_NE(end(4), end(5));
