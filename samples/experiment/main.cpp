@@ -29,7 +29,6 @@ struct Options {
   unsigned threads = 2;
   bool unblinds = false;
   bool simulated = false;
-  bool streams = false;
   std::string live;
   std::string plate = "runtime";
   reach::Options reach;  // of a plate and OpenXR
@@ -59,9 +58,7 @@ void run_one(const Options& options) {
     reach::watch_runtime(led.runtime_limit);
     std::optional<Live> live;
     if (!options.live.empty()) std::cerr << live.emplace(options.live == "keys").addresses();
-    std::optional<LabStreams> streams;
-    if (options.streams) streams.emplace(format("%s sub-%u", design.title.c_str(), options.participant));
-    LedSubject subject(design, options.participant, led, live ? &*live : nullptr, streams ? &*streams : nullptr);
+    LedSubject subject(design, options.participant, led, live ? &*live : nullptr);
     try {
       end = run_session(design, place, subject, Disk([&subject](const char*) { subject.between_frames(); }));
     } catch (const reach::Interrupted&) {
@@ -147,7 +144,6 @@ void add_commands(CLI::App& app, Options& options) {
   run->add_option("--live", options.live, "Show the session on a page here: look, or keys, at a second address")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));
-  run->add_flag("--lsl", options.streams, "Send finger, felt direction, plate and events by liblsl")->needs("--scene");
   run->add_flag_callback(
          "--speak", [&options] { options.reach.speak_with = "espeak-ng"; },
          "Speak what a participant is asked, with espeak-ng")
@@ -193,12 +189,10 @@ int run_from(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  int code = 1;
   try {
-    code = run_from(argc, argv);
+    return run_from(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "hrt-experiment: " << error.what() << "\n";
+    return 1;
   }
-  hrt::reach::expect_exit(code);
-  return code;
 }

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "samples/format.h"
-#include "samples/reach/base/at_end.h"
 #include "samples/reach/base/exit_code.h"
 #include "samples/reach/base/files.h"
 #include "samples/reach/base/interrupt.h"
@@ -119,23 +118,19 @@ class Run {
   // However the run ends, the files keep the reaches made until then.
   ExitCode run() {
     ExitCode code = ExitCode::success;
-    const LastWill last_will([this] { put_in_order(); });
     try {
       run_in_sessions();
     } catch (const Interrupted&) {
-      put_in_order_now();
       prompt_.say(calibrates() ? "hrt-reach: interrupted; no profile was written"
                                : "hrt-reach: interrupted; the unfinished reach does not count");
       code = ExitCode::interrupted;
     } catch (const std::exception& error) {
-      put_in_order_now();
       status_.clear();
       keep_recording_as_it_is();
       prompt_.speak(error.what());  // main() prints it
       prompt_.finish();
       throw;
     }
-    put_in_order_now();
     code = calibrates() ? finish_calibration(code) : finish_reaches(code);
     prompt_.finish();
     return code;
@@ -183,8 +178,6 @@ class Run {
     }
     const std::unique_ptr<Plate> plate =
         make_plate(options_.plate, simulation ? &*simulation : nullptr, session, runtime.name());
-    turning_ = plate.get();
-    const AtEnd not_turning([this] { turning_ = nullptr; });
     is_simulated_ = instructed != nullptr;
     print_header_once(runtime, *plate);
 
@@ -318,20 +311,6 @@ class Run {
     }
   }
 
-  // In place of the thread that makes the reaches, which is blocked in the runtime.
-  void put_in_order() {
-    if (turning_ != nullptr) {
-      try {
-        turning_->stop(0);
-      } catch (const Failure& failure) {
-        say(format("hrt-reach: %s\n", failure.what()));
-      }
-    }
-    status_.clear();
-    prompt_.close();
-    keep_recording_as_it_is();
-  }
-
   // Whose numbers these are.
   std::string origin() const {
     if (!is_simulated_) return "Tracked directions; felt ones as the model predicts.";
@@ -367,7 +346,6 @@ class Run {
   std::size_t next_ = 0;
   int unfinished_in_a_row_ = 0;
   bool checked_ = false;      // the registration, before the next reach
-  Plate* turning_ = nullptr;  // which put_in_order() stops
   bool header_printed_ = false;
   bool is_simulated_ = false;
   Tally tally_;
@@ -401,7 +379,5 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed output is noticed where it is written
   // Set this variable to keep the loader's own report of a failure.
   setenv("XR_LOADER_DEBUG", "none", 0);
-  const int code = hrt::reach::run_from(argc, argv);
-  hrt::reach::expect_exit(code);
-  return code;
+  return hrt::reach::run_from(argc, argv);
 }

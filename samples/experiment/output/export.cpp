@@ -62,7 +62,7 @@ const Column columns[] = {
 };
 
 // A trial by the columns' names, and by some of the journal's: what it has not got is not there.
-json row_of(const Design& design, const State& state, unsigned block, std::size_t trial, bool unblinds) {
+json trial_row(const Design& design, const State& state, unsigned block, std::size_t trial, bool unblinds) {
   const TrialRecord& record = state.trials[block][trial];
   const PlannedTrial& planned = state.schedule.blocks[block].trials[trial];
   json row = record.attempt.is_null() ? json::object() : record.attempt;
@@ -141,7 +141,7 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
       tables.people += person_row(design, state, session, subject);
       for (unsigned block = 0; block < state.trials.size(); ++block)
         for (std::size_t trial = 0; trial < state.trials[block].size(); ++trial) {
-          json row = row_of(design, state, block, trial, unblinds);
+          json row = trial_row(design, state, block, trial, unblinds);
           row.update({{"participant", participant}, {"session", session}, {"subject", subject}});
           if (!design.levels.empty()) row["level"] = design.levels[schedule.level];
           std::string line;

@@ -33,12 +33,10 @@ std::int64_t clock_ns(clockid_t clock) {
 
 }  // namespace
 
-LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live,
-                       const LabStreams* streams)
+LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live)
     : design_(design),
       options_(options),
       live_(live),
-      streams_(streams),
       prompt_(options.speak_with, [this](const std::string& text) { show({{"says", text}}); }),
       plugin_(options.plugin),
       targets_(load_targets(plugin_, options.scene, hrt_session_config_init())),
@@ -62,15 +60,8 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const reach::
                  [this](XrTime time) {
                    attend(time);
                    if (live_ != nullptr) live_->frame(stage_, time, registered_);
-                   if (streams_ != nullptr)
-                     streams_->frame(locate(stage_, options_.hands.front(), time), felt_deg_,
-                                     plate_->orientation_deg(time));
                  }},
-      marks_(marks_of(targets_)),
-      last_will_([this] {
-        stop_plate();
-        reach::restore_terminal();
-      }) {
+      marks_(marks_of(targets_)) {
   if (simulation_ && !options_.person) {
     stage_.simulation = &*simulation_;
     stand_in_.emplace(design, participant, options.seed);
@@ -230,10 +221,6 @@ void LedSubject::show(const nlohmann::json& facts) {
   if (live_ == nullptr) return;
   live_->facts.update(facts);
   live_->show();
-}
-
-void LedSubject::mark(const Event& event) {
-  if (streams_ != nullptr) streams_->mark(event);
 }
 
 Key LedSubject::key() {

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "samples/experiment/live/live.h"
-#include "samples/experiment/live/streams.h"
 #include "samples/experiment/session/simulated.h"
 #include "samples/reach/person/keyboard.h"
 #include "samples/reach/person/prompt.h"
@@ -21,11 +20,9 @@ namespace hrt::experiment {
 
 class LedSubject : public Subject {
  public:
-  /// `options`: scene, plugin, hands, plate, speak_with, person, time_limit_s, runtime_limit and
-  /// seed are used. `live` shows it, `streams` send it; null: nothing does. Throws as hrt-reach does: reach::Failure,
-  /// reach::XrFailure.
-  LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live,
-             const LabStreams* streams);
+  /// Reads from `options`: scene, plugin, hands, plate, speak_with, person, time_limit_s, runtime_limit and seed.
+  /// `live` displays the session; null: no display. Throws reach::Failure and reach::XrFailure, as hrt-reach does.
+  LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live);
   /// Waits until all is spoken.
   ~LedSubject() override;
   LedSubject(const LedSubject&) = delete;
@@ -48,7 +45,6 @@ class LedSubject : public Subject {
   /// What is printed elsewhere.
   void speak(const std::string& text) { prompt_.speak(text); }
   void show(const nlohmann::json& facts) override;
-  void mark(const Event& event) override;
   std::string note() override;
   bool consents() override;
   void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
@@ -76,7 +72,6 @@ class LedSubject : public Subject {
   reach::Options options_;
   std::optional<SimulatedSubject> stand_in_;
   Live* live_;
-  const LabStreams* streams_;
   std::optional<double> felt_deg_;
   reach::Prompt prompt_;
   reach::Keyboard keyboard_;
@@ -95,7 +90,6 @@ class LedSubject : public Subject {
   std::optional<char> typed_;                          // a key that is awaited
   std::string awaited_, early_;
   bool is_typing_ = false, is_stopped_ = false;
-  reach::LastWill last_will_;  // a blocked or crashed runtime leaves no turning plate
 };
 
 }  // namespace hrt::experiment

@@ -98,9 +98,7 @@ class SessionRun {
  private:
   void log(const std::string& name, json data) {
     disk_.step("before state");
-    const Event& event = journal_.append(name, std::move(data));
-    state_.apply(event);
-    subject_.mark(event);
+    state_.apply(journal_.append(name, std::move(data)));
     disk_.step("after state");
   }
 

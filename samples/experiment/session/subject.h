@@ -67,8 +67,6 @@ class Subject {
   virtual void say(const std::string& text) = 0;
   /// Of where the session stands, for page.html.
   virtual void show(const nlohmann::json&) {}
-  /// Each event that the journal has.
-  virtual void mark(const Event&) {}
   /// After Key::note.
   virtual std::string note() = 0;
 

@@ -113,9 +113,4 @@ void Prompt::finish() {
     speech_->finish(50ms);
 }
 
-void Prompt::close() {
-  speech_.reset();
-  keyboard_.reset();
-}
-
 }  // namespace hrt::reach

@@ -40,8 +40,6 @@ class Prompt {
 
   /// Waits until all is spoken, 30 s at most; a signal ends it.
   void finish();
-  /// Gives the terminal back, and is silent from now on.
-  void close();
 
  private:
   std::unique_ptr<Speech> speech_;

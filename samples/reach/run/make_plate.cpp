@@ -22,7 +22,6 @@ class RuntimePlate : public Plate {
   }
   std::optional<double> orientation_deg(XrTime time) override { return simulation_.plate_orientation_deg(time); }
   void stop(XrTime time) override {
-    if (is_runtime_blocked()) return;
     simulation_.set_plate_orientation(simulation_.plate_orientation_deg(time));
   }
 

@@ -21,11 +21,9 @@ const std::string scene = HRT_SCENES "/desk.gltf";
 
 class Program : public Process {
  public:
-  explicit Program(std::vector<std::string> arguments, const std::string& script = "", int in = -1,
-                   const std::string& sent = "", int err = -1)
+  explicit Program(std::vector<std::string> arguments, const std::string& script = "", int in = -1, int err = -1)
       : Process(words_of(std::move(arguments)),
-                {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script,
-                 "LD_LIBRARY_PATH=" HRT_LSL_DOUBLE, "LSL_DOUBLE=" + sent},
+                {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script},
                 err, in) {}
 
  private:
@@ -40,8 +38,7 @@ std::string written(const TemporaryFolder& folder, const char* name, const std::
   return folder / name;
 }
 
-// A session by the stage of hrt-reach, twice: with the set-up, both kinds of blocks, and no condition's name. The first
-// sends streams to a double of liblsl.
+// A session by the stage of hrt-reach, twice: with the set-up, both kinds of blocks, and no condition's name.
 TEST(ExperimentProgram, ThroughTheMockRuntime) {
   const TemporaryFolder folder;
   const Design design = small_design(1, [](nlohmann::json& study) {
@@ -49,12 +46,10 @@ TEST(ExperimentProgram, ThroughTheMockRuntime) {
     study["noticeability"] = {{"trials", 5}, {"condition", "secret people"}};
   });
   const std::string study = written(folder, "study.json", design.text);
-  const std::string sent = folder / "sent";
   for (const std::string data : {"one", "two"}) {
     std::vector<std::string> words{"run", study,     "--participant", "1",      "--simulated",
                                    "3",   "--scene", scene,           "--data", folder / data};
-    if (data == "one") words.emplace_back("--lsl");
-    const Outcome outcome = Program(words, "", -1, sent).wait();
+    const Outcome outcome = Program(words).wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "sub-1: done, SIMULATED: no person took part\n");
     EXPECT_TRUE(has(outcome.err, "Slide evenly"));
@@ -62,14 +57,6 @@ TEST(ExperimentProgram, ThroughTheMockRuntime) {
   }
   EXPECT_EQ(read_file(folder / "one/sub-01/ses-01/journal.jsonl"),
             read_file(folder / "two/sub-01/ses-01/journal.jsonl"));
-  const std::string streams = read_file(sent);
-  EXPECT_TRUE(has(streams, "stream HapticRetargeting MoCap 9 0 1 small sub-1 MoCap\nlabel x_m\n"))
-      << streams.substr(0, 500);
-  // A marker an event; felt and plate are sent while a reach is under way.
-  EXPECT_EQ(occurrences(streams, "\ntext {"), occurrences(read_file(folder / "one/sub-01/ses-01/journal.jsonl"), "\n"));
-  EXPECT_TRUE(std::regex_search(streams, std::regex(R"(text .*"condition":"[AB]","event":"attempt")")));
-  EXPECT_TRUE(std::regex_search(streams, std::regex(R"(\nfloats( -?[0-9.e-]+){9}\n)")));
-  EXPECT_FALSE(has(streams, "secret"));
   const Tables tables = export_study(design, folder / "one", false);
   EXPECT_EQ(occurrences(tables.trials, ",counted,"), 1U + 4 + 5);
 }

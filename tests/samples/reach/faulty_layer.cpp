@@ -1,15 +1,13 @@
-// An API layer in front of a runtime that does what no script orders: HRT_FAULT="FUNCTION CALL WHAT" has call
-// number CALL of xrWaitFrame or xrCreateReferenceSpace lock a stream and block, end the process, crash, or
-// refuse a type that the layer does not know.
+// An API layer that injects faults which a script of the mock runtime cannot: with HRT_FAULT="FUNCTION CALL WHAT", call
+// number CALL of xrWaitFrame or xrCreateReferenceSpace locks a stream and blocks (WHAT is stdout or stderr), or refuses
+// a type as unknown.
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include "samples/mock_runtime/abi/negotiation.h"
 
@@ -42,13 +40,6 @@ bool is_at_fault(const char* function) {
     flockfile(fault.what == "stdout" ? stdout : stderr);
     block();
   }
-  if (fault.what == "exit") std::exit(0);
-  if (fault.what == "exit-elsewhere") {
-    std::thread([] { std::exit(0); }).detach();
-    block();
-  }
-  if (fault.what == "crash") raise(SIGSEGV);
-  if (fault.what == "abort") std::abort();
   return fault.what == "unknown";
 }
 

@@ -77,7 +77,6 @@ struct Files {
   std::vector<std::string> arguments(const std::string& limit_s) const {
     return {desk, "--target", "bottle", "--runtime-limit", limit_s, "--record", folder + "/r.csv"};
   }
-  void expect_whole() const { EXPECT_TRUE(has(read_file(folder + "/r.csv"), "\n# end ")); }
 };
 
 }  // namespace hrt::reach

@@ -1,5 +1,5 @@
-// A runtime that blocks with the lock of a stream, ends the process or crashes; and an error output that
-// nobody reads. Faults come from an API layer (faulty_layer.cpp).
+// A runtime that blocks while it holds the lock of a stream, and an error output that is not read. An API layer injects
+// the faults (faulty_layer.cpp).
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -32,7 +32,6 @@ TEST(ReachWatchdog, ABlockedRuntimeMayHoldAStream) {
     const Outcome limited = run_program(files.arguments("1"), faulty("xrWaitFrame 100 " + stream));
     EXPECT_EQ(limited.exit_code, 11) << stream << limited.err;
     EXPECT_TRUE(has(limited.err, "has not returned from xrWaitFrame within 1 s")) << stream;
-    files.expect_whole();
 
     const Files others;
     const Program program(others.arguments("60"), faulty("xrWaitFrame 100 " + stream));
@@ -43,7 +42,6 @@ TEST(ReachWatchdog, ABlockedRuntimeMayHoldAStream) {
     EXPECT_EQ(interrupted.exit_code, 130) << stream << interrupted.err;
     EXPECT_TRUE(has(interrupted.err, "interrupted while the OpenXR runtime was in xrWaitFrame")) << stream;
     EXPECT_LT(Clock::now() - began, 5s);  // 0.6 s on an idle machine
-    others.expect_whole();
   }
 }
 
@@ -58,7 +56,6 @@ TEST(ReachWatchdog, AnErrorOutputThatNobodyReadsDelaysNothing) {
   const Files files;
   const Program limited(files.arguments("1"), faulty("xrWaitFrame 100 stdout"), ends[1]);
   EXPECT_EQ(limited.wait().exit_code, 11);
-  files.expect_whole();
   // Its own words block as a program's do, until a signal comes.
   const Program verbose({desk, "--verbose"}, mock_environment(), ends[1]);
   std::this_thread::sleep_for(1s);
@@ -66,34 +63,6 @@ TEST(ReachWatchdog, AnErrorOutputThatNobodyReadsDelaysNothing) {
   EXPECT_EQ(verbose.wait().exit_code, 130);
   close(ends[0]);
   close(ends[1]);
-}
-
-TEST(ReachWatchdog, ARuntimeThatEndsTheProcessIsNoSuccess) {
-  const Files files;
-  const Outcome outcome = expect_exit(7, run_program(files.arguments("60"), faulty("xrWaitFrame 100 exit")));
-  EXPECT_TRUE(has(outcome.err, "the OpenXR runtime ended the program in xrWaitFrame"));
-  files.expect_whole();
-}
-
-// Libraries that are torn down under the thread in the runtime may crash it before that is seen.
-TEST(ReachWatchdog, AThreadOfTheRuntimeThatEndsTheProcessIsNoSuccess) {
-  const Files files;
-  const Outcome outcome = run_program(files.arguments("60"), faulty("xrWaitFrame 100 exit-elsewhere"));
-  EXPECT_TRUE(outcome.exit_code == 7 || outcome.exit_code == -SIGSEGV) << outcome.exit_code << outcome.err;
-  EXPECT_TRUE(has(outcome.err, "in xrWaitFrame")) << outcome.err;
-  files.expect_whole();
-}
-
-// Every frame of the reach that was seen until then is in the recording.
-TEST(ReachWatchdog, ACrashOfTheRuntimeKeepsTheRecording) {
-  for (const auto& [what, signal] : {std::pair{"crash", SIGSEGV}, {"abort", SIGABRT}}) {
-    const Files files;
-    const Outcome outcome = run_program(files.arguments("60"), faulty(std::string("xrWaitFrame 200 ") + what));
-    EXPECT_EQ(outcome.exit_code, -signal) << what << outcome.err;
-    EXPECT_TRUE(has(outcome.err, "it crashed while the OpenXR runtime was in xrWaitFrame")) << what;
-    files.expect_whole();
-    EXPECT_GE(occurrences(read_file(files.folder + "/r.csv"), "\nupdate,0,"), 150U) << what;
-  }
 }
 
 // The layer refuses LOCAL_FLOOR, the first space that is made, as one does that is older than it.
