@@ -345,7 +345,7 @@ class Run {
   std::optional<RecordingFile> recording_;
   std::size_t next_ = 0;
   int unfinished_in_a_row_ = 0;
-  bool checked_ = false;      // the registration, before the next reach
+  bool checked_ = false;  // the registration, before the next reach
   bool header_printed_ = false;
   bool is_simulated_ = false;
   Tally tally_;

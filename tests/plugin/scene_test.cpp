@@ -110,7 +110,8 @@ TEST_F(SceneAbiTest, TargetsBeyondTenPlateRadiiAreAWarning) {
     const std::string text = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0,1,2]}],"nodes":[
       {"name":"plate","extras":{"haptic_role":"plate","haptic_radius_m":0.1}},
       {"name":"near","translation":[0,0,-0.9],"extras":{"haptic_role":"real"}},
-      {"name":"far","translation":[0,0,)" + std::string(far_z) + R"(],"extras":{"haptic_role":"real"}}]})";
+      {"name":"far","translation":[0,0,)" +
+                             std::string(far_z) + R"(],"extras":{"haptic_role":"real"}}]})";
     const Log log;
     hrt_scene loaded{};
     EXPECT_OK(hrt_scene_load("desk", text.data(), text.size(), &loaded));

@@ -101,8 +101,8 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
         "%2u: turn %5.2f of %.2f deg, weight %.3f in %.3f to %.3f, bias %.1f in %.1f "
         "to %.1f, "
         "%u slides, lack %u\n",
-        i, turn_deg, result.registration_turn_sd_deg, true_weight, weight.lower, weight.upper, bias_deg, result.bias_deg.lower, result.bias_deg.upper, result.slides,
-        result.lack_of_fit);
+        i, turn_deg, result.registration_turn_sd_deg, true_weight, weight.lower, weight.upper, bias_deg,
+        result.bias_deg.lower, result.bias_deg.upper, result.slides, result.lack_of_fit);
     if (weight.known) {
       EXPECT_NEAR(config.paper.tactile_weight, weight.value, 1e-12);
       EXPECT_NE(config.person.covariance[0], 0.0);

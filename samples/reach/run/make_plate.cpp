@@ -21,9 +21,7 @@ class RuntimePlate : public Plate {
     simulation_.set_plate_orientation(orientation_within(-360.0, 360.0, orientation_deg, from_deg));
   }
   std::optional<double> orientation_deg(XrTime time) override { return simulation_.plate_orientation_deg(time); }
-  void stop(XrTime time) override {
-    simulation_.set_plate_orientation(simulation_.plate_orientation_deg(time));
-  }
+  void stop(XrTime time) override { simulation_.set_plate_orientation(simulation_.plate_orientation_deg(time)); }
 
  private:
   Simulation& simulation_;

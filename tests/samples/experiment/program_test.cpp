@@ -23,8 +23,8 @@ class Program : public Process {
  public:
   explicit Program(std::vector<std::string> arguments, const std::string& script = "", int in = -1, int err = -1)
       : Process(words_of(std::move(arguments)),
-                {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script},
-                err, in) {}
+                {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, script.empty() ? "NOTHING=" : "HRT_MOCK_SCRIPT=" + script}, err,
+                in) {}
 
  private:
   static std::vector<std::string> words_of(std::vector<std::string> arguments) {
@@ -128,7 +128,7 @@ struct AtPlate {
   void start(std::vector<std::string> more, const std::string& script, int err = -1) {
     more.insert(more.begin(), {"run", folder / "study.json", "--participant", "1", "--scene", scene, "--plate",
                                "serial:" + device.device(), "--data", folder / "data"});
-    program.emplace(more, written(folder, "script.json", script), terminal.descriptor(), "", err);
+    program.emplace(more, written(folder, "script.json", script), terminal.descriptor(), err);
   }
   // Until the journal has so many events of this name.
   bool has_come(const std::string& event, std::size_t count) const {
