@@ -43,8 +43,8 @@ void ActiveSet::fix_runs() {
   double last_deg = window_.last_plate_deg;
   bool fixed = true;
   for (int i = 0; i < window_.steps; ++i) {
-    const int pin = path_.pin[i];
-    const int link = path_.link[i];
+    const std::int8_t pin = path_.pin[i];
+    const std::int8_t link = path_.link[i];
     fixed = pin || (link && fixed);
     fixed_[i] = fixed;
     if (!fixed) continue;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct ReachRequest {
 class Session {
  public:
   /// Requires is_valid(model), as set_model() does.
-  explicit Session(const SessionModel& model) : model_(model) {}
+  explicit Session(SessionModel model) : model_(std::move(model)) {}
 
   const SessionModel& model() const { return model_; }
   /// Replaces the model between reaches.
