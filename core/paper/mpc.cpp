@@ -52,23 +52,6 @@ Mpc::Mpc(const MpcConfig& config) : config_(config) {
   }
 }
 
-// Follows the table of gains. Returns false if a step meets a bound or has no gain; otherwise the path is the optimum.
-bool Mpc::follow_table(const MpcProblem& problem, double last_deg, WindowPath& path) const {
-  const double by_weight = 1.0 / problem.tactile_weight;
-  const double finger_weight = 1.0 - problem.tactile_weight;
-  double finger_deg = problem.finger_offset_deg;
-  for (int i = 0; i < config_.horizon; ++i) {
-    const double error_deg = free_gain_[config_.horizon - i] * (finger_deg - problem.real_offset_deg);
-    const double plate_deg = (error_deg / problem.gains[i] - finger_weight * finger_deg) * by_weight;
-    if (problem.gains[i] < min_gain || std::abs(plate_deg) >= config_.plate_bound_deg ||
-        std::abs(plate_deg - last_deg) >= config_.plate_rate_bound_deg)
-      return false;
-    path.plate_deg[i] = last_deg = plate_deg;
-    finger_deg -= error_deg;
-  }
-  return true;
-}
-
 // Follows the table of gains clamped to the bounds, and moves from there to the optimum.
 bool Mpc::solve_window(const Window& window, WindowPath& path) const {
   double finger_deg = window.finger_deg;
@@ -90,31 +73,20 @@ bool Mpc::solve_window(const Window& window, WindowPath& path) const {
   return window.steps == 0 || solve_active_set(window, path);
 }
 
-Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) const {
+// The optimum of a window with active bounds.
+Mpc::Command Mpc::solve_bounded(const MpcProblem& problem, double last_deg, MpcPlan* plan) const {
   const double bound_deg = config_.plate_bound_deg;
   const double rate_deg = config_.plate_rate_bound_deg;
-  double last_deg = std::isfinite(rate_deg) ? problem.plate_offset_deg : 0.0;
-  if (last_deg > bound_deg + rate_deg) return {last_deg - rate_deg, ActiveBound::rate_down, true};
-  if (last_deg < -bound_deg - rate_deg) return {last_deg + rate_deg, ActiveBound::rate_up, true};
-
+  const Window window = window_of(config_, problem, last_deg);
   WindowPath path;
-  int steps = config_.horizon;
-  bool optimal = true;
-  if (follow_table(problem, last_deg, path)) {
-    if (!plan) return {path.plate_deg[0], ActiveBound::none, true};
-    path.pin = path.link = {};
-  } else {
-    const Window window = window_of(config_, problem, last_deg);
-    steps = window.steps;
-    optimal = solve_window(window, path);
-  }
+  const bool optimal = solve_window(window, path);
   Command first{};
   for (int step = 0, i = 0; step < (plan ? config_.horizon : 1); ++step) {
     // At an active bound the plate goes as far as the bounds allow, so that rounding cannot carry it past them. Where
     // it is not perceived it rotates towards the next offset that is.
     const bool perceived = problem.gains[step] >= min_gain;
     const int side = !perceived ? 0 : path.pin[i] ? path.pin[i] : path.link[i];
-    const double wanted_deg = side ? side * 2.0 * bound_deg : i < steps ? path.plate_deg[i] : last_deg;
+    const double wanted_deg = side ? side * 2.0 * bound_deg : i < window.steps ? path.plate_deg[i] : last_deg;
     last_deg = std::clamp(std::clamp(wanted_deg, last_deg - rate_deg, last_deg + rate_deg), -bound_deg, bound_deg);
     const bool at_plate_bound = last_deg == side * bound_deg;
     const ActiveBound active = side > 0   ? (at_plate_bound ? ActiveBound::upper : ActiveBound::rate_up)
@@ -125,6 +97,32 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) const {
     if (perceived) ++i;
   }
   return first;
+}
+
+Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) const {
+  const double bound_deg = config_.plate_bound_deg;
+  const double rate_deg = config_.plate_rate_bound_deg;
+  const double last_deg = std::isfinite(rate_deg) ? problem.plate_offset_deg : 0.0;
+  if (last_deg > bound_deg + rate_deg) return {last_deg - rate_deg, ActiveBound::rate_down, true};
+  if (last_deg < -bound_deg - rate_deg) return {last_deg + rate_deg, ActiveBound::rate_up, true};
+
+  // The path that follows the table of gains is the optimum, unless it meets a bound or a step without gain.
+  const double by_weight = 1.0 / problem.tactile_weight;
+  const double finger_weight = 1.0 - problem.tactile_weight;
+  double finger_deg = problem.finger_offset_deg;
+  double plate_deg = last_deg;
+  double first_deg = 0.0;
+  for (int i = 0; i < config_.horizon; ++i) {
+    const double before_deg = plate_deg;
+    const double error_deg = free_gain_[config_.horizon - i] * (finger_deg - problem.real_offset_deg);
+    plate_deg = (error_deg / problem.gains[i] - finger_weight * finger_deg) * by_weight;
+    if (problem.gains[i] < min_gain || std::abs(plate_deg) >= bound_deg || std::abs(plate_deg - before_deg) >= rate_deg)
+      return solve_bounded(problem, last_deg, plan);
+    if (i == 0) first_deg = plate_deg;
+    if (plan) plan->plate_offset_deg[i] = plate_deg, plan->active[i] = ActiveBound::none;
+    finger_deg -= error_deg;
+  }
+  return {first_deg, ActiveBound::none, true};
 }
 
 }  // namespace hrt

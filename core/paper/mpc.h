@@ -55,7 +55,7 @@ class Mpc {
   const MpcConfig& config() const { return config_; }
 
  private:
-  bool follow_table(const MpcProblem& problem, double last_deg, WindowPath& path) const;
+  Command solve_bounded(const MpcProblem& problem, double last_deg, MpcPlan* plan) const;
   bool solve_window(const Window& window, WindowPath& path) const;
 
   MpcConfig config_;
