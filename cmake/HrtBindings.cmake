@@ -1,6 +1,6 @@
-# What is generated from plugin/bindings/api.json: the library's own table of fields (generated/fields.h in the build folder), and the
-# files of the hosts, in their folders, where git ignores them. At configuring, and again after a change of the data or of the
-# generator; a file that stays the same is not touched. Needs Python and no package of it.
+# Generates the library's table of fields (generated/fields.h in the build folder) and the files of the hosts (in their
+# folders, ignored by git) from plugin/bindings/api.json. Runs at configure time, and again if the data or the generator
+# changes. Unchanged files are not touched. Needs only Python's standard library.
 find_program(HRT_PYTHON3 NAMES python3 python HINTS /usr/bin REQUIRED)
 set(HRT_BINDINGS ${PROJECT_SOURCE_DIR}/plugin/bindings)
 execute_process(COMMAND ${HRT_PYTHON3} ${HRT_BINDINGS}/generate ${PROJECT_BINARY_DIR}/generated COMMAND_ERROR_IS_FATAL ANY)

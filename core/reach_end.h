@@ -11,7 +11,7 @@ namespace hrt {
 class ReachEnd {
  public:
   ReachEnd() = default;
-  /// Of a reach of `distance_mm` > 0 from `start`.
+  /// Begins a reach from `start` to a target at `distance_mm` > 0.
   ReachEnd(const PlatePoint& start, double distance_mm) : start_(start), distance_mm_(distance_mm) {}
 
   void observe(const FingerSample& sample) {

@@ -28,8 +28,9 @@ struct EstimatorConfig {
   double motor_variance_sd_deg2 = 0.5;
   /// White noise of a tracked coordinate, millimetres in [0, 100]; 0: learn it from the samples.
   double tracker_noise_mm = 0.0;
-  /// For the controller for people: noise that decays to 1/e in `correlation_s`, beside the white one.
-  /// Millimetres in [0, 100]; 0: nothing is known of it, and tracker_noise_mm is all noise, of either kind.
+  /// For the controller for people: correlated noise in addition to the white noise; it decays to 1/e in
+  /// `correlation_s`. Millimetres in [0, 100]; 0: nothing is known of it, and tracker_noise_mm is all noise, of either
+  /// kind.
   double correlated_noise_mm = 0.0;
   /// 0.01 to 2.
   double correlation_s = 0.1;

@@ -10,7 +10,7 @@ constexpr int max_iterations = 1000;
 
 // A primal active-set method. The constraints that it holds as equalities are the pins and links of the path. Links
 // join steps to runs. No run contains more than one pin, and none if it is linked to t_-1, so that the constraints
-// held are linearly independent whatever the numbers are.
+// held are always linearly independent.
 class ActiveSet {
  public:
   ActiveSet(const Window& window, WindowPath& path)
@@ -99,8 +99,8 @@ void ActiveSet::optimise() {
   }
 }
 
-// Moves the path towards the target as far as the bounds allow. Holds the first bound in the way, or returns true if
-// there is none. Where the constraints held determine a bound's value, the path does not move against it.
+// Moves the path towards the target as far as the bounds allow. If a bound blocks the path, holds it and returns false;
+// otherwise returns true. The path does not move against a bound whose value the held constraints determine.
 bool ActiveSet::advance() {
   double fraction = 1.0;
   std::int8_t* blocking = nullptr;

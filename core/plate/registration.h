@@ -45,8 +45,8 @@ struct Registration {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from plate coordinates to the tracker's
   Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();   ///< of the plate's centre
   double scale = 1.0;                                      ///< 1 unless fitted
-  /// Of the rotation about the plate's axes (radians), the position (millimetres) and the scale; 0 for a scale
-  /// that was not fitted.
+  /// Covariance of the rotation about the plate's axes (radians), the position (millimetres) and the scale; 0 for a
+  /// scale that was not fitted.
   Eigen::Matrix<double, 7, 7> covariance = Eigen::Matrix<double, 7, 7>::Zero();
   double touch_sd_mm = 0.0;     ///< assumed and seen, in proportion to their weight
   double residual_mm = 0.0;     ///< root mean square distance of touches from their marks

@@ -14,7 +14,7 @@ namespace hrt {
 /// How good it is.
 struct TrackerModel {
   double rate_hz = 90.0;
-  double white_mm = 1.2;       ///< noise of a coordinate, standard deviation, anew at each sample
+  double white_mm = 1.2;       ///< SD of the noise of a coordinate, independent for each sample
   double correlated_mm = 0.0;  ///< and decaying within correlation_s
   double correlation_s = 0.1;
   double latency_s = 0.0;           ///< from a motion to its sample
