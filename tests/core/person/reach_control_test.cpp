@@ -68,7 +68,7 @@ TEST(ReachControl, KeepsTheBoundAboutTheMotion) {
       trace.add(0.0, 35.0);
       // Felt at once, so that the plan is about the direction of now.
       const ReachPlan planned = plan_reach({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 0.5,
-                                           {right_mm, 100.0}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0});
+                                           {{right_mm, 100.0}, {}}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0});
       EXPECT_LE(std::abs(planned.plate_deg - filter.state().direction_deg), bound_deg + 1e-9);
       EXPECT_EQ(planned.at_bound, right_mm != 0.0 || bound_deg < 40.0) << bound_deg << ' ' << right_mm;
     }
@@ -107,7 +107,7 @@ TEST(ReachControl, StandsReadyWhereTheFirstPlanWantsIt) {
   const double ready_deg = ready_orientation_deg({}, filter, {{0.0, 100.0}});
   PlateTrace trace;
   trace.add(0.0, ready_deg);
-  const ReachPlan first = plan_reach({}, filter, 0.0, {0.0, 100.0}, {trace, -sensory_delay_s, 0.0, ready_deg});
+  const ReachPlan first = plan_reach({}, filter, 0.0, {{0.0, 100.0}, {}}, {trace, -sensory_delay_s, 0.0, ready_deg});
   EXPECT_NEAR(first.plate_deg, ready_deg, 2.0);
   EXPECT_GT(ready_deg, 20.0);
 }
