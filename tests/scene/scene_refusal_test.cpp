@@ -191,7 +191,7 @@ TEST(SceneRefusal, BinaryHeader) {
 }
 
 TEST(SceneRefusal, Roles) {
-  expect_refused(document({node("Cube", {})}).dump(), "no node has a haptic role");
+  expect_refused(document(Json::array({node("Cube", {})})).dump(), "no node has a haptic role");
   expect_refused(document({plate(), node("A", haptic("start")), node("B", haptic("start"))}).dump(),
                  "node \"B\": extras.haptic.role is the same as that of \"A\"");
   expect_refused(document({plate({{"translation", {900, 0, 0}}}), real({{"translation", {-900, 0, 0}}})}).dump(),
