@@ -7,10 +7,7 @@
 
 namespace hrt {
 
-/// People change: carried deviations are at least these.
-inline constexpr double min_carried_weight_sd = 0.01;
-inline constexpr double min_carried_motor_variance_sd_deg2 = 0.1;
-/// And at most this, of w_T.
+/// Largest SD of w_T that is carried.
 inline constexpr double max_weight_sd = 0.49;
 
 /// The configuration for the next reach, after one with `config` that has learnt `learnt`: w_T, the motor
@@ -26,6 +23,7 @@ RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact,
 /// did not reach its target: without the reach's own deviation from the bias, by which the scatter is learnt;
 /// wider, since people change, yet never wider than `unknown`. After a miss with an illusion far below what
 /// was believed, the illusion is unknown again.
-PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown);
+PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown,
+                     const Tuning& tuning = {});
 
 }  // namespace hrt

@@ -9,13 +9,9 @@
 namespace hrt {
 namespace {
 
-// Below this length the tracker's noise dominates the bearing.
-constexpr double min_leg_mm = 10.0;
 // At the real target its bearing is undefined.
 constexpr double max_seen_gap_deg = 89.0;
 constexpr double min_seen_distance_mm = 1.0;
-// No part of a tracker's noise is known to be less: without any a filter takes every trace for the person.
-constexpr double min_known_noise_mm = 0.02;
 
 PaperReachConfig paper_config(const RetargeterConfig& config) {
   PaperReachConfig paper{.participant = config.participant,
@@ -28,29 +24,31 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
   return paper;
 }
 
-// If only the total noise is known, two thirds of it are white and three quarters correlated: their squares
-// add up to it. Correlated noise that is absent costs little; unmodelled noise becomes a motion.
-std::optional<TrackerNoise> noise_of(const EstimatorConfig& config) {
+// If only the total noise is known, both parts are taken: correlated noise that is absent costs little, unmodelled
+// noise becomes a motion.
+std::optional<TrackerNoise> noise_of(const EstimatorConfig& config, const Tuning& tuning) {
+  const auto known_mm = [&tuning](double noise_mm) { return std::max(noise_mm, tuning.min_known_noise_mm); };
   if (config.correlated_noise_mm > 0.0)
-    return TrackerNoise{.white_mm = std::max(config.tracker_noise_mm, min_known_noise_mm),
-                        .correlated_mm = std::max(config.correlated_noise_mm, min_known_noise_mm),
+    return TrackerNoise{.white_mm = known_mm(config.tracker_noise_mm),
+                        .correlated_mm = known_mm(config.correlated_noise_mm),
                         .correlation_s = config.correlation_s};
   if (config.tracker_noise_mm <= 0.0) return std::nullopt;
-  const double known_mm = std::max(config.tracker_noise_mm, 0.01);
-  return TrackerNoise{.white_mm = 0.66 * known_mm, .correlated_mm = 0.75 * known_mm};
+  return TrackerNoise{.white_mm = known_mm(tuning.white_noise_fraction * config.tracker_noise_mm),
+                      .correlated_mm = known_mm(tuning.correlated_noise_fraction * config.tracker_noise_mm)};
 }
 
 PersonReachConfig person_config(const RetargeterConfig& config) {
   return {.person = config.person,
           .control = config.reach,
           .plate = config.plate,
-          .noise = noise_of(config.estimator),
+          .noise = noise_of(config.estimator, config.tuning),
           .tracker_latency_ns = config.tracker_latency_ns,
           .step_period_ns = config.step_period_ns,
           .plate_waits = config.plate_waits,
           .start_is_felt = config.start_is_felt,
           .frame = config.frame,
-          .touched = config.touched};
+          .touched = config.touched,
+          .tuning = config.tuning};
 }
 
 }  // namespace
@@ -77,7 +75,8 @@ void Retargeter::begin_here(const Reach& reach) {
 void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& handover) {
   reach_ = reach;
   passed_ = felt_passed_ = reach.start;
-  end_ = ReachEnd(reach.start, reach.real_distance_mm);
+  end_ =
+      ReachEnd(reach.start, reach.real_distance_mm, noise_of(config_.estimator, config_.tuning), config_.tuning.phase);
   if (config_.mode == ControlMode::reach) {
     leader_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, handover);
   } else {
@@ -100,7 +99,7 @@ const PlateCommand& Retargeter::step(double finger_direction_deg) {
 Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
   reach_ = seen_from_here(real, virtual_place);
   std::visit([&](auto& leader) { leader.retarget(real, reach_); }, *leader_);
-  end_ = ReachEnd(reach_.start, reach_.real_distance_mm);
+  end_.retarget(reach_.start, reach_.real_distance_mm);
   return reach_;
 }
 
@@ -132,12 +131,13 @@ Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtu
   const PlatePoint felt = point_ahead(felt_passed_, reach_.virtual_direction_deg, passed_mm);
   // They turn to the target as they see it once they answer.
   const double speed_mm_s = std::visit([](const auto& leader) { return leader.speed_mm_s(); }, *leader_);
-  const PlatePoint answers_from = point_ahead(felt, reach_.virtual_direction_deg, reaction_time_s * speed_mm_s);
-  if (passed_mm > min_leg_mm) {
+  const PlatePoint answers_from =
+      point_ahead(felt, reach_.virtual_direction_deg, config_.tuning.reaction_time_s * speed_mm_s);
+  if (passed_mm > config_.tuning.min_leg_mm) {
     passed_ = seen.start;
     felt_passed_ = felt;
   }
-  if (distance_mm(answers_from, virtual_place) > min_leg_mm)
+  if (distance_mm(answers_from, virtual_place) > config_.tuning.min_leg_mm)
     seen.virtual_direction_deg +=
         wrap_deg(bearing_deg(answers_from, virtual_place) - seen.virtual_direction_deg, 360.0);
   const double goal_deg = goal_direction_deg(config_.participant, seen.virtual_direction_deg);

@@ -39,6 +39,7 @@ struct RetargeterConfig {
   bool start_is_felt = false;  ///< where the finger is seen to rest is the start; of ControlMode::reach
   FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; of ControlMode::reach
   TouchedFrame touched;                             ///< what contacts have shown; samples come corrected
+  Tuning tuning;                                    ///< of ControlMode::reach
 };
 
 /// True if every field is in its range.

@@ -8,7 +8,7 @@
 #include "core/math/distributions.h"
 #include "core/math/trigonometry.h"
 #include "core/plate/plate_limits.h"
-#include "core/tracker/onset.h"
+#include "core/tracker/finger_phase.h"
 
 namespace hrt {
 namespace {
@@ -94,17 +94,28 @@ double smooth_along_mm(const std::vector<Place>& places, double time_s, std::siz
   return spread > 1e-6 * n * n ? (a * tt - t * ta) / spread : a / n;
 }
 
+// When the finger left, and where it rested until then. None if it did not move.
+std::optional<TimedPoint> find_onset(const std::vector<TimedPoint>& samples) {
+  FingerPhase finger;
+  for (const TimedPoint& sample : samples) {
+    finger.see(sample.time_s, sample.position);
+    if (finger.phase() == Phase::moving) return TimedPoint{finger.left_s(), finger.rest_place()};
+  }
+  return std::nullopt;
+}
+
 // The samples from the onset on, until the tracker is away for long.
-std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const Onset& onset, double goal_direction_deg) {
+std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const TimedPoint& onset,
+                             double goal_direction_deg) {
   const double sine = sin_deg(goal_direction_deg);
   const double cosine = cos_deg(goal_direction_deg);
   std::vector<Place> places;
   for (const TimedPoint& sample : samples) {
-    if (sample.time_s < onset.time_s()) continue;
-    const double time_s = sample.time_s - onset.time_s();
+    if (sample.time_s < onset.time_s) continue;
+    const double time_s = sample.time_s - onset.time_s;
     if (!places.empty() && time_s - places.back().time_s > max_gap_s) break;
-    const double right_mm = sample.position.right_mm - onset.place().right_mm;
-    const double away_mm = sample.position.away_mm - onset.place().away_mm;
+    const double right_mm = sample.position.right_mm - onset.position.right_mm;
+    const double away_mm = sample.position.away_mm - onset.position.away_mm;
     places.push_back({time_s, away_mm * cosine - right_mm * sine, -right_mm * cosine - away_mm * sine});
   }
   return places;
@@ -165,14 +176,14 @@ std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal
   std::vector<TimedPoint> samples;
   for (std::size_t i = 0; i < trial.samples.size(); ++i)
     if (keep[i]) samples.push_back(trial.samples[i]);
-  const std::optional<Onset> onset = find_onset(samples);
+  const std::optional<TimedPoint> onset = find_onset(samples);
   if (!onset) return std::nullopt;
   const std::vector<Place> places = places_of(samples, *onset, goal_direction_deg);
   if (places.size() < min_places) return std::nullopt;
 
   SlideTrack track;
   track.plate_deg = ridge_normal_deg(trial.plate_orientation_deg, goal_direction_deg) - goal_direction_deg;
-  track.onset_s = onset->time_s();
+  track.onset_s = onset->time_s;
   track.step_s = std::max(min_step_s, places.back().time_s / steps_a_slide);
   const double length_mm = set_pace(places, &track);
   if (!(length_mm >= min_slide_mm) || !set_directions(places, length_mm, &track)) return std::nullopt;

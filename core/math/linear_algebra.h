@@ -6,6 +6,15 @@
 
 namespace hrt {
 
+/// Makes variable `index` independent of the others in a covariance matrix: zeroes its row and column, and sets its
+/// variance.
+template <class Covariance>
+void set_independent(Covariance& covariance, int index, double variance) {
+  covariance.row(index).setZero();
+  covariance.col(index).setZero();
+  covariance(index, index) = variance;
+}
+
 using MatrixView = Eigen::Ref<const Eigen::MatrixXd>;
 using VectorView = Eigen::Ref<const Eigen::VectorXd>;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/exponential.h"
+#include "core/math/linear_algebra.h"
 #include "core/math/trigonometry.h"
 
 namespace hrt {
@@ -31,16 +33,21 @@ bool is_valid(const EstimatorConfig& config) {
          config.correlation_s <= 2.0;
 }
 
+std::optional<TrackerNoise> given_noise(const EstimatorConfig& config) {
+  if (config.tracker_noise_mm <= 0.0) return std::nullopt;
+  return TrackerNoise{config.tracker_noise_mm, config.correlated_noise_mm, config.correlation_s};
+}
+
 Estimator::Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
                      const PlatePoint& start)
     : config_(config),
-      noise_(config.tracker_noise_mm),
+      noise_mm2_(square(config.tracker_noise_mm > 0.0 ? config.tracker_noise_mm : assumed_noise_mm)),
       goal_direction_deg_(goal_direction_deg),
       motor_variance_deg2_(participant.motor_variance_deg2),
       motor_variance_information_(1.0 / (config.motor_variance_sd_deg2 * config.motor_variance_sd_deg2)) {
   state_ << start.right_mm, start.away_mm, initial_speed_mm_s, 0.0, participant.tactile_weight;
   covariance_.setZero();
-  covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
+  covariance_(right, right) = covariance_(away, away) = noise_mm2_;
   covariance_(speed, speed) = initial_speed_sd_mm_s * initial_speed_sd_mm_s;
   covariance_(direction, direction) = initial_direction_sd_deg * initial_direction_sd_deg;
   if (config.adapt) covariance_(weight, weight) = config.tactile_weight_sd * config.tactile_weight_sd;
@@ -49,7 +56,7 @@ Estimator::Estimator(const EstimatorConfig& config, const Participant& participa
 void Estimator::rest_at(const PlatePoint& place) {
   state_(right) = place.right_mm;
   state_(away) = place.away_mm;
-  covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
+  covariance_(right, right) = covariance_(away, away) = noise_mm2_;
 }
 
 void Estimator::move(double elapsed_s) {
@@ -110,9 +117,9 @@ void Estimator::observe_direction(double direction_deg) {
 bool Estimator::observe_position(const PlatePoint& position) {
   const double right_innovation_mm = position.right_mm - state_(right);
   const double away_innovation_mm = position.away_mm - state_(away);
-  const double a = covariance_(right, right) + noise_.variance_mm2();
+  const double a = covariance_(right, right) + noise_mm2_;
   const double b = covariance_(right, away);
-  const double c = covariance_(away, away) + noise_.variance_mm2();
+  const double c = covariance_(away, away) + noise_mm2_;
   normalised_innovation_ =
       (c * right_innovation_mm * right_innovation_mm - 2.0 * b * right_innovation_mm * away_innovation_mm +
        a * away_innovation_mm * away_innovation_mm) /
@@ -120,19 +127,15 @@ bool Estimator::observe_position(const PlatePoint& position) {
   if (normalised_innovation_ > outlier_innovation && ++outliers_ <= max_outliers) return false;
   if (outliers_ > max_outliers) {
     // The tracker has jumped, or the finger has been moved: the believed place is void.
-    covariance_.row(right).setZero();
-    covariance_.col(right).setZero();
-    covariance_.row(away).setZero();
-    covariance_.col(away).setZero();
-    covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
+    for (const int index : {right, away}) set_independent(covariance_, index, noise_mm2_);
     state_(right) = position.right_mm;
     state_(away) = position.away_mm;
     outliers_ = 0;
     return true;
   }
   outliers_ = 0;
-  correct<size>(right, position.right_mm, noise_.variance_mm2());
-  correct<size>(away, position.away_mm, noise_.variance_mm2());
+  correct<size>(right, position.right_mm, noise_mm2_);
+  correct<size>(away, position.away_mm, noise_mm2_);
   return true;
 }
 
@@ -153,7 +156,7 @@ FingerEstimate Estimator::estimate() const {
           .direction_deg = direction_deg(),
           .tactile_weight = tactile_weight(),
           .tactile_weight_sd = tactile_weight_sd(),
-          .tracker_noise_mm = noise_.noise_mm(),
+          .tracker_noise_mm = std::sqrt(noise_mm2_),
           .motor_variance_deg2 = std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
                                             min_motor_variance_deg2, max_motor_variance_deg2),
           .motor_variance_sd_deg2 = 1.0 / std::sqrt(motor_variance_information_)};

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <optional>
 
 #include "core/paper/participant.h"
 #include "core/plate/plate_frame.h"
@@ -38,6 +38,12 @@ struct EstimatorConfig {
 
 /// True if every field is in its range.
 bool is_valid(const EstimatorConfig& config);
+
+/// White noise of an unknown tracker, before its positions show it.
+inline constexpr double assumed_noise_mm = 0.3;
+
+/// The tracker's noise if it is given.
+std::optional<TrackerNoise> given_noise(const EstimatorConfig& config);
 
 /// One reach. No heap, no lock, no exception. One thread at a time.
 class Estimator {
@@ -68,8 +74,8 @@ class Estimator {
   /// left out (five standard deviations; at most `max_outliers` samples in a row).
   bool observe_position(const PlatePoint& position);
 
-  /// Learns the tracker's noise. To be called with every position, also of a finger at rest.
-  void learn_tracker_noise(double time_s, const PlatePoint& position) { noise_.observe(time_s, position); }
+  /// The tracker's white noise, standard deviation of a coordinate, as it is known by now.
+  void set_tracker_noise(double white_mm) { noise_mm2_ = white_mm * white_mm; }
 
   PlatePoint position() const { return {state_(right), state_(away)}; }
   double speed_mm_s() const { return state_(speed); }
@@ -101,7 +107,7 @@ class Estimator {
   void correct(Index measured, double value, double noise_variance);
 
   EstimatorConfig config_;
-  NoiseLearner noise_;
+  double noise_mm2_;  // of a coordinate
   double goal_direction_deg_;
   State state_;
   Covariance covariance_;

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/exponential.h"
 #include "core/math/time.h"
 #include "core/plate/plate_limits.h"
 
 namespace hrt {
 namespace {
 
-// A finger slower than this rests.
-constexpr double rest_speed_mm_s = 4.0;
+constexpr double min_noise_mm = 0.01;
 
 }  // namespace
 
@@ -20,6 +20,7 @@ ReachEstimator::ReachEstimator(const EstimatorConfig& config, const Participant&
       participant_(participant),
       goal_direction_deg_(goal_direction_deg),
       start_(start),
+      finger_(start, given_noise(config)),
       estimator_(config, participant, goal_direction_deg, start),
       clock_(step_period_ns),
       gains_(participant, horizon) {}
@@ -30,7 +31,6 @@ Observation ReachEstimator::observe(const FingerSample& sample, PlateModel& plat
   if (sample.plate_orientation_deg) plate.report(*sample.plate_orientation_deg);
   const Observation observed = take(sample, plate);
   direction_deg_ = estimator_.direction_deg();
-  if (observed == Observation::position) paused_ = estimator_.speed_mm_s() < rest_speed_mm_s;
   if (observed == Observation::position || (predicted() && !paused_ && place_)) place_ = estimator_.position();
   return paused_ ? Observation::none : observed;
 }
@@ -109,7 +109,7 @@ inline Observation ReachEstimator::take(const FingerSample& sample, PlateModel& 
       return Observation::none;
     case Observation::lifted:
       paused_ = true;
-      onset_ = Onset();  // it may be set down elsewhere
+      finger_.lift();
       return Observation::none;
     case Observation::direction:
       if (!clock_.started()) start(sample.time_ns, start_);
@@ -124,6 +124,16 @@ inline Observation ReachEstimator::take(const FingerSample& sample, PlateModel& 
   return take_position(sample, plate);
 }
 
+// Given, or as neighbouring positions show it. What is assumed is worth one of them: the tracker's noise decides how
+// much of a deviation is the person's.
+double ReachEstimator::white_noise_mm() const {
+  const NoiseLearner<PlatePoint>& learner = finger_.learner();
+  if (learner.known()) return learner.noise().white_mm;
+  const int steps = learner.steps();
+  const double seen_mm2 = steps > 0 ? steps * learner.step_variance_mm2() : 0.0;
+  return std::max(min_noise_mm, std::sqrt((square(assumed_noise_mm) + seen_mm2) / (1 + steps)));
+}
+
 Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel& plate) {
   if (position_ns_ == sample.time_ns) {  // the tracker has sent it twice
     ++counts_.dropped_samples;
@@ -132,16 +142,23 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
   position_ns_ = sample.time_ns;
   if (!first_ns_) first_ns_ = sample.time_ns;
   const double time_s = elapsed_s(*first_ns_, sample.time_ns);
-  estimator_.learn_tracker_noise(time_s, sample.position);
+  const FingerPhase::Seen seen = finger_.see(time_s, sample.position);
+  if (seen == FingerPhase::Seen::place) finger_.find_pause();
+  estimator_.set_tracker_noise(white_noise_mm());
+  if (seen == FingerPhase::Seen::ignored) {
+    ++counts_.dropped_samples;
+    return Observation::none;
+  }
+  paused_ = finger_.phase() == Phase::paused;
   if (!clock_.started()) {
-    if (!onset_.observe(time_s, sample.position, estimator_.estimate().tracker_noise_mm)) {
+    if (finger_.at_rest()) {
       place_ = sample.position;
       return Observation::none;
     }
-    // After a gap nobody knows when the motion started.
-    const double since_rest_s = time_s - onset_.time_s();
+    // After a gap in tracking the time of the onset is unknown.
+    const double since_rest_s = time_s - finger_.left_s();
     if (since_rest_s < 2e-9 * static_cast<double>(clock_.period_ns()))
-      start(sample.time_ns - std::llround(1e9 * since_rest_s), onset_.place());
+      start(sample.time_ns - std::llround(1e9 * since_rest_s), finger_.rest_place());
     else
       start(sample.time_ns, sample.position);
     advance(sample.time_ns, plate);

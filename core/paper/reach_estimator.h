@@ -12,7 +12,7 @@
 #include "core/paper/step_clock.h"
 #include "core/plate/plate_model.h"
 #include "core/reach/finger_sample.h"
-#include "core/tracker/onset.h"
+#include "core/tracker/finger_phase.h"
 
 namespace hrt {
 
@@ -68,12 +68,13 @@ class ReachEstimator {
   void end_step(double plate_orientation_deg);
   Observation take(const FingerSample& sample, PlateModel& plate);
   Observation take_position(const FingerSample& sample, PlateModel& plate);
+  double white_noise_mm() const;
 
   bool adapts_;
   Participant participant_;
   double goal_direction_deg_;
   PlatePoint start_;
-  Onset onset_;
+  FingerPhase finger_;
   Estimator estimator_;
   StepClock clock_;
   GainWindow gains_;

@@ -12,10 +12,6 @@ constexpr double scale_deg = 75.0;
 
 constexpr double ridge_spacing_mm = 10.0;
 constexpr double max_newton_error_deg = 1e-6;  // of the step before the last: the last one is exact
-// A fading touch is gone after this; half of it is felt when ridges come twice as often.
-constexpr double touch_memory_s = 0.3;
-// How soon the first ridge is felt.
-constexpr double first_ridge = 1.2;
 
 // Share of a fading touch that is lost, and its derivative by the offset.
 struct LostShare {
@@ -31,9 +27,10 @@ LostShare lost_share(double slowness, double offset_deg) {
 
 }  // namespace
 
-double ridge_slowness(double speed_mm_s, double travelled_mm) {
+double ridge_slowness(double speed_mm_s, double travelled_mm, const Tuning& tuning) {
   const double ridges = std::max(travelled_mm, 1.0) / ridge_spacing_mm;
-  return ridge_spacing_mm / (2.0 * touch_memory_s * std::max(speed_mm_s, 1.0)) + first_ridge / (ridges * ridges);
+  return ridge_spacing_mm / (2.0 * tuning.touch_memory_s * std::max(speed_mm_s, 1.0)) +
+         tuning.first_ridge / (ridges * ridges);
 }
 
 FeltShift felt_shift(const Illusion& illusion, double offset_deg) {

@@ -8,6 +8,7 @@
 // nothing as it moves along them.
 #pragma once
 
+#include "core/person/tuning.h"
 #include "core/reach/reach.h"
 
 namespace hrt {
@@ -22,7 +23,7 @@ struct Illusion {
 
 /// a of a finger at `speed_mm_s` that has come `travelled_mm`, for ridges 10 mm apart: 1 at 17 mm/s, where
 /// half of what fades is felt across the ridges; large before a first ridge is crossed.
-double ridge_slowness(double speed_mm_s, double travelled_mm);
+double ridge_slowness(double speed_mm_s, double travelled_mm, const Tuning& tuning = {});
 
 /// Felt less true direction, degrees, and its derivatives.
 struct FeltShift {

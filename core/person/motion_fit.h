@@ -8,13 +8,12 @@ namespace hrt {
 
 struct MotionFit {
   double log_rate;
-  double evenness;
   double onset_s;
 };
 
-/// Of a motion over `path_mm` from rest at `origin`, of which at least three places have been seen. Maximum
-/// of the posterior on a grid of paces; `noise_variance_mm2` of a coordinate. No heap, no lock, no exception.
-MotionFit fit_motion(const RecentPlaces& places, const PlatePoint& origin, const PersonBelief& belief, double path_mm,
-                     double noise_variance_mm2);
+/// The motion over `path_mm` from rest at `origin`, of which at least three positions have been seen: maximum of the
+/// posterior on a grid of rates. `noise_variance_mm2`: of a coordinate. No heap, no lock, no exception.
+MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& origin, const PersonBelief& belief,
+                     double path_mm, double noise_variance_mm2, const Tuning& tuning);
 
 }  // namespace hrt

@@ -4,94 +4,86 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/linear_algebra.h"
+
 namespace hrt {
 namespace {
 
-using T = PersonTrait;
+using T = PersonState;
 
-// Of weight and curve of an unknown person.
-constexpr double weight_curve_correlation = 0.85;
-constexpr double known_weight_sd = 0.001;
-constexpr double known_bias_sd_deg = 0.05;
-constexpr double known_fading_sd = 0.01;
-constexpr double known_scatter_sd_deg = 0.05;
-// Of a calibrated one.
-constexpr double min_weight_sd = 0.01;
-constexpr double min_curve_sd = 0.015;
-constexpr double min_bias_sd_deg = 0.5;
-constexpr double min_habit_sd_deg = 0.4;
-constexpr double max_correlation = 0.95;
+double clamped(T::Index trait, double mean) {
+  return std::clamp(mean, person_state[trait].min, person_state[trait].max);
+}
+
+void correlate(PersonBelief& belief, double weight_curve_covariance) {
+  belief.covariance(T::weight, T::curve) = belief.covariance(T::curve, T::weight) = weight_curve_covariance;
+}
 
 }  // namespace
 
-PersonBelief unknown_person(double tactile_weight, double tactile_weight_sd, double bias_deg) {
+PersonBelief unknown_person(double tactile_weight, double tactile_weight_sd, double bias_deg, const Tuning& tuning) {
   PersonBelief belief;
   PersonBelief::Vector sd;
-  for (int i = 0; i < T::count; ++i) {
-    belief.mean(i) = person_traits[i].mean;
-    sd(i) = person_traits[i].sd;
+  for (int i = 0; i < T::traits; ++i) {
+    belief.mean(i) = tuning.traits[i].mean;
+    sd(i) = tuning.traits[i].sd;
   }
-  belief.mean(T::weight) = tactile_weight + person_traits[T::weight].mean * tactile_weight_sd;
-  belief.mean(T::curve) = person_traits[T::curve].mean * tactile_weight_sd;
+  belief.mean(T::weight) = tactile_weight + tuning.traits[T::weight].mean * tactile_weight_sd;
+  belief.mean(T::curve) = tuning.traits[T::curve].mean * tactile_weight_sd;
   belief.mean(T::bias) = bias_deg;
   sd(T::weight) *= tactile_weight_sd;
   sd(T::curve) *= tactile_weight_sd;
-  for (int i = 0; i < T::count; ++i)
-    belief.mean(i) = std::clamp(belief.mean(i), person_traits[i].min, person_traits[i].max);
+  for (int i = 0; i < T::traits; ++i) belief.mean(i) = clamped(person_state[i].index, belief.mean(i));
   belief.covariance = sd.cwiseProduct(sd).asDiagonal();
-  belief.covariance(T::weight, T::curve) = belief.covariance(T::curve, T::weight) =
-      weight_curve_correlation * sd(T::weight) * sd(T::curve);
+  correlate(belief, tuning.weight_curve_correlation * sd(T::weight) * sd(T::curve));
   return belief;
 }
 
-PersonBelief known_person(double tactile_weight, double bias_deg) {
-  PersonBelief belief = unknown_person(tactile_weight, known_weight_sd, bias_deg);
-  belief.covariance(T::bias, T::bias) = known_bias_sd_deg * known_bias_sd_deg;
-  know(belief, T::fading, 0.0, known_fading_sd);
-  know(belief, T::scatter, 0.0, known_scatter_sd_deg);
+PersonBelief known_person(double tactile_weight, double bias_deg, const Tuning& tuning) {
+  PersonBelief belief = unknown_person(tactile_weight, tuning.known_weight_sd, bias_deg, tuning);
+  belief.covariance(T::bias, T::bias) = tuning.known_bias_sd_deg * tuning.known_bias_sd_deg;
+  know(belief, T::fading, 0.0, tuning.known_fading_sd);
+  know(belief, T::scatter, 0.0, tuning.known_scatter_sd_deg);
   return belief;
 }
 
-void know(PersonBelief& belief, PersonTrait::Index trait, double mean, double sd) {
-  belief.mean(trait) = std::clamp(mean, person_traits[trait].min, person_traits[trait].max);
-  belief.covariance.row(trait).setZero();
-  belief.covariance.col(trait).setZero();
-  belief.covariance(trait, trait) = sd * sd;
+void know(PersonBelief& belief, T::Index trait, double mean, double sd) {
+  belief.mean(trait) = clamped(trait, mean);
+  set_independent(belief.covariance, trait, sd * sd);
 }
 
 LinearIllusion linear_illusion(const PersonBelief& belief) {
-  return linear_illusion(belief.mean(T::weight), belief.mean(T::curve), belief.covariance(T::weight, T::weight),
-                         belief.covariance(T::weight, T::curve), belief.covariance(T::curve, T::curve));
-}
-
-LinearIllusion linear_illusion(double weight, double curve, double weight2, double weight_curve, double curve2) {
   constexpr double share = (60.0 / 75.0) * (60.0 / 75.0);
-  const double variance = weight2 - 2.0 * share * weight_curve + share * share * curve2;
-  return {std::clamp(weight - share * curve, 0.001, 0.499), std::sqrt(variance > 0.0 ? variance : 0.0)};
+  const auto& p = belief.covariance;
+  const double variance =
+      p(T::weight, T::weight) - 2.0 * share * p(T::weight, T::curve) + share * share * p(T::curve, T::curve);
+  return {std::clamp(belief.mean(T::weight) - share * belief.mean(T::curve), 0.001, 0.499),
+          std::sqrt(variance > 0.0 ? variance : 0.0)};
 }
 
 bool is_valid(const PersonBelief& belief) {
-  for (int i = 0; i < T::count; ++i) {
-    if (!(belief.mean(i) >= person_traits[i].min && belief.mean(i) <= person_traits[i].max)) return false;
+  for (int i = 0; i < T::traits; ++i) {
+    if (!(belief.mean(i) >= person_state[i].min && belief.mean(i) <= person_state[i].max)) return false;
   }
   if (!belief.covariance.allFinite()) return false;
   if (belief.covariance != belief.covariance.transpose()) return false;
   return belief.covariance.llt().info() == Eigen::Success;
 }
 
-PersonBelief calibrated_person(const CalibratedTraits& traits) {
-  PersonBelief belief = unknown_person();
+PersonBelief calibrated_person(const CalibratedTraits& traits, const Tuning& tuning) {
+  PersonBelief belief = unknown_person(0.2, 0.05, 0.0, tuning);
   const auto measured = [&belief](T::Index trait, const Interval& interval, double min_sd) {
     const double sd = std::max(deviation_of_interval(interval.lower, interval.upper), min_sd);
     know(belief, trait, interval.value, sd);
     return sd;
   };
-  const double weight_sd = measured(T::weight, traits.weight, min_weight_sd);
-  const double curve_sd = measured(T::curve, traits.curve, min_curve_sd);
-  measured(T::bias, traits.bias_deg, min_bias_sd_deg);
-  measured(T::habit, traits.habit_deg, min_habit_sd_deg);
-  belief.covariance(T::weight, T::curve) = belief.covariance(T::curve, T::weight) =
-      std::clamp(traits.weight_curve_correlation, -max_correlation, max_correlation) * weight_sd * curve_sd;
+  const double weight_sd = measured(T::weight, traits.weight, tuning.min_weight_sd);
+  const double curve_sd = measured(T::curve, traits.curve, tuning.min_curve_sd);
+  measured(T::bias, traits.bias_deg, tuning.min_bias_sd_deg);
+  measured(T::habit, traits.habit_deg, tuning.min_habit_sd_deg);
+  const double correlation =
+      std::clamp(traits.weight_curve_correlation, -tuning.max_correlation, tuning.max_correlation);
+  correlate(belief, correlation * weight_sd * curve_sd);
   return belief;
 }
 

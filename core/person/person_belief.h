@@ -4,28 +4,30 @@
 #include <Eigen/Core>
 
 #include "core/math/distributions.h"
-#include "core/person/traits.h"
+#include "core/person/person_state.h"
+#include "core/person/tuning.h"
 
 namespace hrt {
 
 struct PersonBelief {
-  using Vector = Eigen::Matrix<double, PersonTrait::count, 1>;
-  using Matrix = Eigen::Matrix<double, PersonTrait::count, PersonTrait::count>;
-  Vector mean;        ///< in the order of PersonTrait, as the covariance is
+  using Vector = Eigen::Matrix<double, PersonState::traits, 1>;
+  using Matrix = Eigen::Matrix<double, PersonState::traits, PersonState::traits>;
+  Vector mean;        ///< in the order of PersonState, as the covariance is
   Matrix covariance;  ///< positive definite
 };
 
 /// The prior of an unknown person. `tactile_weight` and its standard deviation are those of a linear
 /// illusion; a curve is as uncertain in proportion. `bias_deg` is that of a calibration, or 0. Clamped to the
 /// ranges.
-PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05, double bias_deg = 0.0);
+PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05, double bias_deg = 0.0,
+                            const Tuning& tuning = {});
 
 /// The same, with illusion and bias taken as known.
-PersonBelief known_person(double tactile_weight, double bias_deg);
+PersonBelief known_person(double tactile_weight, double bias_deg, const Tuning& tuning = {});
 
 /// A trait is known from now on, to within a standard deviation: alone of the others, and clamped to its
 /// range.
-void know(PersonBelief& belief, PersonTrait::Index trait, double mean, double sd);
+void know(PersonBelief& belief, PersonState::Index trait, double mean, double sd);
 
 /// The weight that a linear illusion would have to shift the felt direction as much at 60 degrees; 0.001 to
 /// 0.499.
@@ -34,8 +36,6 @@ struct LinearIllusion {
   double weight_sd;
 };
 LinearIllusion linear_illusion(const PersonBelief& belief);
-/// Of w and b, their variances and covariance.
-LinearIllusion linear_illusion(double weight, double curve, double weight2, double weight_curve, double curve2);
 
 /// True if each mean is in its range, and the covariance finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);
@@ -51,6 +51,6 @@ struct CalibratedTraits {
 
 /// A person of whom these are known, and of the rest nothing. Deviations are at least what people change by,
 /// and what a curve of another family costs.
-PersonBelief calibrated_person(const CalibratedTraits& traits);
+PersonBelief calibrated_person(const CalibratedTraits& traits, const Tuning& tuning = {});
 
 }  // namespace hrt

@@ -1,46 +1,53 @@
-// Tracked positions as they come, at any rate, with gaps, jumps and rests, to what is known of the finger and
-// the person. The onset is found late, dated back by a fit to the first samples, and those are then run
-// through PersonFilter, a few at each new sample.
+// From tracked positions, at any rate and with gaps, jumps and rests, to the state of finger and person.
+//
+//   gate    refuses outliers; a run of them is a finger that is elsewhere (OutlierGate)
+//   phase   waiting until the onset, moving, paused or lifted (tracker/finger_phase)
+//   filter  PersonFilter, over the motion; ModelFit says how well it predicts
+//
+// The onset is detected late, dated back by a fit to the first positions (motion_fit), and the positions since
+// then pass through the filter, a few at each new sample.
 #pragma once
 
 #include <optional>
 
+#include "core/person/model_fit.h"
 #include "core/person/person_filter.h"
 #include "core/plate/plate_model.h"
-#include "core/tracker/recent_places.h"
-#include "core/tracker/resting_finger.h"
+#include "core/tracker/finger_phase.h"
 
 namespace hrt {
 
-/// From a target's move to the person's answer.
-inline constexpr double reaction_time_s = 0.2;
+/// Counts implausible positions in a row: up to a maximum they are outliers, after that the finger is there.
+class OutlierGate {
+ public:
+  enum Verdict { accepted, outlier, relocated };
 
-enum class FingerMotion {
-  resting,  ///< before the reach
-  moving,
-  paused,  ///< within it: the finger rests or is lifted
-};
+  /// `max_outliers`: a whole number.
+  explicit OutlierGate(double max_outliers) : max_outliers_(max_outliers) {}
 
-/// How well the filter predicts the positions it then sees, over the last twenty or so.
-struct ModelFit {
-  double nis = 2.0;          ///< normalised innovation squared, mean; 2 if the model holds
-  double correlation = 0.0;  ///< of an innovation with the one before it; 0 if the model holds
+  Verdict judge(bool plausible) {
+    outliers_ = plausible ? 0 : outliers_ + 1;
+    if (outliers_ <= max_outliers_) return plausible ? accepted : outlier;
+    outliers_ = 0;
+    return relocated;
+  }
+  void reset() { outliers_ = 0; }
 
-  /// Innovations well below what the noise explains may be alike: a tracker without noise shows every trace
-  /// of the person.
-  bool holds() const { return nis < 4.5 && (correlation < 0.75 || nis < 1.0); }
+ private:
+  double max_outliers_;
+  int outliers_ = 0;
 };
 
 /// One reach. No heap, no lock, no exception. One thread at a time.
 class PersonEstimator {
  public:
-  /// The finger is about to move over `path_mm` from near `start`, asked to go in `virtual_direction_deg`.
-  /// `noise`: of the tracker, if it is known; else it is learnt while the finger rests.
+  /// The finger is about to move over `path_mm` from near `start`, towards `virtual_direction_deg`.
+  /// `noise`: of the tracker, if it is known; otherwise it is learnt while the finger rests.
   PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const PlatePoint& start,
-                  const std::optional<TrackerNoise>& noise);
+                  const std::optional<TrackerNoise>& noise, const Tuning& tuning = {});
 
-  /// Takes a position in, seen at `time_s`, after the last one's. `plate` has stood where its trace says.
-  /// False if it was left out: it is five standard deviations off, or a resting finger cannot be there so soon.
+  /// Takes a position in, seen at `time_s`, after the previous one's. `plate`: the plate's orientation over the
+  /// last second. False if the position is an outlier.
   bool observe(double time_s, const PlatePoint& position, const PlateTrace& plate);
 
   /// Nothing was seen, and time passes until `time_s`.
@@ -49,37 +56,39 @@ class PersonEstimator {
   /// The finger is off the plate: nothing is felt, and it may come back elsewhere.
   void lift(double time_s, const PlateTrace& plate);
 
-  /// The target has moved at `time_s`: asked to go in `virtual_direction_deg`, over a path that is
-  /// `longer_mm` longer. The person answers after reaction_time_s.
+  /// The target moved at `time_s`, to `virtual_direction_deg` over a path that is `longer_mm` longer. The person
+  /// answers after Tuning::reaction_time_s.
   void retarget(double time_s, double virtual_direction_deg, double longer_mm);
 
-  FingerMotion motion() const { return motion_; }
-  /// The last position was averaged into the one before it, which leaves the filter as it is.
-  bool merged() const { return places_.merged(); }
+  /// The motion has begun.
+  bool begun() const { return finger_.has_moved(); }
+  /// The finger moves: it is neither at rest nor lifted.
+  bool moving() const { return finger_.phase() == Phase::moving; }
   /// The filter has taken in all that was seen.
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }
   /// The filter with the person's answer to a moved target, while that is still to come.
   std::optional<PersonFilter> after_retarget() const;
-  /// Of the filter; before the finger moves, of the last position.
+  /// Time of the filter; before the onset, of the last position.
   double time_s() const { return filter_s_; }
-  /// Where the finger rested: the filter's places are measured from here.
-  const PlatePoint& origin() const { return rest_.place(); }
-  /// The last place that was seen or is predicted.
+  /// Where the finger rested: the filter's positions are relative to it.
+  const PlatePoint& origin() const { return begun() ? origin_ : finger_.rest_place(); }
+  /// The last position, seen or predicted.
   PlatePoint place() const;
-  const TrackerNoise& noise() const { return rest_.noise(); }
+  const TrackerNoise& noise() const { return finger_.noise(); }
   const ModelFit& fit() const { return fit_; }
-  /// When the motion began.
+  /// True if the model describes the motion so far.
+  bool model_fits() const { return fit_.holds(tuning()); }
   double onset_s() const { return onset_s_; }
 
  private:
-  bool is_wild(double time_s, const PlatePoint& position);
+  const Tuning& tuning() const { return filter_.tuning(); }
   void begin_motion();
   bool catch_up(const PlateTrace& plate);
   bool take(const TimedPoint& sample, const PlateTrace& plate);
-  void take_paused(const TimedPoint& sample);
+  void relocate(const PlatePoint& position);
   void carry_to(double time_s, const PlateTrace& plate);
-  bool stands_still(PlatePoint& where) const;
+  bool find_pause(double nis);
 
   struct Retarget {
     double time_s;  // of the answer
@@ -90,22 +99,17 @@ class PersonEstimator {
   PersonBelief belief_;
   double virtual_direction_deg_;
   double path_mm_;
-  RecentPlaces places_;
-  RestingFinger rest_;
+  FingerPhase finger_;
   PersonFilter filter_;
   std::optional<Retarget> retarget_;  // still to be answered
-  FingerMotion motion_ = FingerMotion::resting;
+  PlatePoint origin_;                 // where the finger rested before it moved
+
+  OutlierGate gate_;
   ModelFit fit_;
 
   int backlog_ = 0;  // of the last places, those that the filter has not seen
-  PlatePoint pause_{};
-
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;
-  int outliers_ = 0;  // in a row
-  int wild_ = 0;      // in a row, of a finger at rest
-  bool lifted_ = false;
-  PlatePoint last_innovation_{0.0, 0.0};
 };
 
 }  // namespace hrt

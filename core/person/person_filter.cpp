@@ -4,39 +4,118 @@
 #include <cmath>
 
 #include "core/math/exponential.h"
+#include "core/math/linear_algebra.h"
 #include "core/math/trigonometry.h"
 #include "core/person/steering.h"
-#include "core/reach/pace.h"
 
 namespace hrt {
 namespace {
 
-// Random walks, per second.
-constexpr double direction_density_deg2_s = 14.0;
-constexpr double log_rate_density_s = 0.07;
-constexpr double place_density_mm2_s = 0.018;
-constexpr double place_share_s = 4e-4;  // of the speed squared: the pace is no law
-// Of the fast part of the goal.
-constexpr double wander_sd_deg = 0.75;
-constexpr double resting_density_mm2_s = 0.5;
-// Of a target that moves: the share of the turn that is uncertain, how much longer one motion gets,
-// and when another one begins.
-constexpr double turn_sd_share = 0.5;
-constexpr double max_stretch = 1.5;
 constexpr double min_path_mm = 1.0;
-constexpr double another_motion_sd_s = 0.15;
 
-// Those below are states; scatter only widens the bias of a reach.
-constexpr int states = PersonTrait::scatter;
-constexpr PersonFilter::Index state_of[states] = {PersonFilter::weight,  PersonFilter::curve,    PersonFilter::gain,
-                                                  PersonFilter::bias,    PersonFilter::habit,    PersonFilter::evenness,
-                                                  PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
+}  // namespace
 
-// F P F', as (P F')' F': columns lie side by side. A step leaves the person's traits as they are.
-void carry(PersonFilter::Covariance& covariance, const PersonFilter::Step& f) {
-  using X = PersonFilter;
+// A step of the motion and its derivatives.
+struct PersonFilter::Step {
+  double seconds, travel_mm, sine, cosine, turn_deg, phase;
+  double wander_kept, noise_kept;  // fractions that are left of what decays
+  FeltShift felt;
+  double travel_by_phase, travel_by_evenness, goal_by_habit, goal_by_phase;
+  double turn_by_felt, turn_by_direction, turn_by_gain;
+};
+
+PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
+                           const TrackerNoise& noise, const Tuning& tuning)
+    : tuning_(tuning), virtual_direction_deg_(virtual_direction_deg), path_mm_(path_mm), noise_(noise) {
+  mean_.setZero();
+  covariance_.setZero();
+  mean_.head<X::traits>() = belief.mean;
+  covariance_.topLeftCorner<X::traits, X::traits>() = belief.covariance;
+  keep_in_range();
+  covariance_(X::bias, X::bias) += square(mean_(X::scatter));
+  covariance_(X::wander, X::wander) = square(tuning_.wander_sd_deg);
+  covariance_(X::noise_right, X::noise_right) = covariance_(X::noise_away, X::noise_away) =
+      square(noise_.correlated_mm);
+  begin(mean_(X::log_rate), 0.0, 0.0);
+}
+
+void PersonFilter::begin(double log_rate, double onset_sd_s, double place_sd_mm) {
+  mean_(X::log_rate) = log_rate;
+  keep_in_range();
+  covariance_(X::phase, X::phase) = square(rate_ * onset_sd_s);
+  covariance_(X::right, X::right) = covariance_(X::away, X::away) = square(place_sd_mm);
+  // phi = h G, and G = V + d + dr + c at the start.
+  const double goal_deg = now().goal_deg;
+  const double heading = mean_(X::heading);
+  mean_(X::direction) = heading * goal_deg;
+  covariance_.row(X::direction) =
+      goal_deg * covariance_.row(X::heading) +
+      heading * (covariance_.row(X::bias) + covariance_.row(X::wander) + covariance_.row(X::habit));
+  covariance_.col(X::direction) =
+      goal_deg * covariance_.col(X::heading) +
+      heading * (covariance_.col(X::bias) + covariance_.col(X::wander) + covariance_.col(X::habit));
+}
+
+double PersonFilter::goal_deg(double path_fraction, double wander_deg) const {
+  return virtual_direction_deg_ + mean_(X::bias) + wander_deg + mean_(X::habit) * (1.0 - 2.0 * path_fraction);
+}
+
+PersonNow PersonFilter::now() const {
+  const Progress pace = progress(mean_(X::evenness), mean_(X::phase));
+  const double speed_mm_s = mean_speed_mm_s() * pace.rate;
+  return {.pace = pace,
+          .speed_mm_s = speed_mm_s,
+          .goal_deg = goal_deg(pace.share, mean_(X::wander)),
+          .illusion = illusion(speed_mm_s, path_mm_ * pace.share)};
+}
+
+Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
+  return {.weight = mean_(X::weight),
+          .curve = mean_(X::curve),
+          .fading = mean_(X::fading),
+          .slowness = ridge_slowness(speed_mm_s, travelled_mm, tuning_)};
+}
+
+void PersonFilter::move(double seconds, double felt_plate_deg) {
+  const bool arrived = mean_(X::phase) >= 1.0;
+  const Progress begun = progress(mean_(X::evenness), mean_(X::phase));
+  const Progress middle = progress(mean_(X::evenness), mean_(X::phase) + 0.5 * rate_ * seconds);
+  const double travel_mm = arrived ? 0.0 : path_mm_ * rate_ * middle.rate * seconds;
+
+  const FeltShift g =
+      felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - mean_(X::direction));
+  const double k = mean_(X::gain);
+  const SteeringStep steering =
+      steer(k, mean_(X::direction), g, goal_deg(begun.share, mean_(X::wander)), seconds, tuning_.max_slope);
+  const SinCos way = sin_cos_deg(mean_(X::direction) + 0.5 * steering.turn_deg);
+  const double travel_scale = arrived ? 0.0 : path_mm_ * rate_ * seconds;
+  const Step step{.seconds = seconds,
+                  .travel_mm = travel_mm,
+                  .sine = way.sine,
+                  .cosine = way.cosine,
+                  .turn_deg = steering.turn_deg,
+                  .phase = rate_ * seconds,
+                  .wander_kept = exponential(-seconds / tuning_.wander_s),
+                  .noise_kept = exponential(-seconds / noise_.correlation_s),
+                  .felt = g,
+                  .travel_by_phase = travel_scale * begun.acceleration,
+                  .travel_by_evenness = travel_scale * begun.by_evenness,
+                  .goal_by_habit = 1.0 - 2.0 * begun.share,
+                  .goal_by_phase = -2.0 * mean_(X::habit) * begun.rate,
+                  .turn_by_felt = k * seconds,
+                  .turn_by_direction = -steering.decay_s * seconds,
+                  .turn_by_gain = -steering.felt_error_deg * seconds};
+  carry(step);
+  move_state(step);
+  add_noise(step);
+}
+
+// F P F', as (P F')' F': columns are contiguous. A step leaves the traits as they are. `f` is a copy, which writing
+// into P cannot change.
+void PersonFilter::carry(Step f) {
+  constexpr int motion = X::count - X::traits;
   // A row times F'. Each line uses only what is not yet changed.
-  const auto transform = [&](auto&& row) {
+  const auto transform = [&f](auto&& row) {
     const double along =
         f.travel_by_phase * row(X::phase) + f.travel_mm * row(X::log_rate) + f.travel_by_evenness * row(X::evenness);
     const double across = f.travel_mm * rad_per_deg * row(X::direction);
@@ -53,246 +132,132 @@ void carry(PersonFilter::Covariance& covariance, const PersonFilter::Step& f) {
     row(X::noise_right) *= f.noise_kept;
     row(X::noise_away) *= f.noise_kept;
   };
-  for (int i = 0; i < X::size; ++i) transform(covariance.row(i));
-  covariance.topLeftCorner<X::weight, X::weight>().transposeInPlace();
-  covariance.topRightCorner<X::weight, X::size - X::weight>() =
-      covariance.bottomLeftCorner<X::size - X::weight, X::weight>().transpose();
-  for (int i = 0; i < X::weight; ++i) transform(covariance.row(i));
-}
-
-// Two coordinates have been measured, of which these are the rows of P and the variances.
-void correct(PersonFilter::Covariance& covariance, const PersonFilter::State& by_right, double right_mm2,
-             const PersonFilter::State& by_away, double away_mm2) {
-  // Copies, which writing into P can't change. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
-  const PersonFilter::State right = by_right, away = by_away;
-  const PersonFilter::State gain_right = right / right_mm2, gain_away = away / away_mm2;
-  for (int j = 0; j < PersonFilter::size; ++j)
-    for (int i = 0; i < PersonFilter::size; ++i) covariance(i, j) -= right(i) * gain_right(j) + away(i) * gain_away(j);
-}
-
-}  // namespace
-
-PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
-                           const TrackerNoise& noise)
-    : virtual_direction_deg_(virtual_direction_deg),
-      scatter_deg_(belief.mean(PersonTrait::scatter)),
-      scatter_variance_deg2_(belief.covariance(PersonTrait::scatter, PersonTrait::scatter)),
-      path_mm_(path_mm),
-      noise_(noise) {
-  state_.setZero();
-  covariance_.setZero();
-  for (int i = 0; i < states; ++i) {
-    state_(state_of[i]) = belief.mean(i);
-    for (int j = 0; j < states; ++j) covariance_(state_of[i], state_of[j]) = belief.covariance(i, j);
-  }
-  keep_in_range();
-  covariance_(bias, bias) += scatter_deg_ * scatter_deg_;
-  covariance_(wander, wander) = wander_sd_deg * wander_sd_deg;
-  covariance_(noise_right, noise_right) = covariance_(noise_away, noise_away) =
-      noise_.correlated_mm * noise_.correlated_mm;
-  begin(state_(log_rate), state_(evenness), 0.0, 0.0);
-}
-
-void PersonFilter::begin(double motion_log_rate, double motion_evenness, double onset_sd_s, double place_sd_mm) {
-  state_(log_rate) = motion_log_rate;
-  state_(evenness) = motion_evenness;
-  keep_in_range();
-  const double phase_sd = rate_ * onset_sd_s;
-  covariance_(phase, phase) = phase_sd * phase_sd;
-  covariance_(right, right) = covariance_(away, away) = place_sd_mm * place_sd_mm;
-  const double goal = now().goal_deg;
-  state_(direction) = state_(heading) * goal;
-  // direction = heading G, and G = V + d + dr + c at the start.
-  const double share = state_(heading);
-  covariance_.row(direction) = goal * covariance_.row(heading) +
-                               share * (covariance_.row(bias) + covariance_.row(wander) + covariance_.row(habit));
-  covariance_.col(direction) = goal * covariance_.col(heading) +
-                               share * (covariance_.col(bias) + covariance_.col(wander) + covariance_.col(habit));
-}
-
-double PersonFilter::goal_deg(double share, double wander_deg) const {
-  return virtual_direction_deg_ + state_(bias) + wander_deg + state_(habit) * (1.0 - 2.0 * share);
-}
-
-PersonNow PersonFilter::now() const {
-  const Progress pace = progress(state_(evenness), state_(phase));
-  const double speed_mm_s = mean_speed_mm_s() * pace.rate;
-  return {.mean = state(),
-          .pace = pace,
-          .speed_mm_s = speed_mm_s,
-          .goal_deg = goal_deg(pace.share, state_(wander)),
-          .illusion = illusion(speed_mm_s, path_mm_ * pace.share)};
-}
-
-Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
-  return {.weight = state_(weight),
-          .curve = state_(curve),
-          .fading = state_(fading),
-          .slowness = ridge_slowness(speed_mm_s, travelled_mm)};
-}
-
-void PersonFilter::move(double seconds, double felt_plate_deg) {
-  const bool arrived = state_(phase) >= 1.0;
-  const Progress begun = progress(state_(evenness), state_(phase));
-  const Progress middle = progress(state_(evenness), state_(phase) + 0.5 * rate_ * seconds);
-  const double travel_mm = arrived ? 0.0 : path_mm_ * rate_ * middle.rate * seconds;
-
-  const FeltShift g =
-      felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - state_(direction));
-  const double k = state_(gain);
-  const SteeringStep steering = steer(k, state_(direction), g, goal_deg(begun.share, state_(wander)), seconds);
-  const SinCos way = sin_cos_deg(state_(direction) + 0.5 * steering.turn_deg);
-  const double travel_scale = arrived ? 0.0 : path_mm_ * rate_ * seconds;
-  const Step step{.seconds = seconds,
-                  .travel_mm = travel_mm,
-                  .sine = way.sine,
-                  .cosine = way.cosine,
-                  .turn_deg = steering.turn_deg,
-                  .phase = rate_ * seconds,
-                  .wander_kept = exponential(-seconds / wander_s),
-                  .noise_kept = exponential(-seconds / noise_.correlation_s),
-                  .felt = g,
-                  .travel_by_phase = travel_scale * begun.acceleration,
-                  .travel_by_evenness = travel_scale * begun.by_evenness,
-                  .goal_by_habit = 1.0 - 2.0 * begun.share,
-                  .goal_by_phase = -2.0 * state_(habit) * begun.rate,
-                  .turn_by_felt = k * seconds,
-                  .turn_by_direction = -steering.decay_s * seconds,
-                  .turn_by_gain = -steering.felt_error_deg * seconds};
-  carry(covariance_, step);
-  move_state(step);
-  add_noise(step);
+  for (int i = 0; i < X::count; ++i) transform(covariance_.row(i));
+  covariance_.bottomRightCorner<motion, motion>().transposeInPlace();
+  covariance_.bottomLeftCorner<motion, X::traits>() = covariance_.topRightCorner<X::traits, motion>().transpose();
+  for (int i = X::traits; i < X::count; ++i) transform(covariance_.row(i));
 }
 
 void PersonFilter::move_state(const Step& step) {
-  state_(right) -= step.travel_mm * step.sine;
-  state_(away) += step.travel_mm * step.cosine;
-  state_(direction) += step.turn_deg;
-  state_(phase) = std::min(state_(phase) + step.phase, 1.0);
-  state_(wander) *= step.wander_kept;
-  state_(noise_right) *= step.noise_kept;
-  state_(noise_away) *= step.noise_kept;
+  mean_(X::right) -= step.travel_mm * step.sine;
+  mean_(X::away) += step.travel_mm * step.cosine;
+  mean_(X::direction) += step.turn_deg;
+  mean_(X::phase) = std::min(mean_(X::phase) + step.phase, 1.0);
+  mean_(X::wander) *= step.wander_kept;
+  mean_(X::noise_right) *= step.noise_kept;
+  mean_(X::noise_away) *= step.noise_kept;
 }
 
-// What the model leaves to chance in a step: random walks, and what is fresh of what decays.
+// Process noise: random walks, and the stationary part of what decays.
 void PersonFilter::add_noise(const Step& step) {
-  covariance_(direction, direction) += direction_density_deg2_s * step.seconds;
-  covariance_(log_rate, log_rate) += log_rate_density_s * step.seconds;
-  const double along_mm2 = place_share_s * step.travel_mm * step.travel_mm / step.seconds;
-  covariance_(right, right) += place_density_mm2_s * step.seconds + along_mm2 * step.sine * step.sine;
-  covariance_(away, away) += place_density_mm2_s * step.seconds + along_mm2 * step.cosine * step.cosine;
-  covariance_(wander, wander) += (1.0 - step.wander_kept * step.wander_kept) * wander_sd_deg * wander_sd_deg;
-  const double fresh_mm2 = (1.0 - step.noise_kept * step.noise_kept) * noise_.correlated_mm * noise_.correlated_mm;
-  covariance_(noise_right, noise_right) += fresh_mm2;
-  covariance_(noise_away, noise_away) += fresh_mm2;
+  const auto add = [this](X::Index index, double variance) { covariance_(index, index) += variance; };
+  add(X::direction, tuning_.direction_density_deg2_s * step.seconds);
+  add(X::log_rate, tuning_.log_rate_density_s * step.seconds);
+  const double along_mm2 = tuning_.speed_variance_s * square(step.travel_mm) / step.seconds;
+  add(X::right, tuning_.place_density_mm2_s * step.seconds + along_mm2 * square(step.sine));
+  add(X::away, tuning_.place_density_mm2_s * step.seconds + along_mm2 * square(step.cosine));
+  add(X::wander, (1.0 - square(step.wander_kept)) * square(tuning_.wander_sd_deg));
+  const double fresh_mm2 = (1.0 - square(step.noise_kept)) * square(noise_.correlated_mm);
+  add(X::noise_right, fresh_mm2);
+  add(X::noise_away, fresh_mm2);
 }
 
 void PersonFilter::rest(double seconds) {
   const double kept = exponential(-seconds / noise_.correlation_s);
-  for (const Index noise : {noise_right, noise_away}) {
-    state_(noise) *= kept;
+  for (const X::Index noise : {X::noise_right, X::noise_away}) {
+    mean_(noise) *= kept;
     covariance_.row(noise) *= kept;
     covariance_.col(noise) *= kept;
-    covariance_(noise, noise) += (1.0 - kept * kept) * noise_.correlated_mm * noise_.correlated_mm;
+    covariance_(noise, noise) += (1.0 - square(kept)) * square(noise_.correlated_mm);
   }
-  covariance_(right, right) += resting_density_mm2_s * seconds;
-  covariance_(away, away) += resting_density_mm2_s * seconds;
+  covariance_(X::right, X::right) += tuning_.resting_density_mm2_s * seconds;
+  covariance_(X::away, X::away) += tuning_.resting_density_mm2_s * seconds;
 }
 
-double PersonFilter::observe(double right_mm, double away_mm, double gate) {
-  const double white_mm2 = noise_.white_mm * noise_.white_mm;
-  // One coordinate after the other; the second as it stands after the first.
-  const State by_right = covariance_.col(right) + covariance_.col(noise_right);
-  const double right_mm2 = by_right(right) + by_right(noise_right) + white_mm2;
-  const double off_right_mm = right_mm - state_(right) - state_(noise_right);
-  const double shared = (by_right(away) + by_right(noise_away)) / right_mm2;
-  const State by_away = covariance_.col(away) + covariance_.col(noise_away) - by_right * shared;
-  const double away_mm2 = by_away(away) + by_away(noise_away) + white_mm2;
-  const double off_away_mm = away_mm - state_(away) - state_(noise_away) - shared * off_right_mm;
-  const double nis = off_right_mm * off_right_mm / right_mm2 + off_away_mm * off_away_mm / away_mm2;
-  if (nis > gate) return nis;
-  correct(covariance_, by_right, right_mm2, by_away, away_mm2);
-  const double per_right = off_right_mm / right_mm2, per_away = off_away_mm / away_mm2;
-  for (int i = 0; i < size; ++i) state_(i) += by_right(i) * per_right + by_away(i) * per_away;
+PersonFilter::Innovation PersonFilter::innovation(const PlatePoint& position) const {
+  Innovation result;
+  result.off_mm = {position.right_mm - mean_(X::right) - mean_(X::noise_right),
+                   position.away_mm - mean_(X::away) - mean_(X::noise_away)};
+  result.cross.col(0) = covariance_.col(X::right) + covariance_.col(X::noise_right);
+  result.cross.col(1) = covariance_.col(X::away) + covariance_.col(X::noise_away);
+  const double white_mm2 = square(noise_.white_mm);
+  const double right_mm2 = result.cross(X::right, 0) + result.cross(X::noise_right, 0) + white_mm2;
+  const double away_mm2 = result.cross(X::away, 1) + result.cross(X::noise_away, 1) + white_mm2;
+  const double both_mm2 = result.cross(X::away, 0) + result.cross(X::noise_away, 0);
+  result.information << away_mm2, -both_mm2, -both_mm2, right_mm2;
+  result.information /= right_mm2 * away_mm2 - both_mm2 * both_mm2;
+  const Eigen::Vector2d off(result.off_mm.right_mm, result.off_mm.away_mm);
+  result.nis = off.dot(result.information * off);
+  return result;
+}
+
+void PersonFilter::correct(const Innovation& innovation) {
+  const State right = innovation.cross.col(0), away = innovation.cross.col(1);
+  const State right_gain = right * innovation.information(0, 0) + away * innovation.information(1, 0);
+  const State away_gain = right * innovation.information(0, 1) + away * innovation.information(1, 1);
+  mean_ += right_gain * innovation.off_mm.right_mm + away_gain * innovation.off_mm.away_mm;
+  for (int j = 0; j < X::count; ++j)
+    for (int i = 0; i < X::count; ++i) covariance_(i, j) -= right(i) * right_gain(j) + away(i) * away_gain(j);
   keep_in_range();
-  return nis;
 }
 
-void PersonFilter::place_at(double right_mm, double away_mm) {
-  for (const Index i : {right, away, noise_right, noise_away}) {
-    covariance_.row(i).setZero();
-    covariance_.col(i).setZero();
-    state_(i) = 0.0;
+void PersonFilter::place_at(const PlatePoint& position) {
+  for (const X::Index index : {X::right, X::away}) set_independent(covariance_, index, noise_.variance_mm2());
+  for (const X::Index index : {X::noise_right, X::noise_away}) {
+    set_independent(covariance_, index, square(noise_.correlated_mm));
+    mean_(index) = 0.0;
   }
-  state_(right) = right_mm;
-  state_(away) = away_mm;
-  covariance_(noise_right, noise_right) = covariance_(noise_away, noise_away) =
-      noise_.correlated_mm * noise_.correlated_mm;
-  covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
+  mean_(X::right) = position.right_mm;
+  mean_(X::away) = position.away_mm;
 }
 
 void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool answered) {
   const double turn_deg = virtual_direction_deg_ - virtual_direction_deg;
-  // Until they answer, they go where they went: the goal's fast part is the turn to come.
-  if (!answered) state_(wander) += turn_deg;
-  covariance_(wander, wander) += turn_sd_share * turn_sd_share * turn_deg * turn_deg;
+  // Until the person answers, the motion continues: the goal's fast part is the turn to come.
+  if (!answered) mean_(X::wander) += turn_deg;
+  covariance_(X::wander, X::wander) += square(tuning_.turn_sd_fraction * turn_deg);
   virtual_direction_deg_ = virtual_direction_deg;
 
-  const double left = 1.0 - progress(state_(evenness), state_(phase)).share;
+  const double left = 1.0 - progress(mean_(X::evenness), mean_(X::phase)).share;
   const double left_mm = std::max(path_mm_ * left + longer_mm, min_path_mm);
-  if (left_mm <= max_stretch * path_mm_ * left) {  // the same motion, stretched or cut
+  if (left_mm <= tuning_.max_stretch * path_mm_ * left) {  // the same motion, stretched or cut
     const double stretch = left_mm / (path_mm_ * left);
-    covariance_(log_rate, log_rate) += (stretch - 1.0) * (stretch - 1.0);
+    covariance_(X::log_rate, X::log_rate) += square(stretch - 1.0);
     path_mm_ *= stretch;
     return;
   }
   // Another motion follows.
   path_mm_ = std::max(path_mm_, left_mm);
-  state_(phase) = phase_at(state_(evenness), 1.0 - left_mm / path_mm_);
-  loosen_clock(another_motion_sd_s);
+  mean_(X::phase) = phase_at(mean_(X::evenness), 1.0 - left_mm / path_mm_);
+  loosen_clock(tuning_.new_motion_sd_s);
 }
 
-void PersonFilter::loosen_clock(double seconds) {
-  const double phases = rate_ * seconds;
-  covariance_(phase, phase) += phases * phases;
-}
+void PersonFilter::loosen_clock(double seconds) { covariance_(X::phase, X::phase) += square(rate_ * seconds); }
 
-double PersonFilter::place_variance_mm2(double along_right, double along_away) const {
-  return along_right * along_right * covariance_(right, right) + along_away * along_away * covariance_(away, away) +
-         2.0 * along_right * along_away * covariance_(right, away);
+double PersonFilter::sd(X::Index index) const { return std::sqrt(std::max(0.0, covariance_(index, index))); }
+
+double PersonFilter::position_variance_mm2(double right, double away) const {
+  return square(right) * covariance_(X::right, X::right) + square(away) * covariance_(X::away, X::away) +
+         2.0 * right * away * covariance_(X::right, X::away);
 }
 
 double PersonFilter::shift_variance_deg2(const FeltShift& slopes, double by_bias) const {
-  const double by[] = {slopes.by_weight, slopes.by_curve, slopes.by_fading, by_bias};
-  constexpr Index unknowns[] = {weight, curve, fading, bias};
-  double variance = 0.0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) variance += by[i] * by[j] * covariance_(unknowns[i], unknowns[j]);
-  return variance;
-}
-
-LinearIllusion PersonFilter::linear_illusion() const {
-  return hrt::linear_illusion(state_(weight), state_(curve), covariance_(weight, weight), covariance_(weight, curve),
-                              covariance_(curve, curve));
+  PersonBelief::Vector by = PersonBelief::Vector::Zero();
+  by(X::weight) = slopes.by_weight;
+  by(X::curve) = slopes.by_curve;
+  by(X::fading) = slopes.by_fading;
+  by(X::bias) = by_bias;
+  return by.dot(covariance_.topLeftCorner<X::traits, X::traits>() * by);
 }
 
 PersonBelief PersonFilter::belief() const {
-  PersonBelief belief;
-  belief.covariance.setZero();
-  belief.mean(PersonTrait::scatter) = scatter_deg_;
-  belief.covariance(PersonTrait::scatter, PersonTrait::scatter) = scatter_variance_deg2_;
-  for (int i = 0; i < states; ++i) {
-    belief.mean(i) = state_(state_of[i]);
-    for (int j = 0; j < states; ++j) belief.covariance(i, j) = covariance_(state_of[i], state_of[j]);
-  }
-  return belief;
+  return {.mean = mean_.head<X::traits>(), .covariance = covariance_.topLeftCorner<X::traits, X::traits>()};
 }
 
 void PersonFilter::keep_in_range() {
-  for (int i = 0; i < states; ++i)
-    state_(state_of[i]) = std::clamp(state_(state_of[i]), person_traits[i].min, person_traits[i].max);
-  state_(phase) = std::clamp(state_(phase), 0.0, 1.0);
-  rate_ = exponential(state_(log_rate));
+  for (const StateVariable& row : person_state)
+    if (row.min < row.max) mean_(row.index) = std::clamp(mean_(row.index), row.min, row.max);
+  rate_ = exponential(mean_(X::log_rate));
 }
 
 }  // namespace hrt

@@ -1,11 +1,12 @@
 // One reach of a person whose fingertip is tracked. A sample passes through
-//   estimate (person_estimator), aim, plan (reach_control), limit (plate_limits), command.
+//   estimate (person_estimator), plan (reach_control), limit (plate_limits), command (reach_command).
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
 #include "core/person/person_estimator.h"
+#include "core/person/reach_command.h"
 #include "core/person/reach_control.h"
 #include "core/plate/frame_error.h"
 #include "core/plate/plate_limits.h"
@@ -20,19 +21,20 @@ struct PersonReachConfig {
   PersonBelief person;  ///< is_valid(person)
   ReachControlConfig control;
   PlateDynamics plate;
-  std::optional<TrackerNoise> noise;    ///< of the tracker; none: learn it while the finger rests
+  std::optional<TrackerNoise> noise;    ///< of the tracker; none: it is learnt while the finger rests
   std::int64_t tracker_latency_ns = 0;  ///< from a motion to the time of its sample, 0 to 0.5 s
   std::int64_t step_period_ns = 100'000'000;
-  bool plate_waits = false;                         ///< the plate stays where it stands until the finger moves
+  bool plate_waits = false;                         ///< the plate does not turn until the finger moves
   bool start_is_felt = false;                       ///< where the finger is seen to rest is the start
   FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; is_frame_covariance()
   TouchedFrame touched;                             ///< what contacts have shown
+  Tuning tuning;
 };
 
 /// No heap, no lock, no exception. One thread at a time.
 class PersonReach {
  public:
-  /// `handover`: takes the place of another reach; none: the plate stands. Requires valid arguments.
+  /// `handover`: takes the place of another reach; none: the plate is at rest. Requires valid arguments.
   PersonReach(const PersonReachConfig& config, const Reach& reach,
               const std::optional<PlateHandover>& handover = std::nullopt);
 
@@ -40,61 +42,46 @@ class PersonReach {
   /// the command.
   const PlateCommand& update(const FingerSample& sample, bool arrived = false);
 
-  /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is: its
+  /// The real target is at `real` from now on. `now` is the reach as seen from where the finger is: its
   /// directions, distance and start are read.
   void retarget(const PlatePoint& real, const Reach& now);
 
+  /// The last command; the constructor's before the first sample.
   const PlateCommand& command() const { return command_; }
   /// Where the finger is; none before it moves.
   std::optional<PlatePoint> place() const;
-  /// Of a coordinate of it, the mean of both.
+  /// Variance of a coordinate of it, the mean of both.
   double place_variance_mm2() const;
-  /// Of the finger, as estimated; 0 before it moves, and at rest.
+  /// Estimated speed of the finger; 0 before it moves, and in a pause.
   double speed_mm_s() const;
   /// A position has been seen.
   bool seen() const { return position_ns_.has_value(); }
   ReachSummary summary() const;
   PlateHandover handover() const;
-  /// What is known of finger and person, as a whole.
   const PersonFilter& filter() const { return estimator_.filter(); }
 
   /// What the reach says of the person; none if it ended early, or did not fit the model.
   std::optional<PersonBelief> learnt() const;
 
  private:
-  struct Decision {
-    PlateOrientation plate;
-    double predicted_miss_deg = 0.0;
-  };
   void stand_ready();
   bool observe(const FingerSample& sample, double time_s);
-  Decision decide(double now_s);
-  PlateCommand publish(const FingerSample& sample, double now_s, bool decided);
+  PlateDecision decide(const PersonFilter& filter, std::int64_t now_ns, double now_s) const;
+  PlateCommand command_at(const ReachMoment& moment, const PersonFilter& answered) const;
   void count(const PlateCommand& command, bool observed);
   ReachAim aim() const;
   PlatePoint on_plate(const PlatePoint& seen) const;
-  double time_to_go_s(double now_s) const;
-  bool can_be_held() const;
-  double bearing_error_sd_deg() const;
 
   PersonReachConfig config_;
-  Reach reach_;
-  PlatePoint target_;
-  // Of the target as seen from where the finger was when the reach was last aimed: its direction, and how
-  // much of a miss across the line there shows across the line from the start.
-  std::optional<PlatePoint> aimed_from_;  // none before retarget()
-  double aimed_direction_deg_;
-  double miss_share_ = 1.0;
-  double frame_sd_deg_;  // of the target's bearing from the start, by the frame's uncertainty
+  ReachGoal goal_;
   PersonEstimator estimator_;
   PlateModel plate_;
   PlateTrace trace_;
   PlateLimits limits_;
-  Decision decision_;
+  PlateDecision decision_;
   PlateCommand command_;
   ReachSummary counts_;
   bool turned_ready_ = false;  // since the last sample
-  bool settled_ = false;       // command_ was made of the filter and the aim that still stand
   double seen_s_ = 0.0;        // time of the last sample
   double square_felt_sum_deg2_ = 0.0;
   std::int64_t felt_samples_ = 0;

@@ -11,14 +11,10 @@
 namespace hrt {
 namespace {
 
+using X = PersonState;
+
 constexpr int dead_time_steps = 2;
 constexpr int arrival_nodes = 4;
-// Millimetres of miss a degree of change of the felt shift is worth.
-constexpr double change_weight_mm_deg = 0.08;
-// w is taken lower by this share of its deviation: too little shift misses, too much is corrected.
-constexpr double weight_caution = 0.2;
-// The illusion is inverted for no less than this share of the mean speed.
-constexpr double min_speed_share = 0.2;
 
 // The finger as a plan carries it forward.
 struct Motion {
@@ -31,32 +27,33 @@ struct Motion {
 
 Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double line_deg, const ReachAim& aim,
                             const PlateOutlook& outlook) {
-  const PersonState x = filter.state();
+  const Tuning& tuning = filter.tuning();
   const double rate = filter.rate();
   const double arrives_s = outlook.now_s + outlook.latency_s;
-  const double step_s = (arrives_s + sensory_delay_s - filter_s) / dead_time_steps;
-  const double wander_kept = exponential(-step_s / wander_s);
+  const double step_s = (arrives_s + tuning.sensory_delay_s - filter_s) / dead_time_steps;
+  const double wander_kept = exponential(-step_s / tuning.wander_s);
   const SinCos line = sin_cos_deg(line_deg);
-  Motion motion{
-      .direction_deg = x.direction_deg,
-      .phase = x.phase,
-      .lateral_mm = (aim.target.right_mm - x.right_mm) * line.cosine + (aim.target.away_mm - x.away_mm) * line.sine,
-      .wander_deg = x.wander_deg,
-      .shift_deg = 0.0};
+  const PlatePoint to_target = aim.target - filter.position();
+  Motion motion{.direction_deg = filter.mean(X::direction),
+                .phase = filter.mean(X::phase),
+                .lateral_mm = to_target.right_mm * line.cosine + to_target.away_mm * line.sine,
+                .wander_deg = filter.mean(X::wander),
+                .shift_deg = 0.0};
   double felt_plate_deg = 0.0;
   Illusion illusion{};
   const double now_deg = outlook.past.at(outlook.now_s);
   for (int i = 0; i < dead_time_steps; ++i) {
-    const double felt_s = filter_s + (i + 0.5) * step_s - sensory_delay_s;
+    const double felt_s = filter_s + (i + 0.5) * step_s - tuning.sensory_delay_s;
     const double ahead =
         outlook.latency_s > 0.0 ? std::clamp((felt_s - outlook.now_s) / outlook.latency_s, 0.0, 1.0) : 1.0;
     felt_plate_deg =
         felt_s <= outlook.now_s ? outlook.past.at(felt_s) : now_deg + ahead * (outlook.after_latency_deg - now_deg);
-    const Progress p = progress(x.evenness, motion.phase + 0.5 * rate * step_s);
+    const Progress p = progress(filter.mean(X::evenness), motion.phase + 0.5 * rate * step_s);
     illusion = filter.illusion(filter.mean_speed_mm_s() * p.rate, filter.path_mm() * p.share);
     const FeltShift g = felt_shift(illusion, felt_plate_deg - motion.direction_deg);
+    const double goal_deg = filter.goal_deg(p.share, motion.wander_deg);
     const double turn_deg =
-        steer(x.gain_s, motion.direction_deg, g, filter.goal_deg(p.share, motion.wander_deg), step_s).turn_deg;
+        steer(filter.mean(X::gain), motion.direction_deg, g, goal_deg, step_s, tuning.max_slope).turn_deg;
     const double travel_mm = motion.phase >= 1.0 ? 0.0 : filter.path_mm() * rate * p.rate * step_s;
     motion.lateral_mm += travel_mm * sin_deg(motion.direction_deg + 0.5 * turn_deg - line_deg);
     motion.direction_deg += turn_deg;
@@ -74,18 +71,17 @@ struct Arrival {
 };
 
 Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) {
-  const PersonState x = filter.state();
   const double rate = filter.rate();
   const double remaining_s = std::max(0.0, 1.0 - from.phase) / rate;
   const double step_s = remaining_s / arrival_nodes;
-  const double half_kept = kept_error(x.gain_s, 0.5 * step_s);
-  const double wander_kept = exponential(-step_s / wander_s);
+  const double half_kept = kept_error(filter.mean(X::gain), 0.5 * step_s);
+  const double wander_kept = exponential(-step_s / filter.tuning().wander_s);
   Arrival arrival{from.lateral_mm, 0.0};
   double direction_deg = from.direction_deg;
   double unsteered = 1.0;  // share of Gamma that the person has not yet answered
   double wander_deg = from.wander_deg;
   for (int i = 0; i < arrival_nodes; ++i) {
-    const Progress p = progress(x.evenness, from.phase + (i + 0.5) * rate * step_s);
+    const Progress p = progress(filter.mean(X::evenness), from.phase + (i + 0.5) * rate * step_s);
     const double goal_deg = filter.goal_deg(p.share, wander_deg);
     const double middle_deg = goal_deg + (direction_deg - goal_deg) * half_kept;
     const double travel_mm = filter.path_mm() * rate * p.rate * step_s;
@@ -104,6 +100,7 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
 
 ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s, const ReachAim& aim,
                      const PlateOutlook& outlook) {
+  const Tuning& tuning = filter.tuning();
   const double line_deg = bearing_deg(aim.from, aim.target);
   const Motion motion = carry_over_dead_time(filter, filter_s, line_deg, aim, outlook);
   const Arrival arrival = arrive(filter, motion, line_deg);
@@ -111,17 +108,16 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   const double leverage = arrival.leverage_mm_deg;
   const double hold_deg = motion.shift_deg;
   double shift_deg = hold_deg - leverage * (arrival.miss_mm + leverage * hold_deg) /
-                                    (leverage * leverage + change_weight_mm_deg * change_weight_mm_deg);
-  const Progress p = progress(filter.state().evenness, motion.phase);
+                                    (leverage * leverage + tuning.change_weight_mm_deg * tuning.change_weight_mm_deg);
+  const Progress p = progress(filter.mean(X::evenness), motion.phase);
   const double error_deg = motion.direction_deg - filter.goal_deg(p.share, motion.wander_deg);
   // An error that the person would feel without the plate is theirs to correct; the plate must not add to it.
   const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
   shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
 
-  // At rest nothing is felt: the plate stands for the motion to come.
-  Illusion illusion = filter.illusion(filter.mean_speed_mm_s() * std::max(p.rate, min_speed_share), filter.path_mm());
-  const double weight_sd = std::sqrt(std::max(0.0, filter.covariance()(PersonFilter::weight, PersonFilter::weight)));
-  illusion.weight = std::max(0.03, illusion.weight - weight_caution * weight_sd);
+  Illusion illusion = filter.illusion(filter.mean_speed_mm_s() * p.rate, filter.path_mm());
+  // Too little shift misses, too much is corrected: w is taken lower than its mean.
+  illusion.weight = std::max(tuning.min_plan_weight, illusion.weight - tuning.weight_caution * filter.sd(X::weight));
   const MaxShift max = max_shift(illusion, config.bound_deg);
   const double given_deg = std::clamp(shift_deg, -max.felt.shift_deg, max.felt.shift_deg);
   return {.plate_deg = motion.direction_deg + offset_for_shift(illusion, given_deg, max),
@@ -136,7 +132,8 @@ double ready_orientation_deg(const ReachControlConfig& config, const PersonFilte
   for (int i = 0; i < 3; ++i) {
     PlateTrace trace;
     trace.add(0.0, ready_deg);
-    ready_deg = plan_reach(config, resting, 0.0, aim, {trace, -sensory_delay_s, 0.0, ready_deg}).plate_deg;
+    ready_deg =
+        plan_reach(config, resting, 0.0, aim, {trace, -resting.tuning().sensory_delay_s, 0.0, ready_deg}).plate_deg;
   }
   return ready_deg;
 }

@@ -12,7 +12,6 @@
 #pragma once
 
 #include "core/person/person_filter.h"
-#include "core/plate/plate_frame.h"
 #include "core/plate/plate_model.h"
 
 namespace hrt {
@@ -24,11 +23,11 @@ struct ReachControlConfig {
   double max_felt_error_deg = 5.0;
 };
 
-/// The line along which the finger is led; the miss is measured across it. Both points are relative to where the
-/// finger rested.
+/// The real target, relative to where the finger rested.
 struct ReachAim {
-  PlatePoint target;  ///< the real target
-  PlatePoint from;    ///< where the finger was when the reach was last aimed
+  PlatePoint target;
+  /// Start of the line to the target across which the miss is measured: where the finger was when it was last aimed.
+  PlatePoint from;
 };
 
 /// What the plate does before a command given now is felt.

@@ -10,12 +10,9 @@
 
 #include "core/math/exponential.h"
 #include "core/person/illusion.h"
+#include "core/person/tuning.h"
 
 namespace hrt {
-
-/// Of the felt error by the direction. A steeper illusion, such as a touch that fades as the motion comes to
-/// lie along the ridges, is so over less than a degree.
-inline constexpr double max_slope = 3.0;
 
 struct SteeringStep {
   double felt_error_deg;  ///< e at the step's start
@@ -24,8 +21,10 @@ struct SteeringStep {
 };
 
 /// A step of `seconds` >= 0 by a person of gain k. Implicit in what the turn does to the felt error: stable
-/// for any length, of second order in time.
-inline SteeringStep steer(double gain_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds) {
+/// for any length, of second order in time. `max_slope` bounds |1 - g_t|: an illusion that is steeper, such as a touch
+/// that fades as the motion comes to lie along the ridges, is so over less than a degree.
+inline SteeringStep steer(double gain_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
+                          double max_slope = Tuning{}.max_slope) {
   const double error_deg = direction_deg + felt.shift_deg - goal_deg;
   const double decay_s = gain_s * std::clamp(1.0 - felt.by_offset, -max_slope, max_slope);
   return {error_deg, decay_s, -gain_s * error_deg * seconds / (1.0 + 0.5 * seconds * std::max(0.0, decay_s))};

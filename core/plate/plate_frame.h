@@ -20,16 +20,19 @@ constexpr PlatePoint operator+(const PlatePoint& a, const PlatePoint& b) {
 constexpr PlatePoint operator-(const PlatePoint& a, const PlatePoint& b) {
   return {a.right_mm - b.right_mm, a.away_mm - b.away_mm};
 }
+constexpr PlatePoint operator*(double factor, const PlatePoint& a) { return {factor * a.right_mm, factor * a.away_mm}; }
 
 constexpr double square_distance_mm2(const PlatePoint& a, const PlatePoint& b) {
   return (a.right_mm - b.right_mm) * (a.right_mm - b.right_mm) + (a.away_mm - b.away_mm) * (a.away_mm - b.away_mm);
 }
 
 /// A position of the finger and its time, in seconds from an origin that the caller chooses.
-struct TimedPoint {
+template <class Point>
+struct Timed {
   double time_s = 0.0;
-  PlatePoint position;
+  Point position;
 };
+using TimedPoint = Timed<PlatePoint>;
 
 /// Direction from `from` to `to`, in (-180, 180]; 0 if they coincide.
 double bearing_deg(const PlatePoint& from, const PlatePoint& to);

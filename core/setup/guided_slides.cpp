@@ -8,8 +8,8 @@
 namespace hrt {
 namespace {
 
-constexpr int guide_rest_tenths = 14;
-constexpr int guide_stop_tenths = 20;
+constexpr double guide_rest_s = 1.4;
+constexpr double guide_stop_s = 2.0;
 // A rest is at an end of a guide within this share of the guide's length, and within this.
 constexpr double near_share = 0.3;
 constexpr double max_near_mm = 30.0;
@@ -21,7 +21,7 @@ constexpr double max_deviation_mm = 4.8;
 constexpr double expected_sd_mm = 1.0;
 constexpr double expected_count = 6.0;
 // What a tracker that sees a finger at rest may have otherwise in motion, and an end that is not quite met.
-constexpr double hold_sd_mm = 0.7;
+constexpr double hold_sd_mm = 0.8;
 // Of an entry of the frame's stretch.
 constexpr double stretch_sd = 0.05;
 
@@ -38,7 +38,7 @@ void GuidedSlides::restart() {
 void GuidedSlides::again(SetupProblem problem) {
   problem_ = problem;
   rests_ = 0;
-  still_.restart();
+  finger_.lift();
 }
 
 const PlatePoint& GuidedSlides::next() const {
@@ -53,14 +53,12 @@ void GuidedSlides::observe(const SetupSample& sample) {
     if (elapsed_s(seen_ns_, sample.time_ns) <= (lost ? max_unseen_s : max_raised_s)) return;
     // A finger that goes before it has slid is no failure: it may come again.
     if (rests_ > 0) again(lost ? SetupProblem::lost : SetupProblem::left_plate);
-    still_.restart();
+    finger_.lift();
     return;
   }
   seen_ns_ = sample.time_ns;
-  const PlatePoint& at = sample.on_plate.position;
-  still_.observe(sample.time_ns, {at.right_mm, 0.0, -at.away_mm});
-  if (const auto rest_mm = still_.rest(guide_rest_tenths))
-    come_to_rest({rest_mm->x(), -rest_mm->z()}, still_.rest(guide_stop_tenths).has_value());
+  finger_.observe(sample.time_ns, sample.on_plate.position);
+  if (finger_.rest_s() >= guide_rest_s) come_to_rest(finger_.rest_place(), finger_.rest_s() >= guide_stop_s);
 }
 
 void GuidedSlides::come_to_rest(const PlatePoint& place, bool long_since) {
@@ -74,7 +72,6 @@ void GuidedSlides::come_to_rest(const PlatePoint& place, bool long_since) {
   }
   problem_ = SetupProblem::none;
   seen_[static_cast<std::size_t>(object_)][static_cast<std::size_t>(rests_++)] = place;
-  still_.restart();
   if (rests_ < rests_an_object) return;
   rests_ = 0;
   ++object_;

@@ -7,7 +7,7 @@
 
 #include "core/plate/touched_frame.h"
 #include "core/setup/setup_step.h"
-#include "core/tracker/still_finger.h"
+#include "core/tracker/finger_phase.h"
 
 namespace hrt {
 
@@ -56,7 +56,7 @@ class GuidedSlides {
   int object_ = 0;
   int rests_ = 0;  // of this object
   SetupProblem problem_ = SetupProblem::none;
-  StillFinger still_;
+  FingerPhase finger_;
   std::int64_t seen_ns_ = 0;
 };
 

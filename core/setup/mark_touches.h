@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/setup/setup_step.h"
-#include "core/tracker/still_finger.h"
+#include "core/tracker/finger_phase.h"
 
 namespace hrt {
 
@@ -36,9 +36,8 @@ class MarkTouches {
   std::array<SetupTouch, max_touches> touches_{};
   int count_ = 0;
   int wanted_ = 0;
-  StillFinger still_;
+  PhaseDetector<Eigen::Vector3d> finger_;
   std::optional<Eigen::Vector3d> from_mm_;  // where it was when it was asked for
-  int away_ = 0;                            // positions in a row
   bool moved_ = false;
   bool lost_ = false;
 };

@@ -7,15 +7,12 @@
 namespace hrt {
 namespace {
 
-constexpr int rest_tenths = 5;
-constexpr int arrival_tenths = 5;
-constexpr int stop_tenths = 15;
+constexpr double rest_s = 0.5;
+constexpr double arrival_s = 0.5;
+constexpr double stop_s = 1.5;
 constexpr double start_radius_mm = 15.0;
 constexpr double near_start_mm = 25.0;  // of a single position, with the tracker's noise
-// A finger this far from where it rested has left; so has one of so many positions in a row, not one wild
-// one.
-constexpr double leaving_mm = 10.0;
-constexpr int leaving_samples = 3;
+constexpr double leaving_mm = 10.0;     // from where the finger rested: it slides
 constexpr double max_bearing_deg = 60.0;
 constexpr double plate_tolerance_deg = 2.0;
 constexpr double plate_limit_s = 5.0;
@@ -25,10 +22,6 @@ constexpr double max_lost_s = 0.5;
 constexpr double max_lifted_s = 0.1;
 constexpr double min_slide_s = 0.25;  // from where it has left, without the rest in the end
 constexpr double max_slide_s = 8.0;
-constexpr double tenth_s = 0.1;
-
-// In the plane of the plate.
-Eigen::Vector3d to_vector(const PlatePoint& point) { return {point.right_mm, 0.0, -point.away_mm}; }
 
 }  // namespace
 
@@ -45,8 +38,7 @@ void SlideWatch::again(SetupProblem problem) {
   resting_ = false;
   asked_ns_.reset();
   left_ns_.reset();
-  still_.restart();
-  beyond_ = 0;
+  finger_.lift();
 }
 
 bool SlideWatch::plate_is_off(const SetupSample& sample, double tolerance_deg) const {
@@ -79,20 +71,18 @@ bool SlideWatch::await_rest(const SetupSample& sample) {
     return false;
   }
   if (!seen || distance_mm(at, start_) > near_start_mm) {
-    still_.restart();
+    finger_.lift();
     resting_ = false;
     return false;
   }
   first_ = !resting_;
   resting_ = true;
-  still_.observe(sample.time_ns, to_vector(at));
-  if (const auto rest_mm = still_.rest(rest_tenths)) {
-    rest_ = {rest_mm->x(), -rest_mm->z()};
-    if (distance_mm(rest_, start_) > start_radius_mm) return true;
-    phase_ = Phase::slide;
-    seen_ns_ = sample.time_ns;
-    problem_ = SetupProblem::none;
-  }
+  finger_.observe(sample.time_ns, at);
+  if (finger_.rest_s() < rest_s || distance_mm(finger_.rest_place(), start_) > start_radius_mm) return true;
+  rest_ = finger_.rest_place();
+  phase_ = Phase::slide;
+  seen_ns_ = sample.time_ns;
+  problem_ = SetupProblem::none;
   return true;
 }
 
@@ -108,29 +98,27 @@ bool SlideWatch::follow(const SetupSample& sample) {
     again(!began ? SetupProblem::none : lost ? SetupProblem::lost : SetupProblem::left_plate);
   } else {
     seen_ns_ = sample.time_ns;
-    still_.observe(sample.time_ns, to_vector(sample.on_plate.position));
-    come_to(sample.on_plate.position, sample.time_ns);
+    finger_.observe(sample.time_ns, sample.on_plate.position);
+    come_to(sample.time_ns);
     return phase_ == Phase::slide || phase_ == Phase::done;
   }
   return false;
 }
 
-void SlideWatch::come_to(const PlatePoint& place, std::int64_t time_ns) {
+void SlideWatch::come_to(std::int64_t time_ns) {
   if (!left_ns_) {
-    beyond_ = distance_mm(place, rest_) > leaving_mm ? beyond_ + 1 : 0;
-    if (beyond_ == leaving_samples) left_ns_ = time_ns;
+    if (distance_mm(finger_.smoothed(), rest_) > leaving_mm) left_ns_ = time_ns;
     return;
   }
   const double moved_s = elapsed_s(*left_ns_, time_ns);
   if (moved_s > max_slide_s) return again(SetupProblem::too_slow);
-  const auto arrived_mm = still_.rest(arrival_tenths);
-  if (!arrived_mm) return;
-  const PlatePoint end{arrived_mm->x(), -arrived_mm->z()};
+  if (finger_.rest_s() < arrival_s) return;
+  const PlatePoint& end = finger_.rest_place();
   const bool ahead =
       distance_mm(end, rest_) >= 0.5 * distance_mm_ && std::abs(bearing_deg(rest_, end)) <= max_bearing_deg;
   if (!ahead) {
-    if (still_.rest(stop_tenths)) again(SetupProblem::stopped);
-  } else if (moved_s - arrival_tenths * tenth_s < min_slide_s) {
+    if (finger_.rest_s() >= stop_s) again(SetupProblem::stopped);
+  } else if (moved_s - finger_.rest_s() < min_slide_s) {
     again(SetupProblem::too_fast);
   } else {
     phase_ = Phase::done;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/setup/setup_step.h"
-#include "core/tracker/still_finger.h"
+#include "core/tracker/finger_phase.h"
 
 namespace hrt {
 
@@ -29,7 +29,7 @@ class SlideWatch {
   void await_plate(const SetupSample& sample);
   bool await_rest(const SetupSample& sample);
   bool follow(const SetupSample& sample);
-  void come_to(const PlatePoint& place, std::int64_t time_ns);
+  void come_to(std::int64_t time_ns);
   bool plate_is_off(const SetupSample& sample, double tolerance_deg) const;
 
   PlatePoint start_;
@@ -39,11 +39,10 @@ class SlideWatch {
   SetupProblem problem_ = SetupProblem::none;
   bool first_ = false;
   bool resting_ = false;  // within reach of the start: its samples are kept
-  StillFinger still_;
+  FingerPhase finger_;
   PlatePoint rest_;  // at the start
   std::optional<std::int64_t> asked_ns_;
   std::optional<std::int64_t> left_ns_;
-  int beyond_ = 0;  // samples in a row
   std::int64_t seen_ns_ = 0;
 };
 

@@ -7,22 +7,25 @@
 
 namespace hrt {
 
-RetargeterConfig people_controller() {
+RetargeterConfig people_controller(const Tuning& tuning) {
   RetargeterConfig config;
+  config.tuning = tuning;
+  config.person = unknown_person(0.2, 0.05, 0.0, tuning);
   config.mode = ControlMode::reach;
   config.plate = {.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};
   return config;
 }
 
-RetargeterConfig people_controller(const PersonCondition& condition) {
-  RetargeterConfig config = people_controller();
+RetargeterConfig people_controller(const PersonCondition& condition, const Tuning& tuning) {
+  RetargeterConfig config = people_controller(tuning);
   config.tracker_latency_ns = std::llround(1e9 * condition.tracker.declared_latency_s);
   return config;
 }
 
-RetargeterConfig informed_controller(const PersonCondition& condition, std::span<const PersonTrait::Index> traits) {
-  using T = PersonTrait;
-  RetargeterConfig config = people_controller();
+RetargeterConfig informed_controller(const PersonCondition& condition, std::span<const PersonState::Index> traits,
+                                     const Tuning& tuning) {
+  using T = PersonState;
+  RetargeterConfig config = people_controller(tuning);
   config.plate = condition.plate;
   config.tracker_latency_ns = std::llround(1e9 * condition.tracker.latency_s);
   const Person& person = condition.person;
@@ -40,7 +43,8 @@ RetargeterConfig informed_controller(const PersonCondition& condition, std::span
   know_if(T::gain, person.gain_per_s, 0.5);
   know_if(T::bias, person.bias_deg - person.own_bias_deg, 0.5);
   know_if(T::habit, person.habit_deg, 0.5);
-  know_if(T::scatter, std::max(person.scatter_deg, 0.2), 0.1);  // as steady as anybody is believed to be
+  know_if(T::scatter, std::max(person.scatter_deg, tuning.min_scatter_deg),
+          0.1);  // as steady as anybody is believed to be
   know_if(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
   know_if(T::log_rate, -logarithm(person.duration_s), 0.05);
   if (condition.virtual_direction_deg != 0.0)  // else a share of it is no direction

@@ -9,21 +9,22 @@
 namespace hrt {
 
 /// A controller for people that knows what the usual plate and tracker can do, and nothing of the person.
-RetargeterConfig people_controller();
+RetargeterConfig people_controller(const Tuning& tuning = {});
 
 /// The same, with the tracker's declared latency.
-RetargeterConfig people_controller(const PersonCondition& condition);
+RetargeterConfig people_controller(const PersonCondition& condition, const Tuning& tuning = {});
 
 /// What of a person is worth knowing. The gain, the heading and the fading of touch are of the model's person: knowing
 /// those of a simulated one costs more reaches than it gains.
-inline constexpr PersonTrait::Index telling_traits[] = {PersonTrait::weight,  PersonTrait::curve,
-                                                        PersonTrait::bias,    PersonTrait::habit,
-                                                        PersonTrait::scatter, PersonTrait::log_rate};
+inline constexpr PersonState::Index telling_traits[] = {PersonState::weight,  PersonState::curve,
+                                                        PersonState::bias,    PersonState::habit,
+                                                        PersonState::scatter, PersonState::log_rate};
 
 /// A controller for people with plate and tracker known, and these traits of the person as far as its model
 /// describes them.
 RetargeterConfig informed_controller(const PersonCondition& condition,
-                                     std::span<const PersonTrait::Index> traits = telling_traits);
+                                     std::span<const PersonState::Index> traits = telling_traits,
+                                     const Tuning& tuning = {});
 
 /// The paper's, with w_T assumed 0.15.
 RetargeterConfig paper_controller();

@@ -127,7 +127,8 @@ std::vector<PersonOutcome> simulate_person(const PersonCondition& condition, con
         simulate_reach(now, controller ? &retargeter : nullptr, config.touched, seed, index, number, watch));
     if (const auto learnt = retargeter.learnt()) {
       const ReachSummary& summary = outcomes.back().summary;
-      config.person = carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
+      config.person = carried(config.person, *learnt, summary.unreachable || summary.off_target,
+                              unknown_person(0.2, 0.05, 0.0, config.tuning), config.tuning);
       outcomes.back().learnt = config.person;
     }
     if (controller && condition.contact_sd_mm > 0.0)

@@ -3,39 +3,107 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/exponential.h"
+
 namespace hrt {
 namespace {
 
-// What is assumed before three positions are seen, and the least that is believed.
-constexpr double initial_variance_mm2 = 0.3 * 0.3;
-constexpr double min_variance_mm2 = 0.01 * 0.01;
-// A jump is no noise: it counts for no more than this many times the variance, three deviations.
-constexpr double max_surprise = 9.0;
+// Differences of neighbours that the assumed noise is worth: a rest of few correlation times shows its white part only.
+constexpr double assumed_white_differences = 6.0;
+constexpr double assumed_correlated_differences = 30.0;
+// Before so many differences the assumed noise is used as it is.
+constexpr int min_steps = 8;
+// A larger deviation is a finger that moves; within a motion a departure counts for three deviations at most.
+constexpr double max_noise_mm = 4.0;
+constexpr double max_departure_deviations = 3.0;
+// A tracker is never believed to be better: without any noise a filter takes every trace for the person.
+constexpr double min_part_mm = 0.02;
 
 }  // namespace
 
-NoiseLearner::NoiseLearner(double known_mm)
-    : is_known_(known_mm > 0.0), variance_mm2_(is_known_ ? known_mm * (known_mm) : initial_variance_mm2) {}
-
-void NoiseLearner::observe(double time_s, const PlatePoint& position) {
-  if (is_known_ || (last_ && time_s <= last_->time_s)) return;
-  if (last_but_one_) {
-    const double share = (last_->time_s - last_but_one_->time_s) / (time_s - last_but_one_->time_s);
-    const auto departure_mm2 = [&](double first_mm, double middle_mm, double last_mm) {
-      const double departure_mm = middle_mm - ((1.0 - share) * first_mm + share * last_mm);
-      return departure_mm * departure_mm / (1.0 + (1.0 - share) * (1.0 - share) + share * share);
-    };
-    const double seen_mm2 =
-        0.5 * (departure_mm2(last_but_one_->position.right_mm, last_->position.right_mm, position.right_mm) +
-               departure_mm2(last_but_one_->position.away_mm, last_->position.away_mm, position.away_mm));
-    weight_ += 1.0;
-    variance_mm2_ += (std::min(seen_mm2, max_surprise * variance_mm2_) - variance_mm2_) / weight_;
-    variance_mm2_ = std::max(variance_mm2_, min_variance_mm2);
+void StructureFunction::add(const StructureFunction& other, double sign) {
+  for (std::size_t lag = 0; lag < sums.size(); ++lag) {
+    sums[lag].square_mm2 += sign * other.sums[lag].square_mm2;
+    sums[lag].time_s += sign * other.sums[lag].time_s;
+    sums[lag].count += sign * other.sums[lag].count;
   }
-  last_but_one_ = last_;
-  last_ = {time_s, position};
 }
 
-double NoiseLearner::noise_mm() const { return std::sqrt(variance_mm2_); }
+NoiseParts separate(const StructureFunction& differences, double correlation_s) {
+  double n = 0.0, g = 0.0, gg = 0.0, d = 0.0, gd = 0.0, dd = 0.0;
+  for (int lag = 0; lag < StructureFunction::lags; ++lag) {
+    const StructureFunction::Sum& sum = differences.sums[static_cast<std::size_t>(lag)];
+    if (!(sum.count > 0.5) || !(sum.square_mm2 > 0.0)) continue;
+    const double mean_mm2 = sum.mean_mm2();
+    const double growth = 1.0 - exponential(-sum.mean_s() / correlation_s);
+    const double weight = sum.count / StructureFunction::places(lag) / square(mean_mm2);
+    n += weight;
+    g += weight * growth;
+    gg += weight * growth * growth;
+    d += weight * mean_mm2;
+    gd += weight * growth * mean_mm2;
+    dd += weight * mean_mm2 * mean_mm2;
+  }
+  if (!(n > 0.0)) return {0.0, 0.0, 0.0};
+  const double determinant = n * gg - g * g;
+  double white = 0.0, correlated = 0.0;
+  if (determinant > 1e-9 * n * gg) {
+    white = (gg * d - g * gd) / determinant;
+    correlated = (n * gd - g * d) / determinant;
+  }
+  if (!(correlated > 0.0)) {
+    white = d / n;
+    correlated = 0.0;
+  } else if (white < 0.0) {
+    white = 0.0;
+    correlated = gd / gg;
+  }
+  const double cost = dd - 2.0 * (white * d + correlated * gd) + white * white * n + 2.0 * white * correlated * g +
+                      correlated * correlated * gg;
+  return {white, correlated, cost};
+}
+
+template <class Point>
+void NoiseLearner<Point>::learn(const RecentPlaces<Point>& places, int rested) {
+  if (known_) return;
+  const Timed<Point>& last = places[0];
+  for (int lag = 0; lag < StructureFunction::lags; ++lag) {
+    const int back = StructureFunction::places(lag);
+    if (back > rested || back >= places.count()) break;
+    differences_.add(lag, 0.5 / coordinates * square_distance_mm2(last.position, places[back].position),
+                     last.time_s - places[back].time_s);
+  }
+  update();
+}
+
+// A motion cancels in the distance of a place from the line through its neighbours; white noise stays.
+template <class Point>
+void NoiseLearner<Point>::learn_moving(const RecentPlaces<Point>& places) {
+  if (known_ || places.count() < 3) return;
+  const double share = (places[1].time_s - places[2].time_s) / (places[0].time_s - places[2].time_s);
+  const Point line = places[2].position + share * (places[0].position - places[2].position);
+  const double departure_mm2 =
+      square_distance_mm2(places[1].position, line) / (coordinates * (1.0 + square(1.0 - share) + square(share)));
+  differences_.add(0, std::min(departure_mm2, square(max_departure_deviations) * noise_.variance_mm2()),
+                   places[0].time_s - places[1].time_s);
+  update();
+}
+
+template <class Point>
+void NoiseLearner<Point>::update() {
+  if (steps() < min_steps) return;
+  const NoiseParts seen = separate(differences_, noise_.correlation_s);
+  const auto blended_mm = [this](double assumed_mm, double seen_mm2, double assumed_differences) {
+    const double share = steps() / (steps() + assumed_differences);
+    const double mm2 = (1.0 - share) * square(assumed_mm) + share * std::min(seen_mm2, square(max_noise_mm));
+    return std::max(min_part_mm, std::sqrt(mm2));
+  };
+  constexpr TrackerNoise assumed;
+  noise_.white_mm = blended_mm(assumed.white_mm, seen.white_mm2, assumed_white_differences);
+  noise_.correlated_mm = blended_mm(assumed.correlated_mm, seen.correlated_mm2, assumed_correlated_differences);
+}
+
+template class NoiseLearner<PlatePoint>;
+template class NoiseLearner<Eigen::Vector3d>;
 
 }  // namespace hrt

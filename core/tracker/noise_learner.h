@@ -1,32 +1,102 @@
-// A tracker's white noise, from positions as they come.
+// A tracker's noise, white and correlated, from the differences between positions of a finger at rest.
+//
+//   position = rest place + n + e,   n' = -n / tau + noise (stationary, variance c),   e white, variance w
+//
+// in each coordinate. The mean square difference of positions that are t apart does not depend on the place:
+//
+//   D(t) = E (x(s + t) - x(s))^2 / 2 = w + c (1 - exp(-t / tau))
+//
+// (structure function; Kolmogorov 1941). White noise shows in neighbours, correlated noise in the growth of D. What the
+// finger itself does at rest cannot be separated from noise: tremor and drift count as correlated noise.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <optional>
+#include <type_traits>
 
 #include "core/plate/plate_frame.h"
+#include "core/tracker/recent_places.h"
 
 namespace hrt {
 
-/// Learns from how a position departs from the line through its neighbours in time: slow motion cancels,
-/// white noise stays. No heap, no lock, no exception.
+/// White and correlated noise of a tracked coordinate, standard deviations, > 0. The defaults are assumed of an unknown
+/// tracker.
+struct TrackerNoise {
+  double white_mm = 0.8;
+  double correlated_mm = 0.9;
+  double correlation_s = 0.1;  ///< the correlated part decays to 1/e in this, > 0
+
+  double variance_mm2() const { return white_mm * white_mm + correlated_mm * correlated_mm; }
+};
+
+inline double square_distance_mm2(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (a - b).squaredNorm(); }
+
+/// D at lags of 1, 2, 4, ... places, as sums: those of several rests may be added.
+struct StructureFunction {
+  static constexpr int lags = 6;
+  static constexpr int places(int lag) { return 1 << lag; }
+
+  struct Sum {
+    double square_mm2 = 0.0;  ///< of half the square difference of a coordinate
+    double time_s = 0.0;
+    double count = 0.0;
+
+    double mean_mm2() const { return square_mm2 / count; }
+    double mean_s() const { return time_s / count; }
+  };
+  std::array<Sum, lags> sums{};
+
+  void add(int lag, double half_square_mm2, double seconds) {
+    Sum& sum = sums[static_cast<std::size_t>(lag)];
+    sum.square_mm2 += half_square_mm2;
+    sum.time_s += seconds;
+    sum.count += 1.0;
+  }
+  /// Adds `sign` times the sums of `other`.
+  void add(const StructureFunction& other, double sign);
+};
+
+/// w and c >= 0 that fit D for a given tau, by least squares of relative errors; a lag weighs as the number of its
+/// differences that do not overlap.
+struct NoiseParts {
+  double white_mm2;
+  double correlated_mm2;
+  double cost;
+};
+NoiseParts separate(const StructureFunction& differences, double correlation_s);
+
+/// Learns the white part always, the correlated part while the finger rests. `Point` is PlatePoint or Eigen::Vector3d.
+/// No heap, no lock, no exception.
+template <class Point>
 class NoiseLearner {
  public:
-  /// `known_mm`: standard deviation of a coordinate; 0: learn it.
-  explicit NoiseLearner(double known_mm = 0.0);
+  /// `known`: the noise is given, and nothing is learnt.
+  explicit NoiseLearner(const std::optional<TrackerNoise>& known = {})
+      : noise_(known.value_or(TrackerNoise{})), known_(known.has_value()) {}
 
-  /// To be called with every position, also of a finger at rest. One with the time of the last is left out.
-  void observe(double time_s, const PlatePoint& position);
+  /// Takes the last of `places`, of which the last `rested` + 1 are of one rest.
+  void learn(const RecentPlaces<Point>& places, int rested);
+  /// Takes the last of `places` of a finger that moves: shows white noise only.
+  void learn_moving(const RecentPlaces<Point>& places);
 
-  double variance_mm2() const { return variance_mm2_; }
-  /// Standard deviation of a coordinate.
-  double noise_mm() const;
+  /// Blend of the assumed and the learnt noise, by the number of differences seen.
+  const TrackerNoise& noise() const { return noise_; }
+  bool known() const { return known_; }
+  /// Differences of neighbours so far, and D of them.
+  int steps() const { return static_cast<int>(differences_.sums[0].count); }
+  double step_variance_mm2() const { return differences_.sums[0].mean_mm2(); }
 
  private:
-  bool is_known_;
-  double variance_mm2_;
-  double weight_ = 1.0;  // samples that variance_mm2_ stands for
-  std::optional<TimedPoint> last_;
-  std::optional<TimedPoint> last_but_one_;
+  static constexpr double coordinates = std::is_same_v<Point, PlatePoint> ? 2.0 : 3.0;
+  void update();
+
+  TrackerNoise noise_;
+  bool known_;
+  StructureFunction differences_;
 };
+
+extern template class NoiseLearner<PlatePoint>;
+extern template class NoiseLearner<Eigen::Vector3d>;
 
 }  // namespace hrt

@@ -1,12 +1,8 @@
-// A tracker's noise, white and correlated, from a finger at rest.
+// A tracker's noise with intervals, from recorded rests: what a calibration reports.
 //
-//   measured = rest place + n + e,   n' = -n / tau + noise (stationary, standard deviation c),   e white
-//
-// in each coordinate, with the same numbers in both. What the finger itself does at rest cannot be separated
-// from this: physiological tremor (8 to 12 Hz, below 0.1 mm on a plate) and slow drift are counted as noise,
-// drift as correlated noise with a long tau.
-//
-// Off-line work: it allocates. Any thread.
+// The structure function of all rests (noise_learner.h) gives the white part, the correlated part and, on a grid, the
+// correlation time. Intervals are of the jackknife (Efron, 1982) over blocks of half a second, which holds for noise of
+// any distribution and for blocks that are correlated within themselves. Off-line work: it allocates. Any thread.
 #pragma once
 
 #include <optional>
@@ -15,6 +11,7 @@
 
 #include "core/math/distributions.h"
 #include "core/plate/plate_frame.h"
+#include "core/tracker/noise_learner.h"
 
 namespace hrt {
 
@@ -27,19 +24,12 @@ struct RestNoise {
   Interval correlation_s;  ///< searched from 0.7 sample periods, at least 10 ms, to 2 s
 };
 
-/// Maximum likelihood over all rests, each at a place of its own; intervals by profile likelihood. Positions
-/// that the tracker made up are left out. Times increase within a rest; positions are finite.
+/// The noise of all rests, each at a place of its own. Positions that are grossly off are left out. Times increase
+/// within a rest; positions are finite.
 RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
 
-/// What a controller takes of it.
-struct KnownNoise {
-  double white_mm;             ///< all of the noise if correlated_mm is 0
-  double correlated_mm = 0.0;  ///< 0: not distinguished
-  double correlation_s = 0.0;  ///< with correlated_mm
-};
-
-/// None if the white part is not known. The correlated part goes with its time, and only if there is
-/// certainly one; else all noise is one.
-std::optional<KnownNoise> known_noise(const RestNoise& noise);
+/// What a controller takes of it; correlated_mm is 0 unless there is certainly such noise and its time is known, and
+/// all noise is then white_mm. None if the white part is not known.
+std::optional<TrackerNoise> known_noise(const RestNoise& noise);
 
 }  // namespace hrt

@@ -11,8 +11,8 @@ TEST(Learning, WhatIsCarriedIsNeverTooSure) {
   const RetargeterConfig next = carried(
       {},
       {.tactile_weight = 0.2, .tactile_weight_sd = 1e-6, .motor_variance_deg2 = 0.5, .motor_variance_sd_deg2 = 1e-6});
-  EXPECT_EQ(next.estimator.tactile_weight_sd, min_carried_weight_sd);
-  EXPECT_EQ(next.estimator.motor_variance_sd_deg2, min_carried_motor_variance_sd_deg2);
+  EXPECT_EQ(next.estimator.tactile_weight_sd, Tuning{}.min_carried_weight_sd);
+  EXPECT_EQ(next.estimator.motor_variance_sd_deg2, Tuning{}.min_carried_motor_variance_sd_deg2);
 }
 
 PersonBelief scaled_person(double scale) {
@@ -27,7 +27,7 @@ TEST(Learning, APersonIsCarriedWiderThanLearntAndNeverWiderThanUnknown) {
     const PersonBelief learnt = scaled_person(scale);
     const PersonBelief next = carried(unknown, learnt, false, unknown);
     EXPECT_TRUE(is_valid(next)) << scale;
-    for (int i = 0; i < PersonTrait::count; ++i) {
+    for (int i = 0; i < PersonState::traits; ++i) {
       EXPECT_LE(next.covariance(i, i), unknown.covariance(i, i) * (1.0 + 1e-12)) << scale << ' ' << i;
       if (scale < 0.5) {
         EXPECT_GT(next.covariance(i, i), learnt.covariance(i, i)) << scale << ' ' << i;
@@ -38,7 +38,7 @@ TEST(Learning, APersonIsCarriedWiderThanLearntAndNeverWiderThanUnknown) {
 
 TEST(Learning, WhatRoundingLeftUnequalIsCarriedSymmetric) {
   PersonBelief learnt = scaled_person(0.5);
-  learnt.covariance(PersonTrait::weight, PersonTrait::curve) *= 1.0 + 1e-13;
+  learnt.covariance(PersonState::weight, PersonState::curve) *= 1.0 + 1e-13;
   EXPECT_FALSE(is_valid(learnt));
   EXPECT_TRUE(is_valid(carried(unknown_person(), learnt, true, unknown_person())));
 }
@@ -48,22 +48,22 @@ TEST(Learning, WhatRoundingLeftUnequalIsCarriedSymmetric) {
 TEST(Learning, AnIllusionThatHasFallenIsUnknownAgain) {
   const PersonBelief unknown = unknown_person();
   PersonBelief before = unknown;
-  before.mean(PersonTrait::weight) = 0.28;
-  before.mean(PersonTrait::curve) = 0.0;
+  before.mean(PersonState::weight) = 0.28;
+  before.mean(PersonState::curve) = 0.0;
   before.covariance *= 0.16;
   PersonBelief learnt = before;
-  learnt.mean(PersonTrait::weight) = 0.18;
-  learnt.mean(PersonTrait::bias) = 2.0;
+  learnt.mean(PersonState::weight) = 0.18;
+  learnt.mean(PersonState::bias) = 2.0;
   const PersonBelief next = carried(before, learnt, true, unknown);
-  for (const int i : {PersonTrait::weight, PersonTrait::curve, PersonTrait::fading}) {
+  for (const int i : {PersonState::weight, PersonState::curve, PersonState::fading}) {
     EXPECT_EQ(next.mean(i), unknown.mean(i));
-    EXPECT_EQ(next.covariance(i, PersonTrait::weight), unknown.covariance(i, PersonTrait::weight));
-    EXPECT_EQ(next.covariance(i, PersonTrait::bias), 0.0);
+    EXPECT_EQ(next.covariance(i, PersonState::weight), unknown.covariance(i, PersonState::weight));
+    EXPECT_EQ(next.covariance(i, PersonState::bias), 0.0);
   }
-  EXPECT_GT(next.mean(PersonTrait::bias), 0.3);
+  EXPECT_GT(next.mean(PersonState::bias), 0.3);
   EXPECT_TRUE(is_valid(next));
-  EXPECT_EQ(carried(before, learnt, false, unknown).mean(PersonTrait::weight), 0.18);
-  EXPECT_EQ(carried(unknown, learnt, true, unknown).mean(PersonTrait::weight), 0.18);
+  EXPECT_EQ(carried(before, learnt, false, unknown).mean(PersonState::weight), 0.18);
+  EXPECT_EQ(carried(unknown, learnt, true, unknown).mean(PersonState::weight), 0.18);
 }
 
 // Of a bias of 0 +- 1.5 and a scatter of 1.2, a reach that showed 3 +- 0.71 has 3 (2.25 / 3.69) of the bias, and
@@ -71,29 +71,29 @@ TEST(Learning, AnIllusionThatHasFallenIsUnknownAgain) {
 TEST(Learning, AReachsDeviationIsNotTheirBias) {
   const PersonBelief unknown = unknown_person();
   PersonBelief learnt = unknown;
-  know(learnt, PersonTrait::bias, 3.0, std::sqrt(0.5));
+  know(learnt, PersonState::bias, 3.0, std::sqrt(0.5));
   const PersonBelief next = carried(unknown, learnt, false, unknown);
-  EXPECT_NEAR(next.mean(PersonTrait::bias), 1.8293, 1e-4);
-  EXPECT_NEAR(next.covariance(PersonTrait::bias, PersonTrait::bias), 1.0640 + 0.25, 1e-4);
-  EXPECT_NEAR(next.mean(PersonTrait::scatter), 1.3625, 1e-4);
-  EXPECT_NEAR(next.covariance(PersonTrait::scatter, PersonTrait::scatter), 0.3388 + 0.01, 1e-4);
+  EXPECT_NEAR(next.mean(PersonState::bias), 1.8293, 1e-4);
+  EXPECT_NEAR(next.covariance(PersonState::bias, PersonState::bias), 1.0640 + 0.25, 1e-4);
+  EXPECT_NEAR(next.mean(PersonState::scatter), 1.3625, 1e-4);
+  EXPECT_NEAR(next.covariance(PersonState::scatter, PersonState::scatter), 0.3388 + 0.01, 1e-4);
   PersonBelief steady = unknown;
-  know(steady, PersonTrait::scatter, 0.0, 0.1);
-  know(learnt, PersonTrait::scatter, 0.0, 0.1);
-  EXPECT_NEAR(carried(steady, learnt, false, unknown).mean(PersonTrait::bias), 3.0 * 2.25 / 2.29, 1e-4);
+  know(steady, PersonState::scatter, 0.0, 0.1);
+  know(learnt, PersonState::scatter, 0.0, 0.1);
+  EXPECT_NEAR(carried(steady, learnt, false, unknown).mean(PersonState::bias), 3.0 * 2.25 / 2.29, 1e-4);
 }
 
 // 2 mm of prior and of the contact: half of 4 mm at 100 mm, 1.146 degrees to the right, is the frame's, and
 // the person's bias has that much less of it. A bias that no reach has taught stays.
 TEST(Learning, AContactTakesTheFramesPartOfTheBias) {
   RetargeterConfig config;
-  config.person.mean(PersonTrait::bias) = 2.0;
+  config.person.mean(PersonState::bias) = 2.0;
   const Contact contact{{0.0, 100.0}, {4.0, 100.0}, 4.0};
   const RetargeterConfig learnt = carried(config, contact, true);
-  EXPECT_NEAR(learnt.person.mean(PersonTrait::bias), 2.0 - 1.1458, 1e-3);
+  EXPECT_NEAR(learnt.person.mean(PersonState::bias), 2.0 - 1.1458, 1e-3);
   EXPECT_NEAR(corrected(learnt.touched, contact.finger).right_mm, 2.0, 1e-9);
   EXPECT_EQ(learnt.person.covariance, config.person.covariance);
-  EXPECT_EQ(carried(config, contact, false).person.mean(PersonTrait::bias), 2.0);
+  EXPECT_EQ(carried(config, contact, false).person.mean(PersonState::bias), 2.0);
   EXPECT_TRUE(is_valid(learnt));
 }
 

@@ -20,12 +20,12 @@ using ConfigFields = Fields<hrt_session_config>;
 // The core squares it; the square of less would lose its digits, or be 0.
 constexpr double min_tracker_noise_mm = 1e-6;
 
-static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_SCATTER == PersonTrait::scatter &&
+static_assert(HRT_PERSON_TRAITS == PersonState::traits && HRT_PERSON_SCATTER == PersonState::scatter &&
               HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
 // Not of std::ranges, which emscripten 3.1.6 lacks.
 static_assert(std::equal(std::begin(ConfigFields::person_mean_elements), std::end(ConfigFields::person_mean_elements),
-                         std::begin(person_traits), std::end(person_traits),
-                         [](const Element& a, const Trait& b) { return a.low == b.min && a.high == b.max; }));
+                         std::begin(person_state), std::begin(person_state) + HRT_PERSON_TRAITS,
+                         [](const Element& a, const StateVariable& b) { return a.low == b.min && a.high == b.max; }));
 static_assert(ConfigFields::horizon.high == max_horizon && ConfigFields::tactile_weight_sd.high == max_weight_sd);
 template <class Field>
 constexpr bool has_range(const Field& field, const Range& range, double unit = 1.0) {
@@ -115,12 +115,12 @@ hrt_result read_person(const hrt_session_person& given, SessionModel* model) {
     return HRT_OK;
   }
   PersonBelief& person = model->control.person;
-  for (int i = 0; i < PersonTrait::count; ++i) {
+  for (int i = 0; i < PersonState::traits; ++i) {
     const Element& trait = ConfigFields::person_mean_elements[i];
     HRT_RETURN_IF_FAILED(check_range(trait.name, given.mean[i], trait.low, trait.high));
     person.mean(i) = given.mean[i];
   }
-  person.covariance = from_triangle<PersonTrait::count>(given.covariance);
+  person.covariance = from_triangle<PersonState::traits>(given.covariance);
   return is_valid(person) ? HRT_OK : is_no_covariance("person_covariance", "definite");
 }
 
@@ -193,8 +193,8 @@ hrt_session_config to_c(const SessionModel& model) {
   config.tracker.noise_m = control.estimator.tracker_noise_mm / mm_per_m;
   config.tracker.correlated_noise_m = control.estimator.correlated_noise_mm / mm_per_m;
   if (model.knows_person) {
-    for (int i = 0; i < PersonTrait::count; ++i) config.person.mean[i] = control.person.mean(i);
-    write_triangle<PersonTrait::count>(control.person.covariance, config.person.covariance);
+    for (int i = 0; i < PersonState::traits; ++i) config.person.mean[i] = control.person.mean(i);
+    write_triangle<PersonState::traits>(control.person.covariance, config.person.covariance);
   }
   for (int i = 0; i < 4; ++i) config.registration.contact_correction[i] = touched.stretch(i / 2, i % 2);
   write_triangle<4>(touched.covariance, config.registration.contact_covariance);

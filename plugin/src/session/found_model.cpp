@@ -25,7 +25,7 @@ Interval interval_about(double value, double sd) {
   return {value, value - normal_975 * sd, value + normal_975 * sd, true};
 }
 
-Interval believed(const SessionModel& model, PersonTrait::Index trait) {
+Interval believed(const SessionModel& model, PersonState::Index trait) {
   if (!model.knows_person) return {.known = false};
   const PersonBelief& person = model.control.person;
   return interval_about(person.mean(trait), std::sqrt(person.covariance(trait, trait)));
@@ -54,7 +54,8 @@ void apply_calibration(const Calibration& calibration, SessionModel* model) {
   const auto apply_weight = [&] {
     if (!weight.known) return;
     participant.tactile_weight = weight.value;
-    estimator.tactile_weight_sd = std::max(deviation_of_interval(weight.lower, weight.upper), min_carried_weight_sd);
+    estimator.tactile_weight_sd =
+        std::max(deviation_of_interval(weight.lower, weight.upper), model->control.tuning.min_carried_weight_sd);
   };
   apply_weight();
   if (calibration.bias_deg.known) participant.bias_deg = calibration.bias_deg.value;
@@ -79,8 +80,8 @@ void apply_guides(const TouchedFrame& found, const SetupConfig& config, SessionM
   double turned = 0.0;
   for (int i = 0; i < config.guide_count; ++i)
     turned += turned_deg(touched, found, config.guides[static_cast<std::size_t>(i)]) / config.guide_count;
-  const Trait& bias = person_traits[PersonTrait::bias];
-  double& believed_deg = model->control.person.mean(PersonTrait::bias);
+  const StateVariable& bias = person_state[PersonState::bias];
+  double& believed_deg = model->control.person.mean(PersonState::bias);
   if (model->knows_person) believed_deg = std::clamp(believed_deg + turned, bias.min, bias.max);
   touched = found;
   model->control.start_is_felt = true;
@@ -125,8 +126,8 @@ RetestDifference difference(const SessionModel& model, const Calibration& calibr
   Interval weight = interval_about(model.control.participant.tactile_weight, model.control.estimator.tactile_weight_sd);
   weight.known = model.knows_person;
   const RepeatedValue values[] = {{weight, calibration.tactile_weight},
-                                  {believed(model, PersonTrait::bias), calibration.bias_deg},
-                                  {believed(model, PersonTrait::habit), calibration.habit_deg}};
+                                  {believed(model, PersonState::bias), calibration.bias_deg},
+                                  {believed(model, PersonState::habit), calibration.habit_deg}};
   const auto differences = compare(values);
   return {differences[0].differs, differences[1].differs, differences[2].differs};
 }

@@ -28,7 +28,7 @@ Gaps::Real Gaps::real(const TargetPlace& place) const {
 double Gaps::goal_deg(const TargetPlace& virtual_place) const {
   const RetargeterConfig& control = model_.control;
   return view(model_, virtual_place).direction_deg +
-         (control.mode == ControlMode::reach ? control.person.mean(PersonTrait::bias) : control.participant.bias_deg);
+         (control.mode == ControlMode::reach ? control.person.mean(PersonState::bias) : control.participant.bias_deg);
 }
 
 Gap Gaps::gap(const Real& real, double goal_deg) const {

@@ -84,10 +84,11 @@ void know_person(const PersonBelief& belief, SessionModel* model) {
 Illusion illusion_of(const SessionModel& model, double distance_mm) {
   if (!model.knows_person) return {model.control.participant.tactile_weight, 0.0};
   const PersonBelief::Vector& mean = model.control.person.mean;
-  return {.weight = mean(PersonTrait::weight),
-          .curve = mean(PersonTrait::curve),
-          .fading = mean(PersonTrait::fading),
-          .slowness = ridge_slowness(distance_mm * exponential(mean(PersonTrait::log_rate)), distance_mm)};
+  return {.weight = mean(PersonState::weight),
+          .curve = mean(PersonState::curve),
+          .fading = mean(PersonState::fading),
+          .slowness = ridge_slowness(distance_mm * exponential(mean(PersonState::log_rate)), distance_mm,
+                                     model.control.tuning)};
 }
 
 void forget_contacts(SessionModel* model) { model->control.touched = {.home = start_of(*model)}; }

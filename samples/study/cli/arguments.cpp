@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <thread>
 
 #include "core/simulation/people.h"
@@ -225,21 +226,53 @@ CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* famil
                    });
 }
 
-CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<PersonTrait::Index>* traits,
+CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<PersonState::Index>* traits,
                         const std::string& standard, const std::string& help) {
   std::string all;
-  for (const Trait& trait : person_traits) all += (all.empty() ? "" : ",") + std::string(trait.name);
-  return add_value(app, name, "from " + all, standard, help, [traits](const std::string& names) {
-    std::vector<PersonTrait::Index> taken;
+  const std::span traits_known(person_state, PersonState::traits);
+  for (const StateVariable& trait : traits_known) all += (all.empty() ? "" : ",") + std::string(trait.name);
+  return add_value(app, name, "from " + all, standard, help, [traits, traits_known](const std::string& names) {
+    std::vector<PersonState::Index> taken;
     for (const std::string_view trait_name : split(names, ',')) {
-      const auto* trait = std::ranges::find(person_traits, trait_name, &Trait::name);
-      const auto index = static_cast<PersonTrait::Index>(trait - person_traits);
-      if (trait == std::end(person_traits) || std::ranges::find(taken, index) != taken.end()) return false;
-      taken.push_back(index);
+      const auto trait = std::ranges::find(traits_known, trait_name, &StateVariable::name);
+      if (trait == traits_known.end() || std::ranges::find(taken, trait->index) != taken.end()) return false;
+      taken.push_back(trait->index);
     }
     *traits = taken;
     return true;
   });
+}
+
+std::string tuning_names() {
+  std::string text = "Tuned numbers of --tune and their ranges (core/person/tuning.h has the meanings):\n";
+  Tuning tuning;
+  for (const TuningField& field : tuning_fields(tuning))
+    text += "  " + field.name + ' ' + number(field.min) + " to " + number(field.max) + ", default " +
+            number(*field.value) + '\n';
+  return text;
+}
+
+CLI::Option* add_tuning(CLI::App& app, Tuning* tuning) {
+  const auto set = [tuning](std::string_view assignment) {
+    const std::size_t equals = std::min(assignment.find('='), assignment.size());
+    for (const TuningField& field : tuning_fields(*tuning)) {
+      if (field.name != assignment.substr(0, equals) || equals == assignment.size()) continue;
+      const auto value = parse<double>(std::string(assignment.substr(equals + 1)));
+      if (!value || !(*value >= field.min && *value <= field.max)) return false;
+      *field.value = *value;
+      return true;
+    }
+    return false;
+  };
+  std::string names;
+  for (const TuningField& field : tuning_fields(*tuning))
+    names += (names.empty() ? "" : ", ") + field.name + " (" + number(field.min) + " to " + number(field.max) + ')';
+  return add_value(app, "--tune", "NAME=VALUE[,NAME=VALUE...], names below", "core/person/tuning.h",
+                   "Tuned numbers of our controller to change.", [set, names](const std::string& text) {
+                     for (const std::string_view assignment : split(text, ','))
+                       if (!set(assignment)) throw UsageError(not_allowed("--tune", text, "NAME=VALUE with " + names));
+                     return true;
+                   });
 }
 
 void require(CLI::Option* option) { option->required(); }

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/person/traits.h"
+#include "core/person/tuning.h"
 #include "samples/study/cli/output.h"
 
 // CLI11 takes seconds to compile: only arguments.cpp and main.cpp include it.
@@ -96,8 +96,13 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t* seed);
 CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string& help);
 
 /// Adds a list of traits of the controller's model.
-CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<PersonTrait::Index>* traits,
+CLI::Option* add_traits(CLI::App& app, const std::string& name, std::vector<PersonState::Index>* traits,
                         const std::string& standard, const std::string& help);
+
+/// Adds --tune, fields of `tuning` by name.
+CLI::Option* add_tuning(CLI::App& app, Tuning* tuning);
+/// The names that it takes, and their ranges.
+std::string tuning_names();
 
 /// Adds --family, names of people_families(), each once; `standard` is what the help shows as the default.
 CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* families, const std::string& standard,

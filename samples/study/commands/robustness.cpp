@@ -124,6 +124,7 @@ Examples:
   hrt-study robustness --family linear,place --durations 1.5 --people 1000
   hrt-study robustness --family faults --reaches 20
   hrt-study robustness --informed-of weight,curve
+  hrt-study robustness --tune gain.mean=12,last_phase=0.9
   hrt-study robustness --people 1000 --format csv > robustness.csv
   hrt-study robustness --csv robustness.csv
   hrt-study robustness --people 1000 --format csv --part 2/40 --out part02.csv
@@ -139,6 +140,7 @@ our commands. Beside it there are --format and --out.
 then the number of times that the person does it all, each time as a stranger. Parameters (those left out
 keep their default):
 )" + person_parameters() +
+         '\n' + tuning_names() +
          R"(
 Families (*: kept apart from the search for our controller's numbers; +: tracker or plate is off):
 )" + family_list();
@@ -166,6 +168,7 @@ void add_robustness(CLI::App& app) {
            "A person of your own to simulate, beside the families of --family.");
   add_traits(command, "--informed-of", &robustness.informed_of, "weight,curve,bias,habit,scatter,log_rate",
              "Traits of the person that the informed controller knows.");
+  add_tuning(command, &robustness.tuning);
   CLI::Option* replay =
       add_path(command, "--replay", &options->replay, "a folder with recordings or calibration data, .csv",
                "Recorded paths to pass through our controller, in place of simulated people.");
@@ -175,7 +178,7 @@ void add_robustness(CLI::App& app) {
            "All numbers there as well, in one run.");
   options->writing.add_part_option(command);
   replay->excludes("--people", "--reaches", "--within", "--durations", "--family", "--person", "--informed-of",
-                   "--seed", "--threads", "--csv", "--part");
+                   "--tune", "--seed", "--threads", "--csv", "--part");
   options->writing.add_options(command);
 }
 

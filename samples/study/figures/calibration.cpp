@@ -118,7 +118,8 @@ std::string calibration_profile(const Calibration& calibration) {
   const Interval& weight = calibration.tactile_weight;
   if (weight.known) {
     profile["tactile_weight"] = weight.value;
-    profile["tactile_weight_sd"] = std::max(deviation_of_interval(weight.lower, weight.upper), min_carried_weight_sd);
+    profile["tactile_weight_sd"] =
+        std::max(deviation_of_interval(weight.lower, weight.upper), Tuning{}.min_carried_weight_sd);
   }
   if (calibration.bias_deg.known) profile["bias_deg"] = calibration.bias_deg.value;
   if (const auto noise = known_noise(calibration.noise)) {
@@ -134,7 +135,7 @@ std::string calibration_profile(const Calibration& calibration) {
                                                    .weight_curve_correlation = calibration.slope_curve_correlation,
                                                    .bias_deg = calibration.bias_deg,
                                                    .habit_deg = calibration.habit_deg});
-    for (int i = 0; i < PersonTrait::count; ++i) {
+    for (int i = 0; i < PersonState::traits; ++i) {
       profile["person_mean"].push_back(belief.mean(i));
       for (int j = 0; j <= i; ++j) profile["person_covariance"].push_back(belief.covariance(i, j));
     }

@@ -7,7 +7,7 @@
 namespace hrt::study {
 namespace {
 
-constexpr int states = std::size(person_state_names);
+constexpr int states = PersonState::count;
 constexpr int columns = 4;
 constexpr double plate_radius_mm = 75.0;
 constexpr double start_away_mm = -50.0;  // as seen from the plate's centre
@@ -120,7 +120,7 @@ Figure trace_figure(const Trace& trace) {
                    "set grid lw 0.6 lc rgb '#dddddd'\nset xtics 0.5\nset ytics autofreq\n";
   for (int i = 0; i < states; ++i) {
     const std::string mean = std::to_string(2 + 2 * i), band = std::to_string(3 + 2 * i);
-    std::string title = person_state_names[i];
+    std::string title = state_name(person_state[i]);
     std::replace(title.begin(), title.end(), '_', ' ');
     figure.script += "set title '" + title + "'\nplot $trace using 1:($" + mean + "-$" + band + "):($" + mean + "+$" +
                      band + ") with filledcurves fc rgb '#d5e2f0', $trace using 1:" + mean +

@@ -41,8 +41,8 @@ std::vector<ReachResult> simulate(const PersonCondition& condition, Leading lead
                                   std::uint32_t index) {
   const RetargeterConfig controller = leading == Leading::paper ? paper_controller()
                                       : leading == Leading::informed
-                                          ? informed_controller(condition, options.informed_of)
-                                          : people_controller(condition);
+                                          ? informed_controller(condition, options.informed_of, options.tuning)
+                                          : people_controller(condition, options.tuning);
   std::vector<ReachResult> results;
   bool found = false;
   for (const PersonOutcome& outcome :

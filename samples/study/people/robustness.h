@@ -108,8 +108,9 @@ struct RobustnessOptions {
   std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
-  std::vector<PersonTrait::Index> informed_of{std::begin(telling_traits), std::end(telling_traits)};
-  Part part;  ///< of the rows
+  std::vector<PersonState::Index> informed_of{std::begin(telling_traits), std::end(telling_traits)};
+  Tuning tuning;  ///< of ours
+  Part part;      ///< of the rows
 };
 
 /// All people at every duration, the durations of one sort one after another, or the rows of a part of that.

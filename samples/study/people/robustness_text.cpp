@@ -176,8 +176,8 @@ std::string condition_words(const RobustnessStudy& study) {
 
 std::string informed_of(const RobustnessStudy& study) {
   std::string names;
-  for (const PersonTrait::Index trait : study.options.informed_of)
-    names += (names.empty() ? "" : ", ") + std::string(person_traits[trait].name);
+  for (const PersonState::Index trait : study.options.informed_of)
+    names += (names.empty() ? "" : ", ") + std::string(person_state[trait].name);
   return names;
 }
 

@@ -17,8 +17,8 @@ struct TracedSample {
   PlatePoint finger, felt;
   double plate_deg;
   double commanded_deg;
-  double felt_error_deg;                                              ///< as the controller has it
-  std::array<double, std::size(person_state_names)> mean, deviation;  ///< in the order of PersonState
+  double felt_error_deg;                                   ///< as the controller has it
+  std::array<double, PersonState::count> mean, deviation;  ///< in the order of PersonState
 };
 
 struct Trace {
@@ -28,6 +28,9 @@ struct Trace {
 
 /// Reach `reach`, from 1 on, of a person led by our controller, which has learnt from those before.
 Trace trace_reach(const PersonCondition& condition, int reach, std::uint64_t seed, std::uint32_t index);
+
+/// A state of the filter with its unit, as "bias_deg".
+std::string state_name(const StateVariable& variable);
 
 /// A row a sample; a column a state, beside it its deviation.
 std::string trace_csv(const Trace& trace);

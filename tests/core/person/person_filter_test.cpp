@@ -13,10 +13,18 @@ namespace hrt {
 namespace {
 
 using F = PersonFilter;
+using X = PersonState;
+
+// Takes a position in unless its NIS exceeds `gate`; returns the NIS.
+double observe(PersonFilter& filter, const PlatePoint& position, double gate) {
+  const F::Innovation innovation = filter.innovation(position);
+  if (innovation.nis <= gate) filter.correct(innovation);
+  return innovation.nis;
+}
 
 PersonFilter moving_filter() {
   PersonFilter filter(unknown_person(), 5.0, 100.0, {});
-  filter.begin(0.0, 0.1, 0.02, 0.3);
+  filter.begin(0.0, 0.02, 0.3);
   for (int i = 0; i < 40; ++i) filter.move(0.01, 40.0 - i);
   return filter;
 }
@@ -26,8 +34,8 @@ double min_eigenvalue(const F::Covariance& covariance) {
   const F::State sd = covariance.diagonal().cwiseSqrt();
   const F::Covariance symmetric = 0.5 * (covariance + covariance.transpose());
   F::Covariance correlation;
-  for (int i = 0; i < F::size; ++i)
-    for (int j = 0; j < F::size; ++j)
+  for (int i = 0; i < X::count; ++i)
+    for (int j = 0; j < X::count; ++j)
       correlation(i, j) = sd(i) > 0.0 && sd(j) > 0.0 ? symmetric(i, j) / (sd(i) * sd(j)) : (i == j ? 1.0 : 0.0);
   return Eigen::SelfAdjointEigenSolver<F::Covariance>(correlation).eigenvalues()(0);
 }
@@ -38,36 +46,33 @@ TEST(PersonFilter, MovesAsTheEquationsSay) {
   PersonBelief belief = unknown_person();
   belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.4, 0.0, 0.0, 0.0;
   PersonFilter filter(belief, 10.0, 100.0, {});
-  filter.begin(0.0, 1.0, 0.0, 0.0);
-  EXPECT_DOUBLE_EQ(filter.vector()(F::direction), 4.0);
+  filter.begin(0.0, 0.0, 0.0);
+  EXPECT_DOUBLE_EQ(filter.mean(X::direction), 4.0);
   double away_mm = 0.0;
   double right_mm = 0.0;
   for (int i = 0; i < 100; ++i) {
     const double phi_rad = (10.0 - 6.0 * std::exp(-5.0 * 0.01 * (i + 0.5))) * 0.017453292519943295;
     right_mm -= std::sin(phi_rad);
     away_mm += std::cos(phi_rad);
-    filter.move(0.01, filter.vector()(F::direction));  // ridges across the motion: not felt
+    filter.move(0.01, filter.mean(X::direction));  // ridges across the motion: not felt
   }
-  EXPECT_NEAR(filter.vector()(F::direction), 10.0 - 6.0 * std::exp(-5.0), 0.01);
-  EXPECT_NEAR(filter.vector()(F::right), right_mm, 0.05);
-  EXPECT_NEAR(filter.vector()(F::away), away_mm, 0.01);
-  EXPECT_NEAR(filter.vector()(F::phase), 1.0, 1e-9);
-  const double end_mm = filter.vector()(F::away);
+  EXPECT_NEAR(filter.mean(X::direction), 10.0 - 6.0 * std::exp(-5.0), 0.01);
+  EXPECT_NEAR(filter.mean(X::right), right_mm, 0.05);
+  EXPECT_NEAR(filter.mean(X::away), away_mm, 0.01);
+  EXPECT_NEAR(filter.mean(X::phase), 1.0, 1e-9);
+  const double end_mm = filter.mean(X::away);
   filter.move(0.012, 0.0);
-  EXPECT_EQ(filter.vector()(F::away), end_mm);
+  EXPECT_EQ(filter.mean(X::away), end_mm);
 }
 
 // A trait's variance, grown from nothing, carries to the others the derivative of the motion by that trait:
 // cov(x, trait) / var(trait) after steps is d x / d trait, here by differences of whole motions.
 TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
   const struct {
-    int trait;
-    F::Index state;
+    X::Index trait;
     double step;
-  } cases[] = {{PersonTrait::weight, F::weight, 1e-4}, {PersonTrait::curve, F::curve, 1e-4},
-               {PersonTrait::gain, F::gain, 1e-2},     {PersonTrait::bias, F::bias, 1e-3},
-               {PersonTrait::habit, F::habit, 1e-3},   {PersonTrait::heading, F::heading, 1e-4},
-               {PersonTrait::fading, F::fading, 1e-3}};
+  } cases[] = {{X::weight, 1e-4}, {X::curve, 1e-4},   {X::gain, 1e-2},  {X::bias, 1e-3},
+               {X::habit, 1e-3},  {X::heading, 1e-4}, {X::fading, 1e-3}};
   constexpr int steps = 30;
   constexpr double step_s = 0.002;
   for (const auto& c : cases) {
@@ -75,20 +80,20 @@ TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
       PersonBelief belief = unknown_person();
       belief.mean(c.trait) += change;
       PersonFilter filter(belief, 10.0, 100.0, {});
-      filter.begin(0.0, 0.5, 0.0, 0.0);
+      filter.begin(0.0, 0.0, 0.0);
       for (int i = 0; i < steps; ++i) filter.move(step_s, 45.0);
       return filter;
     };
     PersonBelief sure = unknown_person();
     sure.covariance *= 1e-12;
-    sure.mean(PersonTrait::scatter) = 0.0;
+    sure.mean(X::scatter) = 0.0;
     sure.covariance(c.trait, c.trait) = 1.0;
     PersonFilter filter(sure, 10.0, 100.0, {});
-    filter.begin(0.0, 0.5, 0.0, 0.0);
+    filter.begin(0.0, 0.0, 0.0);
     for (int i = 0; i < steps; ++i) filter.move(step_s, 45.0);
-    const F::State difference = (run(c.step).vector() - run(-c.step).vector()) / (2.0 * c.step);
-    for (const F::Index i : {F::right, F::away, F::direction}) {
-      const double slope = filter.covariance()(i, c.state);
+    const F::State difference = (run(c.step).mean() - run(-c.step).mean()) / (2.0 * c.step);
+    for (const X::Index i : {X::right, X::away, X::direction}) {
+      const double slope = filter.covariance()(i, c.trait);
       EXPECT_NEAR(slope, difference(i), 0.03 * std::abs(difference(i)) + 0.001) << c.trait << ' ' << i;
     }
   }
@@ -99,19 +104,19 @@ TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
 // variance.
 TEST(PersonFilter, SharesAnInnovationByVariance) {
   PersonFilter filter(unknown_person(), 0.0, 100.0, {.white_mm = 1.0, .correlated_mm = std::sqrt(2.0)});
-  filter.begin(0.0, 0.1, 0.0, 2.0);
-  EXPECT_NEAR(filter.observe(3.0, 0.0, 25.0), 9.0 / 7.0, 1e-12);
-  EXPECT_NEAR(filter.vector()(F::right), 3.0 * 4.0 / 7.0, 1e-12);
-  EXPECT_NEAR(filter.vector()(F::noise_right), 3.0 * 2.0 / 7.0, 1e-12);
-  EXPECT_NEAR(filter.covariance()(F::right, F::right), 4.0 - 16.0 / 7.0, 1e-12);
+  filter.begin(0.0, 0.0, 2.0);
+  EXPECT_NEAR(observe(filter, {3.0, 0.0}, 25.0), 9.0 / 7.0, 1e-12);
+  EXPECT_NEAR(filter.mean(X::right), 3.0 * 4.0 / 7.0, 1e-12);
+  EXPECT_NEAR(filter.mean(X::noise_right), 3.0 * 2.0 / 7.0, 1e-12);
+  EXPECT_NEAR(filter.covariance()(X::right, X::right), 4.0 - 16.0 / 7.0, 1e-12);
 }
 
 TEST(PersonFilter, LeavesOutWhatTheGateRefuses) {
   PersonFilter filter = moving_filter();
-  const F::State state = filter.vector();
+  const F::State state = filter.mean();
   const F::Covariance covariance = filter.covariance();
-  EXPECT_GT(filter.observe(500.0, 0.0, 25.0), 25.0);
-  EXPECT_EQ(filter.vector(), state);
+  EXPECT_GT(observe(filter, {500.0, 0.0}, 25.0), 25.0);
+  EXPECT_EQ(filter.mean(), state);
   EXPECT_EQ(filter.covariance(), covariance);
 }
 
@@ -119,16 +124,16 @@ TEST(PersonFilter, LeavesOutWhatTheGateRefuses) {
 TEST(PersonFilter, CorrelatedNoiseDecaysWithinItsTime) {
   for (const double correlation_s : {0.03, 0.3}) {
     PersonFilter filter(unknown_person(), 5.0, 100.0, {0.1, 3.0, correlation_s});
-    filter.begin(0.0, 0.1, 0.02, 1e-6);
-    filter.observe(3.0, 0.0, 1e9);
-    const double before_mm = filter.vector()(F::noise_right);
+    filter.begin(0.0, 0.02, 1e-6);
+    observe(filter, {3.0, 0.0}, 1e9);
+    const double before_mm = filter.mean(X::noise_right);
     ASSERT_GT(before_mm, 2.5);
     filter.rest(correlation_s);
-    EXPECT_NEAR(filter.vector()(F::noise_right), before_mm / std::exp(1.0), 1e-9);
+    EXPECT_NEAR(filter.mean(X::noise_right), before_mm / std::exp(1.0), 1e-9);
     // The variance returns to the stationary one.
-    EXPECT_LT(filter.covariance()(F::noise_right, F::noise_right), 8.0);
+    EXPECT_LT(filter.covariance()(X::noise_right, X::noise_right), 8.0);
     filter.rest(20.0 * correlation_s);
-    EXPECT_NEAR(filter.covariance()(F::noise_right, F::noise_right), 9.0, 1e-6);
+    EXPECT_NEAR(filter.covariance()(X::noise_right, X::noise_right), 9.0, 1e-6);
   }
 }
 
@@ -141,13 +146,13 @@ TEST(PersonFilter, ItsInnovationsAreAsLargeAsItExpects) {
   const PersonBelief belief = unknown_person();
   for (int person = 0; person < 60; ++person) {
     PersonBelief drawn = belief;
-    for (int i = 0; i < PersonTrait::count; ++i) {
-      if (i == PersonTrait::weight || i == PersonTrait::curve || i == PersonTrait::evenness) continue;
+    for (int i = 0; i < X::traits; ++i) {
+      if (i == X::weight || i == X::curve || i == X::evenness) continue;
       drawn.mean(i) += 0.5 * std::sqrt(belief.covariance(i, i)) * draws.normal();
     }
     PersonFilter truth(drawn, 5.0, 100.0, {});
     PersonFilter filter(belief, 5.0, 100.0, {});
-    filter.begin(truth.vector()(F::log_rate), truth.vector()(F::evenness), 0.02, 0.3);
+    filter.begin(truth.mean(X::log_rate), 0.02, 0.3);
     double noise_right = 0.9 * draws.normal();
     double noise_away = 0.9 * draws.normal();
     const double kept = std::exp(-0.1);
@@ -157,8 +162,10 @@ TEST(PersonFilter, ItsInnovationsAreAsLargeAsItExpects) {
       const double fresh = 0.9 * std::sqrt(1.0 - kept * kept);
       noise_right = kept * noise_right + fresh * draws.normal();
       noise_away = kept * noise_away + fresh * draws.normal();
-      sum += filter.observe(truth.vector()(F::right) + noise_right + 0.8 * draws.normal(),
-                            truth.vector()(F::away) + noise_away + 0.8 * draws.normal(), 100.0);
+      sum += observe(filter,
+                     {truth.mean(X::right) + noise_right + 0.8 * draws.normal(),
+                      truth.mean(X::away) + noise_away + 0.8 * draws.normal()},
+                     100.0);
       ++samples;
     }
   }
@@ -169,14 +176,14 @@ TEST(PersonFilter, StaysPositiveOverLongRuns) {
   for (const TrackerNoise noise : {TrackerNoise{0.8, 0.9}, TrackerNoise{0.0066, 0.0075}, TrackerNoise{66.0, 75.0}}) {
     for (const double seconds : {0.0005, 0.004, 0.012}) {
       PersonFilter filter(unknown_person(), 5.0, 100.0, noise);
-      filter.begin(0.0, 0.1, 0.02, 0.3);
+      filter.begin(0.0, 0.02, 0.3);
       for (int i = 0; i < 2000; ++i) {
         filter.move(seconds, 60.0 * std::sin(0.01 * i));
-        filter.observe(filter.vector()(F::right) + 0.01 * (i % 7 - 3), filter.vector()(F::away), 25.0);
+        observe(filter, {filter.mean(X::right) + 0.01 * (i % 7 - 3), filter.mean(X::away)}, 25.0);
         if (i % 100 == 0) filter.loosen_clock(0.07);
-        if (i % 500 == 0) filter.place_at(1.0, 2.0);
+        if (i % 500 == 0) filter.place_at({1.0, 2.0});
       }
-      EXPECT_TRUE(filter.vector().allFinite());
+      EXPECT_TRUE(filter.mean().allFinite());
       EXPECT_GT(filter.covariance().diagonal().minCoeff(), 0.0);
       EXPECT_GT(min_eigenvalue(filter.covariance()), -1e-9);
     }
@@ -187,20 +194,14 @@ TEST(PersonFilter, KeepsEachTraitInItsRange) {
   PersonFilter filter = moving_filter();
   for (int i = 0; i < 50; ++i) {
     filter.move(0.012, 60.0);
-    filter.observe(1e4 * (i % 2), -1e4, 1e300);
+    observe(filter, {1e4 * (i % 2), -1e4}, 1e300);
   }
   const PersonBelief belief = filter.belief();
-  for (int i = 0; i < PersonTrait::count; ++i) {
-    EXPECT_GE(belief.mean(i), person_traits[i].min) << i;
-    EXPECT_LE(belief.mean(i), person_traits[i].max) << i;
+  for (int i = 0; i < X::traits; ++i) {
+    EXPECT_GE(belief.mean(i), person_state[i].min) << i;
+    EXPECT_LE(belief.mean(i), person_state[i].max) << i;
   }
 }
-
-}  // namespace
-
-namespace {
-
-using T = PersonTrait;
 
 TEST(PersonBelief, AnUnknownPersonIsValidWhateverWasConfigured) {
   for (const double weight : {0.01, 0.2, 0.49})
@@ -212,15 +213,15 @@ TEST(PersonBelief, AnUnknownPersonIsValidWhateverWasConfigured) {
 
 TEST(PersonBelief, AKnownPersonIsKnown) {
   const PersonBelief person = known_person(0.25, 3.0);
-  EXPECT_NEAR(person.mean(T::weight), 0.25, 0.001);
-  EXPECT_NEAR(person.mean(T::curve), 0.0, 0.002);
-  EXPECT_EQ(person.mean(T::bias), 3.0);
-  EXPECT_LT(std::sqrt(person.covariance(T::weight, T::weight)), 0.002);
+  EXPECT_NEAR(person.mean(X::weight), 0.25, 0.001);
+  EXPECT_NEAR(person.mean(X::curve), 0.0, 0.002);
+  EXPECT_EQ(person.mean(X::bias), 3.0);
+  EXPECT_LT(std::sqrt(person.covariance(X::weight, X::weight)), 0.002);
 }
 
 TEST(PersonBelief, RefusesWhatIsNoBelief) {
   const PersonBelief person = unknown_person();
-  for (int i = 0; i < T::count; ++i) {
+  for (int i = 0; i < X::traits; ++i) {
     for (const double value : {std::numeric_limits<double>::quiet_NaN(), 1e9, -1e9}) {
       PersonBelief bad = person;
       bad.mean(i) = value;
@@ -231,11 +232,11 @@ TEST(PersonBelief, RefusesWhatIsNoBelief) {
     EXPECT_FALSE(is_valid(sure)) << i;
   }
   PersonBelief skewed = person;
-  skewed.covariance(T::weight, T::curve) *= 0.5;
+  skewed.covariance(X::weight, X::curve) *= 0.5;
   EXPECT_FALSE(is_valid(skewed));
   PersonBelief correlated = person;
-  correlated.covariance(T::weight, T::curve) *= 2.0;
-  correlated.covariance(T::curve, T::weight) *= 2.0;
+  correlated.covariance(X::weight, X::curve) *= 2.0;
+  correlated.covariance(X::curve, X::weight) *= 2.0;
   EXPECT_FALSE(is_valid(correlated));
 }
 

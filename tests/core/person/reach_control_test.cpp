@@ -10,14 +10,15 @@
 namespace hrt {
 namespace {
 
-using F = PersonFilter;
+using X = PersonState;
 
 constexpr double gap_deg = 5.0;
+constexpr double sensory_delay_s = Tuning{}.sensory_delay_s;
 
 PersonBelief person_of(double sign) {
   PersonBelief belief = unknown_person();
-  belief.mean(PersonTrait::bias) *= sign;
-  belief.mean(PersonTrait::habit) *= sign;
+  belief.mean(PersonState::bias) *= sign;
+  belief.mean(PersonState::habit) *= sign;
   return belief;
 }
 
@@ -25,7 +26,7 @@ PersonBelief person_of(double sign) {
 // a motion of 2 s.
 PersonFilter under_way(double sign) {
   PersonFilter filter(person_of(sign), sign * 8.0, 100.0, {});
-  filter.begin(-std::log(2.0), 0.1, 0.02, 0.3);
+  filter.begin(-std::log(2.0), 0.02, 0.3);
   for (int i = 0; i < 50; ++i) filter.move(0.01, sign * 35.0);
   return filter;
 }
@@ -50,10 +51,10 @@ TEST(ReachControl, KeepsTheFeltErrorWithinItsLimit) {
     for (const double right_mm : {-60.0, -10.0, 0.0, 10.0, 60.0}) {
       // A strong illusion: the limit holds it, not the bound.
       PersonBelief belief = unknown_person();
-      belief.mean(PersonTrait::weight) = 0.6;
-      belief.mean(PersonTrait::curve) = 0.0;
+      belief.mean(PersonState::weight) = 0.6;
+      belief.mean(PersonState::curve) = 0.0;
       PersonFilter filter(belief, 0.0, 100.0, {});
-      filter.begin(-std::log(2.0), 0.1, 0.02, 0.3);
+      filter.begin(-std::log(2.0), 0.02, 0.3);
       const ReachPlan planned = plan({.max_felt_error_deg = limit_deg}, filter, 0.0, {{right_mm, 100.0}});
       EXPECT_LE(std::abs(planned.felt_error_deg), limit_deg + 1e-9);
     }
@@ -69,7 +70,7 @@ TEST(ReachControl, KeepsTheBoundAboutTheMotion) {
       // Felt at once, so that the plan is about the direction of now.
       const ReachPlan planned = plan_reach({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 0.5,
                                            {{right_mm, 100.0}, {}}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0});
-      EXPECT_LE(std::abs(planned.plate_deg - filter.state().direction_deg), bound_deg + 1e-9);
+      EXPECT_LE(std::abs(planned.plate_deg - filter.mean(X::direction)), bound_deg + 1e-9);
       EXPECT_EQ(planned.at_bound, right_mm != 0.0 || bound_deg < 40.0) << bound_deg << ' ' << right_mm;
     }
   }
@@ -80,23 +81,23 @@ TEST(ReachControl, BringsThePersonOfTheModelToTheTarget) {
   for (const double duration_s : {1.0, 1.5, 3.0}) {
     for (const double virtual_deg : {-gap_deg, 0.0, gap_deg, 2.0 * gap_deg}) {
       PersonBelief belief = known_person(0.25, 0.0);
-      belief.mean(PersonTrait::log_rate) = -std::log(duration_s);
+      belief.mean(PersonState::log_rate) = -std::log(duration_s);
       PersonFilter person(belief, virtual_deg, 100.0, {});
-      person.begin(-std::log(duration_s), 0.1, 0.0, 0.0);
+      person.begin(-std::log(duration_s), 0.0, 0.0);
       const ReachAim aim{{0.0, 100.0}};
       constexpr double step_s = 0.01;
       PlateTrace trace;
       double plate_deg = ready_orientation_deg({}, person, aim);
       trace.add(0.0, plate_deg);
       double time_s = 0.0;
-      while (person.state().phase < 1.0) {
+      while (person.mean(X::phase) < 1.0) {
         const ReachPlan planned = plan_reach({}, person, time_s, aim, {trace, time_s, 0.0, plate_deg});
         plate_deg = planned.plate_deg;
         trace.add(time_s, plate_deg);
         person.move(step_s, trace.at(time_s + 0.5 * step_s - sensory_delay_s));
         time_s += step_s;
       }
-      EXPECT_NEAR(person.state().right_mm, 0.0, 0.3) << duration_s << ' ' << virtual_deg;
+      EXPECT_NEAR(person.mean(X::right), 0.0, 0.3) << duration_s << ' ' << virtual_deg;
     }
   }
 }

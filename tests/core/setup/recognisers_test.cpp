@@ -26,32 +26,6 @@ SetupSample lost(std::int64_t time_ms) {
   return sample;
 }
 
-TEST(StillFinger, RestsOnceItHasStayed) {
-  StillFinger finger;
-  for (int t = 0; t <= 690; t += 10) finger.observe(t * ms, {100.0, 0.0, 0.0});
-  EXPECT_FALSE(finger.rest(7));
-  finger.observe(700 * ms, {100.0, 0.0, 0.0});
-  ASSERT_TRUE(finger.rest(7));
-  EXPECT_NEAR(finger.rest(7)->x(), 100.0, 1e-12);
-  EXPECT_FALSE(finger.rest(8));
-}
-
-// The halves of 0.6 s have middles that are 0.3 s apart.
-TEST(StillFinger, DoesNotRestWhileItCreeps) {
-  for (const double speed_mm_s : {8.0, 9.0}) {
-    StillFinger finger;
-    for (int t = 0; t <= 600; t += 10) finger.observe(t * ms, {speed_mm_s * t * 1e-3, 0.0, 0.0});
-    EXPECT_EQ(finger.rest(6).has_value(), speed_mm_s < 8.6) << speed_mm_s;
-  }
-}
-
-TEST(StillFinger, BeginsAnewAfterAGap) {
-  StillFinger finger;
-  for (int t = 0; t <= 700; t += 10) finger.observe(t * ms, {100.0, 0.0, 0.0});
-  finger.observe(1010 * ms, {100.0, 0.0, 0.0});
-  EXPECT_FALSE(finger.rest(2));
-}
-
 TEST(MarkTouches, TakeAFingerThatCameAndStayed) {
   MarkTouches touches;
   touches.begin(2);

@@ -205,6 +205,20 @@ TEST(StudyRobustness, TheInformedKnowWhatIsNamed) {
   EXPECT_TRUE(has(expect_exit(2, run_study({"robustness", "--informed-of", "weight,age"})).err, "weight,age"));
 }
 
+TEST(StudyRobustness, TunedNumbersAreSetByName) {
+  const auto led = [](const std::string& tune) {
+    return expect_exit(0, run_study({"robustness", "--people", "4", "--durations", "1", "--family", "linear", "--tune",
+                                     tune, "--format", "csv"}))
+        .out;
+  };
+  EXPECT_EQ(led("gain.mean=14,last_phase=0.97"), led("max_outliers=4"));
+  EXPECT_NE(led("direction_density_deg2_s=1000"), led("max_outliers=4"));
+  for (const std::string refused : {"gains=14", "gain.mean", "gain.mean=a", "gain.mean=1e9", "last_phase=0.9,", ""}) {
+    const std::string error = expect_exit(2, run_study({"robustness", "--tune", refused})).err;
+    EXPECT_TRUE(has(error, "gain.mean (")) << refused << ": " << error;
+  }
+}
+
 // A bias of 6 degrees is known after four reaches, and hardly after one.
 TEST(StudyRobustness, TheLastReachIsTheOneAskedFor) {
   const auto rows_after = [](std::uint64_t reaches) {

@@ -40,14 +40,14 @@ TEST(StudyTrace, FilterKnowsTheFingerAndThePerson) {
   for (const char* family : {"linear", "bias-3", "habit-5"}) {
     const Trace trace = traced(family, 5);
     const TracedSample& last = trace.samples.back();
-    const auto within = [&](PersonFilter::Index state, double truth) {
+    const auto within = [&](PersonState::Index state, double truth) {
       EXPECT_NEAR(last.mean[state], truth, 4.0 * last.deviation[state] + 1e-9)
-          << family << ' ' << person_state_names[state];
+          << family << ' ' << person_state[state].name;
     };
-    within(PersonFilter::right, last.finger.right_mm);
-    within(PersonFilter::away, last.finger.away_mm);
-    within(PersonFilter::weight, trace.condition.person.illusion.tactile_weight);
-    within(PersonFilter::bias, trace.condition.person.bias_deg);
+    within(PersonState::right, last.finger.right_mm);
+    within(PersonState::away, last.finger.away_mm);
+    within(PersonState::weight, trace.condition.person.illusion.tactile_weight);
+    within(PersonState::bias, trace.condition.person.bias_deg);
   }
 }
 
@@ -57,7 +57,7 @@ TEST(StudyTrace, TableHasAColumnAStateAndItsDeviation) {
   std::getline(table, line);
   EXPECT_NE(line.find(",bias_deg,bias_deg_sd,"), line.npos) << line;
   const std::size_t commas = count(line, ",");
-  EXPECT_EQ(commas, 7u + 2 * std::size(person_state_names));
+  EXPECT_EQ(commas, 7u + 2 * std::size_t{PersonState::count});
   int rows = 0;
   for (; std::getline(table, line); ++rows) {
     ASSERT_EQ(count(line, ","), commas) << line;

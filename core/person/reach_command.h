@@ -1,0 +1,44 @@
+// The command for the plate, as a function of the state of a reach.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/person/person_estimator.h"
+#include "core/person/reach_control.h"
+#include "core/reach/reach.h"
+
+namespace hrt {
+
+/// The targets of a reach as they are now.
+struct ReachGoal {
+  Reach reach;        ///< as seen from the start
+  PlatePoint target;  ///< the real one
+  /// Where the finger was when the targets last moved; none: they have not. And the target's direction from there.
+  std::optional<PlatePoint> aimed_from;
+  double aimed_direction_deg;
+  double frame_sd_deg;  ///< SD of the target's bearing from the start, by the frame's uncertainty
+};
+
+/// The orientation that the last plan has given the plate.
+struct PlateDecision {
+  PlateOrientation plate;
+  double predicted_miss_deg = 0.0;
+};
+
+/// One sample of a reach.
+struct ReachMoment {
+  double now_s = 0.0;
+  PlatePoint finger;       ///< position on the plate, seen or predicted
+  double plate_deg = 0.0;  ///< orientation of the plate
+  bool decided = false;    ///< the decision is of this sample
+  bool predicted = false;  ///< nothing was seen
+  bool arrived = false;
+};
+
+/// `answered`: the estimator's filter, or the one with the person's answer to a moved target that is still to come.
+PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_period_ns, const ReachGoal& goal,
+                           const PersonEstimator& estimator, const PersonFilter& answered,
+                           const PlateDecision& decision, const ReachMoment& moment);
+
+}  // namespace hrt

@@ -1,0 +1,92 @@
+#include "core/person/tuning.h"
+
+namespace hrt {
+
+std::vector<TuningField> tuning_fields(Tuning& t) {
+  std::vector<TuningField> fields = {
+      {"weight_curve_correlation", &t.weight_curve_correlation, -0.99, 0.99},
+      {"known_weight_sd", &t.known_weight_sd, 1e-4, 0.1},
+      {"known_bias_sd_deg", &t.known_bias_sd_deg, 1e-3, 10.0},
+      {"known_fading_sd", &t.known_fading_sd, 1e-3, 1.0},
+      {"known_scatter_sd_deg", &t.known_scatter_sd_deg, 1e-3, 10.0},
+      {"min_weight_sd", &t.min_weight_sd, 1e-4, 0.1},
+      {"min_curve_sd", &t.min_curve_sd, 1e-4, 0.1},
+      {"min_bias_sd_deg", &t.min_bias_sd_deg, 1e-3, 10.0},
+      {"min_habit_sd_deg", &t.min_habit_sd_deg, 1e-3, 10.0},
+      {"max_correlation", &t.max_correlation, 0.0, 0.999},
+      {"given_duration_log_sd", &t.given_duration_log_sd, 1e-3, 2.0},
+      {"touch_memory_s", &t.touch_memory_s, 0.01, 10.0},
+      {"first_ridge", &t.first_ridge, 0.0, 100.0},
+      {"max_slope", &t.max_slope, 0.0, 100.0},
+      {"direction_density_deg2_s", &t.direction_density_deg2_s, 0.0, 1e4},
+      {"log_rate_density_s", &t.log_rate_density_s, 0.0, 100.0},
+      {"place_density_mm2_s", &t.place_density_mm2_s, 0.0, 1e3},
+      {"speed_variance_s", &t.speed_variance_s, 0.0, 1.0},
+      {"resting_density_mm2_s", &t.resting_density_mm2_s, 0.0, 1e3},
+      {"wander_sd_deg", &t.wander_sd_deg, 0.0, 20.0},
+      {"wander_s", &t.wander_s, 0.01, 10.0},
+      {"sensory_delay_s", &t.sensory_delay_s, 0.0, 0.3},
+      {"turn_sd_fraction", &t.turn_sd_fraction, 0.0, 10.0},
+      {"max_stretch", &t.max_stretch, 1.0, 10.0},
+      {"new_motion_sd_s", &t.new_motion_sd_s, 0.0, 2.0},
+      {"fit_spacing_s", &t.fit_spacing_s, 0.001, 0.1},
+      {"rate_deviations", &t.rate_deviations, 0.0, 2.0},
+      {"onset_sd_s", &t.onset_sd_s, 0.0, 1.0},
+      {"max_accepted_nis", &t.max_accepted_nis, 1.0, 1e12},
+      {"max_outliers", &t.max_outliers, 0.0, 1e9},
+      {"fit_sample_weight", &t.fit_sample_weight, 0.0, 1.0},
+      {"max_counted_nis", &t.max_counted_nis, 0.0, 1e12},
+      {"misfit_nis", &t.misfit_nis, 0.0, 1e12},
+      {"misfit_correlation", &t.misfit_correlation, 0.0, 10.0},
+      {"min_correlated_nis", &t.min_correlated_nis, 0.0, 1e12},
+      {"min_pausing_nis", &t.min_pausing_nis, 0.0, 1e12},
+      {"min_pausing_speed_mm_s", &t.min_pausing_speed_mm_s, 0.0, 1e9},
+      {"phase.leaving_deviations", &t.phase.leaving_deviations, 0.0, 1e9},
+      {"phase.min_leaving_mm", &t.phase.min_leaving_mm, 0.0, 1e9},
+      {"phase.hidden_share", &t.phase.hidden_share, 0.0, 1e9},
+      {"phase.still_places", &t.phase.still_places, 3.0, 128.0},
+      {"phase.still_s", &t.phase.still_s, 0.01, 0.5},
+      {"phase.still_deviations", &t.phase.still_deviations, 0.0, 1e9},
+      {"phase.slow_mm_s", &t.phase.slow_mm_s, 1.0, 1e3},
+      {"phase.max_creep_mm_s", &t.phase.max_creep_mm_s, 0.0, 1e9},
+      {"phase.max_start_speed_mm_s", &t.phase.max_start_speed_mm_s, 0.0, 1e9},
+      {"phase.wild_deviations", &t.phase.wild_deviations, 0.0, 1e9},
+      {"phase.max_wild", &t.phase.max_wild, 0.0, 1e9},
+      {"phase.rest_place_deviations", &t.phase.rest_place_deviations, 0.0, 1e9},
+      {"phase.place_memory_s", &t.phase.place_memory_s, 0.01, 100.0},
+      {"phase.start_tolerance_mm", &t.phase.start_tolerance_mm, 0.0, 1e9},
+      {"phase.seen_at_rest_deviations", &t.phase.seen_at_rest_deviations, 0.0, 1e9},
+      {"phase.min_seen_at_rest_mm", &t.phase.min_seen_at_rest_mm, 0.0, 1e9},
+      {"phase.max_gap_s", &t.phase.max_gap_s, 0.0, 1e9},
+      {"phase.max_departure_s", &t.phase.max_departure_s, 0.0, 1e9},
+      {"phase.min_place_sd_mm", &t.phase.min_place_sd_mm, 0.0, 1e9},
+      {"pause_clock_sd_s", &t.pause_clock_sd_s, 0.0, 2.0},
+      {"reaction_time_s", &t.reaction_time_s, 0.0, 2.0},
+      {"change_weight_mm_deg", &t.change_weight_mm_deg, 1e-6, 100.0},
+      {"weight_caution", &t.weight_caution, 0.0, 5.0},
+      {"min_plan_weight", &t.min_plan_weight, 0.01, 0.5},
+      {"last_phase", &t.last_phase, 0.1, 1.0},
+      {"first_judged_phase", &t.first_judged_phase, 0.0, 1.0},
+      {"min_margin_deg", &t.min_margin_deg, -20.0, 20.0},
+      {"margin_deviations", &t.margin_deviations, 0.0, 10.0},
+      {"min_aim_fraction", &t.min_aim_fraction, 0.0, 1.0},
+      {"min_taught_phase", &t.min_taught_phase, 0.0, 1.0},
+      {"illusion_fall_deviations", &t.illusion_fall_deviations, 0.0, 1e9},
+      {"min_scatter_deg", &t.min_scatter_deg, 1e-3, 10.0},
+      {"min_known_noise_mm", &t.min_known_noise_mm, 1e-6, 10.0},
+      {"white_noise_fraction", &t.white_noise_fraction, 0.0, 1.0},
+      {"correlated_noise_fraction", &t.correlated_noise_fraction, 0.0, 1.0},
+      {"min_leg_mm", &t.min_leg_mm, 0.0, 1e3},
+      {"min_carried_weight_sd", &t.min_carried_weight_sd, 1e-4, 0.4},
+      {"min_carried_motor_variance_sd_deg2", &t.min_carried_motor_variance_sd_deg2, 1e-3, 10.0},
+  };
+  for (int i = 0; i < PersonState::traits; ++i) {
+    const std::string name = person_state[i].name;
+    fields.push_back({name + ".mean", &t.traits[i].mean, person_state[i].min - 10.0, person_state[i].max + 10.0});
+    fields.push_back({name + ".sd", &t.traits[i].sd, 1e-3, 100.0});
+    fields.push_back({name + ".change", &t.traits[i].change, 0.0, 100.0});
+  }
+  return fields;
+}
+
+}  // namespace hrt

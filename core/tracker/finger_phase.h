@@ -1,0 +1,144 @@
+// What a tracked finger does: it waits at the start, moves, pauses, or is lifted. The only place that decides this.
+//
+//   waiting --left--> moving --still--> paused --left--> moving
+//   any --lift()--> lifted --next position--> waiting, or paused if it has moved before
+//
+// sigma is the noise of a coordinate: known, or learnt while the finger rests (noise_learner.h). Tests, with the
+// numbers of PhaseTuning:
+//
+//   left    |mean of the last 3 places - rest place| > max(3.3 sigma, 1 mm). Of white noise 1 in 10^7 means of three
+//           come off by so much. While few steps have been seen, sigma is at least the deviation of the steps with a
+//           factor 1 + 2 / steps.
+//   still   Over the last T seconds and 10 places at least, all since it left, the displacement d along the
+//   least-squares
+//           line is small. A line through n places of white noise has d = sigma sqrt(12 / n), correlated noise up to
+//           sqrt(2) sigma. If the caller knows the motion's speed v: T = 0.11 s, d < 2.5 sigma and d + sigma < v T.
+//           Else T = 0.11 s + 2.5 sigma / (15 mm/s), so that a slow motion does not pass for a rest, and
+//           d < max(2.5 sigma, 8.6 mm/s T), since a resting hand creeps.
+//   wild    At rest, a position further from the last place than 600 mm/s * elapsed + 5.7 sigma (4 sigma of a
+//           difference) is ignored, twice in a row at most. The third is believed: the finger rests there.
+//   rest    Its place is the running mean of places within 3 sigma, with a memory of 1 s. It lasts while the finger has
+//           not left it, or is found there again within 0.5 s; a gap in tracking of more than 0.2 s restarts its
+//           duration.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "core/plate/plate_frame.h"
+#include "core/tracker/noise_learner.h"
+#include "core/tracker/recent_places.h"
+
+namespace hrt {
+
+/// The detector's numbers. Deviations are in units of the noise of a coordinate. [s] chosen on the simulated people of
+/// hrt-study robustness, [m] the model above.
+struct PhaseTuning {
+  double leaving_deviations = 3.3;       ///< [s] of the mean of 3 places from the rest place
+  double min_leaving_mm = 1.0;           ///< mm [s] smaller departures are tremor and skin
+  double hidden_share = 2.0;             ///< [s] n steps may hide noise: deviation * (1 + hidden_share / n)
+  double still_places = 10;              ///< [s] window of the test for a rest, in places
+  double still_s = 0.11;                 ///< s [s] window of the test for a rest
+  double still_deviations = 2.5;         ///< [s] of the displacement over the window
+  double slow_mm_s = 15.0;               ///< mm/s [s] slower motions pass for a rest
+  double max_creep_mm_s = 8.6;           ///< mm/s [s] a resting hand drifts by less
+  double max_start_speed_mm_s = 600.0;   ///< mm/s [s] no motion from rest is faster within a sample
+  double wild_deviations = 5.7;          ///< [m] 4 deviations of the difference of two positions
+  double max_wild = 2;                   ///< [s] wild positions in a row that are ignored
+  double rest_place_deviations = 3.0;    ///< [m] places further away do not count to the rest place
+  double place_memory_s = 1.0;           ///< s [s] the rest place is the mean over this
+  double start_tolerance_mm = 15.0;      ///< mm [s] a first position further from the start is where the finger is
+  double seen_at_rest_deviations = 1.0;  ///< [s] left_s() is the last time the finger was this near to the rest place
+  double min_seen_at_rest_mm = 0.1;      ///< mm [s] or this
+  double max_gap_s = 0.2;                ///< s [s] a longer gap restarts the duration of a rest
+  double max_departure_s = 0.5;          ///< s [s] a finger that is back where it rested within this had not left
+  double min_place_sd_mm = 0.05;         ///< mm [s] lower bound of the deviation of the rest place
+};
+
+/// What the finger does. A reach has arrived by where and how long the finger rests: see reach_end.h.
+enum class Phase {
+  waiting,  ///< at rest, before its first motion
+  moving,
+  paused,  ///< at rest, after a motion
+  lifted,  ///< off the plate
+};
+
+/// `Point` is PlatePoint, or Eigen::Vector3d for a tracked position off the plate (mm). No heap, no lock, no exception.
+/// One thread at a time.
+template <class Point>
+class PhaseDetector {
+ public:
+  /// `start`: where the finger is expected to wait; none: where it is first seen. `noise`: of the tracker if it is
+  /// known.
+  explicit PhaseDetector(const std::optional<Point>& start = {}, const std::optional<TrackerNoise>& noise = {},
+                         const PhaseTuning& tuning = {});
+
+  enum class Seen {
+    ignored,  ///< a wild position at rest
+    merged,   ///< averaged into the last place, which leaves the phase as it is
+    place,    ///< a new place
+    set_down  ///< a new place, the first of another rest
+  };
+  /// Takes one position, not before the last one's. The phase may become moving, and after a lift waiting or paused.
+  Seen see(double time_s, const Point& position);
+  /// Looks for a rest within a motion; call it after see(). `expected_mm_s`: the speed that the motion would have if it
+  /// is known; a finger that is expected to be as slow does not pause. Returns true if the phase became paused.
+  bool find_pause(std::optional<double> expected_mm_s = {});
+  /// Both, at a time in nanoseconds.
+  void observe(std::int64_t time_ns, const Point& position);
+  /// The finger is off the plate.
+  void lift() { phase_ = Phase::lifted; }
+  /// The finger rests at `place` from `time_s` on, whatever it was doing.
+  void pause_at(double time_s, const Point& place);
+
+  Phase phase() const { return phase_; }
+  bool at_rest() const { return phase_ == Phase::waiting || phase_ == Phase::paused; }
+  bool has_moved() const { return moved_; }
+  /// Where the finger rests, or rested before it moved.
+  const Point& rest_place() const { return rest_.place; }
+  /// Standard deviation of a coordinate of it.
+  double rest_place_sd_mm() const;
+  /// Mean of the last three places.
+  Point smoothed() const { return places_.mean_of_last(std::min(3, places_.count())); }
+  /// How long the finger has rested; 0 unless at_rest().
+  double rest_s() const { return at_rest() && places_.count() > 0 ? places_[0].time_s - rest_.since_s : 0.0; }
+  /// The last time at which the finger was still at rest, as far as the noise shows.
+  double left_s() const { return rest_.seen_s; }
+  const RecentPlaces<Point>& places() const { return places_; }
+  const TrackerNoise& noise() const { return noise_.noise(); }
+  const NoiseLearner<Point>& learner() const { return noise_; }
+
+ private:
+  struct Rest {
+    Point place;
+    int places = 0;  // that place is the mean of
+    int seen = 0;    // places since the rest began
+    double since_s = 0.0;
+    double seen_s = 0.0;
+  };
+  double sigma_mm() const;
+  bool is_wild(double time_s, const Point& position);
+  bool has_left() const;
+  double leaving_mm() const;
+  void rest_on();
+  void set_down();
+
+  PhaseTuning tuning_;
+  NoiseLearner<Point> noise_;
+  RecentPlaces<Point> places_;
+  Rest rest_;
+  std::optional<std::int64_t> origin_ns_;  // of observe()
+  Phase phase_ = Phase::waiting;
+  bool start_known_;
+  bool moved_ = false;
+  double moving_since_s_ = 0.0;
+  int wild_ = 0;  // positions in a row
+};
+
+using FingerPhase = PhaseDetector<PlatePoint>;
+extern template class PhaseDetector<PlatePoint>;
+extern template class PhaseDetector<Eigen::Vector3d>;
+
+}  // namespace hrt

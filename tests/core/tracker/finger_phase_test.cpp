@@ -1,0 +1,198 @@
+#include "core/tracker/finger_phase.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/reach/pace.h"
+#include "core/simulation/random.h"
+#include "tests/core/heap_guard.h"
+
+namespace hrt {
+namespace {
+
+constexpr TrackerNoise half_a_millimetre{.white_mm = 0.3, .correlated_mm = 0.4};  // sigma 0.5
+constexpr double sample_period_s = 0.01;
+
+// Rests for 0.5 s, goes straight away at 100 mm/s for 0.5 s, rests for 1 s.
+PlatePoint straight_at(double time_s) { return {10.0, -50.0 + 100.0 * std::clamp(time_s - 0.5, 0.0, 0.5)}; }
+
+struct FingerWatch {
+  FingerPhase finger{PlatePoint{10.0, -50.0}, half_a_millimetre};
+  int i = 0;
+
+  void see(const PlatePoint& position) {
+    if (finger.see(sample_period_s * i++, position) == FingerPhase::Seen::place) finger.find_pause();
+  }
+  void until(double time_s) {
+    while (sample_period_s * i < time_s - 1e-9) see(straight_at(sample_period_s * i));
+  }
+};
+
+// It has left once the mean of three is 3.3 * 0.5 = 1.65 mm off: 1, 2 and 3 mm, at 0.53 s.
+TEST(FingerPhase, LeavesWithTheMeanOfThreeByHand) {
+  FingerWatch watch;
+  watch.until(0.53);
+  EXPECT_EQ(watch.finger.phase(), Phase::waiting);
+  EXPECT_NEAR(watch.finger.rest_s(), 0.52, 1e-9);
+  watch.until(0.54);
+  EXPECT_EQ(watch.finger.phase(), Phase::moving);
+  EXPECT_EQ(watch.finger.rest_s(), 0.0);
+  EXPECT_NEAR(watch.finger.left_s(), 0.5, 1e-9);
+  EXPECT_NEAR(watch.finger.rest_place().right_mm, 10.0, 1e-9);
+  EXPECT_NEAR(watch.finger.rest_place().away_mm, -50.0, 0.1);
+}
+
+// The window is 0.11 + 2.5 * 0.5 / 15 = 0.193 s, and a rest's displacement in it at most 8.6 * 0.2 = 1.72 mm.
+TEST(FingerPhase, FindsAPauseAndDatesItBack) {
+  FingerWatch watch;
+  watch.until(1.1);
+  EXPECT_EQ(watch.finger.phase(), Phase::moving);
+  watch.until(1.25);
+  EXPECT_EQ(watch.finger.phase(), Phase::paused);
+  EXPECT_TRUE(watch.finger.has_moved());
+  watch.until(2.01);
+  EXPECT_NEAR(watch.finger.rest_s(), 1.0, 0.06);
+  EXPECT_NEAR(watch.finger.rest_place().away_mm, 0.0, 0.2);
+}
+
+TEST(FingerPhase, AFingerAsSlowAsExpectedDoesNotPause) {
+  for (const double expected_mm_s : {10.0, 40.0}) {
+    FingerPhase finger(PlatePoint{}, half_a_millimetre);
+    bool paused = false;
+    for (int i = 0; i < 100; ++i) {
+      finger.see(sample_period_s * i, {0.0, i < 50 ? 1.0 * i : 50.0 + 0.08 * (i - 50)});  // then 8 mm/s
+      paused = finger.find_pause(expected_mm_s) || paused;
+    }
+    EXPECT_EQ(paused, expected_mm_s > 20.0) << expected_mm_s;
+  }
+}
+
+// 30 mm after 10 ms is more than 0.6 m/s * 0.01 s + 5.7 * 0.5 = 8.85 mm.
+TEST(FingerPhase, IgnoresTwoWildPositionsAtRestAndBelievesTheThird) {
+  FingerWatch watch;
+  watch.until(0.5);
+  for (int n = 0; n < 2; ++n)
+    EXPECT_EQ(watch.finger.see(0.5 + sample_period_s * n, {40.0, -50.0}), FingerPhase::Seen::ignored);
+  EXPECT_EQ(watch.finger.see(0.52, {10.0, -50.0}), FingerPhase::Seen::place);
+  EXPECT_EQ(watch.finger.phase(), Phase::waiting);
+  EXPECT_NEAR(watch.finger.rest_place().right_mm, 10.0, 1e-9);
+  for (int n = 3; n < 6; ++n) watch.finger.see(0.5 + sample_period_s * n, {40.0, -50.0});
+  EXPECT_EQ(watch.finger.phase(), Phase::waiting);
+  EXPECT_EQ(watch.finger.rest_place().right_mm, 40.0);
+  EXPECT_EQ(watch.finger.rest_s(), 0.0);
+}
+
+TEST(FingerPhase, AFingerThatComesDownRestsWhereItComesDown) {
+  for (const double lifted_s : {0.3, 0.8}) {
+    FingerWatch watch;
+    watch.until(lifted_s);
+    watch.finger.lift();
+    EXPECT_EQ(watch.finger.phase(), Phase::lifted);
+    EXPECT_EQ(watch.finger.rest_s(), 0.0);
+    watch.i += 20;
+    watch.see({-30.0, 20.0});
+    EXPECT_EQ(watch.finger.phase(), lifted_s < 0.5 ? Phase::waiting : Phase::paused);
+    EXPECT_EQ(watch.finger.rest_place().right_mm, -30.0);
+    EXPECT_EQ(watch.finger.rest_s(), 0.0);
+  }
+}
+
+// A tremor that comes off by 3 mm for 50 ms.
+TEST(FingerPhase, AFingerThatIsSoonBackHasNotLeft) {
+  FingerWatch watch;
+  watch.until(0.4);
+  for (int n = 0; n < 5; ++n) watch.see({13.0, -50.0});
+  EXPECT_EQ(watch.finger.phase(), Phase::moving);
+  for (int n = 0; n < 40; ++n) watch.see({10.0, -50.0});
+  EXPECT_EQ(watch.finger.phase(), Phase::paused);
+  EXPECT_NEAR(watch.finger.rest_s(), 0.84, 1e-9);
+}
+
+TEST(FingerPhase, AGapRestartsTheDurationOfARest) {
+  FingerWatch watch;
+  watch.until(0.4);
+  watch.finger.see(0.65, {10.0, -50.0});
+  EXPECT_EQ(watch.finger.phase(), Phase::waiting);
+  EXPECT_EQ(watch.finger.rest_s(), 0.0);
+}
+
+TEST(FingerPhase, IsTheSameInSpace) {
+  FingerWatch plane;
+  PhaseDetector<Eigen::Vector3d> space(Eigen::Vector3d(10.0, 0.0, 50.0), half_a_millimetre);
+  for (double t = 0.0; t < 2.0; t += sample_period_s) {
+    const PlatePoint place = straight_at(t);
+    plane.see(place);
+    space.see(t, {place.right_mm, 0.0, -place.away_mm});
+    space.find_pause();
+    ASSERT_EQ(plane.finger.phase(), space.phase()) << t;
+  }
+  EXPECT_NEAR(space.rest_place().z(), -plane.finger.rest_place().away_mm, 1e-9);
+}
+
+// Ten seconds at rest, of 40 fingers each.
+TEST(FingerPhase, NoiseIsNoMotion) {
+  for (const double rate_hz : {30.0, 90.0, 1000.0}) {
+    for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {
+      for (const bool known : {false, true}) {
+        int left = 0;
+        for (std::uint32_t person = 0; person < 40; ++person) {
+          Draws draws(4, person, 0, 0);
+          const TrackerNoise noise{0.66 * std::max(noise_mm, 0.01), 0.75 * std::max(noise_mm, 0.01)};
+          FingerPhase finger(PlatePoint{}, known ? std::optional(noise) : std::nullopt);
+          for (int i = 0; i < 10.0 * rate_hz && finger.phase() != Phase::moving; ++i)
+            finger.see(i / rate_hz, {noise_mm * draws.normal(), noise_mm * draws.normal()});
+          left += finger.phase() == Phase::moving;
+        }
+        EXPECT_LE(left, 1) << rate_hz << ' ' << noise_mm << ' ' << known;
+      }
+    }
+  }
+}
+
+// 100 mm, minimum jerk, after 0.5 s at rest: the motion is found, is not said to pause before nine tenths of its time,
+// and its end is found within half a second.
+TEST(FingerPhase, FollowsMotionsOfAnySpeedAndNoise) {
+  for (const double rate_hz : {30.0, 90.0, 1000.0}) {
+    for (const double noise_mm : {0.0, 0.3, 1.2, 3.0}) {
+      for (const double duration_s : {0.6, 1.5, 3.0}) {
+        int early = 0, found = 0;
+        for (std::uint32_t person = 0; person < 40; ++person) {
+          Draws draws(5, person, 0, 0);
+          FingerPhase finger(PlatePoint{}, {});
+          for (int i = 0; i < (duration_s + 1.2) * rate_hz; ++i) {
+            const double t = i / rate_hz;
+            const double u = (t - 0.5) / duration_s;
+            finger.see(t, {noise_mm * draws.normal(), 100.0 * progress(0.0, u).share + noise_mm * draws.normal()});
+            const bool paused = finger.find_pause();
+            early += paused && u > 0.3 && u < 0.85;
+          }
+          found += finger.phase() == Phase::paused;
+        }
+        EXPECT_LE(early, 2) << rate_hz << ' ' << noise_mm << ' ' << duration_s;
+        EXPECT_GE(found, 38) << rate_hz << ' ' << noise_mm << ' ' << duration_s;
+      }
+    }
+  }
+}
+
+// Departures of a finger that never rests are not taken for noise.
+TEST(FingerPhase, AFingerThatNeverRestsMoves) {
+  for (const double rate_hz : {30.0, 90.0, 1000.0}) {
+    for (const double speed_mm_s : {20.0, 33.0, 100.0}) {
+      FingerPhase finger(PlatePoint{}, {});
+      for (double t = 0.0; t < 30.0 / speed_mm_s; t += 1.0 / rate_hz) finger.see(t, {0.0, speed_mm_s * t});
+      EXPECT_EQ(finger.phase(), Phase::moving) << rate_hz << ' ' << speed_mm_s;
+    }
+  }
+}
+
+TEST(FingerPhase, UsesNoHeap) {
+  const HeapGuard guard;
+  FingerWatch watch;
+  watch.until(2.0);
+  watch.finger.lift();
+}
+
+}  // namespace
+}  // namespace hrt
