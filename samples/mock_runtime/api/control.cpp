@@ -63,7 +63,6 @@ void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* coun
     to.time = from.time;
     to.result = from.result;
     std::snprintf(to.function, sizeof(to.function), "%s", from.function);
-    std::snprintf(to.arguments, sizeof(to.arguments), "%s", from.arguments.c_str());
     to.thread = from.thread;
     std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
   });

@@ -1,11 +1,9 @@
 #include "samples/mock_runtime/calls/faults.h"
 
 #include <algorithm>
-#include <map>
-#include <sstream>
-#include <string>
+#include <iterator>
 
-#include "samples/mock_runtime/calls/registry_errors.h"
+#include "samples/mock_runtime/extensions.h"
 
 namespace hrt::mock {
 namespace {
@@ -37,14 +35,23 @@ std::optional<FunctionId> find_function(std::string_view name) {
 }
 
 std::vector<XrResult> legal_errors(FunctionId function) {
-  static const std::map<std::string, XrResult, std::less<>> numbers{
-#define HRT_MOCK_NAME(name, number) {#name, name},
-      XR_LIST_ENUM_XrResult(HRT_MOCK_NAME) HRT_RESULTS_OF_1_1(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
+  static constexpr Extension needed[] = {
+#define HRT_MOCK_NEEDED(name, implementation, extension, returned) Extension::extension,
+      HRT_MOCK_FUNCTIONS(HRT_MOCK_NEEDED)
+#undef HRT_MOCK_NEEDED
   };
+  static constexpr XrResult results[] = {
+#define HRT_MOCK_RESULT(name, number) name,
+      XR_LIST_ENUM_XrResult(HRT_MOCK_RESULT)
+#ifndef XR_API_VERSION_1_1
+          HRT_RESULTS_OF_1_1(HRT_MOCK_RESULT)
+#endif
+#undef HRT_MOCK_RESULT
+  };
+  if (needed[static_cast<std::size_t>(function)] == Extension::mock_control) return {};
   std::vector<XrResult> errors;
-  std::istringstream words(registry_errors(function));
-  for (std::string word; words >> word;) errors.push_back(numbers.at("XR_ERROR_" + word));
+  std::copy_if(std::begin(results), std::end(results), std::back_inserter(errors),
+               [](XrResult result) { return XR_FAILED(result); });
   return errors;
 }
 

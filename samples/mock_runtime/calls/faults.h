@@ -57,7 +57,7 @@ class Faults {
 const char* name_of(FunctionId function);
 std::optional<FunctionId> find_function(std::string_view name);
 
-/// The errors that OpenXR's registry lists for a function (registry_errors.h).
+/// The errors that a script may inject: all of OpenXR; none for the functions of XR_HRTX_mock_control.
 std::vector<XrResult> legal_errors(FunctionId function);
 
 }  // namespace hrt::mock

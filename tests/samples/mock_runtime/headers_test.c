@@ -11,8 +11,8 @@ static_assert(offsetof(XrPlatePlacementHRTX, radius) == 56, "after 28 bytes of p
 static_assert(sizeof(XrReachInstructionHRTX) == 48, "no room left");
 static_assert(offsetof(XrReachInstructionHRTX, goalDirection) == 32, "after hand and start");
 static_assert(sizeof(XrReachTruthHRTX) == 80, "no room left");
-static_assert(offsetof(XrCallRecordHRTX, arguments) == 348, "after the reason");
-static_assert(sizeof(XrCallRecordHRTX) == 864, "no room left");
+static_assert(offsetof(XrCallRecordHRTX, reason) == 92, "after the function");
+static_assert(sizeof(XrCallRecordHRTX) == 352, "no room left");
 
 XrStructureType hrt_structure_types[] = {XR_TYPE_PLATE_PLACEMENT_HRTX, XR_TYPE_REACH_INSTRUCTION_HRTX,
                                          XR_TYPE_REACH_TRUTH_HRTX, XR_TYPE_CALL_RECORD_HRTX};
