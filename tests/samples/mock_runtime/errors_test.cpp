@@ -1,4 +1,5 @@
 // The error codes of every function, without a loader in between. Each call is refused for one reason only.
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -179,7 +180,11 @@ TEST_F(MockErrors, OfInstances) {
   REFUSED(TIME_INVALID, xrConvertTimespecTimeToTimeKHR, instance, &before, &time);
   REFUSED(TIME_INVALID, xrConvertTimeToTimespecTimeKHR, instance, 0, &back);
   XrPath atom = XR_NULL_PATH;
-  REFUSED(PATH_FORMAT_INVALID, xrStringToPath, instance, "no path", &atom);
+  for (const char* text : {"", "/", "a", "/a/", "/a//b", "/a/.", "/a/../b", "/A", "/a b", "/a\xc3\xa4"})
+    REFUSED(PATH_FORMAT_INVALID, xrStringToPath, instance, text, &atom);
+  const std::string longest = "/" + std::string(XR_MAX_PATH_LENGTH - 2, 'a');
+  EXPECT_XR(XR_SUCCESS, XR(xrStringToPath)(instance, longest.c_str(), &atom));
+  REFUSED(PATH_FORMAT_INVALID, xrStringToPath, instance, (longest + "a").c_str(), &atom);
   char text[4];
   REFUSED(PATH_INVALID, xrPathToString, instance, 12345, 0, &count, nullptr);
   REFUSED(SIZE_INSUFFICIENT, xrPathToString, instance, path("/user/hand/left"), 4, &count, text);
@@ -202,7 +207,11 @@ TEST_F(MockErrors, OfSessions) {
   XrReferenceSpaceType type{};
   REFUSED(SIZE_INSUFFICIENT, xrEnumerateReferenceSpaces, session, 1, &count, &type);
   XrReferenceSpaceCreateInfo turned{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, {}};
-  REFUSED_INFO(POSE_INVALID, xrCreateReferenceSpace, session, turned);
+  for (const XrPosef& pose : {XrPosef{}, XrPosef{{0.0F, 0.0F, 0.0F, 1.02F}, {}}, XrPosef{{NAN, 0.0F, 0.0F, 1.0F}, {}},
+                              XrPosef{identity_pose.orientation, {INFINITY, 0.0F, 0.0F}}}) {
+    turned.poseInReferenceSpace = pose;
+    REFUSED_INFO(POSE_INVALID, xrCreateReferenceSpace, session, turned);
+  }
   turned.referenceSpaceType = static_cast<XrReferenceSpaceType>(12345);
   REFUSED_INFO(REFERENCE_SPACE_UNSUPPORTED, xrCreateReferenceSpace, session, turned);
   XrExtent2Df extent{};
@@ -213,9 +222,13 @@ TEST_F(MockErrors, OfSessions) {
   REFUSED(VALIDATION_FAILURE, xrLocateSpace, local, local, 1, nullptr);
   XrSpaceLocationData data{};
   XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
-  const XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO, nullptr, local, 0, 1, &local};
+  XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO, nullptr, local, 0, 1, &local};
   REFUSED(TIME_INVALID, xrLocateSpaces, session, &locate, &locations);
   REFUSED(TIME_INVALID, xrLocateSpacesKHR, session, &locate, &locations);
+  for (const std::uint32_t count_given : {0U, 2U}) {
+    locate.spaceCount = count_given;
+    REFUSED(VALIDATION_FAILURE, xrLocateSpaces, session, &locate, &locations);
+  }
   XrViewState state{XR_TYPE_VIEW_STATE};
   XrView view{XR_TYPE_VIEW};
   XrViewLocateInfo views{XR_TYPE_VIEW_LOCATE_INFO, nullptr, odd, 1, local};
@@ -245,6 +258,8 @@ TEST_F(MockErrors, OfSessions) {
   REFUSED(VALIDATION_FAILURE, xrBeginFrame, session, &odd_frame);
   XR(xrWaitFrame)(session, nullptr, &frame);
   XR(xrBeginFrame)(session, nullptr);
+  XR(xrWaitFrame)(session, nullptr, &frame);
+  EXPECT_XR(XR_FRAME_DISCARDED, XR(xrBeginFrame)(session, nullptr));
   end.displayTime = 0;
   REFUSED(TIME_INVALID, xrEndFrame, session, &end);
   end.displayTime = 1;
@@ -315,6 +330,9 @@ TEST_F(MockErrors, OfActions) {
   const XrPath select = path("/user/hand/left/input/select/click");
   EXPECT_XR(XR_ERROR_PATH_INVALID, suggest(never, select));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(chest, select));
+  for (const char* bad : {"/user/hand/left", "/user/hand/right/input", "/user/hand/left/input/trigger/value",
+                          "/user/head/input/select/click", "/user/hand/right/input/select/click/invalid"})
+    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(simple, path(bad))) << bad;
   EXPECT_XR(XR_SUCCESS, suggest(simple, select));
 
   XrActionSpaceCreateInfo space_info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, button, XR_NULL_PATH, identity_pose};
@@ -386,6 +404,8 @@ TEST_F(MockErrors, OfActions) {
     EXPECT_XR(code, XR(xrSetInputDeviceStateVector2fEXT)(session, left, bad, {}));
     EXPECT_XR(code, XR(xrSetInputDeviceLocationEXT)(session, left, bad, local, identity_pose));
   }
+  REFUSED(PATH_UNSUPPORTED, xrSetInputDeviceStateFloatEXT, session, left, select, 1.0F);
+  REFUSED(PATH_UNSUPPORTED, xrSetInputDeviceStateBoolEXT, session, right, select, XR_TRUE);
   REFUSED(POSE_INVALID, xrSetInputDeviceLocationEXT, session, left, path("/user/hand/left/input/grip/pose"), local, {});
 }
 

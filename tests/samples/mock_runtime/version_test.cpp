@@ -69,31 +69,6 @@ TEST_F(MockVersion11, ManySpacesAreLocatedAtOnce) {
   EXPECT_EQ(velocity_data[1].linearVelocity.x, 0.0F);
 }
 
-// "XR_ERROR_VALIDATION_FAILURE" for counts that differ, "XR_ERROR_TIME_INVALID", "XR_ERROR_HANDLE_INVALID".
-// What is refused writes nothing.
-TEST_F(MockVersion11, CountsTimesAndHandlesThatAreWrongAreRefused) {
-  std::array spaces{space(XR_REFERENCE_SPACE_TYPE_LOCAL), space(XR_REFERENCE_SPACE_TYPE_STAGE)};
-  std::array<XrSpaceLocationData, 2> data{};
-  const auto refused = [&](XrResult expected, auto change) {
-    XrSpaceVelocities velocities{XR_TYPE_SPACE_VELOCITIES, nullptr, 1, nullptr};
-    XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 2, data.data()};
-    XrSpacesLocateInfo info{XR_TYPE_SPACES_LOCATE_INFO, nullptr, spaces[0], 1, 2, spaces.data()};
-    change(info, locations, velocities);
-    EXPECT_XR(expected, XR(xrLocateSpaces)(session, &info, &locations));
-    EXPECT_EQ(data[0].locationFlags, 0U);
-  };
-  refused(XR_ERROR_VALIDATION_FAILURE, [](auto& info, auto&, auto&) { info.type = XR_TYPE_FRAME_STATE; });
-  refused(XR_ERROR_VALIDATION_FAILURE, [](auto& info, auto&, auto&) { info.spaceCount = 0; });
-  refused(XR_ERROR_VALIDATION_FAILURE, [](auto& info, auto&, auto&) { info.spaces = nullptr; });
-  refused(XR_ERROR_VALIDATION_FAILURE, [](auto&, auto& locations, auto&) { locations.locationCount = 1; });
-  refused(XR_ERROR_VALIDATION_FAILURE, [](auto&, auto& locations, auto&) { locations.locations = nullptr; });
-  refused(XR_ERROR_VALIDATION_FAILURE, [](auto&, auto& locations, auto& velocities) { locations.next = &velocities; });
-  refused(XR_ERROR_TIME_INVALID, [](auto& info, auto&, auto&) { info.time = 0; });
-  refused(XR_ERROR_HANDLE_INVALID, [](auto& info, auto&, auto&) { info.baseSpace = XR_NULL_HANDLE; });
-  spaces[1] = XR_NULL_HANDLE;
-  refused(XR_ERROR_HANDLE_INVALID, [](auto&, auto&, auto&) {});
-}
-
 // "Interaction Profile Paths": each profile that 1.1 adds, with sources that distinguish it, and those of
 // which the profiles of 1.0 have more in 1.1.
 TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
