@@ -110,7 +110,7 @@ class Capture {
   void views(XrResult, XrSession, const XrViewLocateInfo*, const XrViewState*, std::uint32_t capacity,
              const std::uint32_t* count, const XrView*);
   void frame(XrResult, XrSession, const XrFrameWaitInfo*, const XrFrameState*);
-  void frame_ended(XrResult, XrSession, const XrFrameEndInfo*) { wake(); }
+  void frame_ended(XrResult, XrSession, const XrFrameEndInfo*) { write(); }
   void action_set(XrResult, XrInstance, const XrActionSetCreateInfo*, const XrActionSet*);
   void action(XrResult, XrActionSet, const XrActionCreateInfo*, const XrAction*);
   void synced(XrResult, XrSession, const XrActionsSyncInfo*);
@@ -127,17 +127,19 @@ class Capture {
   void reach_truth(XrResult, XrSession, XrHandEXT, const XrReachTruthHRTX*);
 
  private:
-  void note(const Record& record) {
-    if (file_ != nullptr) file_->append(record.text());
+  void note(const Json& record) {
+    if (file_ != nullptr) file_->append(record.dump(-1, ' ', false, Json::error_handler_t::replace));
   }
-  // Lets the file be written up to here.
-  void wake() {
-    if (file_ != nullptr) file_->wake();
+  template <typename... Values>
+  void note_of_session(std::string_view kind, const Values&... values) {
+    note(array_of(kind, sessions_, values...));
   }
-  /// A record of the session.
-  Record of_session(std::string_view kind) const { return std::move(Record(kind).add(sessions_)); }
+  // Writes the records so far to the file.
+  void write() {
+    if (file_ != nullptr) file_->write();
+  }
   void stage(const char* call);
-  void define_space(XrSpace handle, const Record& description);
+  void define_space(XrSpace handle, const Json& description);
   void note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
                      const XrSpaceVelocity* velocity);
   template <typename State>
