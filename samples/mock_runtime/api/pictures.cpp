@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "samples/mock_runtime/api/swapchain.h"
-#include "samples/mock_runtime/graphics/compose.h"
+#include "samples/mock_runtime/graphics/world_picture.h"
 
 namespace hrt::mock {
 namespace {
@@ -51,9 +51,8 @@ void keep_pictures(const XrFrameEndInfo& info, Session& session) {
   for (const Script::View view : runtime().script.views) {
     if (view != Script::View::world && session.graphics == nullptr) continue;
     const std::string name = view == Script::View::left ? "left" : view == Script::View::right ? "right" : "world";
-    const Picture picture = view == Script::View::world
-                                ? picture_of_world(session.world(), runtime().now())
-                                : picture_of_eye(info, session, view == Script::View::left ? 0 : 1);
+    const Picture picture = view == Script::View::world ? picture_of_world(session.world(), runtime().now())
+                                                        : picture_of_eye(info, view == Script::View::left ? 0 : 1);
     const std::string what =
         name + " " + std::to_string(picture.width) + "x" + std::to_string(picture.height) + " " + hash_of(picture);
     remark += (remark.empty() ? std::string("picture of frame ") + frame + ": " : ", ") + what;

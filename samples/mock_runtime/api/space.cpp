@@ -37,11 +37,12 @@ RecordedLocation location_of(const Space& space, const Space& base, XrTime time)
   if (auto& player = space.session().player) return player->location(space.name, base.name, time);
   RecordedLocation location{};
   location.pose = to_xr(Pose{});
-  const auto motion = locate(space, base, time);
-  if (!motion) return location;
-  return {flags_of(space, base), to_xr(motion->pose),
-          XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT, to_xr(motion->velocity_m_per_s),
-          to_xr(motion->angular_velocity_rad_per_s)};
+  const auto of = space.motion(time), in = base.motion(time);
+  if (!of || !in) return location;
+  const Motion motion = relative(*of, *in);
+  return {flags_of(space, base), to_xr(motion.pose),
+          XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT, to_xr(motion.velocity_m_per_s),
+          to_xr(motion.angular_velocity_rad_per_s)};
 }
 
 // As far as it is asked for.
@@ -53,6 +54,13 @@ void write_location(const RecordedLocation& from, Location& location, Velocity* 
   velocity->velocityFlags = from.velocity_flags;
   velocity->linearVelocity = from.linear;
   velocity->angularVelocity = from.angular;
+}
+
+// 0: the left eye; 1: the right eye.
+Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
+  constexpr double half_distance_m = 0.0315;
+  return session.world().head(time).pose *
+         Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};
 }
 
 // The two views, in what is played back or in the simulation.
@@ -77,12 +85,6 @@ RecordedViews views_of(const Space& space, XrTime time) {
 
 }  // namespace
 
-Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
-  constexpr double half_distance_m = 0.0315;
-  return session.world().head(time).pose *
-         Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};
-}
-
 std::optional<Motion> Space::motion(XrTime time) const {
   if (const auto* action = std::get_if<ActionOrigin>(&origin)) {
     const auto motion = session().input.motion(action->action, action->subaction, time);
@@ -103,13 +105,6 @@ bool Space::can_see_room() const { return !session().world().head_is_lost(); }
 std::optional<Pose> Space::in_world(XrTime time) const {
   const auto moving = motion(time);
   return moving ? std::optional(moving->pose) : std::nullopt;
-}
-
-std::optional<Motion> locate(const Space& space, const Space& base, XrTime time) {
-  const auto of = space.motion(time);
-  const auto in = base.motion(time);
-  if (!of || !in) return std::nullopt;
-  return relative(*of, *in);
 }
 
 void enumerate_reference_spaces(Session& session, std::uint32_t capacity, std::uint32_t* count,

@@ -49,10 +49,4 @@ class HandTracker : public Object {
   XrHandEXT hand;
 };
 
-/// 0: the left one; 1: the right one.
-Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time);
-
-/// `space` in `base`; none while one of the two is not tracked.
-std::optional<Motion> locate(const Space& space, const Space& base, XrTime time);
-
 }  // namespace hrt::mock

@@ -1,4 +1,4 @@
-#include "samples/mock_runtime/graphics/compose.h"
+#include "samples/mock_runtime/graphics/world_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,115 +9,29 @@
 namespace hrt::mock {
 namespace {
 
-// Of sRGB values, as they are.
-void blend(std::uint8_t* onto, const std::uint8_t* pixel, XrCompositionLayerFlags flags) {
-  const bool has_alpha = (flags & XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT) != 0;
-  const bool straight = (flags & XR_COMPOSITION_LAYER_UNPREMULTIPLIED_ALPHA_BIT) != 0;
-  const int alpha = has_alpha ? pixel[3] : 255;
-  for (int c = 0; c < 3; ++c) {
-    const int colour = straight ? (pixel[c] * alpha + 127) / 255 : pixel[c];
-    onto[c] = static_cast<std::uint8_t>(std::min(255, colour + (onto[c] * (255 - alpha) + 127) / 255));
-  }
-}
-
-// `place(x, y)` is where in the image the pixel looks, from 0 to 1, or outside.
-template <typename Place>
-void draw(Picture& onto, const Picture& image, XrCompositionLayerFlags flags, Place place) {
-  for (std::uint32_t y = 0; y < onto.height; ++y)
-    for (std::uint32_t x = 0; x < onto.width; ++x) {
-      const Eigen::Vector2d at = place(x + 0.5, y + 0.5);
-      if (!(at.x() >= 0.0 && at.x() < 1.0 && at.y() >= 0.0 && at.y() < 1.0)) continue;
-      blend(
-          onto.at(x, y),
-          image.at(static_cast<std::uint32_t>(at.x() * image.width), static_cast<std::uint32_t>(at.y() * image.height)),
-          flags);
-    }
-}
-
-const Eigen::Vector2d nowhere(-1.0, -1.0);
-
-bool same_view(const Camera& a, const Camera& b) {
-  return a.width == b.width && a.height == b.height && a.fov.angleLeft == b.fov.angleLeft &&
-         a.fov.angleRight == b.fov.angleRight && a.fov.angleUp == b.fov.angleUp && a.fov.angleDown == b.fov.angleDown &&
-         a.pose.orientation.coeffs() == b.pose.orientation.coeffs();
-}
-
-// Of the view's sides: where they cut the plane at distance 1.
-struct Tangents {
-  double left, right, up, down;
-};
-
-Tangents tangents(const XrFovf& fov) {
-  return {.left = std::tan(static_cast<double>(fov.angleLeft)),
-          .right = std::tan(static_cast<double>(fov.angleRight)),
-          .up = std::tan(static_cast<double>(fov.angleUp)),
-          .down = std::tan(static_cast<double>(fov.angleDown))};
-}
-
-}  // namespace
-
-Eigen::Vector3d Camera::ray(double x, double y) const {
-  const auto [left, right, up, down] = tangents(fov);
-  return {left + (right - left) * x / width, up + (down - up) * y / height, -1.0};
-}
-
-Eigen::Vector2d Camera::pixel(const Eigen::Vector3d& point) const {
-  const auto [left, right, up, down] = tangents(fov);
-  return {(point.x() / -point.z() - left) / (right - left) * width,
-          (point.y() / -point.z() - up) / (down - up) * height};
-}
-
-void draw_projection(Picture& onto, const Camera& camera, const Picture& image, const Camera& of,
-                     XrCompositionLayerFlags flags) {
-  if (same_view(camera, of)) {
-    for (std::uint32_t y = 0; y < onto.height; ++y)
-      for (std::uint32_t x = 0; x < onto.width; ++x) blend(onto.at(x, y), image.at(x, y), flags);
-    return;
-  }
-  const Eigen::Matrix3d turned = (of.pose.orientation.conjugate() * camera.pose.orientation).toRotationMatrix();
-  draw(onto, image, flags, [&](double x, double y) -> Eigen::Vector2d {
-    const Eigen::Vector3d seen = turned * camera.ray(x, y);
-    if (seen.z() >= 0.0) return nowhere;
-    return of.pixel(seen).cwiseQuotient(Eigen::Vector2d(of.width, of.height));
-  });
-}
-
-void draw_quad(Picture& onto, const Camera& camera, const Picture& image, const Pose& in_world,
-               const XrExtent2Df& size_m, XrCompositionLayerFlags flags) {
-  const Pose eye = inverse(in_world) * camera.pose;
-  const Eigen::Matrix3d turned = eye.orientation.toRotationMatrix();
-  draw(onto, image, flags, [&](double x, double y) -> Eigen::Vector2d {
-    const Eigen::Vector3d along = turned * camera.ray(x, y);
-    const double distance = -eye.position_m.z() / along.z();
-    if (!(eye.position_m.z() > 0.0) || !(distance > 0.0)) return nowhere;  // it is seen from before only
-    const Eigen::Vector3d hit = eye.position_m + distance * along;
-    return {hit.x() / static_cast<double>(size_m.width) + 0.5, 0.5 - hit.y() / static_cast<double>(size_m.height)};
-  });
-}
-
-namespace {
-
 using Colour = std::array<std::uint8_t, 3>;
 constexpr Colour background{24, 26, 32}, plate_colour{120, 130, 150}, ridge_colour{70, 78, 94},
     goal_colour{90, 170, 255}, true_colour{240, 240, 240}, felt_colour{255, 150, 40};
 constexpr double ridge_spacing_m = 0.006;
 constexpr double near_m = 0.02;
+constexpr std::uint32_t width = 800, height = 614;
+const double tan_right = std::tan(0.55), tan_up = std::tan(0.44);  // of the half angles of view
 
 class Drawing {
  public:
-  explicit Drawing(const Camera& camera) : picture(camera.width, camera.height), camera_(camera) {
+  /// Seen from `observer`, along its -Z.
+  explicit Drawing(const Pose& observer) : picture(width, height), from_world_(inverse(observer)) {
     for (std::size_t i = 0; i < picture.rgba.size(); ++i)
       picture.rgba[i] = i % 4 == 3 ? std::uint8_t{255} : background[i % 4];
   }
 
   /// Between two points of the world.
   void line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Colour& colour, double radius_px) {
-    const Pose seen = inverse(camera_.pose);
-    Eigen::Vector3d a = seen * from, b = seen * to;
+    Eigen::Vector3d a = from_world_ * from, b = from_world_ * to;
     if (a.z() > b.z()) std::swap(a, b);
     if (a.z() > -near_m) return;
     if (b.z() > -near_m) b = a + (b - a) * ((-near_m - a.z()) / (b.z() - a.z()));
-    const Eigen::Vector2d start = camera_.pixel(a), way = camera_.pixel(b) - start;
+    const Eigen::Vector2d start = pixel(a), way = pixel(b) - start;
     const double length = way.norm();
     if (!(length < 1e4)) return;
     const int steps = static_cast<int>(std::ceil(length)) + 1;
@@ -128,19 +42,23 @@ class Drawing {
   Picture picture;
 
  private:
+  // The pixel of a point in front of the observer, in the observer's axes.
+  static Eigen::Vector2d pixel(const Eigen::Vector3d& point) {
+    return {(1.0 - point.x() / point.z() / tan_right) * width / 2.0,
+            (1.0 + point.y() / point.z() / tan_up) * height / 2.0};
+  }
   void dot(const Eigen::Vector2d& at, const Colour& colour, double radius_px) {
     const auto from = [&](double centre) { return static_cast<int>(std::floor(centre - radius_px)); };
     for (int y = from(at.y()); y <= at.y() + radius_px; ++y)
       for (int x = from(at.x()); x <= at.x() + radius_px; ++x) {
-        const bool inside =
-            x >= 0 && y >= 0 && x < static_cast<int>(picture.width) && y < static_cast<int>(picture.height);
+        const bool inside = x >= 0 && y >= 0 && x < static_cast<int>(width) && y < static_cast<int>(height);
         if (inside && (Eigen::Vector2d(x, y) - at).norm() <= radius_px)
           std::copy(colour.begin(), colour.end(),
                     picture.at(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)));
       }
   }
 
-  Camera camera_;
+  Pose from_world_;
 };
 
 // A direction on the plate, in its axes: d is (-sin d, 0, -cos d).
@@ -178,12 +96,11 @@ Eigen::Vector3d felt_shift(const World& world, XrHandEXT side, const Reach& reac
   return world.plate().orientation * (start_m + turned * (tip_m - start_m) - tip_m);
 }
 
-Camera observer(const World& world) {
+Pose observer(const World& world) {
   const bool plate = world.plate_is_placed();
   Pose about = plate ? world.plate() : local_space_in_world();
   if (!plate) about.position_m += Eigen::Vector3d(0.0, -0.4, -0.35);
-  const Pose place{turn(-55.0, Eigen::Vector3d::UnitX()), {0.0, 0.28, 0.22}};
-  return {about * place, {-0.55F, 0.55F, 0.44F, -0.44F}, 800, 614};
+  return about * Pose{turn(-55.0, Eigen::Vector3d::UnitX()), {0.0, 0.28, 0.22}};
 }
 
 }  // namespace
