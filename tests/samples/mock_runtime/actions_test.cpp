@@ -30,32 +30,6 @@ class MockActions : public MockRuntime {
   XrPath right = XR_NULL_PATH;
 };
 
-// "Interaction Profile Paths": every core profile, with sources that distinguish it from the others.
-TEST_F(MockActions, AllCoreProfilesHaveTheirSources) {
-  const XrAction any = make_action(set, "any", XR_ACTION_TYPE_FLOAT_INPUT);
-  const std::vector<std::pair<const char*, std::vector<const char*>>> profiles{
-      {"/interaction_profiles/khr/simple_controller", {"/user/hand/left/input/menu/click"}},
-      {"/interaction_profiles/google/daydream_controller", {"/user/hand/right/input/trackpad/touch"}},
-      {"/interaction_profiles/htc/vive_controller", {"/user/hand/left/input/system/click"}},
-      {"/interaction_profiles/htc/vive_pro", {"/user/head/input/mute_mic/click"}},
-      {"/interaction_profiles/microsoft/motion_controller", {"/user/hand/left/input/thumbstick/y"}},
-      {"/interaction_profiles/microsoft/xbox_controller", {"/user/gamepad/output/haptic_left_trigger"}},
-      {"/interaction_profiles/oculus/go_controller", {"/user/hand/left/input/back/click"}},
-      {"/interaction_profiles/oculus/touch_controller",
-       {"/user/hand/left/input/x/touch", "/user/hand/right/input/b/click", "/user/hand/right/input/thumbrest/touch"}},
-      {"/interaction_profiles/valve/index_controller", {"/user/hand/right/input/trackpad/force"}}};
-  for (const auto& [profile, sources] : profiles)
-    for (const char* source : sources)
-      EXPECT_XR(XR_SUCCESS, suggest(profile, {{any, path(source)}})) << profile << ' ' << source;
-  // The x button is on the left, the a button on the right.
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/right/input/x/click")}}));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/left/input/a/click")}}));
-  // What OpenXR 1.1 adds is unknown to an application for 1.0.
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/left/input/trigger/proximity")}}));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("/interaction_profiles/hp/mixed_reality_controller",
-                                               {{any, path("/user/hand/left/input/x/click")}}));
-}
-
 // "The action state [...] is inactive [...] if [the] action set [is not] active, or the session is not
 // focused": XR_SESSION_NOT_FOCUSED; the values are those of the last xrSyncActions; changedSinceLastSync and
 // lastChangeTime.

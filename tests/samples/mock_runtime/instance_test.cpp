@@ -22,29 +22,6 @@ TEST_F(MockNegotiation, AnswersALoaderOfItsVersion) {
   EXPECT_EQ(request.runtime_api_version, XR_MAKE_VERSION(1, 0, 99));
 }
 
-// "If the loader [and] runtime can't agree [...] XR_ERROR_INITIALIZATION_FAILED": wrong structures and
-// version ranges without the runtime's own.
-TEST_F(MockNegotiation, RefusesWrongStructuresAndVersions) {
-  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(nullptr, &request));
-  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&loader, nullptr));
-  const auto expect_refused = [&](auto change) {
-    NegotiateLoaderInfo bad_loader = loader;
-    NegotiateRuntimeRequest bad_request = request;
-    change(bad_loader, bad_request);
-    EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&bad_loader, &bad_request));
-    EXPECT_EQ(bad_request.get_instance_proc_addr, nullptr);
-  };
-  expect_refused([](auto& info, auto&) { info.struct_type = runtime_request_type; });
-  expect_refused([](auto& info, auto&) { ++info.struct_version; });
-  expect_refused([](auto& info, auto&) { --info.struct_size; });
-  expect_refused([](auto& info, auto&) { info.min_interface_version = info.max_interface_version = 2; });
-  expect_refused([](auto& info, auto&) { info.min_api_version = XR_MAKE_VERSION(1, 2, 0); });
-  expect_refused([](auto& info, auto&) { info.max_api_version = XR_MAKE_VERSION(0, 9, 0); });
-  expect_refused([](auto&, auto& wanted) { wanted.struct_type = loader_info_type; });
-  expect_refused([](auto&, auto& wanted) { ++wanted.struct_version; });
-  expect_refused([](auto&, auto& wanted) { wanted.struct_size = 0; });
-}
-
 // "The runtime must return XR_ERROR_API_VERSION_UNSUPPORTED if it does not support the requested API
 // version."
 TEST_F(MockNegotiation, TakesApplicationsForOpenXR10And11) {
