@@ -88,7 +88,6 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
         std::apply(implementation, all);
       else
         record.result = std::apply(implementation, all);
-      record.why = std::exchange(the.remark, {});
     } catch (const Error& error) {
       record.result = error.result;
       record.why = error.why;

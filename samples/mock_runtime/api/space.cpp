@@ -86,19 +86,15 @@ RecordedViews views_of(const Space& space, XrTime time) {
 }  // namespace
 
 std::optional<Motion> Space::motion(XrTime time) const {
-  if (const auto* action = std::get_if<ActionOrigin>(&origin)) {
-    const auto motion = session().input.motion(action->action, action->subaction, time);
+  if (action != 0) {
+    const auto motion = session().input.motion(action, subaction, time);
     return motion ? std::optional(*motion * offset) : std::nullopt;
   }
-  const auto type = std::get<XrReferenceSpaceType>(origin);
-  if (type == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset;
-  return Motion{session().world().origins.in_world(type, time) * offset};
+  if (name.reference == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset;
+  return Motion{session().world().origins.in_world(name.reference, time) * offset};
 }
 
-bool Space::stands_in_room() const {
-  const auto* type = std::get_if<XrReferenceSpaceType>(&origin);
-  return type != nullptr && *type != XR_REFERENCE_SPACE_TYPE_VIEW;
-}
+bool Space::stands_in_room() const { return action == 0 && name.reference != XR_REFERENCE_SPACE_TYPE_VIEW; }
 
 bool Space::can_see_room() const { return !session().world().head_is_lost(); }
 
@@ -116,8 +112,7 @@ void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* 
   require_reference_space(session, info->referenceSpaceType);
   const Pose pose = checked_pose(info->poseInReferenceSpace);
   const SpaceName name{info->referenceSpaceType, {}, {}, info->poseInReferenceSpace};
-  *space = handle_of<XrSpace>(
-      runtime().registry.create<Space>(&session, Space::Origin(info->referenceSpaceType), name, pose));
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name, pose));
 }
 
 void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
@@ -130,8 +125,7 @@ void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, 
             "the action has no such subaction path");
   }
   const Pose pose = checked_pose(info->poseInActionSpace);
-  const Space::ActionOrigin origin{action.id(), info->subactionPath};
-  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, Space::Origin(origin), name, pose));
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name, pose, action.id(), info->subactionPath));
 }
 
 XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType type, XrExtent2Df* bounds) {

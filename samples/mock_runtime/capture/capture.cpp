@@ -266,27 +266,10 @@ void Capture::synced(XrResult result, XrSession, const XrActionsSyncInfo*) {
   note_of_session("synced", present_, result == XR_SUCCESS);
 }
 
-template <typename State>
-void Capture::note_state(const XrActionStateGetInfo& info, const State& state, XrVector2f value) {
+void Capture::note_state(const XrActionStateGetInfo& info, const XrActionStateVector2f& state) {
   note_of_session("action", present_, actions_[info.action], path_text(info.subactionPath), state.isActive == XR_TRUE,
-                  state.changedSinceLastSync == XR_TRUE, state.lastChangeTime, value.x, value.y);
-}
-
-void Capture::boolean_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateBoolean* state) {
-  note_state(*info, *state, {state->currentState == XR_TRUE ? 1.0F : 0.0F, 0.0F});
-}
-
-void Capture::float_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateFloat* state) {
-  note_state(*info, *state, {state->currentState, 0.0F});
-}
-
-void Capture::vector_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateVector2f* state) {
-  note_state(*info, *state, state->currentState);
-}
-
-void Capture::pose_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStatePose* state) {
-  const XrActionStateFloat without_value{.isActive = state->isActive};
-  note_state(*info, without_value, {0.0F, 0.0F});
+                  state.changedSinceLastSync == XR_TRUE, state.lastChangeTime, state.currentState.x,
+                  state.currentState.y);
 }
 
 void Capture::profile(XrResult, XrSession, XrPath top_level, const XrInteractionProfileState* state) {

@@ -40,10 +40,10 @@
   X(xrCreateActionSet,              action_set)                        \
   X(xrCreateAction,                 action)                            \
   X(xrSyncActions,                  synced)                            \
-  X(xrGetActionStateBoolean,        boolean_state)                     \
-  X(xrGetActionStateFloat,          float_state)                       \
-  X(xrGetActionStateVector2f,       vector_state)                      \
-  X(xrGetActionStatePose,           pose_state)                        \
+  X(xrGetActionStateBoolean,        action_state)                      \
+  X(xrGetActionStateFloat,          action_state)                      \
+  X(xrGetActionStateVector2f,       action_state)                      \
+  X(xrGetActionStatePose,           action_state)                      \
   X(xrGetCurrentInteractionProfile, profile)                           \
   X(xrApplyHapticFeedback,          failures)                          \
   X(xrStopHapticFeedback,           failures)                          \
@@ -114,10 +114,19 @@ class Capture {
   void action_set(XrResult, XrInstance, const XrActionSetCreateInfo*, const XrActionSet*);
   void action(XrResult, XrActionSet, const XrActionCreateInfo*, const XrAction*);
   void synced(XrResult, XrSession, const XrActionsSyncInfo*);
-  void boolean_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStateBoolean*);
-  void float_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStateFloat*);
-  void vector_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStateVector2f*);
-  void pose_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStatePose*);
+  template <typename State>
+  void action_state(XrResult, XrSession, const XrActionStateGetInfo* info, const State* state) {
+    XrActionStateVector2f any{.isActive = state->isActive};
+    if constexpr (requires { state->currentState; }) {
+      any.changedSinceLastSync = state->changedSinceLastSync;
+      any.lastChangeTime = state->lastChangeTime;
+      if constexpr (std::is_same_v<State, XrActionStateVector2f>)
+        any.currentState = state->currentState;
+      else
+        any.currentState.x = static_cast<float>(state->currentState);
+    }
+    note_state(*info, any);
+  }
   void profile(XrResult, XrSession, XrPath, const XrInteractionProfileState*);
   void hand_tracker(XrResult, XrSession, const XrHandTrackerCreateInfoEXT*, const XrHandTrackerEXT*);
   void joints(XrResult, XrHandTrackerEXT, const XrHandJointsLocateInfoEXT*, const XrHandJointLocationsEXT*);
@@ -142,8 +151,7 @@ class Capture {
   void define_space(XrSpace handle, const Json& description);
   void note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
                      const XrSpaceVelocity* velocity);
-  template <typename State>
-  void note_state(const XrActionStateGetInfo& info, const State& state, XrVector2f value);
+  void note_state(const XrActionStateGetInfo& info, const XrActionStateVector2f& state);
   const std::string& path_text(XrPath path);
 
   std::string path_;
