@@ -6,15 +6,6 @@
 #include "samples/mock_runtime/extensions.h"
 
 namespace hrt::mock {
-namespace {
-
-constexpr std::array function_names{
-#define HRT_MOCK_NAME(name, implementation, extension, returned) #name,
-    HRT_MOCK_FUNCTIONS(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-};
-
-}  // namespace
 
 std::optional<CallFault> Faults::next(FunctionId function, const Scope& now) {
   std::optional<CallFault> due;
@@ -26,20 +17,16 @@ std::optional<CallFault> Faults::next(FunctionId function, const Scope& now) {
   return due;
 }
 
-const char* name_of(FunctionId function) { return function_names[static_cast<std::size_t>(function)]; }
+const char* name_of(FunctionId function) { return functions[static_cast<std::size_t>(function)].name; }
 
 std::optional<FunctionId> find_function(std::string_view name) {
-  const auto found = std::find(function_names.begin(), function_names.end(), name);
-  if (found == function_names.end()) return std::nullopt;
-  return static_cast<FunctionId>(found - function_names.begin());
+  const auto* found = std::find_if(std::begin(functions), std::end(functions),
+                                   [&](const FunctionInfo& each) { return each.name == name; });
+  if (found == std::end(functions)) return std::nullopt;
+  return static_cast<FunctionId>(found - std::begin(functions));
 }
 
 std::vector<XrResult> legal_errors(FunctionId function) {
-  static constexpr Extension needed[] = {
-#define HRT_MOCK_NEEDED(name, implementation, extension, returned) Extension::extension,
-      HRT_MOCK_FUNCTIONS(HRT_MOCK_NEEDED)
-#undef HRT_MOCK_NEEDED
-  };
   static constexpr XrResult results[] = {
 #define HRT_MOCK_RESULT(name, number) name,
       XR_LIST_ENUM_XrResult(HRT_MOCK_RESULT)
@@ -48,7 +35,7 @@ std::vector<XrResult> legal_errors(FunctionId function) {
 #endif
 #undef HRT_MOCK_RESULT
   };
-  if (needed[static_cast<std::size_t>(function)] == Extension::mock_control) return {};
+  if (functions[static_cast<std::size_t>(function)].needed == Extension::mock_control) return {};
   std::vector<XrResult> errors;
   std::copy_if(std::begin(results), std::end(results), std::back_inserter(errors),
                [](XrResult result) { return XR_FAILED(result); });
