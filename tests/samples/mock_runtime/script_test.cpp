@@ -188,17 +188,6 @@ TEST_F(MockScript, RandomMistakesAreRefusedWithAReasonOrHarmless) {
   EXPECT_GT(taken, 10);
 }
 
-TEST_F(MockScript, CallsFailOnOrderAndTheCallsAroundThemDoNot) {
-  begin_with(
-      R"({"calls": [{"function": "xrLocateSpace", "call": 3, "count": 2, "result": "XR_ERROR_RUNTIME_FAILURE"}]})");
-  for (int call = 1; call <= 6; ++call) {
-    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, nullptr, 99};
-    const bool fails = call == 3 || call == 4;
-    EXPECT_XR(fails ? XR_ERROR_RUNTIME_FAILURE : XR_SUCCESS, xrLocateSpace(local, local, 1, &location));
-    EXPECT_EQ(location.locationFlags, fails ? 99U : 15U);
-  }
-}
-
 // A call takes long, in real time under either clock, and other threads' calls do not wait for it.
 TEST_F(MockScript, CallsTakeLongOnOrder) {
   begin_with(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 1500}]})");
@@ -211,16 +200,6 @@ TEST_F(MockScript, CallsTakeLongOnOrder) {
   EXPECT_LT(elapsed(), std::chrono::milliseconds(1400));
   waiter.join();
   EXPECT_GE(elapsed(), std::chrono::milliseconds(1500));
-}
-
-TEST_F(MockScript, TrackingIsLostAndRegainedAtItsFrames) {
-  begin_with(R"({"events": [{"frame": 3, "do": "lose_tracking", "hand": "right"},
-                            {"frame": 5, "do": "regain_tracking", "hand": "right"}]})");
-  begin_reach();
-  for (int number = 1; number <= 6; ++number) {
-    const XrTime time = frame();
-    EXPECT_EQ(locate_hand(hand, local, time).active, number < 3 || number >= 5) << number;
-  }
 }
 
 TEST_F(MockScript, FrozenHandStandsStillAndThenCatchesUp) {
@@ -276,37 +255,6 @@ TEST_F(MockScript, StateIsRepeatedAndFramesHaveNoTimesOnOrderOnly) {
   EXPECT_TRUE(all_states().empty());
   EXPECT_XR(XR_SUCCESS, wait());
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_FOCUSED}));
-}
-
-// "XR_ERROR_SESSION_LOST [...] the session was lost": all functions of it, but destroying.
-TEST_F(MockScript, SessionIsLostAtAFrame) {
-  begin_with(
-      R"({"events": [{"frame": 2, "do": "session_state", "state": "LOSS_PENDING"}, {"frame": 3, "do": "lose_session"}]})");
-  EXPECT_XR(XR_SUCCESS, wait());
-  EXPECT_XR(XR_SUCCESS, wait());
-  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_LOSS_PENDING}));
-  EXPECT_XR(XR_ERROR_SESSION_LOST, wait());
-  EXPECT_TRUE(all_states().empty());
-  EXPECT_XR(XR_SUCCESS, XR(xrDestroyHandTrackerEXT)(hand));
-  EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
-  begin_session();
-  EXPECT_XR(XR_SUCCESS, wait());
-}
-
-// "XR_ERROR_INSTANCE_LOST": all functions but destroying.
-TEST_F(MockScript, InstanceIsLostAtATime) {
-  begin_with(
-      R"({"events": [{"time_ms": 100, "do": "instance_loss_pending"}, {"time_ms": 200, "do": "lose_instance"}]})");
-  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 100'000'000));
-  XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-  ASSERT_XR(XR_SUCCESS, xrPollEvent(instance, &event));
-  EXPECT_EQ(event.type, XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING);
-  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 100'000'000));
-  event = {XR_TYPE_EVENT_DATA_BUFFER};
-  EXPECT_XR(XR_ERROR_INSTANCE_LOST, xrPollEvent(instance, &event));
-  EXPECT_XR(XR_ERROR_INSTANCE_LOST, wait());
-  EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
-  EXPECT_STREQ(call_log().back().function, "xrDestroySession");
 }
 
 TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
