@@ -63,8 +63,7 @@ void require_layers(const XrFrameEndInfo& info, const Session& session) {
     const bool projects = layer->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION;
     require(projects || layer->type == XR_TYPE_COMPOSITION_LAYER_QUAD, XR_ERROR_LAYER_INVALID,
             "layers are projections and quads");
-    const auto& space = runtime().registry.get<Space>(layer->space);
-    require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space of a layer is of another session");
+    space_of(session, layer->space);
     if (session.graphics == nullptr) continue;
     if (projects)
       require_projection(as_projection(*layer), session);

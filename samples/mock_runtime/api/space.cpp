@@ -85,6 +85,12 @@ RecordedViews views_of(const Space& space, XrTime time) {
 
 }  // namespace
 
+Space& space_of(const Session& session, XrSpace handle) {
+  auto& space = runtime().registry.get<Space>(handle);
+  require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
+  return space;
+}
+
 std::optional<Motion> Space::motion(XrTime time) const {
   if (action != 0) {
     const auto motion = session().input.motion(action, subaction, time);
@@ -157,15 +163,10 @@ void locate_spaces(Session& session, const XrSpacesLocateInfo* info, XrSpaceLoca
             "velocityCount is not spaceCount");
     require_pointer(velocities->velocities, "velocities");
   }
-  const auto of_session = [&](XrSpace space) -> const Space& {
-    const auto& found = runtime().registry.get<Space>(space);
-    require(found.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "a space is of another session");
-    return found;
-  };
-  const Space& base = of_session(info->baseSpace);
+  const Space& base = space_of(session, info->baseSpace);
   require(info->time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   std::vector<const Space*> spaces;
-  for (std::uint32_t i = 0; i < info->spaceCount; ++i) spaces.push_back(&of_session(info->spaces[i]));
+  for (std::uint32_t i = 0; i < info->spaceCount; ++i) spaces.push_back(&space_of(session, info->spaces[i]));
   for (std::uint32_t i = 0; i < info->spaceCount; ++i)
     write_location(location_of(*spaces[i], base, info->time), locations->locations[i],
                    velocities == nullptr ? nullptr : &velocities->velocities[i]);
@@ -175,8 +176,7 @@ void destroy_space(XrSpace handle) { runtime().registry.destroy(runtime().regist
 
 void locate_views(Session& session, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
                   std::uint32_t* count, XrView* views) {
-  auto& space = runtime().registry.get<Space>(info->space);
-  require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
+  const Space& space = space_of(session, info->space);
   require_view_configuration(info->viewConfigurationType);
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
   // The count alone is no sample of a recording.

@@ -37,6 +37,9 @@ class Space : public Object {
   XrPath subaction;
 };
 
+/// The space of a handle. Throws XR_ERROR_VALIDATION_FAILURE if it is of another session.
+Space& space_of(const Session& session, XrSpace handle);
+
 class HandTracker : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_HAND_TRACKER_EXT;
