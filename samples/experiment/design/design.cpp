@@ -6,9 +6,9 @@
 #include <iterator>
 #include <set>
 
+#include "samples/app/text/format.h"
 #include "samples/experiment/data/disk.h"
 #include "samples/experiment/design/draws.h"
-#include "samples/format.h"
 
 namespace hrt::experiment {
 namespace {

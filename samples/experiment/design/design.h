@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/members.h"
+#include "samples/app/text/members.h"
 
 namespace hrt::experiment {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "samples/app/text/format.h"
 #include "samples/experiment/session/session.h"
-#include "samples/format.h"
 
 namespace hrt::experiment {
 namespace {

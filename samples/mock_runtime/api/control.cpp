@@ -1,5 +1,5 @@
 // XR_HRTX_mock_control and XR_KHR_convert_timespec_time.
-#include "samples/members.h"
+#include "samples/app/text/members.h"
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
 #include "samples/mock_runtime/script/event.h"

@@ -1,5 +1,5 @@
 // The devices of a script: hand tracker, servo, hands, head, controllers.
-#include "samples/members.h"
+#include "samples/app/text/members.h"
 #include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/world.h"

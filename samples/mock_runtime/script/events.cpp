@@ -1,5 +1,5 @@
 // The events and the call faults of a script.
-#include "samples/members.h"
+#include "samples/app/text/members.h"
 #include "samples/mock_runtime/error.h"
 #include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/script/event.h"

@@ -1,5 +1,5 @@
 // The simulated people of a script.
-#include "samples/members.h"
+#include "samples/app/text/members.h"
 #include "samples/mock_runtime/script/event.h"
 
 namespace hrt::mock {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "samples/members.h"
+#include "samples/app/text/members.h"
 #include "samples/mock_runtime/error.h"
 
 namespace hrt::mock {

@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "samples/app/text/text.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/numbers/csv.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {
