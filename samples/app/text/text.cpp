@@ -41,6 +41,13 @@ std::string wrapped(const std::string& text, std::size_t width) {
   return lines + line;
 }
 
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\n") == std::string_view::npos) return std::string(text);
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + '"';
+}
+
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {

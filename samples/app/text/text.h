@@ -20,6 +20,9 @@ std::string left(std::string_view text, std::size_t width);
 /// The words of `text` in lines of `width` characters, or of one longer word.
 std::string wrapped(const std::string& text, std::size_t width);
 
+/// `text` as a field of CSV: in quotes if it has a comma, a quote or a line end.
+std::string csv_field(std::string_view text);
+
 /// `text` in HTML or XML, in an attribute too; a control character becomes '?'.
 std::string escaped(std::string_view text);
 

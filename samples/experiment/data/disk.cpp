@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "samples/app/text/members.h"
+#include "samples/app/text/json_file.h"
 #include "samples/app/text/whole_file.h"
 
 namespace hrt::experiment {

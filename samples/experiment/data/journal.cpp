@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "samples/app/text/format.h"
-#include "samples/app/text/members.h"
+#include "samples/app/text/json_file.h"
 
 namespace hrt::experiment {
 namespace {

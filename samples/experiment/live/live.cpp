@@ -4,7 +4,7 @@
 #include <sys/random.h>
 
 #include "samples/app/text/format.h"
-#include "samples/app/text/members.h"
+#include "samples/app/text/json_file.h"
 #include "samples/experiment/live_page.h"
 
 namespace hrt::experiment {

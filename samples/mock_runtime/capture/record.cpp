@@ -5,6 +5,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace hrt::capture {
 
@@ -31,16 +32,7 @@ void Record::put_token(std::string_view token) {
 }
 
 void Record::put(std::string_view value) {
-  std::string quoted = "\"";
-  for (const char c : value) {
-    if (c == '"' || c == '\\')
-      quoted += '\\', quoted += c;
-    else if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E)
-      quoted += '?';  // no name of OpenXR has such
-    else
-      quoted += c;
-  }
-  put_token(quoted + '"');
+  put_token(nlohmann::json(value).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
 }
 
 Record& Record::open() {
