@@ -29,7 +29,7 @@ void read_conditions(const Json& file, const std::string& name, Design& design) 
                                              {"none", Controller::none}};
   for (const Json& c : file["conditions"]) {
     for (const Condition& other : design.conditions)
-      if (other.name == c["name"])
+      if (other.name == c["name"].get<std::string>())
         refuse(name + format(".conditions[%zu].name", design.conditions.size()), "is another condition's");
     design.conditions.push_back({c["name"], meaning(c["controller"], controllers), c["plate_deg"]});
   }

@@ -132,7 +132,7 @@ CallFault read_call(const Json& object, const std::string& where) {
   if (legal.empty()) refuse(where + ".function", "must be the name of a function that may fail");
   std::vector<std::string> names;
   for (const XrResult result : legal) names.emplace_back(result_name(result));
-  const auto found = std::find(names.begin(), names.end(), object["result"]);
+  const auto found = std::find(names.begin(), names.end(), object["result"].get<std::string>());
   if (found == names.end()) refuse(where + ".result", "must be one of " + quoted_list(names));
   fault.result = legal[static_cast<std::size_t>(found - names.begin())];
   return fault;
