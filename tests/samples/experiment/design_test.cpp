@@ -25,7 +25,7 @@ TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
   const std::string text = preregistration_text(design);
   for (const std::string& line : std::vector<std::string>{
            "- `repeats` (Trials of each pair in a block): 3\n",
-           "- `rounds` (Blocks of each condition; of random_in_blocks: blocks): 1, by default\n",
+           "- `rounds` (Blocks per condition; of random_in_blocks: blocks): 1, by default\n",
            "  - `max_s` (Longest duration, seconds): 8, by default\n",
            "- `listed_orders` (Orders of the conditions, by name, assigned to the participants in turn): none\n",
            "  - number 2\n    - `controller` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
