@@ -8,10 +8,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "samples/app/xr/openxr_hrtx_ridged_plate.h"
 #include "samples/mock_runtime/capture/record.h"
 #include "samples/mock_runtime/capture/script_file.h"
 #include "samples/mock_runtime/openxr_all.h"
-#include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
 // The functions that the layer looks into, and the member of Capture that notes what each has given; of
 // `failures` only errors.

@@ -368,8 +368,9 @@ TEST_F(MockCapture, WhatIsNoCaptureIsRefusedByName) {
   expect_refused(with(R"(["plate", 1, 5, "12"])"), "records[0][3] must be a number");
   expect_refused(with(R"(["timespec", 1, 5, 0.5])"), "records[0][3] must be a whole number");
   expect_refused(with(R"(["failed", 1, "xrDance", 1, -2])"), "names a function that this runtime does not have");
-  expect_refused(with("7"), "script.playback.records must be an array of arrays");
-  expect_refused(R"({"playback": {"version": 2, "records": []}})", "script.playback.version must be 1");
+  expect_refused(with("7"), "script.playback.records[0] must be an array");
+  expect_refused(R"({"playback": {"version": 2, "records": []}})",
+                 "script.playback.version must be a whole number from 1 to 1");
   expect_refused(R"({"seed": 3, "playback": {"version": 1, "records": []}})", "takes the place of seed");
 }
 
