@@ -26,20 +26,13 @@ std::optional<FunctionId> find_function(std::string_view name) {
   return static_cast<FunctionId>(found - std::begin(functions));
 }
 
-std::vector<XrResult> legal_errors(FunctionId function) {
-  static constexpr XrResult results[] = {
-#define HRT_MOCK_RESULT(name, number) name,
-      XR_LIST_ENUM_XrResult(HRT_MOCK_RESULT)
-#ifndef XR_API_VERSION_1_1
-          HRT_RESULTS_OF_1_1(HRT_MOCK_RESULT)
-#endif
-#undef HRT_MOCK_RESULT
-  };
-  if (functions[static_cast<std::size_t>(function)].needed == Extension::mock_control) return {};
-  std::vector<XrResult> errors;
-  std::copy_if(std::begin(results), std::end(results), std::back_inserter(errors),
-               [](XrResult result) { return XR_FAILED(result); });
-  return errors;
+std::optional<XrResult> find_error(std::string_view name) {
+#define HRT_MOCK_ERROR(result, number) \
+  if (number < 0 && name == #result) return result;
+  HRT_RESULTS_OF_1_1(HRT_MOCK_ERROR)
+  XR_LIST_ENUM_XrResult(HRT_MOCK_ERROR)
+#undef HRT_MOCK_ERROR
+      return std::nullopt;
 }
 
 }  // namespace hrt::mock

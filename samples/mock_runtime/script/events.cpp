@@ -1,5 +1,4 @@
 // The events and the call faults of a script.
-#include "samples/mock_runtime/error.h"
 #include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/world.h"
@@ -128,13 +127,9 @@ CallFault read_call(const Json& object, const std::string& where) {
     return fault;
   }
   if (fault.blocks) refuse(where, "has both a block and a result: a blocked call has none");
-  const std::vector<XrResult> legal = legal_errors(*function);
-  if (legal.empty()) refuse(where + ".function", "must be the name of a function that may fail");
-  std::vector<std::string> names;
-  for (const XrResult result : legal) names.emplace_back(result_name(result));
-  const auto found = std::find(names.begin(), names.end(), object["result"].get<std::string>());
-  if (found == names.end()) refuse(where + ".result", "must be one of " + quoted_list(names));
-  fault.result = legal[static_cast<std::size_t>(found - names.begin())];
+  fault.result = find_error(object["result"].get<std::string>());
+  if (!fault.result)
+    refuse(where + ".result", "must be the name of an error of OpenXR, such as \"XR_ERROR_RUNTIME_FAILURE\"");
   return fault;
 }
 
