@@ -14,7 +14,7 @@ install(TARGETS ${HRT_LIBRARIES} EXPORT HapticRetargetingTargets
   RUNTIME COMPONENT runtime
   LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development)
-install(DIRECTORY plugin/include/ TYPE INCLUDE COMPONENT development
+install(DIRECTORY plugin/include/haptic_retargeting TYPE INCLUDE COMPONENT development
         FILES_MATCHING PATTERN "*.h")
 install(FILES plugin/bindings/api.json DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/haptic_retargeting COMPONENT development)
 

@@ -8,15 +8,15 @@
 #include <optional>
 #include <thread>
 
+#include "samples/app/base/interrupt.h"
+#include "samples/app/text/format.h"
+#include "samples/app/text/whole_file.h"
+#include "samples/app/xr/watchdog.h"
 #include "samples/experiment/design/design.h"
 #include "samples/experiment/output/export.h"
 #include "samples/experiment/session/led.h"
 #include "samples/experiment/session/session.h"
 #include "samples/experiment/session/simulated.h"
-#include "samples/format.h"
-#include "samples/reach/base/interrupt.h"
-#include "samples/reach/xr/watchdog.h"
-#include "samples/whole_file.h"
 
 namespace hrt::experiment {
 namespace {
@@ -31,7 +31,7 @@ struct Options {
   bool simulated = false;
   std::string live;
   std::string plate = "runtime";
-  reach::Options reach;  // of a plate and OpenXR
+  app::Options reach;  // of a plate and OpenXR
 };
 
 void put(const std::filesystem::path& file, const std::string& content) {
@@ -51,17 +51,17 @@ void run_one(const Options& options) {
     end = run_session(design, place, subject, Disk());
   } else {
     if (options.reach.scene.empty()) throw Refusal("--scene: is missing; a simulated participant has --simulated");
-    reach::note_interrupts();
-    reach::Options led = options.reach;
+    app::note_interrupts();
+    app::Options led = options.reach;
     led.person = !options.simulated;
-    led.plate = reach::parse_plate(options.plate).value();
-    reach::watch_runtime(led.runtime_limit);
+    led.plate = app::parse_plate(options.plate).value();
+    app::watch_runtime(led.runtime_limit);
     std::optional<Live> live;
     if (!options.live.empty()) std::cerr << live.emplace(options.live == "keys").addresses();
     LedSubject subject(design, options.participant, led, live ? &*live : nullptr);
     try {
       end = run_session(design, place, subject, Disk([&subject](const char*) { subject.between_frames(); }));
-    } catch (const reach::Interrupted&) {
+    } catch (const app::Interrupted&) {
       end = "left";
     } catch (const std::exception& error) {
       subject.speak(error.what());  // main() prints it
@@ -134,8 +134,8 @@ void add_commands(CLI::App& app, Options& options) {
   run->add_option("--plate", options.plate, "As of hrt-reach [runtime]")
       ->needs("--scene")
       ->check([](const std::string& text) {
-        return reach::parse_plate(text) ? ""
-                                        : "must be runtime, servo, servo:SPEED, serial:LINE, dynamixel:LINE or *.json";
+        return app::parse_plate(text) ? ""
+                                      : "must be runtime, servo, servo:SPEED, serial:LINE, dynamixel:LINE or *.json";
       });
   run->add_option("--registered", options.reach.registered,
                   "Where hrt-reach --register found the plate, else touches find it here")
@@ -171,8 +171,8 @@ int run_from(int argc, char** argv) {
   app.require_subcommand(1);
   setenv("XR_LOADER_DEBUG", "none", 0);
   hrt::experiment::Options options;
-  options.reach.hands = {hrt::reach::Hand::right};
-  options.reach.plugin = hrt::reach::default_plugin();
+  options.reach.hands = {hrt::app::Hand::right};
+  options.reach.plugin = hrt::app::default_plugin();
   hrt::experiment::add_commands(app, options);
   try {
     app.parse(argc, argv);

@@ -1,4 +1,4 @@
-// The extensions of the runtime.
+// The extensions of the runtime, and the extension of each function.
 #pragma once
 
 #include <array>
@@ -51,5 +51,17 @@ inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::c
      HRT_MOCK_EXTENSIONS(HRT_MOCK_INFO)
 #undef HRT_MOCK_INFO
     }};
+
+struct FunctionInfo {
+  const char* name;
+  Extension needed;
+};
+
+/// By FunctionId.
+inline constexpr FunctionInfo functions[] = {
+#define HRT_MOCK_INFO(name, implementation, extension, returned) {#name, Extension::extension},
+    HRT_MOCK_FUNCTIONS(HRT_MOCK_INFO)
+#undef HRT_MOCK_INFO
+};
 
 }  // namespace hrt::mock

@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "samples/app/xr/openxr_hrtx_ridged_plate.h"
 #include "samples/mock_runtime/openxr_all.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
-#include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
 // clang-format off
 #define HRT_MOCK_FUNCTIONS(X)                                                                                \

@@ -18,12 +18,11 @@ extern "C" {
 #endif
 
 #define XR_HRTX_mock_control 1
-#define XR_HRTX_mock_control_SPEC_VERSION 2
+#define XR_HRTX_mock_control_SPEC_VERSION 3
 #define XR_HRTX_MOCK_CONTROL_EXTENSION_NAME "XR_HRTX_mock_control"
 
 #define XR_MAX_CALL_NAME_SIZE_HRTX 64
 #define XR_MAX_CALL_REASON_SIZE_HRTX 256
-#define XR_MAX_CALL_ARGUMENTS_SIZE_HRTX 512
 
 #ifdef __cplusplus
 #define XR_TYPE_CALL_RECORD_HRTX static_cast<XrStructureType>(1009991000)
@@ -37,10 +36,9 @@ typedef struct XrCallRecordHRTX {
   void* XR_MAY_ALIAS next;
   XrTime time; /* of the runtime's clock when the call returned; 0 without an instance */
   XrResult result;
-  char function[XR_MAX_CALL_NAME_SIZE_HRTX];       /* "xrCreateSession" */
-  char reason[XR_MAX_CALL_REASON_SIZE_HRTX];       /* why it was refused; empty otherwise */
-  char arguments[XR_MAX_CALL_ARGUMENTS_SIZE_HRTX]; /* "(0x4852545800000002, {time=5})", cut at this size */
-  uint32_t thread;                                 /* that called, numbered from 1 in order of their first calls */
+  char function[XR_MAX_CALL_NAME_SIZE_HRTX]; /* "xrCreateSession" */
+  char reason[XR_MAX_CALL_REASON_SIZE_HRTX]; /* why it was refused; empty otherwise */
+  uint32_t thread;                           /* that called, numbered from 1 in order of their first calls */
 } XrCallRecordHRTX;
 
 /* Replaces the script, from the next session on; calls, sessions and instances are

@@ -9,19 +9,20 @@
 #include <string>
 #include <utility>
 
-#include "samples/format.h"
-#include "samples/reach/base/exit_code.h"
-#include "samples/reach/base/files.h"
-#include "samples/reach/base/interrupt.h"
-#include "samples/reach/base/say.h"
-#include "samples/reach/output/table.h"
-#include "samples/reach/run/choice.h"
-#include "samples/reach/run/make_plate.h"
-#include "samples/reach/run/reach.h"
-#include "samples/reach/run/registration.h"
-#include "samples/reach/run/set_up.h"
-#include "samples/reach/run/sighting.h"
-#include "samples/whole_file.h"
+#include "samples/app/base/exit_code.h"
+#include "samples/app/base/interrupt.h"
+#include "samples/app/base/say.h"
+#include "samples/app/run/make_plate.h"
+#include "samples/app/run/reach.h"
+#include "samples/app/run/registration.h"
+#include "samples/app/run/set_up.h"
+#include "samples/app/run/sighting.h"
+#include "samples/app/text/format.h"
+#include "samples/app/text/whole_file.h"
+#include "samples/reach/choice.h"
+#include "samples/reach/command_line.h"
+#include "samples/reach/files.h"
+#include "samples/reach/table.h"
 
 namespace hrt::reach {
 namespace {
@@ -375,7 +376,7 @@ int run_from(int argc, char** argv) {
 }  // namespace hrt::reach
 
 int main(int argc, char** argv) {
-  hrt::reach::note_interrupts();
+  hrt::app::note_interrupts();
   std::signal(SIGPIPE, SIG_IGN);  // a closed output is noticed where it is written
   // Set this variable to keep the loader's own report of a failure.
   setenv("XR_LOADER_DEBUG", "none", 0);

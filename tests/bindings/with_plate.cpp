@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "plugin/src/plate/plate_file.h"
+#include "plugin/include/plate_driver/plate_file.h"
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/plate/board_with_servo.h"
 

@@ -10,11 +10,11 @@
 #include <string>
 #include <string_view>
 
-#include "plugin/src/plate/device.h"
+#include "plugin/include/plate_driver/device.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 #include "plugin/src/plate/dynamixel/packet.h"
-#include "plugin/src/plate/plate_failure.h"
 #include "plugin/src/plate/plate_line.h"
-#include "samples/plate/firmware/plate.h"
+#include "samples/app/firmware/plate.h"
 
 namespace {
 

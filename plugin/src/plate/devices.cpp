@@ -3,7 +3,7 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "plugin/src/plate/device.h"
+#include "plugin/include/plate_driver/device.h"
 
 // A new device is one more X(kind) here, and a file that defines kind_device().
 #define HRT_DEVICES(X) \

@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "haptic_retargeting/plate.h"
-#include "plugin/src/plate/device.h"
-#include "plugin/src/plate/plate_failure.h"
-#include "plugin/src/plate/plate_file.h"
+#include "plugin/include/plate_driver/device.h"
+#include "plugin/include/plate_driver/plate_failure.h"
+#include "plugin/include/plate_driver/plate_file.h"
 #include "plugin/src/plate/snapshot.h"
 
 namespace hrt::plate {

@@ -1,4 +1,4 @@
-#include "plugin/src/plate/plate_file.h"
+#include "plugin/include/plate_driver/plate_file.h"
 
 #include <fcntl.h>
 

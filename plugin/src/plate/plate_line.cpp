@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "plugin/include/plate_driver/crc16.h"
+
 namespace hrt::plate {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr double max_latency_ms = 1000.0;
 constexpr char hex_digits[] = "0123456789ABCDEF";
 
 std::string sum_of(std::string_view body) {
-  const unsigned sum = crc_of(body);
+  const unsigned sum = crc16_ccitt(body.data(), body.size());
   std::string digits;
   for (int shift = 12; shift >= 0; shift -= 4) digits += hex_digits[(sum >> shift) & 15U];
   return digits;
@@ -104,15 +106,6 @@ std::optional<PlateMessage> parse_service(const Words& words) {
 }
 
 }  // namespace
-
-std::uint16_t crc_of(std::string_view bytes) {
-  unsigned crc = 0xFFFF;
-  for (const char c : bytes) {
-    crc ^= static_cast<unsigned>(static_cast<unsigned char>(c)) << 8;
-    for (int bit = 0; bit < 8; ++bit) crc = (crc & 0x8000U) != 0 ? (crc << 1) ^ 0x1021U : crc << 1;
-  }
-  return static_cast<std::uint16_t>(crc & 0xFFFFU);
-}
 
 std::string encode_line(std::string_view body) { return std::string(body) + "*" + sum_of(body) + "\n"; }
 

@@ -49,9 +49,6 @@ struct PlateTest {
 using PlateMessage = std::variant<PlateGreeting, PlateReport, PlateStopped, PlateBooted, PlateInfo, PlateRefusal,
                                   PlateSetting, PlateSaved, PlateTest>;
 
-/// CRC-16/CCITT-FALSE: polynomial 0x1021, start 0xFFFF, no reflection; of "123456789" it is 0x29B1.
-std::uint16_t crc_of(std::string_view bytes);
-
 /// The bytes of a line with this body: sum and end are added.
 std::string encode_line(std::string_view body);
 

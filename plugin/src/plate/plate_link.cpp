@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/src/plate/plate_failure.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 
 namespace hrt::plate {
 namespace {

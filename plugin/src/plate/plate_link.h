@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "plugin/src/plate/device.h"
+#include "plugin/include/plate_driver/device.h"
 #include "plugin/src/plate/plate_line.h"
 #include "plugin/src/plate/plate_watch.h"
 
@@ -16,7 +16,7 @@ namespace hrt::plate {
 /// there and back, and what the plate says of itself. Every call returns at once, except the constructor,
 /// wait(), ask() and what asks. All throw PlateFailure when the plate has failed; it is then stopped if it
 /// still hears. One thread.
-class PlateLink : public Device {
+class PlateLink : public Device, public BoardSettings {
  public:
   /// Greets the plate, for which it has five seconds (boards start when their line is opened), and measures
   /// the line. Moves nothing.
@@ -56,14 +56,11 @@ class PlateLink : public Device {
   /// The firmware's, of its readings.
   std::chrono::nanoseconds sensor_filter() const override;
 
-  /// What the converter reads at the sensor's pin, 0 to 1023: the mean of ten.
-  double sensor_reading();
-  /// Value of one of the plate's settings.
-  double setting(const std::string& name);
-  /// Changes it. PlateFailure with the reason if the plate refuses.
-  void change_setting(const std::string& name, double value);
-  /// Keeps all settings in the plate's memory. The plate stops first.
-  void save_settings();
+  BoardSettings* board_settings() override { return this; }
+  double setting(const std::string& name) override;
+  void change_setting(const std::string& name, double value) override;
+  void save_settings() override;
+  double sensor_reading() override;
 
   /// Sends a line of the service commands, and hands every message to `take` until it returns true.
   /// PlateFailure after `limit`.

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "plugin/src/plate/plate_failure.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 #include "plugin/src/plate/plate_link.h"
 
 namespace hrt::plate {

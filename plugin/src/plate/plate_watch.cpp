@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "plugin/src/plate/plate_failure.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 
 namespace hrt::plate {
 namespace {

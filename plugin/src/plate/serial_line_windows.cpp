@@ -7,8 +7,8 @@
 #include <array>
 #include <cstring>
 
-#include "plugin/src/plate/line.h"
-#include "plugin/src/plate/plate_failure.h"
+#include "plugin/include/plate_driver/line.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 
 namespace hrt::plate {
 namespace {

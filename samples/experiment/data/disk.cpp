@@ -11,8 +11,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "samples/members.h"
-#include "samples/whole_file.h"
+#include "samples/app/text/json_file.h"
+#include "samples/app/text/whole_file.h"
 
 namespace hrt::experiment {
 

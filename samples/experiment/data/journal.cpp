@@ -10,8 +10,8 @@
 #include <ctime>
 #include <optional>
 
-#include "samples/format.h"
-#include "samples/members.h"
+#include "samples/app/text/format.h"
+#include "samples/app/text/json_file.h"
 
 namespace hrt::experiment {
 namespace {

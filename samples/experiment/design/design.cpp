@@ -6,9 +6,10 @@
 #include <iterator>
 #include <set>
 
+#include "samples/app/text/format.h"
 #include "samples/experiment/data/disk.h"
 #include "samples/experiment/design/draws.h"
-#include "samples/format.h"
+#include "samples/experiment/study_schema.h"
 
 namespace hrt::experiment {
 namespace {
@@ -21,215 +22,139 @@ unsigned index_of(const std::vector<Condition>& conditions, const std::string& w
   return static_cast<unsigned>(found - names.begin());
 }
 
-void read_conditions(Members& f, Design& design) {
-  f.each("conditions", {1, 12, "What is compared, within people"}, [&](Members& c) {
-    Condition condition;
-    condition.name = c.text("name", std::nullopt, "Name; shown to nobody before unblinding");
-    condition.controller = c.choice<Controller>("controller",
-                                                {{"people", Controller::people},
-                                                 {"paper", Controller::paper},
-                                                 {"fixed", Controller::fixed},
-                                                 {"none", Controller::none}},
-                                                nullptr,
-                                                "people: the default controller; paper: the paper's; fixed: a "
-                                                "plate at plate_deg; none: a plate at 0");
-    condition.plate_deg = c.number("plate_deg", 0.0, -90, 90, "Plate orientation under fixed, degrees");
+void read_conditions(const Json& file, const std::string& name, Design& design) {
+  static const Names<Controller> controllers{{"people", Controller::people},
+                                             {"paper", Controller::paper},
+                                             {"fixed", Controller::fixed},
+                                             {"none", Controller::none}};
+  for (const Json& c : file["conditions"]) {
     for (const Condition& other : design.conditions)
-      if (other.name == condition.name) refuse(c.where("name"), "is another condition's");
-    design.conditions.push_back(condition);
-  });
+      if (other.name == c["name"].get<std::string>())
+        refuse(name + format(".conditions[%zu].name", design.conditions.size()), "is another condition's");
+    design.conditions.push_back({c["name"], meaning(c["controller"], controllers), c["plate_deg"]});
+  }
 }
 
-void read_pairs(Members& f, Design& design) {
-  f.each("pairs", {1, 40, "Virtual targets, each with the real one that serves it"}, [&](Members& p) {
-    Pair pair;
-    pair.name = p.text("name", std::nullopt, "Name");
-    pair.virtual_deg = p.number("virtual_deg", std::nullopt, -60, 60, "Direction of the virtual target");
-    pair.real_deg = p.number("real_deg", std::nullopt, -60, 60, "Direction of the real target");
-    pair.distance_m = 1e-3 * p.number("distance_mm", 100.0, 30, 120, "Distance of both from the start");
-    pair.radius_m =
-        1e-3 * p.number("radius_mm", 0.0, 0, 20, "Radius of the real object, whose contact ends a reach; 0: unknown");
+void read_pairs(const Json& file, const std::string& name, Design& design) {
+  for (const Json& p : file["pairs"]) {
+    const std::string where = name + format(".pairs[%zu]", design.pairs.size());
+    const Pair pair{p["name"], p["virtual_deg"], p["real_deg"], 1e-3 * p["distance_mm"].get<double>(),
+                    1e-3 * p["radius_mm"].get<double>()};
     if (std::abs(pair.virtual_deg - pair.real_deg) > 75.0)  // 90 with the bias that a person may have
-      refuse(p.where("real_deg"), "must be within 75 of virtual_deg");
+      refuse(where + ".real_deg", "must be within 75 of virtual_deg");
     for (const Pair& other : design.pairs)
-      if (other.name == pair.name) refuse(p.where("name"), "is another pair's");
+      if (other.name == pair.name) refuse(where + ".name", "is another pair's");
     design.pairs.push_back(pair);
-  });
+  }
 }
 
-void read_order(Members& f, Design& design) {
-  design.order = f.choice<Order>(
-      "order",
-      {{"williams", Order::williams}, {"random_in_blocks", Order::random_in_blocks}, {"listed", Order::listed}},
-      "williams",
-      "williams: a block a condition, balanced for what precedes; random_in_blocks: all conditions in each block; "
-      "listed: as in listed_orders");
-  const auto lists = f.lists("listed_orders", {1, 26}, "Conditions of the participants, by name, in turn");
-  if (!f.describes() && lists.empty() == (design.order == Order::listed))
-    refuse(f.where("listed_orders"), "goes with order listed, and only with it");
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    const std::string place = f.where("listed_orders") + format("[%zu]", i);
+void read_order(const Json& file, const std::string& name, Design& design) {
+  static const Names<Order> orders{
+      {"williams", Order::williams}, {"random_in_blocks", Order::random_in_blocks}, {"listed", Order::listed}};
+  design.order = meaning(file["order"], orders);
+  if (file.contains("listed_orders") != (design.order == Order::listed))
+    refuse(name + ".listed_orders", "must be there with the order \"listed\", and only with it");
+  for (const Json& list : file.value("listed_orders", Json::array())) {
+    const std::string where = name + format(".listed_orders[%zu]", design.listed.size());
     std::vector<unsigned> indices;
-    indices.reserve(lists[i].size());
-    for (const std::string& name : lists[i]) indices.push_back(index_of(design.conditions, place, name));
+    for (const Json& condition : list) indices.push_back(index_of(design.conditions, where, condition));
     if (std::set<unsigned>(indices.begin(), indices.end()).size() != design.conditions.size() ||
         indices.size() != design.conditions.size())
-      refuse(place, "must have each condition once");
+      refuse(where, "must have each condition once");
     design.listed.push_back(indices);
   }
 }
 
-void read_blocks(Members& f, Design& design) {
-  f.object("between", "A factor between people", [&](Members& b) {
-    design.factor = b.text("factor", std::nullopt, "Name");
-    design.levels = b.texts("levels", true, {2, 8, "Levels, assigned in turn to whole sets of orders"});
-  });
-  design.rounds = f.count<unsigned>("rounds", 1, 1, 50, "Blocks of each condition; of random_in_blocks: blocks");
-  design.repeats = f.count<unsigned>("repeats", std::nullopt, 1, 100, "Trials of each pair in a block");
-  design.max_run = f.count<unsigned>("max_run", 2, 1, 100, "Most trials of one pair in a row");
-  design.catch_share = f.number("catch_share", 0.0, 0, 0.5,
-                                "Trials without a gap, with the plate at rest, added to each block; a share of it");
-  design.practice_trials =
-      f.count<unsigned>("practice_trials", 4, 0, 100, "Before the first block, without a controller");
-  design.trial_s = f.number("trial_s", 12.0, 1, 120, "Expected duration of a trial");
-  design.calibrates = f.choice<bool>("set_up", {{"calibration", true}, {"none", false}}, "calibration",
-                                     "calibration: the plugin's set-up finds the illusion");
-  design.question = f.text("question", "", "Asked after each reach");
-  design.answers = f.texts("answers", false, {2, 9, "Answers to it, by digit from 1; default yes, no"});
-  if (design.answers.empty()) design.answers = {"yes", "no"};
+void read_blocks(const Json& file, Design& design) {
+  if (file.contains("between")) {
+    design.factor = file["between"]["factor"];
+    design.levels = file["between"]["levels"];
+  }
+  design.rounds = file["rounds"];
+  design.repeats = file["repeats"];
+  design.max_run = file["max_run"];
+  design.catch_share = file["catch_share"];
+  design.practice_trials = file["practice_trials"];
+  design.trial_s = file["trial_s"];
+  design.calibrates = file["set_up"] == "calibration";
+  design.question = file.value("question", "");
+  design.answers = file["answers"];
 }
 
-void read_rules(Members& f, Design& design) {
-  design.validity = {0.3, 8.0, 0.1, 5};
-  f.object("validity", "When a reach counts; one that does not returns later in its block", [&](Members& v) {
-    Validity& rules = design.validity;
-    rules.min_s = v.number("min_s", rules.min_s, 0.1, 5, "Shortest duration");
-    rules.max_s = v.number("max_s", rules.max_s, 0.5, 30, "Longest duration");
-    if (rules.max_s <= rules.min_s) refuse(v.where("max_s"), "must be above min_s");
-    rules.max_dropped_share =
-        v.number("max_dropped_share", rules.max_dropped_share, 0, 1, "Largest share of samples without a finger");
-    rules.max_attempts = v.count<unsigned>("max_attempts", rules.max_attempts, 1, 20, "Then the trial is missing");
-  });
-  design.break_minutes = 1.0;
-  design.max_pause_minutes = 15.0;
-  f.object("breaks", "Between blocks", [&](Members& b) {
-    design.break_minutes = b.number("minutes", 1.0, 0, 60, "Shortest");
-    design.max_pause_minutes =
-        b.number("max_pause_minutes", 15.0, 0.1, 1440, "After a longer interruption a block starts again");
-  });
-  design.max_invalid_in_a_row = 10;
-  design.max_minutes = 120.0;
-  f.object("stop", "When a session is stopped", [&](Members& s) {
-    design.max_invalid_in_a_row = s.count<unsigned>("max_invalid_in_a_row", 10, 1, 100, "Reaches that do not count");
-    design.max_minutes = s.number("max_minutes", 120.0, 1, 600, "Since consent");
-  });
+void read_rules(const Json& file, const std::string& name, Design& design) {
+  const Json& v = file["validity"];
+  design.validity = {v["min_s"], v["max_s"], v["max_dropped_share"], v["max_attempts"]};
+  if (design.validity.max_s <= design.validity.min_s) refuse(name + ".validity.max_s", "must be above min_s");
+  design.break_minutes = file["breaks"]["minutes"];
+  design.max_pause_minutes = file["breaks"]["max_pause_minutes"];
+  design.max_invalid_in_a_row = file["stop"]["max_invalid_in_a_row"];
+  design.max_minutes = file["stop"]["max_minutes"];
 }
 
-void read_noticeability(Members& f, Design& design) {
-  Noticeability notice{};
-  const bool there = f.object("noticeability", "Which of two reaches was bent? A last block", [&](Members& n) {
-    notice.trials = n.count<unsigned>("trials", 60, 5, 500, "Pairs of reaches");
-    const std::string name = n.text("condition", std::nullopt, "Whose controller bends the reach");
-    if (!n.describes()) notice.condition = index_of(design.conditions, n.where("condition"), name);
-    const Controller bends = n.describes() ? Controller::people : design.conditions[notice.condition].controller;
-    if (bends == Controller::none || bends == Controller::fixed)
-      refuse(n.where("condition"), "must be one whose controller is people or paper");
-    notice.virtual_deg = n.number("virtual_deg", 0.0, -60, 60, "Direction of the virtual target");
-    notice.distance_m = 1e-3 * n.number("distance_mm", 100.0, 30, 120, "Its distance from the start");
-    notice.min_gap_deg = n.number("min_gap_deg", 1.0, 0.1, 30, "Smallest gap");
-    notice.max_gap_deg = n.number("max_gap_deg", 30.0, 1, 45, "Largest gap");
-    if (notice.max_gap_deg < 2.0 * notice.min_gap_deg && !n.describes())
-      refuse(n.where("max_gap_deg"), "must be twice min_gap_deg or more");
-  });
-  if (there) design.noticeability = notice;
+void read_noticeability(const Json& n, const std::string& where, Design& design) {
+  const Noticeability notice{n["trials"],      index_of(design.conditions, where + ".condition", n["condition"]),
+                             n["virtual_deg"], 1e-3 * n["distance_mm"].get<double>(),
+                             n["min_gap_deg"], n["max_gap_deg"]};
+  const Controller controller = design.conditions[notice.condition].controller;
+  if (controller == Controller::none || controller == Controller::fixed)
+    refuse(where + ".condition", "must be one whose controller is people or paper");
+  if (notice.max_gap_deg < 2.0 * notice.min_gap_deg)
+    refuse(where + ".max_gap_deg", "must be twice min_gap_deg or more");
+  design.noticeability = notice;
 }
 
-void read_questionnaires(Members& f, Design& design) {
-  f.each("questionnaires", {0, 20, "Such as SSQ, raw TLX, agency"}, [&](Members& q) {
-    Questionnaire paper;
-    paper.name = q.text("name", std::nullopt, "Name");
-    const std::string when = q.word("when", {"before", "after", "both"}, "after", "Of the session");
-    paper.before = when != "after";
-    paper.after = when != "before";
-    paper.low = q.count<unsigned>("low", 0, 0, 100, "Smallest answer");
-    paper.high = q.count<unsigned>("high", 3, 1, 100, "Largest answer");
-    if (paper.high <= paper.low) refuse(q.where("high"), "must be above low");
-    paper.items = q.texts("items", true, {1, 100, "Texts of the items"});
+void read_questionnaires(const Json& file, const std::string& name, Design& design) {
+  for (const Json& q : file.value("questionnaires", Json::array())) {
+    const Questionnaire paper{q["name"], q["when"] != "after", q["when"] != "before", q["low"], q["high"], q["items"]};
+    if (paper.high <= paper.low)
+      refuse(name + format(".questionnaires[%zu].high", design.questionnaires.size()), "must be above low");
     design.questionnaires.push_back(paper);
-  });
+  }
 }
 
-void read_analysis(Members& f, Design& design) {
-  design.measure = "abs_miss_deg";
-  design.test = "sign_flip";
-  design.alpha = 0.05;
-  design.margin = 1.0;
-  const bool there = f.object("analysis", "Registered before the first participant", [&](Members& a) {
-    design.measure =
-        a.word("measure", {"abs_miss_deg", "miss_mm", "peak_felt_error_deg"}, "abs_miss_deg", "Of trials.csv");
-    design.test = a.word("test", {"sign_flip", "mixed_model"}, "sign_flip",
-                         "sign_flip: of people's differences; mixed_model: condition, intercept and slope by person");
-    const std::string reference = a.text("reference", std::nullopt, "Condition with which the others are compared");
-    if (!a.describes()) design.reference = index_of(design.conditions, a.where("reference"), reference);
-    design.alpha = a.number("alpha", 0.05, 0.001, 0.2, "Level of the test, of all comparisons together (Holm)");
-    design.margin = a.number("margin", 1.0, 0.01, 100, "A smaller difference is as good as none (equivalence)");
-  });
-  if (!there) design.reference = static_cast<unsigned>(design.conditions.size()) - 1;
+void read_analysis(const Json& a, const std::string& where, Design& design) {
+  design.measure = a["measure"];
+  design.test = a["test"];
+  design.reference = static_cast<unsigned>(design.conditions.size()) - 1;
+  if (a.contains("reference")) design.reference = index_of(design.conditions, where + ".reference", a["reference"]);
+  design.alpha = a["alpha"];
+  design.margin = a["margin"];
 }
 
-// What no field says alone.
-void check_whole(const Members& f, const Design& design) {
+// Requirements on several fields together.
+void check_whole(const std::string& name, const Design& design) {
   const auto conditions = static_cast<unsigned>(design.conditions.size());
   unsigned rows = design.order == Order::listed ? static_cast<unsigned>(design.listed.size()) : 1;
   if (design.order == Order::williams) rows = conditions % 2 == 0 ? conditions : 2 * conditions;
   if (conditions == 1) rows = 1;
   const unsigned set = rows * std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
   if (design.participants % set != 0)
-    refuse(f.where("participants"), format("must be a multiple of %u: orders%s would not be balanced", set,
-                                           design.levels.empty() ? "" : " times levels"));
+    refuse(name + ".participants", format("must be a multiple of %u: orders%s would not be balanced", set,
+                                          design.levels.empty() ? "" : " times levels"));
   if (design.pairs.size() == 1 && design.order != Order::random_in_blocks && design.repeats > design.max_run)
-    refuse(f.where("max_run"), "must be repeats or more, as there is only one pair");
-}
-
-Design read_all(Members& f) {
-  Design design{};
-  design.title = f.text("title", std::nullopt, "Of the study");
-  design.seed = f.count<unsigned>("seed", 1, 0, UINT32_MAX, "Of all random draws");
-  design.participants = f.count<unsigned>("participants", std::nullopt, 1, 1000, "Planned number");
-  read_conditions(f, design);
-  read_pairs(f, design);
-  read_order(f, design);
-  read_blocks(f, design);
-  read_rules(f, design);
-  read_noticeability(f, design);
-  read_questionnaires(f, design);
-  read_analysis(f, design);
-  f.object("simulated", "Of simulated participants alone", [&](Members& s) {
-    design.simulated.invalid_share = s.number("invalid_share", 0.0, 0, 0.5, "Reaches in which tracking is lost");
-    design.simulated.lapse_share = s.number("lapse_share", 0.02, 0, 0.5, "Answers that are guesses");
-    design.simulated.weights =
-        s.word("weights", {"uniform", "normal", "skewed"}, "uniform", "Shares of touch, about 0.21 by 0.052");
-  });
-  return design;
+    refuse(name + ".max_run", "must be repeats or more, as there is only one pair");
 }
 
 }  // namespace
 
 Design parse_design(const std::string& text, const std::string& name) {
-  Json value;
-  KeysAround keys;
-  try {
-    value = Json::parse(text, [&](int, Json::parse_event_t event, const Json& parsed) {
-      keys.see(event, parsed);
-      return true;
-    });
-  } catch (const std::exception& error) {
-    throw Refusal(name + ": " + error.what());
-  }
-  Members fields(value, name);
-  Design design = read_all(fields);
-  fields.finish();
-  check_whole(fields, design);
+  Json file = parse_json(text, name);
+  check_json(file, design_schema(), name);
+  Design design{};
+  design.title = file["title"];
+  design.seed = file["seed"];
+  design.participants = file["participants"];
+  read_conditions(file, name, design);
+  read_pairs(file, name, design);
+  read_order(file, name, design);
+  read_blocks(file, design);
+  read_rules(file, name, design);
+  if (file.contains("noticeability")) read_noticeability(file["noticeability"], name + ".noticeability", design);
+  read_questionnaires(file, name, design);
+  read_analysis(file["analysis"], name + ".analysis", design);
+  const Json& simulated = file["simulated"];
+  design.simulated = {simulated["invalid_share"], simulated["lapse_share"], simulated["weights"]};
+  check_whole(name, design);
   design.text = text;
   design.sha256 = sha256_of(text);
   return design;
@@ -241,10 +166,8 @@ Design read_design(const std::filesystem::path& file) {
   return parse_design({std::istreambuf_iterator<char>(stream), {}}, file.filename().string());
 }
 
-Json design_schema() {
-  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                 {"title", "Design of a study of haptic retargeting by touch"}};
-  Members::describe(schema, std::nullopt, read_all);
+const Json& design_schema() {
+  static const Json schema = Json::parse(study_schema);
   return schema;
 }
 

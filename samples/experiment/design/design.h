@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/members.h"
+#include "samples/app/text/json_file.h"
 
 namespace hrt::experiment {
 
@@ -104,8 +104,8 @@ struct Design {
 Design parse_design(const std::string& text, const std::string& name);
 Design read_design(const std::filesystem::path& file);
 
-/// The JSON schema that parse_design() reads by.
-nlohmann::json design_schema();
+/// The JSON Schema of a design: study.schema.json.
+const Json& design_schema();
 
 /// Letters by which conditions are known until they are unblinded: drawn from the design's seed.
 std::string letter_of(const Design& design, unsigned condition);

@@ -1,8 +1,8 @@
 #include "samples/experiment/design/design.h"
 
+#include "samples/app/text/format.h"
 #include "samples/experiment/design/schedule.h"
 #include "samples/experiment/protocol.h"
-#include "samples/format.h"
 
 namespace hrt::experiment {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "samples/app/text/format.h"
 #include "samples/experiment/design/draws.h"
-#include "samples/format.h"
 
 namespace hrt::experiment {
 namespace {

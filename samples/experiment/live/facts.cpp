@@ -3,8 +3,8 @@
 #include <numbers>
 #include <utility>
 
+#include "samples/app/text/format.h"
 #include "samples/experiment/live/live.h"
-#include "samples/format.h"
 
 namespace hrt::experiment {
 namespace {
@@ -14,7 +14,7 @@ constexpr auto fresh = std::chrono::hours(1);
 
 }  // namespace
 
-void Live::frame(reach::Stage& stage, XrTime time, std::optional<Clock::time_point> registered) {
+void Live::frame(app::Stage& stage, XrTime time, std::optional<Clock::time_point> registered) {
   const double passed_s = 1e-9 * static_cast<double>(time - std::exchange(last_frame_, time));
   period_s_ += share_of_new * (std::min(passed_s, 1.0) - period_s_);
   if (Clock::now() - shown_at_ < show_period) return;
@@ -34,7 +34,7 @@ void Live::frame(reach::Stage& stage, XrTime time, std::optional<Clock::time_poi
   show();
 }
 
-void Live::check(reach::Stage& stage, std::optional<Clock::time_point> registered) {
+void Live::check(app::Stage& stage, std::optional<Clock::time_point> registered) {
   facts["checks"] = nlohmann::json::array();
   const auto add = [&](bool is_good, const std::string& text) {
     facts["checks"].push_back((is_good ? "✓ " : "! ") + text);
@@ -60,10 +60,9 @@ void Live::check(reach::Stage& stage, std::optional<Clock::time_point> registere
   add(period_s_ <= max_period_s, format("Frames: %.0f a second", 1.0 / period_s_));
 }
 
-void Live::moment(const reach::Stage& stage, const reach::TargetPair& pair, const reach::Moment& moment,
-                  bool is_first) {
-  const auto point_of = [&](const reach::Point& at) {
-    const reach::Point& start = stage.targets.start_m;
+void Live::moment(const app::Stage& stage, const app::TargetPair& pair, const app::Moment& moment, bool is_first) {
+  const auto point_of = [&](const app::Point& at) {
+    const app::Point& start = stage.targets.start_m;
     return format("%.1f,%.1f ", 1e3 * (at[0] - start[0]), 1e3 * (at[2] - start[2]));
   };
   if (is_first) {

@@ -3,9 +3,9 @@
 #include <httplib.h>
 #include <sys/random.h>
 
+#include "samples/app/text/format.h"
+#include "samples/app/text/json_file.h"
 #include "samples/experiment/live_page.h"
-#include "samples/format.h"
-#include "samples/members.h"
 
 namespace hrt::experiment {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "samples/reach/run/stage.h"
+#include "samples/app/run/stage.h"
 
 namespace httplib {
 class Server;
@@ -37,23 +37,23 @@ class Live {
   /// Gives readers a copy, and waits for none.
   void show() { shown_.store(std::make_shared<const nlohmann::json>(facts)); }
   /// Of every frame. `registered`: when a touch checked the plate's place.
-  void frame(reach::Stage& stage, XrTime time, std::optional<Clock::time_point> registered);
+  void frame(app::Stage& stage, XrTime time, std::optional<Clock::time_point> registered);
   /// Of every frame of a reach.
-  void moment(const reach::Stage& stage, const reach::TargetPair& pair, const reach::Moment& moment, bool is_first);
+  void moment(const app::Stage& stage, const app::TargetPair& pair, const app::Moment& moment, bool is_first);
   /// The next key that has been pressed on a page, if any.
   std::optional<char> key();
 
  private:
   void route();
-  void check(reach::Stage& stage, std::optional<Clock::time_point> registered);
+  void check(app::Stage& stage, std::optional<Clock::time_point> registered);
 
   std::atomic<std::shared_ptr<const nlohmann::json>> shown_ =
       std::make_shared<const nlohmann::json>(nlohmann::json::object());
   Clock::time_point shown_at_;
   XrTime last_frame_ = 0;
-  double period_s_ = 0.0;               // of frames, a mean over the last ones
-  reach::Point finger_m_{}, felt_m_{};  // ends of the two paths
-  std::mutex mutex_;                    // of pressed_
+  double period_s_ = 0.0;             // of frames, a mean over the last ones
+  app::Point finger_m_{}, felt_m_{};  // ends of the two paths
+  std::mutex mutex_;                  // of pressed_
   std::string pressed_, look_token_, keys_token_;
   std::atomic<bool> is_ending_ = false;
   std::atomic<int> streams_ = 0;

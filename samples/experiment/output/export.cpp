@@ -3,8 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "samples/app/text/format.h"
+#include "samples/app/text/text.h"
 #include "samples/experiment/session/session.h"
-#include "samples/format.h"
 
 namespace hrt::experiment {
 namespace {
@@ -13,13 +14,6 @@ using nlohmann::json;
 
 std::string text_of(const json& value) {
   return value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-  return result + "\"";
 }
 
 struct Column {
@@ -96,8 +90,8 @@ constexpr const char* people_columns =
     "threshold_deg,threshold_low_deg,threshold_high_deg,threshold_answers\n";
 
 std::string person_row(const Design& design, const State& state, unsigned session, const std::string& subject) {
-  std::string text =
-      format("%u,%u,", state.participant, session) + quoted(subject) + "," + (state.end.empty() ? "open" : state.end);
+  std::string text = format("%u,%u,", state.participant, session) + csv_field(subject) + "," +
+                     (state.end.empty() ? "open" : state.end);
   for (const char* name : {"is_known", "tactile_weight", "tactile_weight_low", "tactile_weight_high"})
     text += "," + (state.set_up ? text_of(state.set_up->at(name)) : "");
   // Without an answer it is what is assumed of everybody.
@@ -145,7 +139,7 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
           row.update({{"participant", participant}, {"session", session}, {"subject", subject}});
           if (!design.levels.empty()) row["level"] = design.levels[schedule.level];
           std::string line;
-          for (const Column& column : columns) line += (line.empty() ? "" : ",") + quoted(text_of(row[column.name]));
+          for (const Column& column : columns) line += (line.empty() ? "" : ",") + csv_field(text_of(row[column.name]));
           tables.trials += line + "\n";
         }
     }

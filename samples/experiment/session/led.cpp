@@ -8,12 +8,12 @@
 #include <fstream>
 #include <iostream>
 
-#include "samples/format.h"
-#include "samples/reach/base/at_end.h"
-#include "samples/reach/base/exit_code.h"
-#include "samples/reach/base/interrupt.h"
-#include "samples/reach/run/make_plate.h"
-#include "samples/reach/run/set_up.h"
+#include "samples/app/base/at_end.h"
+#include "samples/app/base/exit_code.h"
+#include "samples/app/base/interrupt.h"
+#include "samples/app/run/make_plate.h"
+#include "samples/app/run/set_up.h"
+#include "samples/app/text/format.h"
 
 namespace hrt::experiment {
 namespace {
@@ -33,20 +33,20 @@ std::int64_t clock_ns(clockid_t clock) {
 
 }  // namespace
 
-LedSubject::LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live)
+LedSubject::LedSubject(const Design& design, unsigned participant, const app::Options& options, Live* live)
     : design_(design),
       options_(options),
       live_(live),
       prompt_(options.speak_with, [this](const std::string& text) { show({{"says", text}}); }),
       plugin_(options.plugin),
       targets_(load_targets(plugin_, options.scene, hrt_session_config_init())),
-      runtime_({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, reach::local_floor_extension}),
+      runtime_({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, app::local_floor_extension}),
       session_(runtime_, spaces_, options.runtime_limit),
       stage_{.plugin = plugin_,
              .targets = targets_,
              .session = session_,
              .simulation = nullptr,
-             .plate = *[&]() -> reach::Plate* {
+             .plate = *[&]() -> app::Plate* {
                if (runtime_.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation_.emplace(runtime_, session_);
                plate_ = make_plate(options_.plate, simulation_ ? &*simulation_ : nullptr, session_, runtime_.name());
                return plate_.get();
@@ -115,12 +115,12 @@ std::string LedSubject::registered(const hrt_session_config& found) {
 
 std::optional<double> LedSubject::verify(const std::string& registration) {
   try {
-    placed_ = reach::parse_registration(registration, "what is to be checked");
+    placed_ = app::parse_registration(registration, "what is to be checked");
     const double off_m = check_plate(stage_, *placed_);
     take_place();
     return off_m;
-  } catch (const reach::Failure& failure) {
-    if (failure.code() != reach::ExitCode::registration) throw;
+  } catch (const app::Failure& failure) {
+    if (failure.code() != app::ExitCode::registration) throw;
     prompt_.say(failure.what());
     placed_.reset();  // a skin that goes with it, too
     return std::nullopt;
@@ -150,7 +150,7 @@ std::string LedSubject::description() const {
 void LedSubject::plan(hrt_session_config& config) const {
   std::copy(targets_.start_m.begin(), targets_.start_m.end(), config.start_position_m);
   config.plate.radius_m = targets_.plate_radius_m;
-  config.lift_height_m = reach::lifted_height_m;
+  config.lift_height_m = app::lifted_height_m;
   if (placed_) put_registration(*placed_, config);
   if (const hrt_plate_report* report = plate_->report()) hrt_session_config_from_plate(&config, report);
 }
@@ -317,22 +317,22 @@ void LedSubject::slide(hrt_session, const hrt_setup_step& first, unsigned, std::
   std::optional<hrt_setup_step> next = first;
   hrt_setup_step step{.instruction = UINT32_MAX};
   const bool in_world = first.part == HRT_SETUP_REGISTRATION;
-  if (in_world) session_.place_plate(session_.steady_space(), reach::world);
+  if (in_world) session_.place_plate(session_.steady_space(), app::world);
   const XrTime began = frame();
   for (XrTime time = began; next; time = frame()) {
-    if (reach::asks_anew(step, *next) && next->text[0] != '\0' && next->instruction != HRT_STEP_FINISH) {
-      prompt_.ask(reach::request_of(*next, names_of(marks_)));
+    if (app::asks_anew(step, *next) && next->text[0] != '\0' && next->instruction != HRT_STEP_FINISH) {
+      prompt_.ask(app::request_of(*next, names_of(marks_)));
       const bool slides = next->instruction == HRT_STEP_SLIDE;
-      const reach::Point goal_m{next->place_m[0], 0.0, next->place_m[2]};
+      const app::Point goal_m{next->place_m[0], 0.0, next->place_m[2]};
       if (stage_.simulation != nullptr && (slides || next->instruction == HRT_STEP_REST_AT_START))
         instruct(stage_, options_.hands.front(), 0.0,
-                 slides ? reach::distance_along_plate_m(goal_m, targets_.start_m) : no_way_m);
+                 slides ? app::distance_along_plate_m(goal_m, targets_.start_m) : no_way_m);
     }
     step = *next;
     plate_->command(time, step.plate_orientation_deg);
     const XrTime at = from_ns + (time - began) + 1;
     const std::optional<double> plate_deg = plate_->orientation_deg(time);
-    const reach::Hand hand = options_.hands.front();
+    const app::Hand hand = options_.hands.front();
     next = use(in_world ? world_sample_of(at, session_.locate(hand, time), plate_deg)
                         : sample_of(at, locate(stage_, hand, time), plate_deg));
   }
@@ -345,21 +345,21 @@ void LedSubject::home() {
     const std::optional<double> at_deg = plate_->orientation_deg(time);
     if (!at_deg || std::abs(std::remainder(*at_deg, 180.0)) < home_deg) return;
   }
-  throw reach::Failure(reach::ExitCode::plate, "the plate did not come home");
+  throw app::Failure(app::ExitCode::plate, "the plate did not come home");
 }
 
 ReachOutcome LedSubject::reach(const ReachOrder& order) {
   ReachOutcome outcome{.summary = {.counts = {.samples = 0}}};
   const auto at = [&](double direction_deg) {
     constexpr double rad_per_deg = 0.017453292519943295;
-    return reach::Point{targets_.start_m[0] - order.distance_m * std::sin(direction_deg * rad_per_deg), 0.0,
-                        targets_.start_m[2] - order.distance_m * std::cos(direction_deg * rad_per_deg)};
+    return app::Point{targets_.start_m[0] - order.distance_m * std::sin(direction_deg * rad_per_deg), 0.0,
+                      targets_.start_m[2] - order.distance_m * std::cos(direction_deg * rad_per_deg)};
   };
-  const reach::TargetPair pair{"the target",         "the real target", order.virtual_deg,     order.real_deg,
-                               order.distance_m,     order.radius_m,    at(order.virtual_deg), at(order.real_deg),
-                               order.virtual_target, order.real_target};
+  const app::TargetPair pair{"the target",         "the real target", order.virtual_deg,     order.real_deg,
+                             order.distance_m,     order.radius_m,    at(order.virtual_deg), at(order.real_deg),
+                             order.virtual_target, order.real_target};
   const hrt_session own = std::exchange(targets_.session, order.session);
-  const reach::AtEnd of_own([&] {
+  const app::AtEnd of_own([&] {
     targets_.session = own;
     stage_.on_frame = nullptr;
     felt_deg_.reset();
@@ -368,15 +368,15 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
     home();
     if (stage_.simulation != nullptr) simulation_->seed(options_.seed, order.number);
     std::optional<XrTime> moved;
-    std::optional<reach::Moment> last;
-    stage_.on_frame = [&](const reach::TargetPair&, const reach::Moment& moment) {
+    std::optional<app::Moment> last;
+    stage_.on_frame = [&](const app::TargetPair&, const app::Moment& moment) {
       if (live_ != nullptr) live_->moment(stage_, pair, moment, !last);
       last = moment;
       felt_deg_ = moment.felt_direction_deg;
-      if (!moved && reach::distance_along_plate_m(moment.position_m, targets_.start_m) > reach::start_radius_m / 2)
+      if (!moved && app::distance_along_plate_m(moment.position_m, targets_.start_m) > app::start_radius_m / 2)
         moved = moment.time;
     };
-    const reach::ReachResult result = run_reach(stage_, pair);
+    const app::ReachResult result = run_reach(stage_, pair);
     outcome.has_ended = true;
     std::copy(last->position_m.begin(), last->position_m.end(), outcome.end_m);
     outcome.duration_s = moved ? 1e-9 * static_cast<double>(last->time - *moved) : 0.0;
@@ -387,8 +387,8 @@ ReachOutcome LedSubject::reach(const ReachOrder& order) {
     outcome.summary.counts.dropped_samples = result.dropouts;
   } catch (const Ended& ended) {
     outcome.problem = ended.what();
-  } catch (const reach::Failure& failure) {
-    if (failure.code() != reach::ExitCode::no_hand) throw;
+  } catch (const app::Failure& failure) {
+    if (failure.code() != app::ExitCode::no_hand) throw;
     outcome.problem = failure.what();
   }
   if (stand_in_) stand_in_->pass(design_.trial_s);

@@ -7,22 +7,22 @@
 #include <optional>
 #include <string>
 
+#include "samples/app/person/keyboard.h"
+#include "samples/app/person/prompt.h"
+#include "samples/app/run/options.h"
+#include "samples/app/run/reach.h"
+#include "samples/app/run/registration.h"
+#include "samples/app/xr/watchdog.h"
 #include "samples/experiment/live/live.h"
 #include "samples/experiment/session/simulated.h"
-#include "samples/reach/person/keyboard.h"
-#include "samples/reach/person/prompt.h"
-#include "samples/reach/run/options.h"
-#include "samples/reach/run/reach.h"
-#include "samples/reach/run/registration.h"
-#include "samples/reach/xr/watchdog.h"
 
 namespace hrt::experiment {
 
 class LedSubject : public Subject {
  public:
   /// Reads from `options`: scene, plugin, hands, plate, speak_with, person, time_limit_s, runtime_limit and seed.
-  /// `live` displays the session; null: no display. Throws reach::Failure and reach::XrFailure, as hrt-reach does.
-  LedSubject(const Design& design, unsigned participant, const reach::Options& options, Live* live);
+  /// `live` displays the session; null: no display. Throws app::Failure and app::XrFailure, as hrt-reach does.
+  LedSubject(const Design& design, unsigned participant, const app::Options& options, Live* live);
   /// Waits until all is spoken.
   ~LedSubject() override;
   LedSubject(const LedSubject&) = delete;
@@ -69,22 +69,22 @@ class LedSubject : public Subject {
   void home();
 
   const Design& design_;
-  reach::Options options_;
+  app::Options options_;
   std::optional<SimulatedSubject> stand_in_;
   Live* live_;
   std::optional<double> felt_deg_;
-  reach::Prompt prompt_;
-  reach::Keyboard keyboard_;
-  reach::Plugin plugin_;
-  reach::TargetSet targets_;
-  reach::SpaceMotion spaces_;
-  reach::XrRuntime runtime_;
-  reach::XrHeadlessSession session_;
-  std::optional<reach::Simulation> simulation_;
-  std::unique_ptr<reach::Plate> plate_;
-  reach::Stage stage_;
-  std::vector<reach::Mark> marks_;
-  std::optional<reach::RegisteredPlate> placed_;
+  app::Prompt prompt_;
+  app::Keyboard keyboard_;
+  app::Plugin plugin_;
+  app::TargetSet targets_;
+  app::SpaceMotion spaces_;
+  app::XrRuntime runtime_;
+  app::XrHeadlessSession session_;
+  std::optional<app::Simulation> simulation_;
+  std::unique_ptr<app::Plate> plate_;
+  app::Stage stage_;
+  std::vector<app::Mark> marks_;
+  std::optional<app::RegisteredPlate> placed_;
   std::optional<Live::Clock::time_point> registered_;  // when a touch checked it
   Key pressed_ = Key::none;                            // and not yet asked for
   std::optional<char> typed_;                          // a key that is awaited

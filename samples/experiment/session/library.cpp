@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "samples/format.h"
+#include "samples/app/text/format.h"
 
 namespace hrt::experiment {
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <numbers>
 
+#include "samples/app/text/format.h"
 #include "samples/experiment/design/draws.h"
 #include "samples/experiment/session/library.h"
-#include "samples/format.h"
 
 namespace hrt::experiment {
 

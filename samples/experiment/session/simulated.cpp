@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "samples/app/text/format.h"
 #include "samples/experiment/design/draws.h"
 #include "samples/experiment/session/library.h"
-#include "samples/format.h"
 
 namespace hrt::experiment {
 namespace {

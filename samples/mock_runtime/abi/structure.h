@@ -4,9 +4,9 @@
 #include <cstring>
 #include <string_view>
 
+#include "samples/app/xr/openxr_hrtx_ridged_plate.h"
 #include "samples/mock_runtime/error.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
-#include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
 namespace hrt::mock {
 

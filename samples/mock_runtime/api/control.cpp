@@ -1,8 +1,7 @@
 // XR_HRTX_mock_control and XR_KHR_convert_timespec_time.
-#include "samples/members.h"
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
-#include "samples/mock_runtime/script/event.h"
+#include "samples/mock_runtime/script/script.h"
 
 namespace hrt::mock {
 
@@ -31,12 +30,12 @@ std::string obey(Session& session, const std::string& line) {
   static_assert(XR_SESSION_STATE_EXITING + 1 == states.size());
   Json reply;
   try {
-    const Json command = Json::parse(line);
-    Members members(command, "control");
-    const auto what = members.has("do") ? std::optional(read_happening(members)) : std::nullopt;
-    const auto fault = members.has("function") ? std::optional(read_call(members)) : std::nullopt;
-    const XrDuration advance_ns = members.nanoseconds("advance_ms", 0.0);
-    members.finish();
+    Json command = parse_json(line, "control");
+    const bool has_event = command.contains("do"), has_fault = !has_event && command.contains("function");
+    check_json(command, script_schema(), "control", has_event ? "event_now" : has_fault ? "call_now" : "advance");
+    const auto what = has_event ? std::optional(read_happening(command, "control")) : std::nullopt;
+    const auto fault = has_fault ? std::optional(read_call(command, "control")) : std::nullopt;
+    const XrDuration advance_ns = nanoseconds(command["advance_ms"]);
     if (what) session.happen(*what);
     // The application may have located what it draws in this frame before.
     if (what && std::holds_alternative<TakePicture>(*what)) session.picture_from = session.frame_number + 1;
@@ -46,8 +45,6 @@ std::string obey(Session& session, const std::string& line) {
     reply["error"] = error.why;
   } catch (const Refusal& refusal) {
     reply["error"] = refusal.what();
-  } catch (const Json::exception& error) {
-    reply["error"] = std::string("control: ") + error.what();
   }
   const XrTime now = session.instance().clock.now();
   reply["time_ns"] = now;
@@ -63,7 +60,6 @@ void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* coun
     to.time = from.time;
     to.result = from.result;
     std::snprintf(to.function, sizeof(to.function), "%s", from.function);
-    std::snprintf(to.arguments, sizeof(to.arguments), "%s", from.arguments.c_str());
     to.thread = from.thread;
     std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
   });

@@ -10,7 +10,6 @@
 #include "samples/mock_runtime/abi/structure.h"
 #include "samples/mock_runtime/api/space.h"
 #include "samples/mock_runtime/api/swapchain.h"
-#include "samples/mock_runtime/calls/call_text.h"
 #include "samples/mock_runtime/functions.h"
 
 namespace hrt::mock {
@@ -29,6 +28,9 @@ Given given(Argument& argument) {
   else
     return runtime().registry.get<std::remove_reference_t<Given>>(argument);
 }
+
+template <typename T>
+concept Complete = requires { sizeof(T); };
 
 /// What may be left out.
 template <typename Struct>
@@ -71,7 +73,7 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
         if (fault->blocks) {
           record.result = XR_TIMEOUT_EXPIRED;
           record.why = "the script blocks this call";
-          log(the, record, args...);
+          log(the, record);
         }
         lock.unlock();
         do std::this_thread::sleep_for(fault->blocks ? std::chrono::hours(1) : fault->delay);
@@ -86,7 +88,6 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
         std::apply(implementation, all);
       else
         record.result = std::apply(implementation, all);
-      record.why = std::exchange(the.remark, {});
     } catch (const Error& error) {
       record.result = error.result;
       record.why = error.why;
@@ -99,15 +100,14 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
     // Not logged: a loader looks up every function, and the log must not grow between the two calls that
     // read it.
     if constexpr (id != FunctionId::xrGetInstanceProcAddr && id != FunctionId::xrGetCallLogHRTX)
-      log(the, std::move(record), args...);
+      log(the, std::move(record));
     return result;
   }
 
  private:
-  static void log(Runtime& the, CallRecord record, const Args&... args) noexcept {
+  static void log(Runtime& the, CallRecord record) noexcept {
     try {
       record.thread = thread_number(the);
-      record.arguments = text_of_arguments(XR_SUCCEEDED(record.result), args...);
       record.time = the.now();
       the.log.append(std::move(record));
     } catch (const std::bad_alloc&) {

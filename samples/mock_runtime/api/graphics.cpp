@@ -26,6 +26,17 @@ VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   return setup.vulkan_device = device;
 }
 
+// The function of Vulkan by which an application creates what `info` describes.
+template <typename Function, typename Info>
+Function creator(const Info& info, VkInstance vulkan, const char* name) {
+  require_system(info.systemId);
+  require(info.createFlags == 0 && info.pfnGetInstanceProcAddr != nullptr && info.vulkanCreateInfo != nullptr,
+          XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
+  const auto create = reinterpret_cast<Function>(info.pfnGetInstanceProcAddr(vulkan, name));
+  if (create == nullptr) throw Error{XR_ERROR_RUNTIME_FAILURE, std::string("pfnGetInstanceProcAddr has no ") + name};
+  return create;
+}
+
 }  // namespace
 
 std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info) {
@@ -69,11 +80,7 @@ void get_vulkan_graphics_device(Instance& instance, XrSystemId system, VkInstanc
 
 void create_vulkan_instance(Instance& instance, const XrVulkanInstanceCreateInfoKHR* info, VkInstance* vulkan,
                             VkResult* result) {
-  require_system(info->systemId);
-  require(info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
-          XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
-  const auto create = reinterpret_cast<PFN_vkCreateInstance>(info->pfnGetInstanceProcAddr(nullptr, "vkCreateInstance"));
-  require(create != nullptr, XR_ERROR_RUNTIME_FAILURE, "pfnGetInstanceProcAddr has no vkCreateInstance");
+  const auto create = creator<PFN_vkCreateInstance>(*info, nullptr, "vkCreateInstance");
   *result = create(info->vulkanCreateInfo, info->vulkanAllocator, vulkan);
   instance.graphics.get_vulkan = info->pfnGetInstanceProcAddr;
   instance.graphics.vulkan_instance = *result == VK_SUCCESS ? *vulkan : nullptr;
@@ -87,14 +94,9 @@ void get_vulkan_graphics_device2(Instance& instance, const XrVulkanGraphicsDevic
 
 void create_vulkan_device(Instance& instance, const XrVulkanDeviceCreateInfoKHR* info, VkDevice* device,
                           VkResult* result) {
-  require_system(info->systemId);
-  require(info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
-          XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
+  const auto create = creator<PFN_vkCreateDevice>(*info, instance.graphics.vulkan_instance, "vkCreateDevice");
   require(info->vulkanPhysicalDevice != nullptr && info->vulkanPhysicalDevice == instance.graphics.vulkan_device,
           XR_ERROR_VALIDATION_FAILURE, "vulkanPhysicalDevice is not that of xrGetVulkanGraphicsDevice2KHR");
-  const auto create = reinterpret_cast<PFN_vkCreateDevice>(
-      info->pfnGetInstanceProcAddr(instance.graphics.vulkan_instance, "vkCreateDevice"));
-  require(create != nullptr, XR_ERROR_RUNTIME_FAILURE, "pfnGetInstanceProcAddr has no vkCreateDevice");
   *result = create(info->vulkanPhysicalDevice, info->vulkanCreateInfo, info->vulkanAllocator, device);
 }
 

@@ -75,8 +75,7 @@ void destroy_hand_tracker(XrHandTrackerEXT handle) {
 
 void locate_hand_joints(HandTracker& tracker, const XrHandJointsLocateInfoEXT* info,
                         XrHandJointLocationsEXT* locations) {
-  auto& base = runtime().registry.get<Space>(info->baseSpace);
-  require(base.parent() == tracker.parent(), XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
+  const Space& base = space_of(tracker.session(), info->baseSpace);
   require(info->time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   require(locations->jointCount == XR_HAND_JOINT_COUNT_EXT, XR_ERROR_VALIDATION_FAILURE,
           "jointCount of the default set is 26");

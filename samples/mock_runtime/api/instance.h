@@ -74,7 +74,6 @@ void require_view_configuration(XrViewConfigurationType type);
 /// The two views of the display.
 inline constexpr std::uint32_t view_image_size = 1024;
 inline constexpr std::uint32_t max_image_size = 4096;
-inline constexpr std::uint32_t max_samples = 4;
 inline constexpr XrFovf field_of_view{-0.785F, 0.785F, 0.785F, -0.785F};
 
 }  // namespace hrt::mock

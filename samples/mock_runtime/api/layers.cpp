@@ -2,7 +2,6 @@
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/space.h"
 #include "samples/mock_runtime/api/swapchain.h"
-#include "samples/mock_runtime/graphics/compose.h"
 
 namespace hrt::mock {
 namespace {
@@ -53,32 +52,6 @@ void require_quad(const XrCompositionLayerQuad& layer, const Session& session) {
   require_image(layer.subImage, session);
 }
 
-Picture read_image(const XrSwapchainSubImage& image) {
-  const auto& swapchain = runtime().registry.get<Swapchain>(image.swapchain);
-  return swapchain.images->read(*swapchain.released, image.imageRect, image.imageArrayIndex);
-}
-
-std::optional<Pose> in_world(XrSpace space, const XrPosef& pose, XrTime time) {
-  const auto origin = runtime().registry.get<Space>(space).in_world(time);
-  return origin ? std::optional(*origin * checked_pose(pose)) : std::nullopt;
-}
-
-std::optional<Camera> camera_of(const XrCompositionLayerProjection& layer, std::uint32_t eye, XrTime time) {
-  const XrCompositionLayerProjectionView& view = layer.views[eye];
-  const auto pose = in_world(layer.space, view.pose, time);
-  if (!pose) return std::nullopt;
-  const XrExtent2Di& size = view.subImage.imageRect.extent;
-  return Camera{*pose, view.fov, static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
-}
-
-// That of the first projection; without one, where the eye is.
-Camera camera_of(const XrFrameEndInfo& info, Session& session, std::uint32_t eye) {
-  for (std::uint32_t i = 0; i < info.layerCount; ++i)
-    if (info.layers[i]->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION)
-      if (const auto camera = camera_of(as_projection(*info.layers[i]), eye, info.displayTime)) return *camera;
-  return {eye_in_world(session, eye, info.displayTime), field_of_view, view_image_size, view_image_size};
-}
-
 }  // namespace
 
 void require_layers(const XrFrameEndInfo& info, const Session& session) {
@@ -90,8 +63,7 @@ void require_layers(const XrFrameEndInfo& info, const Session& session) {
     const bool projects = layer->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION;
     require(projects || layer->type == XR_TYPE_COMPOSITION_LAYER_QUAD, XR_ERROR_LAYER_INVALID,
             "layers are projections and quads");
-    const auto& space = runtime().registry.get<Space>(layer->space);
-    require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space of a layer is of another session");
+    space_of(session, layer->space);
     if (session.graphics == nullptr) continue;
     if (projects)
       require_projection(as_projection(*layer), session);
@@ -100,24 +72,16 @@ void require_layers(const XrFrameEndInfo& info, const Session& session) {
   }
 }
 
-Picture picture_of_eye(const XrFrameEndInfo& info, Session& session, std::uint32_t eye) {
-  const Camera camera = camera_of(info, session, eye);
-  Picture picture(camera.width, camera.height);
-  for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;
-  for (std::uint32_t i = 0; session.graphics != nullptr && i < info.layerCount; ++i) {
-    const XrCompositionLayerBaseHeader& layer = *info.layers[i];
-    if (layer.type == XR_TYPE_COMPOSITION_LAYER_PROJECTION) {
-      const auto of = camera_of(as_projection(layer), eye, info.displayTime);
-      const XrSwapchainSubImage& image = as_projection(layer).views[eye].subImage;
-      if (of) draw_projection(picture, camera, read_image(image), *of, layer.layerFlags);
-      continue;
-    }
-    const XrCompositionLayerQuad& quad = as_quad(layer);
-    const XrEyeVisibility other = eye == 0 ? XR_EYE_VISIBILITY_RIGHT : XR_EYE_VISIBILITY_LEFT;
-    const auto pose = in_world(quad.space, quad.pose, info.displayTime);
-    if (!pose || quad.eyeVisibility == other) continue;
-    draw_quad(picture, camera, read_image(quad.subImage), *pose, quad.size, quad.layerFlags);
+Picture picture_of_eye(const XrFrameEndInfo& info, std::uint32_t eye) {
+  Picture picture(view_image_size, view_image_size);
+  for (std::uint32_t i = 0; i < info.layerCount; ++i) {
+    if (info.layers[i]->type != XR_TYPE_COMPOSITION_LAYER_PROJECTION) continue;
+    const XrSwapchainSubImage& image = as_projection(*info.layers[i]).views[eye].subImage;
+    const auto& swapchain = runtime().registry.get<Swapchain>(image.swapchain);
+    picture = swapchain.images->read(*swapchain.released, image.imageRect, image.imageArrayIndex);
+    break;
   }
+  for (std::size_t alpha = 3; alpha < picture.rgba.size(); alpha += 4) picture.rgba[alpha] = 255;
   return picture;
 }
 

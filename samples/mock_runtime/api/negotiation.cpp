@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
 #include "samples/mock_runtime/api/entry.h"
 
@@ -40,20 +39,13 @@ XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* r
   return XR_SUCCESS;
 }
 
-struct Row {
-  const char* name;
-  PFN_xrVoidFunction function;
-  Extension extension;
-};
-
-const Row function_table[] = {
-#define HRT_MOCK_ROW(name, implementation, extension, returned)                              \
-  {#name,                                                                                    \
-   reinterpret_cast<PFN_xrVoidFunction>(                                                     \
-       &Entry<FunctionId::name, PFN_##name, takes_handles(#name), &(implementation)>::call), \
-   Extension::extension},
-    HRT_MOCK_FUNCTIONS(HRT_MOCK_ROW)
-#undef HRT_MOCK_ROW
+// By FunctionId.
+const PFN_xrVoidFunction entries[] = {
+#define HRT_MOCK_ENTRY(name, implementation, extension, returned) \
+  reinterpret_cast<PFN_xrVoidFunction>(                           \
+      &Entry<FunctionId::name, PFN_##name, takes_handles(#name), &(implementation)>::call),
+    HRT_MOCK_FUNCTIONS(HRT_MOCK_ENTRY)
+#undef HRT_MOCK_ENTRY
 };
 
 bool needs_no_instance(std::string_view name) {
@@ -72,15 +64,12 @@ void get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidFunct
     instance = &runtime().registry.get_even_lost<Instance>(handle);
   else
     require(needs_no_instance(name), XR_ERROR_HANDLE_INVALID, "this function needs an instance");
-  for (const Row& row : function_table) {
-    if (std::strcmp(row.name, name) != 0) continue;
-    if (row.extension != Extension::core)
-      require(instance->enabled(row.extension), XR_ERROR_FUNCTION_UNSUPPORTED,
-              "its extension or version is not enabled");
-    *function = row.function;
-    return;
-  }
-  throw Error{XR_ERROR_FUNCTION_UNSUPPORTED, "no such function"};
+  const auto id = find_function(name);
+  require(id.has_value(), XR_ERROR_FUNCTION_UNSUPPORTED, "no such function");
+  const Extension needed = functions[static_cast<std::size_t>(*id)].needed;
+  require(needed == Extension::core || instance->enabled(needed), XR_ERROR_FUNCTION_UNSUPPORTED,
+          "its extension or version is not enabled");
+  *function = entries[static_cast<std::size_t>(*id)];
 }
 
 }  // namespace hrt::mock

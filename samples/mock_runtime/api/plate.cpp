@@ -35,8 +35,7 @@ RecordedTruth truth_of(Session& session, XrHandEXT hand) {
 }  // namespace
 
 void place_plate(Session& session, const XrPlatePlacementHRTX* placement) {
-  auto& space = runtime().registry.get<Space>(placement->space);
-  require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
+  const Space& space = space_of(session, placement->space);
   const Pose pose = checked_pose(placement->pose);
   require_length(placement->radius, "radius must be in (0, 10] m");
   const auto in_world = space.in_world(session.instance().clock.now());

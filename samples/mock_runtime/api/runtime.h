@@ -24,7 +24,6 @@ struct Runtime {
   std::string script_text;   ///< that `script` was read from; empty at first
   Faults faults;             ///< of the script, with the calls counted so far
   Scope made;                ///< instances and sessions created since the script took effect
-  std::string remark;        ///< of the call that runs, for the log
   std::string script_error;  ///< the environment's script is invalid: why; else empty
 
   /// A script takes effect; calls, sessions and instances are counted anew. Throws as parse_script(), and

@@ -37,11 +37,12 @@ RecordedLocation location_of(const Space& space, const Space& base, XrTime time)
   if (auto& player = space.session().player) return player->location(space.name, base.name, time);
   RecordedLocation location{};
   location.pose = to_xr(Pose{});
-  const auto motion = locate(space, base, time);
-  if (!motion) return location;
-  return {flags_of(space, base), to_xr(motion->pose),
-          XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT, to_xr(motion->velocity_m_per_s),
-          to_xr(motion->angular_velocity_rad_per_s)};
+  const auto of = space.motion(time), in = base.motion(time);
+  if (!of || !in) return location;
+  const Motion motion = relative(*of, *in);
+  return {flags_of(space, base), to_xr(motion.pose),
+          XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT, to_xr(motion.velocity_m_per_s),
+          to_xr(motion.angular_velocity_rad_per_s)};
 }
 
 // As far as it is asked for.
@@ -53,6 +54,13 @@ void write_location(const RecordedLocation& from, Location& location, Velocity* 
   velocity->velocityFlags = from.velocity_flags;
   velocity->linearVelocity = from.linear;
   velocity->angularVelocity = from.angular;
+}
+
+// 0: the left eye; 1: the right eye.
+Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
+  constexpr double half_distance_m = 0.0315;
+  return session.world().head(time).pose *
+         Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};
 }
 
 // The two views, in what is played back or in the simulation.
@@ -77,39 +85,28 @@ RecordedViews views_of(const Space& space, XrTime time) {
 
 }  // namespace
 
-Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
-  constexpr double half_distance_m = 0.0315;
-  return session.world().head(time).pose *
-         Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};
+Space& space_of(const Session& session, XrSpace handle) {
+  auto& space = runtime().registry.get<Space>(handle);
+  require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
+  return space;
 }
 
 std::optional<Motion> Space::motion(XrTime time) const {
-  if (const auto* action = std::get_if<ActionOrigin>(&origin)) {
-    const auto motion = session().input.motion(action->action, action->subaction, time);
+  if (action != 0) {
+    const auto motion = session().input.motion(action, subaction, time);
     return motion ? std::optional(*motion * offset) : std::nullopt;
   }
-  const auto type = std::get<XrReferenceSpaceType>(origin);
-  if (type == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset;
-  return Motion{session().world().origins.in_world(type, time) * offset};
+  if (name.reference == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset;
+  return Motion{session().world().origins.in_world(name.reference, time) * offset};
 }
 
-bool Space::stands_in_room() const {
-  const auto* type = std::get_if<XrReferenceSpaceType>(&origin);
-  return type != nullptr && *type != XR_REFERENCE_SPACE_TYPE_VIEW;
-}
+bool Space::stands_in_room() const { return action == 0 && name.reference != XR_REFERENCE_SPACE_TYPE_VIEW; }
 
 bool Space::can_see_room() const { return !session().world().head_is_lost(); }
 
 std::optional<Pose> Space::in_world(XrTime time) const {
   const auto moving = motion(time);
   return moving ? std::optional(moving->pose) : std::nullopt;
-}
-
-std::optional<Motion> locate(const Space& space, const Space& base, XrTime time) {
-  const auto of = space.motion(time);
-  const auto in = base.motion(time);
-  if (!of || !in) return std::nullopt;
-  return relative(*of, *in);
 }
 
 void enumerate_reference_spaces(Session& session, std::uint32_t capacity, std::uint32_t* count,
@@ -121,8 +118,7 @@ void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* 
   require_reference_space(session, info->referenceSpaceType);
   const Pose pose = checked_pose(info->poseInReferenceSpace);
   const SpaceName name{info->referenceSpaceType, {}, {}, info->poseInReferenceSpace};
-  *space = handle_of<XrSpace>(
-      runtime().registry.create<Space>(&session, Space::Origin(info->referenceSpaceType), name, pose));
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name, pose));
 }
 
 void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
@@ -135,8 +131,7 @@ void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, 
             "the action has no such subaction path");
   }
   const Pose pose = checked_pose(info->poseInActionSpace);
-  const Space::ActionOrigin origin{action.id(), info->subactionPath};
-  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, Space::Origin(origin), name, pose));
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name, pose, action.id(), info->subactionPath));
 }
 
 XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType type, XrExtent2Df* bounds) {
@@ -168,15 +163,10 @@ void locate_spaces(Session& session, const XrSpacesLocateInfo* info, XrSpaceLoca
             "velocityCount is not spaceCount");
     require_pointer(velocities->velocities, "velocities");
   }
-  const auto of_session = [&](XrSpace space) -> const Space& {
-    const auto& found = runtime().registry.get<Space>(space);
-    require(found.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "a space is of another session");
-    return found;
-  };
-  const Space& base = of_session(info->baseSpace);
+  const Space& base = space_of(session, info->baseSpace);
   require(info->time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   std::vector<const Space*> spaces;
-  for (std::uint32_t i = 0; i < info->spaceCount; ++i) spaces.push_back(&of_session(info->spaces[i]));
+  for (std::uint32_t i = 0; i < info->spaceCount; ++i) spaces.push_back(&space_of(session, info->spaces[i]));
   for (std::uint32_t i = 0; i < info->spaceCount; ++i)
     write_location(location_of(*spaces[i], base, info->time), locations->locations[i],
                    velocities == nullptr ? nullptr : &velocities->velocities[i]);
@@ -186,8 +176,7 @@ void destroy_space(XrSpace handle) { runtime().registry.destroy(runtime().regist
 
 void locate_views(Session& session, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
                   std::uint32_t* count, XrView* views) {
-  auto& space = runtime().registry.get<Space>(info->space);
-  require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
+  const Space& space = space_of(session, info->space);
   require_view_configuration(info->viewConfigurationType);
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
   // The count alone is no sample of a recording.

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "samples/mock_runtime/api/session.h"
 
@@ -14,15 +13,12 @@ class Space : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SPACE;
 
-  /// The origin: a reference space, or a pose action.
-  struct ActionOrigin {
-    std::uint64_t action;  ///< its id
-    XrPath subaction;
-  };
-  using Origin = std::variant<XrReferenceSpaceType, ActionOrigin>;
-
-  Space(Session* session, const Origin& of, SpaceName as_made, Pose pose)
-      : Object(object_type, session), origin(of), name(std::move(as_made)), offset(std::move(pose)) {}
+  Space(Session* session, SpaceName of, Pose pose, std::uint64_t of_action = 0, XrPath of_subaction = XR_NULL_PATH)
+      : Object(object_type, session),
+        name(std::move(of)),
+        offset(std::move(pose)),
+        action(of_action),
+        subaction(of_subaction) {}
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
@@ -35,10 +31,14 @@ class Space : public Object {
   bool stands_in_room() const;
   bool can_see_room() const;
 
-  Origin origin;
   SpaceName name;  ///< as a recording has it
   Pose offset;
+  std::uint64_t action;  ///< id of the pose action; 0: a reference space
+  XrPath subaction;
 };
+
+/// The space of a handle. Throws XR_ERROR_VALIDATION_FAILURE if it is of another session.
+Space& space_of(const Session& session, XrSpace handle);
 
 class HandTracker : public Object {
  public:
@@ -48,11 +48,5 @@ class HandTracker : public Object {
 
   XrHandEXT hand;
 };
-
-/// 0: the left one; 1: the right one.
-Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time);
-
-/// `space` in `base`; none while one of the two is not tracked.
-std::optional<Motion> locate(const Space& space, const Space& base, XrTime time);
 
 }  // namespace hrt::mock

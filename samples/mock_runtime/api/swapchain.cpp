@@ -25,8 +25,9 @@ void require_possible(const XrSwapchainCreateInfo& info, const Session& session)
           "width or height is above that of XrSystemGraphicsProperties");
   require(info.mipCount <= static_cast<std::uint32_t>(std::bit_width(std::max(info.width, info.height))),
           XR_ERROR_FEATURE_UNSUPPORTED, "mipCount is above that of the whole chain");
-  require(info.faceCount == 1 && (info.createFlags & XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT) == 0,
-          XR_ERROR_FEATURE_UNSUPPORTED, "there are no cubes and no protected content");
+  require(info.faceCount == 1 && info.sampleCount == 1 &&
+              (info.createFlags & XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT) == 0,
+          XR_ERROR_FEATURE_UNSUPPORTED, "images have one face, one sample and no protected content");
   const auto formats = session.graphics->formats();
   require(std::find(formats.begin(), formats.end(), info.format) != formats.end(),
           XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "format is none of xrEnumerateSwapchainFormats");

@@ -35,8 +35,8 @@ class Swapchain : public Object {
 /// Throws an Error for a layer that is not valid.
 void require_layers(const XrFrameEndInfo& info, const Session& session);
 
-/// What an eye (0 left, 1 right) is shown by valid layers, seen from where they were drawn for.
-Picture picture_of_eye(const XrFrameEndInfo& info, Session& session, std::uint32_t eye);
+/// The image of an eye (0 left, 1 right) in the first projection of valid layers; black without one.
+Picture picture_of_eye(const XrFrameEndInfo& info, std::uint32_t eye);
 
 /// Keeps the pictures of a frame that ends, if the script wants them.
 void keep_pictures(const XrFrameEndInfo& info, Session& session);

@@ -60,7 +60,7 @@ void enumerate_view_configuration_views(Instance&, XrSystemId system, XrViewConf
     view.recommendedImageRectWidth = view.recommendedImageRectHeight = view_image_size;
     view.maxImageRectWidth = view.maxImageRectHeight = max_image_size;
     view.recommendedSwapchainSampleCount = 1;
-    view.maxSwapchainSampleCount = max_samples;
+    view.maxSwapchainSampleCount = 1;
   });
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 
-#include "samples/mock_runtime/calls/call_text.h"
 #include "samples/mock_runtime/error.h"
 
 namespace hrt::mock {
@@ -11,26 +10,7 @@ namespace {
 constexpr std::size_t remembered_calls = 100'000;
 constexpr std::int64_t max_file_bytes = 32 << 20;
 
-bool is_header(const char* member) { return std::string_view(member) == "type" || std::string_view(member) == "next"; }
-
-template <typename T>
-void put_member(std::string& out, const char* name, const T& value) {
-  if (is_header(name)) return;
-  out += out.back() == '{' ? "" : ", ";
-  out += std::string(name) + '=' + text_of(value, false);
-}
-
 }  // namespace
-
-#define HRT_MOCK_MEMBER(member) put_member(out, #member, shown.member);
-#define HRT_MOCK_TEXT(name)                                  \
-  std::string text_of_members(const name& shown) {           \
-    std::string out = "{";                                   \
-    XR_LIST_STRUCT_##name(HRT_MOCK_MEMBER) return out + '}'; \
-  }
-HRT_MOCK_SHOWN_STRUCTS(HRT_MOCK_TEXT)
-#undef HRT_MOCK_TEXT
-#undef HRT_MOCK_MEMBER
 
 void CallLog::open() {
   const char* named = std::getenv("HRT_MOCK_CALL_LOG");
@@ -59,9 +39,9 @@ void CallLog::write(const CallRecord& record) {
     open_file();
     if (file_ == nullptr) return;
   }
-  bytes_ += std::fprintf(file_.get(), "%lld thread %u %s%s %s%s%s\n", static_cast<long long>(record.time),
-                         record.thread, record.function, record.arguments.c_str(), result_name(record.result).c_str(),
-                         record.why.empty() ? "" : ": ", record.why.c_str());
+  bytes_ += std::fprintf(file_.get(), "%lld thread %u %s %s%s%s\n", static_cast<long long>(record.time), record.thread,
+                         record.function, result_name(record.result).c_str(), record.why.empty() ? "" : ": ",
+                         record.why.c_str());
 }
 
 void CallLog::append(CallRecord record) {

@@ -16,7 +16,6 @@ struct CallRecord {
   const char* function;
   XrResult result;
   std::string why;           ///< of a refusal; empty if there was none
-  std::string arguments;     ///< "(0x4852545800000002, 5)"
   std::uint32_t thread = 0;  ///< by order of first call, from 1
 };
 

@@ -1,22 +1,11 @@
 #include "samples/mock_runtime/calls/faults.h"
 
 #include <algorithm>
-#include <map>
-#include <sstream>
-#include <string>
+#include <iterator>
 
-#include "samples/mock_runtime/calls/registry_errors.h"
+#include "samples/mock_runtime/extensions.h"
 
 namespace hrt::mock {
-namespace {
-
-constexpr std::array function_names{
-#define HRT_MOCK_NAME(name, implementation, extension, returned) #name,
-    HRT_MOCK_FUNCTIONS(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-};
-
-}  // namespace
 
 std::optional<CallFault> Faults::next(FunctionId function, const Scope& now) {
   std::optional<CallFault> due;
@@ -28,24 +17,22 @@ std::optional<CallFault> Faults::next(FunctionId function, const Scope& now) {
   return due;
 }
 
-const char* name_of(FunctionId function) { return function_names[static_cast<std::size_t>(function)]; }
+const char* name_of(FunctionId function) { return functions[static_cast<std::size_t>(function)].name; }
 
 std::optional<FunctionId> find_function(std::string_view name) {
-  const auto found = std::find(function_names.begin(), function_names.end(), name);
-  if (found == function_names.end()) return std::nullopt;
-  return static_cast<FunctionId>(found - function_names.begin());
+  const auto* found = std::find_if(std::begin(functions), std::end(functions),
+                                   [&](const FunctionInfo& each) { return each.name == name; });
+  if (found == std::end(functions)) return std::nullopt;
+  return static_cast<FunctionId>(found - std::begin(functions));
 }
 
-std::vector<XrResult> legal_errors(FunctionId function) {
-  static const std::map<std::string, XrResult, std::less<>> numbers{
-#define HRT_MOCK_NAME(name, number) {#name, name},
-      XR_LIST_ENUM_XrResult(HRT_MOCK_NAME) HRT_RESULTS_OF_1_1(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-  };
-  std::vector<XrResult> errors;
-  std::istringstream words(registry_errors(function));
-  for (std::string word; words >> word;) errors.push_back(numbers.at("XR_ERROR_" + word));
-  return errors;
+std::optional<XrResult> find_error(std::string_view name) {
+#define HRT_MOCK_ERROR(result, number) \
+  if (number < 0 && name == #result) return result;
+  HRT_RESULTS_OF_1_1(HRT_MOCK_ERROR)
+  XR_LIST_ENUM_XrResult(HRT_MOCK_ERROR)
+#undef HRT_MOCK_ERROR
+      return std::nullopt;
 }
 
 }  // namespace hrt::mock

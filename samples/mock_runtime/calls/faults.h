@@ -57,7 +57,7 @@ class Faults {
 const char* name_of(FunctionId function);
 std::optional<FunctionId> find_function(std::string_view name);
 
-/// The errors that OpenXR's registry lists for a function (registry_errors.h).
-std::vector<XrResult> legal_errors(FunctionId function);
+/// An error of OpenXR by its name, such as "XR_ERROR_RUNTIME_FAILURE".
+std::optional<XrResult> find_error(std::string_view name);
 
 }  // namespace hrt::mock

@@ -35,11 +35,10 @@ void Capture::instance_created(XrInstance instance, const XrInstanceCreateInfo& 
   instance_ = instance;
   XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
   if (next.xrGetInstanceProperties != nullptr) next.xrGetInstanceProperties(instance, &properties);
-  Record record("instance");
-  record.add(text_in(properties.runtimeName), properties.runtimeVersion).open();
-  for (std::uint32_t i = 0; i < info.enabledExtensionCount; ++i) record.add(info.enabledExtensionNames[i]);
-  note(record.close());
-  wake();
+  const std::vector<std::string> extensions(info.enabledExtensionNames,
+                                            info.enabledExtensionNames + info.enabledExtensionCount);
+  note(array_of("instance", text_in(properties.runtimeName), properties.runtimeVersion, extensions));
+  write();
 }
 
 void Capture::instance_destroyed(XrResult, XrInstance) {
@@ -50,7 +49,7 @@ void Capture::instance_destroyed(XrResult, XrInstance) {
   action_sets_.clear();
   paths_.clear();  // another instance has other ones
   trackers_.clear();
-  if (file_ != nullptr) file_->flush();
+  write();
 }
 
 std::uint64_t Capture::session_of_call() {
@@ -61,13 +60,13 @@ std::uint64_t Capture::session_of_call() {
 void Capture::called(const char* function, std::uint64_t session, XrResult result) {
   const std::uint64_t call = ++calls_[{session, function}];
   if (XR_SUCCEEDED(result) || std::find(std::begin(mistakes), std::end(mistakes), result) != std::end(mistakes)) return;
-  note(Record("failed").add(session, function, call, result));
+  note(array_of("failed", session, function, call, result));
 }
 
 void Capture::system_properties(XrResult, XrInstance, XrSystemId, const XrSystemProperties* properties) {
   const auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next);
   const bool has_hands = hands == nullptr || hands->supportsHandTracking == XR_TRUE;
-  note(Record("system").add(text_in(properties->systemName), has_hands));
+  note(array_of("system", text_in(properties->systemName), has_hands));
 }
 
 void Capture::session_created(XrResult, XrInstance, const XrSessionCreateInfo*, const XrSession* session) {
@@ -81,10 +80,7 @@ void Capture::session_created(XrResult, XrInstance, const XrSessionCreateInfo*, 
     return;
   std::vector<XrReferenceSpaceType> types(count);
   if (XR_FAILED(next.xrEnumerateReferenceSpaces(*session, count, &count, types.data()))) return;
-  Record record = of_session("spaces");
-  record.open();
-  for (const XrReferenceSpaceType type : types) record.add(type);
-  note(record.close());
+  note_of_session("spaces", std::vector<int>(types.begin(), types.end()));
 }
 
 void Capture::session_destroyed(XrResult, XrSession) {
@@ -92,62 +88,56 @@ void Capture::session_destroyed(XrResult, XrSession) {
   stages_ = frames_ = 0;
   spaces_.clear();
   trackers_.clear();
-  wake();
+  write();
 }
 
 void Capture::stage(const char* call) {
-  note(of_session("call").add(call));
+  note_of_session("call", call);
   ++stages_;
   frames_ = 0;
-  wake();
+  write();
 }
 
 // When it came: after so many calls that change the session's state, and so many frames since.
 void Capture::event(XrResult result, XrInstance, const XrEventDataBuffer* buffer) {
   if (result != XR_SUCCESS) return;
-  Record record("event");
-  record.add(sessions_ + (in_session_ ? 0 : 1), stages_, frames_);
+  const auto note_event = [&](const auto&... values) {
+    note(array_of("event", sessions_ + (in_session_ ? 0 : 1), stages_, frames_, values...));
+  };
   const auto as = [&]<typename Event>() { return reinterpret_cast<const Event&>(*buffer); };
   switch (static_cast<int>(buffer->type)) {
     case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: {
       const auto& event = as.operator()<XrEventDataSessionStateChanged>();
-      record.add("state", event.state, event.time);
-      break;
+      return note_event("state", event.state, event.time);
     }
     case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
       const auto& event = as.operator()<XrEventDataReferenceSpaceChangePending>();
-      record.add("space_change", event.referenceSpaceType, event.changeTime, event.poseValid == XR_TRUE);
-      record.nest(event.poseInPreviousSpace);
-      break;
+      return note_event("space_change", event.referenceSpaceType, event.changeTime, event.poseValid == XR_TRUE,
+                        array_of(event.poseInPreviousSpace));
     }
     case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
-      record.add("profile_change");
-      break;
+      return note_event("profile_change");
     case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-      record.add("instance_loss", as.operator()<XrEventDataInstanceLossPending>().lossTime);
-      break;
+      return note_event("instance_loss", as.operator()<XrEventDataInstanceLossPending>().lossTime);
     case XR_TYPE_EVENT_DATA_EVENTS_LOST:
-      record.add("events_lost", as.operator()<XrEventDataEventsLost>().lostEventCount);
-      break;
+      return note_event("events_lost", as.operator()<XrEventDataEventsLost>().lostEventCount);
     default:
-      record.add("other", buffer->type);
+      return note_event("other", buffer->type);
   }
-  note(record);
 }
 
 void Capture::frame(XrResult, XrSession, const XrFrameWaitInfo*, const XrFrameState* state) {
-  const bool renders = state->shouldRender == XR_TRUE;
-  note(of_session("frame").add(state->predictedDisplayTime, state->predictedDisplayPeriod, renders));
+  note_of_session("frame", state->predictedDisplayTime, state->predictedDisplayPeriod, state->shouldRender == XR_TRUE);
   ++frames_;
   if (state->predictedDisplayTime > 0) present_ = state->predictedDisplayTime;
-  wake();
+  write();
 }
 
 void Capture::converted(XrResult, XrInstance, const timespec*, const XrTime* time) {
   if (!in_session_) return;
-  note(of_session("converted").add(*time));
+  note_of_session("converted", *time);
   present_ = *time;
-  wake();
+  write();
 }
 
 void Capture::converted_back(XrResult, XrInstance, XrTime time, const timespec* clock) {
@@ -155,39 +145,38 @@ void Capture::converted_back(XrResult, XrInstance, XrTime time, const timespec* 
   // Unsigned, since a runtime may return anything.
   const auto ns =
       static_cast<std::uint64_t>(clock->tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(clock->tv_nsec);
-  note(of_session("timespec").add(time, static_cast<std::int64_t>(ns)));
+  note_of_session("timespec", time, static_cast<std::int64_t>(ns));
 }
 
 // Spaces.
 
-void Capture::define_space(XrSpace handle, const Record& description) {
-  const auto [known, is_new] = known_spaces_.try_emplace(description.text(), known_spaces_.size());
+void Capture::define_space(XrSpace handle, const Json& description) {
+  const auto [known, is_new] = known_spaces_.try_emplace(description.dump(), known_spaces_.size());
   spaces_[handle] = known->second;
   if (is_new) note(description);
 }
 
 void Capture::reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo* info, const XrSpace* space) {
-  define_space(*space, Record("reference_space").add(info->referenceSpaceType).nest(info->poseInReferenceSpace));
+  define_space(*space, array_of("reference_space", info->referenceSpaceType, array_of(info->poseInReferenceSpace)));
 }
 
 void Capture::action_space(XrResult, XrSession, const XrActionSpaceCreateInfo* info, const XrSpace* space) {
-  Record record("action_space");
-  record.add(actions_[info->action], path_text(info->subactionPath)).nest(info->poseInActionSpace);
-  define_space(*space, record);
+  define_space(*space, array_of("action_space", actions_[info->action], path_text(info->subactionPath),
+                                array_of(info->poseInActionSpace)));
 }
 
 void Capture::bounds(XrResult result, XrSession, XrReferenceSpaceType type, const XrExtent2Df* extent) {
-  note(of_session("bounds").add(type, result == XR_SUCCESS, extent->width, extent->height));
+  note_of_session("bounds", type, result == XR_SUCCESS, extent->width, extent->height);
 }
 
 void Capture::note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
                             const XrSpaceVelocity* velocity) {
   const auto what = spaces_.find(space), in = spaces_.find(base);
   if (what == spaces_.end() || in == spaces_.end()) return;
-  Record record = of_session("located");
-  record.add(time, what->second, in->second, location.locationFlags).nest(location.pose);
+  Json record =
+      array_of("located", sessions_, time, what->second, in->second, location.locationFlags, array_of(location.pose));
   if (velocity != nullptr)
-    record.add(velocity->velocityFlags).nest(velocity->linearVelocity, velocity->angularVelocity);
+    append(record, velocity->velocityFlags, array_of(velocity->linearVelocity, velocity->angularVelocity));
   note(record);
 }
 
@@ -214,13 +203,12 @@ void Capture::views(XrResult, XrSession, const XrViewLocateInfo* info, const XrV
                     const std::uint32_t* count, const XrView* views) {
   const auto in = spaces_.find(info->space);
   if (capacity == 0 || in == spaces_.end()) return;
-  Record record = of_session("views");
-  record.add(info->displayTime, in->second, state->viewStateFlags).open();
+  Json given = Json::array();
   for (std::uint32_t i = 0; i < *count; ++i) {
     const XrFovf& fov = views[i].fov;
-    record.add(views[i].pose, fov.angleLeft, fov.angleRight, fov.angleUp, fov.angleDown);
+    append(given, views[i].pose, fov.angleLeft, fov.angleRight, fov.angleUp, fov.angleDown);
   }
-  note(record.close());
+  note_of_session("views", info->displayTime, in->second, state->viewStateFlags, given);
 }
 
 // Hands.
@@ -235,25 +223,22 @@ void Capture::joints(XrResult, XrHandTrackerEXT tracker, const XrHandJointsLocat
   const auto in = spaces_.find(info->baseSpace);
   const auto hand = trackers_.find(tracker);
   if (in == spaces_.end() || hand == trackers_.end()) return;
-  Record record = of_session("joints");
   const bool active = locations->isActive == XR_TRUE;
-  record.add(info->time, hand->second, in->second, active, 0);
-  if (active) {
-    record.open();
-    for (std::uint32_t i = 0; i < locations->jointCount; ++i) {
-      const XrHandJointLocationEXT& joint = locations->jointLocations[i];
-      record.add(joint.locationFlags, joint.pose, joint.radius);
-    }
-    record.close();
-    if (const auto* velocities = chained<XrHandJointVelocitiesEXT>(locations->next)) {
-      record.open();
-      for (std::uint32_t i = 0; i < velocities->jointCount; ++i) {
-        const XrHandJointVelocityEXT& joint = velocities->jointVelocities[i];
-        record.add(joint.velocityFlags, joint.linearVelocity, joint.angularVelocity);
-      }
-      record.close();
-    }
-  }
+  Json record = array_of("joints", sessions_, info->time, hand->second, in->second, active, 0);
+  const auto append_joints = [&](std::uint32_t count, auto append_joint) {
+    Json joints = Json::array();
+    for (std::uint32_t i = 0; active && i < count; ++i) append_joint(joints, i);
+    if (active) record.push_back(std::move(joints));
+  };
+  append_joints(locations->jointCount, [&](Json& to, std::uint32_t i) {
+    const XrHandJointLocationEXT& joint = locations->jointLocations[i];
+    append(to, joint.locationFlags, joint.pose, joint.radius);
+  });
+  if (const auto* velocities = chained<XrHandJointVelocitiesEXT>(locations->next))
+    append_joints(velocities->jointCount, [&](Json& to, std::uint32_t i) {
+      const XrHandJointVelocityEXT& joint = velocities->jointVelocities[i];
+      append(to, joint.velocityFlags, joint.linearVelocity, joint.angularVelocity);
+    });
   note(record);
 }
 
@@ -278,49 +263,30 @@ void Capture::action(XrResult, XrActionSet set, const XrActionCreateInfo* info, 
 }
 
 void Capture::synced(XrResult result, XrSession, const XrActionsSyncInfo*) {
-  note(of_session("synced").add(present_, result == XR_SUCCESS));
+  note_of_session("synced", present_, result == XR_SUCCESS);
 }
 
-template <typename State>
-void Capture::note_state(const XrActionStateGetInfo& info, const State& state, XrVector2f value) {
-  Record record = of_session("action");
-  record.add(present_, actions_[info.action], path_text(info.subactionPath), state.isActive == XR_TRUE);
-  note(record.add(state.changedSinceLastSync == XR_TRUE, state.lastChangeTime, value.x, value.y));
-}
-
-void Capture::boolean_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateBoolean* state) {
-  note_state(*info, *state, {state->currentState == XR_TRUE ? 1.0F : 0.0F, 0.0F});
-}
-
-void Capture::float_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateFloat* state) {
-  note_state(*info, *state, {state->currentState, 0.0F});
-}
-
-void Capture::vector_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStateVector2f* state) {
-  note_state(*info, *state, state->currentState);
-}
-
-void Capture::pose_state(XrResult, XrSession, const XrActionStateGetInfo* info, const XrActionStatePose* state) {
-  const XrActionStateFloat without_value{.isActive = state->isActive};
-  note_state(*info, without_value, {0.0F, 0.0F});
+void Capture::note_state(const XrActionStateGetInfo& info, const XrActionStateVector2f& state) {
+  note_of_session("action", present_, actions_[info.action], path_text(info.subactionPath), state.isActive == XR_TRUE,
+                  state.changedSinceLastSync == XR_TRUE, state.lastChangeTime, state.currentState.x,
+                  state.currentState.y);
 }
 
 void Capture::profile(XrResult, XrSession, XrPath top_level, const XrInteractionProfileState* state) {
-  note(of_session("profile").add(present_, path_text(top_level), path_text(state->interactionProfile)));
+  note_of_session("profile", present_, path_text(top_level), path_text(state->interactionProfile));
 }
 
 // XR_HRTX_ridged_plate.
 
 void Capture::plate_orientation(XrResult, XrSession, XrTime time, const double* orientation) {
-  note(of_session("plate").add(time, *orientation));
+  note_of_session("plate", time, *orientation);
 }
 
 void Capture::reach_truth(XrResult, XrSession, XrHandEXT hand, const XrReachTruthHRTX* truth) {
-  Record record = of_session("truth");
-  record.add(present_, hand);
-  record.nest(truth->trueDirection, truth->perceivedDirection, truth->peakFeltError, truth->leftmostDirection,
-              truth->rightmostDirection, truth->tactileWeight);
-  note(record.nest(truth->indexTip).add(truth->isDone == XR_TRUE));
+  note_of_session("truth", present_, hand,
+                  array_of(truth->trueDirection, truth->perceivedDirection, truth->peakFeltError,
+                           truth->leftmostDirection, truth->rightmostDirection, truth->tactileWeight),
+                  array_of(truth->indexTip), truth->isDone == XR_TRUE);
 }
 
 }  // namespace hrt::capture

@@ -8,10 +8,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "samples/app/xr/openxr_hrtx_ridged_plate.h"
 #include "samples/mock_runtime/capture/record.h"
 #include "samples/mock_runtime/capture/script_file.h"
 #include "samples/mock_runtime/openxr_all.h"
-#include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
 // The functions that the layer looks into, and the member of Capture that notes what each has given; of
 // `failures` only errors.
@@ -40,10 +40,10 @@
   X(xrCreateActionSet,              action_set)                        \
   X(xrCreateAction,                 action)                            \
   X(xrSyncActions,                  synced)                            \
-  X(xrGetActionStateBoolean,        boolean_state)                     \
-  X(xrGetActionStateFloat,          float_state)                       \
-  X(xrGetActionStateVector2f,       vector_state)                      \
-  X(xrGetActionStatePose,           pose_state)                        \
+  X(xrGetActionStateBoolean,        action_state)                      \
+  X(xrGetActionStateFloat,          action_state)                      \
+  X(xrGetActionStateVector2f,       action_state)                      \
+  X(xrGetActionStatePose,           action_state)                      \
   X(xrGetCurrentInteractionProfile, profile)                           \
   X(xrApplyHapticFeedback,          failures)                          \
   X(xrStopHapticFeedback,           failures)                          \
@@ -110,14 +110,23 @@ class Capture {
   void views(XrResult, XrSession, const XrViewLocateInfo*, const XrViewState*, std::uint32_t capacity,
              const std::uint32_t* count, const XrView*);
   void frame(XrResult, XrSession, const XrFrameWaitInfo*, const XrFrameState*);
-  void frame_ended(XrResult, XrSession, const XrFrameEndInfo*) { wake(); }
+  void frame_ended(XrResult, XrSession, const XrFrameEndInfo*) { write(); }
   void action_set(XrResult, XrInstance, const XrActionSetCreateInfo*, const XrActionSet*);
   void action(XrResult, XrActionSet, const XrActionCreateInfo*, const XrAction*);
   void synced(XrResult, XrSession, const XrActionsSyncInfo*);
-  void boolean_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStateBoolean*);
-  void float_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStateFloat*);
-  void vector_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStateVector2f*);
-  void pose_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStatePose*);
+  template <typename State>
+  void action_state(XrResult, XrSession, const XrActionStateGetInfo* info, const State* state) {
+    XrActionStateVector2f any{.isActive = state->isActive};
+    if constexpr (requires { state->currentState; }) {
+      any.changedSinceLastSync = state->changedSinceLastSync;
+      any.lastChangeTime = state->lastChangeTime;
+      if constexpr (std::is_same_v<State, XrActionStateVector2f>)
+        any.currentState = state->currentState;
+      else
+        any.currentState.x = static_cast<float>(state->currentState);
+    }
+    note_state(*info, any);
+  }
   void profile(XrResult, XrSession, XrPath, const XrInteractionProfileState*);
   void hand_tracker(XrResult, XrSession, const XrHandTrackerCreateInfoEXT*, const XrHandTrackerEXT*);
   void joints(XrResult, XrHandTrackerEXT, const XrHandJointsLocateInfoEXT*, const XrHandJointLocationsEXT*);
@@ -127,21 +136,22 @@ class Capture {
   void reach_truth(XrResult, XrSession, XrHandEXT, const XrReachTruthHRTX*);
 
  private:
-  void note(const Record& record) {
-    if (file_ != nullptr) file_->append(record.text());
+  void note(const Json& record) {
+    if (file_ != nullptr) file_->append(record.dump(-1, ' ', false, Json::error_handler_t::replace));
   }
-  // Lets the file be written up to here.
-  void wake() {
-    if (file_ != nullptr) file_->wake();
+  template <typename... Values>
+  void note_of_session(std::string_view kind, const Values&... values) {
+    note(array_of(kind, sessions_, values...));
   }
-  /// A record of the session.
-  Record of_session(std::string_view kind) const { return std::move(Record(kind).add(sessions_)); }
+  // Writes the records so far to the file.
+  void write() {
+    if (file_ != nullptr) file_->write();
+  }
   void stage(const char* call);
-  void define_space(XrSpace handle, const Record& description);
+  void define_space(XrSpace handle, const Json& description);
   void note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
                      const XrSpaceVelocity* velocity);
-  template <typename State>
-  void note_state(const XrActionStateGetInfo& info, const State& state, XrVector2f value);
+  void note_state(const XrActionStateGetInfo& info, const XrActionStateVector2f& state);
   const std::string& path_text(XrPath path);
 
   std::string path_;

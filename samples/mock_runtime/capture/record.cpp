@@ -1,56 +1,31 @@
 #include "samples/mock_runtime/capture/record.h"
 
-#include <fmt/format.h>
-
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace hrt::capture {
 
-std::string text_of(double value) {
-  if (!std::isfinite(value)) return fmt::format("\"{:016x}\"", std::bit_cast<std::uint64_t>(value));
-  // "-0" would be an integer, which has no sign.
-  if (value == 0.0 && std::signbit(value)) return "-0.0";
-  return fmt::format("{}", value);
+Json number(double value) {
+  if (std::isfinite(value)) return value;
+  std::array<char, 17> bits{};
+  std::snprintf(bits.data(), bits.size(), "%016llx",
+                static_cast<unsigned long long>(std::bit_cast<std::uint64_t>(value)));
+  return bits.data();
 }
 
-std::string text_of(float value) {
-  if (!std::isfinite(value)) return fmt::format("\"{:08x}\"", std::bit_cast<std::uint32_t>(value));
-  if (value == 0.0F && std::signbit(value)) return "-0.0";
-  const std::string shortest = fmt::format("{}", value);
-  // The playback reads a double and rounds it: twice rounded, a few decimals are another float.
-  double read = 0.0;
-  std::from_chars(shortest.data(), shortest.data() + shortest.size(), read);
-  return static_cast<float>(read) == value ? shortest : text_of(static_cast<double>(value));
-}
-
-void Record::put_token(std::string_view token) {
-  if (text_.back() != '[') text_ += ',';
-  text_ += token;
-}
-
-void Record::put(std::string_view value) {
-  std::string quoted = "\"";
-  for (const char c : value) {
-    if (c == '"' || c == '\\')
-      quoted += '\\', quoted += c;
-    else if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E)
-      quoted += '?';  // no name of OpenXR has such
-    else
-      quoted += c;
+Json number(float value) {
+  std::array<char, 32> text{};
+  if (!std::isfinite(value)) {
+    std::snprintf(text.data(), text.size(), "%08x", static_cast<unsigned>(std::bit_cast<std::uint32_t>(value)));
+    return text.data();
   }
-  put_token(quoted + '"');
-}
-
-Record& Record::open() {
-  put_token("[");
-  return *this;
-}
-
-Record& Record::close() {
-  text_ += ']';
-  return *this;
+  // The playback reads a double and rounds it: rounded twice, a few shortest decimals are another float.
+  double read = 0.0;
+  std::from_chars(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr, read);
+  return static_cast<float>(read) == value ? read : static_cast<double>(value);
 }
 
 }  // namespace hrt::capture

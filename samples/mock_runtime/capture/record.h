@@ -1,59 +1,49 @@
-// One record of a captured script: a JSON array in a line. playback/recording.h lists the records.
+// Records of a captured script: JSON arrays. playback/recording.h lists them.
 #pragma once
 
 #include <openxr/openxr.h>
 
-#include <concepts>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
 namespace hrt::capture {
 
-/// The shortest decimals that the playback reads back to the same bits; of numbers that are not finite,
-/// which JSON lacks, the bits in hexadecimal as a text.
-std::string text_of(float value);
-std::string text_of(double value);
+using Json = nlohmann::json;
 
-template <typename T>
-concept Enumeration = std::is_enum_v<T>;
+/// A number with the fewest decimals that the playback reads back to the same bits. Numbers that are not finite, which
+/// JSON lacks, are a text with the bits in hexadecimal.
+Json number(float value);
+Json number(double value);
 
-class Record {
- public:
-  explicit Record(std::string_view kind) : text_("[") { put(kind); }
+/// Appends values to an array; vectors and poses (orientation x, y, z, w, then position) as their numbers.
+template <typename... Values>
+void append(Json& array, const Values&... values) {
+  const auto put = [&]<typename Value>(const Value& value) {
+    if constexpr (std::is_same_v<Value, XrVector3f>)
+      append(array, value.x, value.y, value.z);
+    else if constexpr (std::is_same_v<Value, XrQuaternionf>)
+      append(array, value.x, value.y, value.z, value.w);
+    else if constexpr (std::is_same_v<Value, XrPosef>)
+      append(array, value.orientation, value.position);
+    else if constexpr (std::is_floating_point_v<Value>)
+      array.push_back(number(value));
+    else if constexpr (std::is_enum_v<Value>)
+      array.push_back(static_cast<int>(value));
+    else if constexpr (std::is_same_v<Value, std::string_view>)
+      array.push_back(std::string(value));
+    else
+      array.push_back(value);
+  };
+  (put(values), ...);
+}
 
-  /// Of a pose x, y, z, w, then the position.
-  template <typename... Values>
-  Record& add(const Values&... values) {
-    (put(values), ...);
-    return *this;
-  }
-  /// In an array of their own.
-  template <typename... Values>
-  Record& nest(const Values&... values) {
-    return open().add(values...).close();
-  }
-  /// The members that follow are in an array of their own, until close().
-  Record& open();
-  Record& close();
-
-  /// The line, without its end.
-  std::string text() const { return text_ + "]"; }
-
- private:
-  void put_token(std::string_view token);
-  void put(std::string_view value);
-  void put(const char* value) { put(std::string_view(value)); }
-  void put(bool value) { put_token(value ? "true" : "false"); }
-  void put(Enumeration auto value) { put(static_cast<int>(value)); }
-  void put(std::integral auto value) { put_token(std::to_string(value)); }
-  void put(std::floating_point auto value) { put_token(text_of(value)); }
-  void put(const XrVector3f& vector) { add(vector.x, vector.y, vector.z); }
-  void put(const XrPosef& pose) {
-    const XrQuaternionf& q = pose.orientation;
-    add(q.x, q.y, q.z, q.w, pose.position);
-  }
-  std::string text_;
-};
+template <typename... Values>
+Json array_of(const Values&... values) {
+  Json array = Json::array();
+  append(array, values...);
+  return array;
+}
 
 }  // namespace hrt::capture

@@ -35,57 +35,24 @@ ScriptFile::ScriptFile(const std::string& path)
       end_(static_cast<std::int64_t>(beginning.size())) {
   if (!file_ || !write_at(file_.get(), std::string(beginning) + std::string(end_of_script), 0))
     throw std::system_error(errno, std::generic_category(), path);
-  thread_ = std::jthread([this](const std::stop_token& ending) { write_all(ending); });
 }
 
 void ScriptFile::append(const std::string& record) {
-  const std::lock_guard lock(mutex_);
   waiting_ += std::exchange(first_, false) ? "\n" : ",\n";
   waiting_ += record;
 }
 
-void ScriptFile::wake() {
-  {
-    const std::lock_guard lock(mutex_);
-    due_ = true;
-  }
-  work_.notify_one();
-}
-
-void ScriptFile::flush() {
-  std::unique_lock lock(mutex_);
-  due_ = true;
-  work_.notify_one();
-  written_.wait(lock, [this] { return waiting_.empty() && !writing_; });
-}
-
-void ScriptFile::write_all(const std::stop_token& ending) {
-  bool writable = true;
-  std::unique_lock lock(mutex_);
-  while (!ending.stop_requested() || !waiting_.empty()) {
-    work_.wait(lock, ending, [this] { return due_; });
-    due_ = false;
-    const std::string records = std::exchange(waiting_, {});
-    if (!records.empty() && writable) {
-      writing_ = true;
-      lock.unlock();
-      writable = write_out(records);
-      lock.lock();
-      writing_ = false;
-    }
-    written_.notify_all();
-  }
-}
-
-bool ScriptFile::write_out(const std::string& records) {
+void ScriptFile::write() {
+  const std::string records = std::exchange(waiting_, {});
+  if (records.empty() || !writable_) return;
   if (write_at(file_.get(), records + std::string(end_of_script), end_)) {
     end_ += static_cast<std::int64_t>(records.size());
-    return true;
+    return;
   }
+  writable_ = false;
   std::fprintf(stderr, "OpenXR capture: %s: %s; what follows is not captured\n", path_.c_str(), std::strerror(errno));
-  // What was written before is a script all the same.
+  // The part that was written before is a script.
   if (ftruncate(file_.get(), end_) == 0) write_at(file_.get(), end_of_script, end_);
-  return false;
 }
 
 }  // namespace hrt::capture

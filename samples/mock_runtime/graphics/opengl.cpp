@@ -17,16 +17,13 @@ namespace {
   X(glXGetCurrentDisplay, Display*, ())                          \
   X(glXGetCurrentDrawable, GLXDrawable, ())                      \
   X(glXMakeCurrent, int, (Display*, GLXDrawable, GLXContext))
-#define HRT_GL_FUNCTIONS(X)                                                                             \
-  X(glBindBuffer, BINDBUFFER) X(glBindFramebuffer, BINDFRAMEBUFFER) X(glBindTexture, BINDTEXTURE)       \
-  X(glBlitFramebuffer, BLITFRAMEBUFFER) X(glDeleteFramebuffers, DELETEFRAMEBUFFERS)                     \
-  X(glDeleteTextures, DELETETEXTURES) X(glDisable, DISABLE) X(glEnable, ENABLE)                         \
+#define HRT_GL_FUNCTIONS(X)                                                                           \
+  X(glBindBuffer, BINDBUFFER) X(glBindFramebuffer, BINDFRAMEBUFFER) X(glBindTexture, BINDTEXTURE)     \
+  X(glDeleteFramebuffers, DELETEFRAMEBUFFERS) X(glDeleteTextures, DELETETEXTURES)                     \
   X(glFramebufferTexture2D, FRAMEBUFFERTEXTURE2D) X(glFramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER) \
-  X(glGenFramebuffers, GENFRAMEBUFFERS) X(glGenTextures, GENTEXTURES) X(glGetError, GETERROR)           \
-  X(glGetIntegerv, GETINTEGERV) X(glIsEnabled, ISENABLED) X(glPixelStorei, PIXELSTOREI)                 \
-  X(glReadPixels, READPIXELS) X(glTexStorage2D, TEXSTORAGE2D)                                           \
-  X(glTexStorage2DMultisample, TEXSTORAGE2DMULTISAMPLE) X(glTexStorage3D, TEXSTORAGE3D)                 \
-  X(glTexStorage3DMultisample, TEXSTORAGE3DMULTISAMPLE)
+  X(glGenFramebuffers, GENFRAMEBUFFERS) X(glGenTextures, GENTEXTURES) X(glGetError, GETERROR)         \
+  X(glGetIntegerv, GETINTEGERV) X(glPixelStorei, PIXELSTOREI) X(glReadPixels, READPIXELS)             \
+  X(glTexStorage2D, TEXSTORAGE2D) X(glTexStorage3D, TEXSTORAGE3D)
 // clang-format on
 
 struct OpenGlFormat {
@@ -120,20 +117,17 @@ class CurrentContext {
 // What reading pixels depends on, set to what it needs, and then again as it was.
 class ReadState {
  public:
-  explicit ReadState(const OpenGlDevice& gl) : gl_(gl), scissors_(gl.glIsEnabled(GL_SCISSOR_TEST) != 0) {
+  explicit ReadState(const OpenGlDevice& gl) : gl_(gl) {
     for (std::size_t i = 0; i < stores.size(); ++i) {
       stored_[i] = gl.number(stores[i]);
       gl.glPixelStorei(stores[i], stores[i] == GL_PACK_ALIGNMENT ? 1 : 0);
     }
     gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    gl.glDisable(GL_SCISSOR_TEST);
   }
   ~ReadState() {
     for (std::size_t i = 0; i < stores.size(); ++i) gl_.glPixelStorei(stores[i], stored_[i]);
     gl_.glBindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(buffer_));
     gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
-    gl_.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw_));
-    if (scissors_) gl_.glEnable(GL_SCISSOR_TEST);
   }
   ReadState(const ReadState&) = delete;
   ReadState& operator=(const ReadState&) = delete;
@@ -142,11 +136,9 @@ class ReadState {
   static constexpr std::array<GLenum, 6> stores{GL_PACK_ALIGNMENT,   GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
                                                 GL_PACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST};
   const OpenGlDevice& gl_;
-  bool scissors_;
   std::array<int, stores.size()> stored_{};
   int buffer_ = gl_.number(GL_PIXEL_PACK_BUFFER_BINDING);
   int read_ = gl_.number(GL_READ_FRAMEBUFFER_BINDING);
-  int draw_ = gl_.number(GL_DRAW_FRAMEBUFFER_BINDING);
 };
 
 class OpenGlImages : public SwapchainImages {
@@ -160,25 +152,16 @@ class OpenGlImages : public SwapchainImages {
         names_(count) {
     const CurrentContext current(*gl_);
     while (gl_->glGetError() != GL_NO_ERROR) continue;  // the application's
-    const bool array = info.arraySize > 1, samples = info.sampleCount > 1;
-    const GLenum target = samples ? (array ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_MULTISAMPLE)
-                                  : (array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
-    const GLenum binding_of =
-        samples ? (array ? GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_BINDING_2D_MULTISAMPLE)
-                : (array ? GL_TEXTURE_BINDING_2D_ARRAY : GL_TEXTURE_BINDING_2D);
-    const int bound = gl_->number(binding_of);
+    const bool array = info.arraySize > 1;
+    const GLenum target = array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    const int bound = gl_->number(array ? GL_TEXTURE_BINDING_2D_ARRAY : GL_TEXTURE_BINDING_2D);
     gl_->glGenTextures(static_cast<GLsizei>(count), names_.data());
     const auto format = static_cast<GLenum>(info.format);
     const auto width = static_cast<GLsizei>(info.width), height = static_cast<GLsizei>(info.height);
-    const auto layers = static_cast<GLsizei>(info.arraySize), mips = static_cast<GLsizei>(info.mipCount),
-               sample_count = static_cast<GLsizei>(info.sampleCount);
+    const auto layers = static_cast<GLsizei>(info.arraySize), mips = static_cast<GLsizei>(info.mipCount);
     for (const GLuint name : names_) {
       gl_->glBindTexture(target, name);
-      if (samples && array)
-        gl_->glTexStorage3DMultisample(target, sample_count, format, width, height, layers, GL_TRUE);
-      else if (samples)
-        gl_->glTexStorage2DMultisample(target, sample_count, format, width, height, GL_TRUE);
-      else if (array)
+      if (array)
         gl_->glTexStorage3D(target, mips, format, width, height, layers);
       else
         gl_->glTexStorage2D(target, mips, format, width, height);
@@ -188,7 +171,7 @@ class OpenGlImages : public SwapchainImages {
     if (error == GL_NO_ERROR) return;
     gl_->glDeleteTextures(static_cast<GLsizei>(count), names_.data());
     throw Error{error == GL_OUT_OF_MEMORY ? XR_ERROR_OUT_OF_MEMORY : XR_ERROR_FEATURE_UNSUPPORTED,
-                "the context has no textures of this format with these mips, layers and samples"};
+                "the context has no textures of this format with these mips and layers"};
   }
   ~OpenGlImages() override {
     try {
@@ -211,48 +194,26 @@ class OpenGlImages : public SwapchainImages {
     const CurrentContext current(*gl_);
     const ReadState state(*gl_);
     const int width = part.extent.width, height = part.extent.height;
-    std::array<GLuint, 2> frames{};
-    gl_->glGenFramebuffers(2, frames.data());
-    attach(GL_READ_FRAMEBUFFER, frames[0], names_[index], layer);
-    GLuint single = 0;
-    if (info_.sampleCount > 1) single = resolve(frames[1]);
+    GLuint frame = 0;
+    gl_->glGenFramebuffers(1, &frame);
+    gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, frame);
+    if (info_.arraySize > 1)
+      gl_->glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, names_[index], 0,
+                                     static_cast<GLint>(layer));
+    else
+      gl_->glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, names_[index], 0);
     Picture picture(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
     const std::size_t row = std::size_t{bytes_of(kind_)} * picture.width;
     std::vector<std::uint8_t> pixels(row * picture.height);
     gl_->glReadPixels(part.offset.x, part.offset.y, width, height, GL_RGBA,
                       kind_ == PixelKind::half_linear ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, pixels.data());
-    gl_->glDeleteFramebuffers(2, frames.data());
-    if (single != 0) gl_->glDeleteTextures(1, &single);
+    gl_->glDeleteFramebuffers(1, &frame);
     for (std::uint32_t y = 0; y < picture.height; ++y)  // the bottom row is first
       convert_pixels(kind_, &pixels[row * (picture.height - 1 - y)], picture.width, picture.at(0, y));
     return picture;
   }
 
  private:
-  void attach(GLenum target, GLuint frame, GLuint texture, std::uint32_t layer) const {
-    gl_->glBindFramebuffer(target, frame);
-    if (info_.arraySize > 1)
-      gl_->glFramebufferTextureLayer(target, GL_COLOR_ATTACHMENT0, texture, 0, static_cast<GLint>(layer));
-    else
-      gl_->glFramebufferTexture2D(target, GL_COLOR_ATTACHMENT0,
-                                  info_.sampleCount > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, texture, 0);
-  }
-  // A texture of one sample in place of what is attached for reading.
-  GLuint resolve(GLuint frame) const {
-    const int bound = gl_->number(GL_TEXTURE_BINDING_2D);
-    const auto width = static_cast<GLsizei>(info_.width), height = static_cast<GLsizei>(info_.height);
-    GLuint single = 0;
-    gl_->glGenTextures(1, &single);
-    gl_->glBindTexture(GL_TEXTURE_2D, single);
-    gl_->glTexStorage2D(GL_TEXTURE_2D, 1, static_cast<GLenum>(info_.format), width, height);
-    gl_->glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
-    gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame);
-    gl_->glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, single, 0);
-    gl_->glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, frame);
-    return single;
-  }
-
   std::shared_ptr<const OpenGlDevice> gl_;
   XrSwapchainCreateInfo info_;
   PixelKind kind_;

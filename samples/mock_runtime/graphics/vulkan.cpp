@@ -2,7 +2,6 @@
 #include <dlfcn.h>
 
 #include <array>
-#include <bit>
 
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/graphics/device.h"
@@ -15,7 +14,7 @@ namespace {
   X(vkGetPhysicalDeviceImageFormatProperties) X(vkGetPhysicalDeviceMemoryProperties)
 #define HRT_VULKAN_DEVICE_FUNCTIONS(X) X(vkAllocateCommandBuffers) X(vkAllocateMemory) X(vkBeginCommandBuffer) \
   X(vkBindBufferMemory) X(vkBindImageMemory) X(vkCmdCopyImageToBuffer) X(vkCmdPipelineBarrier)                 \
-  X(vkCmdResolveImage) X(vkCreateBuffer) X(vkCreateCommandPool) X(vkCreateImage) X(vkDestroyBuffer)            \
+  X(vkCreateBuffer) X(vkCreateCommandPool) X(vkCreateImage) X(vkDestroyBuffer)            \
   X(vkDestroyCommandPool) X(vkDestroyImage) X(vkDeviceWaitIdle) X(vkEndCommandBuffer) X(vkFreeCommandBuffers)  \
   X(vkFreeMemory) X(vkGetBufferMemoryRequirements) X(vkGetDeviceQueue) X(vkGetImageMemoryRequirements)         \
   X(vkMapMemory) X(vkQueueSubmit) X(vkQueueWaitIdle)
@@ -230,7 +229,6 @@ class VulkanImages : public SwapchainImages {
     needed.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     const DeviceBuffer buffer(device_, needed,
                               VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
-    const std::unique_ptr<DeviceImage> single = info_.samples == VK_SAMPLE_COUNT_1_BIT ? nullptr : resolved();
     const VkImage image = images_[index]->handle;
     device_->run([&](VkCommandBuffer commands) {
       const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
@@ -239,12 +237,8 @@ class VulkanImages : public SwapchainImages {
       copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1};
       copy.imageOffset = {part.offset.x, part.offset.y, 0};
       copy.imageExtent = {picture.width, picture.height, 1};
-      if (single != nullptr) {
-        resolve(commands, image, layer, single->handle);
-        copy.imageSubresource.baseArrayLayer = 0;
-      }
-      device_->vk.vkCmdCopyImageToBuffer(commands, single != nullptr ? single->handle : image,
-                                         VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle, 1, &copy);
+      device_->vk.vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle, 1,
+                                         &copy);
       device_->barrier(commands, image, range, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout_);
     });
     void* read = nullptr;
@@ -254,26 +248,6 @@ class VulkanImages : public SwapchainImages {
   }
 
  private:
-  // An image of one sample, for one layer.
-  std::unique_ptr<DeviceImage> resolved() const {
-    VkImageCreateInfo info = info_;
-    info.samples = VK_SAMPLE_COUNT_1_BIT;
-    info.arrayLayers = info.mipLevels = 1;
-    info.usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    return std::make_unique<DeviceImage>(device_, info, 0);
-  }
-  void resolve(VkCommandBuffer commands, VkImage from, std::uint32_t layer, VkImage to) const {
-    const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    device_->barrier(commands, to, range, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-    VkImageResolve all{};
-    all.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1};
-    all.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    all.extent = info_.extent;
-    device_->vk.vkCmdResolveImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
-                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &all);
-    device_->barrier(commands, to, range, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-  }
-
   std::shared_ptr<const VulkanDevice> device_;
   VkImageCreateInfo info_;
   const VulkanFormat& format_;
@@ -289,7 +263,7 @@ std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCr
   image.extent = {info.width, info.height, 1};
   image.mipLevels = info.mipCount;
   image.arrayLayers = info.arraySize;
-  image.samples = static_cast<VkSampleCountFlagBits>(info.sampleCount);
+  image.samples = VK_SAMPLE_COUNT_1_BIT;
   // In the layout of an attachment, whatever the application does with it.
   image.usage = usage_of(info.usageFlags) | (format_of(info.format).aspects == VK_IMAGE_ASPECT_COLOR_BIT
                                                  ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
@@ -297,10 +271,8 @@ std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCr
   VkImageFormatProperties limits{};
   const VkResult possible = vk.vkGetPhysicalDeviceImageFormatProperties(
       physical_, image.format, image.imageType, image.tiling, image.usage, image.flags, &limits);
-  require(possible == VK_SUCCESS && info.mipCount <= limits.maxMipLevels && info.arraySize <= limits.maxArrayLayers &&
-              std::has_single_bit(info.sampleCount) && (limits.sampleCounts & info.sampleCount) != 0,
-          XR_ERROR_FEATURE_UNSUPPORTED,
-          "the device has no images of this format with these usages, mips, layers and samples");
+  require(possible == VK_SUCCESS && info.mipCount <= limits.maxMipLevels && info.arraySize <= limits.maxArrayLayers,
+          XR_ERROR_FEATURE_UNSUPPORTED, "the device has no images of this format with these usages, mips and layers");
   return std::make_unique<VulkanImages>(shared_from_this(), image, count);
 }
 

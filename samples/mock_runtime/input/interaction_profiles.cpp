@@ -10,26 +10,13 @@ namespace {
 
 constexpr std::string_view hands = "left right";
 
-// Devices, and their components: names below input/, or with output/ in front, separated by spaces; a/b|c is a/b and
-// a/c.
-struct Part {
-  std::string_view devices;
-  std::string_view components;
-  bool version_1_1 = false;  // not of OpenXR 1.0
-};
-
-struct Profile {
-  std::string_view path;  // below /interaction_profiles/
-  std::vector<Part> parts;
-};
-
-// What the controllers of one family have in common.
-constexpr std::string_view face_buttons_left = "x/click|touch y/click|touch menu/click";
-constexpr std::string_view face_buttons_right = "a/click|touch b/click|touch system/click";
-constexpr std::string_view oculus_touch =
+// Components that several profiles have. Names are below input/, or with output/ in front, separated by spaces; a/b|c
+// is a/b and a/c.
+constexpr std::string_view touch_left = "x/click|touch y/click|touch menu/click";
+constexpr std::string_view touch_right = "a/click|touch b/click|touch system/click";
+constexpr std::string_view touch_both =
     "squeeze/value trigger/value|touch thumbstick/x|y|click|touch grip/pose aim/pose output/haptic";
-constexpr std::string_view thumbrest = "thumbrest/touch";
-constexpr std::string_view proximity = "trigger/proximity thumb_resting_surfaces/proximity";
+constexpr std::string_view touch_proximity = "trigger/proximity thumb_resting_surfaces/proximity";
 constexpr std::string_view pico =
     "system/click squeeze/click|value trigger/click|touch|value thumbstick/x|y|click|touch grip/pose aim/pose "
     "output/haptic";
@@ -37,87 +24,75 @@ constexpr std::string_view microsoft_motion =
     "menu/click squeeze/click trigger/value thumbstick/x|y|click trackpad/x|y|click|touch grip/pose aim/pose "
     "output/haptic";
 
-// A controller of Oculus or Meta.
-std::vector<Part> touch(bool version_1_1, const std::vector<Part>& further) {
-  std::vector<Part> parts{{"left", face_buttons_left, version_1_1},
-                          {"right", face_buttons_right, version_1_1},
-                          {hands, oculus_touch, version_1_1},
-                          {hands, proximity, true}};
-  parts.insert(parts.end(), further.begin(), further.end());
-  return parts;
-}
+struct Part {
+  std::string_view profiles;  // below /interaction_profiles/, separated by spaces
+  std::string_view devices;
+  std::string_view components;
+};
 
-const std::vector<Profile>& profile_table() {
-  static const std::vector<Profile> table{
-      {"khr/simple_controller", {{hands, "select/click menu/click grip/pose aim/pose output/haptic"}}},
-      {"google/daydream_controller", {{hands, "select/click trackpad/x|y|click|touch grip/pose aim/pose"}}},
-      {"htc/vive_controller",
-       {{hands,
-         "system/click squeeze/click menu/click trigger/click|value trackpad/x|y|click|touch grip/pose aim/pose "
-         "output/haptic"}}},
-      {"htc/vive_pro", {{"head", "system/click volume_up/click volume_down/click mute_mic/click"}}},
-      {"microsoft/motion_controller", {{hands, microsoft_motion}}},
-      {"microsoft/xbox_controller",
-       {{"gamepad",
-         "menu/click view/click a/click b/click x/click y/click dpad_down/click dpad_right/click dpad_up/click "
-         "dpad_left/click shoulder_left/click shoulder_right/click thumbstick_left/x|y|click "
-         "thumbstick_right/x|y|click trigger_left/value trigger_right/value output/haptic_left output/haptic_right "
-         "output/haptic_left_trigger output/haptic_right_trigger"}}},
-      {"oculus/go_controller",
-       {{hands, "system/click trigger/click back/click trackpad/x|y|click|touch grip/pose aim/pose"}}},
-      {"oculus/touch_controller", touch(false, {{hands, thumbrest}})},
-      {"valve/index_controller",
-       {{hands,
-         "system/click|touch a/click|touch b/click|touch squeeze/value|force trigger/click|value|touch "
-         "thumbstick/x|y|click|touch trackpad/x|y|force|touch grip/pose aim/pose output/haptic"}}},
-      {"bytedance/pico_neo3_controller",
-       {{"left", "x/click|touch y/click|touch", true},
-        {"right", "a/click|touch b/click|touch", true},
-        {hands, "menu/click", true},
-        {hands, pico, true}}},
-      {"bytedance/pico4_controller",
-       {{"left", "x/click|touch y/click|touch menu/click", true},
-        {"right", "a/click|touch b/click|touch", true},
-        {hands, pico, true}}},
-      // Older registries lack x and y of its thumbstick, a mistake: KhronosGroup/OpenXR-Docs, 158.
-      {"bytedance/pico_g3_controller",
-       {{hands, "trigger/click|value menu/click thumbstick/x|y|click grip/pose aim/pose", true}}},
-      {"hp/mixed_reality_controller",
-       {{"left", "x/click y/click", true},
-        {"right", "a/click b/click", true},
-        {hands, "menu/click squeeze/value trigger/value thumbstick/x|y|click grip/pose aim/pose output/haptic", true}}},
-      {"htc/vive_cosmos_controller",
-       {{"left", "x/click y/click menu/click", true},
-        {"right", "a/click b/click system/click", true},
-        {hands,
-         "shoulder/click squeeze/click trigger/click|value thumbstick/x|y|click|touch grip/pose aim/pose output/haptic",
-         true}}},
-      {"htc/vive_focus3_controller",
-       {{"left", "x/click y/click menu/click", true},
-        {"right", "a/click b/click system/click", true},
-        {hands,
-         "squeeze/click|touch|value trigger/click|touch|value thumbstick/x|y|click|touch thumbrest/touch grip/pose "
-         "aim/pose output/haptic",
-         true}}},
-      {"meta/touch_controller_rift_cv1", touch(true, {{hands, thumbrest, true}})},
-      {"meta/touch_controller_quest_1_rift_s", touch(true, {})},
-      {"meta/touch_controller_quest_2", touch(true, {{hands, thumbrest, true}})},
-      {"meta/touch_plus_controller",
-       touch(true, {{hands, thumbrest, true}, {hands, "trigger/force trigger_slide/value trigger_curl/value", true}})},
-      {"meta/touch_pro_controller", touch(true, {{hands, thumbrest, true},
-                                                 {hands,
-                                                  "stylus/force trigger_slide/value trigger_curl/value thumbrest/force "
-                                                  "output/haptic_thumb output/haptic_trigger",
-                                                  true}})},
-      {"ml/ml2_controller",
-       {{hands,
-         "menu/click home/click trigger/click|value trackpad/x|y|click|force|touch shoulder/click grip/pose aim/pose "
-         "output/haptic",
-         true}}},
-      {"samsung/odyssey_controller", {{hands, microsoft_motion, true}}},
-  };
-  return table;
-}
+constexpr Part parts_of_1_0[] = {
+    {"khr/simple_controller", hands, "select/click menu/click grip/pose aim/pose output/haptic"},
+    {"google/daydream_controller", hands, "select/click trackpad/x|y|click|touch grip/pose aim/pose"},
+    {"htc/vive_controller", hands,
+     "system/click squeeze/click menu/click trigger/click|value trackpad/x|y|click|touch grip/pose aim/pose "
+     "output/haptic"},
+    {"htc/vive_pro", "head", "system/click volume_up/click volume_down/click mute_mic/click"},
+    {"microsoft/motion_controller", hands, microsoft_motion},
+    {"microsoft/xbox_controller", "gamepad",
+     "menu/click view/click a/click b/click x/click y/click dpad_down/click dpad_right/click dpad_up/click "
+     "dpad_left/click shoulder_left/click shoulder_right/click thumbstick_left/x|y|click thumbstick_right/x|y|click "
+     "trigger_left/value trigger_right/value output/haptic_left output/haptic_right output/haptic_left_trigger "
+     "output/haptic_right_trigger"},
+    {"oculus/go_controller", hands,
+     "system/click trigger/click back/click trackpad/x|y|click|touch grip/pose aim/pose"},
+    {"oculus/touch_controller", "left", touch_left},
+    {"oculus/touch_controller", "right", touch_right},
+    {"oculus/touch_controller", hands, touch_both},
+    {"oculus/touch_controller", hands, "thumbrest/touch"},
+    {"valve/index_controller", hands,
+     "system/click|touch a/click|touch b/click|touch squeeze/value|force trigger/click|value|touch "
+     "thumbstick/x|y|click|touch trackpad/x|y|force|touch grip/pose aim/pose output/haptic"},
+};
+
+constexpr std::string_view meta_touch =
+    "meta/touch_controller_rift_cv1 meta/touch_controller_quest_1_rift_s meta/touch_controller_quest_2 "
+    "meta/touch_plus_controller meta/touch_pro_controller";
+
+constexpr Part parts_of_1_1[] = {
+    {"oculus/touch_controller", hands, touch_proximity},
+    {meta_touch, "left", touch_left},
+    {meta_touch, "right", touch_right},
+    {meta_touch, hands, touch_both},
+    {meta_touch, hands, touch_proximity},
+    {"meta/touch_controller_rift_cv1 meta/touch_controller_quest_2 meta/touch_plus_controller "
+     "meta/touch_pro_controller",
+     hands, "thumbrest/touch"},
+    {"meta/touch_plus_controller", hands, "trigger/force trigger_slide/value trigger_curl/value"},
+    {"meta/touch_pro_controller", hands,
+     "stylus/force trigger_slide/value trigger_curl/value thumbrest/force output/haptic_thumb output/haptic_trigger"},
+    {"bytedance/pico_neo3_controller bytedance/pico4_controller", "left", "x/click|touch y/click|touch"},
+    {"bytedance/pico_neo3_controller bytedance/pico4_controller", "right", "a/click|touch b/click|touch"},
+    {"bytedance/pico_neo3_controller bytedance/pico4_controller", hands, pico},
+    {"bytedance/pico_neo3_controller", hands, "menu/click"},
+    {"bytedance/pico4_controller", "left", "menu/click"},
+    // Older registries lack x and y of its thumbstick, a mistake: KhronosGroup/OpenXR-Docs, 158.
+    {"bytedance/pico_g3_controller", hands, "trigger/click|value menu/click thumbstick/x|y|click grip/pose aim/pose"},
+    {"hp/mixed_reality_controller", "left", "x/click y/click"},
+    {"hp/mixed_reality_controller", "right", "a/click b/click"},
+    {"hp/mixed_reality_controller", hands,
+     "menu/click squeeze/value trigger/value thumbstick/x|y|click grip/pose aim/pose output/haptic"},
+    {"htc/vive_cosmos_controller htc/vive_focus3_controller", "left", "x/click y/click menu/click"},
+    {"htc/vive_cosmos_controller htc/vive_focus3_controller", "right", "a/click b/click system/click"},
+    {"htc/vive_cosmos_controller", hands,
+     "shoulder/click squeeze/click trigger/click|value thumbstick/x|y|click|touch grip/pose aim/pose output/haptic"},
+    {"htc/vive_focus3_controller", hands,
+     "squeeze/click|touch|value trigger/click|touch|value thumbstick/x|y|click|touch thumbrest/touch grip/pose "
+     "aim/pose output/haptic"},
+    {"ml/ml2_controller", hands,
+     "menu/click home/click trigger/click|value trackpad/x|y|click|force|touch shoulder/click grip/pose aim/pose "
+     "output/haptic"},
+    {"samsung/odyssey_controller", hands, microsoft_motion},
+};
 
 std::vector<std::string_view> words(std::string_view text, char separator = ' ') {
   std::vector<std::string_view> found;
@@ -144,23 +119,26 @@ Source make_source(std::string_view device, std::string_view component) {
 
 using ProfileSources = std::map<std::string, std::vector<Source>, std::less<>>;
 
-// The pose of the palm is wherever there is a grip.
+// Poses of the palm are where there is a grip.
+void add_part(const Part& part, const SourceSet& set, ProfileSources& made) {
+  for (const std::string_view profile : words(part.profiles))
+    for (const std::string_view device : words(part.devices))
+      for (const std::string_view component : words(part.components)) {
+        auto& sources = made["/interaction_profiles/" + std::string(profile)];
+        const std::size_t leaves = component.find('/') + 1;
+        for (const std::string_view leaf : words(component.substr(leaves), '|'))
+          sources.push_back(make_source(device, std::string(component.substr(0, leaves)).append(leaf)));
+        if (component != "grip/pose") continue;
+        if (set.grip_surface) sources.push_back(make_source(device, "grip_surface/pose"));
+        if (set.palm_pose) sources.push_back(make_source(device, "palm_ext/pose"));
+      }
+}
+
 ProfileSources make_profiles(const SourceSet& set) {
   ProfileSources made;
-  for (const Profile& profile : profile_table())
-    for (const Part& part : profile.parts) {
-      if (part.version_1_1 && !set.version_1_1) continue;
-      auto& sources = made["/interaction_profiles/" + std::string(profile.path)];
-      for (const std::string_view device : words(part.devices))
-        for (const std::string_view component : words(part.components)) {
-          const std::size_t leaves = component.find('/') + 1;
-          for (const std::string_view leaf : words(component.substr(leaves), '|'))
-            sources.push_back(make_source(device, std::string(component.substr(0, leaves)).append(leaf)));
-          if (component != "grip/pose") continue;
-          if (set.grip_surface) sources.push_back(make_source(device, "grip_surface/pose"));
-          if (set.palm_pose) sources.push_back(make_source(device, "palm_ext/pose"));
-        }
-    }
+  for (const Part& part : parts_of_1_0) add_part(part, set, made);
+  for (const Part& part : parts_of_1_1)
+    if (set.version_1_1) add_part(part, set, made);
   return made;
 }
 

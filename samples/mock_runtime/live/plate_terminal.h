@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/plate/plate_model.h"
+#include "samples/app/firmware/plate.h"
 #include "samples/mock_runtime/live/descriptor.h"
-#include "samples/plate/firmware/plate.h"
 
 namespace hrt::mock {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include "samples/members.h"
+#include "samples/app/text/json_file.h"
 #include "samples/mock_runtime/openxr_1_1.h"
 
 namespace hrt::mock {

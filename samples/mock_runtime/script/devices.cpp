@@ -1,110 +1,94 @@
-// The devices of a script: hand tracker, servo, hands, head, controllers.
-#include "samples/members.h"
+// The devices of a script: hand tracker, servo, plate, hands, head, controllers.
 #include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {
 
-TrackerSettings read_tracker(Members& members) {
+TrackerSettings read_tracker(const Json& tracker) {
+  static const Names<Velocities> velocities{{"none", Velocities::none},
+                                            {"zero", Velocities::zero},
+                                            {"linear", Velocities::linear},
+                                            {"full", Velocities::full}};
   TrackerSettings settings;
-  settings.noise_m = members.number("noise_mm", 0.0, 0.0, 1000.0) * 1e-3;
-  settings.latency_ns = members.nanoseconds("latency_ms", 0.0);
-  if (members.has("rate_hz")) settings.period_ns = std::llround(1e9 / members.number("rate_hz", 0.0, 0.1, 10'000.0));
-  if (members.has("velocities"))
-    settings.velocities = members.choice<Velocities>("velocities", {{"none", Velocities::none},
-                                                                    {"zero", Velocities::zero},
-                                                                    {"linear", Velocities::linear},
-                                                                    {"full", Velocities::full}});
+  settings.noise_m = tracker["noise_mm"].get<double>() * 1e-3;
+  settings.latency_ns = nanoseconds(tracker["latency_ms"]);
+  if (tracker.contains("rate_hz")) settings.period_ns = std::llround(1e9 / tracker["rate_hz"].get<double>());
+  settings.velocities = meaning(tracker["velocities"], velocities);
   return settings;
 }
 
-PlateDynamics read_servo(Members& members) {
+PlateDynamics read_servo(const Json& servo) {
   PlateDynamics settings;
-  settings.max_speed_deg_s = members.number("speed_deg_per_s", settings.max_speed_deg_s, 1.0, 1e6);
-  settings.latency_ns = members.nanoseconds("latency_ms", 0.0, 0.0, 1000.0);
+  settings.max_speed_deg_s = servo.value("speed_deg_per_s", settings.max_speed_deg_s);
+  settings.latency_ns = nanoseconds(servo["latency_ms"]);
   return settings;
 }
 
-PlateSettings read_plate(Members& members) {
-  PlateSettings plate{{turn(members.number("yaw_deg", 0.0, -180.0, 180.0), Eigen::Vector3d::UnitY()),
-                       read_vector(members, "position_m", 100.0)},
-                      members.number("radius_m", 0.15, 0.001, 10.0),
-                      {}};
-  plate.terminal = members.text("terminal", "");
-  return plate;
+PlateSettings read_plate(const Json& plate) {
+  return {{turn(plate["yaw_deg"], Eigen::Vector3d::UnitY()), read_vector(plate["position_m"])},
+          plate["radius_m"],
+          plate.value("terminal", "")};
 }
 
-Eigen::Vector3d read_vector(Members& members, const std::string& key, double max) {
-  const std::vector<double> xyz = members.numbers(key, 3, -max, max);
-  return {xyz[0], xyz[1], xyz[2]};
-}
+Eigen::Vector3d read_vector(const Json& xyz) { return Eigen::Vector3d(xyz.get<std::array<double, 3>>().data()); }
 
-Pose read_pose(Members& members, const Eigen::Quaterniond& otherwise) {
-  Pose pose{otherwise, read_vector(members, "position_m", 100.0)};
-  if (members.has("orientation")) {
-    const std::vector<double> q = members.numbers("orientation", 4, -1.0, 1.0);
-    pose.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
+Pose read_pose(const Json& object, const std::string& where, const Eigen::Quaterniond& otherwise) {
+  Pose pose{otherwise, read_vector(object["position_m"])};
+  if (object.contains("orientation")) {
+    pose.orientation = Eigen::Quaterniond(object["orientation"].get<std::array<double, 4>>().data());
     if (std::abs(pose.orientation.norm() - 1.0) > 0.01)
-      refuse(members.where("orientation"), "must be a quaternion x, y, z, w of unit length");
+      refuse(where + ".orientation", "must be a quaternion x, y, z, w of unit length");
     pose.orientation.normalize();
   }
   return pose;
 }
 
-namespace {
-
-// `further(point)` reads what else a keyframe has.
-template <typename Further>
-void read_path(Members& members, const Eigen::Quaterniond& orientation, std::vector<Keyframe>& path, Further further) {
-  members.each("path", {}, [&](Members& point) {
-    path.push_back({point.nanoseconds("time_ms", 0.0), read_pose(point, orientation)});
-    if (path.size() > 1 && path.back().time_ns <= path[path.size() - 2].time_ns)
-      refuse(point.where("time_ms"), "must be later than the keyframe before");
-    further(point);
-  });
+std::vector<Keyframe> read_path(const Json& path, const std::string& where, const Eigen::Quaterniond& orientation) {
+  std::vector<Keyframe> keyframes;
+  for (const Json& point : path) {
+    const std::string place = where + "[" + std::to_string(keyframes.size()) + "]";
+    const Keyframe keyframe{nanoseconds(point["time_ms"]), read_pose(point, place, orientation)};
+    if (!keyframes.empty() && keyframe.time_ns <= keyframes.back().time_ns)
+      refuse(place + ".time_ms", "must be later than the keyframe before");
+    keyframes.push_back(keyframe);
+  }
+  return keyframes;
 }
 
-// What is not given is as in the keyframe before.
-Fingers read_fingers(Members& members, Fingers fingers) {
-  const std::vector<double> curls = members.one_or_each("curl", 5, 0.0, 1.0);
-  if (!curls.empty()) std::copy(curls.begin(), curls.end(), fingers.curl.emplace().begin());
-  fingers.pinch = members.number("pinch", fingers.pinch, 0.0, 1.0);
-  return fingers;
-}
-
-}  // namespace
-
-void read_hand(Members& members, HandSettings& hand) {
+HandSettings read_hand(const Json& object, const std::string& where, bool tracked) {
+  HandSettings hand;
+  hand.path = read_path(object["path"], where + ".path", resting_hand_orientation());
+  // What a keyframe does not give is as in the one before.
+  Fingers fingers;
+  for (const Json& point : object["path"]) {
+    if (point.contains("curl") && point["curl"].is_array()) fingers.curl = point["curl"].get<std::array<double, 5>>();
+    if (point.contains("curl") && point["curl"].is_number()) fingers.curl.emplace().fill(point["curl"]);
+    fingers.pinch = point.value("pinch", fingers.pinch);
+    hand.fingers.push_back({hand.path[hand.fingers.size()].time_ns, fingers});
+  }
+  if (object.contains("slides")) {
+    const Json& slides = object["slides"];
+    hand.slides = {read_vector(slides["start_m"]), slides["direction_deg"], slides["length_m"],
+                   nanoseconds(slides["rest_ms"])};
+  }
   // Paths and slides are there to be seen.
-  hand.tracked = members.boolean("tracked", hand.tracked || members.has("path") || members.has("slides"));
-  members.object("slides", [&](Members& slides) {
-    hand.slides = {read_vector(slides, "start_m", 10.0), slides.number("direction_deg", 0.0, -180.0, 180.0),
-                   slides.number("length_m", 0.1, 0.001, 10.0), slides.nanoseconds("rest_ms", 500.0)};
-  });
-  read_path(members, resting_hand_orientation(), hand.path, [&](Members& point) {
-    const Fingers before = hand.fingers.empty() ? Fingers{} : hand.fingers.back().fingers;
-    hand.fingers.push_back({hand.path.back().time_ns, read_fingers(point, before)});
-  });
+  hand.tracked = object.value("tracked", tracked || !hand.path.empty() || hand.slides);
+  return hand;
 }
 
-void read_head(Members& members, std::vector<Keyframe>& path) {
-  read_path(members, Eigen::Quaterniond::Identity(), path, [](Members&) {});
+ControllerSettings read_controller(const Json& controller, const std::string& where) {
+  return {read_profile(controller["profile"], where + ".profile"),
+          read_path(controller["path"], where + ".path", Eigen::Quaterniond::Identity())};
 }
 
-void read_controller(Members& members, ControllerSettings& controller) {
-  controller.profile = read_profile(members);
-  read_path(members, Eigen::Quaterniond::Identity(), controller.path, [](Members&) {});
-}
-
-std::string read_profile(Members& members) {
-  const Json& name = members.at("profile", {{"type", {"string", "null"}}});
+std::string read_profile(const Json& name, const std::string& where) {
   if (name.is_null()) return {};
-  if (!name.is_string() || find_profile(name.get<std::string>()) == nullptr)
-    refuse(members.where("profile"),
+  if (find_profile(name.get<std::string>()) == nullptr)
+    refuse(where,
            "must be null or an interaction profile of OpenXR 1.1, such as "
            "\"/interaction_profiles/khr/simple_controller\"");
-  return name.get<std::string>();
+  return name;
 }
 
 }  // namespace hrt::mock

@@ -3,19 +3,17 @@
 
 #include <openxr/openxr.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "samples/app/text/json_file.h"
 #include "samples/mock_runtime/calls/faults.h"
 #include "samples/mock_runtime/world/pose.h"
 #include "samples/mock_runtime/world/settings.h"
-
-namespace hrt {
-class Members;
-}
 
 namespace hrt::mock {
 
@@ -77,21 +75,24 @@ struct ScriptEvent {
   Happening what;
 };
 
-Eigen::Vector3d read_vector(Members& members, const std::string& key, double max);
-PersonSettings read_person(Members& members);
-TrackerSettings read_tracker(Members& members);
-PlateDynamics read_servo(Members& members);
-PlateSettings read_plate(Members& members);
-void read_hand(Members& members, HandSettings& hand);
-void read_head(Members& members, std::vector<Keyframe>& path);
-void read_controller(Members& members, ControllerSettings& controller);
+// Of values that script.schema.json allows. `where` is their place; what the schema does not say is refused with it.
+inline std::int64_t nanoseconds(const Json& ms) { return std::llround(ms.get<double>() * 1e6); }
+Eigen::Vector3d read_vector(const Json& xyz);
+PersonSettings read_person(const Json& object, const std::string& where);
+TrackerSettings read_tracker(const Json& tracker);
+PlateDynamics read_servo(const Json& servo);
+PlateSettings read_plate(const Json& plate);
+/// `tracked`: without a path, slides or a member "tracked".
+HandSettings read_hand(const Json& object, const std::string& where, bool tracked);
+std::vector<Keyframe> read_path(const Json& path, const std::string& where, const Eigen::Quaterniond& orientation);
+ControllerSettings read_controller(const Json& controller, const std::string& where);
 /// The path of an interaction profile; empty for null, a device that is off.
-std::string read_profile(Members& members);
+std::string read_profile(const Json& name, const std::string& where);
 /// A pose in LOCAL: `position_m`, and `orientation` if it is there.
-Pose read_pose(Members& members, const Eigen::Quaterniond& otherwise);
-ScriptEvent read_event(Members& members);
-/// What an event lets happen: its `do`, and what goes with that.
-Happening read_happening(Members& members);
-CallFault read_call(Members& members);
+Pose read_pose(const Json& object, const std::string& where, const Eigen::Quaterniond& otherwise);
+ScriptEvent read_event(const Json& object, const std::string& where);
+/// What an event lets happen: its `do`, and the members that belong to it.
+Happening read_happening(const Json& object, const std::string& where);
+CallFault read_call(const Json& object, const std::string& where);
 
 }  // namespace hrt::mock

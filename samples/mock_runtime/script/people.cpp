@@ -1,51 +1,50 @@
 // The simulated people of a script.
-#include "samples/members.h"
 #include "samples/mock_runtime/script/event.h"
 
 namespace hrt::mock {
 
-PersonSettings read_person(Members& members) {
+PersonSettings read_person(const Json& object, const std::string& where) {
   constexpr double second_per_ms = 1e-3;
-  std::vector<Steering> steerings;
-  members.one_of("steering", steerings,
-                 {{"steps", Steering::steps},
-                  {"continuous", Steering::continuous},
-                  {"predictive", Steering::predictive},
-                  {"place", Steering::place},
-                  {"heavy_arm", Steering::heavy_arm},
-                  {"crossings", Steering::crossings}});
-  PersonSettings settings = steerings == std::vector{Steering::steps} ? paper_person() : PersonSettings{};
-  if (!steerings.empty()) settings.steerings = steerings;
-  members.one_of("illusion", settings.illusions,
-                 {{"linear", IllusionFamily::linear},
-                  {"saturating", IllusionFamily::saturating},
-                  {"sine", IllusionFamily::sine},
-                  {"tanh", IllusionFamily::tanh},
-                  {"dead_band", IllusionFamily::dead_band},
-                  {"unequal", IllusionFamily::unequal}});
-  Range scale_deg{};
-  if (members.range("illusion_scale_deg", scale_deg, 1.0, 90.0)) settings.illusion_scale_deg = scale_deg;
-  members.range("tactile_weight", settings.tactile_weight, 0.001, 0.499);
-  members.range("weight_drift", settings.weight_drift, -0.5, 0.5);
-  members.range("gain_per_s", settings.gain_per_s, 0.1, 50.0);
-  members.range("delay_ms", settings.delay_s, 0.0, 250.0, second_per_ms);
-  members.range("noise_deg2_per_s", settings.noise_deg2_per_s, 0.0, 1e4);
-  Range start_deg{};
-  if (members.range("start_direction_deg", start_deg, -90.0, 90.0)) settings.start_direction_deg = start_deg;
-  members.range("bias_deg", settings.bias_deg, -45.0, 45.0);
-  members.range("own_bias_deg", settings.own_bias_deg, -45.0, 45.0);
-  members.range("habit_deg", settings.habit_deg, -45.0, 45.0);
-  members.one_of("pace", settings.paces,
-                 {{"minimum_jerk", Pace::minimum_jerk},
-                  {"even", Pace::even},
-                  {"skewed", Pace::skewed},
-                  {"stop_and_go", Pace::stop_and_go},
-                  {"pause", Pace::pause},
-                  {"two_parts", Pace::two_parts},
-                  {"reversal", Pace::reversal}});
-  members.range("duration_ms", settings.duration_s, 100.0, 60'000.0, second_per_ms);
-  members.range("path_scale", settings.path_scale, 0.1, 3.0);
-  members.range("reaction_ms", settings.reaction_s, 0.0, 10'000.0, second_per_ms);
+  static const Names<Steering> steerings{{"steps", Steering::steps},           {"continuous", Steering::continuous},
+                                         {"predictive", Steering::predictive}, {"place", Steering::place},
+                                         {"heavy_arm", Steering::heavy_arm},   {"crossings", Steering::crossings}};
+  static const Names<IllusionFamily> illusions{
+      {"linear", IllusionFamily::linear},       {"saturating", IllusionFamily::saturating},
+      {"sine", IllusionFamily::sine},           {"tanh", IllusionFamily::tanh},
+      {"dead_band", IllusionFamily::dead_band}, {"unequal", IllusionFamily::unequal}};
+  static const Names<Pace> paces{
+      {"minimum_jerk", Pace::minimum_jerk}, {"even", Pace::even},   {"skewed", Pace::skewed},
+      {"stop_and_go", Pace::stop_and_go},   {"pause", Pace::pause}, {"two_parts", Pace::two_parts},
+      {"reversal", Pace::reversal}};
+  PersonSettings settings;
+  if (object.contains("steering")) {
+    const std::vector<Steering> given = meanings(object["steering"], steerings);
+    if (given == std::vector{Steering::steps}) settings = paper_person();
+    settings.steerings = given;
+  }
+  if (object.contains("illusion")) settings.illusions = meanings(object["illusion"], illusions);
+  if (object.contains("pace")) settings.paces = meanings(object["pace"], paces);
+  // A number, or two between which it is drawn; `scale` converts to the unit of `range`.
+  const auto read = [&](const char* key, auto& range, double scale = 1.0) {
+    if (!object.contains(key)) return;
+    const Json& given = object[key];
+    const double low = given.is_array() ? given[0] : given, high = given.is_array() ? given[1] : given;
+    if (low > high) refuse(where + "." + key, "must have the smaller number first");
+    range = {low * scale, high * scale};
+  };
+  read("illusion_scale_deg", settings.illusion_scale_deg);
+  read("tactile_weight", settings.tactile_weight);
+  read("weight_drift", settings.weight_drift);
+  read("gain_per_s", settings.gain_per_s);
+  read("delay_ms", settings.delay_s, second_per_ms);
+  read("noise_deg2_per_s", settings.noise_deg2_per_s);
+  read("start_direction_deg", settings.start_direction_deg);
+  read("bias_deg", settings.bias_deg);
+  read("own_bias_deg", settings.own_bias_deg);
+  read("habit_deg", settings.habit_deg);
+  read("duration_ms", settings.duration_s, second_per_ms);
+  read("path_scale", settings.path_scale);
+  read("reaction_ms", settings.reaction_s, second_per_ms);
   return settings;
 }
 

@@ -2,52 +2,34 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
-#include "samples/members.h"
 #include "samples/mock_runtime/error.h"
+#include "samples/mock_runtime/script_schema.h"
 
 namespace hrt::mock {
 namespace {
 
-ExtensionSet read_withheld(Members& members) {
-  Names<std::size_t> known;
-  for (std::size_t i = first_extension; i < extensions.size(); ++i) known.emplace_back(extensions[i].name, i);
-  std::vector<std::size_t> withheld;
-  members.one_of("withhold_extensions", withheld, known);
-  ExtensionSet set;
-  for (const std::size_t each : withheld) set.set(each);
-  return set;
-}
-
 // The records of a playback, which may be many, go to `recording` one by one and are no part of the result.
-Json parse_json(std::string_view text, Recording& recording) {
-  KeysAround keys;
-  const auto& around = keys.objects;
-  const auto check = [&](int depth, Json::parse_event_t event, const Json& parsed) {
-    keys.see(event, parsed);
-    // script 0, playback 1, records 2, a record 3.
-    const bool is_record = event == Json::parse_event_t::array_end && depth == 3 && around.size() == 2 &&
-                           around[0].second == "playback" && around[1].second == "records";
-    if (is_record) recording.add(parsed);
-    return !is_record;
-  };
-  try {
-    return Json::parse(text, check);
-  } catch (const Json::exception& error) {  // also a number beyond all numbers
-    throw Refusal(error.what());
-  }
+Json parse(std::string_view text, Recording& recording) {
+  static const KeysAround records{"playback", "records"};
+  int depth = 0;  // of arrays in the records: 1 in their array, 2 in a record
+  return parse_json(text, "script", [&](const KeysAround& keys, Json::parse_event_t event, const Json& parsed) {
+    if (keys != records) return true;
+    if (event == Json::parse_event_t::array_start) ++depth;
+    if (event != Json::parse_event_t::array_end || depth-- != 2) return true;
+    recording.add(parsed);
+    return false;
+  });
 }
 
-// What is played back takes the place of these.
-void read_playback(Members& members, const Json& script) {
+// What is played back takes the place of everything else that a script simulates.
+void check_playback(const Json& script) {
+  static const std::vector<std::string> besides{
+      "clock", "calls", "picture_every_frames", "picture_views", "playback", "withhold_extensions", "$schema"};
   for (const auto& [key, value] : script.items())
-    if (key != "clock" && key != "calls" && key != "picture_every_frames" && key != "picture_views" &&
-        key != "withhold_extensions" && key != "playback" && key != "$schema")
-      refuse(members.where(), "takes the place of " + key + ", which has no effect beside it");
-  // What is left of them are those that are no arrays.
-  const Json& records = members.at("records", {{"type", "array"}});
-  if (members.count("version", 0, 0) != 1) refuse(members.where("version"), "must be 1");
-  if (!records.is_array() || !records.empty()) refuse(members.where("records"), "must be an array of arrays");
+    if (std::find(besides.begin(), besides.end(), key) == besides.end())
+      refuse("script.playback", "takes the place of " + key + ", which has no effect beside it");
 }
 
 }  // namespace
@@ -65,75 +47,82 @@ bool Script::has_picture_events() const {
 
 namespace {
 
-Script read_script(Members& members, const Json& json, Recording& recording) {
-  Script script;
-  if (members.has("clock"))
-    script.clock =
-        members.choice<Clock::Kind>("clock", {{"manual", Clock::Kind::manual}, {"real-time", Clock::Kind::real_time}});
-  if (members.has("frame_rate_hz"))
-    script.frame_period = std::llround(1e9 / members.number("frame_rate_hz", 90.0, 1.0, 1000.0));
-  script.frame_times = members.boolean("frame_times", script.frame_times);
-  script.focus_frame = static_cast<std::int64_t>(members.count("focus_frame", 0, 0));
-  members.one_of("picture_views", script.views,
-                 {{"left", Script::View::left}, {"right", Script::View::right}, {"world", Script::View::world}});
-  script.pictures = static_cast<std::int64_t>(members.count("picture_every_frames", 0, 1));
-  script.stage = members.boolean("stage", script.stage);
-  script.hand_tracking = members.boolean("hand_tracking", script.hand_tracking);
-  script.withheld = read_withheld(members);
-  script.world.seed = members.count("seed", script.world.seed, 0);
-  if (members.has("participants")) {
-    script.world.participants.clear();
-    members.each("participants", {}, [&](Members& each) { script.world.participants.push_back(read_person(each)); });
-    if (script.world.participants.empty()) refuse(members.where("participants"), "must have one at least");
+// Calls `read(object, place)` for each object of an array that may be there.
+template <typename Read>
+void for_each(const Json& json, const std::string& key, Read read) {
+  std::size_t i = 0;
+  for (const Json& object : json.value(key, Json::array()))
+    read(object, "script." + key + "[" + std::to_string(i++) + "]");
+}
+
+WorldSettings read_world(const Json& json) {
+  WorldSettings world;
+  world.seed = json.value("seed", world.seed);
+  if (json.contains("participants")) world.participants.clear();
+  for_each(json, "participants",
+           [&](const Json& each, const std::string& where) { world.participants.push_back(read_person(each, where)); });
+  if (json.contains("tracker")) world.tracker = read_tracker(json["tracker"]);
+  if (json.contains("servo")) world.servo = read_servo(json["servo"]);
+  if (json.contains("plate")) world.plate = read_plate(json["plate"]);
+  if (json.contains("head"))
+    world.head = read_path(json["head"]["path"], "script.head.path", Eigen::Quaterniond::Identity());
+  const std::pair<const char*, std::size_t> sides[] = {{"left", 0}, {"right", 1}};
+  for (const auto& [side, i] : sides) {
+    if (const auto& hands = json.value("hands", Json::object()); hands.contains(side))
+      world.hands[i] = read_hand(hands[side], std::string("script.hands.") + side, world.hands[i].tracked);
+    if (const auto& controllers = json.value("controllers", Json::object()); controllers.contains(side))
+      world.controllers[i] = read_controller(controllers[side], std::string("script.controllers.") + side);
   }
-  members.object("tracker", [&](Members& tracker) { script.world.tracker = read_tracker(tracker); });
-  members.object("servo", [&](Members& servo) { script.world.servo = read_servo(servo); });
-  members.object("plate", [&](Members& plate) { script.world.plate = read_plate(plate); });
+  return world;
+}
+
+Script read_script(const Json& json, Recording& recording) {
+  static const Names<Script::View> views{
+      {"left", Script::View::left}, {"right", Script::View::right}, {"world", Script::View::world}};
+  Script script;
+  if (json.value("clock", "manual") == "real-time") script.clock = Clock::Kind::real_time;
+  if (json.contains("frame_rate_hz")) script.frame_period = std::llround(1e9 / json["frame_rate_hz"].get<double>());
+  script.frame_times = json.value("frame_times", script.frame_times);
+  script.focus_frame = json.value("focus_frame", script.focus_frame);
+  if (json.contains("picture_views")) script.views = meanings(json["picture_views"], views);
+  script.pictures = json.value("picture_every_frames", script.pictures);
+  script.stage = json.value("stage", script.stage);
+  script.hand_tracking = json.value("hand_tracking", script.hand_tracking);
+  if (json.contains("withhold_extensions")) {
+    Names<std::size_t> known;
+    for (std::size_t i = first_extension; i < extensions.size(); ++i) known.emplace_back(extensions[i].name, i);
+    for (const std::size_t each : meanings(json["withhold_extensions"], known)) script.withheld.set(each);
+  }
+  script.world = read_world(json);
   if (script.world.plate && !script.world.plate->terminal.empty() && script.clock != Clock::Kind::real_time)
-    refuse(members.where("plate") + ".terminal", "needs \"clock\": \"real-time\": who opens it waits in real time");
-  members.object("hands", [&](Members& hands) {
-    hands.object("left", [&](Members& hand) { read_hand(hand, script.world.hands[0]); });
-    hands.object("right", [&](Members& hand) { read_hand(hand, script.world.hands[1]); });
-  });
-  members.object("head", [&](Members& head) { read_head(head, script.world.head); });
-  members.object("controllers", [&](Members& controllers) {
-    controllers.object("left", [&](Members& each) { read_controller(each, script.world.controllers[0]); });
-    controllers.object("right", [&](Members& each) { read_controller(each, script.world.controllers[1]); });
-  });
-  members.each("events", {}, [&](Members& event) { script.events.push_back(read_event(event)); });
-  members.each("calls", {}, [&](Members& call) { script.calls.push_back(read_call(call)); });
-  members.object("playback", [&](Members& playback) {
-    read_playback(playback, json);
+    refuse("script.plate.terminal", "needs \"clock\": \"real-time\": a program that opens it waits in real time");
+  for_each(json, "events",
+           [&](const Json& event, const std::string& where) { script.events.push_back(read_event(event, where)); });
+  for_each(json, "calls",
+           [&](const Json& call, const std::string& where) { script.calls.push_back(read_call(call, where)); });
+  if (json.contains("playback")) {
     script.hand_tracking = recording.hand_tracking;
     script.calls.insert(script.calls.end(), recording.failures.begin(), recording.failures.end());
     script.playback = std::make_shared<const Recording>(std::move(recording));
-  });
-  members.has("$schema");  // of who edits it
+  }
   return script;
 }
 
 }  // namespace
 
-Script parse_script(std::string_view text) try {
-  Recording recording;
-  const Json json = parse_json(text, recording);
-  Members members(json, "script");
-  Script script = read_script(members, json, recording);
-  members.finish();
-  return script;
-} catch (const Refusal& refusal) {
-  throw Error{XR_ERROR_VALIDATION_FAILURE, std::string("script: ") + refusal.what()};
+const Json& script_schema() {
+  static const Json schema = Json::parse(script_schema_text);
+  return schema;
 }
 
-std::string script_schema() {
-  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                 {"title", "A script of the HRTX mock runtime"}};
-  for (unsigned variant = 0; variant < Members::variants; ++variant)
-    Members::describe(schema, variant, [](Members& members) {
-      Recording recording;
-      read_script(members, Json::object(), recording);
-    });
-  return schema.dump(2);
+Script parse_script(std::string_view text) try {
+  Recording recording;
+  Json json = parse(text, recording);
+  if (json.contains("playback")) check_playback(json);
+  check_json(json, script_schema(), "script");
+  return read_script(json, recording);
+} catch (const Refusal& refusal) {
+  throw Error{XR_ERROR_VALIDATION_FAILURE, refusal.what()};
 }
 
 std::string script_from_environment() {

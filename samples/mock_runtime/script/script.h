@@ -44,8 +44,8 @@ struct Script {
 /// Throws an Error that names place, mistake and allowed values.
 Script parse_script(std::string_view json);
 
-/// What may stand in a script, as JSON schema. What must stand there, and with what, parse_script() knows.
-std::string script_schema();
+/// The JSON Schema of scripts: script.schema.json. parse_script() checks more, such as names of functions.
+const Json& script_schema();
 
 /// The text of the file that HRT_MOCK_SCRIPT names; that of the default script if unset. Throws an Error if
 /// it cannot be read.

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <util/atomic.h>
 
-#include "samples/plate/firmware/plate.h"
+#include "samples/app/firmware/plate.h"
 
 /* For a programmer; a bootloader cannot set them. A reset below 4.3 V, because 16 MHz need 3.8 V; a crystal;
  * EEPROM that a chip erase leaves alone. */

@@ -8,11 +8,10 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "plugin/src/plate/plate_failure.h"
-#include "plugin/src/plate/plate_link.h"
-#include "samples/format.h"
+#include "plugin/include/plate_driver/plate_failure.h"
+#include "samples/app/text/format.h"
+#include "samples/app/text/whole_file.h"
 #include "samples/plate/tool/measure.h"
-#include "samples/whole_file.h"
 
 namespace hrt::plate {
 namespace {
@@ -141,15 +140,15 @@ int run_turn(const Options& options, const Surroundings& around) {
 // "zero=1505 speed=150", all saved or none.
 int run_set(const Options& options, const Surroundings& around) {
   const auto device = open(options.device, around, Start::quiet);
-  auto* link = dynamic_cast<PlateLink*>(device.get());
-  if (link == nullptr) throw PlateFailure(Fault::protocol, "has no settings of this kind");
+  BoardSettings* board = device->board_settings();
+  if (board == nullptr) throw PlateFailure(Fault::protocol, "has no settings of this kind");
   for (const std::string& change : options.changes) {
     const std::size_t equals = std::min(change.find('='), change.size() - 1);
     const auto value = number_in(std::string_view(change).substr(equals + 1), -1e6, 1e6);
     if (!value) throw std::invalid_argument("\"" + change + "\" is not name=number");
-    link->change_setting(change.substr(0, equals), *value);
+    board->change_setting(change.substr(0, equals), *value);
   }
-  link->save_settings();
+  board->save_settings();
   around.out << "saved\n";
   return success;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "plugin/src/plate/device.h"
+#include "plugin/include/plate_driver/device.h"
 #include "samples/plate/tool/person.h"
 
 namespace hrt::plate {

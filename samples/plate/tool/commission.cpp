@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugin/src/plate/plate_failure.h"
-#include "plugin/src/plate/plate_link.h"
-#include "samples/format.h"
+#include "plugin/include/plate_driver/plate_failure.h"
+#include "samples/app/text/format.h"
 #include "samples/plate/tool/measure.h"
 
 namespace hrt::plate {
@@ -30,37 +29,37 @@ struct Scale {
 };
 
 // Limits, and the readings there. A reading between the two that are set is within the limits at each step.
-void set_limits(PlateLink& link, const Scale& sensor, double min_deg, double max_deg) {
-  link.change_setting("least", std::ceil(min_deg));
-  link.change_setting("most", std::floor(max_deg));
+void set_limits(BoardSettings& board, const Scale& sensor, double min_deg, double max_deg) {
+  board.change_setting("least", std::ceil(min_deg));
+  board.change_setting("most", std::floor(max_deg));
   const std::pair<const char*, double> least = {"adc_least", sensor.at(std::ceil(min_deg))},
                                        most = {"adc_most", sensor.at(std::floor(max_deg))};
   const bool rises = sensor.per_deg > 0.0;
-  for (const auto& [name, value] : {rises ? most : least, rises ? least : most}) link.change_setting(name, value);
+  for (const auto& [name, value] : {rises ? most : least, rises ? least : most}) board.change_setting(name, value);
 }
 
-double place_read(PlateLink& link, const Person& person, double orientation_deg) {
-  turn_and_wait(link, orientation_deg);
-  const auto read_deg =
-      ask_number(link, person, "Which angle does the scale show at the notch? Left, towards +, is positive.", -90, 90);
+double place_read(Device& device, const Person& person, double orientation_deg) {
+  turn_and_wait(device, orientation_deg);
+  const auto read_deg = ask_number(
+      device, person, "Which angle does the scale show at the notch? Left, towards +, is positive.", -90, 90);
   if (!read_deg) throw PlateFailure(Fault::device, "was not read: an angle is needed");
   return *read_deg;
 }
 
 // Which way the plate turns, how far, and what its sensor says.
-Scale find_scale(PlateLink& link, const Person& person) {
-  ask(link, person, "Hands off the plate: it is homed slowly, then turns to two places. Enter starts it.");
+Scale find_scale(Device& device, BoardSettings& board, const Person& person) {
+  ask(device, person, "Hands off the plate: it is homed slowly, then turns to two places. Enter starts it.");
   // The smaller one first: a reading between the two stays within the limits.
-  const bool rises = link.setting("adc_most") > link.setting("adc_least");
+  const bool rises = board.setting("adc_most") > board.setting("adc_least");
   for (const char* name : {rises ? "adc_least" : "adc_most", rises ? "adc_most" : "adc_least"})
-    link.change_setting(name, 0);
-  link.change_setting("span", first_span_us);
-  link.change_setting("least", -first_limit_deg);
-  link.change_setting("most", first_limit_deg);
-  turn_and_wait(link, 0.0);
-  const double above_deg = place_read(link, person, asked_deg), reading_above = link.sensor_reading();
-  turn_and_wait(link, -asked_deg - 10.0);  // both from the same side, so that loose gears do not count
-  const double below_deg = place_read(link, person, -asked_deg), reading_below = link.sensor_reading();
+    board.change_setting(name, 0);
+  board.change_setting("span", first_span_us);
+  board.change_setting("least", -first_limit_deg);
+  board.change_setting("most", first_limit_deg);
+  turn_and_wait(device, 0.0);
+  const double above_deg = place_read(device, person, asked_deg), reading_above = board.sensor_reading();
+  turn_and_wait(device, -asked_deg - 10.0);  // both from the same side, so that loose gears do not count
+  const double below_deg = place_read(device, person, -asked_deg), reading_below = board.sensor_reading();
   if (std::abs(reading_above - reading_below) < min_readings)
     throw PlateFailure(Fault::device,
                        "has no sensor at A0: nothing of it can be measured, and it serves for demonstrations only");
@@ -68,41 +67,41 @@ Scale find_scale(PlateLink& link, const Person& person) {
   const double span_us = turn == 0.0 ? 1e9 : std::round(first_span_us / turn);
   if (std::abs(span_us) < 500.0 || std::abs(span_us) > 2500.0)
     throw PlateFailure(Fault::device, format("turned by %g degrees where 60 were asked of a usual servo", turn * 60.0));
-  turn_and_wait(link, 0.0);
-  link.change_setting("span", span_us);  // does not matter at 0
+  turn_and_wait(device, 0.0);
+  board.change_setting("span", span_us);  // does not matter at 0
   const double middle_deg = 0.5 * (above_deg + below_deg);
-  link.set_zero(link.zero_deg() - middle_deg);
+  device.set_zero(device.zero_deg() - middle_deg);
   const double per_deg = (reading_above - reading_below) / (above_deg - below_deg);
   return {reading_above - per_deg * above_deg, per_deg};
 }
 
 // Where the plate is after a step, by the mean of its reports; it need not have come there.
-double place_after_step(PlateLink& link, double orientation_deg) {
-  link.turn_to(orientation_deg);
-  for (const auto end = link.now() + 300ms; link.now() < end;) link.wait(10ms);
+double place_after_step(Device& device, double orientation_deg) {
+  device.turn_to(orientation_deg);
+  for (const auto end = device.now() + 300ms; device.now() < end;) device.wait(10ms);
   double sum_deg = 0.0;
   constexpr int count = 15;
   for (int i = 0; i < count; ++i) {
-    link.wait(20ms);
-    sum_deg += link.orientation_deg().value_or(orientation_deg);
+    device.wait(20ms);
+    sum_deg += device.orientation_deg().value_or(orientation_deg);
   }
   return sum_deg / count;
 }
 
 // Goes outwards until the plate does not follow, or to the limit. A stop within a step shows in the next one;
 // within the last one a small lag shows it.
-double find_stop(PlateLink& link, double limit_deg) {
+double find_stop(Device& device, double limit_deg) {
   const double sign = limit_deg < 0.0 ? -1.0 : 1.0;
   const int count = static_cast<int>(std::ceil((std::abs(limit_deg) - first_limit_deg) / stop_step_deg));
   const double step_deg = (limit_deg - sign * first_limit_deg) / count;
-  settle_at(link, sign * first_limit_deg);
-  double before_deg = place_after_step(link, sign * first_limit_deg);
+  settle_at(device, sign * first_limit_deg);
+  double before_deg = place_after_step(device, sign * first_limit_deg);
   for (int i = 1; i <= count; ++i) {
-    const double place_deg = place_after_step(link, sign * first_limit_deg + i * step_deg);
+    const double place_deg = place_after_step(device, sign * first_limit_deg + i * step_deg);
     const double lag_deg = std::abs(step_deg) - std::abs(place_deg - before_deg);
     before_deg = place_deg;
     if (lag_deg <= (i < count ? 0.5 * std::abs(step_deg) : max_lag_deg)) continue;
-    settle_at(link, sign * first_limit_deg);
+    settle_at(device, sign * first_limit_deg);
     return place_deg - sign * stop_margin_deg;
   }
   // Beyond the widest range nothing was seen.
@@ -110,43 +109,43 @@ double find_stop(PlateLink& link, double limit_deg) {
 }
 
 template <class Action>
-void with_link(const Opener& open, Action action) {
+void with_board(const Opener& open, Action action) {
   const auto device = open();
-  auto& link = dynamic_cast<PlateLink&>(*device);
-  action(link);
-  link.save_settings();
+  BoardSettings& board = *device->board_settings();
+  action(*device, board);
+  board.save_settings();
 }
 
 // The limits of a plate are those of its greeting: it is greeted anew after each change.
 void set_up_servo(const Opener& open, const Person& person) {
   Scale sensor{};
-  with_link(open, [&](PlateLink& link) {
-    sensor = find_scale(link, person);
-    set_limits(link, sensor, -max_limit_deg, max_limit_deg);
+  with_board(open, [&](Device& device, BoardSettings& board) {
+    sensor = find_scale(device, board, person);
+    set_limits(board, sensor, -max_limit_deg, max_limit_deg);
   });
   double min_deg = 0.0, max_deg = 0.0;
-  with_link(open, [&](PlateLink& link) {
+  with_board(open, [&](Device& device, BoardSettings& board) {
     person.say("Looking for the stops");
-    max_deg = find_stop(link, link.limits().max_deg);
-    min_deg = find_stop(link, link.limits().min_deg);
-    settle_at(link, 0.0);
-    set_limits(link, sensor, min_deg, max_deg);
+    max_deg = find_stop(device, device.limits().max_deg);
+    min_deg = find_stop(device, device.limits().min_deg);
+    settle_at(device, 0.0);
+    set_limits(board, sensor, min_deg, max_deg);
   });
 }
 
 }  // namespace
 
 Measurements commission(const Opener& open, const Person& person) {
-  const bool has_settings = dynamic_cast<PlateLink*>(open().get()) != nullptr;
+  const bool has_settings = open()->board_settings() != nullptr;
   if (has_settings) set_up_servo(open, person);
   const auto device = open();
   if (!has_settings) ask(*device, person, "Hands off the plate: it turns through its whole range. Enter starts it.");
   Measurements found = measure(*device, person.say);
-  if (auto* link = dynamic_cast<PlateLink*>(device.get())) {
+  if (BoardSettings* board = device->board_settings()) {
     for (Measured* angle : {&found.speed_deg_s, &found.acceleration_deg_s2, &found.backlash_deg})
       angle->deviation = std::hypot(angle->deviation, scale_share * angle->value);
-    link->change_setting("latency", std::clamp(found.latency_ms.value, 0.0, 200.0));
-    link->save_settings();
+    board->change_setting("latency", std::clamp(found.latency_ms.value, 0.0, 200.0));
+    board->save_settings();
   }
   found.details = device->details();
   return found;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "plugin/src/plate/plate_failure.h"
-#include "samples/format.h"
+#include "plugin/include/plate_driver/plate_failure.h"
+#include "samples/app/text/format.h"
 
 namespace hrt::plate {
 namespace {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "plugin/src/plate/device.h"
-#include "samples/format.h"
+#include "plugin/include/plate_driver/device.h"
+#include "samples/app/text/format.h"
 
 namespace hrt::plate {
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "plugin/src/plate/plate_file.h"
-#include "samples/format.h"
+#include "plugin/include/plate_driver/plate_file.h"
+#include "samples/app/text/format.h"
+#include "samples/app/text/whole_file.h"
 #include "samples/plate/tool/measure.h"
-#include "samples/whole_file.h"
 
 namespace hrt::plate {
 namespace {

@@ -14,9 +14,9 @@
 #include <system_error>
 #include <vector>
 
+#include "samples/app/text/text.h"
+#include "samples/app/text/whole_file.h"
 #include "samples/study/cli/arguments.h"
-#include "samples/text.h"
-#include "samples/whole_file.h"
 
 namespace hrt::study {
 namespace {

@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/calibrate/retest.h"
+#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/calibration.h"
 #include "samples/study/figures/workshop.h"
 #include "samples/study/people/participants.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

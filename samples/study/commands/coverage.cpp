@@ -4,13 +4,13 @@
 #include <memory>
 #include <string>
 
+#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/numbers/parallel.h"
 #include "samples/study/numbers/results.h"
 #include "samples/study/numbers/statistics.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

@@ -7,13 +7,13 @@
 #include <memory>
 #include <set>
 
+#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/numbers/results.h"
 #include "samples/study/people/person_file.h"
 #include "samples/study/people/replay.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "core/math/trigonometry.h"
 #include "core/paper/participant.h"
+#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/numbers/results.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

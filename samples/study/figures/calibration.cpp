@@ -7,8 +7,8 @@
 
 #include "core/learning.h"
 #include "core/person/person_belief.h"
+#include "samples/app/text/text.h"
 #include "samples/study/cli/output.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

@@ -1,6 +1,6 @@
 #include "samples/study/figures/figures.h"
 
-#include "samples/text.h"
+#include "samples/app/text/text.h"
 
 namespace hrt::study {
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "samples/app/text/text.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 
 namespace hrt::study {
@@ -11,12 +12,7 @@ std::string field_of(const Row& value) {
   if (value.is_null()) return "";
   if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
   if (value.is_number_float()) return std::isnan(value.get<double>()) ? "" : number(value.get<double>());
-  if (!value.is_string()) return value.dump();
-  const auto& text = value.get_ref<const std::string&>();
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
+  return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
 }  // namespace

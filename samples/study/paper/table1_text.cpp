@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "samples/app/text/text.h"
 #include "samples/study/cli/output.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

@@ -7,8 +7,8 @@
 #include "core/math/trigonometry.h"
 #include "core/setup/setup.h"
 #include "core/simulation/slide.h"
+#include "samples/app/text/text.h"
 #include "samples/study/cli/output.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <span>
 
-#include <nlohmann/json.hpp>
-
+#include "samples/app/text/json_file.h"
+#include "samples/app/text/text.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/numbers/csv.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {
@@ -103,7 +101,7 @@ std::string all_names() {
 }
 
 // `where` is the file and the parameter.
-void take(const std::string& where, std::string_view parameter, const nlohmann::json& value, PersonFile* file) {
+void take(const std::string& where, std::string_view parameter, const Json& value, PersonFile* file) {
   for (const WordParameter& known : word_parameters) {
     if (parameter != known.name) continue;
     const auto word = value.is_string() ? value.get<std::string>() : value.dump();
@@ -124,18 +122,11 @@ void take(const std::string& where, std::string_view parameter, const nlohmann::
 }  // namespace
 
 PersonFile parse_person(const std::string& name, std::string_view text) {
-  using nlohmann::json;
-  std::set<std::string> seen;
-  const auto once = [&](int, json::parse_event_t event, json& key) {
-    if (event == json::parse_event_t::key && !seen.insert(key.get<std::string>()).second)
-      throw UsageError(name + ": '" + shown(key.get<std::string>()) + "' is there twice");
-    return true;
-  };
-  json page;
+  Json page;
   try {
-    page = json::parse(text, once);
-  } catch (const json::exception& error) {
-    throw UsageError(name + ": this is not JSON: " + error.what());
+    page = parse_json(text, name);
+  } catch (const Refusal& refusal) {
+    throw UsageError(refusal.what());
   }
   if (!page.is_object() || page.empty())
     throw UsageError(name + ": there is no parameter; it must be a JSON object of " + all_names());

@@ -9,9 +9,9 @@
 #include "core/math/trigonometry.h"
 #include "core/retargeter.h"
 #include "core/simulation/controllers.h"
+#include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "samples/app/text/text.h"
 #include "samples/study/cli/output.h"
-#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

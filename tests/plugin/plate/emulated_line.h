@@ -5,8 +5,8 @@
 #include <deque>
 #include <string>
 
-#include "plugin/src/plate/line.h"
-#include "plugin/src/plate/plate_failure.h"
+#include "plugin/include/plate_driver/line.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 
 namespace hrt::plate {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "plugin/src/plate/device.h"
-#include "plugin/src/plate/plate_failure.h"
+#include "plugin/include/plate_driver/device.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 
 namespace hrt::plate {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "plugin/src/plate/plate_file.h"
+#include "plugin/include/plate_driver/plate_file.h"
 #include "tests/plugin/plate/emulated_dynamixel.h"
 #include "tests/plugin/plate/eventually.h"
 

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "plugin/src/plate/plate_file.h"
+#include "plugin/include/plate_driver/plate_file.h"
 #include "plugin/src/plate/snapshot.h"
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/text.h"

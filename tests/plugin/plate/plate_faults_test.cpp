@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "plugin/src/plate/device.h"
-#include "plugin/src/plate/plate_failure.h"
+#include "plugin/include/plate_driver/device.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 #include "tests/plugin/plate/emulated_dynamixel.h"
 #include "tests/plugin/plate/twin_board.h"
 #include "tests/samples/text.h"

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "plugin/src/plate/same_feel.h"
 #include "tests/plugin/plate/failing_test.h"
 
 namespace hrt::plate {
@@ -133,6 +134,19 @@ TEST(RoundTrips, HaveAMedian) {
   trips.echoed(start + 70ms, 4);
   EXPECT_EQ(trips.count(), 3U);
   EXPECT_EQ(*trips.median(), std::chrono::nanoseconds(6ms));
+}
+
+// The nearest orientation with the same ridges within the limits; without one, the nearest limit.
+TEST(OrientationWithin, ReturnsTheNearestWithTheSameRidges) {
+  const struct {
+    double min_deg, max_deg, wanted_deg, now_deg, taken_deg;
+  } rows[] = {{-90, 90, 30, 0, 30},       {-90, 90, 100, 0, -80},   {-90, 90, -100, 0, 80},
+              {-90, 90, 370, 0, 10},      {0, 180, -10, 0, 170},    {-180, 180, 100, 90, 100},
+              {-180, 180, 100, -60, -80}, {-360, 360, 0, 350, 360}, {-360, 360, 0, 1000, 360},
+              {-45, 45, 60, 0, 45},       {-45, 45, -60, 0, -45},   {-45, 45, 130, 0, -45}};
+  for (const auto& row : rows)
+    EXPECT_EQ(orientation_within(row.min_deg, row.max_deg, row.wanted_deg, row.now_deg), row.taken_deg)
+        << row.wanted_deg;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plugin/src/plate/plate_line.h"
-#include "samples/plate/firmware/plate.h"
+#include "samples/app/firmware/plate.h"
 #include "tests/plugin/plate/emulated_line.h"
 #include "tests/plugin/plate/twin.h"
 

@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "samples/text.h"
+#include "samples/app/text/text.h"
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/experiment/study.h"
 #include "tests/samples/reach/hand_path.h"

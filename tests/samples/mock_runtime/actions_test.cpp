@@ -30,59 +30,6 @@ class MockActions : public MockRuntime {
   XrPath right = XR_NULL_PATH;
 };
 
-// Names are unique among living ones; "when a [parent] handle is destroyed, all its child handles become
-// invalid".
-TEST_F(MockActions, NamesOfADestroyedSetAreFreeAndItsActionsGone) {
-  const XrAction child = make_action(set, "child", XR_ACTION_TYPE_POSE_INPUT, {left, right});
-  ASSERT_XR(XR_SUCCESS, xrDestroyActionSet(set));
-  EXPECT_XR(XR_ERROR_HANDLE_INVALID, xrDestroyAction(child));
-  make_set("set");
-}
-
-// "XR_ERROR_PATH_UNSUPPORTED if the interaction profile [or] any binding path is not in the allowlist"; the
-// parent of components is in it; "countSuggestedBindings must be greater than 0".
-TEST_F(MockActions, SuggestedBindingsAreThoseOfTheProfile) {
-  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
-  for (const char* good : {"/user/hand/left/input/select/click", "/user/hand/right/input/select",
-                           "/user/hand/left/input/grip/pose", "/user/hand/right/output/haptic"})
-    EXPECT_XR(XR_SUCCESS, suggest(simple, {{select, path(good)}})) << good;
-  for (const char* bad : {"/user/hand/left", "/user/hand/right/input", "/user/hand/left/input/trigger/value",
-                          "/user/head/input/select/click", "/user/hand/left/input_bad/menu/click",
-                          "/user/hand/right/input/select/click/invalid", "/user/hand/right/output"})
-    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(simple, {{select, path(bad)}})) << bad;
-  const XrActionSuggestedBinding binding{select, path("/user/hand/left/input/select/click")};
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("/interaction_profiles/khr/another_controller", {binding}));
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, suggest(simple, {}));
-  EXPECT_XR(XR_ERROR_HANDLE_INVALID,
-            suggest(simple, {{reinterpret_cast<XrAction>(std::uintptr_t{0x1234}), binding.binding}}));
-}
-
-// "Interaction Profile Paths": every core profile, with sources that distinguish it from the others.
-TEST_F(MockActions, AllCoreProfilesHaveTheirSources) {
-  const XrAction any = make_action(set, "any", XR_ACTION_TYPE_FLOAT_INPUT);
-  const std::vector<std::pair<const char*, std::vector<const char*>>> profiles{
-      {"/interaction_profiles/khr/simple_controller", {"/user/hand/left/input/menu/click"}},
-      {"/interaction_profiles/google/daydream_controller", {"/user/hand/right/input/trackpad/touch"}},
-      {"/interaction_profiles/htc/vive_controller", {"/user/hand/left/input/system/click"}},
-      {"/interaction_profiles/htc/vive_pro", {"/user/head/input/mute_mic/click"}},
-      {"/interaction_profiles/microsoft/motion_controller", {"/user/hand/left/input/thumbstick/y"}},
-      {"/interaction_profiles/microsoft/xbox_controller", {"/user/gamepad/output/haptic_left_trigger"}},
-      {"/interaction_profiles/oculus/go_controller", {"/user/hand/left/input/back/click"}},
-      {"/interaction_profiles/oculus/touch_controller",
-       {"/user/hand/left/input/x/touch", "/user/hand/right/input/b/click", "/user/hand/right/input/thumbrest/touch"}},
-      {"/interaction_profiles/valve/index_controller", {"/user/hand/right/input/trackpad/force"}}};
-  for (const auto& [profile, sources] : profiles)
-    for (const char* source : sources)
-      EXPECT_XR(XR_SUCCESS, suggest(profile, {{any, path(source)}})) << profile << ' ' << source;
-  // The x button is on the left, the a button on the right.
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/right/input/x/click")}}));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/left/input/a/click")}}));
-  // What OpenXR 1.1 adds is unknown to an application for 1.0.
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/left/input/trigger/proximity")}}));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("/interaction_profiles/hp/mixed_reality_controller",
-                                               {{any, path("/user/hand/left/input/x/click")}}));
-}
-
 // "The action state [...] is inactive [...] if [the] action set [is not] active, or the session is not
 // focused": XR_SESSION_NOT_FOCUSED; the values are those of the last xrSyncActions; changedSinceLastSync and
 // lastChangeTime.
@@ -169,59 +116,6 @@ TEST_F(MockActions, HigherPriorityTakesASourceFromLower) {
   EXPECT_TRUE(boolean(low).isActive);
 }
 
-// "XrEventDataInteractionProfileChanged [...] is sent [when] the active interaction profile [has] changed",
-// and xrGetCurrentInteractionProfile gives it.
-TEST_F(MockActions, CurrentProfileFollowsTheDevice) {
-  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
-  bind(simple, {{select, path("/user/hand/left/input/select/click")}});
-  all_states();
-  XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
-  ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, left, &state));
-  EXPECT_EQ(state.interactionProfile, XR_NULL_PATH);
-  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
-  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
-  XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-  ASSERT_XR(XR_SUCCESS, xrPollEvent(instance, &event));
-  EXPECT_EQ(event.type, XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED);
-  ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, left, &state));
-  EXPECT_EQ(state.interactionProfile, path(simple));
-
-  const XrBoundSourcesForActionEnumerateInfo info{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr, select};
-  std::uint32_t count = 0;
-  XrPath source = XR_NULL_PATH;
-  ASSERT_XR(XR_SUCCESS, xrEnumerateBoundSourcesForAction(session, &info, 1, &count, &source));
-  EXPECT_EQ(count, 1U);
-  EXPECT_EQ(source, path("/user/hand/left/input/select/click"));
-  XrInputSourceLocalizedNameGetInfo name{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr, source,
-                                         XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT};
-  std::array<char, 64> text{};
-  ASSERT_XR(XR_SUCCESS, xrGetInputSourceLocalizedName(session, &name, 64, &count, text.data()));
-  EXPECT_STREQ(text.data(), "left");
-  name.whichComponents = 0;
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, xrGetInputSourceLocalizedName(session, &name, 64, &count, text.data()));
-}
-
-// "Action spaces": located where the device is while the action is active, and without a valid bit otherwise.
-TEST_F(MockActions, PoseActionsLocateTheirDevice) {
-  const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, {left});
-  const XrPath pose = path("/user/hand/left/input/grip/pose");
-  bind(simple, {{grip, pose}});
-  local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
-  const XrSpace space = create_action_space(grip, left);
-  EXPECT_EQ(located(space, local, 1).locationFlags, 0U);
-  const XrPosef where{identity_pose.orientation, {0.1F, 0.2F, 0.3F}};
-  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceActiveEXT)(session, path(simple), left, XR_TRUE));
-  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
-  XrSpaceLocation location = located(space, local, 1);
-  EXPECT_EQ(location.locationFlags, 15U) << "not placed yet";
-  EXPECT_NEAR(location.pose.position.x, -0.2F, 1e-6F);
-  ASSERT_XR(XR_SUCCESS, XR(xrSetInputDeviceLocationEXT)(session, left, pose, local, where));
-  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
-  location = located(space, local, 1);
-  EXPECT_EQ(location.locationFlags, 15U);
-  EXPECT_NEAR(location.pose.position.y, 0.2F, 1e-6F);
-}
-
 // "Action spaces" without a subaction path: "pick one" device "and stick with it", and outlive their action.
 TEST_F(MockActions, PoseOfAnyHandIsThatOfTheFirst) {
   const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, {left, right});
@@ -240,37 +134,6 @@ TEST_F(MockActions, PoseOfAnyHandIsThatOfTheFirst) {
   EXPECT_XR(XR_SUCCESS, xrDestroyAction(grip));
   EXPECT_EQ(flags(XR_TRUE, XR_TRUE), 15U);
   EXPECT_EQ(flags(XR_FALSE, XR_TRUE), 0U);
-}
-
-// "XR_ERROR_PATH_UNSUPPORTED" for what the device does not have, of the kind that the call sets.
-TEST_F(MockActions, AutomationRefusesWhatTheDeviceDoesNotHave) {
-  const XrPath click = path("/user/hand/left/input/select/click");
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, XR(xrSetInputDeviceStateBoolEXT)(session, right, click, XR_TRUE));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, XR(xrSetInputDeviceStateFloatEXT)(session, left, click, 1.0F));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            XR(xrSetInputDeviceStateBoolEXT)(session, path("/user/invalid"), click, XR_TRUE));
-  EXPECT_XR(XR_ERROR_PATH_INVALID, XR(xrSetInputDeviceStateBoolEXT)(session, left, 0x1234, XR_TRUE));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            XR(xrSetInputDeviceActiveEXT)(session, path(simple), path("/user/head"), XR_TRUE));
-}
-
-// "xrApplyHapticFeedback [...] XR_SESSION_NOT_FOCUSED [...] XR_ERROR_ACTION_TYPE_MISMATCH".
-TEST_F(MockActions, HapticsNeedAVibrationActionAndFocus) {
-  const XrAction buzz = make_action(set, "buzz", XR_ACTION_TYPE_VIBRATION_OUTPUT);
-  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, XR_MIN_HAPTIC_DURATION, XR_FREQUENCY_UNSPECIFIED,
-                              1.0F};
-  const auto apply = [&](XrAction action) {
-    const XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, action, XR_NULL_PATH};
-    return xrApplyHapticFeedback(session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
-  };
-  EXPECT_XR(XR_SESSION_NOT_FOCUSED, apply(buzz));
-  focus();
-  EXPECT_XR(XR_SUCCESS, apply(buzz));
-  EXPECT_XR(XR_ERROR_ACTION_TYPE_MISMATCH, apply(select));
-  vibration.amplitude = 2.0F;
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, apply(buzz));
 }
 
 }  // namespace

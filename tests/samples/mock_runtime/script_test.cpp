@@ -34,25 +34,24 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"{", "parse error"},
       {"[]", "script must be an object"},
-      {R"({"sped": 1})", "script.sped is not known; known are \"clock\""},
+      {R"({"sped": 1})", "script.sped is not known; known are \"$schema\", \"calls\", \"clock\""},
       {R"({"clock": "sundial"})", "script.clock must be one of \"manual\", \"real-time\""},
       {R"({"seed": -1})", "script.seed must be a whole number from 0"},
-      {R"({"participants": []})", "script.participants must have one at least"},
+      {R"({"participants": []})", "script.participants must be an array of 1 or more"},
       {R"({"participants": [{"tactile_weight": 0.5}]})",
        "script.participants[0].tactile_weight must be a number from 0.001 to 0.499"},
       {R"({"participants": [{"tactile_weight": [0.1]}]})",
-       "script.participants[0].tactile_weight must be an array of 2 numbers"},
+       "script.participants[0].tactile_weight must be a number from 0.001 to 0.499 or an array of 2 numbers"},
       {R"({"participants": [{"tactile_weight": [0.2, 0.1]}]})",
        "script.participants[0].tactile_weight must have the smaller number first"},
       {R"({"participants": [{"duration_ms": [1000, 90000]}]})",
-       "script.participants[0].duration_ms must be a number from 100 to 60000"},
+       "script.participants[0].duration_ms[1] must be a number from 100 to 60000"},
       {R"({"participants": [{"delay_ms": 251}]})", "script.participants[0].delay_ms must be a number from 0 to 250"},
       {R"({"participants": [{"illusion": ["sine", "cube"]}]})",
-       "script.participants[0].illusion must be one of, or an array of, \"linear\", \"saturating\""},
-      {R"({"participants": [{"steering": []}]})",
-       "script.participants[0].steering must be one of, or an array of, \"steps\", \"continuous\""},
+       "script.participants[0].illusion[1] must be one of \"linear\", \"saturating\""},
+      {R"({"participants": [{"steering": []}]})", "\"heavy_arm\", \"crossings\", or an array of them"},
       {R"({"participants": [{"speed_mm_per_s": 20}]})",
-       "script.participants[0].speed_mm_per_s is not known; known are \"steering\", \"illusion\""},
+       "script.participants[0].speed_mm_per_s is not known; known are \"bias_deg\", \"delay_ms\""},
       {R"({"tracker": {"noise_mm": -1}})", "script.tracker.noise_mm must be a number from 0 to 1000"},
       {R"({"tracker": {"noise_mm": "1"}})", "script.tracker.noise_mm must be a number"},
       {R"({"servo": {"speed_deg_per_s": 0}})", "script.servo.speed_deg_per_s must be a number from 1"},
@@ -68,10 +67,8 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"events": [{"frame": 1, "do": "freeze"}]})", "script.events[0].hand is missing"},
       {R"({"calls": [{"function": "xrFly", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
        "script.calls[0].function must be the name of a function"},
-      {R"({"calls": [{"function": "xrWaitFrame", "result": "XR_ERROR_POSE_INVALID"}]})",
-       "script.calls[0].result must be one of \"XR_ERROR_HANDLE_INVALID\""},
-      {R"({"calls": [{"function": "xrDestroySession", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
-       "script.calls[0].result must be one of \"XR_ERROR_HANDLE_INVALID\""},
+      {R"({"calls": [{"function": "xrWaitFrame", "result": "XR_SESSION_LOSS_PENDING"}]})",
+       "script.calls[0].result must be the name of an error of OpenXR"},
       {R"({"calls": [{"function": "xrWaitFrame"}]})",
        "script.calls[0] must have a result, a delay_ms above 0, or a block that is true"},
       {R"({"calls": [{"function": "xrWaitFrame", "block": true, "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
@@ -81,17 +78,17 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"events": [{"frame": 1, "do": "recenter", "space": "VIEW"}]})",
        "script.events[0].space must be one of \"LOCAL\", \"STAGE\""},
       {R"({"withhold_extensions": ["XR_EXT_none"]})",
-       "script.withhold_extensions must be one of, or an array of, \"XR_MND_headless\""},
+       "script.withhold_extensions[0] must be one of \"XR_MND_headless\""},
       {R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})",
        "script: withhold_extensions has no effect once there is an instance"},
       {R"({"seed": 1e400})", "out_of_range"},
-      {R"({"seed": 1, "seed": 2})", "script: \"seed\" stands twice in one object"},
+      {R"({"seed": 1, "seed": 2})", "script: \"seed\" occurs twice in one object"},
       {R"({"events": [{"frame": 1, "do": "freeze", "hand": "left", "frame": 2}]})",
-       "script: \"frame\" stands twice in one object"},
+       "script: \"frame\" occurs twice in one object"},
       {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0,0,0], "curl": 1.1}]}}})",
        "script.hands.right.path[0].curl must be a number from 0 to 1"},
       {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0,0,0], "curl": [1]}]}}})",
-       "script.hands.right.path[0].curl must be an array of 5 numbers"},
+       "script.hands.right.path[0].curl must be a number from 0 to 1 or an array of 5 numbers"},
       {R"({"controllers": {"left": {"profile": "/interaction_profiles/none"}}})",
        "script.controllers.left.profile must be null or an interaction profile"},
       {R"({"events": [{"frame": 1, "do": "input", "device": "left", "source": "nose", "value": 1}]})",
@@ -190,17 +187,6 @@ TEST_F(MockScript, RandomMistakesAreRefusedWithAReasonOrHarmless) {
   EXPECT_GT(taken, 10);
 }
 
-TEST_F(MockScript, CallsFailOnOrderAndTheCallsAroundThemDoNot) {
-  begin_with(
-      R"({"calls": [{"function": "xrLocateSpace", "call": 3, "count": 2, "result": "XR_ERROR_RUNTIME_FAILURE"}]})");
-  for (int call = 1; call <= 6; ++call) {
-    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, nullptr, 99};
-    const bool fails = call == 3 || call == 4;
-    EXPECT_XR(fails ? XR_ERROR_RUNTIME_FAILURE : XR_SUCCESS, xrLocateSpace(local, local, 1, &location));
-    EXPECT_EQ(location.locationFlags, fails ? 99U : 15U);
-  }
-}
-
 // A call takes long, in real time under either clock, and other threads' calls do not wait for it.
 TEST_F(MockScript, CallsTakeLongOnOrder) {
   begin_with(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 1500}]})");
@@ -213,16 +199,6 @@ TEST_F(MockScript, CallsTakeLongOnOrder) {
   EXPECT_LT(elapsed(), std::chrono::milliseconds(1400));
   waiter.join();
   EXPECT_GE(elapsed(), std::chrono::milliseconds(1500));
-}
-
-TEST_F(MockScript, TrackingIsLostAndRegainedAtItsFrames) {
-  begin_with(R"({"events": [{"frame": 3, "do": "lose_tracking", "hand": "right"},
-                            {"frame": 5, "do": "regain_tracking", "hand": "right"}]})");
-  begin_reach();
-  for (int number = 1; number <= 6; ++number) {
-    const XrTime time = frame();
-    EXPECT_EQ(locate_hand(hand, local, time).active, number < 3 || number >= 5) << number;
-  }
 }
 
 TEST_F(MockScript, FrozenHandStandsStillAndThenCatchesUp) {
@@ -278,37 +254,6 @@ TEST_F(MockScript, StateIsRepeatedAndFramesHaveNoTimesOnOrderOnly) {
   EXPECT_TRUE(all_states().empty());
   EXPECT_XR(XR_SUCCESS, wait());
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_FOCUSED}));
-}
-
-// "XR_ERROR_SESSION_LOST [...] the session was lost": all functions of it, but destroying.
-TEST_F(MockScript, SessionIsLostAtAFrame) {
-  begin_with(
-      R"({"events": [{"frame": 2, "do": "session_state", "state": "LOSS_PENDING"}, {"frame": 3, "do": "lose_session"}]})");
-  EXPECT_XR(XR_SUCCESS, wait());
-  EXPECT_XR(XR_SUCCESS, wait());
-  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_LOSS_PENDING}));
-  EXPECT_XR(XR_ERROR_SESSION_LOST, wait());
-  EXPECT_TRUE(all_states().empty());
-  EXPECT_XR(XR_SUCCESS, XR(xrDestroyHandTrackerEXT)(hand));
-  EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
-  begin_session();
-  EXPECT_XR(XR_SUCCESS, wait());
-}
-
-// "XR_ERROR_INSTANCE_LOST": all functions but destroying.
-TEST_F(MockScript, InstanceIsLostAtATime) {
-  begin_with(
-      R"({"events": [{"time_ms": 100, "do": "instance_loss_pending"}, {"time_ms": 200, "do": "lose_instance"}]})");
-  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 100'000'000));
-  XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-  ASSERT_XR(XR_SUCCESS, xrPollEvent(instance, &event));
-  EXPECT_EQ(event.type, XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING);
-  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 100'000'000));
-  event = {XR_TYPE_EVENT_DATA_BUFFER};
-  EXPECT_XR(XR_ERROR_INSTANCE_LOST, xrPollEvent(instance, &event));
-  EXPECT_XR(XR_ERROR_INSTANCE_LOST, wait());
-  EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
-  EXPECT_STREQ(call_log().back().function, "xrDestroySession");
 }
 
 TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
@@ -559,7 +504,7 @@ TEST_F(MockEnvironment, FaultsHappenOnceAndFromTheFirstCallOn) {
   EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, create());
   ASSERT_XR(XR_SUCCESS, create());
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-  EXPECT_TRUE(has(read_log(), ") XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"));
+  EXPECT_TRUE(has(read_log(), "xrGetSystem XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"));
 }
 
 // A log that an application of days would fill is renamed, and another begun.

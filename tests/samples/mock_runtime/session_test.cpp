@@ -49,52 +49,6 @@ TEST_F(MockSession, UserEndsTheApplicationByScript) {
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}));
 }
 
-// "primaryViewConfigurationType must be ignored and may be 0" when headless; the conformance suite still
-// wants every type that the system does not enumerate refused.
-TEST_F(MockSession, BeginTakesNoViewConfigurationOrASupportedOne) {
-  create_session();
-  EXPECT_XR(XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED, begin(session, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO));
-  EXPECT_XR(XR_SUCCESS, begin(session, XrViewConfigurationType{}));
-}
-
-// "xrWaitFrame must set XrFrameState::shouldRender to XR_FALSE in a headless session";
-// "predictedDisplayTime [...] must be monotonically increasing".
-TEST_F(MockSession, WaitFrameGivesStrictlyIncreasingTimesOfAPeriod) {
-  begin_session();
-  XrTime last = 0;
-  for (int i = 0; i < 100; ++i) {
-    XrFrameState state{XR_TYPE_FRAME_STATE};
-    ASSERT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
-    ASSERT_TRUE(XR_SUCCEEDED(xrBeginFrame(session, nullptr)));
-    EXPECT_GT(state.predictedDisplayTime, last);
-    EXPECT_GT(state.predictedDisplayPeriod, 0);
-    EXPECT_FALSE(state.shouldRender);
-    if (i > 0) {
-      EXPECT_EQ(state.predictedDisplayTime - last, state.predictedDisplayPeriod);
-    }
-    last = state.predictedDisplayTime;
-  }
-}
-
-// "The runtime must return the error code XR_ERROR_CALL_ORDER_INVALID if there was no corresponding
-// successful call to xrWaitFrame." "The runtime must return the success code XR_FRAME_DISCARDED if a prior
-// xrBeginFrame has been called without an intervening call to xrEndFrame."
-TEST_F(MockSession, FrameCallsComeInOrder) {
-  begin_session();
-  XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
-  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrBeginFrame(session, nullptr));
-  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrEndFrame(session, &end));
-  XrFrameState state{XR_TYPE_FRAME_STATE};
-  ASSERT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
-  EXPECT_XR(XR_SUCCESS, xrBeginFrame(session, nullptr));
-  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrBeginFrame(session, nullptr));
-  ASSERT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
-  EXPECT_XR(XR_FRAME_DISCARDED, xrBeginFrame(session, nullptr));
-  end.displayTime = state.predictedDisplayTime;
-  EXPECT_XR(XR_SUCCESS, xrEndFrame(session, &end));
-  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrEndFrame(session, &end));
-}
-
 // On a headset with graphics focus follows frames: an application that waits for it before its first frame
 // waits forever.
 TEST_F(MockSession, FocusFollowsFramesOnOrder) {

@@ -336,8 +336,6 @@ TEST_F(BlindFirmware, ForgetsItsPlaceAtAnEmergencyAndAtAReset) {
   }
 }
 
-TEST(FirmwareLine, HasTheSumOfTheStandard) { EXPECT_EQ(line_crc("123456789", 9), 0x29B1); }
-
 // Firmware and driver agree on every line that the other can write.
 TEST(FirmwareLine, AgreesWithTheDriver) {
   for (const char* body : {"BEAT", "SET -34.25", "HELLO 2", "x"}) {

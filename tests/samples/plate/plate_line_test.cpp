@@ -1,5 +1,6 @@
 // The text of the plate's protocol, as samples/plate/protocol.md defines it.
 #include "plugin/src/plate/plate_line.h"
+#include "plugin/include/plate_driver/crc16.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +12,10 @@
 namespace hrt::plate {
 namespace {
 
-// The check value of CRC-16/CCITT-FALSE in catalogues of sums.
+// The check values of CRC-16/CCITT-FALSE and CRC-16/UMTS in catalogues of CRCs.
 TEST(PlateLine, EndsWithItsCrc) {
-  EXPECT_EQ(crc_of("123456789"), 0x29B1);
+  EXPECT_EQ(crc16_ccitt("123456789", 9), 0x29B1U);
+  EXPECT_EQ(crc16_umts("123456789", 9), 0xFEE8U);
   EXPECT_EQ(encode_line("123456789"), "123456789*29B1\n");
 }
 

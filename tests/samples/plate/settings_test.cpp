@@ -1,5 +1,5 @@
 // The firmware's settings: ranges, pulses, and what EEPROM may hold.
-#include "samples/plate/firmware/settings.h"
+#include "samples/app/firmware/settings.h"
 
 #include <gtest/gtest.h>
 

@@ -8,10 +8,10 @@
 #include <regex>
 #include <sstream>
 
-#include "plugin/src/plate/plate_failure.h"
-#include "plugin/src/plate/plate_file.h"
+#include "plugin/include/plate_driver/plate_failure.h"
+#include "plugin/include/plate_driver/plate_file.h"
 #include "plugin/src/plate/plate_link.h"
-#include "samples/format.h"
+#include "samples/app/text/format.h"
 #include "samples/plate/tool/commands.h"
 #include "samples/plate/tool/measure.h"
 #include "tests/plugin/plate/pty_device.h"

@@ -26,7 +26,7 @@ std::set<std::string> functions_of_a_run() {
   std::istringstream lines(read_file(log));
   for (std::string line; std::getline(lines, line);) {
     const std::size_t at = line.find("xr");
-    functions.insert(line.substr(at, line.find_first_of(" (", at) - at));
+    functions.insert(line.substr(at, line.find(' ', at) - at));
   }
   functions.insert("xrGetInstanceProcAddr");
   return functions;

@@ -5,11 +5,11 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include "samples/reach/base/exit_code.h"
-#include "samples/reach/base/files.h"
-#include "samples/reach/plate/device_plate.h"
-#include "samples/reach/plate/simulated_servo.h"
-#include "samples/reach/run/options.h"
+#include "samples/app/base/exit_code.h"
+#include "samples/app/plate/device_plate.h"
+#include "samples/app/plate/simulated_servo.h"
+#include "samples/app/run/options.h"
+#include "samples/reach/files.h"
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/text.h"
 
@@ -17,19 +17,6 @@ namespace hrt::reach {
 namespace {
 
 using plate::PtyPlate;
-
-// What is felt the same within the limits, the nearer one of several; else the nearest limit.
-TEST(OrientationWithin, TakesWhatIsFeltTheSame) {
-  const struct {
-    double min_deg, max_deg, wanted_deg, now_deg, taken_deg;
-  } rows[] = {{-90, 90, 30, 0, 30},       {-90, 90, 100, 0, -80},   {-90, 90, -100, 0, 80},
-              {-90, 90, 370, 0, 10},      {0, 180, -10, 0, 170},    {-180, 180, 100, 90, 100},
-              {-180, 180, 100, -60, -80}, {-360, 360, 0, 350, 360}, {-360, 360, 0, 1000, 360},
-              {-45, 45, 60, 0, 45},       {-45, 45, -60, 0, -45},   {-45, 45, 130, 0, -45}};
-  for (const auto& row : rows)
-    EXPECT_EQ(orientation_within(row.min_deg, row.max_deg, row.wanted_deg, row.now_deg), row.taken_deg)
-        << row.wanted_deg;
-}
 
 // A line, or the file of hrt-plate commission; what is neither is refused before the device is opened.
 TEST(PlateChoice, IsWhatThePlatesLibraryOpens) {

@@ -96,8 +96,8 @@ TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
   environment["HRT_MOCK_CALL_LOG"] = log;
   expect_exit(0, run_program({desk, "--person", "--target", "bottle"}, environment));
   const std::string calls = read_file(log);
-  EXPECT_TRUE(has(calls, {"xrPlacePlateHRTX(", "xrSetPlateOrientationHRTX("}));
-  EXPECT_FALSE(has(calls, "xrInstructReachHRTX("));
+  EXPECT_TRUE(has(calls, {"xrPlacePlateHRTX ", "xrSetPlateOrientationHRTX "}));
+  EXPECT_FALSE(has(calls, "xrInstructReachHRTX "));
 }
 
 // Where it left the plate, not where it went afterwards.

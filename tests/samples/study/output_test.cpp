@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "samples/app/text/text.h"
 #include "samples/study/people/robustness.h"
-#include "samples/text.h"
 #include "tests/plugin/plate/pseudo_terminal.h"
 #include "tests/samples/study/process.h"
 

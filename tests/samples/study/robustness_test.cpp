@@ -10,7 +10,7 @@
 
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
-#include "samples/text.h"
+#include "samples/app/text/text.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {

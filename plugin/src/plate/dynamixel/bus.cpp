@@ -1,6 +1,6 @@
 #include "plugin/src/plate/dynamixel/bus.h"
 
-#include "plugin/src/plate/plate_failure.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 
 namespace hrt::plate::dynamixel {
 namespace {

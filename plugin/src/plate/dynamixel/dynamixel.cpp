@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "plugin/src/plate/device.h"
+#include "plugin/include/plate_driver/device.h"
+#include "plugin/include/plate_driver/plate_failure.h"
 #include "plugin/src/plate/dynamixel/bus.h"
-#include "plugin/src/plate/plate_failure.h"
 #include "plugin/src/plate/plate_watch.h"
 
 namespace hrt::plate {

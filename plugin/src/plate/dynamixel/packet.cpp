@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "plugin/include/plate_driver/crc16.h"
+
 namespace hrt::plate::dynamixel {
 namespace {
 
@@ -40,7 +42,7 @@ std::optional<std::string> unstuffed(std::string_view bytes) {
 // From the header to the CRC.
 std::optional<Packet> decoded(std::string_view bytes) {
   const std::size_t crc_at = bytes.size() - crc_size;
-  if (little_endian(crc_of(bytes.substr(0, crc_at)), 2) != bytes.substr(crc_at)) return std::nullopt;
+  if (little_endian(crc16_umts(bytes.data(), crc_at), 2) != bytes.substr(crc_at)) return std::nullopt;
   const auto content = unstuffed(bytes.substr(before_instruction, crc_at - before_instruction));
   if (!content) return std::nullopt;
   Packet packet{.id = byte_at(bytes, 4), .instruction = byte_at(*content, 0)};
@@ -60,15 +62,6 @@ const char* name_of(StatusError error) {
   return number < names.size() ? names[number] : "unknown error";
 }
 
-std::uint16_t crc_of(std::string_view bytes) {
-  unsigned crc = 0;
-  for (const char c : bytes) {
-    crc ^= static_cast<unsigned>(static_cast<unsigned char>(c)) << 8;
-    for (int bit = 0; bit < 8; ++bit) crc = (crc & 0x8000U) != 0 ? (crc << 1) ^ 0x8005U : crc << 1;
-  }
-  return static_cast<std::uint16_t>(crc & 0xFFFFU);
-}
-
 std::string encode(const Packet& packet) {
   std::string content(1, static_cast<char>(packet.instruction));
   if (packet.instruction == status) content += static_cast<char>(packet.error);
@@ -77,7 +70,7 @@ std::string encode(const Packet& packet) {
   bytes += static_cast<char>(packet.id);
   bytes += little_endian(static_cast<std::int64_t>(content.size() + crc_size), 2);
   bytes += content;
-  return bytes + little_endian(crc_of(bytes), 2);
+  return bytes + little_endian(crc16_umts(bytes.data(), bytes.size()), 2);
 }
 
 std::string little_endian(std::int64_t value, int count) {

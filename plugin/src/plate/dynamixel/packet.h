@@ -36,9 +36,6 @@ struct Packet {
   StatusError status_error() const { return static_cast<StatusError>(error & ~alert); }
 };
 
-/// CRC-16: polynomial 0x8005, start 0, no reflection; of "123456789" it is 0xFEE8.
-std::uint16_t crc_of(std::string_view bytes);
-
 /// The bytes of a packet: header, stuffing and CRC are added.
 std::string encode(const Packet& packet);
 

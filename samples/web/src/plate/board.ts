@@ -140,7 +140,7 @@ export class Board {
   }
 }
 
-/** Settings as the firmware keeps them: samples/plate/firmware/settings.c. */
+/** Settings as the firmware keeps them: samples/app/firmware/settings.c. */
 function packed(values: readonly number[]): Uint8Array {
   const bytes = new Uint8Array(4 + 4 * values.length + 2),
     view = new DataView(bytes.buffer);

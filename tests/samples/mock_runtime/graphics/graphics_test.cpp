@@ -135,24 +135,7 @@ std::array<int, 3> colour(const Picture& picture, std::uint32_t x, std::uint32_t
   const std::uint8_t* at = picture.at(x, y);
   return {at[0], at[1], at[2]};
 }
-constexpr std::array red_pixel{255, 0, 0}, green_pixel{0, 255, 0}, blue_pixel{0, 0, 255};
-
-// "XR_ERROR_GRAPHICS_DEVICE_INVALID [...] if the physical device does not match [that of]
-// xrGetVulkanGraphicsDevice2KHR", or if there is no binding.
-TEST_F(MockGraphics, BindingIsThatOfTheDeviceThatWasGiven) {
-  XrGraphicsBindingVulkanKHR binding = application->binding();
-  binding.physicalDevice = reinterpret_cast<VkPhysicalDevice>(this);
-  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, create_drawing_session(&binding));
-  binding = application->binding();
-  binding.device = nullptr;
-  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, create_drawing_session(&binding));
-  // Beside a binding of an extension that is not enabled there is XR_MND_headless.
-  const XrGraphicsBindingOpenGLXlibKHR other{XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR};
-  ASSERT_XR(XR_SUCCESS, create_drawing_session(&other));
-  std::uint32_t count = 99;
-  EXPECT_XR(XR_SUCCESS, xrEnumerateSwapchainFormats(session, 0, &count, nullptr));
-  EXPECT_EQ(count, 0U);
-}
+constexpr std::array red_pixel{255, 0, 0}, green_pixel{0, 255, 0};
 
 // "XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING".
 TEST(MockGraphicsRequirements, AreAskedForFirst) {
@@ -225,7 +208,7 @@ TEST_F(MockGraphics, SwapchainsThatCannotBeAreRefused) {
   };
   expect(XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, [](auto& info) { info.format = VK_FORMAT_R8_SRGB; });
   expect(XR_ERROR_FEATURE_UNSUPPORTED, [](auto& info) { info.faceCount = 6; });
-  expect(XR_ERROR_FEATURE_UNSUPPORTED, [](auto& info) { info.sampleCount = 3; });
+  expect(XR_ERROR_FEATURE_UNSUPPORTED, [](auto& info) { info.sampleCount = 4; });
   expect(XR_ERROR_FEATURE_UNSUPPORTED, [](auto& info) { info.mipCount = 20; });
   expect(XR_ERROR_FEATURE_UNSUPPORTED,
          [](auto& info) { info.createFlags = XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT; });
@@ -278,8 +261,8 @@ TEST_F(MockGraphics, LayersThatCannotBeShownAreRefused) {
   EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, end_frame({&quad}));
 }
 
-// "Projection layers [...] quad layers": in order, a quad before the eyes where it is, and for its eye only.
-TEST_F(MockGraphics, PicturesShowTheLayers) {
+// The image of each eye in the first projection; the quad before it is valid and not shown.
+TEST_F(MockGraphics, PicturesShowTheFirstProjection) {
   begin_drawing(R"({"events": [{"frame": 2, "do": "take_picture"}]})");
   XrSwapchainCreateInfo info = swapchain_info();
   info.arraySize = 2;
@@ -290,24 +273,16 @@ TEST_F(MockGraphics, PicturesShowTheLayers) {
   const Projection projection(local, both, 1);
   XrCompositionLayerQuad quad{XR_TYPE_COMPOSITION_LAYER_QUAD};
   quad.space = local;
-  quad.eyeVisibility = XR_EYE_VISIBILITY_LEFT;
   quad.subImage = {board, {{0, 0}, {64, 48}}, 0};
-  quad.pose = {{0.0F, 0.0F, 0.0F, 1.0F}, {-0.4F, 0.3F, -1.0F}};
-  quad.size = {0.4F, 0.4F};
-  EXPECT_XR(XR_SUCCESS, end_frame({&projection.layer, &quad}));
+  quad.pose = identity_pose;
+  EXPECT_XR(XR_SUCCESS, end_frame({&quad, &projection.layer}));
   EXPECT_EQ(read_file(folder / "pictures.txt"), "") << "before it was ordered";
-  EXPECT_XR(XR_SUCCESS, end_frame({&projection.layer, &quad}));
+  EXPECT_XR(XR_SUCCESS, end_frame({&quad, &projection.layer}));
   const Picture left = picture("000002_left.png"), right = picture("000002_right.png");
   ASSERT_EQ(left.width, 64U);
   ASSERT_EQ(left.height, 48U);
   EXPECT_EQ(colour(left, 60, 40), red_pixel);
   EXPECT_EQ(colour(right, 60, 40), green_pixel);
-  // By hand: tan 0.7 is 0.842; the quad's centre is at 32 - 32 * 0.4 / 0.842 and 24 - 24 * 0.3 / 0.842.
-  EXPECT_EQ(colour(left, 16, 15), blue_pixel);
-  EXPECT_EQ(colour(left, 16 + 9, 15), red_pixel);
-  EXPECT_EQ(colour(right, 16, 15), green_pixel);
-  const std::string log = call_log().back().reason;
-  EXPECT_EQ(log, "picture of frame 000002: left 64x48 " + hash_of(left) + ", right 64x48 " + hash_of(right));
   EXPECT_TRUE(has(read_file(folder / "pictures.txt"), "left 64x48 " + hash_of(left) + "\n"));
 }
 
@@ -336,27 +311,21 @@ TEST_F(MockGraphics, OneThreadWaitsWhileAnotherDraws) {
   EXPECT_EQ(colour(picture("000016_left.png"), 60, 40), green_pixel);
 }
 
-// Of several samples, of linear and of half formats: 0.5 is 188 of 255 in sRGB.
-TEST_F(MockGraphics, FormatsAndSamplesAreConverted) {
+// Linear and half formats: 0.5 is 188 of 255 in sRGB.
+TEST_F(MockGraphics, FormatsAreConverted) {
   begin_drawing(R"({"picture_every_frames": 1})");
   int frame = 0;
   for (const std::int64_t format :
-       {VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R8G8B8A8_SRGB})
-    for (const std::uint32_t samples : {1U, 4U}) {
-      XrSwapchainCreateInfo info = swapchain_info(format);
-      info.sampleCount = samples;
-      const XrSwapchain swapchain = make_swapchain(info);
-      draw(swapchain, {{0.5F, 0.0F, 1.0F, 1.0F}});
-      const Projection projection(local, swapchain);
-      EXPECT_XR(XR_SUCCESS, end_frame({&projection.layer}));
-      char name[32];
-      std::snprintf(name, sizeof name, "%06d_left.png", ++frame);
-      const auto [r, g, b] = colour(picture(name), 30, 20);
-      EXPECT_NEAR(r, 188, 1) << format << ' ' << samples;
-      EXPECT_EQ(g, 0);
-      EXPECT_EQ(b, 255);
-      EXPECT_XR(XR_SUCCESS, xrDestroySwapchain(swapchain));
-    }
+       {VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R8G8B8A8_SRGB}) {
+    const XrSwapchain swapchain = make_swapchain(swapchain_info(format));
+    draw(swapchain, {{0.5F, 0.0F, 1.0F, 1.0F}});
+    const Projection projection(local, swapchain);
+    EXPECT_XR(XR_SUCCESS, end_frame({&projection.layer}));
+    const auto [r, g, b] = colour(picture("00000" + std::to_string(++frame) + "_left.png"), 30, 20);
+    EXPECT_NEAR(r, 188, 1) << format;
+    EXPECT_EQ(g, 0);
+    EXPECT_EQ(b, 255);
+  }
 }
 
 // A picture at the end of a reach.
@@ -388,12 +357,13 @@ TEST_F(MockWorld, IsSeenByTheTesterOfAHeadlessSession) {
     place_plate(local);
     ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 50.0));
     instruct(0.0, {0.0F, 0.0F, 0.06F}, 0.12);
-    for (int i = 0; i < 89; ++i) frame();
-    frame();
-    const std::string remark = call_log().back().reason;
-    if (run == 0) first = remark;
-    EXPECT_EQ(remark, first);
-    EXPECT_TRUE(has(remark, "picture of frame 000090: world 800x614 "));
+    for (int i = 0; i < 90; ++i) frame();
+    const std::string line = read_file(folder / "pictures.txt");
+    ASSERT_TRUE(has(line, "world 800x614 "));
+    const std::string drawn = line.substr(line.find("world"));  // behind the display time
+    if (run == 0) first = drawn;
+    EXPECT_EQ(drawn, first);
+    std::filesystem::remove(folder / "pictures.txt");
     ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   }
   const Picture picture = read_png(folder / "000090_world.png");

@@ -1,0 +1,21 @@
+// What is done at the end of a scope, however it ends.
+#pragma once
+
+#include <utility>
+
+namespace hrt::app {
+
+/// Its action does not throw.
+template <class Action>
+class AtEnd {
+ public:
+  explicit AtEnd(Action action) : action_(std::move(action)) {}
+  ~AtEnd() { action_(); }
+  AtEnd(const AtEnd&) = delete;
+  AtEnd& operator=(const AtEnd&) = delete;
+
+ private:
+  Action action_;
+};
+
+}  // namespace hrt::app

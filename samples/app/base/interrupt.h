@@ -1,0 +1,34 @@
+// Ctrl-C, SIGTERM, and SIGHUP when the terminal closes.
+#pragma once
+
+#include <atomic>
+#include <csignal>
+#include <stdexcept>
+
+namespace hrt::app {
+
+/// A signal asks the program to end.
+class Interrupted : public std::runtime_error {
+ public:
+  explicit Interrupted(const char* why = "interrupted") : std::runtime_error(why) {}
+};
+
+/// A signal may come to any thread.
+inline std::atomic<bool> interrupt_noted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+/// From now on SIGINT, SIGTERM and SIGHUP are noted; the second one ends the program at once.
+inline void note_interrupts() {
+  struct sigaction action{};
+  action.sa_handler = [](int) { interrupt_noted = true; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+}
+
+inline bool is_interrupted() { return interrupt_noted; }
+
+inline void throw_if_interrupted() {
+  if (interrupt_noted) throw Interrupted();
+}
+
+}  // namespace hrt::app

@@ -1,0 +1,44 @@
+#include "samples/app/base/plugin.h"
+
+#include <dlfcn.h>
+
+#include <string>
+
+#include "samples/app/base/exit_code.h"
+
+namespace hrt::app {
+namespace {
+
+template <class Function>
+void load(void* library, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(dlsym(library, name));
+  if (function == nullptr)
+    throw Failure(ExitCode::plugin, "the plugin has no function " + std::string(name) + "; is it too old?");
+}
+
+}  // namespace
+
+// A library with a C++ runtime of its own, as the plugin is, keeps some memory of that when it is closed: so
+// it stays loaded.
+Plugin::Plugin(const std::filesystem::path& library)
+    : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE), dlclose) {
+  if (library_ == nullptr) throw Failure(ExitCode::plugin, std::string("the plugin cannot be opened: ") + dlerror());
+#define HRT_LOAD(name) load(library_.get(), #name, this->name);
+  HRT_REACH_PLUGIN_FUNCTIONS(HRT_LOAD)
+#undef HRT_LOAD
+  std::uint32_t major = 0, minor = 0;
+  hrt_get_version(&major, &minor, nullptr);
+  // While the major version is 0, every minor version may change everything (base.h).
+  if (major != HRT_VERSION_MAJOR || (major == 0 ? minor != HRT_VERSION_MINOR : minor < HRT_VERSION_MINOR))
+    throw Failure(ExitCode::plugin, "the plugin has version " + std::to_string(major) + "." + std::to_string(minor) +
+                                        ", and hrt-reach needs " + std::to_string(HRT_VERSION_MAJOR) + "." +
+                                        std::to_string(HRT_VERSION_MINOR));
+}
+
+void Plugin::check(hrt_result result) const {
+  if (result != HRT_OK)
+    throw Failure(ExitCode::plugin,
+                  "the plugin refused (" + std::string(hrt_result_string(result)) + "): " + hrt_last_error());
+}
+
+}  // namespace hrt::app

@@ -1,0 +1,339 @@
+#include "samples/app/firmware/plate.h"
+
+#include <stddef.h>
+
+enum {
+  /* The protocol's limit is 300 ms; up to 20 of them pass until the next pulse shows the stop. */
+  HEARTBEAT_MS = 275,
+  EMERGENCY_MS = 2, /* a shorter opening is noise */
+  /* At first a servo gets one pulse in eight: many drive their motor for one frame a pulse, so that they
+   * turn at an eighth of their speed. 180 degrees at 200 degrees a second then take 7.2 s. */
+  HOME_MS = 8000,
+  SETTLE_PERIOD_MS = 160,
+  FRAME_MS = 20,
+  ASTRAY_MILLIDEG = 15000,
+  ASTRAY_MS = 500,
+  MOVED_MILLIDEG = 3000,
+  MAX_SETTLE_MILLIDEG = 6000, /* away from the first pulse, which is for where the sensor sees the plate */
+  STANDS_MILLIDEG = 400,      /* since the pulse before: a slow servo turns by little */
+  TRIM_TICKS = 40             /* largest jump of the pulse by a changed setting, in half microseconds */
+};
+
+static int32_t clamp(int32_t value, int32_t min, int32_t max) { return value < min ? min : value > max ? max : value; }
+
+static int32_t apart(int32_t a, int32_t b) { return a < b ? b - a : a - b; }
+
+static bool is_measured(const Plate* plate) {
+  return settings_has_feedback(&plate->settings) && plate->reading_256ths >= 0;
+}
+
+static int32_t measured_millideg(const Plate* plate) {
+  return settings_measured_millideg(&plate->settings, (uint16_t)(plate->reading_256ths / 16));
+}
+
+static bool is_homing(const Plate* plate) { return plate->pulses && !plate->homed; }
+
+static void stop(Plate* plate, PlateStop why) {
+  plate->target_microdeg = plate->position_microdeg;
+  if (is_homing(plate)) plate->pulses = false; /* it is somewhere on its way */
+  if (plate->state == PLATE_FOLLOWING) plate->state = PLATE_RESTING;
+  plate->stops_due = (uint8_t)(plate->stops_due | 1U << why);
+}
+
+/* A stop without pulses, until the next HELLO. A hand may turn the plate meanwhile. */
+static void latch(Plate* plate, PlateStop why) {
+  stop(plate, why);
+  plate->state = PLATE_LATCHED;
+  plate->latched_by = why;
+  plate->pulses = plate->homed = false;
+}
+
+static void keep_within_limits(Plate* plate) {
+  plate->position_microdeg = clamp(plate->position_microdeg, settings_least(&plate->settings) * 10000,
+                                   settings_most(&plate->settings) * 10000);
+  plate->target_microdeg = plate->position_microdeg;
+}
+
+/* Where the servo is; or, to home it, at the place that it is to reach. */
+static void start_pulses(Plate* plate, int32_t home_microdeg) {
+  plate->homed = is_measured(plate);
+  plate->position_microdeg = plate->homed ? measured_millideg(plate) * 1000 : home_microdeg;
+  keep_within_limits(plate);
+  plate->settle_ms = plate->homed ? SETTLE_PERIOD_MS : HOME_MS;
+  plate->astray_ms = 0;
+  plate->near_millideg = plate->astray_at_millideg = plate_place_millideg(plate);
+  plate->near_pulse_millideg = plate->position_microdeg / 1000;
+  plate->pulses = true;
+}
+
+static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
+  if (plate->state == PLATE_LATCHED) {
+    stop(plate, plate->latched_by);
+  } else if (orientation < settings_least(&plate->settings) || orientation > settings_most(&plate->settings)) {
+    stop(plate, PLATE_STOP_LIMIT);
+  } else if (!plate_knows_place(plate) && !plate->pulses && !may_home) {
+    stop(plate, PLATE_STOP_UNHOMED);
+  } else {
+    if (!plate->pulses) start_pulses(plate, orientation * 10000);
+    plate->target_microdeg = orientation * 10000;
+    plate->state = PLATE_FOLLOWING;
+  }
+}
+
+/* The first pulses keep a servo with a sensor where it is. If the sensor's two readings are exchanged they
+ * send it to the other side, slowly, until that is seen. */
+static void settle(Plate* plate) {
+  --plate->settle_ms;
+  if (is_measured(plate) && !is_homing(plate)) {
+    const int32_t measured = measured_millideg(plate);
+    if (apart(measured, plate->near_pulse_millideg) >
+        apart(plate->near_millideg, plate->near_pulse_millideg) + MAX_SETTLE_MILLIDEG) {
+      latch(plate, PLATE_STOP_SENSOR);
+    } else if (plate->settle_ms == 0 && apart(measured, plate->astray_at_millideg) > STANDS_MILLIDEG) {
+      plate->astray_at_millideg = measured;
+      plate->settle_ms = SETTLE_PERIOD_MS;
+    }
+  }
+  if (plate->settle_ms == 0) plate->homed = plate->pulses;
+}
+
+static void move(Plate* plate) {
+  if (plate->settle_ms > 0) {
+    settle(plate);
+    return;
+  }
+  /* Microdegrees in a millisecond. */
+  const int32_t step = plate->fast ? 360000000 : plate->settings.value[SETTING_SPEED_DEG_S] * 10;
+  plate->position_microdeg += clamp(plate->target_microdeg - plate->position_microdeg, -step, step);
+}
+
+/* The sensor has turned against the pulse since it was last near it: its two readings are exchanged. */
+static bool runs_against(const Plate* plate, int32_t measured) {
+  const int32_t turned = measured - plate->near_millideg;
+  const int32_t wanted = plate->position_microdeg / 1000 - plate->near_pulse_millideg;
+  return (turned > MOVED_MILLIDEG && wanted < 0) || (turned < -MOVED_MILLIDEG && wanted > 0);
+}
+
+/* Far from its pulse and not on its way there. */
+static void watch_servo(Plate* plate) {
+  if (!plate->pulses || plate->settle_ms > 0 || !is_measured(plate)) return;
+  const int32_t measured = measured_millideg(plate);
+  const bool astray = apart(measured, plate->position_microdeg / 1000) > ASTRAY_MILLIDEG;
+  if (!astray) {
+    plate->near_millideg = measured;
+    plate->near_pulse_millideg = plate->position_microdeg / 1000;
+  }
+  if (!astray || apart(measured, plate->astray_at_millideg) > MOVED_MILLIDEG) {
+    plate->astray_at_millideg = measured;
+    plate->astray_ms = 0;
+  } else if (++plate->astray_ms >= ASTRAY_MS) {
+    latch(plate, runs_against(plate, measured) ? PLATE_STOP_SENSOR : PLATE_STOP_STUCK);
+  }
+}
+
+bool plate_knows_place(const Plate* plate) { return is_measured(plate) || plate->homed; }
+
+int32_t plate_place_millideg(const Plate* plate) {
+  return is_measured(plate) ? measured_millideg(plate) : plate->position_microdeg / 1000;
+}
+
+uint16_t plate_pulse_ticks(const Plate* plate) {
+  if (!plate->pulses) return 0;
+  if (plate->settle_ms > 0 && plate->settle_ms % SETTLE_PERIOD_MS < SETTLE_PERIOD_MS - FRAME_MS) return 0;
+  const int32_t position = plate->position_microdeg;
+  return settings_pulse_ticks(&plate->settings, (position + (position < 0 ? -500 : 500)) / 1000);
+}
+
+static void greet(Plate* plate) {
+  plate->greeted = true;
+  plate->fast = false;
+  plate->sequence = 0;
+  plate->error = LINE_OK;
+  plate->stops_due = 0;
+  plate->conf_next = plate->conf_end;
+  plate->test_next = TEST_LINES;
+  plate->target_microdeg = plate->position_microdeg;
+  plate->state = PLATE_RESTING;
+  if (is_homing(plate)) plate->pulses = false;
+  if (plate->emergency_open) latch(plate, PLATE_STOP_EMERGENCY);
+  plate->due = (uint16_t)((plate->due & DUE_BOOT) | DUE_PLATE);
+}
+
+/* Settings that move the servo by more than a trim's step wait until it gets no pulses. */
+static LineError change_setting(Plate* plate, Setting setting, int32_t value) {
+  const Settings before = plate->settings;
+  const uint16_t pulse = plate_pulse_ticks(plate);
+  plate->settings.value[setting] = value;
+  const int32_t place = plate->position_microdeg / 10000;
+  bool fits = settings_valid(&plate->settings);
+  if (fits && plate->pulses) {
+    const int32_t jump = (int32_t)plate_pulse_ticks(plate) - (int32_t)pulse;
+    fits = jump >= -TRIM_TICKS && jump <= TRIM_TICKS && place >= settings_least(&plate->settings) &&
+           place <= settings_most(&plate->settings);
+  }
+  if (!fits) {
+    plate->settings = before;
+    return LINE_OUT_OF_RANGE;
+  }
+  if (!plate->pulses) keep_within_limits(plate);
+  plate->conf_next = (uint8_t)setting;
+  plate->conf_end = (uint8_t)(setting + 1);
+  return LINE_OK;
+}
+
+static bool is_still(const Plate* plate) {
+  return plate->position_microdeg == plate->target_microdeg && plate->settle_ms == 0;
+}
+
+static LineError hear_conf(Plate* plate, const char* name, const char* value) {
+  if (name == NULL) {
+    plate->conf_next = 0;
+    plate->conf_end = SETTING_COUNT;
+    return LINE_OK;
+  }
+  const Setting setting = setting_named(name);
+  if (setting == SETTING_COUNT || value == NULL) return LINE_BAD_WORD;
+  int32_t number = 0;
+  if (!line_hundredths(value, &number)) return LINE_BAD_NUMBER;
+  if (!is_still(plate)) return LINE_BUSY;
+  return change_setting(plate, setting, number);
+}
+
+static LineError hear_save(Plate* plate) {
+  if (plate->state == PLATE_FOLLOWING || !is_still(plate)) return LINE_BUSY;
+  uint8_t bytes[SETTINGS_BYTES];
+  settings_pack(&plate->settings, bytes);
+  plate->board->save(bytes);
+  return LINE_OK;
+}
+
+/* Within a turn. */
+static LineError read_angle(const char* word, int32_t* out) {
+  if (word == NULL) return LINE_BAD_WORD;
+  if (!line_fixed_angle(word, out)) return LINE_BAD_NUMBER;
+  return *out < -36000 || *out > 36000 ? LINE_OUT_OF_RANGE : LINE_OK;
+}
+
+static bool is_word(const char* word, const char* wanted) {
+  if (word == NULL) return false;
+  while (*word != 0 && *word == *wanted) {
+    ++word;
+    ++wanted;
+  }
+  return *word == *wanted;
+}
+
+/* SET, HOME, BEAT, FAST and STOP; each ends with a sequence number. */
+static LineError hear_drive(Plate* plate, const char* verb, char* rest) {
+  const bool homes = is_word(verb, "HOME"), sets = homes || is_word(verb, "SET"), stops = is_word(verb, "STOP");
+  const bool hurries = is_word(verb, "FAST");
+  if (!sets && !stops && !hurries && !is_word(verb, "BEAT")) return LINE_BAD_WORD;
+  int32_t angle = 0;
+  uint16_t sequence = 0;
+  if (sets) {
+    const LineError error = read_angle(line_word(&rest), &angle);
+    if (error != LINE_OK) return error;
+  }
+  const char* word = line_word(&rest);
+  if (word == NULL) return LINE_BAD_WORD;
+  if (!line_sequence(word, &sequence)) return LINE_BAD_NUMBER;
+  if (*rest != 0) return LINE_BAD_WORD;
+  plate->sequence = sequence;
+  plate->due |= DUE_AT;
+  if (sets) turn_to(plate, angle, homes);
+  if (hurries) plate->fast = true;
+  if (stops) stop(plate, PLATE_STOP_HOST);
+  return LINE_OK;
+}
+
+/* What the host may ask beside that. */
+static LineError hear_service(Plate* plate, const char* verb, char* rest) {
+  const char* first = *rest != 0 ? line_word(&rest) : NULL;
+  const char* second = *rest != 0 ? line_word(&rest) : NULL;
+  if (*rest != 0) return LINE_BAD_WORD;
+  if (is_word(verb, "CONF")) return hear_conf(plate, first, second);
+  if (first != NULL) return LINE_BAD_WORD;
+  if (is_word(verb, "SAVE")) return hear_save(plate);
+  if (is_word(verb, "INFO")) {
+    plate->due |= DUE_INFO;
+  } else if (is_word(verb, "TEST")) {
+    plate->test_next = 0;
+  } else {
+    return LINE_BAD_WORD;
+  }
+  return LINE_OK;
+}
+
+static bool is_service(const char* verb) {
+  return is_word(verb, "CONF") || is_word(verb, "SAVE") || is_word(verb, "INFO") || is_word(verb, "TEST");
+}
+
+static LineError hear_line(Plate* plate, char* body) {
+  char* rest = body;
+  char* verb = line_word(&rest);
+  if (verb == NULL) return LINE_BAD_WORD;
+  if (is_word(verb, "HELLO")) {
+    const char* version = line_word(&rest);
+    if (!is_word(version, "2") || *rest != 0) return LINE_BAD_WORD;
+    greet(plate);
+    return LINE_OK;
+  }
+  if (!plate->greeted) return LINE_NOT_GREETED;
+  if (is_service(verb)) return hear_service(plate, verb, rest);
+  return hear_drive(plate, verb, rest);
+}
+
+void plate_hear(Plate* plate, char byte) {
+  LineError error;
+  if (!line_take(&plate->buffer, byte, &error)) return;
+  if (error == LINE_OK) error = hear_line(plate, plate->buffer.text);
+  if (error == LINE_OK) {
+    plate->silent_ms = 0;
+  } else if (plate->greeted || error == LINE_NOT_GREETED) {
+    plate->error = error;
+  }
+}
+
+void plate_start(Plate* plate, const PlateBoard* board, const Settings* saved) {
+  const Plate empty = {0};
+  *plate = empty;
+  plate->board = board;
+  plate->settings = saved != NULL ? *saved : settings_default();
+  plate->settings_preset = saved == NULL;
+  plate->reading_256ths = -1;
+  keep_within_limits(plate);
+  plate->test_next = TEST_LINES;
+  plate->due = DUE_BOOT;
+}
+
+static void read_inputs(Plate* plate, const PlateInputs* inputs) {
+  const int32_t reading = (int32_t)inputs->adc * 256;
+  if (plate->reading_256ths < 0) {
+    plate->reading_256ths = reading;
+  } else if (reading >= 0) {
+    plate->reading_256ths += (reading - plate->reading_256ths) / 8;
+  }
+  const bool open = inputs->emergency_open && plate->settings.value[SETTING_EMERGENCY] != 0;
+  plate->open_ms = !open ? 0 : plate->open_ms < EMERGENCY_MS ? (uint8_t)(plate->open_ms + 1) : EMERGENCY_MS;
+  plate->emergency_open = plate->open_ms == EMERGENCY_MS;
+  if (plate->emergency_open && (plate->state != PLATE_LATCHED || plate->latched_by != PLATE_STOP_EMERGENCY))
+    latch(plate, PLATE_STOP_EMERGENCY);
+}
+
+void plate_tick(Plate* plate, const PlateInputs* inputs) {
+  read_inputs(plate, inputs);
+  if (plate->silent_ms < HEARTBEAT_MS) ++plate->silent_ms;
+  if (plate->state == PLATE_FOLLOWING && plate->silent_ms >= HEARTBEAT_MS) stop(plate, PLATE_STOP_HEARTBEAT);
+  if (plate->pulses) move(plate);
+  watch_servo(plate);
+  answer(plate);
+}
+
+void plate_saved(Plate* plate, bool whole) {
+  if (whole) {
+    plate->settings_preset = false;
+    if (plate->greeted) plate->due |= DUE_SAVED;
+  } else {
+    stop(plate, PLATE_STOP_FAULT);
+  }
+}

@@ -1,0 +1,138 @@
+#include "samples/app/firmware/settings.h"
+
+#include "plugin/include/plate_driver/crc16.h"
+
+typedef struct Range {
+  char name[10];
+  bool whole; /* no decimals */
+  int32_t min, max, preset;
+} Range;
+
+/* clang-format off */
+static const Range ranges[SETTING_COUNT] = {
+    {"zero",      true,                  50000,             250000, 150000},
+    {"span",      true,                -250000,             250000, 200000},
+    {"least",     false,                -18000,                  0,  -4500},
+    {"most",      false,                     0,              18000,   4500},
+    {"speed",     true,                    100,             100000,  20000},
+    {"latency",   true,                      0,              20000,   3000},
+    {"adc_least", true,                      0,             102300,      0},
+    {"adc_most",  true,                      0,             102300,      0},
+    {"emergency", true,                      0,                100,    100},
+    {"serial",    true,                      0,           99999900,      0},
+};
+/* clang-format on */
+
+static const int32_t min_span = 50000, min_adc_span = 5000;
+
+enum { VERSION = 1 };
+
+const char* setting_name(Setting setting) { return ranges[setting].name; }
+
+static bool equal(const char* a, const char* b) {
+  while (*a != 0 && *a == *b) {
+    ++a;
+    ++b;
+  }
+  return *a == *b;
+}
+
+Setting setting_named(const char* name) {
+  uint8_t setting = 0;
+  while (setting < SETTING_COUNT && !equal(name, ranges[setting].name)) ++setting;
+  return (Setting)setting;
+}
+
+Settings settings_default(void) {
+  Settings settings;
+  for (int i = 0; i < SETTING_COUNT; ++i) settings.value[i] = ranges[i].preset;
+  return settings;
+}
+
+bool settings_valid(const Settings* settings) {
+  for (int i = 0; i < SETTING_COUNT; ++i) {
+    const int32_t value = settings->value[i];
+    if (value < ranges[i].min || value > ranges[i].max) return false;
+    if (ranges[i].whole && value % 100 != 0) return false;
+  }
+  const int32_t span = settings->value[SETTING_SPAN_US];
+  if (span > -min_span && span < min_span) return false;
+  if (settings->value[SETTING_MAX_DEG] - settings->value[SETTING_MIN_DEG] < 100) return false;
+  const int32_t adc = settings->value[SETTING_ADC_MOST] - settings->value[SETTING_ADC_LEAST];
+  return adc == 0 || adc <= -min_adc_span || adc >= min_adc_span;
+}
+
+void settings_pack(const Settings* settings, uint8_t bytes[SETTINGS_BYTES]) {
+  bytes[0] = 'H';
+  bytes[1] = 'R';
+  bytes[2] = 'P';
+  bytes[3] = VERSION;
+  uint8_t* end = bytes + 4;
+  for (int i = 0; i < SETTING_COUNT; ++i) {
+    uint32_t value = (uint32_t)settings->value[i];
+    for (uint8_t k = 0; k < 4; ++k, value >>= 8) *end++ = (uint8_t)value;
+  }
+  const unsigned crc = crc16_ccitt((const char*)bytes, SETTINGS_BYTES - 2);
+  end[0] = (uint8_t)crc;
+  end[1] = (uint8_t)(crc >> 8);
+}
+
+bool settings_unpack(Settings* settings, const uint8_t bytes[SETTINGS_BYTES]) {
+  const uint16_t crc = (uint16_t)(bytes[SETTINGS_BYTES - 2] | (uint16_t)bytes[SETTINGS_BYTES - 1] << 8);
+  if (bytes[0] != 'H' || bytes[1] != 'R' || bytes[2] != 'P' || bytes[3] != VERSION ||
+      crc != crc16_ccitt((const char*)bytes, SETTINGS_BYTES - 2))
+    return false;
+  Settings read;
+  for (int i = 0; i < SETTING_COUNT; ++i) {
+    uint32_t value = 0;
+    for (uint8_t k = 4; k > 0; --k) value = value << 8 | bytes[4 + 4 * i + k - 1];
+    read.value[i] = (int32_t)value;
+  }
+  if (!settings_valid(&read)) return false;
+  *settings = read;
+  return true;
+}
+
+uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_millideg) {
+  /* At most 180000 * 5000 = 9e8, which fits. */
+  const int32_t ticks_per_half_turn = settings->value[SETTING_SPAN_US] / 50;
+  const int32_t product = orientation_millideg * ticks_per_half_turn;
+  const int32_t turned = (product + (product < 0 ? -90000 : 90000)) / 180000;
+  const int32_t ticks = settings->value[SETTING_ZERO_US] / 50 + turned;
+  if (ticks < 2 * PULSE_LEAST_US) return 2 * PULSE_LEAST_US;
+  if (ticks > 2 * PULSE_MOST_US) return 2 * PULSE_MOST_US;
+  return (uint16_t)ticks;
+}
+
+/* Hundredths of a degree from 0 to the orientation at which the pulse is `pulse_us`. */
+static int32_t reach_of(const Settings* settings, int32_t pulse_us) {
+  const int32_t zero_us = settings->value[SETTING_ZERO_US] / 100;
+  return (pulse_us - zero_us) * 18000 / (settings->value[SETTING_SPAN_US] / 100);
+}
+
+int32_t settings_least(const Settings* settings) {
+  const int32_t set = settings->value[SETTING_MIN_DEG];
+  const int32_t reach = reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_LEAST_US : PULSE_MOST_US);
+  return reach > set ? reach : set;
+}
+
+int32_t settings_most(const Settings* settings) {
+  const int32_t set = settings->value[SETTING_MAX_DEG];
+  const int32_t reach = reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_MOST_US : PULSE_LEAST_US);
+  return reach < set ? reach : set;
+}
+
+bool settings_has_feedback(const Settings* settings) {
+  return settings->value[SETTING_ADC_LEAST] != settings->value[SETTING_ADC_MOST];
+}
+
+int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16ths) {
+  const int32_t at_least = settings->value[SETTING_ADC_LEAST] / 100 * 16;
+  const int32_t at_most = settings->value[SETTING_ADC_MOST] / 100 * 16;
+  const int32_t min = settings->value[SETTING_MIN_DEG];
+  const int32_t width = settings->value[SETTING_MAX_DEG] - min;
+  /* In hundredths: at most 16368 * 36000 = 6e8, which fits. */
+  const int32_t place = min + ((int32_t)reading_16ths - at_least) * width / (at_most - at_least);
+  const int32_t turn = 36000;
+  return (place < -turn ? -turn : place > turn ? turn : place) * 10;
+}

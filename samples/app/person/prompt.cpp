@@ -1,0 +1,116 @@
+#include "samples/app/person/prompt.h"
+
+#include <unistd.h>
+
+#include <iostream>
+#include <regex>
+#include <thread>
+#include <utility>
+
+#include "samples/app/base/interrupt.h"
+#include "samples/app/base/say.h"
+#include "samples/app/text/format.h"
+#include "samples/app/text/text.h"
+
+namespace hrt::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto max_finish = 30s;
+constexpr auto hint_period = 5s;
+
+// Units as words, which voices would spell.
+std::string spoken(const std::string& text) {
+  static const std::regex unit("(\\d) mm\\b");
+  return std::regex_replace(text, unit, "$1 millimetres");
+}
+
+}  // namespace
+
+const char* const keys_in_words =
+    "Keys: r repeats the instruction, w says where the finger is, n goes to the next target, b back to the "
+    "last one, q stops, h lists the keys.";
+
+Prompt::Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print)
+    : before_print_(std::move(before_print)) {
+  if (!speak_with.empty()) speech_ = std::make_unique<Speech>(speak_with);
+}
+
+void Prompt::ask(const std::string& text) {
+  asked_ = text;
+  say(text);
+}
+
+void Prompt::repeat() { say(asked_); }
+
+void Prompt::say(const std::string& text) {
+  before_print_(text);
+  std::cerr << (isatty(STDERR_FILENO) == 1 ? wrapped(text, columns()) : text) << "\n";
+  speak(text);
+}
+
+void Prompt::speak(const std::string& text) {
+  if (!speech_) return;
+  speech_->say(spoken(text));
+  const std::optional<std::string> failure = speech_->take_failure();
+  if (!failure || std::exchange(failure_reported_, true)) return;
+  before_print_(*failure);
+  std::cerr << "hrt-reach: the speech program failed: " << *failure << "; texts are printed only where it fails\n";
+}
+
+void Prompt::hint(const std::string& text) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!speech_ || speech_->is_speaking() || now - hinted_at_ < hint_period) return;
+  hinted_at_ = now;
+  say(text);
+}
+
+void Prompt::listen() {
+  if (keyboard_) return;
+  keyboard_ = std::make_unique<Keyboard>();
+  if (keyboard_->is_there()) say(keys_in_words);
+}
+
+std::optional<char> Prompt::key() {
+  const std::optional<char> key = keyboard_ ? keyboard_->key() : std::nullopt;
+  if (key && speech_) speech_->hush();
+  return key;
+}
+
+std::optional<double> Prompt::ask_number(const std::string& question, double low, double high) {
+  constexpr char erase = 0x7f;
+  if (!keyboard_ || !keyboard_->is_there()) return std::nullopt;
+  for (;;) {
+    ask(question);
+    std::string typed;
+    for (bool entered = false; !entered;) {
+      throw_if_interrupted();
+      const std::optional<char> key = keyboard_->key();
+      if (!key && !keyboard_->is_there()) return std::nullopt;
+      if (!key) {
+        std::this_thread::sleep_for(10ms);
+      } else if (*key == '\n' || *key == '\r') {
+        entered = true;
+      } else if (*key == erase && !typed.empty()) {
+        typed.pop_back();
+        std::cerr << "\b \b";
+      } else if (*key > ' ' && *key < erase && typed.size() < 20) {
+        typed += *key == ',' ? '.' : *key;
+        std::cerr << *key;
+      }
+    }
+    std::cerr << "\n";
+    if (const std::optional<double> number = number_in(typed, low, high)) return number;
+    say(format("That is not a number from %g to %g.", low, high));
+  }
+}
+
+void Prompt::finish() {
+  if (!speech_) return;
+  for (const auto give_up = std::chrono::steady_clock::now() + max_finish;
+       speech_->is_speaking() && !is_interrupted() && std::chrono::steady_clock::now() < give_up;)
+    speech_->finish(50ms);
+}
+
+}  // namespace hrt::app

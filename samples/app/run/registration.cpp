@@ -1,0 +1,198 @@
+#include "samples/app/run/registration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "samples/app/base/exit_code.h"
+#include "samples/app/run/set_up.h"
+#include "samples/app/text/format.h"
+#include "samples/app/text/whole_file.h"
+
+namespace hrt::app {
+namespace {
+
+constexpr double millimetres = 1000.0;
+
+hrt_setup_result touch(Stage& stage, std::uint32_t what, std::span<const Mark> marks) {
+  return SetUp(stage.plugin, stage.targets.session, what, config_of(marks), names_of(marks)).run(stage);
+}
+
+using Json = nlohmann::ordered_json;
+
+// Of the target for which the registration matters most.
+std::string worth_of(const Stage& stage) {
+  hrt_gap worst = hrt_gap_init();
+  for (const TargetPair& pair : stage.targets.pairs) {
+    hrt_gap gap = hrt_gap_init();
+    stage.plugin.check(stage.plugin.hrt_gap_query(stage.targets.session, pair.real_target, pair.virtual_target, &gap));
+    if (gap.registration_sd_deg >= worst.registration_sd_deg) worst = gap;
+  }
+  return format("For that alone reaches end %.2f degrees (SD) beside the target, and %.1f of 100 miss it.",
+                worst.registration_sd_deg, 100.0 * worst.registration_miss_share) +
+         (worst.registration_miss_share > 0.05 ? " Registering once more is worth it." : "");
+}
+
+constexpr int version = 2;
+constexpr const char* hand_names[] = {"left", "right"};
+
+// Numbers of a registered plate, by name.
+struct Numbers {
+  const char* name;
+  std::span<double> values;
+};
+std::vector<Numbers> numbers_of(RegisteredPlate& plate) {
+  std::vector<Numbers> all = {{"position_m", plate.found.plate.position_m},
+                              {"rotation", plate.found.plate.rotation},
+                              {"covariance", plate.found.plate.covariance},
+                              {"check_m", plate.check.position_m}};
+  if (plate.hand) all.push_back({"skin_m", plate.found.fingertip_offset_m});
+  if (plate.found.flags & HRT_SESSION_START_FELT) {
+    all.push_back({"contact_correction", plate.found.registration.contact_correction});
+    all.push_back({"contact_covariance", plate.found.registration.contact_covariance});
+  }
+  return all;
+}
+
+void put(const std::vector<Numbers>& all, Json& json) {
+  for (const auto& [name, values] : all) json[name] = std::vector<double>(values.begin(), values.end());
+}
+
+void take_numbers(const std::vector<Numbers>& all, const Json& json) {
+  for (const auto& [name, values] : all) {
+    const auto numbers = json.at(name).get<std::vector<double>>();
+    if (numbers.size() != values.size())
+      throw std::invalid_argument(std::string(name) + " must have " + std::to_string(values.size()) + " numbers");
+    std::copy(numbers.begin(), numbers.end(), values.begin());
+  }
+}
+
+RegisteredPlate plate_of(const Json& json) {
+  if (json.at("version") != version)
+    throw std::invalid_argument("version must be 2: register the plate anew (--register)");
+  const std::string space = json.at("space");
+  if (space != "STAGE" && space != "LOCAL") throw std::invalid_argument("space must be STAGE or LOCAL");
+  RegisteredPlate plate{};
+  plate.space = space == "STAGE" ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
+  plate.check.name = json.at("check");
+  if (!is_printable(plate.check.name)) throw std::invalid_argument("check has a control character");
+  if (json.contains("hand")) {
+    const auto hand = std::find(std::begin(hand_names), std::end(hand_names), json["hand"]);
+    if (hand == std::end(hand_names)) throw std::invalid_argument("hand must be left or right");
+    plate.hand = static_cast<Hand>(hand - std::begin(hand_names));
+  }
+  if (json.contains("contact_correction")) plate.found.flags |= HRT_SESSION_START_FELT;
+  take_numbers(numbers_of(plate), json);
+  return plate;
+}
+
+}  // namespace
+
+hrt_setup_config config_of(std::span<const Mark> marks) {
+  hrt_setup_config config = hrt_setup_config_init();
+  config.check_mark = 0;
+  for (const Mark& mark : marks)
+    std::copy(mark.position_m.begin(), mark.position_m.end(), config.marks_m + std::size_t{3} * config.mark_count++);
+  return config;
+}
+
+void place_plate(Stage& stage, const RegisteredPlate& plate) {
+  stage.session.place_plate(plate.space, to_xr(plate.found.plate.position_m, plate.found.plate.rotation));
+  std::copy_n(plate.found.fingertip_offset_m, 3, stage.skin_m.begin());
+}
+
+void put_registration(const RegisteredPlate& plate, hrt_session_config& config) {
+  std::copy_n(plate.found.plate.position_m, 3, config.plate.position_m);
+  std::copy_n(plate.found.plate.rotation, 4, config.plate.rotation);
+  std::copy_n(plate.found.plate.covariance, 6, config.plate.covariance);
+  std::copy_n(plate.found.fingertip_offset_m, 3, config.fingertip_offset_m);
+  std::copy_n(plate.found.registration.contact_correction, 4, config.registration.contact_correction);
+  std::copy_n(plate.found.registration.contact_covariance, 10, config.registration.contact_covariance);
+  config.flags |= HRT_SESSION_REGISTERED | (plate.found.flags & HRT_SESSION_START_FELT);
+}
+
+RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertip) {
+  const XrReferenceSpaceType space = stage.session.steady_space();
+  stage.session.place_plate(space, world);
+  const hrt_setup_result found = touch(stage, HRT_SETUP_REGISTRATION | (fingertip ? HRT_SETUP_FINGERTIP : 0), marks);
+  RegisteredPlate plate{space, marks.front(), config_of(stage)};
+  if (fingertip) {
+    const double(&o)[3] = plate.found.fingertip_offset_m;
+    plate.hand = stage.hands.front();
+    stage.tell_user(format("The skin is %.1f mm from the joint, ", millimetres * std::hypot(o[0], o[1], o[2])) +
+                    format("known to %.1f mm.", millimetres * found.fingertip_sd_m));
+  }
+  stage.tell_user(format("The plate is registered: residual %.1f mm, its turn known to %.2f degrees.",
+                         millimetres * found.registration_residual_m, found.registration_turn_sd_deg));
+  place_plate(stage, plate);
+  stage.tell_user(worth_of(stage));
+  return plate;
+}
+
+void slide_along_guides(Stage& stage, RegisteredPlate* plate) {
+  SetUp(stage.plugin, stage.targets.session, HRT_SETUP_GUIDES, hrt_setup_config_init(), {}).run(stage);
+  plate->found = config_of(stage);
+  stage.tell_user("The guides are found. " + worth_of(stage));
+}
+
+double check_plate(Stage& stage, const RegisteredPlate& plate) {
+  if (plate.hand && stage.hands != std::vector{*plate.hand})
+    throw Failure(ExitCode::registration,
+                  "the plate was registered by the skin of one hand (--fingertip): choose that hand, or "
+                  "register the plate anew (--register)");
+  hrt_session_config config = config_of(stage);
+  put_registration(plate, config);
+  stage.plugin.check(stage.plugin.hrt_session_set(stage.targets.session, &config));
+  stage.session.place_plate(plate.space, world);
+  const std::array<Mark, 3> marks{plate.check, plate.check, plate.check};  // of which one is touched
+  const hrt_setup_result found = touch(stage, HRT_SETUP_CHECK, marks);
+  if (found.done == 0)
+    throw Failure(
+        ExitCode::registration,
+        "the mark \"" + plate.check.name +
+            format("\" was touched %.0f mm from where it was registered: register the plate anew (--register)",
+                   millimetres * found.check_distance_m));
+  stage.tell_user(format("It is: the touch was %.0f mm off.", millimetres * found.check_distance_m));
+  place_plate(stage, plate);
+  return found.check_distance_m;
+}
+
+std::string registration_text(const RegisteredPlate& plate, const XrHeadlessSession& session) {
+  RegisteredPlate copy = plate;
+  const auto [q, p] = session.now(plate.space, to_xr(plate.found.plate.position_m, plate.found.plate.rotation));
+  std::copy_n(std::array{p.x, p.y, p.z}.begin(), 3, copy.found.plate.position_m);
+  std::copy_n(std::array{q.x, q.y, q.z, q.w}.begin(), 4, copy.found.plate.rotation);
+  Json json{{"version", version},
+            {"space", plate.space == XR_REFERENCE_SPACE_TYPE_STAGE ? "STAGE" : "LOCAL"},
+            {"check", plate.check.name}};
+  put(numbers_of(copy), json);
+  if (plate.hand) json["hand"] = hand_names[static_cast<std::size_t>(*plate.hand)];
+  // The name of a mark may be no UTF-8.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_registration(const std::filesystem::path& file, const std::string& text) {
+  if (const int error = write_whole_file(file, text); error != 0)
+    throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error));
+}
+
+RegisteredPlate parse_registration(const std::string& text, const std::string& name) {
+  try {
+    return plate_of(Json::parse(text));
+  } catch (const std::exception& error) {
+    throw Failure(ExitCode::registration, name + " is no registration: " + error.what());
+  }
+}
+
+RegisteredPlate read_registration(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw Failure(ExitCode::registration, file.string() + " cannot be read");
+  return parse_registration({std::istreambuf_iterator<char>(stream), {}}, file.string());
+}
+
+}  // namespace hrt::app

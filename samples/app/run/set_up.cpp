@@ -1,0 +1,166 @@
+#include "samples/app/run/set_up.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <utility>
+
+#include "samples/app/base/at_end.h"
+#include "samples/app/base/exit_code.h"
+#include "samples/app/text/format.h"
+
+namespace hrt::app {
+namespace {
+
+constexpr std::uint32_t world_parts = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION | HRT_SETUP_CHECK;
+constexpr int failures_allowed = 5;  // slides in a row that do not count
+constexpr int max_refused = 3;
+constexpr std::uint32_t nothing = UINT32_MAX;  // has been asked for
+// Of a simulated person who is to stay at the start: the mock knows no shorter way.
+constexpr double no_way_m = 1e-6;
+
+Hand hand_in_use(const Stage& stage, XrTime time) {
+  const auto tracked = std::find_if(stage.hands.begin(), stage.hands.end(),
+                                    [&](Hand hand) { return stage.session.locate(hand, time).tracked; });
+  return tracked == stage.hands.end() ? stage.hands.front() : *tracked;
+}
+
+}  // namespace
+
+bool asks_anew(const hrt_setup_step& asked, const hrt_setup_step& step) {
+  return step.part != asked.part || step.number != asked.number || step.done != asked.done ||
+         step.problem != asked.problem ||
+         (step.instruction != asked.instruction && step.instruction != HRT_STEP_HOLD_STILL);
+}
+
+std::string request_of(const hrt_setup_step& step, const std::vector<std::string>& mark_names) {
+  std::string request = step.text;
+  if (step.instruction == HRT_STEP_TOUCH_MARK) {
+    const std::size_t mark = step.part == HRT_SETUP_FINGERTIP ? 0 : step.number;
+    request += format(" Mark %zu is \"", mark + 1) + mark_names.at(mark) + "\"";
+  }
+  if (step.instruction == HRT_STEP_TOUCH_MARK || step.instruction == HRT_STEP_REST_AT_START)
+    request += format(" (%u of %u).", step.done + 1, step.of);
+  return request;
+}
+
+SetUp::SetUp(const Plugin& plugin, hrt_session session, std::uint32_t what, const hrt_setup_config& config,
+             std::vector<std::string> mark_names)
+    : plugin_(plugin), session_(session), mark_names_(std::move(mark_names)) {
+  asked_.part = what & (~what + 1);  // parts come in the order of their bits
+  asked_.instruction = nothing;
+  result_.struct_size = sizeof result_;
+  result_.left = what;
+  const hrt_result begun = plugin.hrt_setup_begin(session, what, &config);
+  if (begun == HRT_ERROR_OUT_OF_RANGE) throw Failure(ExitCode::scene, plugin.hrt_last_error());
+  plugin.check(begun);
+}
+
+SetUp::~SetUp() {
+  if (result_.left != 0) static_cast<void>(plugin_.hrt_setup_cancel(session_));
+}
+
+void SetUp::count_failure(const hrt_setup_step& step) {
+  if (step.problem == HRT_PROBLEM_NONE) return;
+  if (step.problem == HRT_PROBLEM_PLATE) throw Failure(ExitCode::plate, step.text);
+  if ((step.part & (world_parts | HRT_SETUP_GUIDES)) != 0 && asked_.instruction == HRT_STEP_FINISH &&
+      ++refused_ == max_refused)
+    throw Failure(ExitCode::registration, format("three times: %s", step.text));
+  if (step.instruction == HRT_STEP_WAIT && ++failed_ > failures_allowed)
+    throw Failure(ExitCode::no_hand, format("%d slides in a row did not count; the last one: %s", failed_, step.text));
+}
+
+void SetUp::ask(Stage& stage, const hrt_setup_step& step) {
+  if (step.done > asked_.done) failed_ = 0;
+  count_failure(step);
+  request_ = request_of(step, mark_names_);
+  stage.tell_user(request_);
+  if (stage.simulation != nullptr && step.instruction == HRT_STEP_REST_AT_START)
+    instruct(stage, stage.hands.front(), 0.0, no_way_m);
+  if (stage.simulation != nullptr && step.instruction == HRT_STEP_SLIDE)
+    instruct(stage, stage.hands.front(), 0.0,
+             distance_along_plate_m({step.place_m[0], 0.0, step.place_m[2]}, stage.targets.start_m));
+}
+
+// What is asked for now; the plate turns to it.
+hrt_setup_step SetUp::update(Stage& stage, XrTime time) {
+  const Hand hand = hand_in_use(stage, time);
+  for (const Hand seen : {Hand::left, Hand::right}) sightings_->see(seen, locate(stage, seen, time));
+  // In the parts that find where the plate and the skin are: the joint, in the world.
+  const bool in_world = (asked_.part & world_parts) != 0;
+  const Fingertip tip = in_world ? stage.session.locate(hand, time) : locate(stage, hand, time);
+  last_ = time + later_by_;
+  const std::optional<double> plate_deg = stage.plate.orientation_deg(time);
+  hrt_sample sample = in_world ? world_sample_of(last_, tip, plate_deg) : sample_of(last_, tip, plate_deg);
+  if (in_world && tip.tracked && tip.rotation) {
+    sample.flags |= HRT_SAMPLE_JOINT_ROTATION;
+    std::copy(tip.rotation->begin(), tip.rotation->end(), sample.joint_rotation);
+  }
+  hrt_setup_step step{.struct_size = sizeof step};
+  plugin_.check(plugin_.hrt_setup_update(session_, &sample, &step));
+  if (commanded_deg_ != step.plate_orientation_deg) stage.plate.command(time, step.plate_orientation_deg);
+  commanded_deg_ = step.plate_orientation_deg;
+  return step;
+}
+
+// Until the plugin has what it needs.
+void SetUp::lead(Stage& stage, XrTime* now, std::ostream* slides) {
+  for (;; *now = next_frame(stage)) {
+    const hrt_setup_step step = update(stage, *now);
+    if (asks_anew(asked_, step)) {
+      if (slides != nullptr && step.done > asked_.done)
+        *slides << format("slide %3u  plate %6.1f deg\n", step.done,
+                          std::remainder(asked_.plate_orientation_deg, 180.0))  // half turns feel the same
+                << std::flush;
+      ask(stage, step);
+      asked_ = step;
+      asked_at_ = *now;
+      sightings_.emplace(stage.targets.start_m);
+    }
+    if (step.instruction == HRT_STEP_FINISH) return;
+    if (step.instruction == HRT_STEP_REST_AT_START && stage.hint && *now - asked_at_ > settle_ns)
+      stage.hint(sightings_->where(stage));
+    if (*now - asked_at_ > stage.time_limit_ns)
+      throw Failure(ExitCode::no_hand, "it was not done " + within_s(stage.time_limit_ns) + ": " + request_ + " " +
+                                           ((step.part & world_parts) != 0 ? sightings_->why_no_touch(stage)
+                                                                           : sightings_->why_not_begun(stage)));
+  }
+}
+
+// A fit of slides takes too long for a frame: the plate is served meanwhile. It is waited for even if the
+// runtime is lost.
+void SetUp::finish(Stage& stage, XrTime* now) {
+  if ((asked_.part & world_parts) != 0) return plugin_.check(plugin_.hrt_setup_finish(session_, &result_));
+  std::string reason;
+  auto finished = std::async(std::launch::async, [&] {
+    const hrt_result code = plugin_.hrt_setup_finish(session_, &result_);
+    if (code != HRT_OK) reason = plugin_.hrt_last_error();
+    return code;
+  });
+  do *now = next_frame(stage);
+  while (finished.wait_for(std::chrono::seconds(0)) != std::future_status::ready);
+  if (finished.get() != HRT_OK) throw Failure(ExitCode::plugin, reason);
+}
+
+hrt_setup_result SetUp::run(Stage& stage, std::ostream* slides) {
+  XrTime now = next_frame(stage);
+  later_by_ = std::max<XrTime>(0, last_ - now);
+  commanded_deg_.reset();
+  asked_at_ = now;
+  sightings_.emplace(stage.targets.start_m);
+  const AtEnd stop([&] {
+    try {
+      stage.plate.stop(now);
+    } catch (const std::exception&) {
+      // A failure is already being reported, or all is found without the plate.
+    }
+  });
+  while (result_.left != 0) {
+    lead(stage, &now, slides);
+    finish(stage, &now);
+  }
+  return result_;
+}
+
+}  // namespace hrt::app

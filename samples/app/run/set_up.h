@@ -1,0 +1,61 @@
+// A set-up of the plugin: what it asks for is said to the user, and the plate turns as it says.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "samples/app/run/sighting.h"
+#include "samples/app/run/stage.h"
+
+namespace hrt::app {
+
+/// `step` asks for something else than `asked` did: what a finger that begins to hold still was asked for stays.
+bool asks_anew(const hrt_setup_step& asked, const hrt_setup_step& step);
+
+/// In words. `mark_names`: as the user knows the marks.
+std::string request_of(const hrt_setup_step& step, const std::vector<std::string>& mark_names);
+
+/// One set-up, across as many sessions of the runtime as it makes necessary.
+class SetUp {
+ public:
+  /// `what`: HRT_SETUP_*. `mark_names`: as the user knows the marks; none: the set-up has no marks. Throws
+  /// Failure: ExitCode::scene if the plugin refuses what it is to do, ExitCode::plugin.
+  SetUp(const Plugin& plugin, hrt_session session, std::uint32_t what, const hrt_setup_config& config,
+        std::vector<std::string> mark_names = {});
+  ~SetUp();
+  SetUp(const SetUp&) = delete;
+  SetUp& operator=(const SetUp&) = delete;
+
+  /// Continues until all is found, or cannot be; a line a slide on `slides`. Throws as run_reach(), and can
+  /// then be called again; Failure: no_hand if nothing happens in time or too many slides in a row do not
+  /// count, registration if touches are refused three times, plate if it does not turn.
+  hrt_setup_result run(Stage& stage, std::ostream* slides = nullptr);
+
+  std::uint32_t done() const { return asked_.done; }
+
+ private:
+  void lead(Stage& stage, XrTime* now, std::ostream* slides);
+  hrt_setup_step update(Stage& stage, XrTime time);
+  void ask(Stage& stage, const hrt_setup_step& step);
+  void count_failure(const hrt_setup_step& step);
+  void finish(Stage& stage, XrTime* now);
+
+  const Plugin& plugin_;
+  hrt_session session_;
+  std::vector<std::string> mark_names_;
+  hrt_setup_result result_{};
+  hrt_setup_step asked_{};
+  std::string request_;
+  XrTime asked_at_ = 0;
+  std::optional<Sightings> sightings_;  // since then
+  std::optional<double> commanded_deg_;
+  int failed_ = 0;       // slides in a row that did not count
+  int refused_ = 0;      // touches of all marks
+  XrTime later_by_ = 0;  // the set-up's time than the runtime's, whose clock may begin anew with a session
+  XrTime last_ = 0;      // of the set-up
+};
+
+}  // namespace hrt::app

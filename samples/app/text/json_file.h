@@ -1,0 +1,64 @@
+// JSON that people and programs write, checked against a JSON Schema.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hrt {
+
+using Json = nlohmann::json;
+
+/// Input that is not accepted: what is wrong, where, and what is allowed.
+struct Refusal : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+[[noreturn]] inline void refuse(const std::string& where, const std::string& why) { throw Refusal(where + " " + why); }
+
+/// The latest keys of the objects around the parser's position: {"playback", "records"}.
+using KeysAround = std::vector<std::string>;
+
+/// Parses `text`. Throws Refusal for a syntax error, or a key that occurs twice in one object. A value that is complete
+/// at `keep(keys, value)` is left out of the result if that returns false.
+Json parse_json(std::string_view text, const std::string& name,
+                const std::function<bool(const KeysAround&, Json::parse_event_t, const Json&)>& keep = {});
+
+/// Checks `value` against `schema`, or against `definition` of its $defs, and inserts the defaults of missing members.
+/// Throws Refusal with the place, as in "script.events[0].hand", and what is allowed there. A text must be one line of
+/// at most 2000 bytes, an integer at least 0. A member that the schema does not describe is refused.
+///
+/// Keywords: type, enum, minimum, maximum, minItems, maxItems, items, properties, required, default, $ref to $defs with
+/// further keywords beside it, and
+/// - anyOf: two schemas, the second of which is an array of values of the first;
+/// - oneOf beside discriminator.propertyName (OpenAPI): among the schemas whose enum of that member has its value, the
+///   first whose required members are present, or else the last.
+void check_json(Json& value, const Json& schema, const std::string& where, const std::string& definition = {});
+
+/// "a", "b", "c"
+std::string quoted_list(const std::vector<std::string>& texts);
+
+/// A name in a file, and its meaning.
+template <typename Value>
+using Names = std::vector<std::pair<std::string, Value>>;
+
+/// The meaning of a name that the schema allows.
+template <typename Value>
+Value meaning(const Json& name, const Names<Value>& names) {
+  for (const auto& [text, value] : names)
+    if (name == text) return value;
+  throw std::logic_error("the schema allows " + name.dump() + ", which has no meaning");
+}
+/// The same for one name or an array of names.
+template <typename Value>
+std::vector<Value> meanings(const Json& given, const Names<Value>& names) {
+  std::vector<Value> values;
+  for (const Json& name : given.is_array() ? given : Json::array({given})) values.push_back(meaning(name, names));
+  return values;
+}
+
+}  // namespace hrt

@@ -1,0 +1,29 @@
+// Text for people: columns counted in characters of UTF-8, and markup.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace hrt {
+
+/// Characters in `text`.
+std::size_t length_of(std::string_view text);
+
+/// The first `length` characters, or all of a shorter text.
+std::string cut_to(std::string_view text, std::size_t length);
+
+/// `text` with spaces before it, or after it, to at least `width` characters.
+std::string right(std::string_view text, std::size_t width);
+std::string left(std::string_view text, std::size_t width);
+
+/// The words of `text` in lines of `width` characters, or of one longer word.
+std::string wrapped(const std::string& text, std::size_t width);
+
+/// `text` as a field of CSV: in quotes if it has a comma, a quote or a line end.
+std::string csv_field(std::string_view text);
+
+/// `text` in HTML or XML, in an attribute too; a control character becomes '?'.
+std::string escaped(std::string_view text);
+
+}  // namespace hrt

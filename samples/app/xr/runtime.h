@@ -1,0 +1,53 @@
+// An OpenXR instance with headless sessions and hand tracking.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <ctime>
+#define XR_USE_TIMESPEC
+#include <openxr/openxr_platform.h>
+
+#include <string>
+#include <vector>
+
+#include "samples/app/xr/check.h"
+
+namespace hrt::app {
+
+/// One instance and its system. One thread.
+class XrRuntime {
+ public:
+  /// Enables XR_MND_headless, XR_EXT_hand_tracking and, where the runtime has them,
+  /// XR_KHR_convert_timespec_time and `optional_extensions`. Throws Failure with ExitCode::no_runtime if
+  /// none answers and ExitCode::runtime_lacks if this one cannot serve; XrFailure.
+  explicit XrRuntime(const std::vector<std::string>& optional_extensions);
+  ~XrRuntime();
+  XrRuntime(const XrRuntime&) = delete;
+  XrRuntime& operator=(const XrRuntime&) = delete;
+
+  XrInstance instance() const { return instance_; }
+  XrSystemId system() const { return system_; }
+  /// Name and version, as the runtime gives them.
+  const std::string& name() const { return name_; }
+  bool enabled(const std::string& extension) const;
+
+  /// A function of the API or of an enabled extension.
+  template <class Function>
+  Function function(const char* function_name) const {
+    PFN_xrVoidFunction pointer = nullptr;
+    CHECK_XR(xrGetInstanceProcAddr(instance_, function_name, &pointer));
+    return reinterpret_cast<Function>(pointer);
+  }
+
+ private:
+  XrRuntime() = default;  // once this is done the destructor is called, whatever fails then
+  void create_instance(const std::vector<std::string>& optional_extensions);
+  void find_system();
+
+  std::vector<std::string> enabled_;
+  std::string name_;
+  XrInstance instance_ = XR_NULL_HANDLE;
+  XrSystemId system_ = XR_NULL_SYSTEM_ID;
+};
+
+}  // namespace hrt::app

@@ -1,0 +1,325 @@
+#include "samples/app/xr/session.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <thread>
+
+#include "samples/app/base/exit_code.h"
+#include "samples/app/base/interrupt.h"
+#include "samples/app/text/format.h"
+
+namespace hrt::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto poll_period = 2ms;                // while there are no frames to wait for
+constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames have no times: 90 Hz
+
+// A final failure: the runtime violates the specification, or takes too long.
+[[noreturn]] void fail(const std::string& sentence) { throw Failure(ExitCode::runtime_failed, sentence); }
+
+std::string within(std::chrono::milliseconds limit) {
+  return format("within %g s", static_cast<double>(limit.count()) * 1e-3);
+}
+
+bool can_be_observed(const XrHandJointLocationEXT& joint) {
+  constexpr XrSpaceLocationFlags needed = XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  const XrVector3f& position = joint.pose.position;
+  return (joint.locationFlags & needed) == needed && std::isfinite(position.x) && std::isfinite(position.y) &&
+         std::isfinite(position.z);
+}
+
+constexpr XrEnvironmentBlendMode blend_mode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+constexpr XrPosef identity{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
+
+Eigen::Quaternionf orientation(const XrPosef& pose) {
+  const XrQuaternionf& q = pose.orientation;
+  return {q.w, q.x, q.y, q.z};
+}
+
+Eigen::Vector3f position(const XrPosef& pose) { return {pose.position.x, pose.position.y, pose.position.z}; }
+
+// Normalised, since many products would lose the length of 1.
+XrPosef pose_of(const Eigen::Quaternionf& turned, const Eigen::Vector3f& moved) {
+  const Eigen::Quaternionf q = turned.normalized();
+  return {{q.x(), q.y(), q.z(), q.w()}, {moved.x(), moved.y(), moved.z()}};
+}
+
+XrPosef product(const XrPosef& a, const XrPosef& b) {
+  return pose_of(orientation(a) * orientation(b), orientation(a) * position(b) + position(a));
+}
+
+XrPosef inverse(const XrPosef& pose) {
+  const Eigen::Quaternionf back = orientation(pose).conjugate();
+  return pose_of(back, -(back * position(pose)));
+}
+
+// A runtime's values are not trusted: numbers, and an orientation that can be normalised.
+bool is_pose(const XrPosef& pose) {
+  return position(pose).allFinite() && std::abs(orientation(pose).squaredNorm() - 1.0f) < 0.02f;
+}
+
+}  // namespace
+
+void SpaceMotion::announce(const XrEventDataReferenceSpaceChangePending& change) { pending_.push_back(change); }
+
+SpaceMotion::Change SpaceMotion::advance(XrReferenceSpaceType space, XrTime time) {
+  Change made = Change::none;
+  std::erase_if(pending_, [&](const XrEventDataReferenceSpaceChangePending& change) {
+    if (change.referenceSpaceType != space || change.changeTime > time) return false;
+    if (change.poseValid != XR_TRUE || !is_pose(change.poseInPreviousSpace)) {
+      first_.erase(space);
+      made = Change::unknown;
+      return true;
+    }
+    first_[space] = product(inverse(product(identity, change.poseInPreviousSpace)), now(space, identity));
+    if (made == Change::none) made = Change::moved;
+    return true;
+  });
+  return made;
+}
+
+XrPosef SpaceMotion::now(XrReferenceSpaceType space, const XrPosef& pose_at_first) const {
+  const auto moved = first_.find(space);
+  return moved == first_.end() ? pose_at_first : product(moved->second, pose_at_first);
+}
+
+const char* name_of(XrReferenceSpaceType space) {
+  if (space == XR_REFERENCE_SPACE_TYPE_STAGE) return "STAGE";
+  return space == local_floor_space ? "LOCAL_FLOOR" : "LOCAL";
+}
+
+XrHeadlessSession::XrHeadlessSession(XrRuntime& runtime, SpaceMotion& motion, std::chrono::milliseconds limit)
+    : XrHeadlessSession(&runtime, &motion, limit) {
+  create_hand_tracker_ = runtime_.function<PFN_xrCreateHandTrackerEXT>("xrCreateHandTrackerEXT");
+  destroy_hand_tracker_ = runtime_.function<PFN_xrDestroyHandTrackerEXT>("xrDestroyHandTrackerEXT");
+  locate_hand_joints_ = runtime_.function<PFN_xrLocateHandJointsEXT>("xrLocateHandJointsEXT");
+  if (runtime_.enabled(XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME))
+    convert_timespec_ = runtime_.function<PFN_xrConvertTimespecTimeToTimeKHR>("xrConvertTimespecTimeToTimeKHR");
+
+  // No graphics binding: a headless session (XR_MND_headless).
+  const XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, runtime_.system()};
+  CHECK_XR(xrCreateSession(runtime_.instance(), &session_info, &session_));
+
+  find_spaces();
+
+  for (const Hand hand : {Hand::left, Hand::right}) {
+    const XrHandEXT side = hand == Hand::left ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
+    const XrHandTrackerCreateInfoEXT tracker_info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, side,
+                                                  XR_HAND_JOINT_SET_DEFAULT_EXT};
+    CHECK_XR_NAMED("xrCreateHandTrackerEXT",
+                   create_hand_tracker_(session_, &tracker_info, &trackers_[static_cast<std::size_t>(hand)]));
+  }
+}
+
+void XrHeadlessSession::find_spaces() {
+  std::uint32_t count = 0;
+  CHECK_XR(xrEnumerateReferenceSpaces(session_, 0, &count, nullptr));
+  spaces_.resize(count);
+  CHECK_XR(xrEnumerateReferenceSpaces(session_, count, &count, spaces_.data()));
+  if (has_space(XR_REFERENCE_SPACE_TYPE_STAGE))
+    steady_space_ = floor_space_ = XR_REFERENCE_SPACE_TYPE_STAGE;
+  else if (!has_space(local_floor_space))
+    return;
+  else if (can_be_made(local_floor_space))
+    floor_space_ = local_floor_space;
+  else
+    std::erase(spaces_, local_floor_space);
+}
+
+// An API layer older than the space refuses it, though the runtime has it.
+bool XrHeadlessSession::can_be_made(XrReferenceSpaceType type) const {
+  const XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, identity};
+  XrSpace space = XR_NULL_HANDLE;
+  const XrResult made = CALL_XR(xrCreateReferenceSpace(session_, &space_info, &space));
+  if (made == XR_ERROR_VALIDATION_FAILURE || made == XR_ERROR_REFERENCE_SPACE_UNSUPPORTED) return false;
+  CHECK_XR_RESULT("xrCreateReferenceSpace", made);
+  CALL_XR(xrDestroySpace(space));
+  return true;
+}
+
+bool XrHeadlessSession::has_space(XrReferenceSpaceType space) const {
+  return std::find(spaces_.begin(), spaces_.end(), space) != spaces_.end();
+}
+
+void XrHeadlessSession::place_plate(XrReferenceSpaceType space, const XrPosef& pose) {
+  if (space != XR_REFERENCE_SPACE_TYPE_LOCAL && !has_space(space))
+    throw Failure(ExitCode::registration, "the OpenXR runtime " + runtime_.name() +
+                                              " does not have the space in which the plate was registered; "
+                                              "register it anew (--register)");
+  plate_base_ = space;
+  plate_pose_ = pose;
+  make_plate_space();
+}
+
+void XrHeadlessSession::make_plate_space() {
+  const XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, plate_base_,
+                                              motion_.now(plate_base_, plate_pose_)};
+  XrSpace placed = XR_NULL_HANDLE;
+  CHECK_XR(xrCreateReferenceSpace(session_, &space_info, &placed));
+  if (plate_space_ != XR_NULL_HANDLE) CALL_XR(xrDestroySpace(plate_space_));
+  plate_space_ = placed;
+}
+
+// What was announced of the plate's space holds from a time on.
+void XrHeadlessSession::follow_spaces(XrTime time) {
+  if (plate_space_ == XR_NULL_HANDLE) return;
+  const SpaceMotion::Change change = motion_.advance(plate_base_, time);
+  if (change == SpaceMotion::Change::none) return;
+  if (change == SpaceMotion::Change::unknown)
+    throw Failure(ExitCode::registration,
+                  std::string("the OpenXR runtime moved its ") + name_of(plate_base_) +
+                      " space, as when its user recentres the view, and did not report where to: where the plate is "
+                      "is no longer known; start again, and register it (--register FILE)");
+  make_plate_space();
+  ++recentrings_;
+}
+
+// Handles of a lost session or instance are destroyed too; the results of those calls are ignored.
+XrHeadlessSession::~XrHeadlessSession() {
+  for (const XrHandTrackerEXT tracker : trackers_)
+    if (tracker != XR_NULL_HANDLE) CALL_XR_NAMED("xrDestroyHandTrackerEXT", destroy_hand_tracker_(tracker));
+  if (plate_space_ != XR_NULL_HANDLE) CALL_XR(xrDestroySpace(plate_space_));
+  if (session_ != XR_NULL_HANDLE) CALL_XR(xrDestroySession(session_));
+}
+
+XrTime XrHeadlessSession::next_frame() {
+  const auto give_up = Clock::now() + limit_;
+  for (;;) {
+    poll_events();
+    if (!running_) wait_until_running();
+    const std::optional<XrTime> time = frame_of_runtime();
+    if (time && *time > last_frame_) {
+      follow_spaces(*time);
+      return last_frame_ = *time;
+    }
+    if (Clock::now() > give_up) fail("the OpenXR runtime's time stands still");
+    if (!time) std::this_thread::sleep_for(poll_period);
+  }
+}
+
+// A frame of the runtime's loop. If its frames have no time (a headless session needs no frame loop), a frame
+// of our own, at the runtime's present time.
+std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
+  if (!frames_have_times_) {
+    own_frame_ = std::max(own_frame_ + own_frame_period, Clock::now());  // whatever a frame's work takes
+    std::this_thread::sleep_until(own_frame_);
+    return time_now();
+  }
+  XrFrameState frame{XR_TYPE_FRAME_STATE};
+  const XrResult waited = CALL_XR(xrWaitFrame(session_, nullptr, &frame));
+  if (waited == XR_ERROR_SESSION_NOT_RUNNING) return std::nullopt;  // an event is on its way
+  const bool has_loop = waited != XR_ERROR_FUNCTION_UNSUPPORTED;
+  if (has_loop) CHECK_XR_RESULT("xrWaitFrame", waited);
+  if (!has_loop || frame.predictedDisplayTime <= 0) {
+    frames_have_times_ = false;
+    return time_now();
+  }
+  CHECK_XR(xrBeginFrame(session_, nullptr));
+  const XrFrameEndInfo end_info{XR_TYPE_FRAME_END_INFO, nullptr, frame.predictedDisplayTime, blend_mode, 0, nullptr};
+  CHECK_XR(xrEndFrame(session_, &end_info));
+  return frame.predictedDisplayTime;
+}
+
+XrTime XrHeadlessSession::time_now() const {
+  if (convert_timespec_ == nullptr)
+    fail("the OpenXR runtime gives its frames no time and has no XR_KHR_convert_timespec_time to ask for it");
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  XrTime time = 0;
+  CHECK_XR_NAMED("xrConvertTimespecTimeToTimeKHR", convert_timespec_(runtime_.instance(), &now, &time));
+  return time;
+}
+
+void XrHeadlessSession::wait_until_running() {
+  const auto give_up = Clock::now() + limit_;
+  while (!running_) {
+    if (Clock::now() > give_up) fail("the OpenXR runtime did not let the session run " + within(limit_));
+    std::this_thread::sleep_for(poll_period);
+    poll_events();
+  }
+}
+
+void XrHeadlessSession::poll_events() {
+  for (const auto give_up = Clock::now() + limit_;;) {
+    throw_if_interrupted();
+    if (Clock::now() > give_up) fail("the OpenXR runtime's events do not end " + within(limit_));
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    if (CHECK_XR(xrPollEvent(runtime_.instance(), &event)) == XR_EVENT_UNAVAILABLE) return;
+    if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
+      throw XrLost(XR_ERROR_INSTANCE_LOST, "the runtime announced the loss of the instance");
+    if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) {
+      const auto& change = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
+      if (change.session == session_ && change.referenceSpaceType == plate_base_) motion_.announce(change);
+    }
+    if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
+    const auto& change = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
+    if (change.session == session_) change_state(change.state);
+  }
+}
+
+// A state that comes again, or one that this version of the API does not know, changes nothing.
+void XrHeadlessSession::change_state(XrSessionState state) {
+  switch (state) {
+    case XR_SESSION_STATE_READY:
+      if (!running_) {
+        const XrSessionBeginInfo begin_info{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
+                                            XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+        CHECK_XR(xrBeginSession(session_, &begin_info));
+        running_ = true;
+      }
+      break;
+    case XR_SESSION_STATE_STOPPING:
+      if (running_) {
+        CHECK_XR(xrEndSession(session_));
+        running_ = false;
+      }
+      break;
+    case XR_SESSION_STATE_LOSS_PENDING:
+      throw XrLost(XR_SESSION_LOSS_PENDING, "the runtime announced the loss of the session");
+    case XR_SESSION_STATE_EXITING:
+      if (!ending_) fail("the OpenXR runtime ended the session");
+      break;
+    default:
+      break;
+  }
+}
+
+Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
+  std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
+  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
+                                    joints.data()};
+  const XrHandJointsLocateInfoEXT locate_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, plate_space_, time};
+  CHECK_XR_NAMED("xrLocateHandJointsEXT",
+                 locate_hand_joints_(trackers_[static_cast<std::size_t>(hand)], &locate_info, &locations));
+  const XrHandJointLocationEXT& tip = joints[XR_HAND_JOINT_INDEX_TIP_EXT];
+  if (locations.isActive != XR_TRUE || !can_be_observed(tip)) return {};
+  const auto d = [](float value) { return static_cast<double>(value); };
+  const XrVector3f& position = tip.pose.position;
+  const XrQuaternionf& turn = tip.pose.orientation;
+  Fingertip seen{.tracked = true, .position_m = {d(position.x), d(position.y), d(position.z)}, .rotation = {}};
+  const std::array<double, 4> rotation = {d(turn.x), d(turn.y), d(turn.z), d(turn.w)};
+  const double square = std::inner_product(rotation.begin(), rotation.end(), rotation.begin(), 0.0);
+  if ((tip.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) && std::abs(square - 1.0) < 0.001)
+    seen.rotation = rotation;
+  return seen;
+}
+
+void XrHeadlessSession::end() {
+  if (!running_) return;
+  ending_ = true;
+  CHECK_XR(xrRequestExitSession(session_));
+  const auto give_up = Clock::now() + limit_;
+  while (running_) {
+    poll_events();
+    if (!running_) return;
+    if (Clock::now() > give_up) fail("the OpenXR runtime did not stop the session when asked to");
+    frame_of_runtime();
+  }
+}
+
+}  // namespace hrt::app

@@ -1,0 +1,135 @@
+// A headless OpenXR session with two hand trackers, located in the plate's space, wherever the runtime moves its own.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "samples/app/xr/runtime.h"
+
+namespace hrt::app {
+
+enum class Hand { left = 0, right = 1 };
+
+/// Of XR_EXT_local_floor and OpenXR 1.1, which Debian 12's header lacks; numbers of Khronos' registry.
+inline constexpr const char* local_floor_extension = "XR_EXT_local_floor";
+inline constexpr auto local_floor_space = static_cast<XrReferenceSpaceType>(1000426000);
+
+/// "STAGE", "LOCAL" or "LOCAL_FLOOR".
+const char* name_of(XrReferenceSpaceType space);
+
+/// The tip joint of an index finger. If not `tracked`, the rest is meaningless.
+struct Fingertip {
+  bool tracked = false;
+  std::array<double, 3> position_m{};  ///< in plate coordinates
+  /// From the joint's axes to the plate's, x, y, z, w; none if the runtime does not know it.
+  std::optional<std::array<double, 4>> rotation;
+};
+
+/// Where the runtime moves the origins of its reference spaces, as its user recentres the view
+/// (XrEventDataReferenceSpaceChangePending): what stands still in the room then has another pose in them. Of one
+/// run, across its sessions. One thread.
+class SpaceMotion {
+ public:
+  /// A change that is to come.
+  void announce(const XrEventDataReferenceSpaceChangePending& change);
+
+  enum class Change { none, moved, unknown };
+  /// Makes the announced changes of this space that hold at `time`. `unknown`: the runtime moved its origin
+  /// and did not report where to; the coordinates of the space then begin anew.
+  Change advance(XrReferenceSpaceType space, XrTime time);
+
+  /// The pose now of what stood at `pose_at_first` in the coordinates that the space had at first.
+  XrPosef now(XrReferenceSpaceType space, const XrPosef& pose_at_first) const;
+
+ private:
+  std::vector<XrEventDataReferenceSpaceChangePending> pending_;
+  std::map<XrReferenceSpaceType, XrPosef> first_;  // the first coordinates' origin, in the present ones
+};
+
+/// One session from IDLE to its end. One thread.
+class XrHeadlessSession {
+ public:
+  /// `motion` is that of the spaces, from session to session. `limit` bounds every wait for an event. Throws
+  /// XrFailure.
+  XrHeadlessSession(XrRuntime& runtime, SpaceMotion& motion, std::chrono::milliseconds limit);
+  ~XrHeadlessSession();
+  XrHeadlessSession(const XrHeadlessSession&) = delete;
+  XrHeadlessSession& operator=(const XrHeadlessSession&) = delete;
+
+  /// Waits for the next frame and returns its time, later than any before. Throws XrLost if the session must
+  /// be created again; Failure (ExitCode::runtime_failed) if the runtime ended it or a wait exceeded its
+  /// limit; Failure (ExitCode::registration) if the runtime moved the plate's space by an unknown amount;
+  /// Interrupted.
+  XrTime next_frame();
+
+  /// A space whose origin stays where it is from run to run, if the runtime has one: STAGE, or else LOCAL.
+  XrReferenceSpaceType steady_space() const { return steady_space_; }
+  /// A space whose origin is on the floor: STAGE, or else LOCAL_FLOOR; LOCAL, at the user's eyes, if the
+  /// runtime knows no floor.
+  XrReferenceSpaceType floor_space() const { return floor_space_; }
+
+  /// Fingertips are located in the plate's coordinates from now on: its mount is at `pose` in a reference
+  /// space, in the coordinates that this space had at first. There it stays in the room when the runtime
+  /// moves its space. Throws Failure (ExitCode::registration) if the runtime lacks the space.
+  void place_plate(XrReferenceSpaceType space, const XrPosef& pose);
+  XrSpace plate_space() const { return plate_space_; }
+
+  /// The pose in the present coordinates of a space of what is at `pose` in its first ones.
+  XrPosef now(XrReferenceSpaceType space, const XrPosef& pose) const { return motion_.now(space, pose); }
+
+  /// How often the runtime has moved the space in which the plate is placed.
+  int recentrings() const { return recentrings_; }
+
+  /// The fingertip at a time that next_frame() returned.
+  Fingertip locate(Hand hand, XrTime time);
+
+  /// Asks the runtime to end the session, and waits until it has.
+  void end();
+
+  XrSession handle() const { return session_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // Once this is done the destructor is called, whatever fails then.
+  XrHeadlessSession(XrRuntime* runtime, SpaceMotion* motion, std::chrono::milliseconds limit)
+      : runtime_(*runtime), limit_(limit), motion_(*motion) {}
+  void find_spaces();
+  bool has_space(XrReferenceSpaceType space) const;
+  bool can_be_made(XrReferenceSpaceType type) const;
+  void make_plate_space();
+  void follow_spaces(XrTime time);
+  void poll_events();
+  void change_state(XrSessionState state);
+  void wait_until_running();
+  std::optional<XrTime> frame_of_runtime();
+  XrTime time_now() const;
+
+  XrRuntime& runtime_;
+  std::chrono::milliseconds limit_;
+  XrSession session_ = XR_NULL_HANDLE;
+  SpaceMotion& motion_;
+  std::vector<XrReferenceSpaceType> spaces_;  // that the runtime has
+  XrReferenceSpaceType plate_base_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
+  XrPosef plate_pose_{};  // in it, in its first coordinates
+  XrSpace plate_space_ = XR_NULL_HANDLE;
+  int recentrings_ = 0;
+  XrReferenceSpaceType floor_space_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
+  XrReferenceSpaceType steady_space_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
+  std::array<XrHandTrackerEXT, 2> trackers_{};
+  bool running_ = false;
+  bool ending_ = false;            // because we asked for it
+  bool frames_have_times_ = true;  // until a frame has none
+  Clock::time_point own_frame_;    // the last one that began, if they have none
+  XrTime last_frame_ = 0;
+
+  PFN_xrCreateHandTrackerEXT create_hand_tracker_ = nullptr;
+  PFN_xrDestroyHandTrackerEXT destroy_hand_tracker_ = nullptr;
+  PFN_xrLocateHandJointsEXT locate_hand_joints_ = nullptr;
+  PFN_xrConvertTimespecTimeToTimeKHR convert_timespec_ = nullptr;  // null if the runtime has none
+};
+
+}  // namespace hrt::app

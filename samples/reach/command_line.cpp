@@ -1,0 +1,192 @@
+#include "samples/reach/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "samples/app/base/exit_code.h"
+
+namespace hrt::reach {
+namespace {
+
+constexpr const char* description =
+    "Leads a tracked fingertip to real targets while the user feels that it reaches virtual ones:\n"
+    "OpenXR hand tracking in, the orientation of the ridged plate out. With samples/mock_runtime all\n"
+    "numbers are simulation.";
+
+constexpr const char* exit_codes =
+    R"(Exit codes:
+  0  the fingertip ended inside every target that can be held
+  1  it ended outside of one; or a calibration ran out of slides, and was written
+  2  the command line is wrong
+  3  the plugin cannot be opened, or refused
+  4  the scene cannot be loaded, or has no such target
+  5  no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or one that does not start
+  6  the runtime has no headless sessions or no hand tracking
+  7  the runtime failed, was lost too often, ended the session, or kept it from running
+  8  in a reach no fingertip came to the start, or the reach did not end, in time; the others count;
+     or what a set-up asked for was not done
+  9  the plate's device failed
+ 10  a file, or the standard output, cannot be written
+ 11  the runtime did not return from a call in time
+ 12  the touches do not fit the plate's marks, or the plate is not where it was registered or moved to
+ 13  the slides of a calibration do not determine the user; nothing was written
+ 70  anything else
+130  interrupted (Ctrl-C)
+)";
+
+// CLI11's own range lets NaN through.
+CLI::Validator between(double low, double high, const std::string& range) {
+  return {[=](const std::string& text) -> std::string {
+            double value = 0.0;
+            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+            return "\"" + text + "\" is not " + range;
+          },
+          range};
+}
+
+// What is not yet an option's value.
+struct Words {
+  std::string hand = "right";
+  std::string plate = "runtime";
+  std::string controller = "people";
+  double runtime_limit_s = 10.0;
+  bool speak = false;
+};
+
+void add_reaches(CLI::App& app, Options& options, Words& words) {
+  app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
+  app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so, or the system's]");
+  app.add_option("--target", options.targets, "Reach for this virtual target; may be given again [all]");
+  app.add_option("--repeat", options.repeat, "Number of rounds through the targets [1]")
+      ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--seed", options.seed, "Seed of a simulated user and of the noise [1]")
+      ->check(CLI::Validator(
+          [](const std::string& text) -> std::string {
+            const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
+            return digits && text.size() < 20 ? "" : "\"" + text + "\" is not a whole number from 0, below 10^19";
+          },
+          "a whole number from 0"));
+  app.add_option("--hand", words.hand, "left, right, or either: the first at the start [right]")
+      ->check(CLI::IsMember({"left", "right", "either"}));
+  app.add_option("--plate", words.plate,
+                 "What turns the plate: runtime (the one that a runtime simulates), servo[:SPEED] (one that this\n"
+                 "program simulates, degrees a second, [400]), serial:LINE, dynamixel:LINE or\n"
+                 "plate.json, as hrt_plate_open() of haptic_retargeting/plate.h takes them [runtime]")
+      ->check(CLI::Validator(
+          [](const std::string& text) -> std::string {
+            if (parse_plate(text)) return "";
+            return "\"" + text +
+                   "\" is not runtime, servo, servo:SPEED (1 to 1000000), serial:LINE, dynamixel:LINE or a "
+                   "file *.json";
+          },
+          "PLATE"));
+  app.add_option("--time-limit", options.time_limit_s, "Longest reach, and longest wait for its start, seconds [30]")
+      ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
+  app.add_option("--runtime-limit", words.runtime_limit_s,
+                 "Longest call into the runtime, and longest wait for it, seconds [10]")
+      ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
+}
+
+void add_controller(CLI::App& app, Options& options, Words& words) {
+  app.add_option("--controller", words.controller,
+                 "people: learns how the user feels and moves, and aims at the target's place at arrival; or paper:\n"
+                 "takes the share of touch as known and aims in a fixed direction [people]")
+      ->check(CLI::IsMember({"people", "paper"}));
+  app.add_option("--tactile-weight", options.tactile_weight,
+                 "Share of touch that the controller assumes, at first [people: 0.2, paper: 0.15]")
+      ->check(between(0.001, 0.499, "a number from 0.001 to 0.499"));
+  app.add_option("--motor-variance", options.motor_variance_deg2,
+                 "Variance of motor noise that the paper's controller assumes, degrees squared a step [0.5]")
+      ->check(between(1e-9, 1e4, "a number from 1e-9 to 10000"));
+}
+
+void add_place(CLI::App& app, Options& options) {
+  CLI::Option* anew = app.add_option(
+      "--register", options.register_to,
+      "Ask a person to touch the plate's marks, find the plate by them, and keep its place in this file");
+  app.add_option("--registered", options.registered,
+                 "The plate is where this file has it; a touch of one mark checks that")
+      ->excludes(anew);
+  app.add_flag("--fingertip", options.fingertip,
+               "When registering, find first where the skin of the --hand touches, from the joint that is\n"
+               "tracked, for a hand that does not keep one attitude; the file keeps it")
+      ->needs(anew);
+  app.add_flag("--guides", options.guides,
+               "When registering, ask after it for slides along a guide to each real target, such as the plate's\n"
+               "printed strip: half the error or less; the file keeps it")
+      ->needs(anew);
+  app.add_flag("--check-each", options.check_each,
+               "Ask for the touch that checks a registered plate before every reach, not only the first");
+  app.add_option("--marks", options.marks,
+                 "CSV file of the marks to touch: name,x_m,y_m,z_m [the scene's start and five on the rim]")
+      ->needs(anew);
+  app.add_option("--eye-height", options.eye_height_m,
+                 "How high the eyes are above the floor, metres, for a runtime that knows no floor, whose LOCAL\n"
+                 "space begins at the eyes [asked on the terminal]")
+      ->check(between(0.3, 2.5, "a number from 0.3 to 2.5"));
+}
+
+void add_files(CLI::App& app, Options& options) {
+  app.add_option("--record", options.record, "Record the plugin's inputs and outputs into this CSV file");
+  app.add_option("--profile", options.profile, "Start from this user's profile, which --calibrate wrote")
+      ->check(CLI::ExistingFile)
+      ->excludes("--tactile-weight");
+  CLI::Option* calibrate =
+      app.add_option("--calibrate", options.calibrate,
+                     "Guide the user through slides that show how they feel the ridges, in place of reaches, and\n"
+                     "write their profile into this file")
+          ->excludes("--target", "--repeat", "--profile", "--tactile-weight");
+  app.add_option("--max-slides", options.max_slides, "Most slides of a calibration [40]")
+      ->check(CLI::Range(16, 200))
+      ->needs(calibrate);
+}
+
+void add_person(CLI::App& app, Options& options, Words& words) {
+  app.add_flag("--person", options.person, "Instruct a person on the terminal, even if the runtime simulates a user");
+  CLI::Option* aloud = app.add_flag("--speak", words.speak, "Speak what a person is asked, with espeak-ng");
+  app.add_option("--speak-with", options.speak_with,
+                 "Speak with this program: its name and arguments, separated by spaces; each text is a line\n"
+                 "on its standard input")
+      ->excludes(aloud);
+  app.add_flag("--verbose,-v", options.verbose, "Print a line a frame");
+}
+
+void take(const Words& words, Options& options) {
+  options.plate = *parse_plate(words.plate);
+  options.runtime_limit = std::chrono::milliseconds(std::llround(words.runtime_limit_s * 1e3));
+  if (words.speak) options.speak_with = "espeak-ng";
+  options.for_people = words.controller == "people";
+  if (words.hand == "left") options.hands = {Hand::left};
+  if (words.hand == "right") options.hands = {Hand::right};
+  if (words.hand == "either") options.hands = {Hand::right, Hand::left};
+  if (options.fingertip && options.hands.size() > 1)
+    throw CLI::ValidationError("--fingertip", "needs --hand left or right: each hand has its own skin");
+  if (options.check_each && options.register_to.empty() && options.registered.empty())
+    throw CLI::ValidationError("--check-each", "needs --register or --registered");
+}
+
+}  // namespace
+
+std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options) {
+  CLI::App app(description, "hrt-reach");
+  app.footer(exit_codes);
+  options.plugin = default_plugin();
+  Words words;
+  add_reaches(app, options, words);
+  add_controller(app, options, words);
+  add_place(app, options);
+  add_files(app, options);
+  add_person(app, options, words);
+  try {
+    app.parse(argc, argv);
+    take(words, options);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "hrt-reach: " << error.what() << " (--help lists the options)\n";
+    return static_cast<int>(ExitCode::usage);
+  }
+  return std::nullopt;
+}
+
+}  // namespace hrt::reach

@@ -1,0 +1,16 @@
+// The command line of hrt-reach.
+#pragma once
+
+#include <optional>
+
+#include "samples/app/run/options.h"
+
+namespace hrt::reach {
+
+using namespace app;
+
+/// Parses the command line. Returns the exit code if the program is to end at once: after --help, or with a
+/// sentence on stderr about the mistake. `options` is then unspecified.
+std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options);
+
+}  // namespace hrt::reach
