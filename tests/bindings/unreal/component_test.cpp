@@ -369,36 +369,15 @@ TEST_F(Component, IsMovedByASetupToWhereItIsTouched) {
   EXPECT_FALSE(component_.Settings.bRegistered) << "moved elsewhere";
 }
 
-// A loop asks a simulated person for slides.
-TEST_F(Component, CalibratesASimulatedFinger) {
-  component_.SetWorldTransform(somewhere());
-  FHapticTarget ahead;
-  ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("ahead"), 0, 10, ahead));
-  FHapticSetupStep step;
-  int turns = 0;
-  component_.OnSetupStepped.Add([&](const FHapticSetupStep& next) { step = next; });
-  component_.OnPlateCommanded.Add([&](double) { ++turns; });
-  ASSERT_TRUE(component_.BeginSetup(static_cast<int32>(HRT_SETUP_CALIBRATION)));
-  ASSERT_TRUE(component_.BeginSimulatedFinger(ahead, 1));
-  FHapticSetupResult result;
-  FVector place;
-  for (int frame = 0; component_.IsSettingUp() && frame < 40000; ++frame) {
-    const bool rested = step.Instruction == EHapticStep::RestAtStart;
-    ASSERT_TRUE(component_.UpdateSimulatedFinger(frame / 90.0, place)) << last_log();
-    if (step.Instruction == EHapticStep::RestAtStart && !rested) {
-      ASSERT_TRUE(component_.BeginSimulatedFinger(ahead, 1));
-    }
-    if (step.Instruction == EHapticStep::Finish) {
-      ASSERT_TRUE(component_.FinishSetup(result));
-    }
-  }
-  EXPECT_EQ(result.Done, static_cast<int32>(HRT_SETUP_CALIBRATION));
-  EXPECT_GE(turns, 16);
-  EXPECT_TRUE(result.bTactileWeightKnown);
-  EXPECT_LE(result.BiasYawLower, result.BiasYaw);
-  EXPECT_LE(result.BiasYaw, result.BiasYawUpper);
-  EXPECT_EQ(component_.Settings.TactileWeight, result.TactileWeight);
-  EXPECT_EQ(component_.Settings.BiasYaw, result.BiasYaw);
+// A mirrored interval exchanges its ends.
+TEST(UnrealSetup, IntervalsAreConverted) {
+  hrt_setup_result found = hrt_setup_result_init();
+  found.bias_deg = {.value = 2, .lower = 1, .upper = 4, .known = 1};
+  const FHapticSetupResult result = HapticConversions::FromSetupResult(found);
+  EXPECT_EQ(result.BiasYaw, -2);
+  EXPECT_EQ(result.BiasYawLower, -4);
+  EXPECT_EQ(result.BiasYawUpper, -1);
+  EXPECT_TRUE(result.bBiasYawKnown);
 }
 
 TEST_F(Component, IsLedThroughByASimulatedFinger) {
