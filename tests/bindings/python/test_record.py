@@ -35,7 +35,7 @@ def test_recorded_reach_is_read_bit_for_bit(session: hrt.Session, straight: np.n
 
 def test_checked_in_recordings_are_read() -> None:
     (reach,) = hrt.read_recording(REACH).reaches
-    assert len(reach.samples) == 167 and reach.commands["step"][-1] == 29
+    assert len(reach.samples) == 167 and reach.commands["step"][-1] == 30
 
 
 def test_calls_that_were_refused_have_no_command(tmp_path: Path) -> None:
@@ -74,9 +74,9 @@ def test_world_is_turned_into_plate_coordinates() -> None:
     ("call,result", "call,outcome", "line 8: the column result is missing"),
     ("begin,0", "start,0", "line 13: the row's call is 'start'"),
     (",,-5,5,0.1,", ",,-5,,0.1,", "line 13: virtual_direction_deg is missing"),
-    ("update,0,200115660", "update,0,soon", "line 23: .*'soon'"),
-    ("update,0,200115660", "update,0,9" + 20 * "9", "line 23: time_ns is 9+, which is beyond int64"),
-    ("update,0,200115660,", "update,0,", "line 23: the row has 74 columns; 75"),
+    ("update,0,200028000", "update,0,soon", "line 23: .*'soon'"),
+    ("update,0,200028000", "update,0,9" + 20 * "9", "line 23: time_ns is 9+, which is beyond int64"),
+    ("update,0,200028000,", "update,0,", "line 23: the row has 74 columns; 75"),
     ('"horizon":20', '"horizon":"twenty"', "line 9"),
     ('"horizon":20', '"horizon":-3', "line 9: SessionConfig.horizon is -3: beyond uint"),
     ("# config {", "# config [", "line 9"),

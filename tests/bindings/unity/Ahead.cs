@@ -1,6 +1,6 @@
 // What scripts do, where all code is compiled ahead and none can be made while it runs, as under IL2CPP: a
 // component's frames and events, what the library refuses, set-ups, a call from one of the library's threads, and
-// the scripted reach. usage: Ahead.exe RECORDING_CSV
+// the scripted reach.
 using System;
 using System.IO;
 using Hrt;
@@ -9,14 +9,14 @@ using UnityEngine;
 
 static class Ahead
 {
-    static int Main(string[] arguments)
+    static int Main()
     {
         string path = Path.GetTempFileName();
         try
         {
             RunFrames();
             SetUp();
-            ScriptedReach reach = ScriptedReach.Run(File.ReadAllText(arguments[0]));
+            ScriptedReach reach = ScriptedReach.Run();
             string wrong = new Scripts().LeaveEverythingOpen(path);
             Expect(wrong == "", wrong);
             Console.WriteLine("hash 0x{0:x16}", reach.Hash);
