@@ -1,8 +1,5 @@
 // What the C# of the Unity package takes from Unity, for .NET without it.
 using System;
-using System.Runtime.Versioning;
-
-[assembly: TargetFramework(".NETStandard,Version=v2.1")]
 
 namespace AOT
 {

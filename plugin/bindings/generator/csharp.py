@@ -15,8 +15,13 @@ _ENUMS = {"HRT_ERROR": "Result", "HRT_LOG": "LogLevel", "HRT_TARGET": "TargetRol
 _HANDLES = {"hrt_target": "TargetId"}
 _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "ulong", "double": "double",
           "hrt_result": "Result", "size_t": "UIntPtr", "void": "void"}
-# Written by hand in Runtime/Values.cs.
+# Arrays that several structs have, with their elements.
 _ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name"}
+_SHARED = {
+    "Double3": ("double", "x y z", "Three numbers, as the library has them: a position in metres, x right, y up, z towards the user, right-handed."),
+    "Double4": ("double", "x y z w", "Four numbers, as the library has them: a unit quaternion in right-handed axes."),
+    "Name": ("ulong", " ".join(f"word{i}" for i in range(8)), "A name of at most 63 bytes of UTF-8, ended by a zero."),
+}
 _WIDTH = 110
 
 
@@ -49,6 +54,7 @@ class Renderer(Names):
         parts += [self.struct(s) for s in self.abi.structs]
         parts += [self.array(s, f) for s in self.abi.structs for f in s.fields
                   if f.count and (f.type.name, f.count) not in _ARRAYS]
+        parts += [self.shared(name) for name in _SHARED if self.native == "Native"]
         parts += [self.callback(c) for c in self.abi.callbacks]
         parts.append(f"internal static class {self.native}\n{{\n"
                      f'    internal const string Library = "{self.library}";\n\n'
@@ -101,6 +107,21 @@ class Renderer(Names):
                 f"public struct {self.arrays[struct.name, field.name]}\n{{\n"
                 f"    public {'ulong' if text else _TYPES[field.type.name]} {elements};\n"
                 + f"\n    public override string ToString() => Utf8.Read({elements});\n" * text + "}\n")
+
+    def shared(self, name: str) -> str:
+        """An array that several structs have, which scripts fill too."""
+        type_, names, text = _SHARED[name]
+        elements = names.split()
+        is_text = type_ == "ulong"
+        parameters = "string text" if is_text else ", ".join(f"double {e}" for e in elements)
+        lines = ["ulong[] words = Utf8.Words(text, nameof(text));"] * is_text
+        lines += [f"this.{e} = {f'words[{i}]' if is_text else e};" for i, e in enumerate(elements)]
+        shown = f"Utf8.Read({', '.join(elements)})" if is_text else f'$"({", ".join(f"{{{e}}}" for e in elements)})"'
+        return (self.doc(text, "") + "[Serializable, StructLayout(LayoutKind.Sequential)]\n"
+                f"public struct {name}\n{{\n    public {type_} {', '.join(elements)};\n\n    public {name}({parameters})\n    {{\n"
+                + "".join(f"        {line}\n" for line in lines) + "    }\n\n"
+                + "    public static implicit operator Name(string text) => new Name(text);\n\n" * is_text
+                + f"    public override string ToString() => {shown};\n}}\n")
 
     def callback(self, function: Function) -> str:
         # What a callback is given is only ever looked at through pointers.

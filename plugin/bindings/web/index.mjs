@@ -66,25 +66,30 @@ function idsOf(memory, count, write) {
   });
 }
 
-// The input or output of a session's frames in the module's memory, for as long as the session lives.
-class Frame {
-  #memory;
-  #at;
-  #owner;
-  constructor(memory, type, owner) {
-    this.#memory = memory;
-    this.#at = memory.allocateStruct(type);
-    this.#owner = owner;
+// What the module has under a handle, calls that begin with it, and structs in the module's memory for as long as it lives.
+class Native {
+  #destroy;
+  #structs = new Map();
+  /** `destroy`, such as hrt_session_destroy, and the structs' types. */
+  constructor(memory, destroy, create, ...types) {
+    this.memory = memory;
+    this.#destroy = destroy;
+    this.handle = created(memory, create);
+    for (const type of types) this.#structs.set(type, memory.allocateStruct(type));
   }
-  get at() {
-    if (this.#at === 0) {
-      throw new HapticRetargetingError(abi.HRT_ERROR_INVALID_HANDLE, `the ${this.#owner} has been destroyed`);
-    }
-    return this.#at;
+  call(name, ...values) { this.memory.call(name, this.handle, ...values); }
+  get(type, name, ...values) { return this.memory.get(type, name, this.handle, ...values); }
+  put(type, fields, name, ...values) { this.memory.put(type, fields, name, this.handle, ...values); }
+  /** Where a struct is. */
+  at(type) {
+    const at = this.#structs.get(type);
+    if (at === undefined) throw new HapticRetargetingError(abi.HRT_ERROR_INVALID_HANDLE, `the ${this.#destroy.split("_")[1]} has been destroyed`);
+    return at;
   }
-  free() {
-    this.#memory.free(this.#at);
-    this.#at = 0;
+  destroy() {
+    this.call(this.#destroy);
+    for (const at of this.#structs.values()) this.memory.free(at);
+    this.#structs.clear();
   }
 }
 
@@ -95,41 +100,30 @@ const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose");
 
 class Session {
   static #count = 0;
-  #memory;
-  #handle;
+  #native;
   #update;
-  #path;
-  #input;
-  #output;
+  #path = `recording ${++Session.#count}`;
 
   constructor(memory, config) {
-    this.#memory = memory;
-    this.#handle = memory.withStruct("hrt_session_config", config, (at) =>
-      created(memory, (out) => memory.call("hrt_session_create", abi.HRT_VERSION, at, out)));
+    this.#native = memory.withStruct("hrt_session_config", config, (at) =>
+      new Native(memory, "hrt_session_destroy", (out) => memory.call("hrt_session_create", abi.HRT_VERSION, at, out), "hrt_sample", "hrt_command"));
     this.#update = memory.entry("hrt_reach_update");
-    this.#path = `recording ${++Session.#count}`;
-    this.#input = new Frame(memory, "hrt_sample", "session");
-    this.#output = new Frame(memory, "hrt_command", "session");
     shown(this, "sample", new Sample());
     shown(this, "command", new Command());
   }
 
-  get handle() { return this.#handle; }
+  get handle() { return this.#native.handle; }
 
   destroy() {
-    this.#memory.call("hrt_session_destroy", this.#handle);
-    this.#input.free();
-    this.#output.free();
+    this.#native.destroy();
     Object.freeze(this.sample);
   }
   [dispose]() { this.destroy(); }
 
   get config() {
-    return this.#memory.output("hrt_session_config", (at) => this.#memory.call("hrt_session_get", this.#handle, at, 0));
+    return this.#native.memory.output("hrt_session_config", (at) => this.#native.call("hrt_session_get", at, 0));
   }
-  configure(changes) {
-    this.#memory.put("hrt_session_config", { ...this.config, ...changes }, "hrt_session_set", this.#handle);
-  }
+  configure(changes) { this.#native.put("hrt_session_config", { ...this.config, ...changes }, "hrt_session_set"); }
 
   setPlate(matrix) {
     const flags = this.config.flags & ~abi.HRT_SESSION_REGISTERED;
@@ -137,62 +131,56 @@ class Session {
   }
 
   addTarget(config) {
-    return this.#memory.withStruct("hrt_target_config", config, (at) =>
-      created(this.#memory, (out) => this.#memory.call("hrt_target_add", this.#handle, at, out)));
+    const { memory } = this.#native;
+    return memory.withStruct("hrt_target_config", config, (at) =>
+      created(memory, (out) => this.#native.call("hrt_target_add", at, out)));
   }
-  target(id) {
-    return this.#memory.get("hrt_target_config", "hrt_target_get", this.#handle, id);
-  }
-  setTarget(id, changes) {
-    this.#memory.put("hrt_target_config", { ...this.target(id), ...changes }, "hrt_target_set", this.#handle, id);
-  }
-  removeTarget(id) { this.#memory.call("hrt_target_remove", this.#handle, id); }
+  target(id) { return this.#native.get("hrt_target_config", "hrt_target_get", id); }
+  setTarget(id, changes) { this.#native.put("hrt_target_config", { ...this.target(id), ...changes }, "hrt_target_set", id); }
+  removeTarget(id) { this.#native.call("hrt_target_remove", id); }
   findTarget(name) {
     const found = this.targets().find((id) => this.target(id).name === name);
     if (found === undefined) throw new RangeError(`no target has the name "${name}"`);
     return found;
   }
   targets(role = 0) {
-    const memory = this.#memory, list = (capacity, ids) =>
-      created(memory, (count) => memory.call("hrt_target_list", this.#handle, role, capacity, ids, count));
+    const { memory } = this.#native, list = (capacity, ids) =>
+      created(memory, (count) => this.#native.call("hrt_target_list", role, capacity, ids, count));
     const capacity = list(0n, 0);
     return idsOf(memory, Number(capacity), (ids) => list(capacity, ids));
   }
 
-  gap(realTarget, virtualTarget) {
-    return this.#memory.get("hrt_gap", "hrt_gap_query", this.#handle, realTarget, virtualTarget);
-  }
+  gap(realTarget, virtualTarget) { return this.#native.get("hrt_gap", "hrt_gap_query", realTarget, virtualTarget); }
 
   assign(virtualTargets, realTargets, exclusive = false) {
-    const memory = this.#memory, count = virtualTargets.length, { size } = abi.structs.hrt_gap;
+    const { memory } = this.#native, count = virtualTargets.length, { size } = abi.structs.hrt_gap;
     const ids = [...virtualTargets, ...realTargets];
     return memory.with(8 * ids.length + 1, (at) => memory.with(size * count + 4, (out) => {
       ids.forEach((id, i) => memory.view.setBigUint64(at + 8 * i, id, true));
       memory.view.setUint32(out, size, true);
-      memory.call("hrt_target_assign", this.#handle, at, BigInt(count), at + 8 * count, BigInt(realTargets.length),
+      this.#native.call("hrt_target_assign", at, BigInt(count), at + 8 * count, BigInt(realTargets.length),
         exclusive ? abi.HRT_ASSIGN_EXCLUSIVE : 0, BigInt(count), out);
       return Array.from({ length: count }, (_, i) => memory.read("hrt_gap", out + size * i));
     }));
   }
 
   get state() {
-    return this.#memory.with(4, (at) => {
-      this.#memory.call("hrt_session_get", this.#handle, 0, at);
-      return this.#memory.view.getUint32(at, true);
+    const { memory } = this.#native;
+    return memory.with(4, (at) => {
+      this.#native.call("hrt_session_get", 0, at);
+      return memory.view.getUint32(at, true);
     });
   }
 
   beginReach(realTarget, virtualTarget, plateOrientationDeg, startAtFinger = false) {
     const flags = (plateOrientationDeg === undefined ? 0 : abi.HRT_REACH_PLATE_ORIENTATION) |
                   (startAtFinger ? abi.HRT_REACH_START_AT_FINGER : 0);
-    this.#memory.put("hrt_reach_config", { real_target: realTarget, virtual_target: virtualTarget, flags,
-                                           plate_orientation_deg: plateOrientationDeg }, "hrt_reach_begin", this.#handle);
+    this.#native.put("hrt_reach_config", { real_target: realTarget, virtual_target: virtualTarget, flags,
+                                           plate_orientation_deg: plateOrientationDeg }, "hrt_reach_begin");
   }
-  retargetReach(realTarget, virtualTarget) {
-    this.#memory.call("hrt_reach_retarget", this.#handle, realTarget, virtualTarget);
-  }
-  reachTouched(contact = {}) { this.#memory.put("hrt_contact", contact, "hrt_reach_touched", this.#handle); }
-  cancelReach() { this.#memory.call("hrt_reach_cancel", this.#handle); }
+  retargetReach(realTarget, virtualTarget) { this.#native.call("hrt_reach_retarget", realTarget, virtualTarget); }
+  reachTouched(contact = {}) { this.#native.put("hrt_contact", contact, "hrt_reach_touched"); }
+  cancelReach() { this.#native.call("hrt_reach_cancel"); }
   setFinger(pose, time_ms) {
     if (!Number.isFinite(time_ms)) {
       throw new RangeError(`time_ms is ${String(time_ms)}; a finite number is needed, such as the time that the frame's callback is given`);
@@ -213,19 +201,17 @@ class Session {
     rotation[3] = turned.w;
   }
   update() {
-    const input = this.#input.at, output = this.#output.at, memory = this.#memory;
+    const { memory, handle } = this.#native, input = this.#native.at("hrt_sample"), output = this.#native.at("hrt_command");
     writeSample(memory.view, input, this.sample);
-    const code = this.#update(this.#handle, input, output);
+    const code = this.#update(handle, input, output);
     if (code !== abi.HRT_OK) memory.fail(code);
     readCommand(memory.view, output, this.command);
   }
-  endReach() {
-    return this.#memory.get("hrt_reach_summary", "hrt_reach_end", this.#handle);
-  }
+  endReach() { return this.#native.get("hrt_reach_summary", "hrt_reach_end"); }
 
   get profile() {
-    const memory = this.#memory, save = (capacity, text) =>
-      created(memory, (length) => memory.call("hrt_profile_save", this.#handle, capacity, text, length));
+    const { memory } = this.#native, save = (capacity, text) =>
+      created(memory, (length) => this.#native.call("hrt_profile_save", capacity, text, length));
     const capacity = save(0n, 0) + 1n;
     return memory.with(Number(capacity), (text) => {
       save(capacity, text);
@@ -233,92 +219,75 @@ class Session {
     });
   }
   loadProfile(text) {
-    this.#memory.withText(text, (at, length) => this.#memory.call("hrt_profile_load", this.#handle, at, length));
+    this.#native.memory.withText(text, (at, length) => this.#native.call("hrt_profile_load", at, length));
   }
 
-  get conditions() {
-    return this.#memory.get("hrt_conditions", "hrt_profile_get_conditions", this.#handle);
-  }
+  get conditions() { return this.#native.get("hrt_conditions", "hrt_profile_get_conditions"); }
   setConditions(conditions) {
-    this.#memory.put("hrt_conditions", conditions, "hrt_profile_set_conditions", this.#handle);
+    this.#native.put("hrt_conditions", conditions, "hrt_profile_set_conditions");
   }
 
   beginSetup(what = abi.HRT_SETUP_ALL_MISSING, config = {}) {
-    this.#memory.put("hrt_setup_config", config, "hrt_setup_begin", this.#handle, what);
+    this.#native.put("hrt_setup_config", config, "hrt_setup_begin", what);
   }
   updateSetup() {
-    writeSample(this.#memory.view, this.#input.at, this.sample);
-    return this.#memory.get("hrt_setup_step", "hrt_setup_update", this.#handle, this.#input.at);
+    const input = this.#native.at("hrt_sample");
+    writeSample(this.#native.memory.view, input, this.sample);
+    return this.#native.get("hrt_setup_step", "hrt_setup_update", input);
   }
-  finishSetup() { return this.#memory.get("hrt_setup_result", "hrt_setup_finish", this.#handle); }
-  cancelSetup() { this.#memory.call("hrt_setup_cancel", this.#handle); }
+  finishSetup() { return this.#native.get("hrt_setup_result", "hrt_setup_finish"); }
+  cancelSetup() { this.#native.call("hrt_setup_cancel"); }
 
-  newPerson() { this.#memory.call("hrt_session_new_person", this.#handle); }
+  newPerson() { this.#native.call("hrt_session_new_person"); }
 
   startRecording() {
-    this.#memory.withText(this.#path, (at) => this.#memory.call("hrt_recording_start", this.#handle, at));
+    this.#native.memory.withText(this.#path, (at) => this.#native.call("hrt_recording_start", at));
   }
-  get recordingStatus() {
-    return this.#memory.get("hrt_recording_status", "hrt_recording_get_status", this.#handle);
-  }
+  get recordingStatus() { return this.#native.get("hrt_recording_status", "hrt_recording_get_status"); }
   stopRecording() {
-    this.#memory.get("hrt_recording_status", "hrt_recording_stop", this.#handle);
-    return this.#memory.takeFile(this.#path);
+    this.#native.get("hrt_recording_status", "hrt_recording_stop");
+    return this.#native.memory.takeFile(this.#path);
   }
 }
 
 class Person {
-  #memory;
-  #handle;
-  #output;
+  #native;
 
   constructor(memory, seed, config) {
-    this.#memory = memory;
-    this.#handle = memory.withStruct("hrt_person_config", config, (at) =>
-      created(memory, (out) => memory.call("hrt_person_create", at, checked("seed", "u64", seed), out)));
-    this.#output = new Frame(memory, "hrt_sample", "person");
+    this.#native = memory.withStruct("hrt_person_config", config, (at) =>
+      new Native(memory, "hrt_person_destroy", (out) => memory.call("hrt_person_create", at, checked("seed", "u64", seed), out), "hrt_sample"));
   }
 
-  destroy() {
-    this.#memory.call("hrt_person_destroy", this.#handle);
-    this.#output.free();
-  }
+  destroy() { this.#native.destroy(); }
   [dispose]() { this.destroy(); }
 
-  begin(session, virtualTarget) { this.#memory.call("hrt_person_begin", this.#handle, session.handle, virtualTarget); }
+  begin(session, virtualTarget) { this.#native.call("hrt_person_begin", session.handle, virtualTarget); }
   move(sample, time_ns, plateOrientationDeg) {
-    const memory = this.#memory, out = this.#output.at;
-    memory.call("hrt_person_move", this.#handle, checked("time_ns", "i64", Math.round(time_ns)),
+    const out = this.#native.at("hrt_sample");
+    this.#native.call("hrt_person_move", checked("time_ns", "i64", Math.round(time_ns)),
       checked("plateOrientationDeg", "f64", plateOrientationDeg), out);
-    readSample(memory.view, out, sample);
+    readSample(this.#native.memory.view, out, sample);
   }
-  get state() {
-    return this.#memory.get("hrt_person_state", "hrt_person_get_state", this.#handle);
-  }
+  get state() { return this.#native.get("hrt_person_state", "hrt_person_get_state"); }
 }
 
 class Scene {
-  #memory;
-  #handle;
+  #native;
 
   constructor(memory, bytes, name) {
-    this.#memory = memory;
-    this.#handle = memory.withText(name, (text) => memory.withBytes(new Uint8Array(bytes), (at, length) =>
-      created(memory, (out) => memory.call("hrt_scene_load", text, at, length, out))));
+    this.#native = memory.withText(name, (text) => memory.withBytes(new Uint8Array(bytes), (at, length) =>
+      new Native(memory, "hrt_scene_destroy", (out) => memory.call("hrt_scene_load", text, at, length, out))));
   }
 
-  destroy() { this.#memory.call("hrt_scene_destroy", this.#handle); }
+  destroy() { this.#native.destroy(); }
   [dispose]() { this.destroy(); }
 
-  get info() {
-    return this.#memory.get("hrt_scene_info", "hrt_scene_get_info", this.#handle);
-  }
+  get info() { return this.#native.get("hrt_scene_info", "hrt_scene_get_info"); }
   get targets() {
-    return Array.from({ length: this.info.target_count }, (_, i) =>
-      this.#memory.get("hrt_scene_target", "hrt_scene_get_target", this.#handle, i));
+    return Array.from({ length: this.info.target_count }, (_, i) => this.#native.get("hrt_scene_target", "hrt_scene_get_target", i));
   }
   register(session) {
     const count = this.info.target_count;
-    return idsOf(this.#memory, count, (ids) => this.#memory.call("hrt_scene_register", this.#handle, session.handle, BigInt(count), ids));
+    return idsOf(this.#native.memory, count, (ids) => this.#native.call("hrt_scene_register", session.handle, BigInt(count), ids));
   }
 }

@@ -35,31 +35,31 @@ def test_recorded_reach_is_read_bit_for_bit(session: hrt.Session, straight: np.n
 
 def test_checked_in_recordings_are_read() -> None:
     (reach,) = hrt.read_recording(REACH).reaches
-    assert len(reach.samples) == 167 and reach.commands["step"][-1] == 29
+    assert len(reach.samples) == 167 and reach.commands["step"][-1] == 30
+
+
+def with_row(tmp_path: Path, result: str, cells: dict[str, str]) -> Path:
+    """The reach with a row "update" before its first, whose other cells are empty."""
+    lines = REACH.read_text().splitlines(keepends=True)
+    header = next(line for line in lines if not line.startswith("#")).rstrip("\n").split(",")
+    row = ["update", result, *(cells.get(name, "") for name in header[2:])]
+    at = next(i for i, line in enumerate(lines) if line.startswith("update"))
+    path = tmp_path / "refused.csv"
+    path.write_text("".join([*lines[:at], ",".join(row) + "\n", *lines[at:]]))
+    return path
 
 
 def test_calls_that_were_refused_have_no_command(tmp_path: Path) -> None:
-    lines = REACH.read_text().splitlines(keepends=True)
-    header = next(line for line in lines if not line.startswith("#")).rstrip("\n").split(",")
-    at = next(i for i, line in enumerate(lines) if line.startswith("update"))
-    inputs = header.index("real_direction_deg")
-    row = ["update", "-7", *lines[at].split(",")[2:inputs], *[""] * (len(header) - inputs)]
-    (tmp_path / "refused.csv").write_text("".join([*lines[:at + 1], ",".join(row) + "\n", *lines[at + 1:]]))
-    (reach,) = hrt.read_recording(tmp_path / "refused.csv").reaches
+    (reach,) = hrt.read_recording(with_row(tmp_path, "-7", {"time_ns": "0", "sample_flags": "0"})).reaches
     refused = reach.results != 0
     assert refused.sum() == 1 and np.isnan(reach.commands["plate_orientation_deg"][refused]).all()
 
 
 def test_calls_that_were_refused_unread_are_left_out(tmp_path: Path) -> None:
-    lines = REACH.read_text().splitlines(keepends=True)
-    header = next(line for line in lines if not line.startswith("#")).rstrip("\n").split(",")
-    row = ["update", "-3", *[""] * (len(header) - 2)]
-    row[header.index("refused_argument")], row[header.index("struct_size")] = "sample", "8"
-    at = next(i for i, line in enumerate(lines) if line.startswith("update"))
-    (tmp_path / "refused.csv").write_text("".join([*lines[:at], ",".join(row) + "\n", *lines[at:]]))
-    (with_refused,), (without,) = hrt.read_recording(tmp_path / "refused.csv").reaches, hrt.read_recording(REACH).reaches
+    path = with_row(tmp_path, "-3", {"refused_argument": "sample", "struct_size": "8"})
+    (with_refused,), (without,) = hrt.read_recording(path).reaches, hrt.read_recording(REACH).reaches
     assert with_refused.samples.tobytes() == without.samples.tobytes()
-    assert hrt.replay(tmp_path / "refused.csv").first_different_line == 0
+    assert hrt.replay(path).first_different_line == 0
 
 
 def test_world_is_turned_into_plate_coordinates() -> None:
@@ -74,9 +74,9 @@ def test_world_is_turned_into_plate_coordinates() -> None:
     ("call,result", "call,outcome", "line 8: the column result is missing"),
     ("begin,0", "start,0", "line 13: the row's call is 'start'"),
     (",,-5,5,0.1,", ",,-5,,0.1,", "line 13: virtual_direction_deg is missing"),
-    ("update,0,200115660", "update,0,soon", "line 23: .*'soon'"),
-    ("update,0,200115660", "update,0,9" + 20 * "9", "line 23: time_ns is 9+, which is beyond int64"),
-    ("update,0,200115660,", "update,0,", "line 23: the row has 74 columns; 75"),
+    ("update,0,200028000", "update,0,soon", "line 23: .*'soon'"),
+    ("update,0,200028000", "update,0,9" + 20 * "9", "line 23: time_ns is 9+, which is beyond int64"),
+    ("update,0,200028000,", "update,0,", "line 23: the row has 74 columns; 75"),
     ('"horizon":20', '"horizon":"twenty"', "line 9"),
     ('"horizon":20', '"horizon":-3', "line 9: SessionConfig.horizon is -3: beyond uint"),
     ("# config {", "# config [", "line 9"),

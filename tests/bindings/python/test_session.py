@@ -1,7 +1,6 @@
 """Sessions, targets, gaps, profiles: values derived by hand, and every mistake a caller may make."""
 
 import gc
-import threading
 
 import numpy as np
 import pytest
@@ -53,22 +52,6 @@ def test_forgotten_sessions_are_ended() -> None:
     for _ in range(3 * _abi.SESSIONS_MAX):
         hrt.Session()
     gc.collect()
-
-
-def test_sessions_run_on_threads_of_their_own(straight: np.ndarray) -> None:
-    ends = []
-
-    def run() -> None:
-        with hrt.Session() as session:
-            real, virtual = session.add_real(direction_deg=-5), session.add_virtual(direction_deg=5)
-            ends.append(session.run_reach(real, virtual, straight).commands[-1].tobytes())
-
-    threads = [threading.Thread(target=run) for _ in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert len(ends) == 4 and len(set(ends)) == 1
 
 
 def test_targets_are_found_listed_changed_and_removed(session: hrt.Session) -> None:

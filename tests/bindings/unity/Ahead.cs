@@ -1,6 +1,6 @@
 // What scripts do, where all code is compiled ahead and none can be made while it runs, as under IL2CPP: a
 // component's frames and events, what the library refuses, set-ups, a call from one of the library's threads, and
-// the scripted reach. usage: Ahead.exe RECORDING_CSV
+// the scripted reach.
 using System;
 using System.IO;
 using Hrt;
@@ -9,14 +9,14 @@ using UnityEngine;
 
 static class Ahead
 {
-    static int Main(string[] arguments)
+    static int Main()
     {
         string path = Path.GetTempFileName();
         try
         {
             RunFrames();
             SetUp();
-            ScriptedReach reach = ScriptedReach.Run(File.ReadAllText(arguments[0]));
+            ScriptedReach reach = ScriptedReach.Run();
             string wrong = new Scripts().LeaveEverythingOpen(path);
             Expect(wrong == "", wrong);
             Console.WriteLine("hash 0x{0:x16}", reach.Hash);
@@ -35,35 +35,29 @@ static class Ahead
 
     static void RunFrames()
     {
-        var component = new GameObject("retargeting").AddComponent<HapticRetargeting>();
-        component.plate = new GameObject("plate").transform;
-        component.finger = new GameObject("finger").transform;
-        Transform real = new GameObject("cylinder").transform, bottle = new GameObject("bottle").transform;
-        real.position = new Vector3(0.01f, 0, 0.05f);
-        bottle.position = new Vector3(-0.01f, 0, 0.05f);
-        component.realTargets.Add(real);
-        component.virtualTargets.Add(bottle);
+        var desk = new GameObject("desk").AddComponent<Desk>();
+        desk.Message("Awake")();
+        HapticRetargeting component = desk.Retargeting;
+        var simulated = desk.gameObject.AddComponent<SimulatedReach>();
         int commands = 0, flags = 0, orientations = 0, ended = 0;
         component.Commanded += command => ++commands;
         component.FlagsChanged += changed => ++flags;
         component.onPlateOrientation.AddListener(orientation => ++orientations);
         component.ReachEnded += summary => ++ended;
-
-        component.BeginReach(bottle);
-        for (int frame = 0; frame <= 270; ++frame)
+        simulated.Message("Start")();
+        for (; ended == 0 && commands < 900; Time.unscaledTimeAsDouble += 1 / 90.0)
         {
-            component.finger.position = new Vector3(0, 0, -0.05f + 0.1f * frame / 270);
+            simulated.Message("Update")();
             component.Message("LateUpdate")();
-            Time.unscaledTimeAsDouble += 1 / 90.0;
         }
-        component.EndReach();
-        Expect(commands == 271 && flags > 0 && orientations > 1 && ended == 1, "events were not raised");
+        Expect(commands > 100 && flags > 0 && orientations > 1 && ended == 1, "events were not raised");
 
-        TargetId target = component.Session.AddTarget(TargetRole.Virtual, 3, 0.1, "goblet");
-        Expect(component.Session.FindTarget("goblet") == target, "no target of this name");
-        Expect(component.Session.AssignTargets(new[] { target }, component.Session.ListTargets(TargetRole.Real), 0).Length == 1,
+        component.CancelReach();
+        TargetId goblet = component.IdOf(component.virtualTargets[0]);
+        Expect(component.Session.AssignTargets(new[] { goblet }, component.Session.ListTargets(TargetRole.Real), 0).Length == 1,
                "no assignment");
         component.Session.LoadProfile(component.Session.SaveProfile());
+        simulated.Message("OnDestroy")();
         component.gameObject.SetActive(false);
     }
 

@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cinttypes>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <sstream>
+
 
 #include "HapticConversions.h"
 #include "HapticRetargetingComponent.h"
@@ -369,36 +369,15 @@ TEST_F(Component, IsMovedByASetupToWhereItIsTouched) {
   EXPECT_FALSE(component_.Settings.bRegistered) << "moved elsewhere";
 }
 
-// A loop asks a simulated person for slides.
-TEST_F(Component, CalibratesASimulatedFinger) {
-  component_.SetWorldTransform(somewhere());
-  FHapticTarget ahead;
-  ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("ahead"), 0, 10, ahead));
-  FHapticSetupStep step;
-  int turns = 0;
-  component_.OnSetupStepped.Add([&](const FHapticSetupStep& next) { step = next; });
-  component_.OnPlateCommanded.Add([&](double) { ++turns; });
-  ASSERT_TRUE(component_.BeginSetup(static_cast<int32>(HRT_SETUP_CALIBRATION)));
-  ASSERT_TRUE(component_.BeginSimulatedFinger(ahead, 1));
-  FHapticSetupResult result;
-  FVector place;
-  for (int frame = 0; component_.IsSettingUp() && frame < 40000; ++frame) {
-    const bool rested = step.Instruction == EHapticStep::RestAtStart;
-    ASSERT_TRUE(component_.UpdateSimulatedFinger(frame / 90.0, place)) << last_log();
-    if (step.Instruction == EHapticStep::RestAtStart && !rested) {
-      ASSERT_TRUE(component_.BeginSimulatedFinger(ahead, 1));
-    }
-    if (step.Instruction == EHapticStep::Finish) {
-      ASSERT_TRUE(component_.FinishSetup(result));
-    }
-  }
-  EXPECT_EQ(result.Done, static_cast<int32>(HRT_SETUP_CALIBRATION));
-  EXPECT_GE(turns, 16);
-  EXPECT_TRUE(result.bTactileWeightKnown);
-  EXPECT_LE(result.BiasYawLower, result.BiasYaw);
-  EXPECT_LE(result.BiasYaw, result.BiasYawUpper);
-  EXPECT_EQ(component_.Settings.TactileWeight, result.TactileWeight);
-  EXPECT_EQ(component_.Settings.BiasYaw, result.BiasYaw);
+// A mirrored interval exchanges its ends.
+TEST(UnrealSetup, IntervalsAreConverted) {
+  hrt_setup_result found = hrt_setup_result_init();
+  found.bias_deg = {.value = 2, .lower = 1, .upper = 4, .known = 1};
+  const FHapticSetupResult result = HapticConversions::FromSetupResult(found);
+  EXPECT_EQ(result.BiasYaw, -2);
+  EXPECT_EQ(result.BiasYawLower, -4);
+  EXPECT_EQ(result.BiasYawUpper, -1);
+  EXPECT_TRUE(result.bBiasYawKnown);
 }
 
 TEST_F(Component, IsLedThroughByASimulatedFinger) {
@@ -495,26 +474,20 @@ TEST_F(Component, RunsTheReachOfAllHosts) {
   settings.PlateUpperStopYaw = 360;
   begin();
 
-  std::ifstream recording(HRT_REACH);
-  std::map<std::string, size_t> columns;
   hrt::plugin::Hash hash;
-  for (std::string line; std::getline(recording, line);) {
-    if (line.starts_with('#')) continue;
-    std::vector<std::string> cells;
-    std::istringstream row(line);
-    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    cells.resize(64);
-    if (columns.empty())
-      for (size_t i = 0; i < cells.size(); ++i) columns.emplace(cells[i], i);
-    if (cells[columns.at("call")] != "update") continue;
-    const auto real = [&](const char* name) { return std::strtod(cells[columns.at(name)].c_str(), nullptr); };
+  int64_t seed = 7;
+  const auto noise = [&] { return (seed = seed * 16807 % 2147483647) % 1001 - 500; };
+  for (int64_t i = 1; i <= 170; ++i) {
+    const int64_t moved = std::clamp<int64_t>(i - 10, 0, 120), distance_um = moved * moved * (180 - moved) * 25 / 216;
+    const bool lost = i % 40 == 7 || (i > 40 && i <= 52), lifted = i > 65 && i <= 75;
     hrt_sample sample{};
-    sample.flags = static_cast<uint32_t>(real("sample_flags"));
-    sample.time_ns = std::strtoll(cells[columns.at("time_ns")].c_str(), nullptr, 10);
-    sample.finger_position_m[0] = real("sample_x_m");
-    sample.finger_position_m[1] = real("sample_y_m");
-    sample.finger_position_m[2] = real("sample_z_m");
-    sample.plate_orientation_deg = real("measured_plate_deg");
+    sample.flags = HRT_SAMPLE_PLATE_ORIENTATION | (lost ? 0u : HRT_SAMPLE_PLATE_POSITION) | (lifted ? HRT_SAMPLE_LIFTED : 0u);
+    sample.time_ns = 20'000'000 * i + 400 * noise();
+    sample.finger_position_m[0] = static_cast<double>(distance_um * 87 / 1000 + noise()) / 1e6;
+    sample.finger_position_m[1] = lifted ? 0.03 : 0.002;
+    sample.finger_position_m[2] = static_cast<double>(50'000 - distance_um + noise()) / 1e6;
+    sample.plate_orientation_deg = component_.GetRawCommand().plate_orientation_deg;
+    if (i > 105 && i <= 108) continue;  // frames that the host drops
     ASSERT_TRUE(component_.UpdateSample(sample)) << last_log();
     add(component_.GetRawCommand(), hash);
   }

@@ -1,6 +1,6 @@
 // The package without a bundler and in the bundles of esbuild, Vite and webpack, each set up as its README says: no warning, nothing of node.
 // Each runs the README's own example and the reach of all hosts, in headless Chromium and Firefox. Vite's development server too.
-//   usage: node bundle_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLE reach.csv reach.hash FOLDER_TO_WORK_IN
+//   usage: node bundle_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLE reach.hash FOLDER_TO_WORK_IN
 import assert from "node:assert/strict";
 import { cp, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { extname, join, resolve } from "node:path";
@@ -11,11 +11,11 @@ import * as vite from "vite";
 import webpack from "webpack";
 import { browserNames, shownBy } from "./browser.mjs";
 
-const [packageFolder, exampleFolder, recording, hashFile, work] = process.argv.slice(2).map((path) => resolve(path));
+const [packageFolder, exampleFolder, hashFile, work] = process.argv.slice(2).map((path) => resolve(path));
 const readme = await readFile(join(exampleFolder, "../README.md"), "utf8");
 const [, example] = /^```js\n(.*?)^```/ms.exec(readme), [, shown] = /^```text\n(.*?)^```/ms.exec(readme);
 const expected = `${shown}hash ${(await readFile(hashFile, "utf8")).trim()}`;
-const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm", ".csv": "text/csv" };
+const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm" };
 
 // A project as a user has it, the package copied into its node_modules as npm does.
 const main = (module) => `import * as hrt from "haptic-retargeting";
@@ -25,7 +25,7 @@ let shown = "";
 try {
   console.log = (line) => { shown += line + "\\n"; };
   await import("./readme.js");
-  const { hash } = runReach(hrt, await hrt.load(${module && "wasm"}), await (await fetch("/reach.csv")).text());
+  const { hash } = runReach(hrt, await hrt.load(${module && "wasm"}));
   shown += "hash " + hash;
 } catch (error) {
   shown += String(error.stack ?? error);
@@ -39,10 +39,8 @@ async function project(name, module = "") {
   const folder = join(work, name);
   await rm(folder, { recursive: true, force: true });
   await mkdir(join(folder, "node_modules"), { recursive: true });
-  await mkdir(join(folder, "public"));
   await cp(packageFolder, join(folder, "node_modules/haptic-retargeting"), { recursive: true });
   await cp(join(exampleFolder, "reach.mjs"), join(folder, "reach.mjs"));
-  await cp(recording, join(folder, "public/reach.csv"));
   await writeFile(join(folder, "main.js"), main(module));
   await writeFile(join(folder, "readme.js"), module ? `${module}\n${example.replace("hrt.load()", "hrt.load(wasm)")}` : example);
   await writeFile(join(folder, "index.html"), html("/main.js"));
@@ -65,7 +63,6 @@ async function runs(folder) {
 async function served(folder) {
   const out = join(folder, "dist");
   await writeFile(join(out, "index.html"), html("/main.js"));
-  await cp(join(folder, "public"), out, { recursive: true });
   return out;
 }
 
@@ -79,7 +76,6 @@ async function esbuildBundle(name, module, options) {
 
 test("no bundler, the package's folder on the server", async () => {
   const folder = await project("none");
-  await cp(join(folder, "public"), folder, { recursive: true });
   for (const script of ["main.js", "readme.js"]) {
     const text = await readFile(join(folder, script), "utf8");
     await writeFile(join(folder, script), text.replace('"haptic-retargeting"', '"./node_modules/haptic-retargeting/index.mjs"'));

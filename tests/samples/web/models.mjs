@@ -1,13 +1,13 @@
 // Bundles models.ts, for the tests under node.
-//   usage of a test: node X_test.mjs FOLDER_OF_SAMPLES_WEB FOLDER_OF_THE_NPM_PACKAGE person.wasm plate_firmware.hex reach.csv reach.hash
+//   usage of a test: node X_test.mjs FOLDER_OF_SAMPLES_WEB FOLDER_OF_THE_NPM_PACKAGE person.wasm plate_firmware.hex reach.hash
 import { mkdtemp, rm } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
-const [, , page, packageFolder, personModule, firmware, reachCsv, reachHash] = process.argv;
-export { reachCsv, reachHash };
+const [, , page, packageFolder, personModule, firmware, reachHash] = process.argv;
+export { reachHash };
 const { build } = createRequire(resolve(page, "package.json"))("esbuild");
 const folder = await mkdtemp(join(tmpdir(), "hrt_page_"));
 await build({

@@ -1,50 +1,57 @@
-# The reach that every host's sample runs, in Godot: gives the node Plate one recorded sample a frame, and prints
+# The reach that every host's sample runs, in Godot: gives the node Plate one scripted sample a frame, and prints
 # the hash of the commands that come out, which is the same on every host.
 #
-# The finger's positions are passed as three numbers, since a Vector3 holds floats and the recording doubles.
+# The finger's positions are passed as three numbers, since a Vector3 holds floats.
 extends Node
 
 @onready var plate: HapticRetargeting = $Plate
 
-var recording: FileAccess
-var columns := {}
 var fnv := (0xcbf29ce4 << 32) | 0x84222325
-var updates := 0
+var random := 7
+var i := 0
 
 func _ready() -> void:
-	recording = FileAccess.open("res://reach/reach.csv", FileAccess.READ)
-	if recording == null:
-		return stop("res://reach/reach.csv cannot be read")
-	var header := next_row()
-	for i in header.size():
-		columns[header[i]] = i
 	var real: int = plate.add_real_target("cylinder", -5.0, 0.1)
 	var felt: int = plate.add_virtual_target("cup", 5.0, 0.1)
 	if plate.begin(real, felt) != OK:
 		stop("the reach does not begin")
 
+# Whole numbers, each divided once, give the same doubles on every host.
 func _process(_delta: float) -> void:
-	var row := next_row()
-	while row.size() > 1 and row[columns["call"]] != "update":
-		row = next_row()
-	if row.size() <= 1:
+	i += 1
+	if i > 170:
 		return finish()
-	var error: int = plate.update_sample(int(row[columns["sample_flags"]]), int(row[columns["time_ns"]]), 0.0,
-			number(row, "sample_x_m"), number(row, "sample_y_m"), number(row, "sample_z_m"),
-			number(row, "measured_plate_deg"))
-	if error != OK:
-		return stop("update %d is refused" % updates)
+	var moved := clampi(i - 10, 0, 120)
+	@warning_ignore("integer_division")
+	var distance_um := moved * moved * (180 - moved) * 25 / 216
+	@warning_ignore("integer_division")
+	var right_um := distance_um * 87 / 1000
+	var lost := i % 40 == 7 or (i > 40 and i <= 52)
+	var lifted := i > 65 and i <= 75
+	var flags := HapticRetargeting.SAMPLE_PLATE_ORIENTATION
+	flags |= 0 if lost else HapticRetargeting.SAMPLE_PLATE_POSITION
+	flags |= HapticRetargeting.SAMPLE_LIFTED if lifted else 0
+	var time_ns := 20000000 * i + 400 * noise()
+	var x_m := (right_um + noise()) / 1e6
+	var z_m := (50000 - distance_um + noise()) / 1e6
+	if i > 105 and i <= 108:
+		return  # frames that the host drops
+	if plate.update_sample(flags, time_ns, 0.0, x_m, 0.03 if lifted else 0.002, z_m,
+			plate.get_command().get("plate_orientation_deg", 0.0)) != OK:
+		return stop("sample %d is refused" % i)
 	hash_command(plate.get_command())
-	updates += 1
+
+# From -500 to 500.
+func noise() -> int:
+	random = random * 16807 % 2147483647
+	return random % 1001 - 500
 
 func finish() -> void:
 	if plate.end() != OK:
 		return stop("the reach does not end")
 	var summary: Dictionary = plate.get_summary()
 	print("hash 0x%08x%08x" % [(fnv >> 32) & 0xffffffff, fnv & 0xffffffff])
-	print("updates %d, steps %d, of these predicted %d" % [updates, summary.steps + summary.predicted_steps,
-			summary.predicted_steps])
-	print("ended %.1f mm from the real target, %.2f deg beside it (simulated)" % [
+	print("ended %.1f mm from the real target, %.2f deg beside it (scripted)" % [
 			summary.distance_to_target_m * 1000, abs(summary.miss_deg)])
 	set_process(false)
 	get_tree().quit(0)
@@ -53,17 +60,6 @@ func stop(why: String) -> void:
 	push_error(why)
 	set_process(false)
 	get_tree().quit(1)
-
-# The next line that is not a comment, cut into cells; of one cell at the end of the file.
-func next_row() -> PackedStringArray:
-	var line := recording.get_line()
-	while line.begins_with("#"):
-		line = recording.get_line()
-	return line.split(",")
-
-# 0 of an empty cell.
-func number(row: PackedStringArray, column: String) -> float:
-	return float(row[columns[column]])
 
 # FNV-1a of HRT_HASHED_FIELDS (study.h).
 func hash_command(command: Dictionary) -> void:

@@ -24,38 +24,33 @@ class Error(RuntimeError):
         """What became of the call; a plain number if it is of a newer library."""
 
 
-def _default_name() -> str:
+def load(name: str, variable: str, functions: dict[str, tuple[Any, ...]]) -> ctypes.CDLL:
+    """A library with its functions declared: the file that the environment's `variable` names, that of the wheel, or what the
+    system's loader finds."""
     major = _abi.VERSION[0]
-    names = {"win32": "haptic_retargeting.dll", "darwin": f"libhaptic_retargeting.{major}.dylib"}
-    return names.get(sys.platform, f"libhaptic_retargeting.so.{major}")
+    names = {"win32": f"{name}.dll", "darwin": f"lib{name}.{major}.dylib"}
+    default = names.get(sys.platform, f"lib{name}.so.{major}")
+    in_wheel = Path(__file__).parent / default
+    file = os.environ.get(variable) or (str(in_wheel) if in_wheel.exists() else default)
+    try:
+        loaded = ctypes.CDLL(file)
+    except OSError as error:
+        raise ImportError(f"{file} cannot be loaded: {error}. Install the {name} library, or set {variable} to its file") from error
+    try:
+        if name == "haptic_retargeting" and (found := _version(loaded))[:2] != _abi.VERSION[:2]:
+            raise ImportError(f"{file} has version {_dotted(found)}; {_dotted(_abi.VERSION)} is needed")
+        for function, (result, *parameters) in functions.items():
+            declared = getattr(loaded, function)
+            declared.restype, declared.argtypes = result, parameters
+    except AttributeError as error:
+        raise ImportError(f"{file} is not the {name} library that is needed: {error}") from error
+    return loaded
 
 
 @functools.cache
 def library() -> ctypes.CDLL:
-    """The library, loaded once: the file that HRT_LIBRARY names, that of the wheel, or what the system's loader finds."""
-    in_wheel = Path(__file__).parent / _default_name()
-    name = os.environ.get("HRT_LIBRARY") or (str(in_wheel) if in_wheel.exists() else _default_name())
-    try:
-        loaded = ctypes.CDLL(name)
-    except OSError as error:
-        raise ImportError(f"{name} cannot be loaded: {error}. Install the haptic_retargeting library, or set "
-                          "HRT_LIBRARY to its file") from error
-    needed = _abi.VERSION
-    try:
-        found = _version(loaded)
-        if found[:2] != needed[:2]:
-            raise ImportError(f"{name} has version {_dotted(found)}; {_dotted(needed)} is needed")
-        declare(loaded, _abi.FUNCTIONS)
-    except AttributeError as error:
-        raise ImportError(f"{name} is not the haptic_retargeting library that is needed: {error}") from error
-    return loaded
-
-
-def declare(loaded: ctypes.CDLL, functions: dict[str, tuple[Any, ...]]) -> None:
-    """Declares functions to ctypes; AttributeError names one that the library lacks."""
-    for name, (result, *parameters) in functions.items():
-        function = getattr(loaded, name)
-        function.restype, function.argtypes = result, parameters
+    """The plugin's library, loaded once."""
+    return load("haptic_retargeting", "HRT_LIBRARY", _abi.FUNCTIONS)
 
 
 def _version(loaded: ctypes.CDLL) -> tuple[int, int, int]:

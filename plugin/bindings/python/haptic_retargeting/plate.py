@@ -10,15 +10,12 @@ from __future__ import annotations
 
 import ctypes
 import functools
-import os
-import sys
 import time
-from pathlib import Path
 from typing import Any
 
 from . import _abi, _plate_abi
 from ._closing import Closing
-from ._library import Error, declare
+from ._library import Error, load
 from ._plate_abi import *
 
 __all__ = ["Plate", *_plate_abi.__all__]
@@ -26,18 +23,8 @@ __all__ = ["Plate", *_plate_abi.__all__]
 
 @functools.cache
 def _library() -> ctypes.CDLL:
-    """The library, loaded once: the file that HRT_PLATE_LIBRARY names, that of the wheel, or what the system's loader
-    finds."""
-    default = "hrt_plate.dll" if sys.platform == "win32" else f"libhrt_plate.so.{_abi.VERSION[0]}"
-    in_wheel = Path(__file__).parent / default
-    name = os.environ.get("HRT_PLATE_LIBRARY") or (str(in_wheel) if in_wheel.exists() else default)
-    try:
-        loaded = ctypes.CDLL(name)
-        declare(loaded, _plate_abi.FUNCTIONS)
-    except (OSError, AttributeError) as error:
-        raise ImportError(f"{name} cannot be loaded as the hrt_plate library: {error}. Install it, or set "
-                          "HRT_PLATE_LIBRARY to its file") from error
-    return loaded
+    """The library, loaded once."""
+    return load("hrt_plate", "HRT_PLATE_LIBRARY", _plate_abi.FUNCTIONS)
 
 
 def _check(result: int) -> None:

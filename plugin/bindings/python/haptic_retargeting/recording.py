@@ -14,7 +14,7 @@ from . import _abi
 from ._abi import ReplayReport, SessionConfig, TargetConfig
 from ._library import library, output
 from ._struct import Struct
-from .arrays import COMMAND, SAMPLE
+from .arrays import COMMAND, SAMPLE, Array
 from .record import ReachRecord
 
 
@@ -33,21 +33,19 @@ class RecordingError(ValueError):
     """A file is not a recording; the text names the line."""
 
 
-_SAMPLE_COLUMNS = {
-    "finger_direction_deg": ("sample_direction_deg",),
-    "finger_position_m": ("sample_x_m", "sample_y_m", "sample_z_m"),
-    "plate_orientation_deg": ("measured_plate_deg",),
-    "plate_position_m": ("plate_x_m", "plate_y_m", "plate_z_m"),
-    "plate_rotation": ("plate_qx", "plate_qy", "plate_qz", "plate_qw"),
+# The columns of each field, in the order of its elements; other fields have columns of their own names.
+_SAMPLES = {
+    "time_ns": ["time_ns"], "flags": ["sample_flags"], "finger_direction_deg": ["sample_direction_deg"],
+    "finger_position_m": ["sample_x_m", "sample_y_m", "sample_z_m"], "plate_orientation_deg": ["measured_plate_deg"],
+    "plate_position_m": ["plate_x_m", "plate_y_m", "plate_z_m"], "plate_rotation": ["plate_qx", "plate_qy", "plate_qz", "plate_qw"],
 }
-_COMMAND_COLUMNS = tuple(name for name in COMMAND.names or () if name not in ("struct_size", "flags", "step"))
-_BEGIN_COLUMNS = ("real_direction_deg", "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
-_INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
-    "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
+_COMMANDS = {name: [name] for name in COMMAND.names or () if name != "struct_size"} | {"flags": ["command_flags"]}
+_AIM = ("real_direction_deg", "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
 _TEXTS = ("call", "refused_argument", "setup")
+_WHOLE: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
+    "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
 _CALLS = ("begin", "update", "retarget", "touched", "cancel", "end")
-
-_NEEDED_COLUMNS = (*_TEXTS, *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
+_NEEDED = (*_TEXTS, *_WHOLE, *sum(_SAMPLES.values(), []), *_AIM)
 
 _Row = dict[str, Any]
 _S = TypeVar("_S", bound=Struct)
@@ -60,35 +58,30 @@ class _Rows:
     config: SessionConfig
     begin: _Row
     updates: list[_Row] = field(default_factory=list)
-    ended: bool = False
-    final_direction_deg: float = np.nan
+    end: _Row | None = None  # or of its cancelling
 
     def record(self) -> ReachRecord:
-        n = len(self.updates)
-        samples, commands = np.zeros(n, SAMPLE), np.zeros(n, COMMAND)
-        samples["struct_size"], commands["struct_size"] = SAMPLE.itemsize, COMMAND.itemsize
-        samples["time_ns"] = self._column("time_ns", 0)
-        samples["flags"] = self._column("sample_flags", 0)
-        for name, columns in _SAMPLE_COLUMNS.items():
-            numbers = np.array([self._column(column, 0.0) for column in columns]).T
-            samples[name] = numbers if len(columns) > 1 else numbers[:, 0]
-        commands["flags"] = self._column("command_flags", 0)
-        commands["step"] = self._column("step", -1)
-        for name in _COMMAND_COLUMNS:
-            commands[name] = self._column(name, np.nan)
         # A reach that starts where the finger is first seen is aimed there.
         aimed = next((row for row in self.updates if row.get("real_distance_m") is not None), self.begin)
         start = np.array(self.config.start_position_m)
         start[0], start[2] = aimed["start_right_m"], -aimed["start_away_m"]
+        final_deg = (self.end or {}).get("finger_direction_deg")
         return ReachRecord(
             config=self.config, real_direction_deg=aimed["real_direction_deg"],
             virtual_direction_deg=aimed["virtual_direction_deg"], real_distance_m=aimed["real_distance_m"],
-            start_position_m=start, samples=samples, commands=commands,
-            results=np.array(self._column("result", 0), np.int32), final_direction_deg=self.final_direction_deg)
+            start_position_m=start, samples=self._array(SAMPLE, _SAMPLES, 0), commands=self._array(COMMAND, _COMMANDS, np.nan),
+            results=np.array([row["result"] for row in self.updates], np.int32),
+            final_direction_deg=np.nan if final_deg is None else final_deg)
 
-    def _column(self, name: str, missing: float) -> list[float]:
-        """`missing` where a row has no value."""
-        return [missing if row.get(name) is None else row[name] for row in self.updates]
+    def _array(self, dtype: np.dtype[Any], fields: dict[str, list[str]], missing: float) -> Array:
+        """`missing` where a row has no value; of whole numbers, flags of 0 and step -1."""
+        out: Array = np.zeros(len(self.updates), dtype)
+        out["struct_size"] = dtype.itemsize
+        for name, columns in fields.items():
+            default = {"step": -1, "flags": 0}.get(name, missing)
+            numbers = np.array([[default if row.get(c) is None else row[c] for c in columns] for row in self.updates])
+            out[name] = numbers.reshape(out[name].shape)
+        return out
 
 
 def read_recording(path: str | os.PathLike[str]) -> Recording:
@@ -109,33 +102,31 @@ def _read(lines: Iterable[str]) -> Recording:
     reaches: list[_Rows] = []
     targets: list[TargetConfig] = []
     config: SessionConfig | None = None
-    header: list[str] | None = None
+    header: list[str] = []
     complete = False
     number = 0
     for number, line in enumerate(lines, 1):
         if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 4":
             raise RecordingError("line 1: not a recording of version 4")
-        if not line.endswith("\n"):
-            break  # cut off within the line
+        if not line.endswith("\n") or line.startswith("# lost"):
+            break  # cut off within the line, or calls are missing
         line = line.rstrip("\r\n")
         try:
-            if line.startswith("# lost"):
-                break
             if line.startswith("# end "):
                 complete = True
             elif line.startswith("# config "):
                 config = _from_json(SessionConfig, line.removeprefix("# config "))
             elif line.startswith(("# target added ", "# target set ")):
                 targets.append(_from_json(TargetConfig, line.split(" ", 4)[4]))
-            elif line.startswith("#"):
-                continue
-            elif header is None:
-                header = _header(line)
-            else:
+            elif not line.startswith("#") and not header:
+                header = line.split(",")
+                if missing := [column for column in _NEEDED if column not in header]:
+                    raise ValueError(f"the column {missing[0]} is missing")
+            elif not line.startswith("#"):
                 _take(_row(header, line), config, reaches)
         except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
             raise RecordingError(f"line {number}: {error}") from error
-    if header is None:
+    if not header:
         raise RecordingError(f"line {number}: the line of column names is missing")
     return Recording([rows.record() for rows in reaches], complete, targets)
 
@@ -144,14 +135,6 @@ def _from_json(kind: type[_S], text: str) -> _S:
     """A struct with the values of the text; what only newer structs have is left out."""
     values = json.loads(text)
     return kind(**{name: values[name] for name in kind.names() if name in values})
-
-
-def _header(line: str) -> list[str]:
-    names = line.split(",")
-    for column in _NEEDED_COLUMNS:
-        if column not in names:
-            raise ValueError(f"the column {column} is missing")
-    return names
 
 
 def _row(header: list[str], line: str) -> _Row:
@@ -164,10 +147,9 @@ def _row(header: list[str], line: str) -> _Row:
 def _number(name: str, cell: str) -> float | None:
     if not cell:
         return None
-    kind = _INTEGERS.get(name)
-    if kind is None:
+    if name not in _WHOLE:
         return float(cell)
-    number = int(cell)
+    number, kind = int(cell), _WHOLE[name]
     if not np.iinfo(kind).min <= number <= np.iinfo(kind).max:
         raise ValueError(f"{name} is {cell}, which is beyond {kind.__name__}")
     return number
@@ -176,23 +158,19 @@ def _number(name: str, cell: str) -> float | None:
 def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None:
     if config is None:
         raise ValueError("a row before the configuration")
-    if str(row["call"]).startswith("setup_"):
+    call, done = row["call"], row["result"] == _abi.OK
+    if call.startswith("setup_"):
         return  # replay() repeats them
-    if row["call"] not in _CALLS:
-        raise ValueError(f"the row's call is {row['call']!r}; allowed: {', '.join(_CALLS)}")
-    if row["call"] == "begin" and row["result"] == _abi.OK:
-        for column in _BEGIN_COLUMNS:
-            if row[column] is None:
-                raise ValueError(f"{column} is missing")
+    if call not in _CALLS:
+        raise ValueError(f"the row's call is {call!r}; allowed: {', '.join(_CALLS)}")
+    if call == "begin" and done:
+        if missing := [column for column in _AIM if row[column] is None]:
+            raise ValueError(f"{missing[0]} is missing")
         reaches.append(_Rows(config, row))
-    elif row["call"] == "update" and not row["refused_argument"] and reaches and not reaches[-1].ended:
+    elif call == "update" and not row["refused_argument"] and reaches and not reaches[-1].end:
         reaches[-1].updates.append(row)
-    elif row["call"] == "cancel" and row["result"] == _abi.OK and reaches:
-        reaches[-1].ended = True
-    elif row["call"] == "end" and row["result"] == _abi.OK and reaches:
-        reaches[-1].ended = True
-        direction_deg = row.get("finger_direction_deg")
-        reaches[-1].final_direction_deg = np.nan if direction_deg is None else direction_deg
+    elif call in ("cancel", "end") and done and reaches:
+        reaches[-1].end = row
 
 
 def replay(path: str | os.PathLike[str]) -> ReplayReport:

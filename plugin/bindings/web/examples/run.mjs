@@ -1,11 +1,10 @@
 // Runs the reach in node.
-//   usage: node run.mjs FOLDER_OF_THE_PACKAGE reach.csv
-import { readFile } from "node:fs/promises";
+//   usage: node run.mjs FOLDER_OF_THE_PACKAGE
 import { pathToFileURL } from "node:url";
 import { runReach } from "./reach.mjs";
 
-const [, , folder, recording] = process.argv;
+const [, , folder] = process.argv;
 const hrt = await import(pathToFileURL(`${folder}/node.mjs`));
-const { hash, summary } = runReach(hrt, await hrt.load(), await readFile(recording, "utf8"));
+const { hash, summary } = runReach(hrt, await hrt.load());
 console.log(`hash ${hash}`);
 console.log(`miss ${summary.miss_deg.toFixed(2)} deg (simulated)`);

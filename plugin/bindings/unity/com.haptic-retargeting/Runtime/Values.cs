@@ -4,72 +4,6 @@ using System.Text;
 
 namespace Hrt
 {
-    /// <summary>Three numbers, as the library has them: a position in metres, x right, y up, z towards the user,
-    /// right-handed. <see cref="Axes"/> converts to and from Unity's.</summary>
-    [Serializable, StructLayout(LayoutKind.Sequential)]
-    public struct Double3
-    {
-        public double x, y, z;
-
-        public Double3(double x, double y, double z)
-        {
-            this.x = x;
-            this.y = y;
-            this.z = z;
-        }
-
-        public override string ToString() => $"({x}, {y}, {z})";
-    }
-
-    /// <summary>Four numbers, as the library has them: a unit quaternion in right-handed axes.</summary>
-    [Serializable, StructLayout(LayoutKind.Sequential)]
-    public struct Double4
-    {
-        public double x, y, z, w;
-
-        public Double4(double x, double y, double z, double w)
-        {
-            this.x = x;
-            this.y = y;
-            this.z = z;
-            this.w = w;
-        }
-
-        public override string ToString() => $"({x}, {y}, {z}, {w})";
-    }
-
-    /// <summary>A name of at most 63 bytes of UTF-8, ended by a zero: the library's char[64], as eight words of
-    /// eight bytes, the first byte lowest.</summary>
-    [Serializable, StructLayout(LayoutKind.Sequential)]
-    public struct Name
-    {
-        public ulong word0, word1, word2, word3, word4, word5, word6, word7;
-
-        public Name(string text)
-        {
-            this = default(Name);
-            byte[] bytes = Utf8.ZeroEnded(text, nameof(text));
-            if (bytes.Length > Constants.NameSize)
-                throw new ArgumentException(
-                    $"\"{text}\" has {bytes.Length - 1} bytes of UTF-8; allowed: at most {Constants.NameSize - 1}",
-                    nameof(text));
-            Array.Resize(ref bytes, Constants.NameSize);
-            word0 = BitConverter.ToUInt64(bytes, 0);
-            word1 = BitConverter.ToUInt64(bytes, 8);
-            word2 = BitConverter.ToUInt64(bytes, 16);
-            word3 = BitConverter.ToUInt64(bytes, 24);
-            word4 = BitConverter.ToUInt64(bytes, 32);
-            word5 = BitConverter.ToUInt64(bytes, 40);
-            word6 = BitConverter.ToUInt64(bytes, 48);
-            word7 = BitConverter.ToUInt64(bytes, 56);
-        }
-
-        public static implicit operator Name(string text) => new Name(text);
-
-        public override string ToString() =>
-            Utf8.Read(word0, word1, word2, word3, word4, word5, word6, word7);
-    }
-
     public partial struct TargetId : IEquatable<TargetId>
     {
         public bool Equals(TargetId other) => value == other.value;
@@ -109,6 +43,17 @@ namespace Hrt
             if (Array.IndexOf(bytes, (byte)0) >= 0) throw new ArgumentException("The text has a zero in it", argument);
             Array.Resize(ref bytes, bytes.Length + 1);
             return bytes;
+        }
+
+        /// <summary>A name as words of eight bytes, the first byte lowest.</summary>
+        internal static ulong[] Words(string text, string argument)
+        {
+            byte[] bytes = ZeroEnded(text, argument);
+            if (bytes.Length > Constants.NameSize)
+                throw new ArgumentException(
+                    $"\"{text}\" has {bytes.Length - 1} bytes of UTF-8; allowed: at most {Constants.NameSize - 1}", argument);
+            Array.Resize(ref bytes, Constants.NameSize);
+            return Array.ConvertAll(new[] {0, 8, 16, 24, 32, 40, 48, 56}, at => BitConverter.ToUInt64(bytes, at));
         }
 
         internal static byte[] Bytes(string text, string argument)

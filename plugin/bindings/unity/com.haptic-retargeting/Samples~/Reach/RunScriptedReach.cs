@@ -3,16 +3,15 @@ using UnityEngine;
 
 namespace HrtSamples
 {
-    /// <summary>Put this on any object, give it reach.csv and reach_hash.txt, and press play: the console shows
+    /// <summary>Put this on any object, give it reach_hash.txt, and press play: the console shows
     /// whether this machine's commands are those of all others.</summary>
     public sealed class RunScriptedReach : MonoBehaviour
     {
-        public TextAsset recording;
         public TextAsset expectedHash;
 
         void Start()
         {
-            ScriptedReach reach = ScriptedReach.Run(recording.text);
+            ScriptedReach reach = ScriptedReach.Run();
             string hash = "0x" + reach.Hash.ToString("x16");
             string text = $"Scripted reach (simulated): hash {hash}; the hand ended " +
                           $"{reach.Summary.distanceToTargetM * 1000:0.0} mm from the real target, " +

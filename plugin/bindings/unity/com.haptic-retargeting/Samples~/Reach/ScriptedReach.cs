@@ -1,10 +1,9 @@
 using System;
-using System.Globalization;
 using Hrt;
 
 namespace HrtSamples
 {
-    /// <summary>The reach that the library's every host runs: feeds a recorded finger to a session, and hashes the
+    /// <summary>The reach that the library's every host runs: feeds a scripted finger to a session, and hashes the
     /// commands that come out, bit by bit. A simulation: nobody's finger was recorded.</summary>
     public sealed class ScriptedReach
     {
@@ -13,8 +12,10 @@ namespace HrtSamples
 
         public ReachSummary Summary { get; private set; }
 
-        /// <summary>Runs the reach of a recording's text.</summary>
-        public static ScriptedReach Run(string recording)
+        long seed = 7;
+
+        /// <summary>Runs the reach.</summary>
+        public static ScriptedReach Run()
         {
             var reach = new ScriptedReach();
             using (var session = new HapticRetargetingSession(Configuration()))
@@ -22,7 +23,14 @@ namespace HrtSamples
                 TargetId cylinder = session.AddTarget(TargetRole.Real, -5, name: "cylinder");
                 TargetId cup = session.AddTarget(TargetRole.Virtual, 5, name: "cup");
                 session.BeginReach(cylinder, cup);
-                reach.Feed(session, recording);
+                Command command = default(Command);
+                for (int i = 1; i <= 170; ++i)
+                {
+                    Sample sample = reach.Scripted(i, command.plateOrientationDeg);
+                    if (i > 105 && i <= 108) continue; // frames that the host drops
+                    command = session.Update(sample);
+                    reach.Add(command);
+                }
                 reach.Summary = session.EndReach();
             }
             return reach;
@@ -42,53 +50,26 @@ namespace HrtSamples
             return config;
         }
 
-        void Feed(HapticRetargetingSession session, string recording)
+        // From -500 to 500.
+        long Noise()
         {
-            string[] columns = null;
-            foreach (string line in recording.Split(new[] {'\r', '\n'}, StringSplitOptions.RemoveEmptyEntries))
-            {
-                if (line[0] == '#') continue;
-                string[] cells = line.Split(',');
-                if (columns == null) columns = cells;
-                if (cells.Length != columns.Length)
-                    throw new FormatException("a row of the recording is cut off: " + line);
-                if (Cell(columns, cells, "call") == "update") Add(session.Update(ReadSample(columns, cells)));
-            }
+            seed = seed * 16807 % 2147483647;
+            return seed % 1001 - 500;
         }
 
-        static Sample ReadSample(string[] columns, string[] cells) => new Sample
+        // Whole numbers, each divided once, give the same doubles on every host.
+        Sample Scripted(int i, double plateDeg)
         {
-            timeNs = long.Parse(Cell(columns, cells, "time_ns"), CultureInfo.InvariantCulture),
-            flags = (SampleFlags)uint.Parse(Cell(columns, cells, "sample_flags"), CultureInfo.InvariantCulture),
-            fingerPositionM = new Double3(Number(columns, cells, "sample_x_m"), Number(columns, cells, "sample_y_m"),
-                                          Number(columns, cells, "sample_z_m")),
-            plateOrientationDeg = Number(columns, cells, "measured_plate_deg")
-        };
-
-        // An empty cell is 0, which is right for what the flags do not name. Mono's double.Parse is off in the last
-        // bit now and then; a whole number of few digits, divided by a power of ten, is not.
-        static double Number(string[] columns, string[] cells, string name)
-        {
-            string cell = Cell(columns, cells, name);
-            if (cell == "") return 0;
-            int exponentAt = cell.IndexOf('e'), digitsEnd = exponentAt < 0 ? cell.Length : exponentAt;
-            int pointAt = cell.IndexOf('.'), decimals = pointAt < 0 ? 0 : digitsEnd - pointAt - 1;
-            string exponentText = exponentAt < 0 ? "0" : cell.Substring(exponentAt + 1);
-            string digitsText = cell.Substring(0, digitsEnd).Replace(".", "");
-            int exponent = int.Parse(exponentText, CultureInfo.InvariantCulture);
-            long digits = long.Parse(digitsText, CultureInfo.InvariantCulture);
-            if (Math.Abs(digits) > 1L << 53 || exponent > decimals || decimals - exponent > 22)
-                throw new FormatException($"{name} {cell} has more digits than are read exactly");
-            double divisor = 1;
-            for (int i = exponent; i < decimals; ++i) divisor *= 10;
-            return digits / divisor;
-        }
-
-        static string Cell(string[] columns, string[] cells, string name)
-        {
-            int column = Array.IndexOf(columns, name);
-            if (column < 0) throw new FormatException($"the recording lacks the column {name}");
-            return cells[column];
+            long moved = Math.Min(Math.Max(i - 10, 0), 120), distanceUm = moved * moved * (180 - moved) * 25 / 216;
+            bool lost = i % 40 == 7 || i > 40 && i <= 52, lifted = i > 65 && i <= 75;
+            var sample = new Sample { flags = SampleFlags.PlateOrientation, plateOrientationDeg = plateDeg };
+            if (!lost) sample.flags |= SampleFlags.PlatePosition;
+            if (lifted) sample.flags |= SampleFlags.Lifted;
+            sample.timeNs = 20000000L * i + 400 * Noise();
+            sample.fingerPositionM.x = (distanceUm * 87 / 1000 + Noise()) / 1e6;
+            sample.fingerPositionM.y = lifted ? 0.03 : 0.002;
+            sample.fingerPositionM.z = (50000 - distanceUm + Noise()) / 1e6;
+            return sample;
         }
 
         void Add(Command command)

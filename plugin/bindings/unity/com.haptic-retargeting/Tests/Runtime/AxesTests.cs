@@ -14,22 +14,6 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void RotatingAndConvertingCommute()
-        {
-            var random = new System.Random(1);
-            for (int i = 0; i < 1000; ++i)
-            {
-                Quaternion rotation = RandomRotation(random);
-                Vector3 place = RandomPlace(random);
-                Double3 rotatedFirst = Axes.FromUnity(rotation * place);
-                Double3 convertedFirst = Rotate(Axes.FromUnity(rotation), Axes.FromUnity(place));
-                Assert.That(convertedFirst.x, Is.EqualTo(rotatedFirst.x).Within(1e-5));
-                Assert.That(convertedFirst.y, Is.EqualTo(rotatedFirst.y).Within(1e-5));
-                Assert.That(convertedFirst.z, Is.EqualTo(rotatedFirst.z).Within(1e-5));
-            }
-        }
-
-        [Test]
         public void ThereAndBack()
         {
             var random = new System.Random(2);
@@ -109,15 +93,5 @@ namespace Hrt.Tests
         internal static Quaternion RandomRotation(System.Random random) =>
             Quaternion.Euler((float)(random.NextDouble() * 360), (float)(random.NextDouble() * 360),
                              (float)(random.NextDouble() * 360));
-
-        // v + 2 w (u x v) + 2 u x (u x v), with u the quaternion's vector part: the same in axes of either hand.
-        static Double3 Rotate(Double4 q, Double3 v)
-        {
-            Double3 u = new Double3(q.x, q.y, q.z), t = Cross(u, v), s = Cross(u, t);
-            return new Double3(v.x + 2 * (q.w * t.x + s.x), v.y + 2 * (q.w * t.y + s.y), v.z + 2 * (q.w * t.z + s.z));
-        }
-
-        static Double3 Cross(Double3 a, Double3 b) =>
-            new Double3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
     }
 }

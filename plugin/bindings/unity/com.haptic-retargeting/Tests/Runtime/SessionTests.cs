@@ -84,51 +84,6 @@ namespace Hrt.Tests
             StringAssert.Contains("\"tactile_weight\":0.2", session.SaveProfile());
         }
 
-        // A person whom the plate bends; the same on every host, as its seed has it.
-        [Test]
-        public void ASimulatedPersonIsLedToTheRealTarget()
-        {
-            TargetId seen = session.AddTarget(TargetRole.Virtual, 5);
-            session.BeginReach(session.AddTarget(TargetRole.Real, -5), seen);
-            using (var person = new HapticRetargetingPerson(1))
-            {
-                person.Begin(session, seen);
-                Command command = default(Command);
-                for (int frame = 0; frame < 220; ++frame)
-                    command = session.Update(person.Move(frame * 11111111L, command.plateOrientationDeg));
-                Assert.AreEqual(1, person.GetState().done);
-                Assert.That(session.EndReach().missDeg, Is.EqualTo(0).Within(1.5));
-            }
-        }
-
-        // A loop asks for slides; the next slide begins with a rest at the start.
-        [Test]
-        public void ASimulatedPersonIsCalibrated()
-        {
-            TargetId ahead = session.AddTarget(TargetRole.Virtual, 0);
-            session.BeginSetup(SetupFlags.Calibration, SetupConfig.Default);
-            var refusal = Assert.Throws<HapticRetargetingException>(() => session.FinishSetup());
-            Assert.AreEqual(Result.WrongState, refusal.Result);
-            var result = new SetupResult { left = SetupFlags.Calibration };
-            var step = default(SetupStep);
-            using (var person = new HapticRetargetingPerson(new PersonConfig { tactileWeight = 0.2 }, 1))
-            {
-                person.Begin(session, ahead);
-                for (int frame = 0; result.left != 0 && frame < 40000; ++frame)
-                {
-                    bool rested = step.instruction == Step.RestAtStart;
-                    step = session.UpdateSetup(person.Move(frame * 11111111L, step.plateOrientationDeg));
-                    if (step.instruction == Step.RestAtStart && !rested) person.Begin(session, ahead);
-                    if (step.instruction == Step.Finish) result = session.FinishSetup();
-                }
-            }
-            Assert.AreEqual(SetupFlags.Calibration, result.done);
-            Assert.That(result.tactileWeight.value, Is.EqualTo(0.2).Within(0.03));
-            Assert.AreEqual(result.tactileWeight.value, session.Config.tactileWeight);
-            Assert.AreEqual("One moment.", step.text.ToString());
-            Assert.Throws<HapticRetargetingException>(() => session.CancelSetup());
-        }
-
         [Test]
         public void RecordingsReplayTheSame()
         {
