@@ -53,6 +53,18 @@ void turned_and_touched(PersonCondition& condition, Draws& draws, double contact
   condition.contact_sd_mm = contact_sd_mm;
 }
 
+// A marker system sees them: 0.2 mm, 100 Hz. Motor noise is part of the recorded paths.
+void recorded(PersonCondition& condition, Draws& draws, double size) {
+  condition.tracker.rate_hz = 100.0;
+  condition.tracker.white_mm = 0.2;
+  Person& person = condition.person;
+  person.pace = Pace::recorded;
+  person.noise_deg2_per_s = 0.0;
+  person.scatter_deg = 0.9;
+  person.start_direction_deg = condition.virtual_direction_deg;
+  person.own_path = draw_own_path(size, draws);
+}
+
 constexpr PeopleFamily all_families[] = {
     {"linear", "linear illusion up to 90°, where its sign flips; continuous steering", true,
      [](PersonCondition&, Draws&) {}},
@@ -170,37 +182,70 @@ constexpr PeopleFamily all_families[] = {
        c.tracker.white_mm = 0.6;
        c.tracker.correlated_mm = 1.04;
      }},
+    {"recorded", "path and pace of recorded reaches", false, [](PersonCondition& c, Draws& d) { recorded(c, d, 1.0); },
+     FamilyKind::recorded},
+    {"recorded-50", "recorded, half as curved", false, [](PersonCondition& c, Draws& d) { recorded(c, d, 0.5); },
+     FamilyKind::recorded},
+    {"recorded-25", "recorded, a quarter as curved", false, [](PersonCondition& c, Draws& d) { recorded(c, d, 0.25); },
+     FamilyKind::recorded},
+    {"recorded-sides", "recorded, the gap to a random side", false,
+     [](PersonCondition& c, Draws& d) {
+       recorded(c, d, 1.0);
+       c.random_side = true;
+     },
+     FamilyKind::recorded},
+    {"recorded-stay", "recorded wander over the first half, without return", false,
+     [](PersonCondition& c, Draws& d) {
+       recorded(c, d, 1.0);
+       c.person.own_path.mean_deg = {};
+       c.person.own_path.returns = false;
+     },
+     FamilyKind::recorded},
+    {"recorded-felt", "recorded-stay, and seek the target from where they feel the finger", false,
+     [](PersonCondition& c, Draws& d) {
+       recorded(c, d, 1.0);
+       c.person.own_path.mean_deg = {};
+       c.person.own_path.returns = false;
+       c.person.steering = Steering::place;
+     },
+     FamilyKind::recorded},
+    {"recorded-lag", "recorded as a goal, followed with the lag of steering", false,
+     [](PersonCondition& c, Draws& d) {
+       recorded(c, d, 1.0);
+       c.person.own_path.lags = true;
+     },
+     FamilyKind::recorded},
     {"turned-1", "tracker frame turned by ±1°", false,
-     [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = either_side(1.0, d); }, true},
+     [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = either_side(1.0, d); }, FamilyKind::misplaced},
     {"turned-2", "tracker frame turned by ±2°", false,
-     [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = either_side(2.0, d); }, true},
+     [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = either_side(2.0, d); }, FamilyKind::misplaced},
     {"scaled-5", "tracker frame 5 % too large or too small", false,
-     [](PersonCondition& c, Draws& d) { c.tracker.scale = 1.0 + either_side(0.05, d); }, true},
+     [](PersonCondition& c, Draws& d) { c.tracker.scale = 1.0 + either_side(0.05, d); }, FamilyKind::misplaced},
     {"sheared-2", "mid-line of the tracker frame off by ±2°, its right is not", false,
-     [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, true},
-    {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false, headset, true},
+     [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, FamilyKind::misplaced},
+    {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false, headset, FamilyKind::misplaced},
     {"marks", "turned by 1.2° (SD), as six touches of 3 mm leave a frame", false,
-     [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = 1.2 * d.normal(); }, true},
+     [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = 1.2 * d.normal(); }, FamilyKind::misplaced},
     {"marks-touch3", "marks, and a contact known to 3 mm after each reach", false,
      [](PersonCondition& c, Draws& d) {
        c.tracker.turned_deg = 1.2 * d.normal();
        c.contact_sd_mm = 3.0;
      },
-     true},
+     FamilyKind::misplaced},
     {"turned-touch1", "turned by ±2°, and a contact known to 1 mm after each reach", false,
-     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 1.0); }, true},
+     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 1.0); }, FamilyKind::misplaced},
     {"turned-touch3", "turned by ±2°, and a contact known to 3 mm", false,
-     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 3.0); }, true},
+     [](PersonCondition& c, Draws& d) { turned_and_touched(c, d, 3.0); }, FamilyKind::misplaced},
     {"headset-touch", "headset, and a contact known to 1 mm", false,
      [](PersonCondition& c, Draws& d) {
        headset(c, d);
        c.contact_sd_mm = 1.0;
      },
-     true},
+     FamilyKind::misplaced},
     {"placed-touch3", "a frame that holds, and a contact known to 3 mm: what contacts cost", false,
-     [](PersonCondition& c, Draws&) { c.contact_sd_mm = 3.0; }, true},
+     [](PersonCondition& c, Draws&) { c.contact_sd_mm = 3.0; }, FamilyKind::misplaced},
     {"plate-off-5", "ridges ±5° from where the plate is believed to stand", false,
-     [](PersonCondition& c, Draws& d) { c.plate_offset_deg = either_side(5.0, d); }, true},
+     [](PersonCondition& c, Draws& d) { c.plate_offset_deg = either_side(5.0, d); }, FamilyKind::misplaced},
 };
 
 }  // namespace

@@ -29,7 +29,14 @@ struct PersonCondition {
   std::optional<TargetMove> move;  ///< within each reach
   /// After each reach the finger meets an object, and its place is known to this (SD); 0: none.
   double contact_sd_mm = 0.0;
-  bool faulty = false;  ///< each reach has a fault of tracker or plate, see draw_fault()
+  bool random_side = false;  ///< each reach has its real target to a side of the virtual one that is drawn
+  bool faulty = false;       ///< each reach has a fault of tracker or plate, see draw_fault()
+};
+
+enum class FamilyKind {
+  invented,   ///< traits are guesses about people and apparatus
+  recorded,   ///< path and pace have the statistics of recorded reaches; the answer to touch is invented
+  misplaced,  ///< the tracker's frame or the plate's zero is off: no controller sees that in a reach
 };
 
 /// A kind of people or apparatus.
@@ -40,8 +47,7 @@ struct PeopleFamily {
   bool tuned;        ///< the controller's numbers were searched with it; with others only its last settings were
                      ///< compared
   void (*set)(PersonCondition& condition, Draws& draws);
-  /// The tracker's frame or the plate's zero is off: no controller sees that in a reach.
-  bool misplaced = false;
+  FamilyKind kind = FamilyKind::invented;
 };
 
 /// All families; the first is people whose illusion is linear.

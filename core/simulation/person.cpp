@@ -6,7 +6,7 @@
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
 #include "core/paper/participant.h"
-#include "core/reach/pace.h"
+#include "core/simulation/minimum_jerk.h"
 
 namespace hrt {
 namespace {
@@ -14,8 +14,6 @@ namespace {
 constexpr double tick_s = 0.001;
 constexpr double min_felt_speed_mm_s = 0.5;
 constexpr int correction_ms = 250;
-
-double minimum_jerk(double u) { return hrt::progress(0.0, u).share; }
 
 // The clock of a person who stops it for `rest_s` when it stands at `at_s`.
 double with_rest(double time_s, double at_s, double rest_s) {
@@ -105,11 +103,26 @@ void SlidingPerson::draw_reach() {
     person_.bias_deg += person_.scatter_deg * draws_.normal();
     goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg;
   }
+  if (person_.own_path.any()) {
+    shape_ = draw_shape(person_.own_path, draws_);
+    own_deg_ = own_direction_deg(0.0);
+    direction_deg_ += own_deg_;
+    felt_deg_ += own_deg_;
+    goal_deg_ += own_deg_;
+  }
+  if (person_.pace == Pace::recorded) {
+    pace_ = draw_pace(person_.own_path.log_duration_sd, draws_);
+    total_s_ = person_.duration_s * recorded_tail_scale * pace_.time_scale;
+  }
   if (person_.pace != Pace::submovements) return;
   const double first = 0.5 + 0.35 * draws_.uniform();
   parts_[0] = {0.4 + 0.25 * draws_.uniform(), first};
   parts_[1] = {0.75 + 0.1 * draws_.uniform(), first + (1.0 - first) * (0.6 + 0.3 * draws_.uniform())};
   parts_[2] = {1.0, 1.0};
+}
+
+double SlidingPerson::own_direction_deg(double path_fraction) const {
+  return person_.own_path.any() ? hrt::own_direction_deg(person_.own_path, shape_, path_fraction) : 0.0;
 }
 
 double SlidingPerson::progress(double time_s) const {
@@ -138,6 +151,8 @@ double SlidingPerson::progress(double time_s) const {
       }
       return share;
     }
+    case Pace::recorded:
+      return pace_.path_fraction(time_s / total_s_);
     case Pace::reversal:
       return 1.1 * minimum_jerk(time_s / d) - 0.1 * minimum_jerk((time_s - d) / (0.4 * d));
   }
@@ -169,10 +184,13 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   const double travel_mm = distance_mm_ * (s - share_);
   share_ = s;
   speed_mm_s_ = travel_mm / tick_s;
+  const double own_deg = own_direction_deg(s);
+  if (!person_.own_path.lags) direction_deg_ += own_deg - own_deg_;
+  own_deg_ = own_deg;
   const double motion_deg = move(travel_mm);
   felt_deg_ = motion_deg + person_.own_bias_deg + felt_shift_deg(plate_orientation_deg - motion_deg, travel_mm);
 
-  goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s);
+  goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s) + own_deg_;
   if (feels_place_) {
     const SinCos felt = sin_cos_deg(felt_deg_);
     felt_position_.right_mm -= travel_mm * felt.sine;
@@ -227,7 +245,9 @@ void SlidingPerson::steer(double motion_deg) {
   const double noise_deg = noise_sd_deg_ * draws_.normal();
   const bool predicts = person_.steering == Steering::predictive;
   // Of touch and of bias, apart from the direction itself, for who knows the own motion without delay.
-  const double answered_deg = predicts ? felt_deg_ - motion_deg : felt_deg_;
+  // What the hand follows without lag is neither error nor answer.
+  const double followed_deg = person_.own_path.lags ? 0.0 : own_deg_;
+  const double answered_deg = (predicts ? felt_deg_ - motion_deg : felt_deg_) - followed_deg;
   // A finger at rest feels no motion to steer.
   if (std::abs(speed_mm_s_) < min_felt_speed_mm_s) {
     rested_ms_ = millisecond_;
@@ -253,7 +273,7 @@ void SlidingPerson::steer(double motion_deg) {
     double answered = k * tick_s;
     if (person_.steering == Steering::corrections)
       answered = millisecond_ % correction_ms == 0 ? 1.0 - exponential(-k * correction_ms * tick_s) : 0.0;
-    direction_deg_ -= answered * (delayed - goal_deg_);
+    direction_deg_ -= answered * (delayed - (goal_deg_ - followed_deg));
   }
   direction_deg_ += noise_deg;
 }

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "core/plate/plate_frame.h"
+#include "core/simulation/own_path.h"
 #include "core/simulation/random.h"
 
 namespace hrt {
@@ -58,6 +59,7 @@ enum class Pace {
   two_parts,     ///< minimum jerk to 60 % of the path, then again to the end
   reversal,      ///< overshoots by a tenth of the path and comes back
   submovements,  ///< three minimum jerks, one after the other, of shares and times drawn at each reach
+  recorded,      ///< statistics of recorded reaches, drawn at each reach: draw_pace()
 };
 
 struct Person {
@@ -78,6 +80,7 @@ struct Person {
   Pace pace = Pace::minimum_jerk;
   double duration_s = 1.5;  ///< > 0, without pauses
   double path_scale = 1.0;  ///< length of the path over the distance asked for
+  OwnPath own_path;         ///< added to the direction of motion
 };
 
 /// Distance between ridges, and the time constant with which a crossed ridge fades from what is felt.
@@ -113,14 +116,15 @@ class SlidingPerson {
   const PlatePoint& felt_position() const { return felt_position_; }
   double speed_mm_s() const { return speed_mm_s_; }
   double direction_deg() const { return direction_deg_; }
-  /// Felt direction less the virtual target's.
-  double felt_error_deg() const { return felt_deg_ - virtual_direction_deg_; }
+  /// Felt direction less the virtual target's, and less what is the person's own path.
+  double felt_error_deg() const { return felt_deg_ - virtual_direction_deg_ - own_deg_; }
   /// Felt direction less the direction they mean to go.
   double intended_error_deg() const { return felt_deg_ - goal_deg_; }
   double elapsed_s() const { return time_s_; }
 
  private:
   void draw_reach();
+  double own_direction_deg(double path_fraction) const;
   double progress(double time_s) const;
   void answer();
   double move(double travel_mm);
@@ -156,6 +160,9 @@ class SlidingPerson {
     double time, share;  // of the whole
   };
   std::array<Part, 3> parts_{};
+  RecordedPace pace_;
+  PathShape shape_{};
+  double own_deg_ = 0.0;  // direction of the own path
   int millisecond_ = 0;
   bool done_ = false;
   // What the person answers, a millisecond each; until the last one at rest it was all alike.

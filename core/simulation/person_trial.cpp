@@ -123,6 +123,8 @@ std::vector<PersonOutcome> simulate_person(const PersonCondition& condition, con
     PersonCondition now = condition;
     Draws faults(seed, PersonStream::faults, index, number);
     if (condition.faulty) draw_fault(now, faults);
+    if (condition.random_side && faults.uniform() < 0.5)
+      now.real_direction_deg = 2.0 * now.virtual_direction_deg - now.real_direction_deg;
     outcomes.push_back(
         simulate_reach(now, controller ? &retargeter : nullptr, config.touched, seed, index, number, watch));
     if (const auto learnt = retargeter.learnt()) {

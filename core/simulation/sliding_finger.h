@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/plate/plate_frame.h"
-#include "core/reach/pace.h"
+#include "core/simulation/minimum_jerk.h"
 
 namespace hrt {
 
@@ -20,7 +20,8 @@ class SlidingFinger {
 
   /// Slides along `direction_deg` from where the last call left the finger until `time_s`, not before it.
   void slide(double time_s, double direction_deg) {
-    const double travelled = progress(profile_ == SpeedProfile::constant ? 1.0 : 0.0, time_s / duration_s_).share;
+    const double travelled = profile_ == SpeedProfile::constant ? std::clamp(time_s / duration_s_, 0.0, 1.0)
+                                                                : minimum_jerk(time_s / duration_s_);
     place_ = point_ahead(place_, direction_deg, distance_mm_ * (travelled - travelled_));
     travelled_ = travelled;
   }

@@ -142,7 +142,8 @@ keep their default):
 )" + person_parameters() +
          '\n' + tuning_names() +
          R"(
-Families (*: kept apart from the search for our controller's numbers; +: tracker or plate is off):
+Families (*: kept apart from the search for our controller's numbers; +: tracker or plate is off;
+~: paths and pace of recorded reaches):
 )" + family_list();
 }
 

@@ -106,7 +106,7 @@ SimulatedPeople people_of(const PeopleFamily& family) {
   return {.name = family.name,
           .says = family.says,
           .tuned = family.tuned,
-          .misplaced = family.misplaced,
+          .kind = family.kind,
           .draw = [&family](double duration_s, std::uint64_t seed, std::uint32_t index) {
             return draw_person(family, duration_s, seed, index);
           }};

@@ -82,8 +82,8 @@ RobustnessCell summarise(std::span<const ReachResult> results);
 struct SimulatedPeople {
   std::string name;
   std::string says;
-  bool tuned = false;      ///< as PeopleFamily
-  bool misplaced = false;  ///< as PeopleFamily
+  bool tuned = false;  ///< as PeopleFamily
+  FamilyKind kind = FamilyKind::invented;
   std::function<PersonCondition(double duration_s, std::uint64_t seed, std::uint32_t index)> draw;
 };
 
@@ -135,7 +135,7 @@ struct RobustnessStudy {
   std::vector<RobustnessRow> rows;  ///< simulate_robustness() of both
 };
 
-/// The name of the people, with the mark of their sort: * kept apart, + misplaced.
+/// The name of the people, with the mark of their sort: * kept apart, + misplaced, ~ recorded.
 std::string label(const SimulatedPeople& people);
 
 std::string robustness_text(const RobustnessStudy& study);

@@ -29,7 +29,9 @@ Rows of_people(const Rows& rows, const std::string& name) {
   return rows_where(rows, [&](const RobustnessRow& row) { return row.people.name == name; });
 }
 
-bool misplaced(const RobustnessRow& row) { return row.people.misplaced; }
+bool is_invented(const RobustnessRow& row) { return row.people.kind == FamilyKind::invented; }
+bool is_recorded(const RobustnessRow& row) { return row.people.kind == FamilyKind::recorded; }
+bool is_misplaced(const RobustnessRow& row) { return row.people.kind == FamilyKind::misplaced; }
 
 std::string near_line(const std::string& name, const Rows& rows, const std::vector<double>& durations_s,
                       const std::function<std::string(const Rows&, Leading)>& words) {
@@ -58,15 +60,17 @@ std::string near_table(const RobustnessStudy& study) {
     const double percent = mean_near_percent(of, leading);
     return std::isnan(percent) ? "-" : fixed(percent, 0);
   };
-  const auto mean_line = [&](const std::string& name, bool tuned, bool misplaced) {
+  const auto mean_line = [&](const std::string& name, bool tuned, FamilyKind kind) {
     const Rows of = rows_where(
-        rows, [&](const RobustnessRow& row) { return row.people.tuned == tuned && row.people.misplaced == misplaced; });
+        rows, [&](const RobustnessRow& row) { return row.people.tuned == tuned && row.people.kind == kind; });
     return of.empty() ? "" : near_line(name, of, durations_s, mean);
   };
-  const Rows placed = rows_where(rows, std::not_fn(misplaced));
-  return page + '\n' + mean_line("mean, tuned on", true, false) + mean_line("mean, apart *", false, false) +
-         (placed.empty() ? "" : near_line("mean of both", placed, durations_s, mean)) +
-         mean_line("mean, off +", false, true);
+  const Rows invented = rows_where(rows, is_invented);
+  return page + '\n' + mean_line("mean, recorded ~", false, FamilyKind::recorded) +
+         mean_line("mean, tuned on", true, FamilyKind::invented) +
+         mean_line("mean, apart *", false, FamilyKind::invented) +
+         (invented.empty() ? "" : near_line("mean of both", invented, durations_s, mean)) +
+         mean_line("mean, off +", false, FamilyKind::misplaced);
 }
 
 // "0.42 (0.38-0.47)"; what too few values bound is left out.
@@ -82,8 +86,9 @@ std::string with_interval(const Share& share) {
 }
 
 std::string flags_table(const Rows& all, std::uint64_t reaches) {
-  const Rows rows = rows_where(all, std::not_fn(misplaced));
-  const Rows off = rows_where(all, misplaced);
+  const Rows rows = rows_where(all, is_invented);
+  const Rows recorded = rows_where(all, is_recorded);
+  const Rows off = rows_where(all, is_misplaced);
   constexpr Leading flagging[] = {Leading::paper, Leading::first, Leading::last, Leading::informed};
   const auto line = [&](const std::string& name, const Rows& of,
                         const std::function<Share(const RobustnessCell&)>& share) {
@@ -106,6 +111,11 @@ std::string flags_table(const Rows& all, std::uint64_t reaches) {
           line("  off target", rows, [](Cell cell) { return cell.off_target; });
   if (const Rows linear = of_people(rows, people_families().front().name); !linear.empty())
     page += line("linear: interval of w_T covers theirs", linear, [](Cell cell) { return cell.weight_covered; });
+  if (!recorded.empty())
+    page +=
+        line("recorded (~), can hold: silent miss", recorded, [](Cell cell) { return cell.can_hold.silent; }) +
+        line("  cannot hold: found unreachable by then", recorded, [](Cell cell) { return cell.cannot_hold.found; }) +
+        line("  model does not fit", recorded, [](Cell cell) { return cell.misfit; });
   if (!off.empty())
     page += line("tracker or plate off (+): silent miss", off, [](Cell cell) { return cell.can_hold.silent; });
   return page;
@@ -184,7 +194,10 @@ std::string informed_of(const RobustnessStudy& study) {
 }  // namespace
 
 std::string label(const SimulatedPeople& people) {
-  return people.name + (people.misplaced ? " +" : people.tuned ? "" : " *");
+  return people.name + (people.kind == FamilyKind::misplaced  ? " +"
+                        : people.kind == FamilyKind::recorded ? " ~"
+                        : people.tuned                        ? ""
+                                                              : " *");
 }
 
 std::string robustness_text(const RobustnessStudy& study) {
@@ -206,7 +219,9 @@ std::string robustness_text(const RobustnessStudy& study) {
           ": ours on a person's reach of that number, with what it has learnt; inf: ours, informed of the person's " +
           informed_of(study) +
           "; -: nobody can hold the gap; *: kept apart from "
-          "the search for our controller's numbers; +: tracker or plate is off, which no controller sees.") +
+          "the search for our controller's numbers; +: tracker or plate is off, which no controller sees; ~: paths and "
+          "pace of "
+          "recorded reaches.") +
       '\n' + near_table(study);
   if (study.people.size() == 1) page += '\n' + details_table(study.people.front(), study.rows);
   return page + '\n' + flags_table(study.rows, study.options.reaches);
@@ -223,7 +238,7 @@ Results robustness_results(const RobustnessStudy& study) {
     for (const Leading leading : leadings) {
       Row row{{"family", of.people.name},
               {"tuned", of.people.tuned},
-              {"misplaced", of.people.misplaced},
+              {"misplaced", is_misplaced(of)},
               {"duration_s", of.duration_s},
               {"controller", leading_names[static_cast<std::size_t>(leading)]},
               {"reach", leading == Leading::last ? study.options.reaches : 1},

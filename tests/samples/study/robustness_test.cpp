@@ -277,7 +277,7 @@ TEST(StudyRobustness, WhatIsMisplacedMissesSilently) {
   const auto rows = rows_of({"linear", "turned-2"}, options);
   const ReachGroup& placed = rows[0].cell(Leading::last).can_hold;
   const ReachGroup& turned = rows[1].cell(Leading::last).can_hold;
-  EXPECT_TRUE(rows[1].people.misplaced);
+  EXPECT_EQ(rows[1].people.kind, FamilyKind::misplaced);
   EXPECT_GT(placed.near.percent(), 90.0);
   EXPECT_LT(turned.near.percent(), 20.0);
   EXPECT_GT(turned.silent.percent(), 50.0);

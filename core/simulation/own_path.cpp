@@ -1,0 +1,88 @@
+#include "core/simulation/own_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/exponential.h"
+#include "core/simulation/minimum_jerk.h"
+
+namespace hrt {
+namespace {
+
+// SDs of the shapes, deg: fits to the SD of the direction at s = .05, .2, .4, .6, .8, .95 within 0.5 degrees.
+constexpr PathShape cell_sd_deg{8.1, 2.6, 7.3, 10.4};     // of the means of 72 persons and targets
+constexpr PathShape within_sd_deg{9.3, 5.9, 10.1, 18.2};  // of 1683 reaches about those
+// Of the size of a person's wander about its root mean square: the median is 7.4 of 9.1 degrees.
+constexpr double log_size_sd = 0.455;
+
+constexpr double peak_mean = 0.36, peak_sd = 0.09;
+constexpr double second_part_share = 0.18, second_part_from = 0.6, first_part_until = 0.8;
+constexpr double stop_share = 0.016, stop_fraction = 0.06;
+
+double eighth_power(double x) {
+  const double square = x * x;
+  const double fourth = square * square;
+  return fourth * fourth;
+}
+
+// Integral of (1 - v)^2 v^b from 0 to v.
+double remaining(double v, double b) {
+  if (v <= 0.0) return 0.0;
+  const double power = exponential((b + 1.0) * logarithm(v));
+  return power * (1.0 / (b + 1.0) + v * (-2.0 / (b + 2.0) + v / (b + 3.0)));
+}
+
+double first_part_of_path(double u, double b) {
+  return 1.0 - remaining(1.0 - std::clamp(u, 0.0, 1.0), b) / remaining(1.0, b);
+}
+
+}  // namespace
+
+OwnPath draw_own_path(double size, Draws& draws) {
+  OwnPath path{.log_duration_sd = 0.15};
+  const double within = exponential(log_size_sd * draws.normal() - log_size_sd * log_size_sd);
+  for (std::size_t i = 0; i < path.mean_deg.size(); ++i) {
+    path.mean_deg[i] = size * cell_sd_deg[i] * draws.normal();
+    path.sd_deg[i] = size * within * within_sd_deg[i];
+  }
+  return path;
+}
+
+PathShape draw_shape(const OwnPath& path, Draws& draws) {
+  PathShape shape = path.mean_deg;
+  for (std::size_t i = 0; i < shape.size(); ++i)
+    if (path.sd_deg[i] > 0.0) shape[i] += path.sd_deg[i] * draws.normal();
+  return shape;
+}
+
+double own_direction_deg(const OwnPath& path, const PathShape& shape, double path_fraction) {
+  const double s = std::clamp(path_fraction, 0.0, 1.0);
+  const double whole_deg = shape[0] * (1.0 - 2.0 * s) + shape[1] * (1.0 - 6.0 * s * (1.0 - s)) +
+                           shape[2] * (eighth_power(1.0 - s) - 1.0 / 9.0) + shape[3] * (eighth_power(s) - 1.0 / 9.0);
+  return path.returns ? whole_deg : whole_deg * std::clamp((0.5 - s) / 0.1, 0.0, 1.0);
+}
+
+double RecordedPace::path_fraction(double fraction) const {
+  double u = fraction;
+  if (stop_at < 1.0) {
+    const double clock = fraction * (1.0 + stop_fraction);
+    u = clock <= stop_at ? clock : std::max(stop_at, clock - stop_fraction);
+  }
+  if (first_part >= 1.0) return first_part_of_path(u, late_power);
+  return first_part * first_part_of_path(u / first_part_until, late_power) +
+         (1.0 - first_part) * minimum_jerk((u - second_part_from) / (1.0 - second_part_from));
+}
+
+RecordedPace draw_pace(double log_duration_sd, Draws& draws) {
+  RecordedPace pace;
+  pace.time_scale = exponential(log_duration_sd * draws.normal());
+  pace.late_power = 2.0 / std::clamp(peak_mean + peak_sd * draws.normal(), 0.2, 0.55) - 2.0;
+  if (draws.uniform() < second_part_share) pace.first_part = 0.8 + 0.15 * draws.uniform();
+  if (draws.uniform() < stop_share) {
+    pace.stop_at = 0.3 + 0.4 * draws.uniform();
+    pace.time_scale *= 1.0 + stop_fraction;
+  }
+  return pace;
+}
+
+}  // namespace hrt
