@@ -1,55 +1,63 @@
 // When a reach is over, by where its finger has been, whatever controls the plate.
+//
+// A finger that has been at the start, or has moved, is over
+//   near     after a rest of 0.4 s within a quarter of the path (15 mm at least) of the real target, if it has covered
+//            nine tenths of the way there
+//   missed   after a rest of 2 s elsewhere, if it has covered three tenths of the way, at most 60 degrees off its
+//   course
+// The way begins at the start; after a jump of the target, where the finger was then. People correct themselves within
+// 0.3 s of the end of a first motion, and pause for longer on the way.
 #pragma once
 
-#include <algorithm>
-#include <iterator>
+#include <optional>
 
 #include "core/reach/finger_sample.h"
+#include "core/reach/reach.h"
 #include "core/tracker/finger_phase.h"
 
 namespace hrt {
 
-/// A reach is over once the finger rests at this share of the way, for this long.
-struct ArrivalRule {
-  double share;
-  double rest_s;
-};
-/// People correct themselves within 0.3 s of a first motion's end, and pause for longer on the way.
-inline constexpr ArrivalRule arrival_rules[] = {{0.9, 0.4}, {0.3, 2.0}};
+/// Within this of the start a finger is at it.
+inline constexpr double at_start_mm = 15.0;
+/// A target that moves by less within one call of retarget() keeps the time of the rest.
+inline constexpr double max_target_step_mm = 2.0;
 
 /// No heap, no lock, no exception.
 class ReachEnd {
  public:
   ReachEnd() = default;
-  /// Begins a reach from `start` to a target at `distance_mm` > 0. `noise`: of the tracker, if it is known.
-  ReachEnd(const PlatePoint& start, double distance_mm, const std::optional<TrackerNoise>& noise,
-           const PhaseTuning& tuning = {})
-      : start_(start), distance_mm_(distance_mm), finger_({}, noise, tuning) {}
+  /// Begins a reach from `start` to a target at `target`, another point. `start_is_felt`: where the finger is first
+  /// seen to rest is the start. `noise`: of the tracker, if it is known.
+  ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt,
+           const std::optional<TrackerNoise>& noise, const PhaseTuning& tuning = {});
 
-  /// The target is elsewhere from now on.
-  void retarget(const PlatePoint& start, double distance_mm) {
-    start_ = start;
-    distance_mm_ = distance_mm;
-    over_ = false;
-    finger_.lift();  // a rest at the former target does not count
-  }
+  /// The target is at `target` from now on, and the finger at `finger`.
+  void retarget(const PlatePoint& target, const PlatePoint& finger);
 
-  void observe(const FingerSample& sample) {
-    if (over_) return;
-    if (sample.observation == Observation::lifted) finger_.lift();
-    if (sample.observation != Observation::position) return;
-    finger_.observe(sample.time_ns, sample.position);
-    over_ = std::any_of(std::begin(arrival_rules), std::end(arrival_rules), [&](const ArrivalRule& rule) {
-      return finger_.rest_s() >= rule.rest_s && distance_mm(start_, finger_.rest_place()) >= rule.share * distance_mm_;
-    });
-  }
-  bool over() const { return over_; }
+  void observe(const FingerSample& sample);
+  ReachProgress progress() const;
+  /// The finger, first seen elsewhere, has come to rest at the start with the last sample: the reach begins now.
+  bool came_to_start() const { return came_to_start_; }
 
  private:
+  PlatePoint on_plate(const PlatePoint& seen) const { return seen + felt_offset_; }
+  bool is_at_start(const PlatePoint& place) const { return distance_mm(start_, place) <= at_start_mm; }
+  double degrees_off_course(const PlatePoint& place) const;
+  void judge_rest();
+
   PlatePoint start_;
-  double distance_mm_ = 1.0;
+  PlatePoint target_;
+  PlatePoint way_from_;
+  PlatePoint felt_offset_;  // of the plate from what is seen
   FingerPhase finger_;
+  bool start_is_felt_ = false;
+  bool seen_ = false;
+  bool comes_from_elsewhere_ = false;
+  bool was_at_start_ = false;
+  bool retargeted_ = false;
+  bool came_to_start_ = false;
   bool over_ = false;
+  bool missed_ = false;
 };
 
 }  // namespace hrt

@@ -75,8 +75,8 @@ void Retargeter::begin_here(const Reach& reach) {
 void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& handover) {
   reach_ = reach;
   passed_ = felt_passed_ = reach.start;
-  end_ =
-      ReachEnd(reach.start, reach.real_distance_mm, noise_of(config_.estimator, config_.tuning), config_.tuning.phase);
+  end_ = ReachEnd(reach.start, point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm),
+                  config_.start_is_felt, noise_of(config_.estimator, config_.tuning), config_.tuning.phase);
   if (config_.mode == ControlMode::reach) {
     leader_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, handover);
   } else {
@@ -88,7 +88,9 @@ const PlateCommand& Retargeter::update(const FingerSample& sample) {
   const auto* person = std::get_if<PersonReach>(&*leader_);
   if (person && sample.observation == Observation::direction && !person->seen()) lead_by_directions();
   end_.observe(sample);
-  return std::visit([&](auto& leader) -> const PlateCommand& { return leader.update(sample, end_.over()); }, *leader_);
+  if (end_.came_to_start()) begin(reach_, handover());
+  return std::visit([&](auto& leader) -> const PlateCommand& { return leader.update(sample, end_.progress()); },
+                    *leader_);
 }
 
 const PlateCommand& Retargeter::step(double finger_direction_deg) {
@@ -99,7 +101,7 @@ const PlateCommand& Retargeter::step(double finger_direction_deg) {
 Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
   reach_ = seen_from_here(real, virtual_place);
   std::visit([&](auto& leader) { leader.retarget(real, reach_); }, *leader_);
-  end_.retarget(reach_.start, reach_.real_distance_mm);
+  end_.retarget(real, reach_.start);
   return reach_;
 }
 
@@ -108,7 +110,11 @@ const PlateCommand& Retargeter::command() const {
 }
 
 ReachSummary Retargeter::summary() const {
-  return std::visit([](const auto& leader) { return leader.summary(); }, *leader_);
+  ReachSummary summary = std::visit([](const auto& leader) { return leader.summary(); }, *leader_);
+  const ReachProgress progress = end_.progress();
+  summary.off_target = summary.off_target || progress.off_target;
+  summary.not_at_start = progress.not_at_start;
+  return summary;
 }
 
 std::optional<SeenFinger> Retargeter::finger() const {

@@ -53,7 +53,7 @@ PlateOrientation PaperReach::initial_plate(const std::optional<PlateHandover>& h
           ActiveBound::none};
 }
 
-const PlateCommand& PaperReach::update(const FingerSample& sample, bool arrived) {
+const PlateCommand& PaperReach::update(const FingerSample& sample, const ReachProgress& progress) {
   const Observation observed = estimator_.observe(sample, plate_);
   const bool decides = observed == Observation::position ||
                        (observed == Observation::direction && estimator_.current_step() != decision_.step);
@@ -65,7 +65,9 @@ const PlateCommand& PaperReach::update(const FingerSample& sample, bool arrived)
     decide({estimator_.current_step(), aimed, limited});
   }
   if (decides || estimator_.predicted()) show_finger(plate_.orientation_at_deg(estimator_.step_end_ns()));
-  command_.arrived = arrived;
+  command_.arrived = progress.arrived;
+  command_.off_target = progress.off_target;
+  command_.not_at_start = progress.not_at_start;
   return publish(!decides);
 }
 
@@ -105,6 +107,7 @@ ReachSummary PaperReach::summary() const {
           .perceived_error_deg = command_.perceived_direction_deg - goal_deg_,
           .distance_to_target_mm = distance_to_go_mm(),
           .unreachable = decision_.aim.unreachable,
+          .miss_unknown = command_.step < 0,
           .estimate = estimator_.estimate()};
 }
 

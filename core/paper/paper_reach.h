@@ -31,8 +31,8 @@ class PaperReach {
   PaperReach(const PaperReachConfig& config, const Reach& reach,
              const std::optional<PlateHandover>& handover = std::nullopt);
 
-  /// Takes one sample in, not before the last one's. `arrived`: as in the command.
-  const PlateCommand& update(const FingerSample& sample, bool arrived = false);
+  /// Takes one sample in, not before the last one's. `progress`: with this sample.
+  const PlateCommand& update(const FingerSample& sample, const ReachProgress& progress = {});
 
   /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is.
   void retarget(const PlatePoint& real, const Reach& now);

@@ -107,7 +107,7 @@ double PersonReach::place_variance_mm2() const {
 
 double PersonReach::speed_mm_s() const { return estimator_.moving() ? filter().now().speed_mm_s : 0.0; }
 
-const PlateCommand& PersonReach::update(const FingerSample& sample, bool arrived) {
+const PlateCommand& PersonReach::update(const FingerSample& sample, const ReachProgress& progress) {
   ++counts_.samples;
   if (!origin_ns_) origin_ns_ = sample.time_ns;
   plate_.advance(sample.time_ns);
@@ -130,7 +130,7 @@ const PlateCommand& PersonReach::update(const FingerSample& sample, bool arrived
                          .plate_deg = plate_.orientation_deg(),
                          .decided = std::exchange(turned_ready_, false) || decides,
                          .predicted = sample.observation == Observation::none,
-                         .arrived = arrived},
+                         .progress = progress},
                         answered);
   count(command_, observed);
   return command_;
@@ -212,6 +212,7 @@ ReachSummary PersonReach::summary() const {
   summary.bearing_error_sd_deg = command_.bearing_error_sd_deg;
   summary.rms_felt_error_deg =
       felt_samples_ > 0 ? std::sqrt(square_felt_sum_deg2_ / static_cast<double>(felt_samples_)) : 0.0;
+  summary.miss_unknown = !begun;
   summary.unreachable = command_.unreachable;
   summary.off_target = begun && std::abs(summary.bearing_error_deg) > near_deg;
   summary.estimate.tactile_weight = command_.tactile_weight;

@@ -38,9 +38,9 @@ class PersonReach {
   PersonReach(const PersonReachConfig& config, const Reach& reach,
               const std::optional<PlateHandover>& handover = std::nullopt);
 
-  /// Takes one sample in, not before the last one's, of any observation but a direction. `arrived`: as in
-  /// the command.
-  const PlateCommand& update(const FingerSample& sample, bool arrived = false);
+  /// Takes one sample in, not before the last one's, of any observation but a direction. `progress`: with
+  /// this sample.
+  const PlateCommand& update(const FingerSample& sample, const ReachProgress& progress = {});
 
   /// The real target is at `real` from now on. `now` is the reach as seen from where the finger is: its
   /// directions, distance and start are read.

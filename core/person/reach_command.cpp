@@ -58,11 +58,12 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
       .distance_to_go_mm = to_go_mm,
       .time_to_go_s = -1.0,
       .predicted_miss_deg = decision.predicted_miss_deg,
-      .bearing_error_sd_deg = goal.frame_sd_deg,
       .nis = estimator.fit().nis(),
       .active = decision.plate.active,
       .held = !moment.decided,
-      .arrived = moment.arrived,
+      .off_target = moment.progress.off_target,
+      .arrived = moment.progress.arrived,
+      .not_at_start = moment.progress.not_at_start,
   };
   if (!estimator.begun()) return command;
 
@@ -79,12 +80,13 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
         wrap_deg(bearing_deg(goal.reach.start, moment.finger) - goal.reach.real_direction_deg, 360.0);
   command.felt_error_deg = felt_deg - now.goal_deg;
   command.bearing_error_sd_deg = bearing_error_sd_deg(goal, filter);
+  command.miss_unknown = false;
   command.step =
       static_cast<std::int64_t>(std::min(1e9 * (moment.now_s - estimator.onset_s()), max_ns)) / step_period_ns;
   command.predicted = moment.predicted;
   command.unreachable = !gap_is_feasible(config, goal, filter);
   command.misfit = !estimator.model_fits();
-  command.off_target = phase > tuning.first_judged_phase && std::abs(command.predicted_miss_deg) > near_deg;
+  command.off_target |= phase > tuning.first_judged_phase && std::abs(command.predicted_miss_deg) > near_deg;
   command.resting = !moving;
   return command;
 }

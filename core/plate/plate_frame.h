@@ -12,6 +12,8 @@ inline constexpr double mm_per_m = 1000.0;
 struct PlatePoint {
   double right_mm = 0.0;
   double away_mm = 0.0;
+
+  friend constexpr bool operator==(const PlatePoint&, const PlatePoint&) = default;
 };
 
 constexpr PlatePoint operator+(const PlatePoint& a, const PlatePoint& b) {

@@ -48,6 +48,16 @@ struct PlateHandover {
   std::int64_t dropped_samples;
 };
 
+/// How far a reach is, by where its finger has been: reach_end.h.
+struct ReachProgress {
+  bool arrived = false;       ///< the reach is over
+  bool off_target = false;    ///< it is over beside the target, or the finger moves away from it
+  bool not_at_start = false;  ///< the finger rests elsewhere, and has not been at the start
+};
+
+/// Standard deviation of a miss that is not known.
+inline constexpr double unknown_miss_sd_deg = 180.0;
+
 /// A command for the plate, with its reasons.
 struct PlateCommand {
   double plate_orientation_deg = 0.0;    ///< T; which of those that feel the same, see plate_limits.h
@@ -61,24 +71,27 @@ struct PlateCommand {
   double felt_error_deg = 0.0;      ///< felt less intended direction, now, as estimated
   double predicted_miss_deg = 0.0;  ///< bearing of the place of arrival less the real target's, as predicted
   /// Standard deviation of the finger's true place across the line to the real target, as a bearing from the
-  /// start: by the filter and by the registration of the plate; 0 under the paper's controller.
-  double bearing_error_sd_deg = 0.0;
+  /// start: by the filter and by the registration of the plate.
+  double bearing_error_sd_deg = unknown_miss_sd_deg;
   double nis = 0.0;                        ///< normalised innovation squared of recent positions; 2 is expected
   std::int64_t step = -1;                  ///< model step; -1 before the finger moves
   ActiveBound active = ActiveBound::none;  ///< the bound that holds the command
   bool held = true;                        ///< no new decision was taken in this call
-  bool predicted = false;    ///< neither this step nor the one before has a sample: the finger is the model's
-  bool unreachable = false;  ///< this participant can't be held on the real direction
-  bool optimal = true;       ///< false: the solver's work was cut short; the command is within its bounds
-  bool misfit = false;       ///< the person does not move as the model does: do not trust the estimates
-  bool off_target = false;   ///< the finger is going to end beyond `near_deg` of the real target's bearing
-  bool resting = false;      ///< the finger rests within the reach
-  bool arrived = false;      ///< the reach is over: see reach_end.h
+  bool predicted = false;     ///< neither this step nor the one before has a sample: the finger is the model's
+  bool unreachable = false;   ///< this participant can't be held on the real direction
+  bool optimal = true;        ///< false: the solver's work was cut short; the command is within its bounds
+  bool misfit = false;        ///< the person does not move as the model does: do not trust the estimates
+  bool off_target = false;    ///< the finger is going to end beyond `near_deg` of the real target's bearing
+  bool resting = false;       ///< the finger rests within the reach
+  bool arrived = false;       ///< the reach is over: see reach_end.h
+  bool not_at_start = false;  ///< the finger rests elsewhere than at the start
+  bool miss_unknown = true;   ///< predicted_miss_deg is no prediction
   // The caller of the controller sets these.
   bool lifted = false;                 ///< the finger does not touch the plate
   bool off_plate = false;              ///< the finger is beyond the plate's rim
   bool registration_doubtful = false;  ///< the plate's registration is older or worse than allowed
   bool contacts_disagree = false;      ///< contacts contradict the registration
+  bool implausible = false;            ///< times, units or axes of this reach are hardly right
   bool fault = false;                  ///< a value was not a finite number
 };
 
@@ -125,9 +138,9 @@ struct ReachSummary {
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
   double perceived_error_deg = 0.0;      ///< perceived_direction_deg less theta_V and the configured bias
   double distance_to_target_mm = 0.0;    ///< from the last position, seen or predicted, to the real target's
-  double bearing_error_deg = 0.0;        ///< of the last position from the start, less P_R; 0 without positions
-  double bearing_error_sd_deg = 0.0;     ///< as in the last PlateCommand
-  double peak_felt_error_deg = 0.0;      ///< largest size of PlateCommand::felt_error_deg
+  double bearing_error_deg = 0.0;        ///< of the last position from the start, less P_R; 0 if it is unknown
+  double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< as in the last PlateCommand
+  double peak_felt_error_deg = 0.0;                   ///< largest size of PlateCommand::felt_error_deg
   double rms_felt_error_deg = 0.0;
   double nis = 0.0;                      ///< as in PlateCommand, largest
   bool unreachable = false;              ///< as in the last PlateCommand
@@ -135,6 +148,9 @@ struct ReachSummary {
   bool off_target = false;               ///< the finger ended beyond `near_deg` of the real target's bearing
   bool registration_doubtful = false;    ///< at any time
   bool contacts_disagree = false;        ///< as in the last PlateCommand, or after the contact of this reach
+  bool not_at_start = false;             ///< as in the last PlateCommand
+  bool miss_unknown = false;             ///< the finger was not seen to move
+  bool implausible = false;              ///< at any time
   FingerEstimate estimate;               ///< of w_T and tracker noise
   std::optional<PersonEstimate> person;  ///< none without positions
 };

@@ -8,6 +8,12 @@
 #include "core/math/time.h"
 
 namespace hrt {
+namespace {
+
+// Ends of a window this many limits apart are not those of a rest.
+constexpr double clearly_moving_limits = 4.0;
+
+}  // namespace
 
 template <class Point>
 PhaseDetector<Point>::PhaseDetector(const std::optional<Point>& start, const std::optional<TrackerNoise>& noise,
@@ -116,6 +122,12 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   if (places_.count() < count) return false;
   if (places_[count - 1].time_s < moving_since_s_) return false;
   const double window_s = places_[0].time_s - places_[count - 1].time_s;
+  const double limit_mm = expected_mm_s ? std::min(allowed_mm, *expected_mm_s * window_s - noise_mm)
+                                        : std::max(allowed_mm, tuning_.max_creep_mm_s * window_s);
+  // Most windows of a motion need no line.
+  if (limit_mm <= 0.0 ||
+      square_distance_mm2(places_[0].position, places_[count - 1].position) > square(clearly_moving_limits * limit_mm))
+    return false;
   // Least squares: the slope is the moment about the middle over the spread.
   Point moment = 0.0 * places_[0].position;
   double spread = 0.0;
@@ -125,9 +137,7 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
     spread += centred * centred;
   }
   const double displacement_mm = (count - 1) / spread * std::sqrt(square_distance_mm2(moment, 0.0 * moment));
-  if (expected_mm_s ? displacement_mm > std::min(allowed_mm, *expected_mm_s * window_s - noise_mm)
-                    : displacement_mm > std::max(allowed_mm, tuning_.max_creep_mm_s * window_s))
-    return false;
+  if (displacement_mm > limit_mm) return false;
   const Rest before = rest_;
   const double begun_s = places_[count - 1].time_s;
   // In the first half of a long window the finger may still come to rest.

@@ -11,8 +11,9 @@ namespace {
 // Differences of neighbours that the assumed noise is worth: a rest of few correlation times shows its white part only.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
-// Before so many differences the assumed noise is used as it is.
+// Before so many differences the assumed noise is used as it is; after that every fourth one renews the estimate.
 constexpr int min_steps = 8;
+constexpr int steps_per_estimate = 4;
 // A larger deviation is a finger that moves; within a motion a departure counts for three deviations at most.
 constexpr double max_noise_mm = 4.0;
 constexpr double max_departure_deviations = 3.0;
@@ -91,7 +92,7 @@ void NoiseLearner<Point>::learn_moving(const RecentPlaces<Point>& places) {
 
 template <class Point>
 void NoiseLearner<Point>::update() {
-  if (steps() < min_steps) return;
+  if (steps() < min_steps || steps() % steps_per_estimate != 0) return;
   const NoiseParts seen = separate(differences_, noise_.correlation_s);
   const auto blended_mm = [this](double assumed_mm, double seen_mm2, double assumed_differences) {
     const double share = steps() / (steps() + assumed_differences);

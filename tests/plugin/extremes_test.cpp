@@ -88,7 +88,7 @@ class Extremes : public SessionTest {
       config.plate.upper_stop_deg = std::min(3600.0, config.plate.lower_stop_deg + one_of({180.0, 270.0, 7200.0}));
     }
     for (double& coordinate_m : config.start_position_m) {
-      if (changes()) coordinate_m = within(-1000.0, 1000.0);
+      if (changes()) coordinate_m = within(-10.0, 10.0);
     }
     for (double& coordinate_m : config.plate.position_m) {
       if (changes()) coordinate_m = within(-1000.0, 1000.0);
@@ -111,7 +111,7 @@ class Extremes : public SessionTest {
     config.place =
         one_of({HRT_PLACE_DIRECTION, HRT_PLACE_DIRECTION, HRT_PLACE_PLATE_POSITION, HRT_PLACE_WORLD_POSITION});
     config.direction_deg = below(2) == 0 ? uniform(-20.0, 20.0) : within(-180.0, 180.0);
-    config.distance_m = below(2) == 0 ? 0.1 : within(0.001, 1000.0);
+    config.distance_m = below(2) == 0 ? 0.1 : within(0.001, 10.0);
     for (double& coordinate_m : config.position_m) coordinate_m = within(-1000.0, 1000.0);
     hrt_target target{};
     const hrt_result result = hrt_target_add(session, &config, &target);

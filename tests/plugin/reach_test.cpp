@@ -18,7 +18,7 @@ TEST_F(ReachTest, FirstCommandIsAsDerivedByHand) {
   const hrt_command command = update(direction_sample(0, 0.0));
   EXPECT_NEAR(command.plate_orientation_deg, 4.8, 1e-9);
   EXPECT_NEAR(command.perceived_direction_deg, 0.6, 1e-9);
-  EXPECT_EQ(command.flags, 0u);
+  EXPECT_EQ(command.flags, HRT_COMMAND_MISS_UNKNOWN);
   EXPECT_EQ(command.step, 0);
   EXPECT_EQ(command.tactile_weight, 0.15);
   EXPECT_EQ(command.tactile_weight_sd, 0.0);

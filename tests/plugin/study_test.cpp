@@ -99,8 +99,14 @@ TEST_F(SimulatedPersonTest, ArrivesSoonAfterTheMotion) {
     ASSERT_OK(hrt_reach_update(session, &sample, &command));
     EXPECT_NE(command.flags & HRT_COMMAND_ARRIVED, 0u) << "it stays so";
     ASSERT_OK(hrt_reach_retarget(session, real, seen));
+    sample.finger_position_m[2] -= 0.05;
+    ASSERT_OK(hrt_reach_update(session, &sample, &command));
+    EXPECT_NE(command.flags & HRT_COMMAND_ARRIVED, 0u) << "with the same targets";
+    change(real, target_config(HRT_TARGET_REAL, 5.0));
+    ASSERT_OK(hrt_reach_retarget(session, real, seen));
     ASSERT_OK(hrt_reach_update(session, &sample, &command));
     EXPECT_EQ(command.flags & HRT_COMMAND_ARRIVED, 0u);
+    change(real, target_config(HRT_TARGET_REAL, -5.0));
     ASSERT_OK(hrt_reach_cancel(session));
   }
 }

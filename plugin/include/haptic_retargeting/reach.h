@@ -85,7 +85,8 @@ typedef struct hrt_sample {
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
 /** The motion differs from the model by more than its noise explains. Do not rely on the estimates and UNREACHABLE. */
 #define HRT_COMMAND_MISFIT UINT32_C(128)
-/** The finger is predicted to end, or has ended, more than 1.5 degrees of bearing from the real target. */
+/** The finger is predicted to end, or has ended, more than 1.5 degrees of bearing from the real target; or it moves
+ *  away from the target: more than 60 degrees off, beyond three tenths of the path. */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
 #define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the plate is held */
 /** The solver stopped before the optimum; the command keeps its bounds. */
@@ -97,15 +98,26 @@ typedef struct hrt_sample {
  *  registration.max_age_ns, registration.max_sd_deg. Set up again (setup.h). The log reports it at the next call of
  *  hrt_session_set(), hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load() or hrt_scene_register(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
-/** The reach is over, until hrt_reach_retarget(): the finger has covered nine tenths of the path from the start to
- *  the real target and has rested for 0.4 s, or three tenths of it and has rested for 2 s. It rests while the 0.1 s
- *  means of its positions stay within 4 mm, root mean square, and drift by less than 8.6 mm/s; for 2 s, by less than
- *  2 mm/s. A lift or a dropout of 0.3 s restarts this time. Never set in a reach with directions only: use a time
+/** The reach is over, until hrt_reach_retarget(). The finger was at the start or has moved, and now rests: for 0.4 s
+ *  within a quarter of the path's length of the real target, after nine tenths of the way; or for 2 s elsewhere, after
+ *  three tenths of the way and within 60 degrees of the target's bearing, then with OFF_TARGET. A lift, a dropout of
+ *  0.2 s or a retarget by 2 mm and more restarts this time. Never set in a reach with directions only: use a time
  *  limit. */
 #define HRT_COMMAND_ARRIVED UINT32_C(8192)
 /** Contacts (hrt_reach_touched()) move the real target by more than the registration explains with a probability of
  *  99.9 %: the plate or the tracker's frame has moved, or another object was touched. Set up again (setup.h). */
 #define HRT_COMMAND_CONTACTS UINT32_C(16384)
+/** The finger rests more than 15 mm from the start, and has not been there: ask the user to go to the start. The reach
+ *  begins when the finger rests there, or moves from where it is. */
+#define HRT_COMMAND_NOT_AT_START UINT32_C(32768)
+/** The miss is not known: the finger was not seen to move, or FIXED_DIRECTION does not predict it. predicted_miss_deg
+ *  and miss_deg are 0, miss_sd_deg is 180. */
+#define HRT_COMMAND_MISS_UNKNOWN UINT32_C(65536)
+/** Times, units or axes are hardly those of a person at this plate: times that do not advance in nanoseconds, a finger
+ *  faster than 5 m/s, further than three plate radii away or moving away from the virtual target, a start or target
+ *  beyond the plate's edge by more than a radius, or a hand that turns with the plate instead of against it. The log
+ *  says which, when it reports REGISTRATION. The reach teaches nothing. */
+#define HRT_COMMAND_IMPLAUSIBLE UINT32_C(131072)
 
 /** hrt_command::time_to_go_s: the finger rests before or within the motion; or, under FIXED_DIRECTION, the time is
  *  unknown. */
@@ -142,15 +154,15 @@ typedef struct hrt_command {
   /** Estimated perceived minus intended direction now: the error that the user could notice. Users notice about
    *  4.5 degrees of visual redirection; no threshold is published for touch. 0 under FIXED_DIRECTION. @ccw */
   double felt_error_deg;
-  /** Predicted bearing of the position of arrival, seen from the start, minus that of the real target; 0 under
-   *  FIXED_DIRECTION. @ccw */
+  /** Predicted bearing of the position of arrival, seen from the start, minus that of the real target; 0 with
+   *  HRT_COMMAND_MISS_UNKNOWN. @ccw */
   double predicted_miss_deg;
   /** Normalised innovation squared (NIS) of the last positions, mean over about twenty: their deviation from the
    *  model. About 2 if the model fits; MISFIT from 4.5. 0 under FIXED_DIRECTION. @unit 1 */
   double misfit;
   /** SD of the finger's true position across the line to the real target, as a bearing from the start: uncertainty of
    *  the estimator and of plate.covariance or, after contacts, of their covariance. At the end, the SD of
-   *  hrt_reach_summary::miss_deg. 0 under FIXED_DIRECTION. */
+   *  hrt_reach_summary::miss_deg. 180 with HRT_COMMAND_MISS_UNKNOWN. */
   double miss_sd_deg;
 } hrt_command;
 
@@ -191,8 +203,8 @@ typedef struct hrt_reach_learnt {
 /** Result of a reach. */
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
-  /** UNREACHABLE and CONTACTS at the end, MISFIT and REGISTRATION at any time, OFF_TARGET for the end of the motion,
-   *  FAULT. @values HRT_COMMAND */
+  /** UNREACHABLE, CONTACTS and NOT_AT_START at the end, MISFIT, REGISTRATION and IMPLAUSIBLE at any time, OFF_TARGET
+   *  and MISS_UNKNOWN for the end of the motion, FAULT. @values HRT_COMMAND */
   uint32_t flags;
   /** Direction of the finger in the last step. @ccw */
   double final_direction_deg;
@@ -205,9 +217,9 @@ typedef struct hrt_reach_summary {
   double perceived_error_deg;
   /** Distance along the plate from the last position to the real target; from the start without positions. */
   double distance_to_target_m;
-  /** Bearing of the last position, seen from the start, minus that of the real target. 0 if the finger never moved,
-   *  as distance_to_target_m shows. Under FIXED_DIRECTION, equal to paper_miss_deg; the fields below and the
-   *  estimates of ARRIVAL are 0 then. @ccw */
+  /** Bearing of the last position, seen from the start, minus that of the real target; 0 with
+   *  HRT_COMMAND_MISS_UNKNOWN. Under FIXED_DIRECTION, equal to paper_miss_deg; then miss_sd_deg is 180, and the other
+   *  fields below and the estimates of ARRIVAL are 0. @ccw */
   double miss_deg;
   /** SD of miss_deg: the last hrt_command::miss_sd_deg. */
   double miss_sd_deg;
@@ -248,7 +260,8 @@ typedef struct hrt_contact {
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
-/** Processes one sample and returns the command. Samples may come at any rate. A direction changes the command once
+/** Processes one sample and returns the command. Samples may come at any rate. A position that repeats the last one in
+ *  all bits within 50 ms is a dropout: the tracker is slower than the application, and the copy measures nothing. A direction changes the command once
  *  in a step period, a position at every sample: each one refines the estimate. Under GUIDANCE_ARRIVAL, also pass the
  *  samples before the motion: they determine the start and the noise of the tracker. Steps without samples are
  *  predicted, under FIXED_DIRECTION at most 64 in a call.
@@ -261,7 +274,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 
 /** Redirects the reach to other targets, or to the same targets after hrt_target_set() has moved them: in every frame
- *  if they move. The plan continues from the position of the finger. Directions are then seen from the finger, that
+ *  if they move. The plan continues from the position of the finger. Targets that move by less than
+ *  2 mm a call keep the time for which the finger has rested, which HRT_COMMAND_ARRIVED needs; those that move further
+ *  restart it. Directions are then seen from the finger, that
  *  of the virtual target from the perceived position; in a reach with directions only, from the start. The next
  *  command has UNREACHABLE if the plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too
  *  short. On an error, the reach is unchanged.

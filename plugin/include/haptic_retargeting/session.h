@@ -104,7 +104,7 @@ typedef struct hrt_session_plate {
   double lower_stop_deg;
   /** Upper mechanical stop, at least 180 degrees above the lower one. @range -3600 to 3600 @default 0 @ccw */
   double upper_stop_deg;
-  /** Radius of the plate. Positions beyond it get HRT_COMMAND_OFF_PLATE. @range 0.001 to 1000 @default 0.075 */
+  /** Radius of the plate. Positions beyond it get HRT_COMMAND_OFF_PLATE. @range 0.02 to 1 @default 0.075 */
   double radius_m;
   /** Centre of the plate in the engine's world. @range -1000 to 1000 @default (0, 0, 0)
    *  @profile registration.contact_covariance */
@@ -243,9 +243,9 @@ typedef struct hrt_session_config {
    *  same ridges. @range -180 to 180 @default 0 @ccw */
   double fixed_plate_orientation_deg;
   /** Start of reaches in plate coordinates. Directions of targets are measured from here. The default is on the
-   *  mid-line, 5 cm towards the user. @range -1000 to 1000 @default (0, 0, 0.05) */
+   *  mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */
   double start_position_m[3];
-  /** Height above the plate. Positions above it count as lifted. @range 0.0001 to 1000 @default 0.015 */
+  /** Height above the plate. Positions above it count as lifted. @range 0.0001 to 1 @default 0.015 */
   double lift_height_m;
   /** Vector from the tracked joint to the point of contact on the skin, in the axes of the joint. Applied to samples
    *  with HRT_SAMPLE_JOINT_ROTATION. A set-up measures it; each hand has its own. @range -1 to 1 @default 0 */

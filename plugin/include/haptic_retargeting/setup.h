@@ -75,7 +75,7 @@ typedef struct hrt_setup_config {
   /** Maximum number of slides. The first 16 are followed by groups of 8 until the weight is accurate enough.
    *  @range 16 to 200 @default 40 */
   uint32_t max_slides;
-  /** Marks in plate coordinates: x, y and z of each. @range -1000 to 1000 @default 0 */
+  /** Marks in plate coordinates: x, y and z of each. @range -10 to 10 @default 0 */
   double marks_m[HRT_MARK_NUMBERS];
   /** Expected SD of each coordinate of a touch. Raising it accepts less accurate touches. @range 1e-5 to 0.1
    *  @default 0.003 */

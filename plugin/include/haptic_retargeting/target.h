@@ -40,7 +40,7 @@ typedef struct hrt_target_config {
   uint32_t reserved;
   /** Direction from the start. @range -180 to 180 @default 0 @ccw */
   double direction_deg;
-  /** Distance from the start along the plate. @range 0.001 to 1000 @default 0.1 */
+  /** Distance from the start along the plate. @range 0.001 to 10 @default 0.1 */
   double distance_m;
   /** Position in plate coordinates or in the world, at least 1 mm from the start in the plane of the plate; the
    *  height y has no effect. @range -1000 to 1000 @default (0, 0, 0) */

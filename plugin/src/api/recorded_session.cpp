@@ -38,7 +38,7 @@ class TargetRollback {
 
 hrt_result RecordedSession::set_model(const SessionModel& valid_model) {
   HRT_RETURN_IF_FAILED(session_.set_model(valid_model));
-  doubted_registration_ = logged_registration_ = false;
+  forget_findings();
   record([&] { return Record{.call = ConfigSet{to_c(valid_model)}}; });
   return HRT_OK;
 }
@@ -102,6 +102,7 @@ hrt_result RecordedSession::update(const hrt_sample& sample, hrt_command* out) {
   if (result == HRT_OK) {
     *out = to_c(command);
     doubted_registration_ |= command.registration_doubtful;
+    if (command.implausible && implausible_.kind == Implausible::Kind::none) implausible_ = session_.implausible();
     if ((out->flags & HRT_COMMAND_FAULT) != 0) {
       had_fault_ = true;
       session_.mark_faulty();
@@ -176,7 +177,7 @@ hrt_result RecordedSession::finish_setup(hrt_setup_result* out) {
   if (result == HRT_OK) *out = to_c(session_.setup_report());
   record([&] { return Record{result, SetupFinished{*out}}; });
   if (result != HRT_OK) return result;
-  doubted_registration_ = logged_registration_ = false;
+  forget_findings();
   if (out->done & (HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST)) conditions.measured_now();
   return HRT_OK;
 }
@@ -213,6 +214,11 @@ AimedReach RecordedSession::aimed() const {
           .plate_orientation_deg = reach.plate_orientation_deg};
 }
 
+void RecordedSession::forget_findings() {
+  doubted_registration_ = logged_registration_ = logged_implausible_ = false;
+  implausible_ = {};
+}
+
 void RecordedSession::log_findings(std::uint64_t handle) {
   if (doubted_registration_ && !logged_registration_) {
     Text<240> text;
@@ -220,6 +226,13 @@ void RecordedSession::log_findings(std::uint64_t handle) {
          << ": the registration of the plate was older or worse than allowed in a reach, or missing";
     write_log(HRT_LOG_WARNING, text.c_str());
     logged_registration_ = true;
+  }
+  if (implausible_.kind != Implausible::Kind::none && !logged_implausible_) {
+    Text<320> text;
+    text << "session " << handle << ": ";
+    write_implausible(implausible_, text);
+    write_log(HRT_LOG_WARNING, text.c_str());
+    logged_implausible_ = true;
   }
   if (!had_fault_ || logged_fault_) return;
   Text<240> text;

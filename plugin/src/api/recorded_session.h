@@ -53,7 +53,7 @@ class RecordedSession {
   AimedReach aimed() const;
 
   /// Logs once if a value was not finite (HRT_COMMAND_FAULT), and once for a configuration if a command was flagged
-  /// HRT_COMMAND_REGISTRATION. The log names the session by `handle`.
+  /// HRT_COMMAND_REGISTRATION or HRT_COMMAND_IMPLAUSIBLE. The log names the session by `handle`.
   void log_findings(std::uint64_t handle);
 
   /// Logs if the person was measured under other conditions than the present ones.
@@ -76,12 +76,15 @@ class RecordedSession {
   void record(MakeRecord&& make_record) const {
     if (recorder_) recorder_->push(make_record());
   }
+  void forget_findings();
   TargetChanged changed(TargetChanged::Change change, std::uint64_t id) const;
 
   Session session_;
   bool had_fault_ = false, logged_fault_ = false;
   // A command under this configuration was flagged HRT_COMMAND_REGISTRATION.
   bool doubted_registration_ = false, logged_registration_ = false;
+  Implausible implausible_;  // the first one under this configuration
+  bool logged_implausible_ = false;
   std::unique_ptr<Recorder> recorder_;  // null: nothing is recorded
 };
 

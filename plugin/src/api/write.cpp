@@ -35,6 +35,9 @@ constexpr OutcomeFlag outcome_flags[] = {
     {HRT_COMMAND_REGISTRATION, &PlateCommand::registration_doubtful, &ReachSummary::registration_doubtful},
     {HRT_COMMAND_ARRIVED, &PlateCommand::arrived, nullptr},
     {HRT_COMMAND_CONTACTS, &PlateCommand::contacts_disagree, &ReachSummary::contacts_disagree},
+    {HRT_COMMAND_NOT_AT_START, &PlateCommand::not_at_start, &ReachSummary::not_at_start},
+    {HRT_COMMAND_MISS_UNKNOWN, &PlateCommand::miss_unknown, &ReachSummary::miss_unknown},
+    {HRT_COMMAND_IMPLAUSIBLE, &PlateCommand::implausible, &ReachSummary::implausible},
 };
 constexpr std::uint32_t bound_flags[] = {0, HRT_COMMAND_SATURATED, HRT_COMMAND_SATURATED, HRT_COMMAND_RATE_LIMITED,
                                          HRT_COMMAND_RATE_LIMITED};

@@ -86,7 +86,16 @@ hrt_result Session::begin(const ReachRequest& request) {
   reaching.retargeter.begin(reach);
   reaching.awaits_finger = request.starts_at_finger;
   reaching.judgement = judge(reach);
+  reaching.plausibility = plausibility_of(reach);
+  implausible_ = {};
   return HRT_OK;
+}
+
+// Where a felt start is, is not known in the tracker's frame: directions from it are not either.
+Plausibility Session::plausibility_of(const Reach& reach) const {
+  Plausibility plausibility(mm_per_m * model_.mount.surface.radius_m, reach);
+  if (model_.control.start_is_felt) plausibility.retarget();
+  return plausibility;
 }
 
 // The finger is seen for the first time, and the reach starts there.
@@ -98,6 +107,7 @@ hrt_result Session::start_at(const PlatePoint& finger, Reaching* reaching) const
   reaching->start = finger;
   reaching->reach = reach;
   reaching->judgement = judge(reach);
+  reaching->plausibility = plausibility_of(reach);
   reaching->awaits_finger = false;
   return HRT_OK;
 }
@@ -110,10 +120,16 @@ hrt_result Session::update(const FingerSample& sample, PlateCommand* out) {
                 *reaching.last_time_ns);
   if (reaching.awaits_finger && sample.observation == Observation::position)
     HRT_RETURN_IF_FAILED(start_at(sample.position, &reaching));
-  *out = reaching.retargeter.update(sample);
+  reaching.plausibility.observe(sample);
+  implausible_ = reaching.plausibility.found();
+  FingerSample measured = sample;
+  if (sample.observation == Observation::position && reaching.repeated.is_copy(sample.time_ns, sample.position))
+    measured.observation = Observation::none;
+  *out = reaching.retargeter.update(measured);
   reaching.last_time_ns = sample.time_ns;
   out->lifted = sample.observation == Observation::lifted;
   out->off_plate = sample.off_plate;
+  out->implausible = implausible_.kind != Implausible::Kind::none;
   out->contacts_disagree = reaching.judgement.contacts_disagree;
   out->registration_doubtful = reaching.judgement.is_poor || is_too_old(sample.time_ns);
   reaching.registration_doubtful |= out->registration_doubtful;
@@ -138,6 +154,7 @@ hrt_result Session::retarget(std::uint64_t real_target, std::uint64_t virtual_ta
   reaching.reach = reaching.retargeter.retarget(view_from(reaching.start, model_.mount, pair.real).point,
                                                 view_from(reaching.start, model_.mount, pair.virtual_target).point);
   reaching.judgement = judge(from_start);
+  reaching.plausibility.retarget();
   return HRT_OK;
 }
 
@@ -186,6 +203,7 @@ hrt_result Session::end(ReachSummary* out) {
   *out = reaching.retargeter.summary();
   out->registration_doubtful = reaching.registration_doubtful;
   out->contacts_disagree = reaching.judgement.contacts_disagree;
+  out->implausible = implausible_.kind != Implausible::Kind::none;
   if (model_.adaptation == Adaptation::off || out->person) {
     out->estimate.motor_variance_deg2 = model_.control.participant.motor_variance_deg2;
     out->estimate.motor_variance_sd_deg2 = 0.0;
@@ -193,7 +211,7 @@ hrt_result Session::end(ReachSummary* out) {
   Idle idle;
   if (!reaching.faulty) {
     idle.last = {reaching.start, reaching.pair.real, reaching.retargeter.finger(), reaching.contact.has_value()};
-    if (model_.adaptation == Adaptation::carried) learn(reaching.retargeter, *out);
+    if (model_.adaptation == Adaptation::carried && !out->implausible) learn(reaching.retargeter, *out);
     if (reaching.contact) {
       learn_contact(*reaching.contact, &model_);
       out->contacts_disagree = judge(reaching.reach).contacts_disagree;

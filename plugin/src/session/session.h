@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "core/retargeter.h"
+#include "core/tracker/repeated_position.h"
 #include "plugin/src/session/contact.h"
+#include "plugin/src/session/plausibility.h"
 #include "plugin/src/session/session_setup.h"
 
 namespace hrt::plugin {
@@ -53,6 +55,9 @@ class Session {
   hrt_result end(ReachSummary* out);
   /// A value of the reach under way was not a finite number: the reach teaches nothing.
   void mark_faulty();
+
+  /// What is hardly right about the reach under way, or the last one.
+  const Implausible& implausible() const { return implausible_; }
 
   /// The reach under way as it was last aimed, and whether it starts where the finger is still to be seen.
   const Reach& reach() const { return std::get<Reaching>(state_).reach; }
@@ -103,6 +108,8 @@ class Session {
     Reach reach;       // as it was last aimed
     PlatePoint start;  // before it was aimed again
     Retargeter retargeter;
+    Plausibility plausibility;
+    RepeatedPosition<PlatePoint> repeated;
     bool awaits_finger = false;
     Judgement judgement;
     std::optional<std::int64_t> last_time_ns;
@@ -114,6 +121,7 @@ class Session {
 
   hrt_result find_pair(std::uint64_t real_target, std::uint64_t virtual_target, Pair* out) const;
   hrt_result aim(const Pair& pair, const PlatePoint& start, Reach* reach) const;
+  Plausibility plausibility_of(const Reach& reach) const;
   hrt_result start_at(const PlatePoint& finger, Reaching* reaching) const;
   Judgement judge(const Reach& reach) const;
   bool is_too_old(std::int64_t time_ns) const;
@@ -122,6 +130,7 @@ class Session {
   SessionModel model_;
   std::variant<Idle, Reaching, SettingUp> state_;
   double plate_orientation_deg_ = 0.0;
+  Implausible implausible_;
   std::unique_ptr<SetupReport> report_;         // null before a set-up
   std::vector<CalibratedSlide> former_slides_;  // of the last calibration before that of report_
 };

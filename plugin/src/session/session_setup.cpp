@@ -120,7 +120,7 @@ hrt_result SessionSetup::update(const SessionModel& model, const SetupSample& sa
     return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: from the last sample's, ",
                 *last_time_ns_);
   HRT_RETURN_IF_FAILED(check_shown(sample));
-  setup_.update(sample);
+  if (!sample.tracked_mm || !repeated_.is_copy(sample.time_ns, *sample.tracked_mm)) setup_.update(sample);
   last_time_ns_ = sample.time_ns;
   *out = setup_.step();
   out->plate_orientation_deg = plate_orientation_deg_ =

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/setup/setup.h"
+#include "core/tracker/repeated_position.h"
 #include "plugin/src/session/found_model.h"
 #include "plugin/src/session/targets.h"
 
@@ -50,6 +51,7 @@ class SessionSetup {
   Setup setup_;
   double plate_orientation_deg_;  // of the last step
   std::optional<std::int64_t> last_time_ns_;
+  RepeatedPosition<Eigen::Vector3d> repeated_;
 };
 
 }  // namespace hrt::plugin

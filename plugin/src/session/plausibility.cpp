@@ -1,0 +1,130 @@
+#include "plugin/src/session/plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/time.h"
+#include "core/math/trigonometry.h"
+
+namespace hrt::plugin {
+namespace {
+
+using Kind = Implausible::Kind;
+
+constexpr double max_speed_mm_s = 5000.0;
+constexpr int max_in_a_row = 5;  // a tracker's excursion shows in two differences
+constexpr std::uint64_t window_ns = 1'000'000;
+constexpr int max_samples_in_window = 50;
+constexpr std::uint64_t min_sample_ns = 100'000;
+constexpr double max_radii = 3.0;
+constexpr double max_target_radii = 2.0;
+constexpr double judged_fraction = 0.5;  // of the path, from which on its direction is judged
+constexpr double max_off_course_deg = 90.0;
+constexpr double ended_fraction = 0.85;
+// A person whom the plate does not move ends near the virtual target, off by their own bias.
+constexpr double min_gap_deg = 5.0, min_turned_deg = 4.0, min_turned_fraction = 0.75;
+
+double from_centre_mm(const PlatePoint& place) { return std::hypot(place.right_mm, place.away_mm); }
+
+}  // namespace
+
+Plausibility::Plausibility(double plate_radius_mm, const Reach& reach) : radius_mm_(plate_radius_mm), reach_(reach) {
+  const PlatePoint target = point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm);
+  const double farthest_mm = std::max(from_centre_mm(reach.start), from_centre_mm(target));
+  if (farthest_mm > max_target_radii * radius_mm_) find(Kind::place_off_plate, farthest_mm, radius_mm_);
+}
+
+void Plausibility::find(Kind kind, double first, double second) {
+  if (found_.kind == Kind::none) found_ = {kind, first, second};
+}
+
+void Plausibility::observe(const FingerSample& sample) {
+  judge_time(sample.time_ns);
+  if (sample.observation != Observation::position) return;
+  ++positions_;
+  judge_speed(sample);
+  judge_place(sample.position);
+  if (!retargeted_) judge_direction(sample.position);
+  last_ = sample;
+}
+
+void Plausibility::judge_time(std::int64_t time_ns) {
+  if (!first_ns_ || elapsed_ns(*first_ns_, time_ns) > window_ns) {
+    first_ns_ = time_ns;
+    samples_ = 0;
+  }
+  if (++samples_ > max_samples_in_window)
+    find(Kind::time_stands, samples_, static_cast<double>(elapsed_ns(*first_ns_, time_ns)) / (samples_ - 1));
+}
+
+void Plausibility::judge_speed(const FingerSample& sample) {
+  if (!last_) return;
+  const double moved_mm = distance_mm(last_->position, sample.position);
+  const std::uint64_t passed_ns = elapsed_ns(last_->time_ns, sample.time_ns);
+  const double speed_mm_s = moved_mm / (1e-9 * std::max(1.0, static_cast<double>(passed_ns)));
+  fast_positions_ = speed_mm_s > max_speed_mm_s ? fast_positions_ + 1 : 0;
+  if (fast_positions_ < max_in_a_row) return;
+  // No tracker samples this fast: the clock is wrong, not the length.
+  const bool is_time = passed_ns < min_sample_ns;
+  find(is_time ? Kind::time_stands : Kind::too_fast, is_time ? fast_positions_ : 1e-3 * speed_mm_s,
+       static_cast<double>(passed_ns));
+}
+
+void Plausibility::judge_place(const PlatePoint& place) {
+  if (from_centre_mm(place) <= max_radii * radius_mm_) return;
+  ++far_positions_;
+  far_ = {Kind::far_away, from_centre_mm(place), radius_mm_};
+}
+
+void Plausibility::judge_direction(const PlatePoint& place) {
+  const double covered = distance_mm(reach_.start, place) / reach_.real_distance_mm;
+  if (!last_ || covered < judged_fraction || from_centre_mm(place) > max_radii * radius_mm_) {
+    wrong_positions_ = turned_positions_ = 0;
+    return;
+  }
+  const double bearing = bearing_deg(reach_.start, place);
+  const double off_deg = wrap_deg(bearing - reach_.virtual_direction_deg, 360.0);
+  wrong_positions_ = std::abs(off_deg) > max_off_course_deg ? wrong_positions_ + 1 : 0;
+  // A finger that was never near the start may rest anywhere; one that has left it has passed through what is nearer.
+  if (wrong_positions_ >= max_in_a_row && positions_ > wrong_positions_)
+    find(Kind::wrong_way, bearing, reach_.virtual_direction_deg);
+  const double gap_deg = wrap_deg(reach_.real_direction_deg - reach_.virtual_direction_deg, 360.0);
+  const double turned_deg = gap_deg > 0.0 ? -off_deg : off_deg;
+  const double allowed_deg = std::max(min_turned_deg, min_turned_fraction * std::abs(gap_deg));
+  const bool turns = std::abs(gap_deg) >= min_gap_deg && covered >= ended_fraction && turned_deg > allowed_deg &&
+                     turned_deg < max_off_course_deg;
+  turned_positions_ = turns ? turned_positions_ + 1 : 0;
+  if (turned_positions_ >= max_in_a_row) find(Kind::turns_with_plate, turned_deg, std::abs(gap_deg));
+}
+
+void write_implausible(const Implausible& found, Text<320>& text) {
+  switch (found.kind) {
+    case Kind::none:
+      break;
+    case Kind::place_off_plate:
+      text << "the start or the real target is " << found.first << " mm from the centre of a plate of radius "
+           << found.second << " mm: positions are in metres, the start and PLATE positions from the plate's centre";
+      break;
+    case Kind::time_stands:
+      text << "times advance by " << found.second << " ns per sample: time_ns is in nanoseconds";
+      break;
+    case Kind::too_fast:
+      text << "the finger moves at " << found.first << " m/s, with " << found.second
+           << " ns between samples: positions are in metres, time_ns in nanoseconds";
+      break;
+    case Kind::far_away:
+      text << "the finger is " << found.first << " mm from the centre of a plate of radius " << found.second
+           << " mm: positions are in metres; check the plate's pose in the world";
+      break;
+    case Kind::wrong_way:
+      text << "the finger moves towards " << found.first << " degrees, where the virtual target is at " << found.second
+           << ": x is to the right, y up, z towards the user; axes may be swapped or mirrored";
+      break;
+    case Kind::turns_with_plate:
+      text << "the finger ends " << found.first << " degrees beyond the virtual target, on the side away from the real "
+           << "one: the plate may turn the wrong way (positive is counter-clockwise), or an axis be mirrored";
+      break;
+  }
+}
+
+}  // namespace hrt::plugin
