@@ -261,10 +261,10 @@ typedef struct hrt_contact {
 HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
 /** Processes one sample and returns the command. Samples may come at any rate. A position that repeats the last one in
- *  all bits within 50 ms is a dropout: the tracker is slower than the application, and the copy measures nothing. A direction changes the command once
- *  in a step period, a position at every sample: each one refines the estimate. Under GUIDANCE_ARRIVAL, also pass the
- *  samples before the motion: they determine the start and the noise of the tracker. Steps without samples are
- *  predicted, under FIXED_DIRECTION at most 64 in a call.
+ *  all bits within 50 ms is a dropout: the tracker is slower than the application, and the copy measures nothing. A
+ * direction changes the command once in a step period, a position at every sample: each one refines the estimate. Under
+ * GUIDANCE_ARRIVAL, also pass the samples before the motion: they determine the start and the noise of the tracker.
+ * Steps without samples are predicted, under FIXED_DIRECTION at most 64 in a call.
  *
  *  @param sample  The finger, and the plate if it is measured.
  *  @return WRONG_STATE without a reach; OUT_OF_RANGE naming the field, or the target if HRT_REACH_START_AT_FINGER
@@ -273,13 +273,11 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_
 HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 
-/** Redirects the reach to other targets, or to the same targets after hrt_target_set() has moved them: in every frame
- *  if they move. The plan continues from the position of the finger. Targets that move by less than
- *  2 mm a call keep the time for which the finger has rested, which HRT_COMMAND_ARRIVED needs; those that move further
- *  restart it. Directions are then seen from the finger, that
- *  of the virtual target from the perceived position; in a reach with directions only, from the start. The next
- *  command has UNREACHABLE if the plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too
- *  short. On an error, the reach is unchanged.
+/** Redirects the reach to other targets, or to the same ones after hrt_target_set() has moved them: in every frame if
+ *  they move. The plan continues from the position of the finger. Directions are then seen from the finger, that of the
+ *  virtual target from the perceived position; in a reach with directions only, from the start. The next command has
+ *  UNREACHABLE if the plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too short. Targets
+ *  that move by 2 mm or more restart the rest that HRT_COMMAND_ARRIVED needs. On an error, the reach is unchanged.
  *
  *  @param real_target     Target of the hand.
  *  @param virtual_target  Target that the user reaches for.

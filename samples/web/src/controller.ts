@@ -34,5 +34,6 @@ export function warnings(flags: number): string[] {
   if (flags & hrt.HRT_COMMAND_UNREACHABLE) said.push("the gap cannot be held");
   if (flags & hrt.HRT_COMMAND_OFF_TARGET) said.push("the finger ends off the target");
   if (flags & hrt.HRT_COMMAND_MISFIT) said.push("the motion does not fit the model");
+  if (flags & hrt.HRT_COMMAND_NOT_AT_START) said.push("the finger is not at the start");
   return said;
 }
