@@ -32,33 +32,36 @@ void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {
     for (const int j : illusion) belief->covariance(i, j) = unknown.covariance(i, j);
 }
 
-// A reach shows the bias that it had: theirs and a deviation from it, of which the scatter is the size. Given
-// how the reach's traits came to be believed, both are normal:
+// A reach shows the bias and the habit that it had: theirs and deviations from them. Given how the reach's traits
+// came to be believed, all are normal:
 //
-//   deviation = s . (learnt - before),   s = scatter^2 P^-1 e,   P of the reach's traits before it
-PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& learnt, double min_scatter_deg) {
-  using Vector = PersonBelief::Vector;
-  const double scatter_deg2 = square(std::max(before.mean(T::scatter), min_scatter_deg));
-  PersonBelief::Matrix of_reach = before.covariance;
-  of_reach(T::bias, T::bias) += scatter_deg2;
-  const Vector share = scatter_deg2 * of_reach.llt().solve(Vector::Unit(T::bias));
-  const double deviation_deg = share.dot(learnt.mean - before.mean);
-  const double unseen_deg2 = scatter_deg2 * (1.0 - share(T::bias));
-  const double square_deg2 = square(deviation_deg) + share.dot(learnt.covariance * share) + unseen_deg2;
+//   deviations = K (learnt - before),   K = D P^-1,   P of the reach's traits before it, D of the deviations
+PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {
+  using Pair = Eigen::Matrix<double, 2, 2>;
+  using Rows = Eigen::Matrix<double, 2, T::traits>;
+  const Pair variances_deg2 = Eigen::Vector2d(square(std::max(before.mean(T::scatter), tuning.min_scatter_deg)),
+                                              square(tuning.habit_scatter_deg))
+                                  .asDiagonal();
+  Rows of = Rows::Zero();
+  of(0, T::bias) = of(1, T::habit) = 1.0;
+  const PersonBelief::Matrix of_reach = before.covariance + of.transpose() * variances_deg2 * of;
+  const Rows gain = variances_deg2 * of_reach.llt().solve(of.transpose()).transpose();
+  const Eigen::Vector2d deviation_deg = gain * (learnt.mean - before.mean);
+  const Pair unseen_deg2 = variances_deg2 - gain * of.transpose() * variances_deg2;
+  const Pair squares_deg2 =
+      deviation_deg * deviation_deg.transpose() + gain * learnt.covariance * gain.transpose() + unseen_deg2;
 
   PersonBelief next = learnt;
-  const Vector kept = Vector::Unit(T::bias) - share;
-  const Vector with_others = learnt.covariance * kept;
-  next.mean(T::bias) -= deviation_deg;
-  next.covariance.row(T::bias) = with_others;
-  next.covariance.col(T::bias) = with_others;
-  next.covariance(T::bias, T::bias) = kept.dot(with_others) + unseen_deg2;
+  const PersonBelief::Matrix kept = PersonBelief::Matrix::Identity() - of.transpose() * gain;
+  next.mean -= of.transpose() * deviation_deg;
+  next.covariance = kept * learnt.covariance * kept.transpose() + of.transpose() * unseen_deg2 * of;
 
+  const double scatter_deg2 = variances_deg2(0, 0);
   const double doubt = 4.0 * learnt.covariance(T::scatter, T::scatter) / scatter_deg2;
-  const double gain = doubt / (doubt + square_variance);
-  next.mean(T::scatter) = std::clamp(std::sqrt(scatter_deg2 + gain * (square_deg2 - scatter_deg2)), min_scatter_deg,
-                                     person_state[T::scatter].max);
-  next.covariance(T::scatter, T::scatter) *= 1.0 - gain;
+  const double scatter_gain = doubt / (doubt + square_variance);
+  next.mean(T::scatter) = std::clamp(std::sqrt(scatter_deg2 + scatter_gain * (squares_deg2(0, 0) - scatter_deg2)),
+                                     tuning.min_scatter_deg, person_state[T::scatter].max);
+  next.covariance(T::scatter, T::scatter) *= 1.0 - scatter_gain;
   return next;
 }
 
@@ -92,7 +95,7 @@ RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact,
 
 PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown,
                      const Tuning& tuning) {
-  PersonBelief next = without_deviation(before, learnt, tuning.min_scatter_deg);
+  PersonBelief next = without_deviation(before, learnt, tuning);
   // The filter's rounding differs above and below the diagonal.
   next.covariance = (0.5 * (next.covariance + next.covariance.transpose())).eval();
   for (int i = 0; i < T::traits; ++i) next.covariance(i, i) += square(tuning.traits[i].change);

@@ -25,7 +25,7 @@ MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& o
 
   const double log_rate_sd = std::sqrt(belief.covariance(T::log_rate, T::log_rate));
   const double evenness = std::clamp(belief.mean(T::evenness), 0.0, 1.0);
-  const double phase = phase_at(evenness, travelled_mm / path_mm);
+  const double phase = phase_at(evenness, travelled_mm / path_mm, tuning.pace_skew);
   const int count = places.count();
   const double spacing_s = (places[0].time_s - places[count - 1].time_s) / (count - 1);
   const int stride = static_cast<int>(std::clamp(std::ceil(tuning.fit_spacing_s / spacing_s), 1.0, 5.0));
@@ -34,7 +34,8 @@ MotionFit fit_motion(const RecentPlaces<PlatePoint>& places, const PlatePoint& o
     for (int back = 0; back < count && places[back].time_s > onset_s; back += stride) {
       const PlatePoint place = places[back].position - origin;
       const double along_mm = (place.right_mm * travelled.right_mm + place.away_mm * travelled.away_mm) / travelled_mm;
-      const double expected_mm = path_mm * progress(evenness, (places[back].time_s - onset_s) * rate).share;
+      const double expected_mm =
+          path_mm * progress(evenness, (places[back].time_s - onset_s) * rate, tuning.pace_skew).share;
       sum += square(along_mm - expected_mm) / noise_variance_mm2;
     }
     return sum;

@@ -52,13 +52,17 @@ void know(PersonBelief& belief, T::Index trait, double mean, double sd) {
   set_independent(belief.covariance, trait, sd * sd);
 }
 
-LinearIllusion linear_illusion(const PersonBelief& belief) {
+LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,
+                               double curve_variance) {
   constexpr double share = (60.0 / 75.0) * (60.0 / 75.0);
+  const double variance = weight_variance - 2.0 * share * covariance + share * share * curve_variance;
+  return {std::clamp(weight - share * curve, 0.001, 0.499), std::sqrt(variance > 0.0 ? variance : 0.0)};
+}
+
+LinearIllusion linear_illusion(const PersonBelief& belief) {
   const auto& p = belief.covariance;
-  const double variance =
-      p(T::weight, T::weight) - 2.0 * share * p(T::weight, T::curve) + share * share * p(T::curve, T::curve);
-  return {std::clamp(belief.mean(T::weight) - share * belief.mean(T::curve), 0.001, 0.499),
-          std::sqrt(variance > 0.0 ? variance : 0.0)};
+  return linear_illusion(belief.mean(T::weight), belief.mean(T::curve), p(T::weight, T::weight), p(T::weight, T::curve),
+                         p(T::curve, T::curve));
 }
 
 bool is_valid(const PersonBelief& belief) {

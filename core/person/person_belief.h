@@ -35,6 +35,8 @@ struct LinearIllusion {
   double weight;
   double weight_sd;
 };
+LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,
+                               double curve_variance);
 LinearIllusion linear_illusion(const PersonBelief& belief);
 
 /// True if each mean is in its range, and the covariance finite, symmetric and positive definite.

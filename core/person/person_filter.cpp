@@ -18,10 +18,12 @@ constexpr double min_path_mm = 1.0;
 // A step of the motion and its derivatives.
 struct PersonFilter::Step {
   double seconds, travel_mm, sine, cosine, turn_deg, phase;
-  double wander_kept, noise_kept;  // fractions that are left of what decays
+  double wander_kept, noise_kept, strayed_kept;  // fractions that are left of what decays
   FeltShift felt;
-  double travel_by_phase, travel_by_evenness, goal_by_habit, goal_by_phase;
-  double turn_by_felt, turn_by_direction, turn_by_gain;
+  double travel_by_phase, travel_by_evenness;
+  double own_by_habit, own_by_phase, own_by_strayed;
+  double strayed_by_travel;
+  double turn_by_felt, turn_by_steered, turn_by_own, turn_by_gain;
 };
 
 PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
@@ -33,6 +35,7 @@ PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_
   covariance_.topLeftCorner<X::traits, X::traits>() = belief.covariance;
   keep_in_range();
   covariance_(X::bias, X::bias) += square(mean_(X::scatter));
+  covariance_(X::habit, X::habit) += square(tuning_.habit_scatter_deg);
   covariance_(X::wander, X::wander) = square(tuning_.wander_sd_deg);
   covariance_(X::noise_right, X::noise_right) = covariance_(X::noise_away, X::noise_away) =
       square(noise_.correlated_mm);
@@ -44,29 +47,38 @@ void PersonFilter::begin(double log_rate, double onset_sd_s, double place_sd_mm)
   keep_in_range();
   covariance_(X::phase, X::phase) = square(rate_ * onset_sd_s);
   covariance_(X::right, X::right) = covariance_(X::away, X::away) = square(place_sd_mm);
-  // phi = h G, and G = V + d + dr + c at the start.
-  const double goal_deg = now().goal_deg;
-  const double heading = mean_(X::heading);
-  mean_(X::direction) = heading * goal_deg;
-  covariance_.row(X::direction) =
-      goal_deg * covariance_.row(X::heading) +
-      heading * (covariance_.row(X::bias) + covariance_.row(X::wander) + covariance_.row(X::habit));
-  covariance_.col(X::direction) =
-      goal_deg * covariance_.col(X::heading) +
-      heading * (covariance_.col(X::bias) + covariance_.col(X::wander) + covariance_.col(X::habit));
+  // psi = h V + d at the start.
+  mean_(X::steered) = mean_(X::heading) * virtual_direction_deg_ + mean_(X::bias);
+  covariance_.row(X::steered) = virtual_direction_deg_ * covariance_.row(X::heading) + covariance_.row(X::bias);
+  covariance_.col(X::steered) = virtual_direction_deg_ * covariance_.col(X::heading) + covariance_.col(X::bias);
 }
 
-double PersonFilter::goal_deg(double path_fraction, double wander_deg) const {
-  return virtual_direction_deg_ + mean_(X::bias) + wander_deg + mean_(X::habit) * (1.0 - 2.0 * path_fraction);
+// Derivative of o by y.
+double PersonFilter::strayed_deg_mm(double path_fraction) const {
+  return -deg_per_rad / (path_mm_ * std::max(1.0 - path_fraction, tuning_.min_return_fraction));
 }
+
+double PersonFilter::own_deg(double path_fraction, double wander_kept) const {
+  return wander_kept * mean_(X::wander) + mean_(X::habit) * (1.0 - 2.0 * path_fraction) +
+         strayed_deg_mm(path_fraction) * mean_(X::strayed);
+}
+
+double PersonFilter::own_to_come_mm() const {
+  const double s = pace(mean_(X::phase)).share;
+  return -mean_(X::strayed) - rad_per_deg * mean_(X::habit) * path_mm_ * s * (1.0 - s);
+}
+
+double PersonFilter::direction_deg() const { return mean_(X::steered) + own_deg(pace(mean_(X::phase)).share, 1.0); }
 
 PersonNow PersonFilter::now() const {
-  const Progress pace = progress(mean_(X::evenness), mean_(X::phase));
-  const double speed_mm_s = mean_speed_mm_s() * pace.rate;
-  return {.pace = pace,
+  const Progress p = pace(mean_(X::phase));
+  const double own = own_deg(p.share, 1.0);
+  const double speed_mm_s = mean_speed_mm_s() * p.rate;
+  return {.pace = p,
           .speed_mm_s = speed_mm_s,
-          .goal_deg = goal_deg(pace.share, mean_(X::wander)),
-          .illusion = illusion(speed_mm_s, path_mm_ * pace.share)};
+          .direction_deg = mean_(X::steered) + own,
+          .goal_deg = goal_deg() + own,
+          .illusion = illusion(speed_mm_s, path_mm_ * p.share)};
 }
 
 Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
@@ -78,36 +90,45 @@ Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
 
 void PersonFilter::move(double seconds, double felt_plate_deg) {
   const bool arrived = mean_(X::phase) >= 1.0;
-  const Progress begun = progress(mean_(X::evenness), mean_(X::phase));
-  const Progress middle = progress(mean_(X::evenness), mean_(X::phase) + 0.5 * rate_ * seconds);
-  const double travel_mm = arrived ? 0.0 : path_mm_ * rate_ * middle.rate * seconds;
-
-  const FeltShift g =
-      felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - mean_(X::direction));
-  const double k = mean_(X::gain);
-  const SteeringStep steering =
-      steer(k, mean_(X::direction), g, goal_deg(begun.share, mean_(X::wander)), seconds, tuning_.max_slope);
-  const SinCos way = sin_cos_deg(mean_(X::direction) + 0.5 * steering.turn_deg);
+  const Progress begun = pace(mean_(X::phase));
+  const Progress middle = pace(mean_(X::phase) + 0.5 * rate_ * seconds);
   const double travel_scale = arrived ? 0.0 : path_mm_ * rate_ * seconds;
-  const Step step{.seconds = seconds,
-                  .travel_mm = travel_mm,
-                  .sine = way.sine,
-                  .cosine = way.cosine,
-                  .turn_deg = steering.turn_deg,
-                  .phase = rate_ * seconds,
-                  .wander_kept = exponential(-seconds / tuning_.wander_s),
-                  .noise_kept = exponential(-seconds / noise_.correlation_s),
-                  .felt = g,
-                  .travel_by_phase = travel_scale * begun.acceleration,
-                  .travel_by_evenness = travel_scale * begun.by_evenness,
-                  .goal_by_habit = 1.0 - 2.0 * begun.share,
-                  .goal_by_phase = -2.0 * mean_(X::habit) * begun.rate,
-                  .turn_by_felt = k * seconds,
-                  .turn_by_direction = -steering.decay_s * seconds,
-                  .turn_by_gain = -steering.felt_error_deg * seconds};
+  const double travel_mm = travel_scale * middle.rate;
+
+  const double own = own_deg(middle.share, 1.0);
+  const FeltShift g =
+      felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - mean_(X::steered) - own);
+  const double k = mean_(X::gain);
+  const SteeringStep steering = steer(k, mean_(X::steered), g, goal_deg(), seconds, tuning_.max_slope);
+  const SinCos way = sin_cos_deg(mean_(X::steered) + own + 0.5 * steering.turn_deg);
+  const double by_strayed = strayed_deg_mm(middle.share);
+  const double return_deg = by_strayed * mean_(X::strayed);
+  const Step step{
+      .seconds = seconds,
+      .travel_mm = travel_mm,
+      .sine = way.sine,
+      .cosine = way.cosine,
+      .turn_deg = steering.turn_deg,
+      .phase = rate_ * seconds,
+      .wander_kept = exponential(-seconds / tuning_.wander_s),
+      .noise_kept = exponential(-seconds / noise_.correlation_s),
+      .strayed_kept = std::max(0.0, 1.0 + rad_per_deg * travel_mm * by_strayed),
+      .felt = g,
+      .travel_by_phase = travel_scale * begun.acceleration,
+      .travel_by_evenness = travel_scale * begun.by_evenness,
+      .own_by_habit = 1.0 - 2.0 * middle.share,
+      .own_by_phase = middle.rate *
+                      (return_deg / std::max(1.0 - middle.share, tuning_.min_return_fraction) - 2.0 * mean_(X::habit)),
+      .own_by_strayed = by_strayed,
+      .strayed_by_travel = rad_per_deg * (mean_(X::wander) + return_deg),
+      .turn_by_felt = k * seconds,
+      .turn_by_steered = -steering.decay_s * seconds,
+      .turn_by_own = (k - steering.decay_s) * seconds,
+      .turn_by_gain = -steering.felt_error_deg * seconds};
   carry(step);
   move_state(step);
   add_noise(step);
+  if (unanswered_deg_ != 0.0) unanswered_deg_ *= exponential(-seconds / tuning_.answer_s);
 }
 
 // F P F', as (P F')' F': columns are contiguous. A step leaves the traits as they are. `f` is a copy, which writing
@@ -118,15 +139,17 @@ void PersonFilter::carry(Step f) {
   const auto transform = [&f](auto&& row) {
     const double along =
         f.travel_by_phase * row(X::phase) + f.travel_mm * row(X::log_rate) + f.travel_by_evenness * row(X::evenness);
-    const double across = f.travel_mm * rad_per_deg * row(X::direction);
+    const double own = row(X::wander) + f.own_by_habit * row(X::habit) + f.own_by_strayed * row(X::strayed) +
+                       f.own_by_phase * row(X::phase);
+    const double across = f.travel_mm * rad_per_deg * (row(X::steered) + own);
     row(X::right) -= f.sine * along + f.cosine * across;
     row(X::away) += f.cosine * along - f.sine * across;
-    const double goal =
-        row(X::bias) + row(X::wander) + f.goal_by_habit * row(X::habit) + f.goal_by_phase * row(X::phase);
     const double shift =
         f.felt.by_weight * row(X::weight) + f.felt.by_curve * row(X::curve) + f.felt.by_fading * row(X::fading);
-    row(X::direction) +=
-        f.turn_by_direction * row(X::direction) + f.turn_by_gain * row(X::gain) + f.turn_by_felt * (goal - shift);
+    row(X::steered) += f.turn_by_steered * row(X::steered) + f.turn_by_own * own + f.turn_by_gain * row(X::gain) +
+                       f.turn_by_felt * (row(X::bias) - shift);
+    row(X::strayed) =
+        f.strayed_kept * row(X::strayed) + f.travel_mm * rad_per_deg * row(X::wander) + f.strayed_by_travel * along;
     row(X::phase) += f.phase * row(X::log_rate);
     row(X::wander) *= f.wander_kept;
     row(X::noise_right) *= f.noise_kept;
@@ -141,8 +164,9 @@ void PersonFilter::carry(Step f) {
 void PersonFilter::move_state(const Step& step) {
   mean_(X::right) -= step.travel_mm * step.sine;
   mean_(X::away) += step.travel_mm * step.cosine;
-  mean_(X::direction) += step.turn_deg;
+  mean_(X::steered) += step.turn_deg;
   mean_(X::phase) = std::min(mean_(X::phase) + step.phase, 1.0);
+  mean_(X::strayed) = step.strayed_kept * mean_(X::strayed) + step.travel_mm * rad_per_deg * mean_(X::wander);
   mean_(X::wander) *= step.wander_kept;
   mean_(X::noise_right) *= step.noise_kept;
   mean_(X::noise_away) *= step.noise_kept;
@@ -151,7 +175,7 @@ void PersonFilter::move_state(const Step& step) {
 // Process noise: random walks, and the stationary part of what decays.
 void PersonFilter::add_noise(const Step& step) {
   const auto add = [this](X::Index index, double variance) { covariance_(index, index) += variance; };
-  add(X::direction, tuning_.direction_density_deg2_s * step.seconds);
+  add(X::steered, tuning_.direction_density_deg2_s * step.seconds);
   add(X::log_rate, tuning_.log_rate_density_s * step.seconds);
   const double along_mm2 = tuning_.speed_variance_s * square(step.travel_mm) / step.seconds;
   add(X::right, tuning_.place_density_mm2_s * step.seconds + along_mm2 * square(step.sine));
@@ -213,12 +237,12 @@ void PersonFilter::place_at(const PlatePoint& position) {
 
 void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool answered) {
   const double turn_deg = virtual_direction_deg_ - virtual_direction_deg;
-  // Until the person answers, the motion continues: the goal's fast part is the turn to come.
-  if (!answered) mean_(X::wander) += turn_deg;
-  covariance_(X::wander, X::wander) += square(tuning_.turn_sd_fraction * turn_deg);
+  // Until the person answers, the motion continues.
+  if (!answered) unanswered_deg_ += turn_deg;
+  covariance_(X::steered, X::steered) += square(tuning_.turn_sd_fraction * turn_deg);
   virtual_direction_deg_ = virtual_direction_deg;
 
-  const double left = 1.0 - progress(mean_(X::evenness), mean_(X::phase)).share;
+  const double left = 1.0 - pace(mean_(X::phase)).share;
   const double left_mm = std::max(path_mm_ * left + longer_mm, min_path_mm);
   if (left_mm <= tuning_.max_stretch * path_mm_ * left) {  // the same motion, stretched or cut
     const double stretch = left_mm / (path_mm_ * left);
@@ -228,7 +252,7 @@ void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool
   }
   // Another motion follows.
   path_mm_ = std::max(path_mm_, left_mm);
-  mean_(X::phase) = phase_at(mean_(X::evenness), 1.0 - left_mm / path_mm_);
+  mean_(X::phase) = phase_at(mean_(X::evenness), 1.0 - left_mm / path_mm_, tuning_.pace_skew);
   loosen_clock(tuning_.new_motion_sd_s);
 }
 
@@ -242,12 +266,12 @@ double PersonFilter::position_variance_mm2(double right, double away) const {
 }
 
 double PersonFilter::shift_variance_deg2(const FeltShift& slopes, double by_bias) const {
-  PersonBelief::Vector by = PersonBelief::Vector::Zero();
-  by(X::weight) = slopes.by_weight;
-  by(X::curve) = slopes.by_curve;
-  by(X::fading) = slopes.by_fading;
-  by(X::bias) = by_bias;
-  return by.dot(covariance_.topLeftCorner<X::traits, X::traits>() * by);
+  constexpr X::Index of[] = {X::weight, X::curve, X::fading, X::bias};
+  const double by[] = {slopes.by_weight, slopes.by_curve, slopes.by_fading, by_bias};
+  double variance_deg2 = 0.0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) variance_deg2 += by[i] * by[j] * covariance_(of[i], of[j]);
+  return variance_deg2;
 }
 
 PersonBelief PersonFilter::belief() const {

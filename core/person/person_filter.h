@@ -1,14 +1,15 @@
 // Extended Kalman filter of a finger that slides over the plate and of the person who moves it.
 //
 // The person moves over a path of length L at the pace of pace.h, feels the motion shifted by the ridges
-// (illusion.h), and steers what is felt towards a goal:
+// (illusion.h), and steers what is felt towards a goal. Of their own accord they stray from the line to the goal and
+// return to it, without lag:
 //
 //   progress    v = L r s'(u),   u' = r = exp(rho)
-//   goal        G = V + d + dr + c (1 - 2 s(u))
-//   motion      phi' = -k (phi + g(T(now - 60 ms) - phi) - G),   x' = -v sin phi,   z' = v cos phi
+//   own path    o = dr + c (1 - 2 s(u)) - y / (L (1 - s)),   y' = v (dr - y / (L (1 - s)))
+//   motion      phi = psi + o,   psi' = -k (psi + g(T(now - 60 ms) - phi) - G),   G = V + d
+//               x' = -v sin phi,   z' = v cos phi
 //   measured    x + nx and z + nz, each with white noise; nx and nz decay within 0.1 s unless known otherwise, dr
-//   within
-//               0.3 s
+//               within 0.3 s
 //
 // person_state.h lists the states; core/person/README.md has the derivatives.
 #pragma once
@@ -29,8 +30,9 @@ namespace hrt {
 struct PersonNow {
   Progress pace;
   double speed_mm_s;
-  double goal_deg;    ///< G
-  Illusion illusion;  ///< at this speed
+  double direction_deg;  ///< phi
+  double goal_deg;       ///< G + o: the direction that the person means to move in
+  Illusion illusion;     ///< at this speed
 };
 
 /// One motion. Positions are relative to where the finger rested. No heap, no lock, no exception.
@@ -70,7 +72,7 @@ class PersonFilter {
   void place_at(const PlatePoint& position);
 
   /// The target moved within the motion: to `virtual_direction_deg`, over a path that goes `longer_mm` further than
-  /// before. `answered`: the person turns now, otherwise within wander_s.
+  /// before. `answered`: the person turns now, otherwise within answer_s.
   void retarget(double virtual_direction_deg, double longer_mm, bool answered);
 
   /// Adds an SD of `seconds` to the person's clock.
@@ -96,8 +98,18 @@ class PersonFilter {
   double rate() const { return rate_; }
   double mean_speed_mm_s() const { return path_mm_ * rate_; }
   double path_mm() const { return path_mm_; }
-  /// G at a fraction of the path, with its fast part at `wander_deg`.
-  double goal_deg(double path_fraction, double wander_deg) const;
+  /// phi: direction of motion.
+  double direction_deg() const;
+  /// G, after `turn_kept` of the answer to a moved target that is still to come.
+  double goal_deg(double turn_kept = 1.0) const {
+    return virtual_direction_deg_ + mean_(X::bias) + turn_kept * unanswered_deg_;
+  }
+  /// o at a fraction of the path, after `wander_kept` of the wander.
+  double own_deg(double path_fraction, double wander_kept) const;
+  /// How far the own path still leads to the left until arrival: back to the line.
+  double own_to_come_mm() const;
+  /// The pace, at a phase.
+  Progress pace(double phase) const { return progress(mean_(X::evenness), phase, tuning_.pace_skew); }
 
   /// What this reach says of the person.
   PersonBelief belief() const;
@@ -108,10 +120,12 @@ class PersonFilter {
   void carry(Step step);
   void move_state(const Step& step);
   void add_noise(const Step& step);
+  double strayed_deg_mm(double path_fraction) const;
   void keep_in_range();
 
   Tuning tuning_;
   double virtual_direction_deg_;
+  double unanswered_deg_ = 0.0;  // of the goal, from V, until a moved target is answered
   double path_mm_;
   TrackerNoise noise_;
   State mean_;

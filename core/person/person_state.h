@@ -19,9 +19,10 @@ struct PersonState {
     traits,          ///< number of the above
     right = traits,  ///< the finger's position, relative to where it rested
     away,
-    direction,    ///< phi: direction of motion
+    steered,      ///< psi: direction of motion less the own path
     phase,        ///< u: fraction of the duration
-    wander,       ///< dr: fast part of the goal
+    wander,       ///< dr: fast part of the own path
+    strayed,      ///< y: lateral distance that the wander has led the finger from its line, left positive
     noise_right,  ///< the tracker's correlated noise
     noise_away,
     count
@@ -36,14 +37,23 @@ struct StateVariable {
 };
 
 inline constexpr StateVariable person_state[PersonState::count] = {
-    {PersonState::weight, "weight", "", 0.01, 0.6},          {PersonState::curve, "curve", "", -0.1, 0.5},
-    {PersonState::gain, "gain", "per_s", 3.0, 20.0},         {PersonState::bias, "bias", "deg", -90.0, 90.0},
-    {PersonState::habit, "habit", "deg", -45.0, 45.0},       {PersonState::evenness, "evenness", "", 0.0, 1.0},
-    {PersonState::heading, "heading", "", -2.0, 2.0},        {PersonState::log_rate, "log_rate", "", -3.0, 2.4},
-    {PersonState::fading, "fading", "", -0.2, 1.0},          {PersonState::scatter, "scatter", "deg", 0.0, 10.0},
-    {PersonState::right, "right", "mm", 0.0, 0.0},           {PersonState::away, "away", "mm", 0.0, 0.0},
-    {PersonState::direction, "direction", "deg", 0.0, 0.0},  {PersonState::phase, "phase", "", 0.0, 1.0},
-    {PersonState::wander, "wander", "deg", 0.0, 0.0},        {PersonState::noise_right, "noise_right", "mm", 0.0, 0.0},
+    {PersonState::weight, "weight", "", 0.01, 0.6},
+    {PersonState::curve, "curve", "", -0.1, 0.5},
+    {PersonState::gain, "gain", "per_s", 3.0, 20.0},
+    {PersonState::bias, "bias", "deg", -90.0, 90.0},
+    {PersonState::habit, "habit", "deg", -45.0, 45.0},
+    {PersonState::evenness, "evenness", "", 0.0, 1.0},
+    {PersonState::heading, "heading", "", -2.0, 2.0},
+    {PersonState::log_rate, "log_rate", "", -3.0, 2.4},
+    {PersonState::fading, "fading", "", -0.2, 1.0},
+    {PersonState::scatter, "scatter", "deg", 0.0, 10.0},
+    {PersonState::right, "right", "mm", 0.0, 0.0},
+    {PersonState::away, "away", "mm", 0.0, 0.0},
+    {PersonState::steered, "steered", "deg", 0.0, 0.0},
+    {PersonState::phase, "phase", "", 0.0, 1.0},
+    {PersonState::wander, "wander", "deg", 0.0, 0.0},
+    {PersonState::strayed, "strayed", "mm", 0.0, 0.0},
+    {PersonState::noise_right, "noise_right", "mm", 0.0, 0.0},
     {PersonState::noise_away, "noise_away", "mm", 0.0, 0.0},
 };
 

@@ -41,8 +41,10 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
   const PersonFilter& filter = estimator.filter();
   const Tuning& tuning = filter.tuning();
   const PersonNow now = filter.now();
-  const LinearIllusion linear = linear_illusion(filter.belief());
-  const double direction_deg = filter.mean(X::direction);
+  const auto& p = filter.covariance();
+  const LinearIllusion linear = linear_illusion(filter.mean(X::weight), filter.mean(X::curve), p(X::weight, X::weight),
+                                                p(X::weight, X::curve), p(X::curve, X::curve));
+  const double direction_deg = now.direction_deg;
   const double felt_deg = direction_deg + felt_shift(now.illusion, moment.plate_deg - direction_deg).shift_deg;
   const double to_go_mm = distance_mm(moment.finger, goal.target);
   PlateCommand command{

@@ -18,11 +18,12 @@ constexpr int arrival_nodes = 4;
 
 // The finger as a plan carries it forward.
 struct Motion {
-  double direction_deg;
+  double steered_deg;
+  double own_deg;
   double phase;
-  double lateral_mm;  // from the line to the target, left positive
-  double wander_deg;
-  double shift_deg;  // felt at the end
+  double lateral_mm;  // from the line to the target once the own path has returned, left positive
+  double turn_kept;   // of the answer to a moved target that is still to come
+  double shift_deg;   // felt at the end
 };
 
 Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double line_deg, const ReachAim& aim,
@@ -31,15 +32,19 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
   const double rate = filter.rate();
   const double arrives_s = outlook.now_s + outlook.latency_s;
   const double step_s = (arrives_s + tuning.sensory_delay_s - filter_s) / dead_time_steps;
-  const double wander_kept = exponential(-step_s / tuning.wander_s);
+  const double half_wander_kept = exponential(-0.5 * step_s / tuning.wander_s);
+  const double step_turn_kept = exponential(-step_s / tuning.answer_s);
   const SinCos line = sin_cos_deg(line_deg);
   const PlatePoint to_target = aim.target - filter.position();
-  Motion motion{.direction_deg = filter.mean(X::direction),
-                .phase = filter.mean(X::phase),
-                .lateral_mm = to_target.right_mm * line.cosine + to_target.away_mm * line.sine,
-                .wander_deg = filter.mean(X::wander),
-                .shift_deg = 0.0};
+  Motion motion{
+      .steered_deg = filter.mean(X::steered),
+      .own_deg = 0.0,
+      .phase = filter.mean(X::phase),
+      .lateral_mm = to_target.right_mm * line.cosine + to_target.away_mm * line.sine + filter.own_to_come_mm(),
+      .turn_kept = 1.0,
+      .shift_deg = 0.0};
   double felt_plate_deg = 0.0;
+  double wander_kept = half_wander_kept;
   Illusion illusion{};
   const double now_deg = outlook.past.at(outlook.now_s);
   for (int i = 0; i < dead_time_steps; ++i) {
@@ -48,19 +53,23 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
         outlook.latency_s > 0.0 ? std::clamp((felt_s - outlook.now_s) / outlook.latency_s, 0.0, 1.0) : 1.0;
     felt_plate_deg =
         felt_s <= outlook.now_s ? outlook.past.at(felt_s) : now_deg + ahead * (outlook.after_latency_deg - now_deg);
-    const Progress p = progress(filter.mean(X::evenness), motion.phase + 0.5 * rate * step_s);
+    const Progress p = filter.pace(motion.phase + 0.5 * rate * step_s);
     illusion = filter.illusion(filter.mean_speed_mm_s() * p.rate, filter.path_mm() * p.share);
-    const FeltShift g = felt_shift(illusion, felt_plate_deg - motion.direction_deg);
-    const double goal_deg = filter.goal_deg(p.share, motion.wander_deg);
+    const double own_deg = filter.own_deg(p.share, wander_kept);
+    const FeltShift g = felt_shift(illusion, felt_plate_deg - motion.steered_deg - own_deg);
+    const double goal_deg = filter.goal_deg(motion.turn_kept);
     const double turn_deg =
-        steer(filter.mean(X::gain), motion.direction_deg, g, goal_deg, step_s, tuning.max_slope).turn_deg;
+        steer(filter.mean(X::gain), motion.steered_deg, g, goal_deg, step_s, tuning.max_slope).turn_deg;
     const double travel_mm = motion.phase >= 1.0 ? 0.0 : filter.path_mm() * rate * p.rate * step_s;
-    motion.lateral_mm += travel_mm * sin_deg(motion.direction_deg + 0.5 * turn_deg - line_deg);
-    motion.direction_deg += turn_deg;
+    motion.lateral_mm += travel_mm * sin_deg(motion.steered_deg + 0.5 * turn_deg - line_deg);
+    motion.steered_deg += turn_deg;
     motion.phase = std::min(1.0, motion.phase + rate * step_s);
-    motion.wander_deg *= wander_kept;
+    motion.turn_kept *= step_turn_kept;
+    wander_kept *= half_wander_kept;
+    if (i + 1 < dead_time_steps) wander_kept *= half_wander_kept;
   }
-  motion.shift_deg = felt_shift(illusion, felt_plate_deg - motion.direction_deg).shift_deg;
+  motion.own_deg = filter.own_deg(filter.pace(motion.phase).share, wander_kept);
+  motion.shift_deg = felt_shift(illusion, felt_plate_deg - motion.steered_deg - motion.own_deg).shift_deg;
   return motion;
 }
 
@@ -75,23 +84,23 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
   const double remaining_s = std::max(0.0, 1.0 - from.phase) / rate;
   const double step_s = remaining_s / arrival_nodes;
   const double half_kept = kept_error(filter.mean(X::gain), 0.5 * step_s);
-  const double wander_kept = exponential(-step_s / filter.tuning().wander_s);
+  const double step_turn_kept = exponential(-step_s / filter.tuning().answer_s);
   Arrival arrival{from.lateral_mm, 0.0};
-  double direction_deg = from.direction_deg;
+  double steered_deg = from.steered_deg;
   double unsteered = 1.0;  // share of Gamma that the person has not yet answered
-  double wander_deg = from.wander_deg;
+  double turn_kept = from.turn_kept;
   for (int i = 0; i < arrival_nodes; ++i) {
-    const Progress p = progress(filter.mean(X::evenness), from.phase + (i + 0.5) * rate * step_s);
-    const double goal_deg = filter.goal_deg(p.share, wander_deg);
-    const double middle_deg = goal_deg + (direction_deg - goal_deg) * half_kept;
+    const Progress p = filter.pace(from.phase + (i + 0.5) * rate * step_s);
+    const double goal_deg = filter.goal_deg(turn_kept);
+    const double middle_deg = goal_deg + (steered_deg - goal_deg) * half_kept;
     const double travel_mm = filter.path_mm() * rate * p.rate * step_s;
     const double sine = sin_deg(middle_deg - line_deg);
     const double cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
     arrival.miss_mm += travel_mm * sine;
     arrival.leverage_mm_deg -= travel_mm * cosine * rad_per_deg * (1.0 - unsteered * half_kept);
-    direction_deg = goal_deg + (middle_deg - goal_deg) * half_kept;
+    steered_deg = goal_deg + (middle_deg - goal_deg) * half_kept;
     unsteered *= half_kept * half_kept;
-    wander_deg *= wander_kept;
+    turn_kept *= step_turn_kept;
   }
   return arrival;
 }
@@ -109,8 +118,8 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   const double hold_deg = motion.shift_deg;
   double shift_deg = hold_deg - leverage * (arrival.miss_mm + leverage * hold_deg) /
                                     (leverage * leverage + tuning.change_weight_mm_deg * tuning.change_weight_mm_deg);
-  const Progress p = progress(filter.mean(X::evenness), motion.phase);
-  const double error_deg = motion.direction_deg - filter.goal_deg(p.share, motion.wander_deg);
+  const Progress p = filter.pace(motion.phase);
+  const double error_deg = motion.steered_deg - filter.goal_deg(motion.turn_kept);
   // An error that the person would feel without the plate is theirs to correct; the plate must not add to it.
   const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
   shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
@@ -120,7 +129,7 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   illusion.weight = std::max(tuning.min_plan_weight, illusion.weight - tuning.weight_caution * filter.sd(X::weight));
   const MaxShift max = max_shift(illusion, config.bound_deg);
   const double given_deg = std::clamp(shift_deg, -max.felt.shift_deg, max.felt.shift_deg);
-  return {.plate_deg = motion.direction_deg + offset_for_shift(illusion, given_deg, max),
+  return {.plate_deg = motion.steered_deg + motion.own_deg + offset_for_shift(illusion, given_deg, max),
           .felt_error_deg = error_deg + given_deg,
           .miss_mm = arrival.miss_mm + leverage * given_deg,
           .at_bound = given_deg != shift_deg};

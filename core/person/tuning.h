@@ -28,7 +28,7 @@ struct Tuning {
       {0.9, 1.7, 0.008},   // weight
       {1.1, 1.6, 0.03},    // curve
       {14.0, 4.0, 0.7},    // gain, 1/s
-      {0.0, 1.5, 0.5},     // bias, deg
+      {0.0, 4.0, 0.5},     // bias, deg
       {0.0, 2.0, 0.4},     // habit, deg
       {0.05, 0.35, 0.05},  // evenness
       {0.2, 0.45, 0.1},    // heading
@@ -60,13 +60,16 @@ struct Tuning {
   /// s [s] noise along the motion, times the speed squared. Kept for RetargetTest.BringsAPersonToTheMovedTarget.
   double speed_variance_s = 4e-4;
   double resting_density_mm2_s = 0.5;  ///< mm^2/s [s] in a pause
-  /// deg [s] fast part of the goal. Its state also carries the turn of a moved target (Retarget.AMovedTarget*).
-  double wander_sd_deg = 0.75;
-  double wander_s = 0.3;          ///< s [m] its decay
-  double sensory_delay_s = 0.06;  ///< s [m] from plate to felt direction; half of the simulated 0.12
-  double turn_sd_fraction = 0.5;  ///< [s] of the turn of a moved target: its SD
-  double max_stretch = 1.5;       ///< [s] longest path of one motion after a moved target, over the path left
-  double new_motion_sd_s = 0.15;  ///< s [s] SD of the clock if another motion follows
+  double wander_sd_deg = 4.0;      ///< deg [s] fast part of the own path; recorded reaches have 3.8 at half of the path
+  double wander_s = 0.3;           ///< s [m] its decay
+  double habit_scatter_deg = 4.0;  ///< deg [s] SD of the habit from reach to reach; recorded reaches have 9.1
+  double min_return_fraction = 0.1;  ///< [m] of the path: the wander is not made good over less
+  double pace_skew = 0.4;            ///< [m] q of the pace; recorded reaches have 0.54 and 0.14, +-0.4
+  double answer_s = 0.3;             ///< s [m] decay of the former goal until a moved target is answered
+  double sensory_delay_s = 0.06;     ///< s [m] from plate to felt direction; half of the simulated 0.12
+  double turn_sd_fraction = 0.5;     ///< [s] of the turn of a moved target: its SD
+  double max_stretch = 1.5;          ///< [s] longest path of one motion after a moved target, over the path left
+  double new_motion_sd_s = 0.15;     ///< s [s] SD of the clock if another motion follows
 
   // Onset.
   double fit_spacing_s = 0.02;   ///< s [p] positions further apart than this are enough to distinguish paces

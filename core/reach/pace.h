@@ -1,9 +1,10 @@
 // How far and how long a reach still goes: the pace at which people move over a path.
 //
-//   s(u) = (1 - a) (10 u^3 - 15 u^4 + 6 u^5) + a u,   u' = r
+//   s(u) = (1 - a) (10 w^3 - 15 w^4 + 6 w^5) + a u,   w = u + q u (1 - u),   u' = r
 //
 // with u the share of the time, s the share of the path, a the evenness of the pace (0: the bell-shaped speed
-// of a minimum-jerk motion, 1: even) and r one over the duration.
+// of a minimum-jerk motion, 1: even), q its skew (0: symmetric; 0.5: the peak is at 0.38 of the time) and r one over
+// the duration.
 #pragma once
 
 #include <algorithm>
@@ -18,25 +19,27 @@ struct Progress {
   double by_evenness;   ///< d s' / d a
 };
 
-/// At `phase` u, clamped to [0, 1]; `evenness` in [0, 1].
-inline Progress progress(double evenness, double phase) {
+/// At `phase` u, clamped to [0, 1]; `evenness` in [0, 1]; `skew` in [-1, 1].
+inline Progress progress(double evenness, double phase, double skew = 0.0) {
   const double u = std::clamp(phase, 0.0, 1.0);
-  const double rest = u * (1.0 - u);
+  const double w = u * (1.0 + skew * (1.0 - u));
+  const double w_by_u = 1.0 + skew * (1.0 - 2.0 * u);
+  const double rest = w * (1.0 - w);
   const double bell = 30.0 * rest * rest;
   const double smooth = 1.0 - evenness;
-  return {.share = smooth * u * u * u * (10.0 + u * (-15.0 + 6.0 * u)) + evenness * u,
-          .rate = smooth * bell + evenness,
-          .acceleration = smooth * 60.0 * rest * (1.0 - 2.0 * u),
-          .by_evenness = 1.0 - bell};
+  return {.share = smooth * w * w * w * (10.0 + w * (-15.0 + 6.0 * w)) + evenness * u,
+          .rate = smooth * bell * w_by_u + evenness,
+          .acceleration = smooth * (60.0 * rest * (1.0 - 2.0 * w) * w_by_u * w_by_u - 2.0 * skew * bell),
+          .by_evenness = 1.0 - bell * w_by_u};
 }
 
 /// u where `share` of the path lies behind, and 1 beyond its end; within 1e-5.
-inline double phase_at(double evenness, double share) {
+inline double phase_at(double evenness, double share, double skew = 0.0) {
   double low = 0.0;
   double high = 1.0;
   for (int i = 0; i < 20; ++i) {
     const double middle = 0.5 * (low + high);
-    (progress(evenness, middle).share < share ? low : high) = middle;
+    (progress(evenness, middle, skew).share < share ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }

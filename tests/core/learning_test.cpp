@@ -66,21 +66,21 @@ TEST(Learning, AnIllusionThatHasFallenIsUnknownAgain) {
   EXPECT_EQ(carried(unknown, learnt, true, unknown).mean(PersonState::weight), 0.18);
 }
 
-// Of a bias of 0 +- 1.5 and a scatter of 1.2, a reach that showed 3 +- 0.71 has 3 (2.25 / 3.69) of the bias, and
-// a deviation whose square is expected to be 1.17^2 + 0.954. A scatter of 1.2 +- 0.8 takes 8 / 17 of that in.
+// Of a bias of 0 +- 4 and a scatter of 1.2, a reach that showed 3 +- 0.71 has 3 (16 / 17.44) of the bias, and a
+// deviation whose square is expected to be 0.248^2 + 1.3245. A scatter of 1.2 +- 0.8 takes 8 / 17 of that in.
 TEST(Learning, AReachsDeviationIsNotTheirBias) {
   const PersonBelief unknown = unknown_person();
   PersonBelief learnt = unknown;
   know(learnt, PersonState::bias, 3.0, std::sqrt(0.5));
   const PersonBelief next = carried(unknown, learnt, false, unknown);
-  EXPECT_NEAR(next.mean(PersonState::bias), 1.8293, 1e-4);
-  EXPECT_NEAR(next.covariance(PersonState::bias, PersonState::bias), 1.0640 + 0.25, 1e-4);
-  EXPECT_NEAR(next.mean(PersonState::scatter), 1.3625, 1e-4);
+  EXPECT_NEAR(next.mean(PersonState::bias), 2.7523, 1e-4);
+  EXPECT_NEAR(next.covariance(PersonState::bias, PersonState::bias), 1.7419 + 0.25, 1e-4);
+  EXPECT_NEAR(next.mean(PersonState::scatter), 1.1893, 1e-4);
   EXPECT_NEAR(next.covariance(PersonState::scatter, PersonState::scatter), 0.3388 + 0.01, 1e-4);
   PersonBelief steady = unknown;
   know(steady, PersonState::scatter, 0.0, 0.1);
   know(learnt, PersonState::scatter, 0.0, 0.1);
-  EXPECT_NEAR(carried(steady, learnt, false, unknown).mean(PersonState::bias), 3.0 * 2.25 / 2.29, 1e-4);
+  EXPECT_NEAR(carried(steady, learnt, false, unknown).mean(PersonState::bias), 3.0 * 16.0 / 16.04, 1e-4);
 }
 
 // 2 mm of prior and of the contact: half of 4 mm at 100 mm, 1.146 degrees to the right, is the frame's, and

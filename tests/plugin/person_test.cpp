@@ -160,7 +160,8 @@ TEST_F(PersonTest, DurationThatIsGivenIsExpected) {
     return led.commands[i].time_to_go_s + 0.011 * static_cast<double>(i) - 1e-9 * rest_ns;
   };
   EXPECT_NEAR(expected_s(3.0), 3.0, 0.3);
-  EXPECT_GT(std::abs(expected_s(0.0) - 3.0), std::abs(expected_s(3.0) - 3.0));
+  EXPECT_NEAR(expected_s(0.0), 3.0, 0.3) << "it is estimated";
+  EXPECT_LT(expected_s(1.5), expected_s(3.0) - 0.3);
 
   hrt_reach_config reach = hrt_reach_config_init();
   EXPECT_EQ(reach.duration_s, 0.0);
@@ -182,7 +183,7 @@ TEST_F(PersonTest, WhatIsLearntIsWritten) {
   EXPECT_EQ(after.person.mean[HRT_PERSON_GAIN], summary.learnt.gain_per_s);
   EXPECT_GT(after.person.mean[HRT_PERSON_BIAS], 0.5 * summary.learnt.bias_deg);  // the rest is this reach's alone
   EXPECT_LT(after.person.mean[HRT_PERSON_BIAS], summary.learnt.bias_deg);
-  EXPECT_EQ(after.person.mean[HRT_PERSON_HABIT], summary.learnt.habit_deg);
+  EXPECT_LT(std::abs(after.person.mean[HRT_PERSON_HABIT]), std::abs(summary.learnt.habit_deg));
   EXPECT_NEAR(std::exp(-after.person.mean[HRT_PERSON_LOG_RATE]), summary.duration_s, 1e-9);
   EXPECT_EQ(after.paper.tactile_weight, summary.learnt.tactile_weight);
   EXPECT_GT(after.paper.tactile_weight_sd, summary.learnt.tactile_weight_sd);

@@ -47,16 +47,16 @@ TEST(PersonFilter, MovesAsTheEquationsSay) {
   belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.4, 0.0, 0.0, 0.0;
   PersonFilter filter(belief, 10.0, 100.0, {});
   filter.begin(0.0, 0.0, 0.0);
-  EXPECT_DOUBLE_EQ(filter.mean(X::direction), 4.0);
+  EXPECT_DOUBLE_EQ(filter.direction_deg(), 4.0);
   double away_mm = 0.0;
   double right_mm = 0.0;
   for (int i = 0; i < 100; ++i) {
     const double phi_rad = (10.0 - 6.0 * std::exp(-5.0 * 0.01 * (i + 0.5))) * 0.017453292519943295;
     right_mm -= std::sin(phi_rad);
     away_mm += std::cos(phi_rad);
-    filter.move(0.01, filter.mean(X::direction));  // ridges across the motion: not felt
+    filter.move(0.01, filter.direction_deg());  // ridges across the motion: not felt
   }
-  EXPECT_NEAR(filter.mean(X::direction), 10.0 - 6.0 * std::exp(-5.0), 0.01);
+  EXPECT_NEAR(filter.direction_deg(), 10.0 - 6.0 * std::exp(-5.0), 0.01);
   EXPECT_NEAR(filter.mean(X::right), right_mm, 0.05);
   EXPECT_NEAR(filter.mean(X::away), away_mm, 0.01);
   EXPECT_NEAR(filter.mean(X::phase), 1.0, 1e-9);
@@ -92,8 +92,8 @@ TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
     filter.begin(0.0, 0.0, 0.0);
     for (int i = 0; i < steps; ++i) filter.move(step_s, 45.0);
     const F::State difference = (run(c.step).mean() - run(-c.step).mean()) / (2.0 * c.step);
-    for (const X::Index i : {X::right, X::away, X::direction}) {
-      const double slope = filter.covariance()(i, c.trait);
+    for (const X::Index i : {X::right, X::away, X::steered}) {
+      const double slope = filter.covariance()(i, c.trait) / filter.covariance()(c.trait, c.trait);
       EXPECT_NEAR(slope, difference(i), 0.03 * std::abs(difference(i)) + 0.001) << c.trait << ' ' << i;
     }
   }

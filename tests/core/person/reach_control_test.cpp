@@ -70,7 +70,7 @@ TEST(ReachControl, KeepsTheBoundAboutTheMotion) {
       // Felt at once, so that the plan is about the direction of now.
       const ReachPlan planned = plan_reach({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 0.5,
                                            {{right_mm, 100.0}, {}}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0});
-      EXPECT_LE(std::abs(planned.plate_deg - filter.mean(X::direction)), bound_deg + 1e-9);
+      EXPECT_LE(std::abs(planned.plate_deg - filter.direction_deg()), bound_deg + 1e-9);
       EXPECT_EQ(planned.at_bound, right_mm != 0.0 || bound_deg < 40.0) << bound_deg << ' ' << right_mm;
     }
   }

@@ -34,6 +34,20 @@ TEST(Pace, ItsDerivativesAreThoseOfDifferences) {
   }
 }
 
+// w = 0.5 + 0.4 / 4 at half of the time: s = 10 w^3 - 15 w^4 + 6 w^5 = 0.68256.
+TEST(Pace, ASkewedPaceIsEarly) {
+  EXPECT_NEAR(progress(0.0, 0.5, 0.4).share, 0.68256, 1e-9);
+  EXPECT_EQ(progress(0.0, 1.0, 0.4).share, 1.0);
+  EXPECT_NEAR(phase_at(0.2, progress(0.2, 0.3, 0.4).share, 0.4), 0.3, 1e-5);
+  constexpr double h = 1e-5;
+  for (const double u : {0.1, 0.4, 0.8}) {
+    const Progress p = progress(0.2, u, 0.4), before = progress(0.2, u - h, 0.4), after = progress(0.2, u + h, 0.4);
+    EXPECT_NEAR(p.rate, (after.share - before.share) / (2 * h), 1e-8);
+    EXPECT_NEAR(p.acceleration, (after.rate - before.rate) / (2 * h), 1e-7);
+    EXPECT_NEAR(p.by_evenness, (progress(0.2 + h, u, 0.4).rate - progress(0.2 - h, u, 0.4).rate) / (2 * h), 1e-8);
+  }
+}
+
 TEST(Pace, IsStillBeforeAndAfter) {
   for (const double u : {-1e300, -1.0, 2.0, 1e300}) {
     EXPECT_EQ(progress(0.0, u).rate, 0.0);
