@@ -188,7 +188,7 @@ constexpr PeopleFamily all_families[] = {
      FamilyKind::recorded},
     {"recorded-25", "recorded, a quarter as curved", false, [](PersonCondition& c, Draws& d) { recorded(c, d, 0.25); },
      FamilyKind::recorded},
-    {"recorded-sides", "recorded, the gap to a random side", false,
+    {"recorded-side", "recorded, the gap to a random side", false,
      [](PersonCondition& c, Draws& d) {
        recorded(c, d, 1.0);
        c.random_side = true;

@@ -78,16 +78,15 @@ void Plausibility::judge_place(const PlatePoint& place) {
 
 void Plausibility::judge_direction(const PlatePoint& place) {
   const double covered = distance_mm(reach_.start, place) / reach_.real_distance_mm;
-  if (!last_ || covered < judged_fraction || from_centre_mm(place) > max_radii * radius_mm_) {
+  came_from_start_ = came_from_start_ || covered < judged_fraction;
+  if (!came_from_start_ || covered < judged_fraction || from_centre_mm(place) > max_radii * radius_mm_) {
     wrong_positions_ = turned_positions_ = 0;
     return;
   }
   const double bearing = bearing_deg(reach_.start, place);
   const double off_deg = wrap_deg(bearing - reach_.virtual_direction_deg, 360.0);
   wrong_positions_ = std::abs(off_deg) > max_off_course_deg ? wrong_positions_ + 1 : 0;
-  // A finger that was never near the start may rest anywhere; one that has left it has passed through what is nearer.
-  if (wrong_positions_ >= max_in_a_row && positions_ > wrong_positions_)
-    find(Kind::wrong_way, bearing, reach_.virtual_direction_deg);
+  if (wrong_positions_ >= max_in_a_row) find(Kind::wrong_way, bearing, reach_.virtual_direction_deg);
   const double gap_deg = wrap_deg(reach_.real_direction_deg - reach_.virtual_direction_deg, 360.0);
   const double turned_deg = gap_deg > 0.0 ? -off_deg : off_deg;
   const double allowed_deg = std::max(min_turned_deg, min_turned_fraction * std::abs(gap_deg));

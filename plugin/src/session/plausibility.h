@@ -60,6 +60,7 @@ class Plausibility {
   std::int64_t positions_ = 0;
   std::int64_t far_positions_ = 0;
   int fast_positions_ = 0;                // in a row
+  bool came_from_start_ = false;          // otherwise the finger may rest anywhere
   int wrong_positions_ = 0;               // in a row
   int turned_positions_ = 0;              // in a row
   std::optional<std::int64_t> first_ns_;  // of the samples that are counted

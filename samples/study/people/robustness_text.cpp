@@ -66,7 +66,7 @@ std::string near_table(const RobustnessStudy& study) {
     return of.empty() ? "" : near_line(name, of, durations_s, mean);
   };
   const Rows invented = rows_where(rows, is_invented);
-  return page + '\n' + mean_line("mean, recorded ~", false, FamilyKind::recorded) +
+  return page + '\n' + mean_line("mean, recorded", false, FamilyKind::recorded) +
          mean_line("mean, tuned on", true, FamilyKind::invented) +
          mean_line("mean, apart *", false, FamilyKind::invented) +
          (invented.empty() ? "" : near_line("mean of both", invented, durations_s, mean)) +

@@ -86,7 +86,7 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   expect_said(outcome, {"touch mark 1 with the finger held leant to the left", "The skin is 20.0 mm from the joint",
                         "registered: residual 0.0 mm", "For that alone reaches end 0."});
   ASSERT_EQ(rows_of(outcome).size(), 1U);
-  EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.2);
+  EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.5);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
   // The file keeps it for the next run.
   auto joint = nlohmann::json::parse(read_file(file));
