@@ -35,7 +35,7 @@ def test_recorded_reach_is_read_bit_for_bit(session: hrt.Session, straight: np.n
 
 def test_checked_in_recordings_are_read() -> None:
     (reach,) = hrt.read_recording(REACH).reaches
-    assert len(reach.samples) == 167 and reach.commands["step"][-1] == 30
+    assert len(reach.samples) == 167 and reach.commands["step"][-1] == 31
 
 
 def with_row(tmp_path: Path, result: str, cells: dict[str, str]) -> Path:
