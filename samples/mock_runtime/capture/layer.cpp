@@ -41,11 +41,11 @@ struct Wrapper<XrResult (*)(Args...)> {
     Capture& the = capture();
     const std::uint64_t session = the.session_of_call();
     const XrResult result = (the.next.*next)(args...);
-    const std::lock_guard lock(the.mutex);
     try {
+      const std::lock_guard lock(the.mutex);
       the.called(name, session, result);
       if (XR_SUCCEEDED(result)) note(the, result, args...);
-    } catch (const std::bad_alloc&) {
+    } catch (...) {
       // The capture lacks this call, the application does not.
     }
     return result;

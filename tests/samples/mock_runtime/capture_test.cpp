@@ -63,7 +63,7 @@ class MockCapture : public CaptureFixture {
              {"/interaction_profiles/khr/simple_controller", {{press, "select/click"}, {grip, "aim/pose"}}}}) {
       std::vector<XrActionSuggestedBinding> bindings;
       for (const char* inputs : {"/user/hand/left/input/", "/user/hand/right/input/"})
-        for (const auto& [action, source] : sources) bindings.push_back({action, path((inputs + source).c_str())});
+        for (const auto& [action, source] : sources) bindings.push_back({action, path(inputs + source)});
       ASSERT_XR(XR_SUCCESS, suggest(profile, bindings));
     }
     ASSERT_XR(XR_SUCCESS, attach({set}));

@@ -423,7 +423,8 @@ TEST_F(MockErrors, OfLostSessionsAndInstances) {
     focus();
     XrFrameState frame{XR_TYPE_FRAME_STATE};
     XR(xrWaitFrame)(session, nullptr, &frame);
-    for_each_function([&](const std::string& name, auto function) { call_lost(name, function, loss); });
+    for_each_function(
+        [&, expected = loss](const std::string& name, auto function) { call_lost(name, function, expected); });
     EXPECT_XR(XR_SUCCESS, XR(xrDestroySession)(session));
     EXPECT_XR(XR_SUCCESS, XR(xrDestroyActionSet)(set));
   }
