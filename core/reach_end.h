@@ -1,12 +1,12 @@
 // When a reach is over, by where its finger has been, whatever controls the plate.
 //
-// A finger that has been at the start, or has moved, is over
-//   near     after a rest of 0.4 s within a quarter of the path (15 mm at least) of the real target, if it has covered
-//            nine tenths of the way there
-//   missed   after a rest of 2 s elsewhere, if it has covered three tenths of the way, at most 60 degrees off its
-//   course
-// The way begins at the start; after a jump of the target, where the finger was then. People correct themselves within
-// 0.3 s of the end of a first motion, and pause for longer on the way.
+// A reach can end once the finger was at the start or has moved. It ends
+//   near     after a rest of 0.4 s within a quarter of the path (at least 15 mm) of the real target, if the finger has
+//            covered nine tenths of the way
+//   missed   after a rest of 2 s at another position, if the finger has covered three tenths of the way, at most 60
+//            degrees off its course
+// The way begins at the start or, after a jump of the target, at the position of the finger at that time. People
+// correct themselves within 0.3 s of the end of a first motion, and pause for longer on the way.
 #pragma once
 
 #include <optional>

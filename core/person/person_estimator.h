@@ -1,6 +1,6 @@
 // From tracked positions, at any rate and with gaps, jumps and rests, to the state of finger and person.
 //
-//   gate    refuses outliers; a run of them is a finger that is elsewhere (OutlierGate)
+//   gate    rejects outliers; a run of outliers is a jump to another position (OutlierGate)
 //   phase   waiting until the onset, moving, paused or lifted (tracker/finger_phase)
 //   filter  PersonFilter, over the motion; ModelFit says how well it predicts
 //
@@ -17,7 +17,7 @@
 
 namespace hrt {
 
-/// Counts implausible positions in a row: up to a maximum they are outliers, after that the finger is there.
+/// Counts implausible positions in a row. Up to a maximum they are outliers; the next one is accepted as a jump.
 class OutlierGate {
  public:
   enum Verdict { accepted, outlier, relocated };
@@ -71,7 +71,7 @@ class PersonEstimator {
   std::optional<PersonFilter> after_retarget() const;
   /// Time of the filter; before the onset, of the last position.
   double time_s() const { return filter_s_; }
-  /// Where the finger rested: the filter's positions are relative to it.
+  /// Rest position of the finger, the origin of the filter's positions.
   const PlatePoint& origin() const { return begun() ? origin_ : finger_.rest_place(); }
   /// The last position, seen or predicted.
   PlatePoint place() const;

@@ -26,7 +26,7 @@
 
 namespace hrt {
 
-/// What follows from the state at the filter's time.
+/// Quantities derived from the state, at the time of the filter.
 struct PersonNow {
   Progress pace;
   double speed_mm_s;

@@ -25,7 +25,7 @@ bool gap_is_feasible(const ReachControlConfig& config, const ReachGoal& goal, co
          tuning.min_margin_deg - tuning.margin_deviations * std::sqrt(std::max(0.0, variance_deg2));
 }
 
-// Of the finger across the line to the target: as the filter knows its position, and as the frame is known.
+// SD of the finger's position across the line to the target, as an angle: uncertainty of the filter and of the frame.
 double bearing_error_sd_deg(const ReachGoal& goal, const PersonFilter& filter) {
   const SinCos ahead = sin_cos_deg(goal.reach.real_direction_deg);
   const double variance_mm2 = filter.position_variance_mm2(-ahead.cosine, -ahead.sine);

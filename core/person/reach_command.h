@@ -14,7 +14,8 @@ namespace hrt {
 struct ReachGoal {
   Reach reach;        ///< as seen from the start
   PlatePoint target;  ///< the real one
-  /// Where the finger was when the targets last moved; none: they have not. And the target's direction from there.
+  /// Position of the finger when the targets last moved, and the direction of the real target from there. Without a
+  /// position the targets have not moved, and the direction is that from the start.
   std::optional<PlatePoint> aimed_from;
   double aimed_direction_deg;
   double frame_sd_deg;  ///< SD of the target's bearing from the start, by the frame's uncertainty

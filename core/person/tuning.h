@@ -78,7 +78,8 @@ struct Tuning {
 
   // Gate and fit statistics.
   double max_accepted_nis = 25.0;  ///< an innovation above this (5 SDs) is an outlier
-  /// [s] after so many in a row the finger is there. Kept for PersonEstimatorTest.FollowsAJumpAndForgetsAnOutlier.
+  /// [s] outliers in a row before a position is accepted as a jump. Kept for
+  /// PersonEstimatorTest.FollowsAJumpAndForgetsAnOutlier.
   double max_outliers = 4;
   double fit_sample_weight = 0.05;  ///< [s] of one position in the running means
   /// [s] one position, or outlier, counts no more. Kept for PersonTest.MotionThatIsNoReachIsAMisfitAndTeachesNothing.
@@ -107,7 +108,7 @@ struct Tuning {
   double last_phase = 0.97;         ///< [m] fraction of the duration after which no plate is answered
   double first_judged_phase = 0.5;  ///< [s] fraction before which OFF_TARGET is not raised
   double min_margin_deg = 0.3;      ///< deg [s] the gap is unreachable if the margin is below this
-  double margin_deviations = 0.9;   ///< [s] less so many SDs
+  double margin_deviations = 0.9;   ///< [s] SDs subtracted from min_margin_deg
   double min_aim_fraction = 0.1;    ///< of the path left, below which the bearing of the target is not taken again
 
   // Tracker noise that the host knows.
@@ -122,7 +123,7 @@ struct Tuning {
   /// [s] drop of the weight, in SDs, at which the illusion is reset. Kept for
   /// SimulationPeople.ThoseWhoWeakenAreLedAnew.
   double illusion_fall_deviations = 1.2;
-  double min_scatter_deg = 0.2;                     ///< deg [s] nobody is steadier
+  double min_scatter_deg = 0.2;                     ///< deg [s] lower bound of the scatter
   double min_carried_weight_sd = 0.01;              ///< [s] of the paper's estimator: people change
   double min_carried_motor_variance_sd_deg2 = 0.1;  ///< deg^2 [s] of the paper's estimator
 };

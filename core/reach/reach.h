@@ -51,7 +51,7 @@ struct PlateHandover {
 /// How far a reach is, by where its finger has been: reach_end.h.
 struct ReachProgress {
   bool arrived = false;       ///< the reach is over
-  bool off_target = false;    ///< it is over beside the target, or the finger moves away from it
+  bool off_target = false;    ///< the reach ended away from the target, or the finger moves away from it
   bool not_at_start = false;  ///< the finger rests elsewhere, and has not been at the start
 };
 
@@ -91,7 +91,7 @@ struct PlateCommand {
   bool off_plate = false;              ///< the finger is beyond the plate's rim
   bool registration_doubtful = false;  ///< the plate's registration is older or worse than allowed
   bool contacts_disagree = false;      ///< contacts contradict the registration
-  bool implausible = false;            ///< times, units or axes of this reach are hardly right
+  bool implausible = false;            ///< times, units or axes of this reach are probably wrong
   bool fault = false;                  ///< a value was not a finite number
 };
 

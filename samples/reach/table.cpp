@@ -118,7 +118,7 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
   if (!result.can_be_held) out << " (flag: cannot be held)";
   if (result.summary.flags & HRT_COMMAND_OFF_TARGET) out << " (flag: off target)";
   if (result.summary.flags & HRT_COMMAND_MISFIT) out << " (flag: model does not fit)";
-  if (result.summary.flags & HRT_COMMAND_IMPLAUSIBLE) out << " (flag: units, axes or clock hardly right)";
+  if (result.summary.flags & HRT_COMMAND_IMPLAUSIBLE) out << " (flag: check units, axes and clock)";
   out << std::endl;
 }
 

@@ -56,7 +56,7 @@ class Session {
   /// A value of the reach under way was not a finite number: the reach teaches nothing.
   void mark_faulty();
 
-  /// What is hardly right about the reach under way, or the last one.
+  /// The likely mistake in the current reach, or in the last one.
   const Implausible& implausible() const { return implausible_; }
 
   /// The reach under way as it was last aimed, and whether it starts where the finger is still to be seen.
