@@ -46,12 +46,13 @@ static int64_t noise(void) {
 /* Sample `i`, from 1. Whole numbers, each divided once, give the same doubles on every host. */
 static hrt_sample scripted(int64_t i, double plate_deg) {
   const int64_t moved = i < 10 ? 0 : i > 130 ? 120 : i - 10, distance_um = moved * moved * (180 - moved) * 25 / 216;
+  const int64_t right_um = distance_um * 87 / 1000;
   const int lost = i % 40 == 7 || (i > 40 && i <= 52), lifted = i > 65 && i <= 75;
   hrt_sample sample = hrt_sample_init();
   sample.flags =
       HRT_SAMPLE_PLATE_ORIENTATION | (lost ? 0 : HRT_SAMPLE_PLATE_POSITION) | (lifted ? HRT_SAMPLE_LIFTED : 0);
   sample.time_ns = 20000000 * i + 400 * noise();
-  sample.finger_position_m[0] = (double)(distance_um * 87 / 1000 + noise()) / 1e6;
+  sample.finger_position_m[0] = (double)(right_um + noise()) / 1e6;
   sample.finger_position_m[1] = lifted ? 0.03 : 0.002;
   sample.finger_position_m[2] = (double)(50000 - distance_um + noise()) / 1e6;
   sample.plate_orientation_deg = plate_deg;
