@@ -3,6 +3,8 @@ what a compiler must see of their layout."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import c
 from abi import Abi, Struct, Value
 
@@ -91,19 +93,25 @@ def _defaults(struct: Struct) -> str:
             f"  {struct.name} value{{}};\n{c.fill(struct)}  return value;\n}}();\n")
 
 
+def recorded(abi: Abi) -> Iterator[tuple[Struct, dict[str, list[str]]]]:
+    """The structs of a recording, with the columns of each field."""
+    for struct, names in _RECORDED:
+        if struct:
+            yield abi.struct(struct), {f.name: [names.get(f.name, f.name).format(axis) for axis in "xyzw"[:f.count or 1]]
+                                       for f in abi.struct(struct).shown}
+
+
 def _columns(abi: Abi) -> str:
     """The columns of a recording, and the first one of each field."""
     columns = ["call", "result"]
     text = ""
+    structs = recorded(abi)
     for struct, names in _RECORDED:
-        firsts = []
-        for f in abi.struct(struct).shown if struct else ():
-            name = names.get(f.name, f.name)
-            new = [name.format(axis) for axis in "xyzw"[:f.count]] if f.count else [name]
-            columns += [column for column in new if column not in columns]
-            firsts.append(str(columns.index(new[0])))
         if struct:
-            text += f"template <>\ninline constexpr std::size_t columns_of<{struct}>[] = {{{', '.join(firsts)}}};\n"
+            new = next(structs)[1].values()
+            columns += [column for field in new for column in field if column not in columns]
+            firsts = ", ".join(str(columns.index(field[0])) for field in new)
+            text += f"template <>\ninline constexpr std::size_t columns_of<{struct}>[] = {{{firsts}}};\n"
         else:
             columns += names
     quoted = ", ".join(f'"{column}"' for column in columns)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import textwrap
 
+import fields
 from abi import Abi, Enumeration, Names, Struct, Type, Value, pascal
 
 _CTYPES = {"char": "c_char", "int32_t": "c_int32", "hrt_result": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
@@ -13,6 +14,19 @@ _CTYPES = {"char": "c_char", "int32_t": "c_int32", "hrt_result": "c_int32", "uin
 _ANNOTATED = {"int32_t": "Int32", "uint32_t": "UInt32", "int64_t": "Int64", "uint64_t": "UInt64", "double": "Double"}
 # Whose names in Python are not those of the headers.
 _ENUMERATIONS = {"HRT_ERROR": "ErrorCode", "HRT_LOG": "LogLevel", "HRT_TARGET": "Role"}
+# Error texts name these functions of the package; others are the method of the class: hrt_reach_end is Reach.end.
+_FUNCTIONS = {
+    "session_create": "Session", "session_get": "Session.config", "session_set": "Session.configure", "session_destroy": "Session.close",
+    "target_add": "Session.add_real", "target_set": "Target.configure", "target_get": "Target.config", "target_list": "Session.targets",
+    "target_assign": "Session.assign", "gap_query": "Session.gap", "reach_begin": "Session.reach", "setup_begin": "Session.set_up",
+    "setup_finish": "SetUp.update", "setup_get_residual": "SetUp.residual", "profile_save": "Session.profile",
+    "profile_load": "Session.load_profile", "profile_set_conditions": "Session.set_conditions",
+    "profile_get_conditions": "Session.conditions", "recording_start": "Session.recording", "recording_stop": "Session.recording",
+    "recording_get_status": "Session.recording", "recording_flush": "Session.recording", "person_create": "Person",
+    "person_destroy": "Person.close", "person_get_state": "Person.state", "scene_load": "Scene", "scene_destroy": "Scene.close",
+    "scene_get_info": "Scene.info", "scene_get_target": "Scene.targets", "replay": "replay",
+    "plate_open": "Plate",
+}
 # Classes of the package whose methods take fields of a struct by keyword: method, what it takes before them, and what
 # it hands them to.
 _KEYWORDS = {
@@ -34,14 +48,21 @@ from ._struct import Choice, Double, Flags, FunctionPointer, Int32, Int64, Point
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from .session import Target
+else:
+    Target = object
+
 '''
 _KEYWORDS_HEAD = '''"""Methods whose keywords are fields of a struct, so that type checkers and editors know them; None: not given."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ._struct import Numbers
+
+if TYPE_CHECKING:
+    from .session import Target
 
 
 def _given(arguments: dict[str, Any]) -> dict[str, Any]:
@@ -65,7 +86,20 @@ def render(abi: Abi, notice: str) -> str:
     text += "".join(_struct(s, names) for s in abi.structs) + "\n\nFUNCTIONS: dict[str, tuple[Any, ...]] = {\n"
     for f in abi.functions:
         text += f'    "{f.name}": ({"".join(_type(t, names) + ", " for t in (f.result, *(p.type for p in f.params)))}),\n'
-    return text + '}\n"""The types of each function\'s result and parameters."""\n'
+    text += '}\n"""The types of each function\'s result and parameters."""\n\nNAMES = {\n'
+    c_names = names.constants | {f"{e.name}_": f"{names.enumerations[e.name]}." for e in abi.enumerations}
+    for function in (f.name.removeprefix("hrt_") for f in abi.functions if f.returns_result and f.name != "hrt_set_host"):
+        noun, _, verb = function.partition("_")
+        method = f"{'SetUp' if noun == 'setup' else noun.capitalize()}.{verb}"
+        c_names[f"hrt_{function}"] = _FUNCTIONS.get(function, method)
+    text += "".join(f'    "{name}": "{shown}",\n' for name, shown in c_names.items() if name != shown)
+    text += '}\n"""The names of this package for those of C, in error texts."""\n'
+    if any(s.name == "hrt_command" for s in abi.structs):
+        text += "\nCOLUMNS: dict[str, dict[str, list[str]]] = {\n"
+        for struct, columns in fields.recorded(abi):
+            text += f'    "{names.types[struct.name]}": {columns},\n'
+        text += '}\n"""The columns of each field in a recording."""\n'
+    return text
 
 
 def render_keywords(abi: Abi, notice: str) -> str:
@@ -138,7 +172,9 @@ def _stored(field: Value, names: _Host) -> str:
         return names.enumerations[field.values]
     stored = _type(field.type, names)
     if field.count:
-        return f"Annotated[{'bytes' if field.type.name == 'char' else f'Array[{stored}]'}, {stored} * {field.count}]"
+        return f"Annotated[{'str' if field.type.name == 'char' else f'Array[{stored}]'}, {stored} * {field.count}]"
+    if field.type.name == "hrt_target":
+        return f"Annotated[Target | None, {stored}]"
     if field.type.name in names.callbacks:
         return f"Annotated[FunctionPointer, {stored}]"
     return "Pointer" if field.type.pointer else _ANNOTATED.get(field.type.name, stored)
@@ -156,4 +192,6 @@ def _given_hint(field: Value, names: _Host, numbers: str = "Numbers") -> str:
         return "FunctionPointer"
     if field.type.pointer:
         return "int | None"
+    if field.type.name == "hrt_target":
+        return "Target"
     return "float" if field.type.name == "double" else names.types.get(field.type.name, "int")

@@ -17,7 +17,7 @@ model = importlib.import_module("abi").Abi()
 
 def python_name(c_name: str) -> str:
     name = "".join(part.capitalize() for part in c_name.removeprefix("hrt_").split("_"))
-    return name if hasattr(_abi, name) else name + "Handle"
+    return name + "Handle" if hasattr(_abi, name + "Handle") else name
 
 
 def test_structs_have_the_sizes_and_offsets_of_the_library() -> None:
@@ -40,6 +40,7 @@ def test_help_has_units_ranges_and_defaults() -> None:
     assert re.search(r"horizon: Steps that the controller plans ahead.*1\s+to 20\. Default 3\.", text, re.S)
     assert "Control.FIXED_PLATE" in text and "HRT_" not in text and "struct_size" not in text
     assert "OUT_OF_RANGE: A value is outside" in (hrt.ErrorCode.__doc__ or "")
+    assert all(eval(name, vars(hrt)) for c_name, name in _abi.NAMES.items() if c_name.startswith("hrt_"))
     missing = [f"{struct.__name__}.{name}" for struct in vars(_abi).values()
                if isinstance(struct, type) and issubclass(struct, _abi.Struct) and struct is not _abi.Struct
                for name in struct.names() if not re.search(rf"^ *{name}\b", struct.__doc__ or "", re.M)]

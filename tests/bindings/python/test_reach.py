@@ -48,14 +48,35 @@ def test_error_within_an_array_tells_the_row_and_keeps_what_precedes(session: hr
     assert out["step"][99] > 0 and out["step"][100] == 0
 
 
-def test_exception_within_a_reach_ends_it(session: hrt.Session) -> None:
+def test_exception_within_a_reach_cancels_it(session: hrt.Session, straight: np.ndarray) -> None:
     real, virtual = session.target("cylinder"), session.target("cup")
     with pytest.raises(ZeroDivisionError):
-        with session.reach(real, virtual):
+        with session.reach(real, virtual) as reach:
+            reach.run(straight)
             1 / 0
-    with session.reach(real, virtual):
-        with pytest.raises(hrt.Error) as caught:
+    with pytest.raises(RuntimeError, match="was cancelled"):
+        reach.summary
+    with pytest.raises(ZeroDivisionError):
+        with session.reach(real, virtual):
+            session.close()
+            1 / 0
+
+
+def test_session_cancels_what_is_in_progress(session: hrt.Session) -> None:
+    real, virtual = session.target("cylinder"), session.target("cup")
+    session.reach(real, virtual)  # no object is kept
+    session.cancel()
+    with session.reach(real, virtual) as reach:
+        with pytest.raises(hrt.Error, match="Session.configure"):
             session.configure(horizon=4)
+        session.cancel()
+    with pytest.raises(RuntimeError, match="was cancelled"):
+        reach.summary
+    with session.set_up(hrt.SetupFlag.REGISTRATION) as setup:
+        session.cancel()
+    assert setup.over and session.state == hrt.StateFlag.READY
+    with pytest.raises(hrt.Error, match="Reach.cancel") as caught:
+        session.cancel()
     assert caught.value.code is hrt.ErrorCode.WRONG_STATE
 
 
@@ -110,6 +131,37 @@ def test_samples_are_made_of_columns() -> None:
     assert hrt.samples([5], direction_deg=3)["flags"][0] == hrt.SampleFlag.DIRECTION
 
 
+def test_unknown_numbers_are_dropouts_in_every_call(session: hrt.Session, straight: np.ndarray) -> None:
+    real, virtual, nan = session.target("cylinder"), session.target("cup"), np.nan
+    straight["finger_position_m"][100:130, 0] = nan  # not made by samples()
+    record = session.run_reach(real, virtual, straight, plate_orientation_deg=0)
+    expected = hrt.samples(straight["time_ns"], position_m=straight["finger_position_m"])
+    assert record.commands.tobytes() == session.run_reach(real, virtual, expected, plate_orientation_deg=0).commands.tobytes()
+    assert (straight["flags"] == hrt.SampleFlag.PLATE_POSITION).all()
+    sample = hrt.Sample(flags=hrt.SampleFlag.WORLD_POSITION | hrt.SampleFlag.PLATE_ORIENTATION, time_ns=5)
+    sample.plate_orientation_deg = nan
+    sample.finger_position_m = np.ma.masked_array([0, 0, 0.05], [0, 0, 1])
+    with session.reach(real, virtual) as reach:
+        reach.update(0, position_m=(nan, 0, 0.05))
+        reach.update(1, direction_deg=nan, plate_orientation_deg=nan)
+        reach.update_sample(sample)
+        sample.plate_rotation[0] = nan  # not read
+        reach.update_sample(sample)
+    assert reach.summary.dropped_samples == reach.summary.samples == 4 and np.isnan(sample.finger_position_m[2])
+    with session.set_up(hrt.SetupFlag.REGISTRATION) as setup:
+        assert setup.update(sample).instruction == hrt.Step.TOUCH_MARK
+
+
+def test_masked_columns_are_dropouts() -> None:
+    masked = np.ma.masked_array([[0, 0, 0.05], [9, 9, 9]], [[False] * 3, [False, True, False]])
+    made = hrt.samples([0, 1], position_m=masked, plate_orientation_deg=np.ma.masked_array([7, 8], [True, False]),
+                       lifted=np.ma.masked_array([True, True], [True, False]))
+    position, plate, lifted = hrt.SampleFlag.PLATE_POSITION, hrt.SampleFlag.PLATE_ORIENTATION, hrt.SampleFlag.LIFTED
+    assert list(made["flags"]) == [int(position), int(plate | lifted)]
+    with pytest.raises(ValueError, match="time_ns has masked numbers"):
+        hrt.samples(np.ma.masked_array([0, 1], [False, True]), direction_deg=0)
+
+
 def test_wrong_columns_are_refused() -> None:
     for error, text, columns in ((ValueError, "whole numbers", {"time_ns": [0.5, 1.0]}),
                                  (ValueError, r"finger_position_m must have the shape \(2, 3\)", {"position_m": [[0, 0, 0]]}),
@@ -133,7 +185,13 @@ def test_what_is_no_array_is_refused(session: hrt.Session) -> None:
 def test_a_reach_is_retargeted_and_cancelled(session: hrt.Session, straight: np.ndarray) -> None:
     real, virtual = session.target("cylinder"), session.target("cup")
     other = session.add_real("other", direction_deg=0, distance_m=0.08)
-    assert [a.real_target.value for a in session.assign([virtual], [real, other], exclusive=True)] == [other.id]
+    (assigned,) = session.assign([virtual], [real, other], exclusive=True)
+    assert assigned.real_target == other and assigned.real_target.name == "other" and assigned.virtual_target == virtual
+    gap = session.gap(assigned.real_target, virtual)
+    assert gap == assigned and "real_target=<Target 'other', real" in repr(gap)
+    assert session.assign([virtual], [session.add_real(direction_deg=80)])[0].real_target is None
+    virtual.configure(served_by=gap.real_target)
+    assert virtual.config.served_by == other and real.config.served_by is None
     with session.reach(real, virtual, start_at_finger=True, duration_s=3) as reach:
         assert session.state == hrt.StateFlag.REACHING
         reach.run(straight[:100])
@@ -147,7 +205,7 @@ def test_a_reach_is_retargeted_and_cancelled(session: hrt.Session, straight: np.
 def test_a_simulated_person_is_led() -> None:
     with hrt.Session() as session, hrt.Person(7, tactile_weight=0.2) as person:
         real, virtual = session.add_real(direction_deg=-5), session.add_virtual(direction_deg=5)
-        with pytest.raises(hrt.Error, match="hrt_person_begin"):
+        with pytest.raises(hrt.Error, match=r"Person.move: .* call Person.begin\(\) first"):
             person.move(0, 0.0)
         with pytest.raises(TypeError, match="virtual is 5: a Target"):
             person.begin(session, 5)

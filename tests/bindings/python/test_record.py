@@ -20,14 +20,14 @@ def test_recorded_reach_is_read_bit_for_bit(session: hrt.Session, straight: np.n
     assert (status.rows_written, status.rows_lost) == (273, 0)
     recording = hrt.read_recording(tmp_path / "a.csv")
     (read,) = recording.reaches
-    assert recording.complete and [t.name for t in recording.targets] == [b"cylinder", b"cup"]
+    assert recording.complete and [t.name for t in recording.targets] == ["cylinder", "cup"]
     assert read.commands.tobytes() == ran.commands.tobytes()
     seen = straight["flags"] != 0
     assert read.samples[seen].tobytes() == straight[seen].tobytes()
     assert np.isnan(read.position_m[~seen]).all()
     assert (read.real_direction_deg, read.virtual_direction_deg, read.real_distance_m) == (-5, 5, 0.1)
     assert np.allclose(read.start_position_m, (0, 0, 0.05))
-    assert read.final_direction_deg == ran.final_direction_deg
+    assert read.summary == ran.summary and read.final_direction_deg == ran.final_direction_deg
     assert read.config == ran.config
     report = hrt.replay(tmp_path / "a.csv")
     assert (report.complete, report.first_different_line, report.rows) == (1, 0, 273)
@@ -36,6 +36,9 @@ def test_recorded_reach_is_read_bit_for_bit(session: hrt.Session, straight: np.n
 def test_checked_in_recordings_are_read() -> None:
     (reach,) = hrt.read_recording(REACH).reaches
     assert len(reach.samples) == 167 and reach.commands["step"][-1] == 31
+    summary = reach.summary
+    assert summary is not None and summary.samples == 167 and summary.dropped_samples == 16
+    assert summary.miss_deg == reach.commands["predicted_miss_deg"][-1] and summary.duration_s > 1
 
 
 def with_row(tmp_path: Path, result: str, cells: dict[str, str]) -> Path:
@@ -63,10 +66,18 @@ def test_calls_that_were_refused_unread_are_left_out(tmp_path: Path) -> None:
 
 
 def test_world_is_turned_into_plate_coordinates() -> None:
-    # The plate at (1, 2, 3), turned by 90 degrees about y: its x axis is the world's -z, its z axis the world's x.
+    # A plate at (1, 2, 3), turned by 90 degrees about y: its x axis is the world's -z, its z axis the world's x.
     turned = (0, np.sqrt(0.5), 0, np.sqrt(0.5))
     assert hrt.world_to_plate((1, 2, 2), (1, 2, 3), turned) == pytest.approx((1, 0, 0))
-    assert hrt.world_to_plate((2, 2.5, 3), (1, 2, 3), turned) == pytest.approx((0, 0.5, 1))
+    assert hrt.world_to_plate((2, 2.5, 3), (1, 2, 3), turned, plate_scale=0.5) == pytest.approx((0, 1, 2))
+    config = hrt.SessionConfig(plate_position_m=(1, 2, 3), plate_rotation=turned, plate_scale=2, fingertip_offset_m=(0, 0, -0.1))
+    target = hrt.TargetConfig(place=hrt.Place.WORLD_POSITION, position_m=(1.0, 2, 2.8))
+    assert hrt.target_place(target, config)[1] == pytest.approx(np.hypot(0.1, 0.05))
+    # The joint is rotated by 90 degrees about y, so that the skin is 10 cm along the world's -x from it.
+    sample = hrt.Sample(flags=hrt.SampleFlag.WORLD_POSITION | hrt.SampleFlag.JOINT_ROTATION, finger_position_m=(1, 2, 2.8),
+                        joint_rotation=turned)
+    record = hrt.ReachRecord(config, 0, 0, 0.1, np.zeros(3), np.frombuffer(sample, hrt.SAMPLE), hrt.commands(1), np.zeros(1, np.int32))
+    assert record.position_m[0] == pytest.approx((0.1, 0, -0.05))
 
 
 @pytest.mark.parametrize(("old", "new", "text"), [
@@ -161,11 +172,31 @@ def test_picture_shows_finger_targets_and_angles() -> None:
     assert real.get_ydata() == pytest.approx(-50 + 100 * np.cos(np.radians(5)))
     labels = [line.get_label() for line in (*time.lines, *plate.lines)]
     assert "plate, commanded" in labels and "felt, as the model predicts" in labels
+    # Under ARRIVAL, the direction of motion at the end differs from the bearing, which is what the targets' lines show.
+    bearing = next(line for line in time.lines if line.get_label() == "finger").get_ydata()
+    assert record.summary is not None and bearing[-1] - record.real_direction_deg == pytest.approx(record.summary.miss_deg, abs=0.5)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     pixels = np.asarray(canvas.buffer_rgba())[..., :3].reshape(-1, 3)
     for colour in ((0x00, 0x72, 0xB2), (0xD5, 0x5E, 0x00)):
         assert (np.abs(pixels - np.array(colour)).max(axis=1) < 8).sum() > 300
+
+
+def test_felt_path_is_that_of_the_simulated_person() -> None:
+    with hrt.Session() as session, hrt.Person(1, tracker_noise_m=1e-6) as person:
+        cylinder, cup = session.add_real(direction_deg=-5), session.add_virtual(direction_deg=5)
+        for _ in range(3):  # until the controller knows this person
+            person.begin(session, cup)
+            samples, commands, plate_deg = hrt.samples(np.arange(220) * 11_111_111), hrt.commands(220), 0.0
+            with session.reach(cylinder, cup) as reach:
+                for frame in range(220):
+                    samples[frame] = np.frombuffer(person.move(frame * 11_111_111, plate_deg), hrt.SAMPLE)[0]
+                    reach.run(samples[frame:frame + 1], commands[frame:frame + 1])
+                    plate_deg = commands["plate_orientation_deg"][frame]
+        record = hrt.ReachRecord(session.config, -5, 5, 0.1, np.array((0, 0, 0.05)), samples, commands, np.zeros(220, np.int32))
+        hand, felt = record.position_m[-1], record.felt_position_m[-1]
+        assert felt == pytest.approx(person.state.felt_position_m, abs=0.006) and hand[0] - felt[0] > 0.012
+        assert record.bearing_deg(felt) == pytest.approx(5, abs=3) and np.isnan(record.bearing_deg([0, 0, 0.06]))
 
 
 def test_picture_of_a_reach_without_positions_is_drawn(session: hrt.Session) -> None:

@@ -106,7 +106,7 @@ def test_profile_is_a_mapping_or_text(session: hrt.Session) -> None:
 def test_scene_is_registered() -> None:
     with hrt.Session() as session, hrt.Scene(ROOT / "samples/scenes/desk.gltf") as scene:
         targets = scene.register(session)
-        assert [t.name for t in targets] == [t.name.decode() for t in scene.targets]
+        assert [t.name for t in targets] == [t.name for t in scene.targets]
         assert {t.role for t in targets} == {hrt.Role.REAL, hrt.Role.VIRTUAL}
         assert session.config.plate_radius_m == scene.info.plate_radius_m
     with pytest.raises(hrt.Error, match="no.gltf"):
@@ -120,7 +120,7 @@ def test_what_is_no_target_or_text_is_named(session: hrt.Session) -> None:
                        (r"reals\[1\] is 5: a Target", lambda: session.assign([cup], [cup, 5])),
                        ("name is 5: a text", lambda: session.target(5)),
                        ("profile is a int", lambda: session.load_profile(5)),
-                       ("ReachConfig.real_target is 7: a TargetHandle", lambda: hrt._abi.ReachConfig(real_target=7))):
+                       ("ReachConfig.real_target is 7: a Target is", lambda: hrt._abi.ReachConfig(real_target=7))):
         with pytest.raises(TypeError, match=text):
             call()
     assert session.state == hrt.StateFlag.READY

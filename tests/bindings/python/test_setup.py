@@ -31,14 +31,14 @@ def test_simulated_person_is_calibrated_by_the_loop(tmp_path: Path) -> None:
         assert setup.over and result.done == hrt.SetupFlag.CALIBRATION and 16 <= result.slides <= 40
         assert result.tactile_weight.lower - 0.01 < 0.2 < result.tactile_weight.upper + 0.01
         assert session.config.tactile_weight == result.tactile_weight.value
-        assert b"Put your finger to the start and let it rest." in texts
+        assert "Put your finger to the start and let it rest." in texts
         residual = setup.residual(result.slides_used - 1)
         assert residual.residual_deg == pytest.approx(residual.direction_deg - residual.fitted_deg)
         with pytest.raises(hrt.Error, match="slide is 200"):
             setup.residual(200)
         assert session.profile["plate"] == "desk 1"
         session.set_conditions(plate="desk 2")
-        assert session.conditions.differing == hrt.ConditionFlag.PLATE and session.conditions.plate == b"desk 1"
+        assert session.conditions.differing == hrt.ConditionFlag.PLATE and session.conditions.plate == "desk 1"
         session.new_person()
         assert session.config.tactile_weight == 0.2
     assert hrt.read_recording(path).reaches == []

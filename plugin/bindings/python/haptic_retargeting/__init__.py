@@ -11,7 +11,7 @@ while the user feels that it goes to a virtual one.
 Metres, degrees and nanoseconds, as the names say. Directions are measured from the plate's mid-line, straight away
 from the user, counter-clockwise positive seen from above. Plate coordinates: x right, y up, z towards the user.
 
-The calls are those of the C library, which is found by the system's loader, or where HRT_LIBRARY says.
+The C library is found by the system's loader, or in the file that HRT_LIBRARY names.
 """
 
 try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import functools
 import os
+import re
 import sys
 from pathlib import Path
 from typing import Any, TypeVar
@@ -16,12 +17,12 @@ _S = TypeVar("_S", bound=Struct)
 
 
 class Error(RuntimeError):
-    """A call of the library failed. The text is the library's own: call, field, value and what is allowed."""
+    """A call of the library failed. The text names the call, the field, its value and what is allowed."""
 
     def __init__(self, code: int, text: str) -> None:
         super().__init__(text)
         self.code: _abi.ErrorCode | int = _abi.ErrorCode(code) if code in set(_abi.ErrorCode) else code
-        """What became of the call; a plain number if it is of a newer library."""
+        """The result of the call; a plain number if this package does not know it."""
 
 
 def load(name: str, variable: str, functions: dict[str, tuple[Any, ...]]) -> ctypes.CDLL:
@@ -69,10 +70,20 @@ def library_version() -> tuple[int, int, int]:
     return _version(library())
 
 
+def renamed(text: bytes, names: dict[str, str] = _abi.NAMES) -> str:
+    """An error text with the names of this package."""
+    return re.sub(r"\b(?:hrt|HRT)_\w+", lambda found: names.get(found[0], found[0]), text.decode(errors="replace"))
+
+
+def error(result: int, where: str = "") -> Error:
+    """The error of this thread's last call."""
+    return Error(result, where + renamed(library().hrt_last_error()))
+
+
 def check(result: int) -> None:
-    """Raises what this thread's last call of the library reported."""
+    """Raises the error of this thread's last call."""
     if result != _abi.OK:
-        raise Error(result, library().hrt_last_error().decode(errors="replace"))
+        raise error(result)
 
 
 def output(kind: type[_S], function: Any, *arguments: Any) -> _S:

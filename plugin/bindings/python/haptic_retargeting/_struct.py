@@ -1,5 +1,4 @@
-"""What all structs and enumerations of the interface share: fields by keyword, checked as they are set, shown by name
-and in short."""
+"""Base classes of the structs and enumerations of the interface. Fields are given by keyword and checked when they are set."""
 
 from __future__ import annotations
 
@@ -61,6 +60,7 @@ class Struct(_Base):
 
     _fields_: ClassVar[Sequence[tuple[str, Any]]]
     _defaults_: ClassVar[Mapping[str, Any]] = {}
+    _session: Any = None  # the session of its targets
 
     def __init__(self, **fields: Any) -> None:
         super().__init__()
@@ -70,12 +70,14 @@ class Struct(_Base):
             setattr(self, name, value)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """With `value` as ctypes takes it; ctypes itself would cut off what doesn't fit."""
+        """Converts `value` to what ctypes takes. ctypes itself would truncate a number that does not fit."""
         kind = _kinds(type(self)).get(name)
         if kind is None:
             raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(self.names())}")
         try:
             super().__setattr__(name, _converted(kind, value))
+            if is_handle(kind):
+                self.belongs_to(getattr(value, "session", None))
         except (TypeError, ValueError) as error:
             raise type(error)(f"{type(self).__name__}.{name} is {value!r}: {error}") from None
 
@@ -83,6 +85,11 @@ class Struct(_Base):
     def names(cls) -> list[str]:
         """The fields that mean something."""
         return list(_kinds(cls))
+
+    def belongs_to(self: _S, session: Any) -> _S:
+        """Sets the session of the targets that fields of this struct name."""
+        vars(self)["_session"] = session
+        return self
 
     def as_dict(self) -> dict[str, Any]:
         """The fields as Python's own values."""
@@ -103,13 +110,18 @@ _S = TypeVar("_S", bound=Struct)
 
 
 def laid_out(struct: type[_S]) -> type[_S]:
-    """Gives a struct the fields that it annotates; those of an enumeration are read as such."""
+    """Gives a struct the fields that it annotates. Enumerations, texts and targets are read as such."""
     hints = get_type_hints(struct, include_extras=True)
     types = {name: hints[name] for name in struct.__annotations__}
     struct._fields_ = [(name, _stored(type_)) for name, type_ in types.items()]
     for name, type_ in types.items():
+        stored = _stored(type_)
         if _is_enumeration(type_):
-            setattr(struct, name, _Enumerated(getattr(struct, name), type_))
+            setattr(struct, name, _Read(getattr(struct, name), functools.partial(_member, type_)))
+        elif _is_text(stored):
+            setattr(struct, name, _Read(getattr(struct, name), lambda text, session: text.decode(errors="replace")))
+        elif is_handle(stored):
+            setattr(struct, name, _Read(getattr(struct, name), _target))
     return struct
 
 
@@ -124,24 +136,45 @@ def _is_enumeration(type_: Any) -> bool:
     return isinstance(type_, type) and issubclass(type_, (Choice, Flags))
 
 
-class _Enumerated:
-    """A field of ctypes, read as an enumeration; as a number if this version does not know the value."""
+@functools.cache
+def _is_text(stored: Any) -> bool:
+    return isinstance(stored, type) and issubclass(stored, ctypes.Array) and getattr(stored, "_type_") is ctypes.c_char
 
-    def __init__(self, field: Any, kind: type[Choice] | type[Flags]) -> None:
-        self._field, self._kind = field, kind
+
+@functools.cache
+def is_handle(stored: Any) -> bool:
+    """A struct that only has a handle or an id."""
+    return isinstance(stored, type) and issubclass(stored, Struct) and _kinds(stored).keys() == {"value"}
+
+
+class _Read:
+    """A field of ctypes that is read as another type."""
+
+    def __init__(self, field: Any, read: Any) -> None:
+        self._field, self._read = field, read
         self.offset, self.size = field.offset, field.size
 
     def __get__(self, struct: Struct | None, owner: type[Struct]) -> Any:
-        if struct is None:
-            return self
-        number = self._field.__get__(struct, owner)
-        try:
-            return self._kind(number)
-        except ValueError:
-            return number
+        return self if struct is None else self._read(self._field.__get__(struct, owner), struct._session)
 
-    def __set__(self, struct: Struct, value: int) -> None:
+    def __set__(self, struct: Struct, value: Any) -> None:
         self._field.__set__(struct, value)
+
+
+def _member(kind: type[Choice] | type[Flags], number: int, session: Any) -> Any:
+    """The constant; the number itself if this version does not know it."""
+    try:
+        return kind(number)
+    except ValueError:
+        return number
+
+
+def _target(handle: Any, session: Any) -> Any:
+    """The Target with this id, None for the null id. Without a session, which a recording does not have: the id alone."""
+    from .session import Target
+
+    own = type(handle)(value=handle.value)
+    return None if not handle.value else own if session is None else Target(session, own)
 
 
 def short(value: Any) -> str:
@@ -181,19 +214,31 @@ def _converted(kind: Any, value: Any) -> Any:
             return float(value)
         except TypeError:
             raise TypeError("a number is needed") from None
+    if is_handle(kind):
+        handle = kind() if value is None else getattr(value, "handle", value)
+        if not isinstance(handle, kind):
+            raise TypeError(f"a {kind.__name__.removesuffix('Handle')} is needed")
+        return handle
     if isinstance(kind, type) and issubclass(kind, ctypes.Structure) and not isinstance(value, kind):
         raise TypeError(f"a {kind.__name__} is needed")
-    if issubclass(kind, ctypes.Array) and kind._type_ is ctypes.c_char:
+    if _is_text(kind):
         return _text(kind, value)
     if issubclass(kind, ctypes.Array):
         try:
-            numbers = np.asarray(value, dtype=np.float64)
+            numbers = numbers_of(value)
         except (TypeError, ValueError):
             raise TypeError(f"{kind._length_} numbers are needed") from None
         if numbers.shape != (kind._length_,):
             raise ValueError(f"{kind._length_} numbers are needed")
         return kind(*numbers)
     return value
+
+
+def numbers_of(values: Any) -> NDArray[np.float64]:
+    """An array of numbers, with NaN where it is masked."""
+    numbers = np.asarray(values, np.float64)
+    mask = getattr(values, "mask", None)
+    return numbers if mask is None else np.where(mask, np.nan, numbers)
 
 
 def _text(kind: Any, value: Any) -> bytes:
@@ -208,6 +253,4 @@ def _text(kind: Any, value: Any) -> bytes:
 
 
 def _plain(value: Any) -> Any:
-    if isinstance(value, bytes):
-        return value.decode(errors="replace")
     return list(value) if isinstance(value, ctypes.Array) else value

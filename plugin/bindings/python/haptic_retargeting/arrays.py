@@ -1,4 +1,4 @@
-"""Samples and commands as numpy arrays, in the memory layout of the C structs, so that nothing is copied."""
+"""Samples and commands as numpy arrays in the memory layout of the C structs, so that a reach copies neither."""
 
 from __future__ import annotations
 
@@ -9,31 +9,40 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _abi
 from ._abi import SampleFlag
+from ._struct import numbers_of
 
 SAMPLE = np.dtype(_abi.Sample)
-"""One sample of the finger, with the fields of hrt_sample: an array of these is what a reach takes in."""
+"""A sample of the finger, with the fields of Sample."""
 COMMAND = np.dtype(_abi.Command)
-"""One command for the plate, with the fields of hrt_command: an array of these is what comes out."""
+"""A command for the plate, with the fields of Command."""
 
 Array = NDArray[Any]
+
+_READ_BY = (  # the fields that are read if a sample has one of the flags
+    (SampleFlag.DIRECTION, "finger_direction_deg"), (SampleFlag.PLATE_POSITION | SampleFlag.WORLD_POSITION, "finger_position_m"),
+    (SampleFlag.PLATE_ORIENTATION, "plate_orientation_deg"), (SampleFlag.PLATE_POSE, "plate_position_m"),
+    (SampleFlag.PLATE_POSE, "plate_rotation"), (SampleFlag.JOINT_ROTATION, "joint_rotation"))
+_FINGER = sum(SampleFlag) & ~(SampleFlag.PLATE_ORIENTATION | SampleFlag.LIFTED)
 
 
 def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, position_m: ArrayLike | None = None,
             world_position_m: ArrayLike | None = None, plate_orientation_deg: ArrayLike | None = None,
             lifted: ArrayLike | None = None) -> Array:
-    """An array of SAMPLE out of columns.
+    """Makes an array of SAMPLE from columns.
 
     Args:
-        time_ns: when, in the clock of the caller; whole nanoseconds that never go back.
+        time_ns: time of the caller's clock; whole nanoseconds that never decrease.
         direction_deg: the direction in which the finger moves, if it is known exactly.
         position_m: or the fingertip in plate coordinates, n x 3 (x right, y up, z towards the user).
         world_position_m: or the fingertip in the engine's world, n x 3.
-        plate_orientation_deg: where the plate stands, if it is measured.
+        plate_orientation_deg: the orientation of the plate, if it is measured.
         lifted: True where the finger is off the plate.
 
-    A number that is NaN is not known then: a finger without place or direction is a dropout.
+    A number that is NaN or masked is unknown. A finger without position and direction is a dropout.
     """
     times = np.asarray(time_ns)
+    if np.any(getattr(time_ns, "mask", False)):
+        raise ValueError("time_ns has masked numbers; every sample needs its time")
     if times.size == 0:
         raise ValueError("time_ns is empty; at least one sample is needed")
     if times.ndim != 1 or times.dtype.kind not in "iu":
@@ -46,7 +55,7 @@ def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, posit
     _put(out, "finger_position_m", world_position_m, SampleFlag.WORLD_POSITION)
     _put(out, "plate_orientation_deg", plate_orientation_deg, SampleFlag.PLATE_ORIENTATION)
     if lifted is not None:
-        where = np.asarray(lifted, bool)
+        where = np.asarray(lifted, bool) & ~np.asarray(getattr(lifted, "mask", False))
         if where.shape != out.shape and where.ndim != 0:
             raise ValueError(f"lifted must have the shape {out.shape}, as time_ns has, not {where.shape}")
         out["flags"][np.broadcast_to(where, out.shape)] |= np.uint32(SampleFlag.LIFTED)
@@ -57,7 +66,7 @@ def _put(out: Array, field: str, values: ArrayLike | None, flag: SampleFlag) -> 
     if values is None:
         return
     try:
-        given = np.asarray(values, np.float64)
+        given = numbers_of(values)
     except (TypeError, ValueError) as error:
         raise TypeError(f"{field} must be numbers: {error}") from None
     column: Array = out[field]
@@ -69,15 +78,35 @@ def _put(out: Array, field: str, values: ArrayLike | None, flag: SampleFlag) -> 
     out["flags"][known] |= np.uint32(flag)
 
 
+def known(rows: Array) -> Array:
+    """The samples themselves, or a copy without what is NaN in them: a finger with an unknown number is a dropout."""
+    flags = rows["flags"].copy()
+    for flag, field in _READ_BY:
+        unknown = ((flags & np.uint32(flag)) != 0) & np.isnan(rows[field].T).any(axis=tuple(range(rows[field].ndim - 1)))
+        flags[unknown] &= ~np.uint32(_FINGER if flag & _FINGER else flag)
+    if (flags != rows["flags"]).any():
+        rows = rows.copy()
+        rows["flags"] = flags
+    return rows
+
+
+def known_sample(sample: _abi.Sample) -> _abi.Sample:
+    """As known(), for one sample."""
+    numbers = np.frombuffer(memoryview(sample), np.float64)[2:]  # without size, flags and time
+    if not np.isnan(numbers.dot(numbers)):
+        return sample
+    return _abi.Sample.from_buffer_copy(known(np.frombuffer(memoryview(sample), SAMPLE)).tobytes())
+
+
 def commands(n: int) -> Array:
-    """An array of n COMMAND to be filled."""
+    """Makes an array of n COMMAND to be filled."""
     out = np.zeros(n, COMMAND)
     out["struct_size"] = COMMAND.itemsize
     return out
 
 
 def expect_rows(array: Array, name: str, dtype: np.dtype[Any]) -> None:
-    """Raises unless the library can be given the array's memory."""
+    """Raises TypeError or ValueError unless the library can use the memory of the array."""
     if not isinstance(array, np.ndarray):
         raise TypeError(f"{name} is a {type(array).__name__}: an array is needed, as samples() makes")
     if array.dtype != dtype or array.ndim != 1 or not array.flags.c_contiguous:

@@ -1,4 +1,4 @@
-"""A simulated person, who feels the plate and is bent by it."""
+"""A simulated person, who feels the ridges of the plate and is deflected by them."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from ._abi import PersonConfig, PersonState, Sample
 from ._closing import Closing
 from ._keywords import PersonKeywords
 from ._library import check, library, output
-from .reach import HasHandle, handle_of
-from .session import Session
+from .reach import handle_of
+from .session import Session, Target
 
 
 class Person(PersonKeywords, Closing):
-    """A finger for first programs and tests: a model, and no measurement of people. The same seed and keywords, which are
-    the fields of PersonConfig, are the same person on every host.
+    """A simulated finger for first programs and tests: a model, not a measurement of people. The keywords are the fields of
+    PersonConfig. The same seed and keywords are the same person on every host.
 
         with Person(seed=1) as person, session.reach(cylinder, cup) as reach:
             person.begin(session, cup)
@@ -30,15 +30,15 @@ class Person(PersonKeywords, Closing):
         check(library().hrt_person_create(byref(PersonConfig(**fields)), seed, byref(self.handle)))
         self._own(self.handle, library().hrt_person_destroy)
 
-    def begin(self, session: Session, virtual: HasHandle) -> None:
-        """At rest at the session's start, for 0.6 s; then they slide to the virtual target."""
+    def begin(self, session: Session, virtual: Target) -> None:
+        """Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target."""
         check(library().hrt_person_begin(self.handle, session.handle, handle_of(virtual, "virtual")))
 
     def move(self, time_ns: int, plate_orientation_deg: float) -> Sample:
-        """Commands the plate's servo, lets time pass until `time_ns`, and returns what tracker and servo report."""
+        """Commands the servo of the plate, advances to `time_ns`, and returns the report of tracker and servo."""
         return output(Sample, library().hrt_person_move, self.handle, time_ns, plate_orientation_deg)
 
     @property
     def state(self) -> PersonState:
-        """Where the finger is, and where it is felt."""
+        """Positions of the finger: the actual and the perceived one."""
         return output(PersonState, library().hrt_person_get_state, self.handle)

@@ -1,4 +1,4 @@
-"""The device that turns the plate, by libhrt_plate: a plate with the line protocol, or a Dynamixel servo.
+"""The device that turns the plate, with libhrt_plate: a plate with the line protocol, or a Dynamixel servo.
 
     with Plate("plate.json") as plate:
         plate.wait_until_ready()
@@ -15,7 +15,7 @@ from typing import Any
 
 from . import _abi, _plate_abi
 from ._closing import Closing
-from ._library import Error, load
+from ._library import Error, load, renamed
 from ._plate_abi import *
 
 __all__ = ["Plate", *_plate_abi.__all__]
@@ -29,7 +29,7 @@ def _library() -> ctypes.CDLL:
 
 def _check(result: int) -> None:
     if result != _abi.OK:
-        raise Error(result, _library().hrt_plate_last_error().decode(errors="replace"))
+        raise Error(result, renamed(_library().hrt_plate_last_error(), _plate_abi.NAMES))
 
 
 class Plate(Closing):
@@ -75,5 +75,5 @@ class Plate(Closing):
         while (report := self.get()).state == PlateState.OPENING:
             time.sleep(0.01)
         if report.state == PlateState.FAILED:
-            raise RuntimeError(report.message.decode(errors="replace"))
+            raise RuntimeError(report.message)
         return report

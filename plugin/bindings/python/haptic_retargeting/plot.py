@@ -32,6 +32,8 @@ def from_above(axes: Any, record: ReachRecord) -> None:
     _draw_plate(axes, record)
     x, _, z = 1000 * record.position_m.T
     axes.plot(x, -z, ".", color=FINGER, markersize=2, label="finger, as tracked")
+    felt_x, _, felt_z = 1000 * record.felt_position_m.T
+    axes.plot(felt_x, -felt_z, "-", color=VIRTUAL, linewidth=1, alpha=0.6, label="felt, as the model predicts")
     start_x, _, start_z = 1000 * record.start_position_m
     axes.plot(start_x, -start_z, "+", color=FINGER, markersize=9, label="start")
     for name, colour, marker, direction in (("real target", REAL, "o", record.real_direction_deg),
@@ -49,7 +51,7 @@ def from_above(axes: Any, record: ReachRecord) -> None:
 
 
 def _draw_plate(axes: Any, record: ReachRecord, spacing_mm: float = 5.0) -> None:
-    """The plate's edge, and its ridges where it stands last."""
+    """The edge of the plate, and its ridges at their last orientation."""
     radius = 1000 * record.config.plate_radius_m
     around = np.linspace(0, 2 * np.pi, 181)
     axes.fill(radius * np.cos(around), radius * np.sin(around), facecolor="#f2f2f2", edgecolor="0.6")
@@ -67,24 +69,26 @@ def _draw_plate(axes: Any, record: ReachRecord, spacing_mm: float = 5.0) -> None
 
 
 def over_time(axes: Any, record: ReachRecord) -> None:
-    """Directions (left) and the plate's orientation (right) over time; grey where the finger was not seen or
-    lifted."""
+    """Bearings of the finger seen from the start (left) and the plate orientation (right) over time; grey where the finger
+    was not seen or lifted. A reach without positions has the directions of its motion instead."""
     time, commands = record.time_s, record.commands
     moving = commands["step"] >= 0
     plate_axes = axes.twinx()
     _shade(axes, time, (record.samples["flags"] & (SampleFlag.DIRECTION | SampleFlag.PLATE_POSITION
                                                    | SampleFlag.WORLD_POSITION)) == 0, "0.85", "finger not seen")
     _shade(axes, time, (commands["flags"] & CommandFlag.LIFTED) != 0, "0.93", "finger lifted")
-    for name, colour, style, field in (("finger", REAL, "-", "finger_direction_deg"),
-                                       ("felt, as the model predicts", VIRTUAL, "-", "perceived_direction_deg")):
-        axes.plot(time, np.where(moving, commands[field], np.nan), style, color=colour, label=name)
+    for name, colour, position_m, field in (
+            ("finger", REAL, record.position_m, "finger_direction_deg"),
+            ("felt, as the model predicts", VIRTUAL, record.felt_position_m, "perceived_direction_deg")):
+        seen = not np.isnan(position_m).all()
+        axes.plot(time, np.where(moving, record.bearing_deg(position_m) if seen else commands[field], np.nan), color=colour, label=name)
     axes.axhline(record.real_direction_deg, color=REAL, linestyle=":", label="real target")
     axes.axhline(record.virtual_direction_deg, color=VIRTUAL, linestyle=":", label="virtual target")
     plate_axes.plot(time, np.where(moving, commands["plate_orientation_deg"], np.nan), "--", color=PLATE, linewidth=1,
                     label="plate, commanded")
     plate_axes.plot(time, record.measured_plate_deg, "-", color=PLATE, linewidth=1, alpha=0.5, label="plate, measured")
     axes.set_xlabel("time (s)")
-    axes.set_ylabel("direction (degrees to the left)")
+    axes.set_ylabel("bearing from the start (degrees to the left)")
     plate_axes.set_ylabel("plate's orientation (degrees)", color=PLATE)
     lines, labels = (a + b for a, b in zip(axes.get_legend_handles_labels(), plate_axes.get_legend_handles_labels()))
     _legend_below(axes, lines, labels, columns=3)

@@ -1,24 +1,27 @@
-"""One reach: samples of the finger in, commands for the plate out."""
+"""One reach: takes samples of the finger and returns commands for the plate."""
 
 from __future__ import annotations
 
 import ctypes
 import time
 from ctypes import byref
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 from . import _abi
 from ._abi import Command, Contact, ContactFlag, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
 from ._struct import Numbers
-from ._library import Error, check, library, output
-from .arrays import COMMAND, SAMPLE, Array, commands, expect_rows
+from ._library import Error, check, error, library, output
+from .arrays import COMMAND, SAMPLE, Array, commands, expect_rows, known, known_sample
+
+if TYPE_CHECKING:
+    from .session import Session, Target
 
 
 class Pace:
-    """Has a run over an array wait for the disk of its recording, which it would outrun, so that calls were lost. Single
-    steps never wait: a plate may hang on them."""
+    """Makes a run over an array wait for the disk of its recording, so that no calls are lost. Single steps never wait,
+    because a plate may depend on them."""
 
-    ROWS = 1024  # between two looks; the library holds 8192
+    ROWS = 1024  # between two checks; the library holds 8192
     STALLED_S = 5.0
 
     def __init__(self, session: _abi.SessionHandle) -> None:
@@ -26,7 +29,7 @@ class Pace:
         self.calls = 0
 
     def wait(self) -> None:
-        """Returns once the disk is not far behind the calls made, or has stalled."""
+        """Returns when the disk is not far behind the calls, or has stalled."""
         status = RecordingStatus()
         give_up = time.monotonic() + self.STALLED_S
         while time.monotonic() < give_up:
@@ -37,14 +40,8 @@ class Pace:
             time.sleep(0.001)
 
 
-class HasHandle(Protocol):
-    """A Target."""
-
-    handle: _abi.TargetHandle
-
-
-def handle_of(target: HasHandle, name: str) -> _abi.TargetHandle:
-    """The handle of what should be a Target; TypeError names the argument that is none."""
+def handle_of(target: Target, name: str) -> _abi.TargetHandle:
+    """The handle of a Target; TypeError naming the argument if it is not a Target."""
     handle = getattr(target, "handle", None)
     if not isinstance(handle, _abi.TargetHandle):
         raise TypeError(f"{name} is {target!r}: a Target is needed, as add_real(), add_virtual() and target() return")
@@ -52,7 +49,7 @@ def handle_of(target: HasHandle, name: str) -> _abi.TargetHandle:
 
 
 def _given(struct: Sample | Contact, field: str, value: object, flag: int) -> int:
-    """Sets a field that is given, and returns the flag that says so, or 0."""
+    """Sets a field if it is given, and returns its flag, or else 0."""
     if value is None:
         return 0
     setattr(struct, field, value)
@@ -60,26 +57,28 @@ def _given(struct: Sample | Contact, field: str, value: object, flag: int) -> in
 
 
 class Reach:
-    """A running reach, made by Session.reach(). Leaving its context ends it and fills in `summary`."""
+    """A reach in progress, from Session.reach(). Leaving the context ends it and sets `summary`; an exception within the
+    context cancels it."""
 
-    def __init__(self, session: _abi.SessionHandle, real: _abi.TargetHandle, virtual: _abi.TargetHandle,
-                 plate_orientation_deg: float | None, start_at_finger: bool, duration_s: float, pace: Pace | None) -> None:
+    def __init__(self, session: Session, real: Target, virtual: Target, plate_orientation_deg: float | None,
+                 start_at_finger: bool, duration_s: float) -> None:
+        handle_of(real, "real"), handle_of(virtual, "virtual")
         config = ReachConfig(real_target=real, virtual_target=virtual, duration_s=duration_s)
         if plate_orientation_deg is not None:
             config.flags |= ReachFlag.PLATE_ORIENTATION
             config.plate_orientation_deg = plate_orientation_deg
         if start_at_finger:
             config.flags |= ReachFlag.START_AT_FINGER
-        check(library().hrt_reach_begin(session, byref(config)))
-        self._session = session
-        self._pace = pace
+        check(library().hrt_reach_begin(session.handle, byref(config)))
+        self._session = session.handle
+        self._pace = session.pace
         self._command = Command()
         self._cancelled = False
         self._summary: ReachSummary | None = None
 
     @property
     def summary(self) -> ReachSummary:
-        """What became of the reach. RuntimeError before its end, and of a reach that was cancelled."""
+        """The result of the reach. RuntimeError before its end, and if it was cancelled."""
         if self._summary is None:
             raise RuntimeError("the reach was cancelled" if self._cancelled else "the reach has not ended")
         return self._summary
@@ -87,8 +86,8 @@ class Reach:
     def update(self, time_ns: int, *, direction_deg: float | None = None, position_m: Numbers | None = None,
                world_position_m: Numbers | None = None, plate_orientation_deg: float | None = None,
                lifted: bool = False) -> Command:
-        """Processes one sample and returns the command for the plate. The arguments are those of samples(); without
-        a direction or position the finger is not seen."""
+        """Processes one sample and returns the command for the plate. The arguments are those of samples(). A sample
+        without direction and position, or with NaN in them, is a dropout."""
         sample = Sample(time_ns=time_ns)
         sample.flags = SampleFlag((SampleFlag.LIFTED if lifted else 0)
                                   | _given(sample, "finger_direction_deg", direction_deg, SampleFlag.DIRECTION)
@@ -99,15 +98,14 @@ class Reach:
 
     def update_sample(self, sample: Sample) -> Command:
         """As update(), with a Sample that the caller has filled."""
-        check(library().hrt_reach_update(self._session, byref(sample), byref(self._command)))
+        check(library().hrt_reach_update(self._session, byref(known_sample(sample)), byref(self._command)))
         if self._pace is not None:
             self._pace.calls += 1
         return Command.from_buffer_copy(self._command)
 
     def run(self, samples: Array, out: Array | None = None) -> Array:
-        """Takes an array of SAMPLE in, one after the other, and returns the array of COMMAND.
-
-        Neither array is copied. With `out`, commands go there; after an error it has those before it.
+        """Processes an array of SAMPLE and returns the array of COMMAND, or `out` if it is given, which has the commands
+        before an error. Neither array is copied, unless samples have NaN, which make them dropouts.
         """
         expect_rows(samples, "samples", SAMPLE)
         if out is None:
@@ -115,6 +113,7 @@ class Reach:
         expect_rows(out, "out", COMMAND)
         if len(out) != len(samples) or not out.flags.writeable:
             raise ValueError(f"out must be writeable and have {len(samples)} rows, as samples has")
+        samples = known(samples)
         for first in range(0, len(samples), Pace.ROWS):
             rows = range(first, min(first + Pace.ROWS, len(samples)))
             if self._pace is not None:
@@ -124,31 +123,30 @@ class Reach:
         return out
 
     def _run_rows(self, rows: range, samples_at: int, commands_at: int) -> None:
-        """By addresses, which is quicker than by objects."""
+        """Passes addresses, which is faster than objects."""
         update, session = _update_at(), self._session
         for row in rows:
             result = update(session, samples_at + row * SAMPLE.itemsize, commands_at + row * COMMAND.itemsize)
             if result != _abi.OK:
-                text = library().hrt_last_error().decode(errors="replace")
-                raise Error(result, f"samples[{row}]: {text}")
+                raise error(result, f"samples[{row}]: ")
 
-    def retarget(self, real: HasHandle, virtual: HasHandle) -> None:
-        """Leads the reach to other targets from now on, or to the same ones after they were moved."""
+    def retarget(self, real: Target, virtual: Target) -> None:
+        """Redirects the reach to other targets, or to the same ones after they were moved."""
         check(library().hrt_reach_retarget(
             self._session, handle_of(real, "real"), handle_of(virtual, "virtual")))
 
     def touched(self, position_m: Numbers | None = None, sd_m: float = 0.0, *,
                 world_position_m: Numbers | None = None) -> None:
-        """The finger has met the real object: at the real target's near side, or at a place on the plate or in the world
-        that is known to `sd_m`, by default to the real target's radius. Later reaches correct the tracker's frame, about
-        a registration. Once a reach, before its end or after it."""
+        """Reports that the finger has met the real object: at the near side of the real target, or at a position on the
+        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). The next reaches
+        correct the frame of the tracker. At most once a reach, also after its end."""
         contact = Contact(sd_m=sd_m)
         contact.flags = ContactFlag(_given(contact, "position_m", position_m, ContactFlag.PLATE_POSITION)
                                     | _given(contact, "position_m", world_position_m, ContactFlag.WORLD_POSITION))
         check(library().hrt_reach_touched(self._session, byref(contact)))
 
     def cancel(self) -> None:
-        """Ends the reach without a summary; nothing is learnt from it."""
+        """Ends the reach without a summary and discards its estimates."""
         check(library().hrt_reach_cancel(self._session))
         self._cancelled = True
 
@@ -161,14 +159,18 @@ class Reach:
         return self
 
     def __exit__(self, kind: object, *_: object) -> None:
-        if self._summary is None and not self._cancelled:
-            try:
+        if self._summary is not None or self._cancelled:
+            return
+        try:
+            if kind is None:
                 self.end()
-            except Error as error:
-                if error.code == _abi.ErrorCode.INSUFFICIENT_DATA:
-                    self.cancel()  # without a sample there is no summary
-                elif kind is None:  # else what went wrong within the context is what is to be seen
-                    raise
+            else:
+                self.cancel()
+        except Error as failed:
+            if kind is None and failed.code == _abi.ErrorCode.INSUFFICIENT_DATA:
+                self.cancel()  # without a sample there is no summary
+            elif kind is None:  # otherwise the exception within the context is the one to report
+                raise
 
 
 def _update_at() -> ctypes._FuncPointer:

@@ -19,20 +19,18 @@ class ReachRecord:
 
     config: SessionConfig
     real_direction_deg: float
-    """This and the next three as the reach began."""
+    """This and the next three fields: as the reach began."""
     virtual_direction_deg: float
     real_distance_m: float
     start_position_m: Numbers
     samples: Array
-    """What went in, of dtype SAMPLE."""
+    """The input, of dtype SAMPLE."""
     commands: Array
-    """What came out, of dtype COMMAND; NaN, and step -1, where the call failed."""
+    """The output, of dtype COMMAND; NaN, and step -1, where the call failed."""
     results: NDArray[np.int32]
-    """What became of each call: 0, or an ErrorCode."""
-    final_direction_deg: float
-    """Of the finger in the last step; NaN if the reach did not end."""
+    """Result of each call: 0, or an ErrorCode."""
     summary: ReachSummary | None = None
-    """The library's own account; None of a reach that was read."""
+    """None if the reach was cancelled or has not ended."""
 
     def __repr__(self) -> str:
         duration = float(self.time_s[-1]) if len(self.samples) else 0.0
@@ -41,8 +39,13 @@ class ReachRecord:
                 f"last step {self.final_direction_deg:+.2f} deg>")
 
     @property
+    def final_direction_deg(self) -> float:
+        """Direction of the finger in the last step; NaN if the reach did not end."""
+        return np.nan if self.summary is None else self.summary.final_direction_deg
+
+    @property
     def paper_miss_deg(self) -> float:
-        """The final direction less the real target's."""
+        """The final direction minus that of the real target."""
         return self.final_direction_deg - self.real_direction_deg
 
     @property
@@ -54,40 +57,66 @@ class ReachRecord:
     @property
     def position_m(self) -> Numbers:
         """The fingertip in plate coordinates, n x 3; NaN where it was not seen."""
-        flags = self.samples["flags"]
-        out = np.full((len(flags), 3), np.nan)
-        on_plate = (flags & SampleFlag.PLATE_POSITION) != 0
-        in_world = (flags & SampleFlag.WORLD_POSITION) != 0
-        moved = (flags & SampleFlag.PLATE_POSE) != 0
-        out[on_plate] = self.samples["finger_position_m"][on_plate]
-        plate = np.where(moved[:, None], self.samples["plate_position_m"], np.array(self.config.plate_position_m))
-        rotation = np.where(moved[:, None], self.samples["plate_rotation"], np.array(self.config.plate_rotation))
-        in_plate = world_to_plate(self.samples["finger_position_m"], plate, rotation)
-        out[in_world] = in_plate[in_world]
+        samples, config = self.samples, self.config
+
+        def has(flag: SampleFlag) -> NDArray[np.bool_]:
+            return np.asarray((samples["flags"] & flag) != 0)[:, None]
+
+        tip = samples["finger_position_m"]
+        skin = tip + _rotated(np.array(config.fingertip_offset_m), samples["joint_rotation"])
+        plate = np.where(has(SampleFlag.PLATE_POSE), samples["plate_position_m"], np.array(config.plate_position_m))
+        rotation = np.where(has(SampleFlag.PLATE_POSE), samples["plate_rotation"], np.array(config.plate_rotation))
+        skin = world_to_plate(np.where(has(SampleFlag.JOINT_ROTATION), skin, tip), plate, rotation, config.plate_scale)
+        seen = np.where(has(SampleFlag.WORLD_POSITION), skin, np.nan)
+        return np.where(has(SampleFlag.PLATE_POSITION), tip, seen)
+
+    @property
+    def felt_position_m(self) -> Numbers:
+        """The fingertip as the model predicts that it is felt, in plate coordinates: each step of the path is rotated by the
+        perceived direction minus that of the finger. NaN before the first position and where the finger was not seen."""
+        position = self.position_m
+        seen = ~np.isnan(position[:, 0])
+        out = np.full_like(position, np.nan)
+        if not seen.any():
+            return out
+        turn = np.nan_to_num(self.commands["perceived_direction_deg"] - self.commands["finger_direction_deg"])
+        angle = np.radians(np.where(self.commands["step"] >= 0, turn, 0.0))[seen]
+        right, height, towards = position[seen].T
+        steps = np.exp(1j * angle[1:]) * np.diff(right - 1j * towards)  # counter-clockwise, seen from above
+        felt = right[0] - 1j * towards[0] + np.concatenate(([0], np.cumsum(steps)))
+        out[seen] = np.stack((felt.real, height, -felt.imag), axis=1)
         return out
+
+    def bearing_deg(self, position_m: ArrayLike, least_m: float = 0.02) -> Numbers:
+        """Directions of positions in plate coordinates, seen from the start of the reach; NaN within `least_m` of it."""
+        right, _, towards = (np.asarray(position_m, np.float64) - self.start_position_m).T
+        return np.where(np.hypot(right, towards) < least_m, np.nan, np.degrees(np.arctan2(-right, -towards)))
 
     @property
     def measured_plate_deg(self) -> Numbers:
-        """Where the plate said that it stands; NaN where it did not."""
+        """Plate orientation as measured; NaN where it was not."""
         known = (self.samples["flags"] & SampleFlag.PLATE_ORIENTATION) != 0
         return np.where(known, self.samples["plate_orientation_deg"], np.nan)
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class RunRecord(ReachRecord):
-    """A reach that was run here, and so has its summary."""
+    """A reach that Session.run_reach() ran, which always has a summary."""
 
     summary: ReachSummary = field(default_factory=ReachSummary)
 
 
-def world_to_plate(position_m: ArrayLike, plate_position_m: ArrayLike, plate_rotation: ArrayLike) -> Numbers:
-    """Positions in plate coordinates, for a plate at a place in the world, turned by the quaternion x, y, z, w."""
-    rotation = np.asarray(plate_rotation, np.float64)
-    away = np.asarray(position_m, np.float64) - np.asarray(plate_position_m, np.float64)
-    # By the conjugate: v + 2 w (v x q) + 2 (v x q) x q
-    vector, scalar = rotation[..., :3], rotation[..., 3:]
-    once = np.cross(away, vector)
-    return np.asarray(away + 2 * scalar * once + 2 * np.cross(once, vector))
+def _rotated(vector: Numbers, rotation: Numbers) -> Numbers:
+    """Vectors rotated by quaternions x, y, z, w: v + 2 w (q x v) + 2 q x (q x v)."""
+    axis, scalar = rotation[..., :3], rotation[..., 3:]
+    once = np.cross(axis, vector)
+    return np.asarray(vector + 2 * scalar * once + 2 * np.cross(axis, once))
+
+
+def world_to_plate(position_m: ArrayLike, plate_position_m: ArrayLike, plate_rotation: ArrayLike, plate_scale: float = 1.0) -> Numbers:
+    """Converts positions to plate coordinates, for a plate in the world with the rotation x, y, z, w."""
+    away = (np.asarray(position_m, np.float64) - np.asarray(plate_position_m, np.float64)) / plate_scale
+    return _rotated(away, np.asarray(plate_rotation, np.float64) * (-1, -1, -1, 1))
 
 
 def target_place(target: TargetConfig, config: SessionConfig) -> tuple[float, float]:
@@ -96,6 +125,6 @@ def target_place(target: TargetConfig, config: SessionConfig) -> tuple[float, fl
         return target.direction_deg, target.distance_m
     position = np.array(target.position_m)
     if target.place == Place.WORLD_POSITION:
-        position = world_to_plate(position, list(config.plate_position_m), list(config.plate_rotation))
+        position = world_to_plate(position, list(config.plate_position_m), list(config.plate_rotation), config.plate_scale)
     right, _, towards = position - np.array(config.start_position_m)
     return float(np.degrees(np.arctan2(-right, -towards))), float(np.hypot(right, towards))

@@ -6,46 +6,47 @@ import json
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
 from . import _abi
-from ._abi import ReplayReport, SessionConfig, TargetConfig
+from ._abi import COLUMNS, Command, ReachSummary, ReplayReport, Sample, SessionConfig, TargetConfig
 from ._library import library, output
 from ._struct import Struct
-from .arrays import COMMAND, SAMPLE, Array
+from .arrays import Array
 from .record import ReachRecord
 
 
 @dataclass(frozen=True)
 class Recording:
-    """A recording, read."""
+    """The content of a recording."""
 
     reaches: list[ReachRecord]
     complete: bool
-    """It has its end, and no calls were lost. replay() checks too that nothing was altered."""
+    """The file has its end, and no calls were lost. replay() also checks that nothing was altered."""
     targets: list[TargetConfig]
-    """All that were ever added or changed, in that order."""
+    """Targets as they were added or changed, in this order."""
 
 
 class RecordingError(ValueError):
-    """A file is not a recording; the text names the line."""
+    """The file is not a recording. The text names the line."""
 
 
-# The columns of each field, in the order of its elements; other fields have columns of their own names.
-_SAMPLES = {
-    "time_ns": ["time_ns"], "flags": ["sample_flags"], "finger_direction_deg": ["sample_direction_deg"],
-    "finger_position_m": ["sample_x_m", "sample_y_m", "sample_z_m"], "plate_orientation_deg": ["measured_plate_deg"],
-    "plate_position_m": ["plate_x_m", "plate_y_m", "plate_z_m"], "plate_rotation": ["plate_qx", "plate_qy", "plate_qz", "plate_qw"],
-}
-_COMMANDS = {name: [name] for name in COMMAND.names or () if name != "struct_size"} | {"flags": ["command_flags"]}
+
+def _dtype(kind: type[Struct]) -> np.dtype[np.void]:
+    return np.dtype(cast("type[np.void]", kind))
+
+
 _AIM = ("real_direction_deg", "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
 _TEXTS = ("call", "refused_argument", "setup")
-_WHOLE: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
-    "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
+_KINDS: tuple[type[Struct], ...] = (Sample, Command, ReachSummary)
+_STRUCTS = {kind: COLUMNS[kind.__name__] for kind in _KINDS}
+_DTYPES = {"result": np.dtype(np.int32)} | {
+    column: _dtype(kind)[name] for kind, fields in _STRUCTS.items() for name, columns in fields.items() for column in columns}
+_WHOLE = {column: dtype for column, dtype in _DTYPES.items() if dtype.kind in "iu"}
 _CALLS = ("begin", "update", "retarget", "touched", "cancel", "end")
-_NEEDED = (*_TEXTS, *_WHOLE, *sum(_SAMPLES.values(), []), *_AIM)
+_NEEDED = (*_TEXTS, *_DTYPES, *_AIM)
 
 _Row = dict[str, Any]
 _S = TypeVar("_S", bound=Struct)
@@ -58,36 +59,37 @@ class _Rows:
     config: SessionConfig
     begin: _Row
     updates: list[_Row] = field(default_factory=list)
-    end: _Row | None = None  # or of its cancelling
+    end: _Row | None = None
+    over: bool = False
 
     def record(self) -> ReachRecord:
         # A reach that starts where the finger is first seen is aimed there.
         aimed = next((row for row in self.updates if row.get("real_distance_m") is not None), self.begin)
         start = np.array(self.config.start_position_m)
         start[0], start[2] = aimed["start_right_m"], -aimed["start_away_m"]
-        final_deg = (self.end or {}).get("finger_direction_deg")
         return ReachRecord(
             config=self.config, real_direction_deg=aimed["real_direction_deg"],
             virtual_direction_deg=aimed["virtual_direction_deg"], real_distance_m=aimed["real_distance_m"],
-            start_position_m=start, samples=self._array(SAMPLE, _SAMPLES, 0), commands=self._array(COMMAND, _COMMANDS, np.nan),
+            start_position_m=start, samples=_array(Sample, self.updates, 0), commands=_array(Command, self.updates, np.nan),
             results=np.array([row["result"] for row in self.updates], np.int32),
-            final_direction_deg=np.nan if final_deg is None else final_deg)
+            summary=ReachSummary.from_buffer_copy(_array(ReachSummary, [self.end], 0).tobytes()) if self.end else None)
 
-    def _array(self, dtype: np.dtype[Any], fields: dict[str, list[str]], missing: float) -> Array:
-        """`missing` where a row has no value; of whole numbers, flags of 0 and step -1."""
-        out: Array = np.zeros(len(self.updates), dtype)
-        out["struct_size"] = dtype.itemsize
-        for name, columns in fields.items():
-            default = {"step": -1, "flags": 0}.get(name, missing)
-            numbers = np.array([[default if row.get(c) is None else row[c] for c in columns] for row in self.updates])
-            out[name] = numbers.reshape(out[name].shape)
-        return out
+
+def _array(kind: type[Struct], rows: list[_Row], missing: float) -> Array:
+    """Structs from rows. A row without a value has `missing`, or flags of 0 and step -1."""
+    out: Array = np.zeros(len(rows), _dtype(kind))
+    out["struct_size"] = out.dtype.itemsize
+    for name, columns in _STRUCTS[kind].items():
+        default = {"step": -1, "flags": 0}.get(name, missing)
+        numbers = np.array([[default if row.get(c) is None else row[c] for c in columns] for row in rows])
+        out[name] = numbers.reshape(out[name].shape)
+    return out
 
 
 def read_recording(path: str | os.PathLike[str]) -> Recording:
-    """Reads a recording to arrays. Needs no library. RecordingError if the file is not one.
+    """Reads a recording to arrays. Does not need the library. RecordingError if the file is not a recording.
 
-    What follows a gap, where calls were lost, is left out.
+    Rows after a gap, where calls were lost, are not read.
     """
     with open(path, encoding="utf-8", newline="") as file:
         try:
@@ -132,7 +134,7 @@ def _read(lines: Iterable[str]) -> Recording:
 
 
 def _from_json(kind: type[_S], text: str) -> _S:
-    """A struct with the values of the text; what only newer structs have is left out."""
+    """A struct with the values of the text. Fields that this version does not have are ignored."""
     values = json.loads(text)
     return kind(**{name: values[name] for name in kind.names() if name in values})
 
@@ -151,7 +153,7 @@ def _number(name: str, cell: str) -> float | None:
         return float(cell)
     number, kind = int(cell), _WHOLE[name]
     if not np.iinfo(kind).min <= number <= np.iinfo(kind).max:
-        raise ValueError(f"{name} is {cell}, which is beyond {kind.__name__}")
+        raise ValueError(f"{name} is {cell}, which is beyond {kind.name}")
     return number
 
 
@@ -167,12 +169,13 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
         if missing := [column for column in _AIM if row[column] is None]:
             raise ValueError(f"{missing[0]} is missing")
         reaches.append(_Rows(config, row))
-    elif call == "update" and not row["refused_argument"] and reaches and not reaches[-1].end:
+    elif call == "update" and not row["refused_argument"] and reaches and not reaches[-1].over:
         reaches[-1].updates.append(row)
     elif call in ("cancel", "end") and done and reaches:
-        reaches[-1].end = row
+        reaches[-1].over = True
+        reaches[-1].end = row if call == "end" else None
 
 
 def replay(path: str | os.PathLike[str]) -> ReplayReport:
-    """Runs the recorded calls again and compares what comes out, bit for bit."""
+    """Repeats the recorded calls and compares the results, bit for bit."""
     return output(ReplayReport, library().hrt_replay, os.fsencode(path), None, 0)

@@ -1,4 +1,4 @@
-"""Plate, start and targets out of a glTF file."""
+"""Plate, start and targets from a glTF file."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from . import _abi
 from ._abi import SceneInfo, SceneTarget
 from ._closing import Closing
 from ._library import check, library, output
-from .session import Session, Target
+from .session import Session, Target, own_targets
 
 
 class Scene(Closing):
-    """A scene that a designer made. What was registered from it stays when it is closed.
+    """A scene from a glTF file. Registered targets are kept when it is closed.
 
         with Scene("desk.gltf") as scene:
             targets = scene.register(session)
@@ -39,4 +39,4 @@ class Scene(Closing):
         count = self.info.target_count
         handles = (_abi.TargetHandle * count)()
         check(library().hrt_scene_register(self.handle, session.handle, count, handles))
-        return [Target(session, _abi.TargetHandle(value=handle.value)) for handle in handles]
+        return own_targets(session, handles)

@@ -1,4 +1,4 @@
-"""Sessions, their targets, what can be held, and the profile of the participant."""
+"""Sessions, their targets and gaps, and the profile of the participant."""
 
 from __future__ import annotations
 
@@ -28,26 +28,26 @@ from .setup import SetUp
 
 
 class Target(TargetKeywords):
-    """What the user feels that they go to (virtual), or what the hand is led to (real)."""
+    """A virtual target, to which the user feels that they go, or a real target, to which the hand is steered."""
 
     def __init__(self, session: Session, handle: _abi.TargetHandle) -> None:
-        self._session = session
+        self.session = session
         self.handle = handle
 
     @property
     def id(self) -> int:
-        """The target's id: one that has been removed is never valid again."""
+        """The id of the target. The id of a removed target is never used again."""
         return self.handle.value
 
     @property
     def config(self) -> TargetConfig:
-        """What the target was last set to: a copy."""
-        return output(TargetConfig, library().hrt_target_get, self._session.handle, self.handle)
+        """A copy of the target's configuration."""
+        return output(TargetConfig, library().hrt_target_get, self.session.handle, self.handle).belongs_to(self.session)
 
     @property
     def name(self) -> str:
-        """The target's name, or nothing."""
-        return self.config.name.decode()
+        """The target's name; empty if it has none."""
+        return self.config.name
 
     @property
     def role(self) -> Role:
@@ -55,16 +55,16 @@ class Target(TargetKeywords):
         return self.config.role
 
     def _configure(self, fields: dict[str, Any]) -> None:
-        """Sets fields of TargetConfig; the others stay. A running reach keeps the former target until
+        """Sets fields of TargetConfig and keeps the others. A reach in progress keeps the former target until
         Reach.retarget()."""
         config = self.config
         for name, value in fields.items():
             setattr(config, name, value)
-        check(library().hrt_target_set(self._session.handle, self.handle, byref(config)))
+        check(library().hrt_target_set(self.session.handle, self.handle, byref(config)))
 
     def remove(self) -> None:
-        """Removes the target. A running reach keeps it."""
-        check(library().hrt_target_remove(self._session.handle, self.handle))
+        """Removes the target. A reach in progress keeps it."""
+        check(library().hrt_target_remove(self.session.handle, self.handle))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Target) and self.id == other.id
@@ -77,10 +77,15 @@ class Target(TargetKeywords):
             config = self.config
         except Error:
             return f"<Target {self.id}, removed>"
-        name = f" {config.name.decode()!r}" if config.name else ""
+        name = f" {config.name!r}" if config.name else ""
         place = (f"{config.direction_deg:g} deg, {config.distance_m:g} m" if config.place == Place.DIRECTION else
                  f"{[round(x, 4) for x in config.position_m]} m {Place(config.place).name.split('_')[0].lower()}")
         return f"<Target{name}, {Role(config.role).name.lower()}, {place}>"
+
+
+def own_targets(session: Session, handles: ctypes.Array[_abi.TargetHandle]) -> list[Target]:
+    """Targets from an array that the library has filled."""
+    return [Target(session, _abi.TargetHandle(value=handle.value)) for handle in handles]
 
 
 def _handles(targets: Sequence[Target], name: str) -> ctypes.Array[_abi.TargetHandle]:
@@ -88,23 +93,23 @@ def _handles(targets: Sequence[Target], name: str) -> ctypes.Array[_abi.TargetHa
 
 
 class Session(SessionKeywords, Closing):
-    """One user, one plate, and what the controller assumes of both.
+    """One user, one plate, and the assumptions of the controller about both.
 
         with Session(horizon=20, adaptation=Adaptation.REACH) as session:
             cylinder = session.add_real("cylinder", direction_deg=-5)
             cup = session.add_virtual("cup", direction_deg=5)
             record = session.run_reach(cylinder, cup, samples)
 
-    The keywords are the fields of SessionConfig, whose documentation has their units, ranges and defaults. One
-    thread at a time; other sessions may be used by other threads at the same time. Closing it ends its targets, its
-    reach and its recording.
+    The keywords are the fields of SessionConfig, whose documentation has their units, ranges and defaults. A session is
+    for one thread at a time. Closing it removes its targets, and ends its reach and its recording.
     """
 
     def _create(self, fields: dict[str, Any]) -> None:
         self.handle = _abi.SessionHandle()
         check(library().hrt_session_create(_abi.VERSION_NUMBER, byref(SessionConfig(**fields)), byref(self.handle)))
         self._own(self.handle, library().hrt_session_destroy)
-        self._pace: Pace | None = None
+        self.pace: Pace | None = None
+        self._running: Reach | SetUp | None = None
 
     def __repr__(self) -> str:
         if not self._destroy.alive:
@@ -113,44 +118,48 @@ class Session(SessionKeywords, Closing):
 
     @property
     def config(self) -> SessionConfig:
-        """The configuration in use: a copy."""
+        """A copy of the configuration."""
         config = SessionConfig()
         check(library().hrt_session_get(self.handle, byref(config), None))
         return config
 
     def _configure(self, fields: dict[str, Any]) -> None:
-        """Sets fields of SessionConfig, between reaches; the others stay."""
+        """Sets fields of SessionConfig between reaches and keeps the others."""
         config = self.config
         for name, value in fields.items():
             setattr(config, name, value)
         check(library().hrt_session_set(self.handle, byref(config)))
 
     def new_person(self) -> None:
-        """Forgets the user, who is another one from now on: set_up() asks for what is missing of them."""
+        """Resets the parameters of the user, because another person follows."""
         check(library().hrt_session_new_person(self.handle))
+
+    def cancel(self) -> None:
+        """Cancels the reach or the set-up in progress. Error with WRONG_STATE if there is none."""
+        if self._running is not None and self.state & (StateFlag.REACHING | StateFlag.SETTING_UP):
+            self._running.cancel()
+        else:
+            check(library().hrt_reach_cancel(self.handle))
 
     # Targets
 
     def add_real(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,
                  position_m: ArrayLike | None = None, world_position_m: ArrayLike | None = None) -> Target:
-        """Adds a real target, which the hand is led to.
-
-        It is placed by its direction (and distance) from the start, or by its position in plate coordinates, or by
-        its position in the engine's world.
-        """
+        """Adds a real target, to which the hand is steered. Its place is its direction (and distance) from the start, or
+        its position in plate coordinates, or its position in the engine's world."""
         return self._add(Role.REAL, name, direction_deg, distance_m, position_m, world_position_m)
 
     def add_virtual(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,
                     position_m: ArrayLike | None = None, world_position_m: ArrayLike | None = None) -> Target:
-        """Adds a virtual target, which the user feels that they go to. Placed as by add_real()."""
+        """Adds a virtual target, to which the user feels that they go. Its place is given as for add_real()."""
         return self._add(Role.VIRTUAL, name, direction_deg, distance_m, position_m, world_position_m)
 
     def _add(self, role: Role, name: str, direction_deg: float | None, distance_m: float | None,
              position_m: ArrayLike | None, world_position_m: ArrayLike | None) -> Target:
         by_direction = direction_deg is not None or distance_m is not None
         if by_direction + (position_m is not None) + (world_position_m is not None) != 1:
-            raise TypeError("a target is placed by direction_deg (with distance_m, or not), or by position_m, or by "
-                            "world_position_m")
+            raise TypeError("a target is placed by direction_deg (with or without distance_m), by position_m, or by "
+                            "world_position_m: give exactly one of them")
         place = (Place.DIRECTION if by_direction else
                  Place.PLATE_POSITION if world_position_m is None else Place.WORLD_POSITION)
         fields: dict[str, Any] = {
@@ -178,44 +187,46 @@ class Session(SessionKeywords, Closing):
         check(library().hrt_target_list(self.handle, wanted, 0, None, byref(count)))
         handles = (_abi.TargetHandle * count.value)()
         check(library().hrt_target_list(self.handle, wanted, count, handles, byref(count)))
-        return [Target(self, _abi.TargetHandle(value=handle.value)) for handle in handles]
+        return own_targets(self, handles)
 
     # Gaps
 
     def gap(self, real: Target, virtual: Target) -> Gap:
-        """The gap between two targets, and the largest that the plate can hold, computed before a reach."""
-        return output(Gap, library().hrt_gap_query, self.handle, handle_of(real, "real"), handle_of(virtual, "virtual"))
+        """The gap between two targets, and the largest one that the plate can sustain, before a reach."""
+        return output(Gap, library().hrt_gap_query, self.handle, handle_of(real, "real"),
+                      handle_of(virtual, "virtual")).belongs_to(self)
 
     def assign(self, virtuals: Sequence[Target], reals: Sequence[Target], *, exclusive: bool = False) -> list[Gap]:
-        """The real target that serves each virtual one, so that the largest needed share of what can be held is smallest;
-        each real one serves one at most if `exclusive`. What cannot be served is not `reachable` and has no real target."""
+        """The real target that serves each virtual one, so that the largest gap, as a fraction of what the plate can
+        sustain, is smallest. With `exclusive`, each real target serves at most one virtual target. A virtual target that
+        cannot be served is not `reachable` and has no real target."""
         out = (Gap * len(virtuals))(*(Gap() for _ in virtuals))
         check(library().hrt_target_assign(
             self.handle, _handles(virtuals, "virtuals"), len(virtuals), _handles(reals, "reals"), len(reals),
             AssignFlag.EXCLUSIVE if exclusive else 0, len(out), out))
-        return list(out)
+        return [gap.belongs_to(self) for gap in out]
 
     # Reaches
 
     @property
     def state(self) -> StateFlag:
-        """What the session is about now; 0: idle."""
+        """The state of the session; 0: idle."""
         state = ctypes.c_uint32()
         check(library().hrt_session_get(self.handle, None, byref(state)))
         return StateFlag(state.value)
 
     def reach(self, real: Target, virtual: Target, *, plate_orientation_deg: float | None = None,
               start_at_finger: bool = False, duration_s: float = 0.0) -> Reach:
-        """Begins a reach. `plate_orientation_deg` is where the plate stands; without it, where the session's last
-        command left it. With `start_at_finger` directions are measured from the first position. `duration_s` is the
-        expected duration of the motion, 0 if unknown.
+        """Begins a reach. `plate_orientation_deg` is the present plate orientation; by default, that of the session's last
+        command. With `start_at_finger`, directions are measured from the first position. `duration_s` is the expected
+        duration of the motion, 0 if unknown.
 
             with session.reach(cylinder, cup) as reach:
                 command = reach.update(time_ns, position_m=(x, y, z))
             print(reach.summary.miss_deg)
         """
-        return Reach(self.handle, handle_of(real, "real"), handle_of(virtual, "virtual"), plate_orientation_deg,
-                     start_at_finger, duration_s, self._pace)
+        self._running = reach = Reach(self, real, virtual, plate_orientation_deg, start_at_finger, duration_s)
+        return reach
 
     def run_reach(self, real: Target, virtual: Target, samples: Array, *,
                   plate_orientation_deg: float | None = None) -> RunRecord:
@@ -233,22 +244,19 @@ class Session(SessionKeywords, Closing):
         return RunRecord(
             config=config, real_direction_deg=real_deg, virtual_direction_deg=virtual_deg,
             real_distance_m=real_distance_m, start_position_m=np.array(config.start_position_m), samples=samples,
-            commands=commands, results=np.zeros(len(samples), np.int32),
-            final_direction_deg=summary.final_direction_deg, summary=summary)
+            commands=commands, results=np.zeros(len(samples), np.int32), summary=summary)
 
     @contextmanager
     def recording(self, path: str | os.PathLike[str]) -> Iterator[RecordingStatus]:
-        """Records all that crosses the interface into a file while the context lasts.
-
-        Yields the status, which is filled in at the end. OSError or RuntimeError if the file is then not complete.
-        """
+        """Records the calls of the session into a file within the context. Yields the status, which is set at the end.
+        OSError or RuntimeError if the file is not complete then."""
         status = RecordingStatus()
         check(library().hrt_recording_start(self.handle, os.fsencode(path)))
-        self._pace = Pace(self.handle)
+        self.pace = Pace(self.handle)
         try:
             yield status
         finally:
-            self._pace = None
+            self.pace = None
             check(library().hrt_recording_stop(self.handle, byref(status)))
         if status.system_error != 0:
             raise OSError(status.system_error, os.strerror(status.system_error), os.fspath(path))
@@ -258,13 +266,14 @@ class Session(SessionKeywords, Closing):
     # The participant and the plate
 
     def set_up(self, what: SetupFlag = SetupFlag.ALL_MISSING, **fields: Any) -> SetUp:
-        """Begins a set-up: a loop that asks the user for touches and slides, and applies what they show. The keywords are
-        the fields of SetupConfig."""
-        return SetUp(self, what, fields)
+        """Begins a set-up: a loop that asks the user for touches and slides, and applies the results. The keywords are the
+        fields of SetupConfig."""
+        self._running = set_up = SetUp(self, what, fields)
+        return set_up
 
     @property
     def profile(self) -> dict[str, Any]:
-        """What is known of the participant, as it would be kept in a JSON file."""
+        """The parameters of the participant, to be stored as JSON."""
         length = ctypes.c_uint64()
         check(library().hrt_profile_save(self.handle, 0, None, byref(length)))
         text = ctypes.create_string_buffer(length.value + 1)
@@ -272,17 +281,17 @@ class Session(SessionKeywords, Closing):
         return dict(json.loads(text.value))
 
     def set_conditions(self, *, plate: str = "", tracker: str = "", time_s: int = 0) -> None:
-        """Names the plate, the tracker and the time (seconds since 1970) of now: a calibration is measured under them,
-        and a profile compared with them. Empty and 0: unknown."""
+        """Sets the present plate, tracker and time (seconds since 1970): a set-up calibrates under these conditions, and
+        profiles are compared with them. Empty and 0: unknown."""
         check(library().hrt_profile_set_conditions(self.handle, byref(Conditions(plate=plate, tracker=tracker, time_s=time_s))))
 
     @property
     def conditions(self) -> Conditions:
-        """Under which conditions the person of the profile was measured, and which of them are others now."""
+        """The conditions under which the person of the profile was measured. `differing` has those that have changed."""
         return output(Conditions, library().hrt_profile_get_conditions, self.handle)
 
     def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:
-        """Takes a profile into the configuration: a mapping, or JSON text. What it lacks stays as it is."""
+        """Copies a profile, a mapping or JSON text, into the configuration. Fields that it does not have are kept."""
         if isinstance(profile, Mapping):
             profile = json.dumps(dict(profile))
         text = profile.encode() if isinstance(profile, str) else profile
