@@ -13,6 +13,7 @@
 #include "core/plate/plate_model.h"
 #include "core/simulation/people.h"
 #include "core/simulation/person.h"
+#include "samples/app/person/quest.h"
 
 #define HRT_WEB_EXPORT(name) __attribute__((export_name(#name)))
 #define HRT_WEB_VALUE(name, value) \
@@ -29,6 +30,9 @@ constexpr double tail_s = 0.3;  // tracked at rest after it
 constexpr std::uint32_t steering_stream = 1;
 constexpr std::uint32_t tracking_stream = 2;
 
+/// Probability of a "yes" of a visitor who noticed nothing.
+constexpr double false_alarms = 0.05;
+
 struct World {
   hrt::PersonCondition condition;
   std::uint64_t seed = 1;
@@ -39,6 +43,7 @@ struct World {
   double peak_felt_error_deg = 0.0;
   double ended_s = -1.0;
   hrt::PlatePoint seen{};
+  hrt::app::QuestPlus series{1.0, 30.0, false_alarms};
 };
 
 World world;
@@ -162,6 +167,22 @@ HRT_WEB_EXPORT(felt_shift_deg)
 double hrt_web_felt_shift_deg(double plate_deg, double finger_deg) {
   return hrt::felt_shift_deg(world.condition.person.illusion, plate_deg - finger_deg);
 }
+
+/// Starts a series of slides after each of which the visitor says whether they noticed the gap; next_gap_deg() is the
+/// gap that QUEST+ chooses, between these two.
+HRT_WEB_EXPORT(begin_series)
+void hrt_web_begin_series(double min_gap_deg, double max_gap_deg) {
+  world.series = hrt::app::QuestPlus(min_gap_deg, max_gap_deg, false_alarms);
+}
+
+HRT_WEB_EXPORT(answer)
+void hrt_web_answer(double gap_deg, double noticed) { world.series.update(gap_deg, noticed != 0.0); }
+
+HRT_WEB_VALUE(next_gap_deg, world.series.next_gap_deg())
+/// The threshold of noticing, with the ends of its 95 % interval.
+HRT_WEB_VALUE(limit_deg, world.series.threshold().deg)
+HRT_WEB_VALUE(limit_lower_deg, world.series.threshold().lower_deg)
+HRT_WEB_VALUE(limit_upper_deg, world.series.threshold().upper_deg)
 
 /// The largest gap that a plate within `bound_deg` of the motion can sustain for the person.
 HRT_WEB_EXPORT(max_gap_deg)

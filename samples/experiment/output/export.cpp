@@ -95,7 +95,7 @@ std::string person_row(const Design& design, const State& state, unsigned sessio
   for (const char* name : {"is_known", "tactile_weight", "tactile_weight_low", "tactile_weight_high"})
     text += "," + (state.set_up ? text_of(state.set_up->at(name)) : "");
   // Without an answer it is what is assumed of everybody.
-  const QuestPlus::Threshold found = state.quest.threshold();
+  const app::QuestPlus::Threshold found = state.quest.threshold();
   for (const double value : {found.deg, found.lower_deg, found.upper_deg})
     text += "," + (state.quest.answers() > 0 ? json(value).dump() : "");
   return text + "," + (design.noticeability ? std::to_string(state.quest.answers()) : "") + "\n";

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "samples/app/person/quest.h"
 #include "samples/experiment/data/journal.h"
 #include "samples/experiment/design/schedule.h"
-#include "samples/experiment/session/quest.h"
 
 namespace hrt::experiment {
 
@@ -62,7 +62,7 @@ struct State {
   unsigned presented = 0;
   unsigned refused_in_a_row = 0;
   std::vector<std::string> beliefs;  ///< profile of each condition after its last reach; empty: the set-up's
-  QuestPlus quest;
+  app::QuestPlus quest;
   std::string end;  ///< "done" or "stopped"; empty: neither
   std::int64_t consent_ns = 0;
   std::optional<Now> last;  ///< when the journal was last written

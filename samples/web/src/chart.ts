@@ -40,7 +40,7 @@ const strips: readonly {
     unit: "°",
     lines: [
       { label: "cylinder", colour: "real", value: (_, goals) => goals.real_deg, ...level },
-      { label: "ghost", colour: "felt", value: (_, goals) => goals.virtual_deg, ...level },
+      { label: "glass", colour: "felt", value: (_, goals) => goals.virtual_deg, ...level },
       { label: "finger", colour: "real", value: ({ finger_deg }) => finger_deg },
       { label: "felt", colour: "felt", value: ({ felt_deg }) => felt_deg, dash: [6, 4] },
     ],

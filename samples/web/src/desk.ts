@@ -6,14 +6,7 @@ import { element, say } from "./page";
 import { type LabelName, Stage } from "./stage/stage";
 import type { Colours } from "./theme";
 
-const labelNames: readonly LabelName[] = ["finger", "felt", "real", "ghost"];
-/** What labels say to the visitor who is the finger, and to one who watches. */
-const words: Readonly<Record<LabelName, readonly [own: string, watched: string]>> = {
-  finger: ["your hand", "finger"],
-  felt: ["felt finger", "felt here"],
-  real: ["real cylinder", "real cylinder"],
-  ghost: ["glass", "ghost"],
-};
+const labelNames: readonly LabelName[] = ["finger", "felt", "real", "glass"];
 const maxLabels = 30; // more would cover each other
 const margin_px = 4,
   gap_px = 14,
@@ -31,6 +24,8 @@ interface Label {
 export class Desk {
   readonly frame = element("stage", HTMLDivElement);
   readonly canvas = element("view", HTMLCanvasElement);
+  /** Over the plate's disc: where a thumb moves the fingertip, and does not scroll. */
+  readonly grip = element("grip", HTMLDivElement);
   /** Null: this browser gives no WebGL. */
   readonly stage: Stage | null;
   readonly #named = Object.fromEntries(
@@ -38,7 +33,7 @@ export class Desk {
   ) as Record<LabelName, HTMLElement>;
   readonly #own: readonly Label[] = labelNames.map((name) => {
     const sides_deg = name === "finger" || name === "felt" ? [0, 45, -45, 90] : [-90, -45, 0, 180],
-      mirrored = name === "felt" || name === "ghost";
+      mirrored = name === "felt" || name === "glass";
     return {
       element: this.#named[name],
       at: (stage, out) => stage.toCanvas(name, out),
@@ -47,7 +42,7 @@ export class Desk {
   });
   #labels = [...this.#own];
   readonly #caption = element("caption", HTMLParagraphElement);
-  readonly #over = [this.#caption, element("legend", HTMLParagraphElement)];
+  readonly #over = [element("legend", HTMLParagraphElement)];
   #glass: Place = { ...start };
   readonly #at = { x: 0, y: 0 };
   /** What was drawn last; empty: something else has changed since. A picture at rest costs nothing. */
@@ -76,8 +71,16 @@ export class Desk {
     this.#glass = ahead(start, virtual_deg, distance_m);
     this.#change((stage) => stage.setTargets(real_deg, virtual_deg, distance_m));
   }
-  setView(view: "oblique" | "above"): void {
-    this.stage?.setView(view);
+  /** The view from the visitor's seat, which a drag may turn. */
+  setView(turns: boolean): void {
+    this.stage?.setView(turns);
+    this.#placeGrip();
+  }
+  #placeGrip(): void {
+    const disc = this.stage?.discOnCanvas();
+    if (!disc) return;
+    for (const side of ["left", "top", "width", "height"] as const)
+      this.grip.style[side] = `${disc[side].toFixed(1)}px`;
   }
 
   /** By keys, as a drag does; false: not one of the arrows. */
@@ -100,6 +103,7 @@ export class Desk {
   }
   resize(): void {
     this.#change((stage) => stage.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio));
+    this.#placeGrip();
   }
 
   /** Where frames take long, a processor draws: the picture becomes lighter. */
@@ -119,14 +123,14 @@ export class Desk {
 
   /** Labels for the visitor who is the finger, or for one who watches. */
   nameLabels(own: boolean): void {
-    for (const name of labelNames) say(this.#named[name], words[name][own ? 0 : 1]);
+    say(this.#named.finger, own ? "your hand" : "hand");
     this.#drawn = "";
   }
 
   /** Plate and targets of a visitor's scene instead of the page's own; null: the page's own. */
   setScene(scene: VisitorScene | null): void {
     this.#change((stage) => stage.setScene(scene));
-    for (const name of ["real", "ghost"] as const) this.#named[name].hidden = scene !== null;
+    for (const name of ["real", "glass"] as const) this.#named[name].hidden = scene !== null;
     for (const { element: label } of this.#labels.slice(this.#own.length)) label.remove();
     this.#labels = [...this.#own];
     for (const target of scene?.targets.slice(0, maxLabels) ?? []) {
@@ -184,14 +188,15 @@ export class Desk {
     }
   }
 
-  /** For those who check: the truth in numbers, beside the picture, and where ring and glass stand in it. */
-  write(result: SlideEnd | null): void {
+  /** For those who check: the truth in numbers, and where ring, glass and dot are in the picture. */
+  write(result: SlideEnd | null, dot: Readonly<Place>): void {
     const { dataset } = this.frame;
-    for (const [name, place] of Object.entries({ start, glass: this.#glass })) {
+    for (const [name, place] of Object.entries({ start, glass: this.#glass, dot })) {
       this.stage?.targetToCanvas(place, this.#at, 0);
-      dataset[name] = `${this.#at.x.toFixed(1)} ${this.#at.y.toFixed(1)}`;
+      const text = `${this.#at.x.toFixed(1)} ${this.#at.y.toFixed(1)}`;
+      if (dataset[name] !== text) dataset[name] = text;
     }
-    for (const name of ["toCylinder_mm", "toGhost_mm", "feltToGhost_mm"] as const) {
+    for (const name of ["toCylinder_mm", "toGlass_mm", "feltToGlass_mm"] as const) {
       if (result) dataset[name.replace("_mm", "Mm")] = String(result[name]);
       else delete dataset[name.replace("_mm", "Mm")];
     }

@@ -12,7 +12,7 @@ export const start: Readonly<Place> = { right_m: 0, away_m: -0.05 };
 export const distance_m = 0.1;
 /** Radius of the plate. */
 export const radius_m = 0.075;
-/** Of the real cylinder. */
+/** Of the cylinder. */
 export const cylinderRadius_m = 0.0055;
 /** From ridge to ridge. */
 export const ridgeSpacing_m = 0.01;
@@ -63,16 +63,16 @@ export function virtualPlace(course: Course): Place {
 /** Where a slide ended, and where that was felt. */
 export interface SlideEnd {
   readonly toCylinder_mm: number;
-  readonly toGhost_mm: number;
-  readonly feltToGhost_mm: number;
+  readonly toGlass_mm: number;
+  readonly feltToGlass_mm: number;
 }
 
 export function slideEnd(finger: Readonly<Place>, felt: Readonly<Place>, course: Course): SlideEnd {
-  const ghost = virtualPlace(course);
+  const glass = virtualPlace(course);
   return {
     toCylinder_mm: 1000 * length_m(finger, realPlace(course)),
-    toGhost_mm: 1000 * length_m(finger, ghost),
-    feltToGhost_mm: 1000 * length_m(felt, ghost),
+    toGlass_mm: 1000 * length_m(finger, glass),
+    feltToGlass_mm: 1000 * length_m(felt, glass),
   };
 }
 

@@ -1,10 +1,9 @@
-// The visitor's hand on a plate that the real plugin turns. Mouse, touch or keys say where the finger is felt; where it really
-// goes follows from the ridges, for the person of the settings: a person who keeps what is felt straight is bent by them.
+// The visitor's hand on a plate that the real plugin turns. The pointer is the true fingertip; where it is felt follows from its
+// motion and the ridges, for the tactile weight of the settings. The visitor sees the felt place only, and steers it.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
 import { Felt } from "./felt";
 import {
-  ahead,
   bearing_deg,
   degree,
   distance_m,
@@ -19,120 +18,149 @@ import {
 import { Led } from "./led";
 import type { World } from "./person";
 import type { Settings } from "./settings";
+import { maxTrace, tracePeriod_ms } from "./trace";
 
 /** A slide that is shorter does not count. */
 export const minReach_m = 0.03;
-/** A finger that is felt this near to the ghost has reached it. */
-const near_m = 0.005;
+/** A fingertip that is felt this near to the glass has reached it. */
+const near_m = 0.002;
+const step_ms = 10;
+/** Before the motion the plate turns to its first orientation, and the plugin sees a fingertip at rest. Then time stops until
+ *  the fingertip moves: a hand that rests for an hour neither records nor computes. */
+const settle_ms = 700,
+  maxRest_ms = 1000;
+
+export interface HandEnd extends SlideEnd {
+  /** Between the felt and the true end, seen from the start. */
+  readonly gap_deg: number;
+}
 
 export class Hand extends Led {
   /** Sliding from the first motion to end(). */
   phase: "waiting" | "sliding" | "arrived" = "waiting";
-  result: SlideEnd | null = null;
-  /** Ridges that the true finger has crossed, by its own motion or the plate's. */
+  result: HandEnd | null = null;
+  /** Ridges that the fingertip has crossed, by its own motion or the plate's. */
   ridges = 0;
 
-  /** Where the finger is to be felt. */
+  /** Where the fingertip is, and where it goes next. */
+  readonly finger: Place = { ...start };
   readonly wanted: Place = { ...start };
-  readonly felt: Place = { ...start };
-  // From felt to true: the sum of touch the other way round.
-  readonly #true = new Felt();
-  readonly #back_deg = (felt_deg: number): number => {
-    let finger_deg = felt_deg;
-    for (let i = 0; i < 12; ++i) finger_deg = felt_deg - this.world.felt_shift_deg(this.world.plate_deg(), finger_deg);
-    return finger_deg - felt_deg;
-  };
+  readonly #felt = new Felt();
+  readonly #shift_deg = (finger_deg: number): number => this.world.felt_shift_deg(this.world.plate_deg(), finger_deg);
+  #rested_ms = 0;
   #ridge = 0;
 
   constructor(library: Library, world: World, settings: Readonly<Settings>) {
     super(library, world, settings, pageCourse(settings));
-    this.begin();
+    this.begin(settings.gap_deg);
   }
 
-  get finger(): Readonly<Place> {
-    return this.#true.place;
+  get felt(): Readonly<Place> {
+    return this.#felt.place;
   }
   /** Of the motion; NaN at rest. */
   get finger_deg(): number {
-    return this.#true.felt_deg;
+    return this.#felt.finger_deg;
   }
   get felt_deg(): number {
-    return this.#true.finger_deg;
+    return this.#felt.felt_deg;
+  }
+  get gap_deg(): number {
+    return this.settings.gap_deg;
+  }
+  /** Nothing will change until wanted does, or a connected plate turns. */
+  get resting(): boolean {
+    return this.phase === "arrived" || this.#rested_ms > (this.phase === "waiting" ? settle_ms : maxRest_ms);
   }
 
   /** A new slide under these settings, by a hand that is unknown to the controller. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
     this.renew(pageCourse(settings));
-    this.begin();
+    this.begin(settings.gap_deg);
   }
 
-  /** Back to the start. Nothing is learnt. */
-  begin(): void {
+  /** Back to the start, for another gap. What was learnt of this hand stays. */
+  begin(gap_deg = this.gap_deg): void {
+    this.settings.gap_deg = gap_deg;
     this.prepare();
+    this.follow(pageCourse(this.settings));
     this.world.begin_hand(0);
     this.lead(0);
-    this.#true.begin(start);
-    Object.assign(this.felt, start);
+    this.#felt.begin(start);
+    Object.assign(this.finger, start);
     Object.assign(this.wanted, start);
     this.#ridge = this.#ridgeUnder();
+    this.#rested_ms = 0;
     this.phase = "waiting";
     this.result = null;
   }
 
-  /** Where the finger is to be felt from now on. */
+  /** The fingertip moves there with the next advance(). */
   moveTo(right_m: number, away_m: number): void {
     if (!Number.isFinite(right_m) || !Number.isFinite(away_m) || this.phase === "arrived") return;
     Object.assign(this.wanted, { right_m, away_m });
   }
 
-  /** The next whole milliseconds, with one sample of the finger at their end, as an engine's frame has it. A finger that is
-   *  felt at the ghost, or as far as it, ends there. */
+  /** The next whole milliseconds, in steps with one sample of the fingertip each. A fingertip that is felt at the glass, or as
+   *  far as it, ends there. */
   advance(milliseconds: number): void {
-    if (this.phase === "arrived" || milliseconds < 1) return;
-    const world = this.world;
+    for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
+      const moved = length_m(this.finger, this.wanted) > 0;
+      if (moved) this.#rested_ms = 0;
+      if (!moved && this.resting) return this.#rest();
+      this.#step(Math.min(step_ms, left_ms), Math.min(1, step_ms / left_ms));
+    }
+  }
+
+  #rest(): void {
+    if (!Number.isNaN(this.plateConnected_deg)) this.world.set_plate(this.plateConnected_deg);
+  }
+
+  #step(milliseconds: number, share: number): void {
+    const { finger, wanted, world } = this;
     for (let i = 1; i <= milliseconds; ++i) {
       this.tick();
-      if (this.phase === "sliding") this.record(this.finger_deg, this.felt_deg);
+      if (this.phase === "sliding") this.record(this.finger_deg, this.felt_deg, finger, this.felt);
     }
-    const to = this.#next();
-    this.#true.move(to.right_m - this.felt.right_m, to.away_m - this.felt.away_m, milliseconds, this.#back_deg);
-    Object.assign(this.felt, to);
-    if (length_m(start, to) > 0.002) this.phase = "sliding";
+    this.#rested_ms += milliseconds;
+    const right_m = share * (wanted.right_m - finger.right_m),
+      away_m = share * (wanted.away_m - finger.away_m);
+    this.#felt.move(right_m, away_m, milliseconds, this.#shift_deg);
+    finger.right_m += right_m;
+    finger.away_m += away_m;
+    if (length_m(start, finger) > 0.002) this.phase = "sliding";
     const ridge = this.#ridgeUnder();
     this.ridges += Math.abs(ridge - this.#ridge);
     this.#ridge = ridge;
-    this.see(world.time_ms(), this.finger.right_m, this.finger.away_m);
-    if (length_m(start, to) > distance_m - 1e-6) this.end();
+    this.see(world.time_ms(), finger.right_m, finger.away_m);
+    const glass = virtualPlace(pageCourse(this.settings));
+    const reached = length_m(this.felt, glass) < near_m || length_m(start, this.felt) > distance_m;
+    if (reached) this.#arrive(true);
+    else if (world.time_ms() > maxTrace * tracePeriod_ms) this.end();
   }
 
-  /** No further than the ghost, and onto it from nearby. */
-  #next(): Place {
-    const ghost = virtualPlace(pageCourse(this.settings)),
-      from_m = length_m(start, this.felt),
-      to_m = length_m(start, this.wanted);
-    const share = to_m > distance_m ? Math.max(0, (distance_m - from_m) / (to_m - from_m)) : 1;
-    const gone = {
-      right_m: this.felt.right_m + share * (this.wanted.right_m - this.felt.right_m),
-      away_m: this.felt.away_m + share * (this.wanted.away_m - this.felt.away_m),
-    };
-    const to = share < 1 ? ahead(start, bearing_deg(start, gone), distance_m) : gone;
-    return length_m(to, ghost) < near_m ? ghost : to;
-  }
-
-  /** Number of the ridge that the true finger is nearest to. */
+  /** Number of the ridge that the fingertip is nearest to. */
   #ridgeUnder(): number {
     const angle = this.world.plate_deg() * degree,
       { right_m, away_m } = this.finger;
     return Math.round((away_m * Math.cos(angle) - right_m * Math.sin(angle)) / ridgeSpacing_m);
   }
 
-  /** The finger is lifted. A slide that is too short begins anew. */
+  /** The fingertip is lifted. A slide that is too short begins again; from one that stops early nothing is learnt. */
   end(): void {
     if (this.phase !== "sliding") return;
-    if (length_m(start, this.felt) < minReach_m) return this.begin();
+    if (length_m(start, this.finger) < minReach_m) return this.begin();
+    this.#arrive(false);
+  }
+
+  #arrive(whole: boolean): void {
+    if (whole) this.session.endReach();
     this.recording = this.drop();
     this.phase = "arrived";
-    this.result = slideEnd(this.finger, this.felt, pageCourse(this.settings));
+    this.result = {
+      ...slideEnd(this.finger, this.felt, pageCourse(this.settings)),
+      gap_deg: Math.abs(bearing_deg(start, this.felt) - bearing_deg(start, this.finger)),
+    };
   }
 }

@@ -1,7 +1,7 @@
 // What simulated person, visitor's finger and worn hand have in common: a world, and a session of the plugin that leads them in it.
 import * as hrt from "haptic-retargeting";
 import { sessions } from "./controller";
-import { type Course, cylinderRadius_m } from "./geometry";
+import { type Course, cylinderRadius_m, type Place } from "./geometry";
 import type { World } from "./person";
 import type { Settings } from "./settings";
 import { maxTrace, type Trace, tracePeriod_ms } from "./trace";
@@ -46,7 +46,7 @@ export abstract class Led {
       plate_latency_ns: Math.round(1e6 * this.world.plate_latency_ms()),
     });
     this.#real = this.session.addTarget({ role: hrt.HRT_TARGET_REAL, name: "cylinder", radius_m: cylinderRadius_m });
-    this.#virtual = this.session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, name: "ghost" });
+    this.#virtual = this.session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, name: "glass" });
     this.follow(course);
   }
 
@@ -99,10 +99,11 @@ export abstract class Led {
   }
 
   /** Directions are NaN at rest. */
-  protected record(finger_deg: number, felt_deg: number): void {
+  protected record(finger_deg: number, felt_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
     if (this.world.time_ms() % tracePeriod_ms !== 0 || this.trace.length === maxTrace) return;
     const { tactile_weight, tactile_weight_sd: weight_sd } = this.command,
       weight = this.settings.controller === "off" ? NaN : tactile_weight;
-    this.trace.push({ plate_deg: this.world.plate_deg(), finger_deg, felt_deg, weight, weight_sd });
+    const plate_deg = this.world.plate_deg();
+    this.trace.push({ plate_deg, finger_deg, felt_deg, weight, weight_sd, finger: { ...finger }, felt: { ...felt } });
   }
 }

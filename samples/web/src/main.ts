@@ -38,8 +38,8 @@ async function main(): Promise<void> {
   desk.reveal(0);
   desk.setColours(readColours());
   desk.setTargets(0, pageCourse(defaultSettings()).virtual_deg, distance_m);
-  desk.setView("above");
   desk.resize();
+  desk.setView(false);
   desk.draw(0, start, start);
   showFigures();
   const [library, watchWorld, handWorld, sceneWorld] = await Promise.all([
@@ -54,14 +54,15 @@ async function main(): Promise<void> {
   if (location.hash !== "") for (const part of document.querySelectorAll("details")) part.open = true;
 
   const watch = new Watch(library, watchWorld, linked.settings);
-  const hand = new Hand(library, handWorld, linked.settings);
+  const hand = new Hand(library, handWorld, linked.settings),
+    plain = new Hand(library, handWorld, { ...linked.settings, controller: "off" });
   const voice = new Voice(),
     plate = new Connecting(),
     results = new Results();
   const table = new TraceTable(),
     researchers = element("researchers", HTMLDetailsElement);
   const watching = new Watching(watch, watchWorld, desk, results, linked.settings, voice, still);
-  const sliding = new Sliding(hand, handWorld, desk, voice, new Ticks(still), linked.settings, still);
+  const sliding = new Sliding(hand, plain, handWorld, desk, voice, new Ticks(still), linked.settings, still);
   const replaying = new Replaying(desk, still);
   const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
   let mode: Mode = "hand";
@@ -117,7 +118,7 @@ async function main(): Promise<void> {
     frame.setAttribute(
       "aria-label",
       sliding.active
-        ? "The plate: arrow keys slide the finger from the ring to the glass, ahead and somewhat to the left; Enter ends the slide"
+        ? "The plate: arrow keys slide your hand; steer the dot from the ring to the glass, ahead and somewhat to the left; Enter lifts the finger"
         : "The plate and the hand: arrow keys turn the view",
     );
     const played = mode === "watch" || (mode === "scene" && viewing.course !== null);
@@ -130,7 +131,7 @@ async function main(): Promise<void> {
       element("now-title", HTMLHeadingElement),
       mode === "replay" ? "What the controller believed" : "What is felt now",
     );
-    desk.setView(sliding.active ? "above" : "oblique");
+    desk.setView(!sliding.active);
     desk.setScene(mode === "scene" ? viewing.scene : null);
     desk.nameLabels(sliding.active);
     desk.reveal(1);
@@ -158,7 +159,7 @@ async function main(): Promise<void> {
     wearing = new Wearing(wear, world, desk, voice, settings);
     wearing.onFrame = follow;
     wearing.onLeft = () => {
-      desk.setView(mode === "hand" ? "above" : "oblique");
+      desk.setView(mode !== "hand");
       desk.resize();
     };
   }
@@ -181,7 +182,7 @@ async function main(): Promise<void> {
 
   /** Whose reaches are shown. */
   function reaches(): Watch | Hand | Wear {
-    return { watch, hand, wear: wearing?.wear ?? hand, replay: watch, scene: viewing.watch }[mode];
+    return { watch, hand: sliding.hand, wear: wearing?.wear ?? hand, replay: watch, scene: viewing.watch }[mode];
   }
 
   /** A connected plate does what the controller commands, and is felt where it is. */
@@ -190,7 +191,7 @@ async function main(): Promise<void> {
     plate.frame(elapsed_ms, performance.now(), shown.command.plate_orientation_deg);
     // Reaches that are computed at once, or by steps, are not at the plate's time.
     const stepped = (mode === "watch" || mode === "scene") && !watching.playing;
-    for (const each of [watch, hand, viewing.watch, ...(wearing ? [wearing.wear] : [])])
+    for (const each of [watch, hand, plain, viewing.watch, ...(wearing ? [wearing.wear] : [])])
       each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
   }
 

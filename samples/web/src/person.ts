@@ -34,6 +34,12 @@ export interface World {
   seen_away_m(): number;
   felt_shift_deg(plate_deg: number, finger_deg: number): number;
   max_gap_deg(bound_deg: number): number;
+  begin_series(min_gap_deg: number, max_gap_deg: number): void;
+  answer(gap_deg: number, noticed: number): void;
+  next_gap_deg(): number;
+  limit_deg(): number;
+  limit_lower_deg(): number;
+  limit_upper_deg(): number;
 }
 
 let compiled: Promise<WebAssembly.Module> | null = null;
@@ -47,7 +53,10 @@ async function compile(): Promise<WebAssembly.Module> {
 /** A world of its own: one person, one plate, one tracker. */
 export async function createWorld(): Promise<World> {
   compiled ??= compile();
-  const { exports } = await WebAssembly.instantiate(await compiled);
+  const proc_exit = () => {
+    throw new Error("the simulation has run out of memory");
+  };
+  const { exports } = await WebAssembly.instantiate(await compiled, { wasi_snapshot_preview1: { proc_exit } });
   if (typeof exports._initialize === "function") exports._initialize();
   return exports as unknown as World;
 }

@@ -48,8 +48,8 @@ export class Results {
 /** What a reach came to, in a sentence. */
 export function resultText(result: Readonly<ReachResult>): string {
   const end =
-    `The finger is ${result.toCylinder_mm.toFixed(1)} mm from the real cylinder; its owner feels it ` +
-    `${result.feltToGhost_mm.toFixed(1)} mm from the ghost.`;
+    `The finger is ${result.toCylinder_mm.toFixed(1)} mm from the cylinder; its owner feels it ` +
+    `${result.feltToGlass_mm.toFixed(1)} mm from the glass.`;
   if (result.controller === "off") return `${end} The plate stood still.`;
   return Math.abs(result.bearingError_deg) <= arrived_deg ? `Arrived. ${end}` : `Missed. ${end}`;
 }

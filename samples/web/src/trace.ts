@@ -1,4 +1,5 @@
 // What happened within one reach, every 10 ms, for the chart.
+import type { Place } from "./geometry";
 import { addRow, element, sideways } from "./page";
 
 export const tracePeriod_ms = 10;
@@ -12,6 +13,8 @@ export type Trace = {
   readonly felt_deg: number;
   readonly weight: number;
   readonly weight_sd: number;
+  readonly finger: Readonly<Place>;
+  readonly felt: Readonly<Place>;
 }[];
 
 /** The trace as a table, for who does not see the chart. Costs nothing while it is folded. */

@@ -2,7 +2,7 @@
 // follows its commands, and the person feels the plate.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
-import { bearingError_deg, type Course, type SlideEnd, slideEnd } from "./geometry";
+import { bearingError_deg, type Course, type Place, type SlideEnd, slideEnd } from "./geometry";
 import { Led } from "./led";
 import type { World } from "./person";
 import type { ControllerName, Settings } from "./settings";
@@ -106,9 +106,19 @@ export class Watch extends Led {
     const now_ms = world.time_ms();
     if (now_ms >= (this.#samples * 1000) / trackerRate_hz) this.#look(now_ms);
     this.#measure(now_ms);
-    if (world.moving()) this.record(world.finger_deg(), this.course.virtual_deg + world.felt_error_deg());
-    else this.record(NaN, NaN);
+    const moving = world.moving() !== 0,
+      felt_deg = this.course.virtual_deg + world.felt_error_deg();
+    this.record(moving ? world.finger_deg() : NaN, moving ? felt_deg : NaN, ...this.#places());
     if (world.over()) this.#end();
+  }
+
+  /** Of the finger, and where it is felt. */
+  #places(): [Place, Place] {
+    const world = this.world;
+    return [
+      { right_m: world.finger_right_m(), away_m: world.finger_away_m() },
+      { right_m: world.felt_right_m(), away_m: world.felt_away_m() },
+    ];
   }
 
   #look(now_ms: number): void {
@@ -141,8 +151,7 @@ export class Watch extends Led {
     const { tactile_weight, tactile_weight_sd } = this.command;
     const summary = this.session.endReach();
     this.recording = this.drop();
-    const finger = { right_m: world.finger_right_m(), away_m: world.finger_away_m() };
-    const felt = { right_m: world.felt_right_m(), away_m: world.felt_away_m() };
+    const [finger, felt] = this.#places();
     this.phase = "arrived";
     this.result = {
       number: this.number,

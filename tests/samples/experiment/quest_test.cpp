@@ -1,4 +1,4 @@
-#include "samples/experiment/session/quest.h"
+#include "samples/app/person/quest.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,9 @@
 
 namespace hrt::experiment {
 namespace {
+
+using app::QuestPlus;
+using app::right_share;
 
 // By hand: at the threshold 1 - l - (1/2 - l) / e; far below it a half; far above it all but the lapses.
 TEST(ExperimentQuest, ShareOfRightAnswers) {

@@ -81,11 +81,11 @@ test("a hand that is worn makes a real reach, which the plugin repeats bit for b
   await shoot(page, "wear_placing", false);
   await rest(page, start);
   assert.equal(await phase(page), "sliding", await caption(page));
-  assert.match(await caption(page), /^Slide to the ghost/);
+  assert.match(await caption(page), /^Slide to the glass/);
   const places = await slide(page, { follows: true });
-  const { toCylinderMm, toGhostMm, feltToGhostMm } = await ended(page);
-  assert.ok(toCylinderMm < 9 && toGhostMm > 9, `${toCylinderMm} mm from the cylinder, ${toGhostMm} from the ghost`);
-  assert.ok(feltToGhostMm < 9, `felt ${feltToGhostMm} mm from the ghost`);
+  const { toCylinderMm, toGlassMm, feltToGlassMm } = await ended(page);
+  assert.ok(toCylinderMm < 9 && toGlassMm > 9, `${toCylinderMm} mm from the cylinder, ${toGlassMm} from the glass`);
+  assert.ok(feltToGlassMm < 9, `felt ${feltToGlassMm} mm from the glass`);
   await shoot(page, "wear_arrived", false);
   await leave(page);
   assert.equal(await caption(page), "You have left the headset.");
@@ -125,20 +125,20 @@ test("a headset that refuses hands says what to switch on", async (page) => {
   assert.match(await caption(page), /^The headset cannot be entered: no hands\. Switch hand tracking on in the headset's settings/);
 }, 'navigator.xr.requestSession = async () => { throw new DOMException("no hands", "NotSupportedError"); }');
 
-test("a hand that goes straight to the ghost arrives there", async (page) => {
+test("a hand that goes straight to the glass arrives there", async (page) => {
   await enter(page);
   await rest(page, start);
   await slide(page);
-  const { toGhostMm, feltToGhostMm } = await ended(page);
-  assert.ok(toGhostMm < 1 && feltToGhostMm > 5, `${toGhostMm} mm, felt ${feltToGhostMm} mm from the ghost`);
+  const { toGlassMm, feltToGlassMm } = await ended(page);
+  assert.ok(toGlassMm < 1 && feltToGlassMm > 5, `${toGlassMm} mm, felt ${feltToGlassMm} mm from the glass`);
 });
 
 test("a hand lost for a moment is bridged, one lost for longer begins again", async (page) => {
   await enter(page);
   await rest(page, start);
   await slide(page, { unseen: [60, 80] });
-  const { toGhostMm } = await ended(page);
-  assert.ok(toGhostMm < 1, `${toGhostMm} mm from the ghost`);
+  const { toGlassMm } = await ended(page);
+  assert.ok(toGlassMm < 1, `${toGlassMm} mm from the glass`);
   await rest(page, start);
   assert.equal(await phase(page), "sliding");
   await slide(page, { unseen: [60, 999], until: 0.6 });

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { models, reachHash } from "./models.mjs";
+import { visitor } from "./visitor.mjs";
 
 const library = await models.load(models.pluginModule);
 const world = await models.createWorld();
@@ -86,7 +87,7 @@ test("a reach is a function of its settings and its number", () => {
 });
 
 // At rest (1 - w) P + w T is the goal: over a still plate at 0 the person ends at V / (1 - w).
-test("over a still plate the hand goes to the ghost, and somewhat beyond", () => {
+test("over a still plate the hand goes to the glass, and somewhat beyond", () => {
   const { results } = watch({ controller: "off", pace_s: 3, gap_deg: 12, tactile_weight: 0.2 }, 20);
   const mean = results.reduce((sum, result) => sum + result.bearingError_deg, 0) / results.length;
   near(mean, 12 / 2 / 0.8 + 12 / 2, 0.8, "mean bearing from the cylinder");
@@ -123,44 +124,48 @@ test("no frame makes the trace longer than its memory, and no number in it is in
   for (const { plate_deg, weight } of trace) assert.ok(Math.abs(plate_deg) <= 90 && weight > 0);
 });
 
-/** A visitor goes straight to the ghost, as they feel it, in `time_ms`. */
-function go(changes, time_ms = 1200, beyond = 1.3) {
-  const hand = new models.Hand(library, world, settings(changes)), { virtual_deg } = models.pageCourse(settings(changes));
-  for (let i = 0; i < 40; ++i) hand.advance(16);
-  for (let i = 1; i <= beyond * time_ms / 16; ++i) {
-    const to = models.ahead(models.start, virtual_deg, models.distance_m * i * 16 / time_ms);
-    hand.moveTo(to.right_m, to.away_m);
-    hand.advance(16);
+/** A visitor steers the dot that they see to the glass. */
+function steer(hand, how, gap_deg = settings().gap_deg) {
+  hand.begin(gap_deg);
+  hand.advance(700);
+  const go = visitor({ start: models.start, glass: models.virtualPlace(models.pageCourse(settings({ gap_deg }))), ...how });
+  for (let i = 0; hand.phase !== "arrived" && i < 1000; ++i) {
+    const { right_m, away_m } = go(hand.felt);
+    hand.moveTo(hand.finger.right_m + right_m, hand.finger.away_m + away_m);
+    hand.advance(10);
   }
-  return hand;
+  assert.equal(hand.phase, "arrived");
+  return hand.result;
 }
 
-test("a visitor who feels to go straight to the ghost arrives at the cylinder, however fast", () => {
-  for (const time_ms of [300, 600, 1200, 2500]) {
-    for (const changes of [{}, { gap_deg: 6 }, { person: 2 }]) {
-      const { phase, result, ridges } = go(changes, time_ms), { gap_deg } = settings(changes);
-      assert.equal(phase, "arrived", "nothing but the motion ends it");
-      assert.equal(result.feltToGhost_mm, 0, "an overshoot ends at the ghost");
-      near(result.toCylinder_mm, 0, 4, `true finger in ${time_ms} ms with ${JSON.stringify(changes)}`);
-      near(result.toGhost_mm, 200 * Math.sin(gap_deg * Math.PI / 360), 4, "from the ghost");
-      assert.ok(ridges >= 5 && ridges <= 15, `${ridges} ridges`);
+for (const delay_ms of [100, 200]) {
+  test(`a visitor who sees the dot ${delay_ms} ms late is led to the cylinder, and without the plate goes to the glass`, () => {
+    const led = new models.Hand(library, world, settings()), plain = new models.Hand(library, world, settings({ controller: "off" }));
+    for (let slide = 0; slide < 5; ++slide) {
+      const on = steer(led, { delay_ms });
+      assert.ok(on.toCylinder_mm < 8 && on.feltToGlass_mm < 8, JSON.stringify(on));
+      const off = steer(plain, { delay_ms });
+      assert.ok(off.toGlass_mm < 5 && off.toCylinder_mm > 12, JSON.stringify(off));
     }
-  }
-  near(go({ controller: "off" }).result.toGhost_mm, 0, 2, "with a still plate, the ghost");
-  const { phase, felt } = go({}, 1200, 0.99);
-  assert.equal(phase, "arrived", "within 5 mm it is the ghost");
-  near(models.length_m(felt, models.virtualPlace(models.pageCourse(settings()))), 0, 1e-12, "felt there");
+    assert.ok(led.command.tactile_weight_sd < 0.06 && Math.abs(led.command.tactile_weight - 0.17) < 0.08, "it has learnt this hand");
+    assert.ok(led.ridges > 20, `${led.ridges} ridges`);
+  });
+}
+
+test("a hand that is not steered goes to the glass, and the dot passes beside it", () => {
+  const { toGlass_mm, feltToGlass_mm, gap_deg } = steer(new models.Hand(library, world, settings()), { delay_ms: 0, gain: 0 });
+  assert.ok(toGlass_mm < 1 && feltToGlass_mm > 12 && gap_deg > 7, `${toGlass_mm} ${feltToGlass_mm} ${gap_deg}`);
 });
 
-// By hand: felt = true + w (plate - true), so that a felt 0 over a plate at 50 degrees is a true -w 50 / (1 - w).
-test("the hand goes where the sum of touch says", () => {
+// By hand: felt = true + w (plate - true), so that a true 0 over a plate at 50 degrees is a felt 50 w.
+test("the dot goes where the sum of touch says", () => {
   const hand = new models.Hand(library, world, settings({ controller: "off", tactile_weight: 0.2, gap_deg: 0 }));
   hand.plateConnected_deg = 50;
   for (let i = 0; i < 20; ++i) {
     hand.moveTo(0, models.start.away_m + 0.003 * i);
-    hand.advance(16);
+    hand.advance(10);
   }
-  near(models.direction_deg(hand.finger.right_m, hand.finger.away_m - models.start.away_m), -12.5, 1e-6, "true direction");
+  near(models.bearing_deg(models.start, hand.felt), 10, 1e-6, "felt direction");
   near(models.length_m(models.start, hand.finger), models.length_m(models.start, hand.felt), 1e-12, "as far");
 });
 
@@ -172,8 +177,7 @@ test("a hand does as it should at its limits", () => {
   hand.end();
   assert.equal(hand.phase, "waiting");
   hand.moveTo(50, -50);
-  hand.advance(16);
-  near(models.length_m(models.start, hand.felt), models.distance_m, 1e-9, "no further than the ghost");
+  hand.advance(100);
   assert.equal(hand.phase, "arrived");
   for (const value of Object.values(hand.felt)) assert.ok(Number.isFinite(value));
   hand.begin();
@@ -181,7 +185,41 @@ test("a hand does as it should at its limits", () => {
   hand.moveTo(back.right_m, back.away_m);
   hand.advance(16);
   hand.end();
-  assert.equal(hand.phase, "waiting", "a short slide starts anew");
+  assert.equal(hand.phase, "waiting", "a short slide starts again");
+});
+
+test("a hand that rests for an hour records nothing more", () => {
+  const hand = new models.Hand(library, world, settings());
+  hand.advance(2000);
+  assert.equal(hand.resting, true);
+  const before_ms = world.time_ms();
+  for (let s = 0; s < 3600; ++s) hand.advance(1000);
+  assert.deepEqual([world.time_ms(), hand.trace.length], [before_ms, 0]);
+  hand.moveTo(0, models.start.away_m + 0.05);
+  hand.advance(500);
+  assert.equal(hand.resting, false);
+  for (let s = 0; s < 3600; ++s) hand.advance(1000);
+  hand.end();
+  assert.ok(hand.recording.length < 200_000 && hand.trace.length < 200, `${hand.recording.length} bytes`);
+  assert.equal(library.replay(hand.recording).first_different_line, 0n);
+});
+
+// Observers whose threshold is 9 degrees, and who answer as the curve has it.
+test("six answers give a limit whose interval is wide, and sixty one that is right", () => {
+  let seed = 1;
+  const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  const after = (answers) => {
+    world.begin_series(2, 12.75);
+    for (let i = 0; i < answers; ++i) {
+      const gap = world.next_gap_deg();
+      assert.ok(gap >= 2 && gap <= 12.7501, `${gap}`);
+      world.answer(gap, random() < 1 - 0.95 * Math.exp(-((gap / 9) ** 3)) ? 1 : 0);
+    }
+    return { limit: world.limit_deg(), lower: world.limit_lower_deg(), upper: world.limit_upper_deg() };
+  };
+  const six = after(6), sixty = after(60);
+  assert.ok(six.upper - six.lower > 3 && six.lower < six.limit && six.limit < six.upper, JSON.stringify(six));
+  assert.ok(sixty.lower < 9 && 9 < sixty.upper && sixty.upper - sixty.lower < 5, JSON.stringify(sixty));
 });
 
 /** Worn on a connected plate whose marks were touched: what a reach that ends at the cylinder shows of the registration. */

@@ -5,21 +5,22 @@ import { readFile } from "node:fs/promises";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { visitor } from "./visitor.mjs";
 import { accessible, arrived, desk, desktop, drawn, drop, ended, frames, launch, newest, pageFolder, phase, phone, recorded, refuses, require, saved, shoot, tablet, text, visit } from "./browser.mjs";
 
 const { PNG } = require("pngjs");
 
 test("the first words say that this is simulation", () => visit(async (page) => {
-  assert.match((await page.innerText("body")).trim(), /^This is a simulation\./);
+  assert.match((await page.innerText("body")).trim(), /^Simulation\s+A turning plate/);
 }));
 
-test("a reach arrives at the cylinder while the ghost is felt", () => visit(async (page) => {
+test("a reach arrives at the cylinder while the glass is felt", () => visit(async (page) => {
   const result = await newest(page);
   assert.equal(result.controller, "ours");
   assert.ok(arrived(result), `bearing error ${result.bearingErrorDeg}`);
-  assert.ok(result.feltToGhostMm < 8 && result.toCylinderMm < 8);
+  assert.ok(result.feltToGlassMm < 8 && result.toCylinderMm < 8);
   await drawn(page);
-  assert.match(await text(page, "#caption"), /^Arrived\. The finger is \d+\.\d mm from the real cylinder/);
+  assert.match(await text(page, "#caption"), /^Arrived\. The finger is \d+\.\d mm from the cylinder/);
 }));
 
 test("without a plate that turns, and with the paper's for another person, the reach misses", () => visit(async (page) => {
@@ -30,9 +31,9 @@ test("without a plate that turns, and with the paper's for another person, the r
   await page.keyboard.press("ArrowLeft");
   const off = await newest(page);
   assert.deepEqual([off.controller, arrived(off), off.plateFastestDegS], ["off", false, 0]);
-  assert.ok(off.bearingErrorDeg > 8, "towards the ghost");
+  assert.ok(off.bearingErrorDeg > 8, "towards the glass");
   await drawn(page);
-  assert.match(await text(page, "#caption"), /^The finger is 2\d\.\d mm from the real cylinder/);
+  assert.match(await text(page, "#caption"), /^The finger is 2\d\.\d mm from the cylinder/);
   assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+straight ahead/, "the table is this reach's");
   await shoot(page, "watch_still_plate");
 }, { link: "#mode=watch&tactile_weight=0.3" }));
@@ -108,85 +109,146 @@ test("a reach plays, pauses and steps", () => visit(async (page) => {
   assert.equal(await page.locator("#results tbody tr").count(), 2);
 }, { motion: true }));
 
-/** Where the ring or the glass is, in the window. */
+/** Where the ring, the glass or the dot is, in the window. */
 async function place(page, name) {
   const box = await page.locator("#view").boundingBox(), at = await page.locator("#stage").getAttribute(`data-${name}`);
   return at.split(" ").map((number, i) => Number(number) + [box.x, box.y][i]);
 }
 const hidden = (page) => page.locator("#label-finger").isHidden();
-const own = { motion: true, link: "" };
+const own = { motion: true, link: "", viewport: { width: 390, height: 560 } };  // a processor draws
+
+/** A visitor steers the dot that is drawn to the glass, by mouse: without a click, or pressed from `grip` pixels off the ring. Ends
+ *  early where `until` of the way is left. */
+async function steer(page, { delay_ms = 100, grip = null, until = 0 } = {}) {
+  await frames(page, 100, 9);  // so slow that the picture becomes a light one
+  const ring = await place(page, "start"), glass = await place(page, "glass"), from = ring.map((x, i) => x + (grip?.[i] ?? 0));
+  const px = Math.hypot(glass[0] - ring[0], glass[1] - ring[1]) / 0.1, onPlate = ([x, y]) => ({ right_m: x / px, away_m: -y / px });
+  const go = visitor({ start: onPlate(ring), glass: onPlate(glass), delay_ms, step_ms: 20 });
+  let [x, y] = from;
+  await page.mouse.move(x, y);
+  if (grip) await page.mouse.down();
+  let dot = ring;
+  for (let i = 0; dot && Math.hypot(glass[0] - dot[0], glass[1] - dot[1]) >= until * 0.1 * px; ++i) {
+    assert.ok(i < 300, "the dot has not come to the glass");
+    const { right_m, away_m } = go(onPlate(dot));
+    [x, y] = [x + right_m * px, y - away_m * px];
+    await page.mouse.move(x, y);
+    dot = await page.evaluate(() => {
+      globalThis.drawFrame(20);
+      const { phase, dot } = document.getElementById("stage").dataset, { x, y } = document.getElementById("view").getBoundingClientRect();
+      return phase === "arrived" ? null : dot.split(" ").map((number, k) => Number(number) + [x, y][k]);
+    });
+  }
+  if (grip) await page.mouse.up();
+  await frames(page, 100, 10);
+  return [x, y];
+}
+
+for (const delay_ms of [100, 200]) test(
+  `a visitor who sees the dot ${delay_ms} ms late: the plate leads five slides to the cylinder, and without it they go to the glass`, () => visit(async (page) => {
+  for (let slide = 0; slide < 5; ++slide) {
+    await steer(page, { delay_ms });
+    const { toCylinderMm, feltToGlassMm } = await ended(page);
+    assert.ok(toCylinderMm < 8 && feltToGlassMm < 8, `${toCylinderMm} mm from the cylinder, the dot ${feltToGlassMm} from the glass`);
+    await page.click("#noticed-no");
+    await frames(page, 20);
+    await page.click("#restart");
+  }
+  await steer(page, { delay_ms });
+  await page.click("#noticed-no");
+  for (let slide = 0; slide < 5; ++slide) {
+    await frames(page, 20);
+    await page.click("#plate-off");
+    await steer(page, { delay_ms });
+    const { toGlassMm } = await ended(page);
+    assert.ok(toGlassMm < 5, `${toGlassMm} mm from the glass`);
+  }
+}, own));
 
 // Zero clicks: the mouse comes to the ring, which takes the finger along.
-test("who goes to the glass by mouse is shown the hand at the cylinder, within a second", () => visit(async (page) => {
+test("the hand is hidden while it is led, and then seen at the cylinder, where the cursor is", () => visit(async (page) => {
   await frames(page, 100, 12);
-  assert.equal(await text(page, "#caption"), "Slide from the ring to the glass.");
+  assert.equal(await text(page, "#caption"), "Slide the dot from the ring to the glass.");
+  assert.equal(await page.locator(".stand-in").innerText(), "Here your eye stands in for your fingertip.");
   await shoot(page, "hand_waiting");
-  const ring = await place(page, "start"), glass = await place(page, "glass");
-  let unseen = 0;
-  await page.mouse.move(...ring);
-  for (let i = 1; i <= 36; ++i) {
-    await page.mouse.move(ring[0] + (glass[0] - ring[0]) * i / 30, ring[1] + (glass[1] - ring[1]) * i / 30);
-    await frames(page, 33);
-    if (i === 20) {
-      assert.deepEqual([await phase(page), await hidden(page)], ["sliding", true]);
-      unseen = await skin(page);
-      await shoot(page, "hand_sliding");
-    }
-  }
-  const { toCylinderMm, toGhostMm, feltToGhostMm } = await ended(page);
-  assert.equal(feltToGhostMm, 0, "an overshoot ends at the glass");
-  assert.ok(toCylinderMm < 3 && toGhostMm > 14, `${toCylinderMm} mm from the cylinder, ${toGhostMm} from the glass`);
-  await frames(page, 100, 4);
-  await shoot(page, "hand_reveal");
-  await frames(page, 100, 6);
-  assert.match(await text(page, "#caption"), /^You went to the glass\. Your hand is here, 1[5-9] mm away\.$/);
+  await steer(page, { until: 0.4 });
+  assert.deepEqual([await phase(page), await hidden(page)], ["sliding", true]);
+  assert.equal(await page.locator("#grip").evaluate((grip) => getComputedStyle(grip).cursor), "none");
+  const unseen = await skin(page);
+  await shoot(page, "hand_sliding");
+  await page.locator("#stage").press("Escape");
+  const cursor = await steer(page);
+  const { toCylinderMm, toGlassMm, feltToGlassMm } = await ended(page);
+  assert.ok(toCylinderMm < 8 && toGlassMm > 12 && feltToGlassMm < 4, `${toCylinderMm} mm from the cylinder, ${toGlassMm} from the glass`);
+  assert.match(await text(page, "#caption"), /^You steered the dot to the glass\. Your hand is here, (1|2)\d mm from the dot and \d mm from the cylinder\.$/);
   assert.equal(await text(page, "#spoken"), await text(page, "#caption"));
+  const glass = await place(page, "glass");
+  assert.ok(Math.hypot(cursor[0] - glass[0], cursor[1] - glass[1]) > 20, "the cursor is not at the glass");
+  assert.notEqual(await page.locator("#grip").evaluate((grip) => getComputedStyle(grip).cursor), "none");
   assert.equal(await hidden(page), false);
-  assert.ok(await skin(page) > unseen + 5000, `the hand is seen: ${unseen} pixels like skin before`);
+  assert.ok(await skin(page) > unseen + 3000, `the hand is seen: ${unseen} pixels like skin before`);
   await shoot(page, "hand_arrived");
-  await page.mouse.move(...ring);
+  // What has arrived stays, whatever is clicked elsewhere.
+  await page.mouse.click(...await place(page, "start"));
+  await page.mouse.click(...glass);
+  await page.mouse.click(20, 300);
   await frames(page, 33);
-  assert.equal(await phase(page), "waiting", "the ring begins the next one");
+  assert.equal((await ended(page)).toCylinderMm, toCylinderMm);
 }, own));
 
-test("by keyboard, with the plate off, the hand stays at the glass", () => visit(async (page) => {
-  await page.click("#plate-off");
-  for (let i = 0; i < 3; ++i) {  // no key is needed but the arrows and Enter
-    await page.keyboard.down("ArrowUp");
-    await frames(page, 40, 20);
-    await page.keyboard.down("ArrowLeft");
-    await frames(page, 40, 4);
-    await page.keyboard.up("ArrowLeft");
-    await frames(page, 40, 30);
-    await page.keyboard.up("ArrowUp");
-    await page.keyboard.press("Enter");
-    await frames(page, 100, 10);
-    const { toGhostMm } = await ended(page);
-    assert.ok(toGhostMm < 3, `${toGhostMm} mm from the glass`);
+test("six answers give the visitor's own limit, and what it does not mean", () => visit(async (page) => {
+  const gaps = [];
+  for (let i = 1; i <= 6; ++i) {
+    await steer(page);
+    assert.equal(await page.locator("#after").isVisible(), false, "the question comes first");
+    if (i === 2) await shoot(page, "hand_question");
+    gaps.push((await place(page, "glass"))[0]);
+    await page.click(i % 2 ? "#noticed-no" : "#noticed-yes");
+    if (i < 6) assert.match(await text(page, "#limit"), new RegExp(`^Answer ${i} of 6\\.`));
+    await frames(page, 20);
+    assert.equal(await phase(page), "arrived", "an answer leaves the result");
+    await page.click("#restart");
   }
-  assert.match(await text(page, "#caption"), /^You went to the glass\. Your hand is here, [12] mm away: the plate was off\.$/);
+  assert.ok(new Set(gaps.map(Math.round)).size > 1, `the gap varies: ${gaps}`);
+  const [, limit, lower, upper] = /^Your limit, after 6 answers: led (\d+) mm aside, .* 95 % is (\d+) to (\d+) mm\. This is no limit of touch/.exec(await text(page, "#limit")).map(Number);
+  assert.ok(lower < limit && limit < upper, `${lower} ${limit} ${upper}`);
+  await steer(page);
+  assert.match(await text(page, "#learnt"), /^Learnt from your slides: ridges count (1\d|2\d) % in what you feel \(\d+ to \d+ %\)\.$/);
+  await shoot(page, "hand_limit");
 }, own));
 
-test("a touch: one that is lifted early is said so, a short one begins anew", () => visit(async (page) => {
-  await frames(page, 100, 5);
-  const drag = async (length) => {
-    const box = await page.locator("#view").boundingBox(), x = box.x + 0.3 * box.width, y = box.y + 0.8 * box.height;
-    await page.mouse.move(x, y);  // from anywhere: a thumb need not cover the ring
-    await page.mouse.down();
-    for (let i = 1; i <= 10; ++i) {
-      await page.mouse.move(x, y - length * i / 10 * box.height);
-      await frames(page, 33);
-    }
-    await page.mouse.up();
-    await frames(page, 100, 10);
-  };
-  await drag(0.02);
+test("by keyboard the hand is led, and a lifted finger is said so", () => visit(async (page) => {
+  await page.locator("#stage").focus();
+  await page.keyboard.down("ArrowUp");
+  await frames(page, 40, 20);
+  await page.keyboard.up("ArrowUp");
+  await page.keyboard.press("Enter");
+  await frames(page, 100, 10);
+  assert.match(await text(page, "#caption"), /^You stopped before the glass\. Your hand is here, \d+ mm from the dot/);
+  assert.equal(await page.locator("#question").isVisible(), false, "such a slide is not asked about");
+  await page.click("#plate-off");
+  await frames(page, 20);
+  assert.match(await text(page, "#caption"), /^The plate is off\./);
+}, own));
+
+test("a thumb on the disc drags the dot from anywhere, beyond the window too; a short drag begins again", () => visit(async (page) => {
+  await steer(page, { grip: [80, -20], until: 0.9 });
   assert.equal(await phase(page), "waiting");
-  await drag(0.12);
-  assert.match(await text(page, "#caption"), /^You stopped before the glass\. Your hand is here, \d+ mm away\.$/);
+  await steer(page, { grip: [60, -20] });
+  assert.ok((await ended(page)).toCylinderMm < 8);
+  await page.click("#noticed-yes");
+  await frames(page, 20);
   await page.click("#restart");
-  await frames(page, 33);
-  assert.equal(await phase(page), "waiting");
+  await frames(page, 50, 15);
+  const [x, y] = await place(page, "start");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (const [dx, dy] of [[20, -30], [900, -30], [900, -2000], [0, -60]]) {
+    await page.mouse.move(x + dx, y + dy, { steps: 2 });
+    if (dx < 100) await frames(page, 20, 4);
+  }
+  assert.equal(await phase(page), "sliding", "the window's edge ends nothing");
+  await page.mouse.up();
 }, { ...own, viewport: phone }));
 
 test("ridges are heard, and one button, which is remembered, turns them off", () => visit(async (page) => {
@@ -255,7 +317,7 @@ test("a dropped recording of another host replays, and a bad one is refused in t
   await page.locator("#replayed", { hasText: `reach.csv: All ${rows} calls gave the same numbers again` }).waitFor();
 }));
 
-// Within 75 degrees of the motion a weight w holds 75 w degrees, and the plate stands at the gap (1 - w) / w from the ghost.
+// Within 75 degrees of the motion a weight w holds 75 w degrees, and the plate stands at the gap (1 - w) / w from the glass.
 test("a dropped scene appears with what can be held", () => visit(async (page) => {
   await drop(page, "desk.gltf", await readFile(desk, "utf8"));
   await page.waitForSelector("#scene-mode:not([hidden])");
@@ -266,10 +328,10 @@ test("a dropped scene appears with what can be held", () => visit(async (page) =
   assert.deepEqual(rows.map((row) => row.slice(3).map((cell) => cell !== "–")), [
     [true, true, true, true, true], [false, true, true, true, true], [false, false, true, true, true]]);
   assert.equal(rows[0][5], "30° left");
-  assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["finger", "felt here", "cylinder", "bottle", "goblet", "pawn"]);
+  assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["hand", "felt here", "cylinder", "bottle", "goblet", "pawn"]);
   // Reaches lead to the file's own targets: 6 degrees to the bottle, 8 to the other side to the goblet.
   const bottle = await newest(page);
-  assert.ok(Math.abs(bottle.gapDeg - 6) < 1e-6 && arrived(bottle) && bottle.feltToGhostMm < 8, JSON.stringify(bottle));
+  assert.ok(Math.abs(bottle.gapDeg - 6) < 1e-6 && arrived(bottle) && bottle.feltToGlassMm < 8, JSON.stringify(bottle));
   await page.selectOption("#scene-pair", { label: "goblet, felt; cylinder, reached" });
   const goblet = await newest(page);
   assert.ok(Math.abs(goblet.gapDeg + 8) < 1e-6 && arrived(goblet), JSON.stringify(goblet));
@@ -277,7 +339,7 @@ test("a dropped scene appears with what can be held", () => visit(async (page) =
   await accessible(page);
   await shoot(page, "scene");
   await page.locator("label:has(input[value=watch])").click();
-  assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["real cylinder", "ghost", "finger", "felt here"]);
+  assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["cylinder", "glass", "hand", "felt here"]);
 }));
 
 test("a bad scene is refused in the loader's words", () => visit(async (page) => {
@@ -376,29 +438,29 @@ async function skin(page) {
 }
 
 test("in Watch a hand is seen, and a drag or the arrows turn the picture; from above it stands still", () => visit(async (page) => {
-  const ghost = async () => {
+  const glass = async () => {
     await drawn(page);
-    return page.locator("#label-ghost").evaluate((label) => label.style.transform);
+    return page.locator("#label-glass").evaluate((label) => label.style.transform);
   };
   await page.waitForSelector("#stage[data-hand=yes]");
-  const seen = [await ghost()], { x, y, width, height } = await page.locator("#view").boundingBox();
+  const seen = [await glass()], { x, y, width, height } = await page.locator("#view").boundingBox();
   assert.ok(await skin(page) > 5000, `${await skin(page)} pixels of skin`);
   await page.mouse.move(x + width / 2, y + height / 2);
   await page.mouse.down();
   await page.mouse.move(x + width / 2 + 120, y + height / 2, { steps: 4 });
   await page.mouse.up();
-  seen.push(await ghost());
+  seen.push(await glass());
   await page.locator("#stage").focus();
   for (const key of ["ArrowLeft", "ArrowUp"]) {
     await page.keyboard.press(key);
-    seen.push(await ghost());
+    seen.push(await glass());
   }
   assert.equal(new Set(seen).size, 4, seen.join());
   await shoot(page, "watch_turned");
   await page.locator("label:has(input[value=watch])").press("ArrowLeft");
-  const above = await ghost();
+  const above = await glass();
   await page.locator("#stage").press("ArrowLeft");
-  assert.equal(await ghost(), above);
+  assert.equal(await glass(), above);
 }));
 
 test("eight slow frames in a row, and the picture has no finer pixels than the page", () => visit(async (page) => {

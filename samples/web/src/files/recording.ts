@@ -1,10 +1,10 @@
 // A recording of the plugin, read for the picture: the tracked finger, the commanded plate, and what the controller
 // made of them. Library.replay() checks it; this reads columns by their names.
 import { HRT_SAMPLE_PLATE_POSITION } from "haptic-retargeting";
-import { type Place, start } from "../geometry";
+import { start } from "../geometry";
 import type { Trace } from "../trace";
 
-export type RecordedSample = Trace[number] & Readonly<Place> & { readonly time_ms: number };
+export type RecordedSample = Trace[number] & { readonly time_ms: number };
 
 export interface RecordedReach {
   readonly real_deg: number;
@@ -35,14 +35,15 @@ export function readReach(recording: string): RecordedReach {
       break;
     } else if (begin && cells[0] === "update") {
       const time_ms = number(cells, "time_ns") / 1e6,
-        right_m = number(cells, "sample_x_m");
+        right_m = number(cells, "sample_x_m") - number(begin, "start_right_m") + start.right_m,
+        away_m = -number(cells, "sample_z_m") - number(begin, "start_away_m") + start.away_m;
       if (!(number(cells, "sample_flags") & HRT_SAMPLE_PLATE_POSITION)) continue;
       if (Number.isNaN(first_ms)) first_ms = time_ms;
       const moving = number(cells, "step") >= 0;
       samples.push({
         time_ms: time_ms - first_ms,
-        right_m: right_m - number(begin, "start_right_m") + start.right_m,
-        away_m: -number(cells, "sample_z_m") - number(begin, "start_away_m") + start.away_m,
+        finger: { right_m, away_m },
+        felt: { right_m: NaN, away_m: NaN }, // not in a recording
         plate_deg: number(cells, "plate_orientation_deg"),
         finger_deg: moving ? number(cells, "finger_direction_deg") : NaN,
         felt_deg: moving ? number(cells, "perceived_direction_deg") : NaN,

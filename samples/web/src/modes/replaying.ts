@@ -41,7 +41,7 @@ export class Replaying {
     const sample = reach.samples[Math.max(0, this.#next - 1)];
     if (!sample) return;
     const over = this.#next === reach.samples.length;
-    this.desk.draw(sample.plate_deg, sample, sample);
+    this.desk.draw(sample.plate_deg, sample.finger, sample.finger);
     showNow(sample.plate_deg, sample.finger_deg, sample.felt_deg, reach.virtual_deg);
     this.desk.caption(
       over ? "arrived" : Number.isNaN(sample.finger_deg) ? "waiting" : "sliding",
@@ -56,7 +56,7 @@ export class Replaying {
 
   #take(sample: RecordedSample): void {
     ++this.#next;
-    this.desk.extendPaths(sample, sample);
+    this.desk.extendPaths(sample.finger, sample.finger);
     while (this.trace.length * tracePeriod_ms <= sample.time_ms && this.trace.length < maxTrace)
       this.trace.push(sample);
   }

@@ -1,36 +1,46 @@
-// The mode "Be the finger": pointer or keys are where the visitor feels the finger. The hand is hidden until the end, and then
-// shown where it really went.
+// The mode "Be led": pointer or keys are the true fingertip, which is hidden while it moves. The visitor sees where it is felt,
+// steers that to the glass, and then sees where their hand is.
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
-import { length_m, type Place, start, virtualPlace } from "../geometry";
+import { length_m, type Place, start } from "../geometry";
 import type { Hand } from "../hand";
 import { showNow } from "../now";
-import { element } from "../page";
+import { element, say } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import type { Ticks } from "../ticks";
 import type { Voice } from "../voice";
+import { Series } from "./series";
 
 const keySpeed_m_s = 0.06;
 const reveal_ms = 900;
-/** A mouse that comes so near to the ring takes the finger along. */
-const grasp_m = 0.008;
+/** A mouse that comes so near to the ring takes the fingertip along. Over this way it then comes under the mouse itself. */
+const grasp_m = 0.008,
+  fade_m = 0.03;
+/** A dot that misses the glass by more was not steered to it. */
+const missed_mm = 8;
+const steering = ["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"];
 
 export class Sliding {
   /** Whether this mode is the one that is shown. */
   active = false;
+  readonly #series: Series;
   readonly #keys = new Set<string>();
   readonly #pointer: Place = { right_m: 0, away_m: 0 };
   readonly #grip: Place = { right_m: 0, away_m: 0 };
-  /** Of the pointer that moves the finger; -1: none. */
+  /** Of the pointer that moves the fingertip; -1: none. */
   #held = -1;
+  /** It took the fingertip along at the ring, and the two come together. */
+  #joins = false;
+  #pressed = false;
   #plateOff = false;
   #shown_ms = 0;
   #owed_ms = 0;
 
-  /** `still`: the hand is shown at once. */
+  /** `plain`: the same hand over a plate that stays still. `still`: the hand is shown at once. */
   constructor(
-    private readonly hand: Hand,
+    private readonly led: Hand,
+    private readonly plain: Hand,
     private readonly world: World,
     private readonly desk: Desk,
     private readonly voice: Voice,
@@ -38,30 +48,46 @@ export class Sliding {
     private settings: Readonly<Settings>,
     private readonly still: boolean,
   ) {
-    const { frame } = desk;
-    frame.addEventListener("pointerdown", (event) => this.#press(event));
-    frame.addEventListener("pointermove", (event) => this.#move(event));
-    for (const end of ["pointerup", "pointercancel", "pointerleave"] as const)
-      frame.addEventListener(end, (event) => this.#release(event));
+    const { frame, grip } = desk;
+    this.#series = new Series(world);
+    grip.addEventListener("pointerdown", (event) => this.#press(event));
+    window.addEventListener("pointermove", (event) => this.#move(event));
+    for (const end of ["pointerup", "pointercancel"] as const)
+      window.addEventListener(end, (event) => this.#release(event));
     frame.addEventListener("keydown", (event) => this.#key(event, true));
     frame.addEventListener("keyup", (event) => this.#key(event, false));
     frame.addEventListener("blur", () => this.#keys.clear());
     element("restart", HTMLButtonElement).addEventListener("click", () => this.#again(false));
     element("plate-off", HTMLButtonElement).addEventListener("click", () => this.#again(true));
+    this.#series.begin(settings.gap_deg);
+  }
+
+  /** The one that slides. */
+  get hand(): Hand {
+    return this.#plateOff ? this.plain : this.led;
   }
 
   apply(settings: Readonly<Settings>): void {
     this.settings = settings;
-    this.hand.apply(this.#plateOff ? { ...settings, controller: "off" } : settings);
+    this.plain.apply({ ...settings, controller: "off" });
+    this.led.apply(settings);
+    this.#plateOff = false;
+    this.#series.begin(settings.gap_deg);
     this.restart();
   }
 
+  /** Back to the ring. */
   restart(): void {
-    this.hand.begin();
-    if (this.active) this.desk.clearPaths(); // else they are another mode's
-    this.#held = -1;
+    const { hand, desk } = this,
+      { gap_deg } = this.#series;
+    hand.begin(gap_deg);
+    this.#series.skip();
+    this.#letGo();
     this.#keys.clear();
-    this.desk.frame.classList.remove("dragging");
+    if (!this.active) return; // the picture is another mode's
+    desk.clearPaths();
+    const { real_deg, virtual_deg, real_m } = pageCourse({ ...this.settings, gap_deg });
+    desk.setTargets(real_deg, virtual_deg, real_m);
   }
 
   frame(elapsed_ms: number): void {
@@ -80,43 +106,54 @@ export class Sliding {
 
   #again(plateOff: boolean): void {
     this.#plateOff = plateOff;
-    this.apply(this.settings);
+    this.restart();
     this.desk.frame.focus({ preventScroll: true });
+    this.desk.frame.scrollIntoView({ block: "nearest" });
   }
 
   #press(event: PointerEvent): void {
-    if (!this.active || event.button !== 0 || !this.desk.placeOf(event, this.#pointer)) return;
+    if (!this.active || event.button !== 0 || this.hand.phase === "arrived") return;
     this.ticks.wake();
-    if (this.hand.phase === "arrived") this.restart();
-    this.#grasp(event.pointerId);
-    this.desk.frame.setPointerCapture(event.pointerId);
+    this.#pressed = true;
+    if (this.#held < 0 && this.desk.placeOf(event, this.#pointer)) this.#grasp(event);
+    this.desk.grip.setPointerCapture(event.pointerId); // beyond the window too
   }
 
-  /** The finger moves as the pointer does, from wherever that is. */
-  #grasp(pointer: number): void {
-    this.#held = pointer;
-    this.#grip.right_m = this.#pointer.right_m - this.hand.wanted.right_m;
-    this.#grip.away_m = this.#pointer.away_m - this.hand.wanted.away_m;
-    this.desk.frame.classList.add("dragging");
+  /** The fingertip moves as the pointer does, from wherever that is. */
+  #grasp({ pointerId, pointerType }: PointerEvent): void {
+    const { finger } = this.hand;
+    this.#held = pointerId;
+    this.#joins = pointerType === "mouse" && length_m(this.#pointer, finger) < grasp_m;
+    this.#grip.right_m = this.#pointer.right_m - finger.right_m;
+    this.#grip.away_m = this.#pointer.away_m - finger.away_m;
+    document.documentElement.classList.add("led");
+  }
+
+  #letGo(): void {
+    this.#held = -1;
+    this.#pressed = false;
+    document.documentElement.classList.remove("led");
   }
 
   #move(event: PointerEvent): void {
-    if (!this.active || !this.desk.placeOf(event, this.#pointer)) return;
-    const idle = this.#held < 0 && event.pointerType === "mouse" && length_m(this.#pointer, start) < grasp_m;
-    if (idle && this.hand.phase === "arrived" && this.#shown_ms > reveal_ms) this.restart();
-    if (idle && this.hand.phase === "waiting") this.#grasp(event.pointerId);
+    const { hand } = this;
+    if (!this.active || hand.phase === "arrived" || !this.desk.placeOf(event, this.#pointer)) return;
+    const free = this.#held < 0 && event.pointerType === "mouse";
+    if (free && length_m(this.#pointer, start) < grasp_m && event.target === this.desk.grip) this.#grasp(event);
     if (event.pointerId !== this.#held) return;
-    this.hand.moveTo(this.#pointer.right_m - this.#grip.right_m, this.#pointer.away_m - this.#grip.away_m);
+    const kept = this.#joins ? Math.max(0, 1 - length_m(start, hand.finger) / fade_m) : 1;
+    hand.moveTo(this.#pointer.right_m - kept * this.#grip.right_m, this.#pointer.away_m - kept * this.#grip.away_m);
   }
 
   #release(event: PointerEvent): void {
-    if (event.pointerId === this.#held) this.#end();
+    const lifted = this.#pressed && event.pointerId === this.#held;
+    this.#pressed = false;
+    if (lifted && !(this.#joins && this.hand.phase === "waiting")) this.#end();
   }
 
   #key(event: KeyboardEvent, down: boolean): void {
     if (!this.active) return;
-    if (event.key.startsWith("Arrow")) {
-      if (down && !event.repeat && this.hand.phase === "arrived") this.restart();
+    if (steering.includes(event.key)) {
       if (down) this.#keys.add(event.key);
       else this.#keys.delete(event.key);
     } else if (event.key === "Enter" && down && !event.repeat) {
@@ -140,51 +177,73 @@ export class Sliding {
     );
   }
 
-  /** The finger is lifted. */
+  /** The fingertip is lifted. What has arrived stays. */
   #end(): void {
+    if (this.hand.result) return;
     this.hand.end();
     if (this.hand.phase === "arrived") this.#arrive();
     else this.restart();
   }
 
   #arrive(): void {
-    this.#held = -1;
+    const { hand } = this,
+      { result } = hand;
+    this.#letGo();
     this.#shown_ms = 0;
-    this.desk.frame.classList.remove("dragging");
+    if (!this.#plateOff && result && result.feltToGlass_mm < missed_mm) this.#series.ask(result.gap_deg);
     this.ticks.contact();
     this.voice.say(this.#text());
   }
 
   #draw(): void {
-    const hand = this.hand,
+    const { hand, desk } = this,
       plate_deg = this.world.plate_deg(),
       over = hand.phase === "arrived";
-    if (hand.phase !== "waiting") this.desk.extendPaths(hand.finger, hand.felt);
-    this.desk.reveal(!over ? 0 : this.still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
-    this.desk.draw(plate_deg, hand.finger, hand.felt);
-    showNow(plate_deg, hand.finger_deg, hand.felt_deg, pageCourse(this.settings).virtual_deg);
-    this.desk.caption(hand.phase, this.#text());
-    this.desk.write(hand.result);
+    if (hand.phase !== "waiting") desk.extendPaths(hand.finger, hand.felt);
+    desk.reveal(!over ? 0 : this.still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
+    desk.draw(plate_deg, hand.finger, hand.felt);
+    showNow(
+      plate_deg,
+      hand.finger_deg,
+      hand.felt_deg,
+      pageCourse({ ...this.settings, gap_deg: hand.gap_deg }).virtual_deg,
+    );
+    desk.caption(hand.phase, this.#text());
+    element("after", HTMLDivElement).hidden = !over || this.#series.asking;
+    say(element("learnt", HTMLParagraphElement), over ? this.#learnt() : "");
+    desk.write(hand.result, hand.felt);
   }
 
   #text(): string {
-    const hand = this.hand,
-      { result } = hand;
+    const { phase, result, finger, felt } = this.hand;
     if (!result) {
-      if (hand.phase === "sliding") return "You feel your finger here.";
+      if (phase === "sliding") return "Steer the dot to the glass.";
       return this.#plateOff
-        ? "The plate is off. Slide from the ring to the glass."
-        : "Slide from the ring to the glass.";
+        ? "The plate is off. Slide the dot from the ring to the glass."
+        : "Slide the dot from the ring to the glass.";
     }
-    const ghost = virtualPlace(pageCourse(this.settings)),
-      off_m = length_m(hand.felt, ghost);
+    const miss_mm = result.feltToGlass_mm,
+      away_mm = 1000 * length_m(felt, finger);
     const went =
-      off_m < 1e-6
-        ? "You went to the glass."
-        : off_m > 0.02
+      miss_mm < missed_mm
+        ? "You steered the dot to the glass."
+        : length_m(start, felt) < 0.095
           ? "You stopped before the glass."
-          : `You went beside the glass, by ${(1000 * off_m).toFixed(0)} mm.`;
-    const away_mm = 1000 * length_m(hand.felt, hand.finger);
-    return `${went} Your hand is here, ${away_mm.toFixed(0)} mm away${this.#plateOff ? ": the plate was off" : ""}.`;
+          : `The dot passed ${miss_mm.toFixed(0)} mm beside the glass.`;
+    const hand = `Your hand is here, ${away_mm.toFixed(0)} mm from the dot`;
+    return this.#plateOff
+      ? `${went} ${hand}: the plate was off.`
+      : `${went} ${hand} and ${result.toCylinder_mm.toFixed(0)} mm from the cylinder.`;
+  }
+
+  /** What the plugin says of this hand. */
+  #learnt(): string {
+    const { tactile_weight, tactile_weight_sd } = this.led.command;
+    if (this.#plateOff || this.settings.controller !== "ours") return "";
+    const percent = (share: number) => (100 * Math.max(0, share)).toFixed(0);
+    return (
+      `Learnt from your slides: ridges count ${percent(tactile_weight)} % in what you feel ` +
+      `(${percent(tactile_weight - 1.96 * tactile_weight_sd)} to ${percent(tactile_weight + 1.96 * tactile_weight_sd)} %).`
+    );
   }
 }

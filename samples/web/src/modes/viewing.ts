@@ -32,7 +32,7 @@ export class Viewing {
       body = element("held-rows", HTMLTableSectionElement);
     titles.replaceChildren();
     body.replaceChildren();
-    for (const title of ["ghost", "real", "gap", ...weights.map((weight) => `w = ${weight}`)]) {
+    for (const title of ["glass", "real", "gap", ...weights.map((weight) => `w = ${weight}`)]) {
       const cell = document.createElement("th");
       cell.scope = "col";
       cell.textContent = title;

@@ -148,7 +148,7 @@ export class Watching {
     }
     return (
       `The finger moves ${sideways(finger_deg)}; over these ridges that feels like ${sideways(felt_deg)}. ` +
-      `The ghost lies ${sideways(this.watch.course.virtual_deg)}.`
+      `The glass lies ${sideways(this.watch.course.virtual_deg)}.`
     );
   }
 }

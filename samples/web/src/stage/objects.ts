@@ -1,4 +1,4 @@
-// What lies and moves about the plate: the real cylinder, the ghost, the hand, the felt fingertip.
+// What lies and moves about the plate: the cylinder, the glass, the hand, the felt fingertip.
 import {
   CylinderGeometry,
   EdgesGeometry,
@@ -44,7 +44,7 @@ export class RealCylinder extends Group {
 }
 
 /** A goblet that is seen, or imagined, and not there. */
-export class Ghost extends Group {
+export class Glass extends Group {
   constructor() {
     super();
     const outline = [
@@ -102,7 +102,7 @@ export class StartMark extends Mesh {
   }
 }
 
-/** Targets in their colours: real ones solid, virtual ones as ghosts. */
+/** Targets in their colours: real ones solid, virtual ones as glasss. */
 export function colourTargets(group: Group, real: string, felt: string): void {
   group.traverse((node) => {
     const { haptic } = node.userData as { haptic?: { role?: unknown } };

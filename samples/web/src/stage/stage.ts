@@ -22,20 +22,19 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { VisitorScene } from "../files/scene";
 import { ahead, type Place, radius_m, ridgeSpacing_m, start } from "../geometry";
 import type { Colours } from "../theme";
-import { colourTargets, colourThings, FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";
+import { colourTargets, colourThings, FeltTip, Finger, Glass, RealCylinder, StartMark } from "./objects";
 import { Ribbon } from "./ribbon";
 
-const fieldOfView_deg = 40; // from top to bottom, in a window at least this wide over its height:
-const minAspect = 1.25;
+const fieldOfView_deg = 30; // from top to bottom
+/** From the visitor's seat: the same in all modes, as near as the plate fits into the picture. */
+const seat = new Vector3(0, 0.85, 0.53);
+const middle = new Vector3(0, 0, 0.002);
+const fill = 0.97;
 const headHeight_m = 0.034; // of a target, for its label
 const pathHeight_m = 0.003;
-const eyes = {
-  oblique: { from: new Vector3(0.03, 0.16, 0.145), to: new Vector3(0, 0.004, -0.004) },
-  above: { from: new Vector3(0, 0.235, 0.05), to: new Vector3(0, 0, -0.001) },
-};
 
 /** What a label stands beside. */
-export type LabelName = "real" | "ghost" | "finger" | "felt";
+export type LabelName = "real" | "glass" | "finger" | "felt";
 
 export class Stage {
   readonly truePath = new Ribbon(0.0022, 0, pathHeight_m);
@@ -62,7 +61,7 @@ export class Stage {
   });
   readonly desk = new Mesh(new BoxGeometry(1.2, 0.02, 0.9), new MeshStandardMaterial({ roughness: 1 }));
   readonly #real = new RealCylinder();
-  readonly #ghost = new Ghost();
+  readonly #glass = new Glass();
   readonly finger = new Finger();
   readonly #felt = new FeltTip();
   readonly #start = new StartMark();
@@ -97,7 +96,7 @@ export class Stage {
       this.desk,
       this.plate,
       this.#real,
-      this.#ghost,
+      this.#glass,
       this.finger,
       this.#felt,
       this.#start,
@@ -126,9 +125,9 @@ export class Stage {
 
   setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
     const real = ahead(start, real_deg, distance_m),
-      ghost = ahead(start, virtual_deg, distance_m);
+      glass = ahead(start, virtual_deg, distance_m);
     this.#real.position.set(real.right_m, 0, -real.away_m);
-    this.#ghost.position.set(ghost.right_m, 0, -ghost.away_m);
+    this.#glass.position.set(glass.right_m, 0, -glass.away_m);
   }
 
   /** A visitor's scene instead of the page's desk and targets, brought to the plate's size; null: the page's own. */
@@ -140,7 +139,7 @@ export class Stage {
       for (const material of [part.material].flat() as Material[]) material.dispose();
     });
     this.#visited.clear();
-    for (const own of [this.#real, this.#ghost]) own.visible = !scene;
+    for (const own of [this.#real, this.#glass]) own.visible = !scene;
     this.desk.visible = !scene?.meshes;
     if (scene?.meshes) {
       const { group } = scene.meshes;
@@ -152,24 +151,54 @@ export class Stage {
     this.#start.position.set(from.right_m, this.#start.position.y, -from.away_m);
     for (const { name, real, drawn } of scene?.targets ?? []) {
       if (scene?.meshes?.targets.has(name)) continue;
-      const thing = real ? new RealCylinder() : new Ghost();
+      const thing = real ? new RealCylinder() : new Glass();
       thing.position.set(drawn.right_m, 0, -drawn.away_m);
       this.#visited.add(thing);
     }
   }
 
-  setView(view: keyof typeof eyes): void {
-    this.#camera.position.copy(eyes[view].from);
-    this.orbit.target.copy(eyes[view].to);
-    this.orbit.enabled = view !== "above";
-    this.orbit.update();
+  setView(turns: boolean): void {
+    this.orbit.target.copy(middle);
+    this.orbit.enabled = turns;
+    this.#fit();
+  }
+
+  /** As near as the plate is seen whole. */
+  #fit(): void {
+    let near = 0.1,
+      far = 1.5;
+    while (far - near > 1e-4) {
+      const distance = (near + far) / 2;
+      this.#camera.position.copy(middle).addScaledVector(seat, distance);
+      this.orbit.update();
+      const { left, top, width, height } = this.discOnCanvas();
+      const inside = left >= 0 && top >= 0 && left + width <= this.#width && top + height <= this.#height;
+      if (inside) far = distance;
+      else near = distance;
+    }
+  }
+
+  /** The box of the plate's disc, and a margin, on the canvas, in CSS pixels. */
+  discOnCanvas(): { left: number; top: number; width: number; height: number } {
+    const edge = { x: 0, y: 0 },
+      out_m = radius_m / fill,
+      xs: number[] = [],
+      ys: number[] = [];
+    this.#camera.updateMatrixWorld();
+    for (let i = 0; i < 32; ++i) {
+      this.#toCanvas(out_m * Math.cos((i * Math.PI) / 16), 0, out_m * Math.sin((i * Math.PI) / 16), edge);
+      xs.push(edge.x);
+      ys.push(edge.y);
+    }
+    const [left, top] = [Math.min(...xs), Math.min(...ys)];
+    return { left, top, width: Math.max(...xs) - left, height: Math.max(...ys) - top };
   }
 
   /** How much is shown of what is true, from 0 to 1: the hand fades in, its path draws itself. */
   reveal(share: number): void {
     this.finger.fade(share);
     this.truePath.shown = share;
-    this.#real.visible = share > 0 && this.#ghost.visible;
+    this.#real.visible = share > 0 && this.#glass.visible;
   }
 
   showFelt(shown: boolean): void {
@@ -196,10 +225,8 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(pixelRatio, this.#finest));
     this.renderer.setSize(width, height, false);
     this.#camera.aspect = width / height;
-    // The plate's width fits into a narrow window too.
-    const widening = Math.max(1, minAspect / this.#camera.aspect);
-    this.#camera.fov = (360 / Math.PI) * Math.atan(Math.tan((fieldOfView_deg / 360) * Math.PI) * widening);
     this.#camera.updateProjectionMatrix();
+    this.#fit();
   }
 
   /** For a processor that draws: no shadows, no pixels finer than the page's. */
@@ -225,9 +252,9 @@ export class Stage {
 
   /** Where a label belongs on the canvas, in CSS pixels from its corner. */
   toCanvas(label: LabelName, out: { x: number; y: number }): void {
-    const things = { real: this.#real, ghost: this.#ghost, finger: this.finger, felt: this.#felt },
+    const things = { real: this.#real, glass: this.#glass, finger: this.finger, felt: this.#felt },
       { x, z } = things[label].position;
-    this.#toCanvas(x, label === "real" || label === "ghost" ? headHeight_m : 0.006, z, out);
+    this.#toCanvas(x, label === "real" || label === "glass" ? headHeight_m : 0.006, z, out);
   }
 
   /** The same for the label of a target of a visitor's scene. */

@@ -29,7 +29,7 @@ export class Wear extends Led {
   text = "";
   /** The reach's hand is not seen. */
   lost = false;
-  /** The real cylinder stands where it is drawn. */
+  /** The cylinder stands where it is drawn. */
   hasCylinder = false;
   /** Called when the plate has been placed: in the space of the frames. */
   onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
@@ -117,7 +117,7 @@ export class Wear extends Led {
     this.#owed_ms += elapsed_ms;
     for (; this.#owed_ms >= 1; --this.#owed_ms) {
       this.tick();
-      if (this.phase === "sliding") this.record(this.felt.finger_deg, this.felt.felt_deg);
+      if (this.phase === "sliding") this.record(this.felt.finger_deg, this.felt.felt_deg, this.finger, this.felt.place);
     }
   }
 
@@ -169,7 +169,7 @@ export class Wear extends Led {
     this.lead(this.world.plate_deg());
     this.#seen_ms = this.#time_ms;
     this.phase = "sliding";
-    this.text = "Slide to the ghost, the orange goblet. Stop there.";
+    this.text = "Slide to the glass, the orange goblet. Stop there.";
   }
 
   #slide(frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {
@@ -215,9 +215,9 @@ export class Wear extends Led {
     this.recording = this.drop();
     this.phase = "arrived";
     this.#rest.reset();
-    const { toCylinder_mm, toGhost_mm, feltToGhost_mm } = this.result;
+    const { toCylinder_mm, toGlass_mm, feltToGlass_mm } = this.result;
     this.text =
-      `Your finger ended ${toCylinder_mm.toFixed(0)} mm from the real cylinder and ${toGhost_mm.toFixed(0)} mm from the ` +
-      `ghost. On ridges it would be felt ${feltToGhost_mm.toFixed(0)} mm from the ghost. Back to the ring for the next one.`;
+      `Your finger ended ${toCylinder_mm.toFixed(0)} mm from the cylinder and ${toGlass_mm.toFixed(0)} mm from the ` +
+      `glass. On ridges it would be felt ${feltToGlass_mm.toFixed(0)} mm from the glass. Back to the ring for the next one.`;
   }
 }

@@ -190,7 +190,7 @@ export class Wearing {
     this.desk.frame.dataset.lost = String(wear.lost);
     if (this.#session && text !== this.#spoken) this.voice.say(text);
     this.#spoken = text;
-    this.desk.write(wear.result);
+    this.desk.write(wear.result, wear.felt.place);
   }
 }
 

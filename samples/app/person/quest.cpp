@@ -1,10 +1,10 @@
-#include "samples/experiment/session/quest.h"
+#include "samples/app/person/quest.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace hrt::experiment {
+namespace hrt::app {
 namespace {
 
 constexpr double prior_threshold_deg = 14.0;
@@ -16,8 +16,8 @@ double entropy(double share) {
   return (share > 0.0 ? -share * std::log(share) : 0.0) + (other > 0.0 ? -other * std::log(other) : 0.0);
 }
 
-QuestPlus::Grid grid_between(double min_gap_deg, double max_gap_deg) {
-  QuestPlus::Grid grid{.slopes = {1.0, 1.5, 2.0, 3.0, 4.5}, .lapses = {0.0, 0.01, 0.02, 0.03, 0.05}};
+QuestPlus::Grid grid_between(double min_gap_deg, double max_gap_deg, double guess) {
+  QuestPlus::Grid grid{.slopes = {1.0, 1.5, 2.0, 3.0, 4.5}, .lapses = {0.0, 0.01, 0.02, 0.03, 0.05}, .guess = guess};
   constexpr double steps_per_decade = 20.0;
   const int steps = static_cast<int>(std::lround(steps_per_decade * std::log10(max_gap_deg / min_gap_deg)));
   for (int i = 0; i <= steps; ++i)
@@ -32,13 +32,15 @@ QuestPlus::Grid grid_between(double min_gap_deg, double max_gap_deg) {
 
 }  // namespace
 
-double right_share(double gap, double threshold, double slope, double lapse) {
-  return 1.0 - lapse - (0.5 - lapse) * std::exp(-std::pow(gap / threshold, slope));
+double right_share(double gap, double threshold, double slope, double lapse, double guess) {
+  return 1.0 - lapse - (1.0 - guess - lapse) * std::exp(-std::pow(gap / threshold, slope));
 }
 
-QuestPlus::QuestPlus(double min_gap_deg, double max_gap_deg) : QuestPlus(grid_between(min_gap_deg, max_gap_deg)) {}
+QuestPlus::QuestPlus(double min_gap_deg, double max_gap_deg, double guess)
+    : QuestPlus(grid_between(min_gap_deg, max_gap_deg, guess)) {}
 
-QuestPlus::QuestPlus(const Grid& grid) : gaps_(grid.gaps), threshold_count_(grid.thresholds.size()) {
+QuestPlus::QuestPlus(const Grid& grid)
+    : guess_(grid.guess), gaps_(grid.gaps), threshold_count_(grid.thresholds.size()) {
   for (std::size_t i = 0; i < threshold_count_; ++i)
     for (const double slope : grid.slopes)
       for (const double lapse : grid.lapses) {
@@ -49,7 +51,7 @@ QuestPlus::QuestPlus(const Grid& grid) : gaps_(grid.gaps), threshold_count_(grid
   for (double& belief : belief_) belief /= sum;
   for (const double gap : gaps_)
     for (const Person& person : people_) {
-      right_.push_back(right_share(gap, person.threshold, person.slope, person.lapse));
+      right_.push_back(right_share(gap, person.threshold, person.slope, person.lapse, guess_));
       uncertainty_.push_back(entropy(right_.back()));
     }
 }
@@ -76,7 +78,7 @@ void QuestPlus::update(double gap_deg, bool is_right) {
   ++answers_;
   double sum = 0.0;
   for (std::size_t p = 0; p < people_.size(); ++p) {
-    const double right = right_share(gap_deg, people_[p].threshold, people_[p].slope, people_[p].lapse);
+    const double right = right_share(gap_deg, people_[p].threshold, people_[p].slope, people_[p].lapse, guess_);
     belief_[p] *= is_right ? right : 1.0 - right;
     sum += belief_[p];
   }
@@ -104,4 +106,4 @@ QuestPlus::Threshold QuestPlus::threshold() const {
   return {std::exp(mean_log), quantile(tail), quantile(1.0 - tail)};
 }
 
-}  // namespace hrt::experiment
+}  // namespace hrt::app

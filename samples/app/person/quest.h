@@ -1,14 +1,15 @@
-// QUEST+ (Watson 2017) for a choice between two intervals: the next gap is the one after whose answer the
-// least is expected to be unknown of threshold, slope and lapses. Our own code, of the published equations.
+// QUEST+ (Watson 2017): chooses the gap whose answer is expected to reduce the uncertainty of threshold, slope and
+// lapses the most. Our own code, from the published equations.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-namespace hrt::experiment {
+namespace hrt::app {
 
-/// Share of right answers: 1 - l - (1/2 - l) exp(-(x / t)^s).
-double right_share(double gap, double threshold, double slope, double lapse);
+/// Probability of a correct answer between two intervals, or (with the probability of a false alarm as `guess`) of a
+/// yes: 1 - l - (1 - g - l) exp(-(x / t)^s).
+double right_share(double gap, double threshold, double slope, double lapse, double guess = 0.5);
 
 class QuestPlus {
  public:
@@ -16,12 +17,13 @@ class QuestPlus {
   /// lapses are as probable as each other. Thresholds are in equal steps of their logarithm.
   struct Grid {
     std::vector<double> gaps, thresholds, prior, slopes, lapses;
+    double guess = 0.5;
   };
   explicit QuestPlus(const Grid& grid);
   /// Gaps of 1 dB steps of their logarithm between the two. The prior of the threshold is normal in its
   /// logarithm about 14 (touch, Keyson 1995), wide enough for 4.5 (vision): a factor of 2 is a standard
   /// deviation.
-  QuestPlus(double min_gap_deg, double max_gap_deg);
+  QuestPlus(double min_gap_deg, double max_gap_deg, double guess = 0.5);
 
   double next_gap_deg() const;
   void update(double gap_deg, bool is_right);
@@ -45,6 +47,7 @@ class QuestPlus {
   };
 
   unsigned answers_ = 0;
+  double guess_;
   std::vector<double> gaps_;
   std::size_t threshold_count_;
   std::vector<Person> people_;       // of the grid, by threshold
@@ -53,4 +56,4 @@ class QuestPlus {
   std::vector<double> uncertainty_;  // of an answer there, nats
 };
 
-}  // namespace hrt::experiment
+}  // namespace hrt::app
