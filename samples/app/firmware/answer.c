@@ -27,7 +27,7 @@ static bool send_greeting(Plate* plate) {
   *end++ = ' ';
   end = line_put_hundredths(end, settings_most(settings));
   *end++ = ' ';
-  end = line_put_hundredths(end, settings->value[SETTING_SPEED_DEG_S]);
+  end = line_put_hundredths(end, settings_speed(settings));
   *end++ = ' ';
   end = line_put_hundredths(end, settings->value[SETTING_LATENCY_MS]);
   line_put_text(end, settings_has_feedback(settings) ? " measured" : " assumed");

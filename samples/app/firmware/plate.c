@@ -11,11 +11,17 @@ enum {
   HOME_MS = 8000,
   SETTLE_PERIOD_MS = 160,
   FRAME_MS = 20,
-  ASTRAY_MILLIDEG = 15000,
-  ASTRAY_MS = 500,
+  /* The pulse leads the sensor by the speed times the setting `latency` and this (a frame, the sensor's filter),
+   * and by MIN_LEAD_MILLIDEG more. While `FAST` holds: by FAST_LEAD_MILLIDEG. */
+  LEAD_MS = 30,
+  MIN_LEAD_MILLIDEG = 2000,
+  FAST_LEAD_MILLIDEG = 60000,
+  HELD_MILLIDEG = 1000, /* a stop leaves the pulse of a servo that is so near, or whose pulse was at rest for */
+  AT_REST_MS = 1000,
+  BLOCKED_MS = 500, /* held back by the bound of the lead, and moved by less than MOVED_MILLIDEG */
   MOVED_MILLIDEG = 3000,
   MAX_SETTLE_MILLIDEG = 6000, /* away from the first pulse, which is for where the sensor sees the plate */
-  STANDS_MILLIDEG = 400,      /* since the pulse before: a slow servo turns by little */
+  SETTLED_MILLIDEG = 400,     /* since the pulse before: a slow servo turns by little */
   TRIM_TICKS = 40             /* largest jump of the pulse by a changed setting, in half microseconds */
 };
 
@@ -27,14 +33,27 @@ static bool is_measured(const Plate* plate) {
   return settings_has_feedback(&plate->settings) && plate->reading_256ths >= 0;
 }
 
-static int32_t measured_millideg(const Plate* plate) {
-  return settings_measured_millideg(&plate->settings, (uint16_t)(plate->reading_256ths / 16));
-}
-
 static bool is_homing(const Plate* plate) { return plate->pulses && !plate->homed; }
 
-static void stop(Plate* plate, PlateStop why) {
+static void keep_within_limits(Plate* plate) {
+  plate->position_microdeg = clamp(plate->position_microdeg, settings_least(&plate->settings) * 10000,
+                                   settings_most(&plate->settings) * 10000);
   plate->target_microdeg = plate->position_microdeg;
+}
+
+static bool is_settled(const Plate* plate) { return plate->pulses && plate->settle_ms == 0; }
+
+/* Holds the servo where the sensor sees it, if the pulse has gone ahead. */
+static void hold(Plate* plate) {
+  const bool may_turn = is_settled(plate) && plate->at_rest_ms < AT_REST_MS;
+  if (may_turn && is_measured(plate) &&
+      apart(plate->measured_millideg, plate->position_microdeg / 1000) > HELD_MILLIDEG)
+    plate->position_microdeg = plate->measured_millideg * 1000;
+  keep_within_limits(plate);
+}
+
+static void stop(Plate* plate, PlateStop why) {
+  hold(plate);
   if (is_homing(plate)) plate->pulses = false; /* it is somewhere on its way */
   if (plate->state == PLATE_FOLLOWING) plate->state = PLATE_RESTING;
   plate->stops_due = (uint8_t)(plate->stops_due | 1U << why);
@@ -48,20 +67,14 @@ static void latch(Plate* plate, PlateStop why) {
   plate->pulses = plate->homed = false;
 }
 
-static void keep_within_limits(Plate* plate) {
-  plate->position_microdeg = clamp(plate->position_microdeg, settings_least(&plate->settings) * 10000,
-                                   settings_most(&plate->settings) * 10000);
-  plate->target_microdeg = plate->position_microdeg;
-}
-
 /* Where the servo is; or, to home it, at the place that it is to reach. */
 static void start_pulses(Plate* plate, int32_t home_microdeg) {
   plate->homed = is_measured(plate);
-  plate->position_microdeg = plate->homed ? measured_millideg(plate) * 1000 : home_microdeg;
+  plate->position_microdeg = plate->homed ? plate->measured_millideg * 1000 : home_microdeg;
   keep_within_limits(plate);
   plate->settle_ms = plate->homed ? SETTLE_PERIOD_MS : HOME_MS;
-  plate->astray_ms = 0;
-  plate->near_millideg = plate->astray_at_millideg = plate_place_millideg(plate);
+  plate->blocked_ms = 0;
+  plate->near_millideg = plate->moved_from_millideg = plate_place_millideg(plate);
   plate->near_pulse_millideg = plate->position_microdeg / 1000;
   plate->pulses = true;
 }
@@ -85,16 +98,23 @@ static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
 static void settle(Plate* plate) {
   --plate->settle_ms;
   if (is_measured(plate) && !is_homing(plate)) {
-    const int32_t measured = measured_millideg(plate);
+    const int32_t measured = plate->measured_millideg;
     if (apart(measured, plate->near_pulse_millideg) >
         apart(plate->near_millideg, plate->near_pulse_millideg) + MAX_SETTLE_MILLIDEG) {
       latch(plate, PLATE_STOP_SENSOR);
-    } else if (plate->settle_ms == 0 && apart(measured, plate->astray_at_millideg) > STANDS_MILLIDEG) {
-      plate->astray_at_millideg = measured;
+    } else if (plate->settle_ms == 0 && apart(measured, plate->moved_from_millideg) > SETTLED_MILLIDEG) {
+      plate->moved_from_millideg = measured;
       plate->settle_ms = SETTLE_PERIOD_MS;
     }
   }
   if (plate->settle_ms == 0) plate->homed = plate->pulses;
+}
+
+static int32_t max_lead_millideg(const Plate* plate) {
+  if (plate->fast) return FAST_LEAD_MILLIDEG;
+  const int32_t time_ms = plate->settings.value[SETTING_LATENCY_MS] / 100 + LEAD_MS;
+  const int32_t lead = MIN_LEAD_MILLIDEG + settings_speed(&plate->settings) / 100 * time_ms;
+  return lead < FAST_LEAD_MILLIDEG ? lead : FAST_LEAD_MILLIDEG;
 }
 
 static void move(Plate* plate) {
@@ -103,8 +123,20 @@ static void move(Plate* plate) {
     return;
   }
   /* Microdegrees in a millisecond. */
-  const int32_t step = plate->fast ? 360000000 : plate->settings.value[SETTING_SPEED_DEG_S] * 10;
-  plate->position_microdeg += clamp(plate->target_microdeg - plate->position_microdeg, -step, step);
+  const int32_t step = plate->fast ? 360000000 : settings_speed(&plate->settings) * 10;
+  const int32_t way = plate->target_microdeg - plate->position_microdeg;
+  plate->at_rest_ms = way != 0 ? 0 : plate->at_rest_ms < AT_REST_MS ? plate->at_rest_ms + 1 : AT_REST_MS;
+  const int32_t position = plate->position_microdeg + clamp(way, -step, step);
+  if (!is_measured(plate)) {
+    plate->position_microdeg = position;
+    return;
+  }
+  /* Waits for a servo that it leads by too much; it does not go back to it. */
+  const int32_t measured = plate->measured_millideg, lead = max_lead_millideg(plate);
+  const int32_t least = (measured - lead) * 1000, most = (measured + lead) * 1000, now = plate->position_microdeg;
+  const int32_t bounded = clamp(position, now < least ? now : least, now > most ? now : most);
+  plate->is_held_back = bounded != position;
+  plate->position_microdeg = bounded;
 }
 
 /* The sensor has turned against the pulse since it was last near it: its two readings are exchanged. */
@@ -114,19 +146,18 @@ static bool runs_against(const Plate* plate, int32_t measured) {
   return (turned > MOVED_MILLIDEG && wanted < 0) || (turned < -MOVED_MILLIDEG && wanted > 0);
 }
 
-/* Far from its pulse and not on its way there. */
 static void watch_servo(Plate* plate) {
-  if (!plate->pulses || plate->settle_ms > 0 || !is_measured(plate)) return;
-  const int32_t measured = measured_millideg(plate);
-  const bool astray = apart(measured, plate->position_microdeg / 1000) > ASTRAY_MILLIDEG;
-  if (!astray) {
+  if (!is_settled(plate) || !is_measured(plate)) return;
+  const int32_t measured = plate->measured_millideg, pulse = plate->position_microdeg / 1000;
+  const bool is_astray = plate->is_held_back || apart(measured, pulse) > max_lead_millideg(plate);
+  if (apart(measured, pulse) < MOVED_MILLIDEG) {
     plate->near_millideg = measured;
-    plate->near_pulse_millideg = plate->position_microdeg / 1000;
+    plate->near_pulse_millideg = pulse;
   }
-  if (!astray || apart(measured, plate->astray_at_millideg) > MOVED_MILLIDEG) {
-    plate->astray_at_millideg = measured;
-    plate->astray_ms = 0;
-  } else if (++plate->astray_ms >= ASTRAY_MS) {
+  if (!is_astray || apart(measured, plate->moved_from_millideg) > MOVED_MILLIDEG) {
+    plate->moved_from_millideg = measured;
+    plate->blocked_ms = 0;
+  } else if (++plate->blocked_ms >= BLOCKED_MS) {
     latch(plate, runs_against(plate, measured) ? PLATE_STOP_SENSOR : PLATE_STOP_STUCK);
   }
 }
@@ -134,7 +165,7 @@ static void watch_servo(Plate* plate) {
 bool plate_knows_place(const Plate* plate) { return is_measured(plate) || plate->homed; }
 
 int32_t plate_place_millideg(const Plate* plate) {
-  return is_measured(plate) ? measured_millideg(plate) : plate->position_microdeg / 1000;
+  return is_measured(plate) ? plate->measured_millideg : plate->position_microdeg / 1000;
 }
 
 uint16_t plate_pulse_ticks(const Plate* plate) {
@@ -152,7 +183,7 @@ static void greet(Plate* plate) {
   plate->stops_due = 0;
   plate->conf_next = plate->conf_end;
   plate->test_next = TEST_LINES;
-  plate->target_microdeg = plate->position_microdeg;
+  hold(plate);
   plate->state = PLATE_RESTING;
   if (is_homing(plate)) plate->pulses = false;
   if (plate->emergency_open) latch(plate, PLATE_STOP_EMERGENCY);
@@ -313,6 +344,8 @@ static void read_inputs(Plate* plate, const PlateInputs* inputs) {
   } else if (reading >= 0) {
     plate->reading_256ths += (reading - plate->reading_256ths) / 8;
   }
+  if (is_measured(plate))
+    plate->measured_millideg = settings_measured_millideg(&plate->settings, (uint16_t)(plate->reading_256ths / 16));
   const bool open = inputs->emergency_open && plate->settings.value[SETTING_EMERGENCY] != 0;
   plate->open_ms = !open ? 0 : plate->open_ms < EMERGENCY_MS ? (uint8_t)(plate->open_ms + 1) : EMERGENCY_MS;
   plate->emergency_open = plate->open_ms == EMERGENCY_MS;

@@ -66,10 +66,13 @@ typedef struct Plate {
   bool homed;                  /**< the servo is at position_microdeg, as far as a blind plate can know */
   uint16_t settle_ms;          /**< until the servo is where the first pulses send it */
   int32_t reading_256ths;      /**< of the sensor, smoothed; negative: none yet */
-  uint16_t astray_ms;          /**< since the sensor was near the pulse, or moved */
-  int32_t astray_at_millideg;  /**< where it was then */
-  int32_t near_millideg;       /**< where it was when it was last near the pulse */
-  int32_t near_pulse_millideg; /**< and the pulse then */
+  int32_t measured_millideg;   /**< place at that reading */
+  bool is_held_back;           /**< the pulse waits for the servo, which it would lead by too much */
+  uint16_t blocked_ms;         /**< time of that without a motion */
+  int32_t moved_from_millideg; /**< measured place at the last motion */
+  int32_t near_millideg;       /**< measured place when the pulse last did not wait */
+  int32_t near_pulse_millideg; /**< the pulse at that time */
+  uint16_t at_rest_ms;         /**< time since the pulse last moved, up to a limit */
   uint8_t open_ms;             /**< since the emergency stop's contact opened */
   bool emergency_open;
   uint16_t loop_ms; /**< longest time between two ticks: main.c */

@@ -24,6 +24,7 @@ static const Range ranges[SETTING_COUNT] = {
 /* clang-format on */
 
 static const int32_t min_span = 50000, min_adc_span = 5000;
+static const int32_t max_unmeasured_speed = 6000;
 
 enum { VERSION = 1 };
 
@@ -120,6 +121,11 @@ int32_t settings_most(const Settings* settings) {
   const int32_t set = settings->value[SETTING_MAX_DEG];
   const int32_t reach = reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_MOST_US : PULSE_LEAST_US);
   return reach < set ? reach : set;
+}
+
+int32_t settings_speed(const Settings* settings) {
+  const int32_t speed = settings->value[SETTING_SPEED_DEG_S];
+  return settings_has_feedback(settings) || speed < max_unmeasured_speed ? speed : max_unmeasured_speed;
 }
 
 bool settings_has_feedback(const Settings* settings) {

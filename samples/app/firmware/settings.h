@@ -53,6 +53,10 @@ uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_mill
 int32_t settings_least(const Settings* settings);
 int32_t settings_most(const Settings* settings);
 
+/** Speed of the motion, in hundredths of a degree a second. Without a sensor at most 60 degrees a second, which every
+ * hobby servo can follow: the pulse of a slower one would run ahead, and the servo would run on after a stop. */
+int32_t settings_speed(const Settings* settings);
+
 bool settings_has_feedback(const Settings* settings);
 /** Orientation in thousandths of a degree, within a turn, at this reading of the potentiometer, times 16. */
 int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16ths);

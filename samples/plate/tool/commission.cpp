@@ -20,6 +20,8 @@ constexpr double min_readings = 20.0;    // of the converter, between the two pl
 constexpr double stop_step_deg = 3.0;    // in which stops are approached
 constexpr double max_lag_deg = 0.5;      // of the last step, if it was followed; a converter's step is 0.3
 constexpr double stop_margin_deg = 2.0;  // to stay away from them
+constexpr double speed_share = 0.9;      // of the servo's speed, which its motion takes
+constexpr double max_speed_deg_s = 300.0;
 
 // The sensor's reading is a line over the orientation.
 struct Scale {
@@ -145,6 +147,8 @@ Measurements commission(const Opener& open, const Person& person) {
     for (Measured* angle : {&found.speed_deg_s, &found.acceleration_deg_s2, &found.backlash_deg})
       angle->deviation = std::hypot(angle->deviation, scale_share * angle->value);
     board->change_setting("latency", std::clamp(found.latency_ms.value, 0.0, 200.0));
+    found.limits.speed_deg_s = std::clamp(std::floor(speed_share * found.speed_deg_s.value), 1.0, max_speed_deg_s);
+    board->change_setting("speed", found.limits.speed_deg_s);
     board->save_settings();
   }
   found.details = device->details();

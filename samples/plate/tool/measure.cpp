@@ -122,9 +122,8 @@ void time_steps(Device& device, Measurements& found) {
 }  // namespace
 
 void turn_and_wait(Device& device, double orientation_deg) {
-  // Nobody sees a plate without a sensor arrive; the first turn of all homes it, in 8 s.
-  const bool is_lost = !device.orientation_deg();
-  const auto time = is_lost ? 9000ms : device.is_measured() ? limit_of_turn(device, orientation_deg) / 2 : 1500ms;
+  // The arrival of a plate without a sensor is not reported; its first turn homes it, in 8 s.
+  const auto time = device.orientation_deg() ? limit_of_turn(device, orientation_deg) : 9000ms;
   device.turn_to(orientation_deg);
   for (const auto end = device.now() + time; device.now() < end;) device.wait(10ms);
 }

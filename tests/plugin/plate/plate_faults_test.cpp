@@ -1,5 +1,5 @@
-// Every pair of faults, at every phase of a plate's life: how far it moves before the first command, how fast
-// it turns, how strong it may push at the rim, and what is reported. As a table:
+// Every pair of faults, at every phase of a plate's life: how far it moves before the first command and after a
+// stop, how fast it turns, how strongly it may push at the rim, and what is reported. As a table:
 // hrt_plate_driver_tests --gtest_filter='PlateFaults*'
 #include <gtest/gtest.h>
 
@@ -54,6 +54,7 @@ struct Hobby {
   using Emulated = TwinBoard;
   static constexpr const char *name = "hobby servo", *device = "serial:line";
   static constexpr double speed_limit_deg_s = 200.0;  // the firmware's, which a finger feels
+  static constexpr double latency_s = 0.03;           // dead time of 10 ms, and a frame of its pulses
   static constexpr bool homes = true;
 
   static TwinBoard make(Phase phase) {
@@ -61,6 +62,7 @@ struct Hobby {
   }
   static void greet(TwinBoard& board) { board.say("HELLO 2"); }
   static double force_n(const TwinBoard&) { return 0.0; }  // nothing limits or knows it
+  static bool is_deaf(const TwinBoard&) { return false; }
   static inline const std::vector<Kind<TwinBoard>> kinds = {
       {"unplug", {}, {"is unplugged"}},
       {"power loss",
@@ -85,6 +87,7 @@ struct Xl330 {
   using Emulated = EmulatedDynamixel;
   static constexpr const char *name = "XL330", *device = "dynamixel:line?effort=100";
   static constexpr double speed_limit_deg_s = 300.0;  // its profile
+  static constexpr double latency_s = 0.02;           // an exchange that is under way, and the stop's own
   static constexpr bool homes = false;
 
   static EmulatedDynamixel make(Phase) {
@@ -100,6 +103,7 @@ struct Xl330 {
   static double force_n(const EmulatedDynamixel& servo) {
     return servo.get(64, 1) == 0 ? 0.0 : static_cast<double>(servo.get(102, 2)) / 1750.0 * 0.52 / 0.075;
   }
+  static bool is_deaf(const EmulatedDynamixel& servo) { return servo.is_mute; }
   static void lose_power(EmulatedDynamixel& servo) {
     servo.restart();
     servo.is_mute = true;
@@ -132,8 +136,20 @@ struct Scene {
   Emulated board;
   std::unique_ptr<Device> host;
   std::set<std::string> reported;
-  double before_first_set_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
+  double before_first_set_deg = 0.0, after_stop_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
   bool is_set = false, is_unplugged = false;
+  std::optional<std::chrono::nanoseconds> stops;  // a plate that does not hear stops by its watchdog
+  std::optional<double> stopped_deg;
+
+  void close_host() {
+    if (host) stops = board.now() + (is_unplugged || Plate::is_deaf(board) ? 300ms : 0ms);
+    host.reset();
+  }
+  void watch_stop() {
+    if (!stops || board.now() < *stops) return;
+    if (!stopped_deg) stopped_deg = board.orientation_deg();
+    after_stop_deg = std::max(after_stop_deg, std::abs(board.orientation_deg() - *stopped_deg));
+  }
 
   // Serves the host's device, or lets time pass without one: one that failed is closed.
   void run(std::chrono::milliseconds time) {
@@ -148,8 +164,9 @@ struct Scene {
             board.run_until(board.now() + 5ms);
         } catch (const PlateFailure& failure) {
           reported.insert(failure.what());
-          host.reset();
+          close_host();
         }
+        watch_stop();
         max_n = std::max(max_n, Plate::force_n(board));
       }
       const double seconds = std::chrono::duration<double>(board.now() - from).count();
@@ -204,8 +221,9 @@ struct Scene {
     set(-0.75 * outermost_deg);
     run(1500ms);
     strike(close);
-    host.reset();
-    run(600ms);
+    close_host();
+    watch_stop();
+    run(900ms);
   }
 };
 
@@ -221,10 +239,10 @@ bool is_named(const Kind<Emulated>& kind, Phase phase, const std::string& said) 
 // The row of the README that sums the table up.
 template <class Plate>
 std::string study() {
-  std::printf("%-12s %-12s %-12s %-6s %-14s %-8s %-8s %s\n", "plate", "fault", "and", "phase", "deg before set",
-              "deg/s", "N at rim", "reported");
+  std::printf("%-12s %-12s %-12s %-6s %-14s %-14s %-8s %-8s %s\n", "plate", "fault", "and", "phase", "deg before set",
+              "deg after stop", "deg/s", "N at rim", "reported");
   int runs = 0;
-  double before_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
+  double before_deg = 0.0, after_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
   const auto& kinds = Plate::kinds;
   for (std::size_t a = 0; a < kinds.size(); ++a) {
     for (std::size_t b = a; b < kinds.size(); ++b) {
@@ -234,11 +252,14 @@ std::string study() {
         scene.play(phase, kinds[a], kinds[b]);
         std::string said;
         for (const std::string& what : scene.reported) said += (said.empty() ? "" : "; ") + what;
-        std::printf("%-12s %-12s %-12s %-6s %14.1f %8.0f %8.2f %s\n", Plate::name, kinds[a].name, kinds[b].name,
-                    phases[phase], scene.before_first_set_deg, scene.max_deg_s, scene.max_n, said.c_str());
+        std::printf("%-12s %-12s %-12s %-6s %14.1f %14.1f %8.0f %8.2f %s\n", Plate::name, kinds[a].name, kinds[b].name,
+                    phases[phase], scene.before_first_set_deg, scene.after_stop_deg, scene.max_deg_s, scene.max_n,
+                    said.c_str());
         // The second host is one that commands.
-        if (kinds[a].name != kinds[4].name && kinds[b].name != kinds[4].name)
+        if (kinds[a].name != kinds[4].name && kinds[b].name != kinds[4].name) {
           before_deg = std::max(before_deg, scene.before_first_set_deg);
+          after_deg = std::max(after_deg, scene.after_stop_deg);
+        }
         max_deg_s = std::max(max_deg_s, scene.max_deg_s);
         max_n = std::max(max_n, scene.max_n);
         ++runs;
@@ -248,11 +269,12 @@ std::string study() {
     }
   }
   EXPECT_LE(before_deg, 2.0);
+  EXPECT_LE(after_deg, 2.0 + Plate::latency_s * Plate::speed_limit_deg_s);
   EXPECT_LE(max_deg_s, 1.1 * Plate::speed_limit_deg_s);
   EXPECT_LE(max_n, 5.0);
   std::array<char, 200> row{};
-  std::snprintf(row.data(), row.size(), "| %s | %d | %.1f° | %.0f°/s of %.0f | %s |\n", Plate::name, runs, before_deg,
-                max_deg_s, Plate::speed_limit_deg_s,
+  std::snprintf(row.data(), row.size(), "| %s | %d | %.1f° | %.1f° | %.0f°/s of %.0f | %s |\n", Plate::name, runs,
+                before_deg, after_deg, max_deg_s, Plate::speed_limit_deg_s,
                 max_n > 0.0 ? (std::to_string(max_n).substr(0, 4) + " N of 5").c_str() : "not limited");
   std::printf("%s", row.data());
   return row.data();
