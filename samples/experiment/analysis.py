@@ -1,39 +1,30 @@
-"""The registered tests of a study, for `analyse` and `power`. Needs python3-pandas and python3-statsmodels."""
-import functools
-import itertools
+"""The registered tests of a study, for `analyse` and `power`. Needs python3-pandas, python3-scipy and, for mixed models, r-cran-lmertest."""
+import io
 import math
-import warnings
+import pathlib
+import subprocess
+import sys
 
 import numpy
+import pandas
 import scipy.optimize
 import scipy.stats
-import statsmodels.formula.api
 
-EXACT_PEOPLE = 14  # of whom all signs are tried
-FLIPS = 20_000
+FLIPS = 20_000  # of signs: all of them for up to 14 people
 
 
-@functools.lru_cache(maxsize=4)
-def signs_of(n, seed):
-    """Rows of signs; the first has no other sign."""
-    if n <= EXACT_PEOPLE:
-        return numpy.array(list(itertools.product((1.0, -1.0), repeat=n)))
-    signs = numpy.random.default_rng(seed).choice((1.0, -1.0), (FLIPS, n))
-    signs[0] = 1
-    return signs
+def sign_flip(differences, seed, flips=FLIPS):
+    """Two-sided p of a mean of 0 if the sign of each difference is arbitrary; of each column if there are several."""
+    mean = lambda values, axis: numpy.mean(values, axis=axis)
+    return scipy.stats.permutation_test((numpy.asarray(differences, float),), mean, permutation_type="samples", vectorized=True, batch=50,
+                                        n_resamples=flips, axis=0, random_state=seed).pvalue
 
 
-def sign_flip(differences, seed):
-    """Two-sided p of a mean of 0, if each difference might as well have the other sign; of each column, if there are several."""
-    sums = numpy.abs(signs_of(len(differences), seed) @ numpy.asarray(differences))
-    return numpy.mean(sums >= sums[0] * (1 - 1e-12), axis=0)
-
-
-def interval(differences):
-    """Mean and its 95 % interval by Student's t."""
-    mean, n = numpy.mean(differences), len(differences)
-    half = scipy.stats.t.ppf(0.975, n - 1) * numpy.std(differences, ddof=1) / numpy.sqrt(n) if n > 1 else float("inf")
-    return mean, mean - half, mean + half
+def interval(values, level=0.95):
+    """Mean and its interval by Student's t."""
+    if len(values) < 2:
+        return numpy.mean(values), -math.inf, math.inf
+    return numpy.mean(values), *scipy.stats.ttest_1samp(values, 0).confidence_interval(level)
 
 
 def above(values):
@@ -78,35 +69,37 @@ def population(estimates, errors):
     return (mean, mean - half, mean + half), (scatter, low, high)
 
 
-def mixed_model(trials, measure, reference):
-    """Estimate, interval and p of each condition against the reference: random intercepts and slopes of people. No p (nan) if the
-    fit does not converge."""
-    data = trials.rename(columns={measure: "value"})
-    formula = f"value ~ C(condition, Treatment({reference!r}))"
-    with warnings.catch_warnings(record=True) as found:
-        warnings.simplefilter("always")
-        fit = statsmodels.formula.api.mixedlm(formula, data, groups="participant", re_formula="~condition").fit()
-    sound = fit.converged and not any("not positive definite" in str(each.message) for each in found)
-    # By Student's t of people less one: by the normal distribution a dozen people find too much.
-    t = scipy.stats.t(data.participant.nunique() - 1)
-    names = {name.split("[T.")[1][:-1]: name for name in fit.fe_params.index if "[T." in name}
-    rows = {condition: (fit.params[name], fit.bse[name]) for condition, name in names.items()}
-    return {condition: (value, value - t.ppf(0.975) * error, value + t.ppf(0.975) * error, 2 * t.sf(abs(value) / error) if sound else math.nan)
-            for condition, (value, error) in rows.items()}
+def mixed_models(studies, measure, reference):
+    """Frames of trials, by lmerTest: a table for each, by condition: estimate, error, df, p (nan: no model converged) and the model."""
+    conditions = sorted({name for trials in studies for name in trials.condition} - {reference})
+    codes = {reference: 0, **{name: i + 1 for i, name in enumerate(conditions)}}
+    pairs = {name: i for i, name in enumerate(sorted({name for trials in studies for name in trials.pair}))}
+    data = pandas.concat([pandas.DataFrame({"study": i, "participant": trials.participant, "condition": trials.condition.map(codes), "pair": trials.pair.map(pairs),
+                                            "value": trials[measure]}) for i, trials in enumerate(studies)])
+    try:
+        done = subprocess.run(["Rscript", pathlib.Path(__file__).with_name("mixed_model.R")], input=data.dropna().to_csv(index=False), text=True,
+                              encoding="utf-8", capture_output=True)
+    except FileNotFoundError:
+        sys.exit("a mixed model needs R: install r-cran-lmertest (cmake/install_packages experiment does)")
+    if done.returncode != 0:
+        sys.exit(f"R failed on the mixed model: {(done.stderr.strip() or 'no message').splitlines()[-1]}; is r-cran-lmertest installed?")
+    rows = pandas.read_csv(io.StringIO(done.stdout))
+    rows.condition = rows.condition.map({code: name for name, code in codes.items()})
+    return [rows[rows.study == i].set_index("condition") for i in range(len(studies))]
 
 
 def holm(values):
-    """Holm's p of each."""
-    order, largest, adjusted = sorted(values, key=values.get), 0.0, {}
+    """Holm's p of each; of one that is not determined (nan) it is not determined, and that one still counts among the tests."""
+    order, largest, adjusted = sorted(values, key=lambda name: (math.isnan(values[name]), values[name])), 0.0, {}
     for rank, name in enumerate(order):
-        largest = max(largest, min(1.0, (len(values) - rank) * values[name]))
+        largest = max(largest, min(1.0, (len(values) - rank) * values[name])) if not math.isnan(values[name]) else math.nan
         adjusted[name] = largest
     return adjusted
 
 
 def registered(study):
     """What a design says of its analysis, with the defaults."""
-    return {"measure": "abs_miss_deg", "test": "sign_flip", "alpha": 0.05, "margin": 1.0, "reference": study["conditions"][-1]["name"],
+    return {"measure": "abs_miss_deg", "test": "t", "alpha": 0.05, "margin": 1.0, "reference": study["conditions"][-1]["name"],
             **study.get("analysis", {})}
 
 
@@ -120,16 +113,18 @@ def means_of(trials, measure):
     return trials.groupby(["participant", "condition"])[measure].mean().unstack()
 
 
-def compare(trials, analysis, seed):
-    """A row of each condition: (condition, estimate, low, high, p, Holm's p, p of a difference beyond the margin)."""
-    measure, reference = analysis["measure"], analysis["reference"]
-    conditions = sorted(set(trials.condition) - {reference})
-    means = means_of(trials, measure)
-    differences = {condition: (means[condition] - means[reference]).dropna() for condition in conditions}
-    if analysis["test"] == "mixed_model":
-        found = mixed_model(trials, measure, reference)
-    else:
-        found = {condition: (*interval(values), sign_flip(values, seed)) for condition, values in differences.items()}
-    adjusted = holm({condition: found[condition][3] for condition in conditions})
-    return [(condition, *found[condition], adjusted[condition], float(equivalence(differences[condition], analysis["margin"])))
-            for condition in conditions]
+def compare(trials, plan, seed):
+    """A row of each condition against the reference: people, estimate, interval at 1 - alpha / comparisons, p of Student's t, of the sign
+    flip and of the mixed model if it is registered, Holm's p of the registered test, p of a difference beyond the margin."""
+    means = means_of(trials, plan["measure"])
+    differences = {condition: (means[condition] - means[plan["reference"]]).dropna() for condition in means.columns.drop(plan["reference"])}
+    level = 1 - plan["alpha"] / max(1, len(differences))
+    rows = pandas.DataFrame({condition: dict(zip(
+        ("people", "estimate", "low", "high", "t", "sign_flip", "equivalence"),
+        (len(values), *interval(values, level), scipy.stats.ttest_1samp(values, 0).pvalue, sign_flip(values, seed), equivalence(values, plan["margin"]))))
+        for condition, values in differences.items()}).T
+    if plan["test"] == "mixed_model":
+        model = mixed_models([trials], plan["measure"], plan["reference"])[0].reindex(rows.index)
+        half = scipy.stats.t.isf((1 - level) / 2, model.df) * model.error
+        rows = rows.assign(estimate=model.estimate, low=model.estimate - half, high=model.estimate + half, mixed_model=model.p, model=model.model)
+    return rows.assign(holm=pandas.Series(holm(rows[plan["test"]].to_dict()), dtype=float))

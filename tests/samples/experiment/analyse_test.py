@@ -13,7 +13,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import warnings
 
 import numpy
 import pandas
@@ -25,7 +24,6 @@ import analysis
 loader = importlib.machinery.SourceFileLoader("power", sys.argv[1] + "/power")
 power = importlib.util.module_from_spec(importlib.util.spec_from_loader("power", loader))
 loader.exec_module(power)
-warnings.simplefilter("ignore")
 STUDIES = int(os.environ.get("HRT_EXPERIMENT_STUDIES", "200"))
 EFFECT = -2.0
 
@@ -46,32 +44,83 @@ def study(seed, effect, people, trials=10):
 
 def test_by_hand():
     # Of 8 choices of signs only + + + and - - - are as far from 0.
-    assert analysis.sign_flip([1, 2, 3], 0) == 0.25
-    assert analysis.sign_flip([1, -1], 0) == 1.0
+    assert analysis.sign_flip([1.0, 2.0, 3.0], 0) == 0.25
+    assert analysis.sign_flip([1.0, -1.0], 0) == 1.0
     assert analysis.holm({"a": 0.01, "b": 0.04, "c": 0.03}) == {"a": 0.03, "c": 0.06, "b": 0.06}
+    assert str(analysis.holm({"a": float("nan"), "b": 0.01, "c": 0.03})) == "{'b': 0.03, 'c': 0.06, 'a': nan}"  # it still counts among three
     mean, low, high = analysis.interval([1, 2, 3])  # t of 2 degrees of freedom: 4.303; deviation 1
     assert abs(mean - 2) < 1e-12 and abs(high - 2 - 4.303 / 3**0.5) < 1e-3 and abs(high + low - 4) < 1e-9
 
 
 def share(test, studies, effect, people):
     """Percent of studies in which the test finds something, and in which its interval has the effect."""
-    plan = {"measure": "abs_miss_deg", "reference": "none", "test": test, "margin": 1}
-    rows = [analysis.compare(study(seed, effect, people), plan, seed)[0] for seed in range(studies)]
-    found = 100 * numpy.mean([row[4] < 0.05 for row in rows])
-    return found, 100 * numpy.mean([row[2] <= effect <= row[3] for row in rows])
+    plan = {"measure": "abs_miss_deg", "reference": "none", "test": test, "margin": 1, "alpha": 0.05}
+    rows = pandas.concat([analysis.compare(study(seed, effect, people), plan, seed) for seed in range(studies)])
+    return 100 * numpy.mean(rows.holm < 0.05), 100 * numpy.mean((rows.low <= effect) & (effect <= rows.high))
 
 
 def test_level_and_coverage():
-    for test, studies in (("sign_flip", STUDIES), ("mixed_model", max(20, STUDIES // 10))):
-        found, covered = share(test, studies, 0.0, 12)
-        power, recovered = share(test, studies, EFFECT, 12)
-        print(f"{test}: {studies} studies of 12 simulated people: found without an effect {found:.1f} %, with one of {EFFECT:g} "
-              f"{power:.1f} %; intervals with the effect {recovered:.1f} %")
-        slack = 3 * 100 * (0.05 * 0.95 / studies) ** 0.5
-        assert found < 5 + slack + (4 if test == "mixed_model" else 0), found
-        assert test == "mixed_model" or found > 5 - slack, found
-        assert recovered > 95 - slack - (6 if test == "mixed_model" else 0), recovered
-        assert power > 80, power
+    for test in ("t", "sign_flip"):
+        found, covered = share(test, STUDIES, 0.0, 12)
+        strength, recovered = share(test, STUDIES, EFFECT, 12)
+        print(f"{test}: {STUDIES} studies of 12 simulated people: found without an effect {found:.1f} %, with one of {EFFECT:g} "
+              f"{strength:.1f} %; intervals with the effect {recovered:.1f} %")
+        slack = 3 * 100 * (0.05 * 0.95 / STUDIES) ** 0.5
+        assert 5 - slack < found < 5 + slack and 95 - slack < recovered < 95 + slack and strength > 80, (found, recovered, strength)
+
+
+def few_trials(every):
+    """8 people, 3 conditions of different scatter, 2 pairs, 3 repeats; without each trial whose number is divisible by `every`."""
+    draw = numpy.random.RandomState(5)
+    own = draw.normal(0, [1.0, 0.8, 0.6], (8, 3)).cumsum(axis=1)
+    rows = [(i, "cab"[c], "lr"[k % 2], 2 * c + own[i, c] + draw.normal(0, 0.4 + 0.4 * c) + 0.5 * (k % 2))
+            for i in range(8) for c in range(3) for k in range(6)]
+    trials = pandas.DataFrame(rows, columns=["participant", "condition", "pair", "abs_miss_deg"])
+    return trials.drop(index=range(0, len(rows), every)) if every else trials
+
+
+def test_mixed_model():
+    """Numbers of another fit of the same model, by nlme 3.1: lme with pdBlocked(pdSymm, pdIdent ...) and varIdent by condition."""
+    fit = analysis.mixed_models([few_trials(7)], "abs_miss_deg", "c")[0]
+    nlme = {"a": (2.018984, 0.310147), "b": (4.097882, 0.397902)}
+    for condition, (estimate, error) in nlme.items():
+        assert abs(fit.estimate[condition] / estimate - 1) < 1e-3 and abs(fit.error[condition] / error - 1) < 1e-3, fit
+    # lme4 1.1-31 with lmerTest 3.1-3.
+    assert numpy.allclose(fit.df, [6.9666, 6.9724], rtol=1e-2) and numpy.allclose(fit.p, [3.39e-4, 1.8e-5], rtol=2e-2), fit
+    # Of balanced data it is the paired t test of people's means.
+    balanced = few_trials(0)
+    fit, means = analysis.mixed_models([balanced], "abs_miss_deg", "c")[0], analysis.means_of(balanced, "abs_miss_deg")
+    for condition in "ab":
+        t = scipy.stats.ttest_rel(means[condition], means.c)
+        assert abs(fit.p[condition] / t.pvalue - 1) < 0.02 and abs(fit.df[condition] - 7) < 0.02, (fit, t)
+    # One trial of each cell cannot distinguish correlated slopes from residuals: the model is reduced, and says so. Of constants no fit exists.
+    single = balanced.groupby(["participant", "condition"]).head(1)
+    constant = balanced.assign(abs_miss_deg=1.0)
+    reduced, none = analysis.mixed_models([single, constant], "abs_miss_deg", "c")
+    assert set(reduced.model) <= {"intercept, condition and pair, uncorrelated", "intercept"} and reduced.p.notna().all(), reduced.model
+    assert none.p.isna().all() and set(none.model) == {"none converged"}, none
+    plan = {"measure": "abs_miss_deg", "reference": "c", "test": "mixed_model", "margin": 1, "alpha": 0.05}
+    assert analysis.compare(constant, plan, 1).holm.isna().all()
+
+
+def test_own_data():
+    """Studies of people who are drawn from simulated ones: misses of one condition scatter ten times as much as the other's."""
+    reach = {"virtual_deg": 6, "real_deg": 0}
+    design = {"title": "own data", "participants": 12, "practice_trials": 0, "repeats": 2, "set_up": "none",
+              "pairs": [{"name": "left", **reach}, {"name": "right", **reach, "virtual_deg": -6}],
+              "conditions": [{"name": name, "controller": name} for name in ("people", "none")]}
+    trials, _ = power.simulated(sys.argv[2], design, 36, 1)
+    plan = {"measure": "abs_miss_deg", "reference": "none"}
+    fits = analysis.mixed_models(power.studies_of(trials, plan, "people", 0.0, 12, STUDIES, 1), "abs_miss_deg", "none")
+    p = numpy.array([fit.p["people"] for fit in fits])
+    found = {"mixed_model": 100 * numpy.mean(p < 0.05)}
+    assert not numpy.isnan(p).any()
+    for test in ("t", "sign_flip"):
+        found[test] = power.share_found(trials, {**plan, "test": test, "alpha": 0.05}, "people", 0.0, 12, 10 * STUDIES, 1)
+    print(f"own data, {STUDIES} studies of 12 of 36 simulated people, ten times as many of t and sign flip: found without an effect "
+          + ", ".join(f"{test} {share:.1f} %" for test, share in found.items()))
+    slack = 3 * 100 * (0.05 * 0.95 / STUDIES) ** 0.5
+    assert all(5 - slack < share < 5 + slack for share in found.values()), found
 
 
 # Of mean 0 and standard deviation 1.
@@ -131,13 +180,14 @@ def paired(people, sd):
 
 def test_power():
     plan = {"measure": "abs_miss_deg", "reference": "none", "test": "sign_flip", "alpha": 0.05, "margin": 1}
-    found = lambda effect, people: power.share_found(paired(2000, 2.0), plan, "a", effect, people, 2000, 1)
+    found = lambda effect, people, test="sign_flip": power.share_found(paired(2000, 2.0), {**plan, "test": test}, "a", effect, people, 2000, 1)
     assert found(-9, 5) == 0  # of 32 choices of signs two are as far from 0: p is 0.0625 at the least
     # Of normal differences the t test is as strong: its noncentral distribution, effect and deviation 1 and 2.
     for effect, people in ((0, 12), (-1, 12), (-1, 32), (-2, 12)):
         t, shift = scipy.stats.t.ppf(0.975, people - 1), effect / 2 * people**0.5
         exact = 100 * (scipy.stats.nct.cdf(-t, people - 1, shift) + (scipy.stats.nct.sf(t, people - 1, shift) if shift else 0.025))
-        assert abs(found(effect, people) - exact) < 3, (effect, people, found(effect, people), exact)
+        for test in ("t", "sign_flip"):
+            assert abs(found(effect, people, test) - exact) < 3, (effect, people, test, found(effect, people, test), exact)
     # Two one-sided t tests at their margin have their level; within it, of so many people, one of them rarely fails.
     values = paired(2000, 1.0).query("condition == 'a'").abs_miss_deg
     share = lambda mean, people: 100 * numpy.mean(analysis.equivalence(power.drawn(values, mean, people, 4000, 1), 1.0) < 0.05)
@@ -175,7 +225,7 @@ def test_report():
             report = (data / "export/report.html").read_text()
             assert "Simulation: no person took part." in report
             assert ("Conditions are blinded" in report) != unblinded
-            assert ("<td>paper</td>" in report) == unblinded
+            assert ("<td>paper</td>" in report) == unblinded and ("Registered test: sign flip" in report) == unblinded
             assert (hashlib.sha256((data / "export/trials.csv").read_bytes()).hexdigest()) in report
 
 
@@ -210,6 +260,8 @@ def test_bids(data, conditions):
 
 test_by_hand()
 test_level_and_coverage()
+test_mixed_model()
+test_own_data()
 test_population()
 test_whole_studies()
 test_power()
