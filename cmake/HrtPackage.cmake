@@ -23,7 +23,7 @@ install(EXPORT HapticRetargetingTargets NAMESPACE HapticRetargeting:: DESTINATIO
         COMPONENT development)
 configure_package_config_file(cmake/HapticRetargetingConfig.cmake.in HapticRetargetingConfig.cmake
   INSTALL_DESTINATION ${HRT_CMAKE_DIR} NO_SET_AND_CHECK_MACRO)
-write_basic_package_version_file(HapticRetargetingConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+write_basic_package_version_file(HapticRetargetingConfigVersion.cmake COMPATIBILITY ${HRT_COMPATIBILITY})
 install(FILES
   ${PROJECT_BINARY_DIR}/HapticRetargetingConfig.cmake
   ${PROJECT_BINARY_DIR}/HapticRetargetingConfigVersion.cmake

@@ -92,11 +92,20 @@ function(hrt_fuzzed name)
   endif()
 endfunction()
 
+# Before 1.0 a minor version may change the interface, after it a major version.
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(HRT_ABI_VERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  set(HRT_COMPATIBILITY SameMinorVersion)
+else()
+  set(HRT_ABI_VERSION ${PROJECT_VERSION_MAJOR})
+  set(HRT_COMPATIBILITY SameMajorVersion)
+endif()
+
 # hrt_make_loadable(name MAP): what a shared library needs that any process may load: it exports what MAP names and has
 # the C++ runtime inside. On Windows import libraries of MinGW (.dll.a) and of MSVC (.lib) are beside
 # the DLL, and the .def from which others are made.
 function(hrt_make_loadable name map)
-  set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${HRT_ABI_VERSION})
   if(WIN32)
     set_target_properties(${name} PROPERTIES PREFIX "" ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
     set(beside ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${name})

@@ -10,9 +10,14 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "haptic_retargeting/gap.h"
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/host.h"
+#include "haptic_retargeting/person.h"
+#include "haptic_retargeting/profile.h"
+#include "haptic_retargeting/recording.h"
+#include "haptic_retargeting/scene.h"
 #include "haptic_retargeting/setup.h"
-#include "haptic_retargeting/study.h"
 
 namespace {
 
@@ -132,7 +137,7 @@ class Caller {
     hrt_session_config config = hrt_session_config_init();
     disturb(config);
     check(hrt_session_set(session(), &config));
-    if (bytes_.ConsumeBool()) check(hrt_session_new_person(session()));
+    if (bytes_.ConsumeBool()) check(hrt_profile_reset(session()));
   }
 
   void add_target() {
@@ -178,8 +183,8 @@ class Caller {
     hrt_gap out[3]{};
     out[0].struct_size = sizeof out[0];
     const hrt_result result =
-        hrt_target_assign(session(), virtuals, count, reals, bytes_.ConsumeIntegralInRange(0u, 3u),
-                          bytes_.ConsumeIntegralInRange(0u, 2u), bytes_.ConsumeIntegralInRange(0u, 3u), out);
+        hrt_gap_assign(session(), virtuals, count, reals, bytes_.ConsumeIntegralInRange(0u, 3u),
+                       bytes_.ConsumeIntegralInRange(0u, 2u), bytes_.ConsumeIntegralInRange(0u, 3u), out);
     check(result);
     for (uint32_t i = 0; i < 3; ++i) {
       require(result == HRT_OK || out[i].virtual_target.value == 0);

@@ -4,9 +4,14 @@
 #include <cstdlib>
 #include <string>
 
+#include "haptic_retargeting/gap.h"
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/host.h"
+#include "haptic_retargeting/person.h"
+#include "haptic_retargeting/profile.h"
+#include "haptic_retargeting/recording.h"
+#include "haptic_retargeting/scene.h"
 #include "haptic_retargeting/setup.h"
-#include "haptic_retargeting/study.h"
 
 namespace {
 
@@ -42,8 +47,8 @@ void try_profile(const char* text, std::size_t size) {
 void try_recording(const char* text, std::size_t size) {
   hrt_replay_report first{}, second{};
   first.struct_size = second.struct_size = sizeof first;
-  const hrt_result result = hrt_replay(nullptr, text, size, &first);
-  require(hrt_replay(nullptr, text, size, &second) == result);
+  const hrt_result result = hrt_recording_replay(nullptr, text, size, &first);
+  require(hrt_recording_replay(nullptr, text, size, &second) == result);
   require(first.hash == second.hash && first.rows == second.rows);
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/scene.h"
 #include "haptic_retargeting/setup.h"
 
 namespace {

@@ -125,7 +125,7 @@ void ArgumentsTest::try_reaches() {
   REFUSES_BUT(({"out_config", "out_state"}), hrt_session_get, session, &config, &number);
   REFUSES(hrt_session_destroy, hrt_session{0});
   REFUSES_BUT(({"config"}), hrt_session_set, session, &config);
-  REFUSES(hrt_session_new_person, hrt_session{0});
+  REFUSES(hrt_profile_reset, hrt_session{0});
 
   hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);
   REFUSES(hrt_target_add, session, &target, targets.data());
@@ -136,7 +136,7 @@ void ArgumentsTest::try_reaches() {
 
   auto gap = output<hrt_gap>();
   REFUSES(hrt_gap_query, session, real, seen, &gap);
-  REFUSES(hrt_target_assign, session, &seen, 1, &real, 1, 0, 1, &gap);
+  REFUSES(hrt_gap_assign, session, &seen, 1, &real, 1, 0, 1, &gap);
 
   auto conditions = output<hrt_conditions>();
   REFUSES(hrt_profile_set_conditions, session, &conditions);
@@ -166,7 +166,7 @@ void ArgumentsTest::try_reaches() {
   REFUSES(hrt_recording_get_status, session, &status);
   REFUSES(hrt_recording_stop, session, &status);
   ASSERT_OK(hrt_recording_stop(session, &status));
-  REFUSES_BUT(({"text"}), hrt_replay, path.c_str(), nullptr, 0, &report);
+  REFUSES_BUT(({"text"}), hrt_recording_replay, path.c_str(), nullptr, 0, &report);
   std::remove(path.c_str());
 }
 
@@ -218,7 +218,7 @@ TEST_F(ArgumentsTest, OfEveryCallAreRefusedByName) {
   try_reaches();
   try_people();
   try_set_up();
-  tried.insert("hrt_set_host");  // in memory_test.cpp
+  tried.insert("hrt_host_set");  // in memory_test.cpp
   for (const plugin::Call& call : plugin::calls) EXPECT_TRUE(tried.contains(call.name)) << call.name;
 }
 

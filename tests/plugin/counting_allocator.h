@@ -37,9 +37,9 @@ class CountingAllocator {
       self.bytes -= static_cast<long>(malloc_usable_size(memory));
       std::free(memory);
     };
-    EXPECT_OK(hrt_set_host(&host));
+    EXPECT_OK(hrt_host_set(&host));
   }
-  ~CountingAllocator() { EXPECT_OK(hrt_set_host(nullptr)); }
+  ~CountingAllocator() { EXPECT_OK(hrt_host_set(nullptr)); }
   CountingAllocator(const CountingAllocator&) = delete;
   CountingAllocator& operator=(const CountingAllocator&) = delete;
 

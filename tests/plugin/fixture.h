@@ -10,9 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "haptic_retargeting/gap.h"
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/host.h"
+#include "haptic_retargeting/person.h"
+#include "haptic_retargeting/profile.h"
+#include "haptic_retargeting/recording.h"
+#include "haptic_retargeting/scene.h"
 #include "haptic_retargeting/setup.h"
-#include "haptic_retargeting/study.h"
 #include "tests/times.h"
 
 namespace hrt::test {
@@ -74,9 +79,9 @@ class Log {
     host.log = [](void* context, std::uint32_t level, const char* line) {
       static_cast<Log*>(context)->text += std::to_string(level) + " " + line + "\n";
     };
-    EXPECT_OK(hrt_set_host(&host));
+    EXPECT_OK(hrt_host_set(&host));
   }
-  ~Log() { EXPECT_OK(hrt_set_host(nullptr)); }
+  ~Log() { EXPECT_OK(hrt_host_set(nullptr)); }
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
 

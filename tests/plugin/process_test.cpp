@@ -160,7 +160,7 @@ TEST_F(Stack, OfAllOtherCallsIsAsDocumented) {
   const std::string path = testing::TempDir() + "hrt_stack.csv";
   const std::size_t max = used([&] {
     auto report = output<hrt_replay_report>();
-    (void)hrt_replay(nullptr, text.data(), text.size(), &report);
+    (void)hrt_recording_replay(nullptr, text.data(), text.size(), &report);
     hrt_scene scene{};
     (void)hrt_scene_load(HRT_DESK_SCENE, nullptr, 0, &scene);
     hrt_target ids[8];
@@ -173,7 +173,7 @@ TEST_F(Stack, OfAllOtherCallsIsAsDocumented) {
     (void)hrt_recording_start(session, path.c_str());
     auto status = output<hrt_recording_status>();
     (void)hrt_recording_stop(session, &status);
-    (void)hrt_replay(path.c_str(), nullptr, 0, &report);
+    (void)hrt_recording_replay(path.c_str(), nullptr, 0, &report);
   });
   std::remove(path.c_str());
   RecordProperty("bytes", static_cast<int>(max));

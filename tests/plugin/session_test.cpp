@@ -84,7 +84,7 @@ TEST_F(SessionTest, ANewPersonIsUnknown) {
   constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 1.0, 0.0, 0.1, 0.2, -0.5, 0.0, 1.2};
   std::copy(std::begin(mean), std::end(mean), known.person.mean);
   ASSERT_OK(hrt_session_set(session, &known));
-  ASSERT_OK(hrt_session_new_person(session));
+  ASSERT_OK(hrt_profile_reset(session));
   EXPECT_TRUE(same(config_of(session), apparatus));
 }
 

@@ -200,8 +200,8 @@ class AssignTest : public SessionTest {
   std::vector<hrt_gap> assign(const std::vector<hrt_target>& virtuals, const std::vector<hrt_target>& reals,
                               std::uint32_t flags) const {
     std::vector<hrt_gap> out(virtuals.size(), output<hrt_gap>());
-    EXPECT_OK(hrt_target_assign(session, virtuals.data(), size(virtuals), reals.data(), size(reals), flags, size(out),
-                                out.data()));
+    EXPECT_OK(hrt_gap_assign(session, virtuals.data(), size(virtuals), reals.data(), size(reals), flags, size(out),
+                             out.data()));
     return out;
   }
 
@@ -269,7 +269,7 @@ TEST_F(AssignTest, RefusesWhatIsNoSet) {
   const hrt_gap before = out[0];
   const auto assign = [&](const hrt_target* v, std::uint64_t vs, const hrt_target* r, std::uint64_t rs,
                           std::uint32_t flags, std::uint64_t capacity,
-                          hrt_gap* to) { return hrt_target_assign(session, v, vs, r, rs, flags, capacity, to); };
+                          hrt_gap* to) { return hrt_gap_assign(session, v, vs, r, rs, flags, capacity, to); };
   expect_error(assign(cups, 0, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "the count of virtual_targets is 0");
   expect_error(assign(cups, 1, reals, 1001, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "allowed: 1 to 1000");
   expect_error(assign(cups, 2, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "virtual_targets: target");
@@ -289,7 +289,7 @@ TEST_F(AssignTest, ElementsHaveTheCallersSize) {
   alignas(8) unsigned char out[2 * later_size + 8]{};
   std::memcpy(out, &later_size, sizeof later_size);
   out[2 * later_size] = 77;
-  ASSERT_OK(hrt_target_assign(session, virtuals.data(), 2, reals.data(), 1, 0, 2, reinterpret_cast<hrt_gap*>(out)));
+  ASSERT_OK(hrt_gap_assign(session, virtuals.data(), 2, reals.data(), 1, 0, 2, reinterpret_cast<hrt_gap*>(out)));
   hrt_target second{};
   std::memcpy(&second, out + later_size + offsetof(hrt_gap, virtual_target), sizeof second);
   EXPECT_EQ(second.value, virtuals[1].value);

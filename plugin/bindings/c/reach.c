@@ -5,7 +5,8 @@
  *   usage: reach [RECORDING_CSV]    records the calls in this file
  */
 #include <haptic_retargeting/haptic_retargeting.h>
-#include <haptic_retargeting/study.h>
+#include <haptic_retargeting/person.h>
+#include <haptic_retargeting/recording.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

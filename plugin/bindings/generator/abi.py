@@ -169,6 +169,8 @@ class Abi:
         text = re.sub(rf"\b({'|'.join(map(re.escape, names))})\b", lambda m: names[m[0]], text)
         api = json.loads(text, parse_float=Decimal, object_hook=_made)
         self.version: str = api["version"]
+        major, minor, _ = self.version.split(".")
+        self.soversion = f"0.{minor}" if major == "0" else major
 
         def here(entries: list[Any]) -> list[Any]:
             return [e for e in entries if (e.header == "plate.h") == plate]

@@ -5,22 +5,25 @@ from __future__ import annotations
 
 from abi import Abi, Struct
 
-# The layers of headers, each with the file that has its structs by value.
-LAYERS = {"init.h": ("base.h", "reach.h", "session.h", "target.h"),
-          "setup_init.h": ("profile.h", "scene.h", "setup.h"),
-          "study_init.h": ("study.h",)}
+# The headers of haptic_retargeting.h, whose structs are by value in init.h. Those of any other x.h are in x_init.h, which it includes.
+CORE = ("base.h", "reach.h", "session.h", "target.h")
 
 
-def render_init(abi: Abi, notice: str, name: str) -> str:
-    structs = [s for s in abi.structs if s.fields[0].name == "struct_size" and s.header in LAYERS[name]]
-    # The layer's own header includes its structs by value at its end.
-    own = {name.replace("_init", ""): "  /* NOLINT(misc-header-include-cycle) */"}
+def render_inits(abi: Abi, notice: str) -> dict[str, str]:
+    """By the names of the files."""
+    inits = {"init.h": CORE} | {f"{h.removesuffix('.h')}_init.h": (h,) for h in abi.headers if h not in CORE}
+    return {name: _render_init(abi, notice, name, headers) for name, headers in inits.items()}
+
+
+def _render_init(abi: Abi, notice: str, name: str, headers: tuple[str, ...]) -> str:
+    structs = [s for s in abi.structs if s.fields[0].name == "struct_size" and s.header in headers]
+    cycle = "" if headers is CORE else "  /* NOLINT(misc-header-include-cycle) */"
     guard = f"HAPTIC_RETARGETING_{name.upper().replace('.', '_')}"
     return (f"/*\n * {notice}\n *\n"
             " * Each struct by value, ready for use: with its defaults, or zero with its size.\n"
-            " *\n *   hrt_session_config config = hrt_session_config_init();\n */\n"
+            f" *\n *   {structs[0].name} value = {structs[0].name}_init();\n */\n"
             f"/* clang-format off */\n#ifndef {guard}\n#define {guard}\n\n"
-            + "".join(f'#include "{header}"{own.get(header, "")}\n' for header in LAYERS[name])
+            + "".join(f'#include "{header}"{cycle}\n' for header in headers)
             + "\n#if defined(__cplusplus)\n#define HRT_EMPTY {}\n#else\n#define HRT_EMPTY {0}\n#endif\n\n"
             + "\n".join(map(_init, structs))
             + "\n#undef HRT_EMPTY\n\n#endif\n")
@@ -45,11 +48,12 @@ def render_functions(abi: Abi, notice: str) -> str:
     return (f"/*\n * {notice}\n *\n"
             " * All functions as a table, for hosts that open the library when they run: the headers, and no linking.\n"
             " *\n *   hrt_functions hrt;\n"
-            ' *   void* library = dlopen("libhaptic_retargeting.so.0", RTLD_NOW | RTLD_LOCAL);\n'
+            f' *   void* library = dlopen("libhaptic_retargeting.so.{abi.soversion}", RTLD_NOW | RTLD_LOCAL);\n'
             " *   const char* missing = hrt_functions_load(dlsym, library, &hrt);\n"
             " *   if (!missing) hrt.session_create(HRT_VERSION, &config, &session);\n */\n"
             "/* clang-format off */\n#ifndef HAPTIC_RETARGETING_FUNCTIONS_H\n#define HAPTIC_RETARGETING_FUNCTIONS_H\n\n"
-            "#include <string.h>\n\n#include \"haptic_retargeting.h\"\n#include \"setup.h\"\n#include \"study.h\"\n\n"
+            "#include <string.h>\n\n#include \"haptic_retargeting.h\"\n"
+            + "".join(f'#include "{header}"\n' for header in abi.headers if header not in CORE) + "\n"
             + "".join(f"typedef {f.result} (*PFN_{f.name})({f.declared});\n" for f in abi.functions)
             + "\n/** Every function, without hrt_. */\ntypedef struct hrt_functions {\n"
             + "".join(f"  PFN_{f.name} {member};\n" for f, member in members)

@@ -12,10 +12,10 @@ _CLASSES = {"hrt_session": "HapticRetargetingSession", "hrt_person": "HapticReta
             "hrt_plate": "HapticRetargetingPlate"}
 _STATIC = "HapticRetargetingLibrary"
 # Whose names do not follow from those of the headers.
-_NAMES = {"hrt_target_list": "ListTargets", "hrt_target_assign": "AssignTargets",
-          "hrt_reach_touched": "ReachTouched"}
+_NAMES = {"hrt_target_list": "ListTargets", "hrt_gap_assign": "AssignTargets",
+          "hrt_reach_touched": "ReachTouched", "hrt_profile_reset": "NewPerson"}
 # What the classes have by hand: constructors, updates without garbage, scenes, and what belongs to the process.
-_BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_set_host", "hrt_replay")
+_BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_host_set", "hrt_recording_replay")
 
 
 def render(abi: Abi, plate: Abi, notice: str) -> str:

@@ -18,13 +18,14 @@ _ENUMERATIONS = {"HRT_ERROR": "ErrorCode", "HRT_LOG": "LogLevel", "HRT_TARGET": 
 _FUNCTIONS = {
     "session_create": "Session", "session_get": "Session.config", "session_set": "Session.configure", "session_destroy": "Session.close",
     "target_add": "Session.add_real", "target_set": "Target.configure", "target_get": "Target.config", "target_list": "Session.targets",
-    "target_assign": "Session.assign", "gap_query": "Session.gap", "reach_begin": "Session.reach", "setup_begin": "Session.set_up",
+    "gap_assign": "Session.assign", "gap_query": "Session.gap", "reach_begin": "Session.reach", "setup_begin": "Session.set_up",
     "setup_finish": "SetUp.update", "setup_get_residual": "SetUp.residual", "profile_save": "Session.profile",
     "profile_load": "Session.load_profile", "profile_set_conditions": "Session.set_conditions",
-    "profile_get_conditions": "Session.conditions", "recording_start": "Session.recording", "recording_stop": "Session.recording",
+    "profile_get_conditions": "Session.conditions", "profile_reset": "Session.new_person",
+    "recording_start": "Session.recording", "recording_stop": "Session.recording",
     "recording_get_status": "Session.recording", "recording_flush": "Session.recording", "person_create": "Person",
     "person_destroy": "Person.close", "person_get_state": "Person.state", "scene_load": "Scene", "scene_destroy": "Scene.close",
-    "scene_get_info": "Scene.info", "scene_get_target": "Scene.targets", "replay": "replay",
+    "scene_get_info": "Scene.info", "scene_get_target": "Scene.targets", "recording_replay": "replay",
     "plate_open": "Plate",
 }
 # Classes of the package whose methods take fields of a struct by keyword: method, what it takes before them, and what
@@ -88,7 +89,7 @@ def render(abi: Abi, notice: str) -> str:
         text += f'    "{f.name}": ({"".join(_type(t, names) + ", " for t in (f.result, *(p.type for p in f.params)))}),\n'
     text += '}\n"""The types of each function\'s result and parameters."""\n\nNAMES = {\n'
     c_names = names.constants | {f"{e.name}_": f"{names.enumerations[e.name]}." for e in abi.enumerations}
-    for function in (f.name.removeprefix("hrt_") for f in abi.functions if f.returns_result and f.name != "hrt_set_host"):
+    for function in (f.name.removeprefix("hrt_") for f in abi.functions if f.returns_result and f.name != "hrt_host_set"):
         noun, _, verb = function.partition("_")
         method = f"{'SetUp' if noun == 'setup' else noun.capitalize()}.{verb}"
         c_names[f"hrt_{function}"] = _FUNCTIONS.get(function, method)

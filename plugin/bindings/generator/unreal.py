@@ -239,10 +239,11 @@ def render_types(abi: Abi, notice: str) -> str:
             + "\n".join([r.enum(e) for e in r.shown] + [target] + [r.struct(name) for name in _STRUCTS]))
 
 
-def render_header(notice: str) -> str:
+def render_header(abi: Abi, notice: str) -> str:
+    headers = sorted({abi.struct(name).header for name in _STRUCTS})
     return (f"// {notice}\n#pragma once\n\n"
-            '#include "HapticRetargetingTypes.h"\n#include "haptic_retargeting/setup.h"\n\n'
-            "namespace HapticConversions\n{\n"
+            '#include "HapticRetargetingTypes.h"\n' + "".join(f'#include "haptic_retargeting/{header}"\n' for header in headers)
+            + "\nnamespace HapticConversions\n{\n"
             f"\t/** Fields that the settings do not show are as in `Before`. */\n\t{_TO_CONFIG};\n"
             "\t/** Copies fields that differ from `Before` into the settings. */\n"
             "\tvoid TakeChanges(const hrt_session_config& Before, const hrt_session_config& C, FHapticSettings& S);\n"

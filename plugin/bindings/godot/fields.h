@@ -2,10 +2,15 @@
 // node and keys of Dictionaries, the plugin's constants, and the class reference.
 #pragma once
 
+#include <haptic_retargeting/gap.h>
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/host.h>
+#include <haptic_retargeting/person.h>
 #include <haptic_retargeting/plate.h>
+#include <haptic_retargeting/profile.h>
+#include <haptic_retargeting/recording.h>
+#include <haptic_retargeting/scene.h>
 #include <haptic_retargeting/setup.h>
-#include <haptic_retargeting/study.h>
 
 #include <span>
 #include <variant>

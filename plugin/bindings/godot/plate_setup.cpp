@@ -44,7 +44,7 @@ Error PlateNode::cancel_setup() {
 }
 
 Error PlateNode::new_person() {
-  if (ok(hrt_session_new_person(session_))) take_changes();
+  if (ok(hrt_profile_reset(session_))) take_changes();
   return error();
 }
 

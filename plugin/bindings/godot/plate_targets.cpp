@@ -71,8 +71,8 @@ Error PlateNode::assign_targets(bool exclusive) {
   if (!configure() || !list_targets(HRT_TARGET_REAL, real) || !list_targets(HRT_TARGET_VIRTUAL, felt)) return error();
   // One more than is filled, because the plugin reads the first one's size.
   std::vector<hrt_gap> assigned(felt.size() + 1, hrt_gap_init());
-  if (ok(hrt_target_assign(session_, felt.data(), felt.size(), real.data(), real.size(),
-                           exclusive ? HRT_ASSIGN_EXCLUSIVE : 0, felt.size(), assigned.data()))) {
+  if (ok(hrt_gap_assign(session_, felt.data(), felt.size(), real.data(), real.size(),
+                        exclusive ? HRT_ASSIGN_EXCLUSIVE : 0, felt.size(), assigned.data()))) {
     assigned.pop_back();
     assigned_ = std::move(assigned);
   }

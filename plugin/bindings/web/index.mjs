@@ -53,7 +53,7 @@ class Library {
 
   replay(text) {
     return this.#memory.withText(text, (at, length) =>
-      this.#memory.get("hrt_replay_report", "hrt_replay", 0, at, length));
+      this.#memory.get("hrt_replay_report", "hrt_recording_replay", 0, at, length));
   }
 }
 
@@ -158,7 +158,7 @@ class Session {
     return memory.with(8 * ids.length + 1, (at) => memory.with(size * count + 4, (out) => {
       ids.forEach((id, i) => memory.view.setBigUint64(at + 8 * i, id, true));
       memory.view.setUint32(out, size, true);
-      this.#native.call("hrt_target_assign", at, BigInt(count), at + 8 * count, BigInt(realTargets.length),
+      this.#native.call("hrt_gap_assign", at, BigInt(count), at + 8 * count, BigInt(realTargets.length),
         exclusive ? abi.HRT_ASSIGN_EXCLUSIVE : 0, BigInt(count), out);
       return Array.from({ length: count }, (_, i) => memory.read("hrt_gap", out + size * i));
     }));
@@ -238,7 +238,7 @@ class Session {
   finishSetup() { return this.#native.get("hrt_setup_result", "hrt_setup_finish"); }
   cancelSetup() { this.#native.call("hrt_setup_cancel"); }
 
-  newPerson() { this.#native.call("hrt_session_new_person"); }
+  newPerson() { this.#native.call("hrt_profile_reset"); }
 
   startRecording() {
     this.#native.memory.withText(this.#path, (at) => this.#native.call("hrt_recording_start", at));

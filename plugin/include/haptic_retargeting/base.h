@@ -1,6 +1,5 @@
 /*
- * Results, error texts, version, the host's allocator and log; and the contract of every call in these
- * headers.
+ * Results, error texts, version; and the contract of every call in these headers.
  *
  * Calls
  *  - Every call returns hrt_result. HRT_OK is 0; every error is negative. On an error, the session and the
@@ -17,7 +16,7 @@
  *
  * Structs
  *  - Set `struct_size` to sizeof the struct before each call, also in structs that the call fills.
- *    hrt_session_config_init() and the like (init.h) set it together with the defaults. A null configuration
+ *    hrt_session_config_init() and the like set it together with the defaults. A null configuration
  *    means the defaults. Bytes beyond the size that the library knows must be zero.
  *  - Fields named `reserved` must be zero. Integers have a fixed width. Fields have the alignment of C.
  *  - Texts and paths are UTF-8, on Windows too.
@@ -27,7 +26,7 @@
  *    Flush-to-zero and the locale have no effect.
  *  - The library sends and handles no signals. Its only threads are one for each recording; they block
  *    signals.
- *  - In the child of a fork, sessions work; recordings stay with the parent (study.h).
+ *  - In the child of a fork, sessions work; recordings stay with the parent (recording.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.
  *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 17 kB a session, 9 MB a recording.
  *
@@ -100,7 +99,7 @@ extern "C" {
 
 /** Version of these headers. hrt_get_version() returns the library's. */
 #define HRT_VERSION_MAJOR 0
-#define HRT_VERSION_MINOR 4
+#define HRT_VERSION_MINOR 5
 #define HRT_VERSION_PATCH 0
 /** Version to pass to hrt_session_create(). The library accepts the same major and, before 1.0, minor number. */
 #define HRT_VERSION (HRT_VERSION_MAJOR * 10000 + HRT_VERSION_MINOR * 100 + HRT_VERSION_PATCH)
@@ -161,39 +160,6 @@ HRT_API const char* hrt_last_error(void) HRT_NOEXCEPT;
  *  @param out_major  Null is allowed for each of the three.
  *  @threadsafety [any-thread] */
 HRT_API void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t* out_patch) HRT_NOEXCEPT;
-
-/** @enumeration HRT_LOG Level of a log message. */
-#define HRT_LOG_WARNING 1
-#define HRT_LOG_ERROR 2
-
-/** Functions that the host lends to the library, for the whole process. All zero except `struct_size`: memory of the
- *  C library, and no log. These functions must not call this library or throw. Each may be called on any thread. */
-typedef struct hrt_host {
-  uint32_t struct_size;
-  uint32_t reserved;
-  /** Passed to all functions. The library does not read it. */
-  void* context;
-  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. Called
-   *  concurrently. Null, then `release` must be null too: the allocator of the C library. */
-  void* (*allocate)(void* context, size_t size, size_t alignment);
-  /** Releases memory that allocate() returned. Like free(), it is not given the size: an allocator that needs the
-   *  size must store it next to the memory. Called concurrently. */
-  void (*release)(void* context, void* memory);
-  /** Receives events that no call can return, for example that the disk of a recording is full. `level` is one of
-   *  HRT_LOG_*. `text` is one line that names the session and, for a recording, the file; it is valid during the
-   *  call. Called within calls that are not real-time or on a thread of the library, one call at a time. Null: no
-   *  log. */
-  void (*log)(void* context, uint32_t level, const char* text);
-} hrt_host;
-
-/** Sets allocator and log. Waits for a running call of the former log; the former log is not called after this
- *  returns.
- *
- *  @param host  Copied. Null: the defaults.
- *  @return WRONG_STATE if the allocator changes while a session, person or scene exists; NULL_ARGUMENT if only one of
- *          allocate and release is given.
- *  @threadsafety [any-thread], but while the allocator changes no other thread may be in a call of this library. */
-HRT_NODISCARD HRT_API hrt_result hrt_set_host(const hrt_host* host) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

@@ -78,8 +78,18 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t 
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
 
+/** Resets the fields of the user for a new user: the part person, the fields of the part paper that profiles contain,
+ *  motion_bound_deg and fingertip_offset_m. Plate, tracker, registration and targets are kept, so that
+ *  HRT_SETUP_ALL_MISSING asks for the user only.
+ *
+ *  @return WRONG_STATE during a reach or a set-up.
+ *  @threadsafety [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_profile_reset(hrt_session session) HRT_NOEXCEPT;
+
 #if defined(__cplusplus)
 }
 #endif
+
+#include "profile_init.h"
 
 #endif

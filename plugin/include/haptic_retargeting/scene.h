@@ -104,4 +104,6 @@ HRT_NODISCARD HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session
 }
 #endif
 
+#include "scene_init.h"
+
 #endif

@@ -1,6 +1,6 @@
 /*
- * Setting up, before any frame: scenes from files, the position of the plate, the user and their profile; and
- * the targets of a session and their assignment to each other.
+ * Set-ups: they determine the pose of the plate, the offset of the fingertip and the parameters of the user, before the
+ * first reach.
  *
  * A set-up is a frame loop with another call. It instructs the user, detects when each instruction is completed,
  * and repeats what failed:
@@ -17,9 +17,7 @@
 #ifndef HAPTIC_RETARGETING_SETUP_H
 #define HAPTIC_RETARGETING_SETUP_H
 
-#include "profile.h"
 #include "reach.h"
-#include "scene.h"
 
 #if defined(__cplusplus)
 extern "C" {
@@ -239,56 +237,33 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_finish(hrt_session session, hrt_setup
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_cancel(hrt_session session) HRT_NOEXCEPT;
 
-/** Resets the fields of the user for a new user: the part person, the fields of the part paper that profiles contain,
- *  motion_bound_deg and fingertip_offset_m. Plate, tracker, registration and targets are kept, so that
- *  HRT_SETUP_ALL_MISSING asks for the user only.
+/** @enumeration HRT_SLIDE hrt_setup_residual::verdict: use of a slide. */
+#define HRT_SLIDE_USED UINT32_C(0)         /**< part of the fit */
+#define HRT_SLIDE_OUTLYING UINT32_C(1)     /**< rejected as an outlier */
+#define HRT_SLIDE_ALONG_RIDGES UINT32_C(2) /**< rejected: the illusion changes sign along the ridges */
+
+/** One slide of a calibration, straight ahead. */
+typedef struct hrt_setup_residual {
+  uint32_t struct_size;
+  /** Use of the slide. @values HRT_SLIDE */
+  uint32_t verdict;
+  /** Plate orientation. @ccw */
+  double plate_deg;
+  /** Measured direction of the second half of the path. @ccw */
+  double direction_deg;
+  /** Fitted direction of the second half of the path. @ccw */
+  double fitted_deg;
+  /** direction_deg minus fitted_deg. @ccw */
+  double residual_deg;
+} hrt_setup_residual;
+
+/** Returns a slide of the session's last fit of a CALIBRATION or RETEST.
  *
- *  @return WRONG_STATE during a reach or a set-up.
+ *  @param slide  Index of the slide in the order of execution.
+ *  @return WRONG_STATE before the first fit; OUT_OF_RANGE beyond the last slide.
  *  @threadsafety [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_session_new_person(hrt_session session) HRT_NOEXCEPT;
-
-/** Returns a target.
- *
- *  @threadsafety [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target target,
-                                                hrt_target_config* out_config) HRT_NOEXCEPT;
-
-/** Lists the targets of a role in the order of their addition.
- *
- *  @param role         Role of the targets; 0: both. @values HRT_TARGET
- *  @param capacity     Elements of `out_targets`. 0: the targets are only counted.
- *  @param out_targets  Their ids. May be null if `capacity` is 0.
- *  @param out_count    Their number.
- *  @return BUFFER_TOO_SMALL.
- *  @threadsafety [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity,
-                                                 hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;
-
-/** @flags HRT_ASSIGN Flags of hrt_target_assign(). */
-/** A real target serves at most one virtual target. Otherwise, it may serve any number. */
-#define HRT_ASSIGN_EXCLUSIVE UINT32_C(1)
-
-/** Maximum number of virtual targets, and of real targets, in hrt_target_assign(). */
-#define HRT_ASSIGN_TARGETS_MAX 1000
-
-/** Assigns a real target to each virtual one: as many as possible are served, and among these assignments, the
- *  largest ratio of gap_deg to max_gap_deg is minimal. The result is exact. Takes up to a second for 1000 of each
- *  with EXCLUSIVE.
- *
- *  @param virtual_targets  Targets to serve.
- *  @param real_targets     Targets that may serve them.
- *  @param flags            Options. @values HRT_ASSIGN
- *  @param capacity         Elements of `out_gaps`.
- *  @param out_gaps         The gap of each virtual target. `out_gaps[0].struct_size` is the size of each. A target
- *                          that cannot be served has `reachable` 0, a null real_target, and the numbers of the
- *                          nearest real target.
- *  @return BUFFER_TOO_SMALL if `capacity` is below `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the
- *          argument and the index of a wrong or repeated id; OUT_OF_MEMORY.
- *  @threadsafety [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets,
-                                                   uint64_t virtual_count, const hrt_target* real_targets,
-                                                   uint64_t real_count, uint32_t flags, uint64_t capacity,
-                                                   hrt_gap* out_gaps) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide,
+                                                        hrt_setup_residual* out_residual) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

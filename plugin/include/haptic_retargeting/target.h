@@ -1,6 +1,5 @@
 /*
- * Targets: virtual targets, which the user sees, and real targets, to which the hand is steered; and the gap
- * between two of them: the required shift and the largest shift that the plate can sustain.
+ * Targets: virtual targets, which the user sees, and real targets, to which the hand is steered.
  */
 #ifndef HAPTIC_RETARGETING_TARGET_H
 #define HAPTIC_RETARGETING_TARGET_H
@@ -77,45 +76,22 @@ HRT_NODISCARD HRT_API hrt_result hrt_target_set(hrt_session session, hrt_target 
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_remove(hrt_session session, hrt_target target) HRT_NOEXCEPT;
 
-/** The gap between a real and a virtual target. In the steady state, the user perceives the direction of the finger
- *  plus the perceived shift that the ridges cause, and this is the virtual direction. The largest gap is therefore
- *  the largest perceived shift within the bound of the plate. Under GUIDANCE_ARRIVAL, the bound is relative to the
- *  motion, and the shift follows the user's illusion curve: 11.25 degrees for a linear illusion of weight 0.15 within
- *  75 degrees. Under FIXED_DIRECTION, as in the paper, the bound is relative to the virtual direction: 14.9 degrees
- *  for the same weight within 84.5. Published human data cover plate angles up to 60. */
-typedef struct hrt_gap {
-  uint32_t struct_size;
-  /** 1 if the plate can keep the finger on the direction of the real target. @bool */
-  uint32_t reachable;
-  hrt_target real_target;    /**< the real target */
-  hrt_target virtual_target; /**< the virtual target */
-  /** Virtual direction plus the user's bias, minus the real direction; in [-180, 180). @ccw */
-  double gap_deg;
-  /** Largest gap, to either side, that the plate can sustain for the user and the guidance of the session. */
-  double max_gap_deg;
-  /** max_gap_deg minus the absolute gap. Negative: unreachable. */
-  double margin_deg;
-  /** Plate orientation that sustains the gap; at the bound if the gap is unreachable. @ccw */
-  double plate_orientation_deg;
-  /** Direction in which the finger settles: that of the real target if the gap is reachable. @ccw */
-  double settling_direction_deg;
-  /** max_gap_deg of the paper's model, from tactile_weight and plate_bound_deg. */
-  double paper_max_gap_deg;
-  /** SD of the bearings at which reaches end, relative to the real target, due to the registration of the plate alone
-   *  (hrt_session_config::plate.covariance) or, after contacts, to their covariance. */
-  double registration_sd_deg;
-  /** Fraction of reaches that end off the target (HRT_COMMAND_OFF_TARGET) for this reason alone, for any user.
-   *  Register again if it is too large. @range 0 to 1 @unit 1 */
-  double registration_miss_share;
-} hrt_gap;
-
-/** Returns the gap of a pair, before a reach.
+/** Returns a target.
  *
- *  @param real_target     Target of the hand.
- *  @param virtual_target  Target that the user sees.
  *  @threadsafety [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target real_target, hrt_target virtual_target,
-                                               hrt_gap* out_gap) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target target,
+                                                hrt_target_config* out_config) HRT_NOEXCEPT;
+
+/** Lists the targets of a role in the order of their addition.
+ *
+ *  @param role         Role of the targets; 0: both. @values HRT_TARGET
+ *  @param capacity     Elements of `out_targets`. 0: the targets are only counted.
+ *  @param out_targets  Their ids. May be null if `capacity` is 0.
+ *  @param out_count    Their number.
+ *  @return BUFFER_TOO_SMALL.
+ *  @threadsafety [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity,
+                                                 hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "haptic_retargeting/reach.h"
-#include "haptic_retargeting/study.h"
 #include "plugin/src/abi/error.h"
 #include "plugin/src/abi/field.h"
 #include "plugin/src/abi/utf8.h"

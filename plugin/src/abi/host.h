@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "haptic_retargeting/host.h"
+
 namespace hrt::plugin {
 
 /// Any thread; takes a lock.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "haptic_retargeting/setup.h"
+#include "haptic_retargeting/gap.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 #include "plugin/src/api/write.h"
@@ -52,10 +52,10 @@ hrt_result hrt_gap_query(hrt_session session, hrt_target real_target, hrt_target
   });
 }
 
-hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets, uint64_t virtual_count,
-                             const hrt_target* real_targets, uint64_t real_count, uint32_t flags, uint64_t capacity,
-                             hrt_gap* out_gaps) noexcept {
-  return with_session("hrt_target_assign", session, [&](RecordedSession& s) -> hrt_result {
+hrt_result hrt_gap_assign(hrt_session session, const hrt_target* virtual_targets, uint64_t virtual_count,
+                          const hrt_target* real_targets, uint64_t real_count, uint32_t flags, uint64_t capacity,
+                          hrt_gap* out_gaps) noexcept {
+  return with_session("hrt_gap_assign", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_flags(flags, HRT_ASSIGN_EXCLUSIVE));
     const Targets& targets = s.session().targets;
     std::vector<const Target*> virtuals, reals;

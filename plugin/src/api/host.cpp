@@ -7,7 +7,7 @@
 #include <mutex>
 #include <new>
 
-#include "haptic_retargeting/base.h"
+#include "haptic_retargeting/host.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/host.h"
 
@@ -101,8 +101,8 @@ void operator delete[](void* memory, std::align_val_t) noexcept { release(memory
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 
-hrt_result hrt_set_host(const hrt_host* given) noexcept {
-  return guarded("hrt_set_host", [&]() -> hrt_result {
+hrt_result hrt_host_set(const hrt_host* given) noexcept {
+  return guarded("hrt_host_set", [&]() -> hrt_result {
     hrt_host next = c_library;
     if (given) {
       HRT_RETURN_IF_FAILED(read_struct("host", given, &next));

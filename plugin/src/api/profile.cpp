@@ -66,3 +66,14 @@ hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t leng
     return HRT_OK;
   });
 }
+
+hrt_result hrt_profile_reset(hrt_session session) noexcept {
+  return with_session("hrt_profile_reset", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.session().check_idle());
+    s.log_findings(session.value);
+    SessionModel defaults, model = s.session().model();
+    HRT_RETURN_IF_FAILED(read_or_default(nullptr, &defaults));
+    forget_user(defaults, &model);
+    return s.set_model(model);
+  });
+}

@@ -1,7 +1,7 @@
 #include <string>
 #include <string_view>
 
-#include "haptic_retargeting/study.h"
+#include "haptic_retargeting/recording.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/file.h"
 #include "plugin/src/api/replay.h"
@@ -67,8 +67,9 @@ hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_sta
   });
 }
 
-hrt_result hrt_replay(const char* path, const char* text, uint64_t length, hrt_replay_report* out_report) noexcept {
-  return guarded("hrt_replay", [&]() -> hrt_result {
+hrt_result hrt_recording_replay(const char* path, const char* text, uint64_t length,
+                                hrt_replay_report* out_report) noexcept {
+  return guarded("hrt_recording_replay", [&]() -> hrt_result {
     if (!path && !text) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null, and so is text");
     HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
     hrt_replay_report report{};

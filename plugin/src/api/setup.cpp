@@ -1,7 +1,6 @@
 #include "haptic_retargeting/setup.h"
 
 #include "generated/fields.h"
-#include "haptic_retargeting/study.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/read.h"
 #include "plugin/src/api/sessions.h"
@@ -52,16 +51,5 @@ hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide, hrt_setup
     HRT_RETURN_IF_FAILED(check_range("slide", slide, 0u, static_cast<std::uint32_t>(slides.size()) - 1));
     write_struct(to_c(slides[slide]), out_residual);
     return HRT_OK;
-  });
-}
-
-hrt_result hrt_session_new_person(hrt_session session) noexcept {
-  return with_session("hrt_session_new_person", session, [&](RecordedSession& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(s.session().check_idle());
-    s.log_findings(session.value);
-    SessionModel defaults, model = s.session().model();
-    HRT_RETURN_IF_FAILED(read_or_default(nullptr, &defaults));
-    forget_user(defaults, &model);
-    return s.set_model(model);
   });
 }

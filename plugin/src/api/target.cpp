@@ -1,5 +1,5 @@
+#include "haptic_retargeting/target.h"
 #include "generated/fields.h"
-#include "haptic_retargeting/setup.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/read.h"
 #include "plugin/src/api/sessions.h"

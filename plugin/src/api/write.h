@@ -1,8 +1,9 @@
 // From core types to the structs of the C interface.
 #pragma once
 
+#include "haptic_retargeting/gap.h"
+#include "haptic_retargeting/recording.h"
 #include "haptic_retargeting/setup.h"
-#include "haptic_retargeting/study.h"
 #include "plugin/src/session/gap.h"
 #include "plugin/src/session/session.h"
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "haptic_retargeting/study.h"
+#include "haptic_retargeting/recording.h"
 #include "plugin/src/abi/hash.h"
 
 namespace hrt::plugin {

@@ -1,9 +1,13 @@
 // The plugin, opened as an engine would: dlopen, with the C headers for types only.
 #pragma once
 
+#include <haptic_retargeting/gap.h>
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/person.h>
+#include <haptic_retargeting/profile.h>
+#include <haptic_retargeting/recording.h>
+#include <haptic_retargeting/scene.h>
 #include <haptic_retargeting/setup.h>
-#include <haptic_retargeting/study.h>
 
 #include <filesystem>
 #include <memory>

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/person.h>
+#include <haptic_retargeting/profile.h>
+#include <haptic_retargeting/recording.h>
 #include <haptic_retargeting/setup.h>
-#include <haptic_retargeting/study.h>
 
 #include <functional>
 #include <optional>

@@ -53,7 +53,7 @@ TEST_F(ErrorTextTest, PathsLeaveRoomForTheReason) {
   for (int i = 0; i < 10; ++i) path += "/\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4";
   expect_line(hrt_recording_start(session, path.c_str()), HRT_ERROR_SYSTEM, reason);
   auto report = output<hrt_replay_report>();
-  expect_line(hrt_replay(path.c_str(), nullptr, 0, &report), HRT_ERROR_SYSTEM, reason);
+  expect_line(hrt_recording_replay(path.c_str(), nullptr, 0, &report), HRT_ERROR_SYSTEM, reason);
   hrt_scene scene{};
   const std::string name = long_text();
   expect_line(hrt_scene_load(name.c_str(), "x", 1, &scene), HRT_ERROR_BAD_FORMAT, "...: ");
@@ -66,7 +66,7 @@ TEST_F(ErrorTextTest, SuccessfulReplayKeepsTheLastError) {
   std::string text, line;
   while (std::getline(file, line)) text += line + (line.starts_with("begin") ? "\n" + line + "\n" : "\n");
   auto report = output<hrt_replay_report>();
-  ASSERT_OK(hrt_replay(nullptr, text.data(), text.size(), &report));
+  ASSERT_OK(hrt_recording_replay(nullptr, text.data(), text.size(), &report));
   EXPECT_NE(report.first_different_line, 0u) << "a reach that begins in a reach is refused";
   EXPECT_EQ(hrt_last_error(), before);
 }

@@ -162,7 +162,7 @@ TEST_F(SessionMemory, EveryRequestOfRecordingsMayBeRefused) {
   std::ifstream file(HRT_GOLDEN_RECORDING);
   std::string text, line;
   for (int i = 0; i < 16 && std::getline(file, line); ++i) text += line + "\n";
-  refuse_each_request(allocator, [&] { return hrt_replay(nullptr, text.data(), text.size(), &report); });
+  refuse_each_request(allocator, [&] { return hrt_recording_replay(nullptr, text.data(), text.size(), &report); });
   EXPECT_GT(report.rows, 0u);
 }
 
@@ -200,33 +200,33 @@ TEST(Memory, AllocatorStaysWhileMemoryIsHeld) {
   const hrt_session_config config = session_config();
   hrt_session session{};
   ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
-  EXPECT_OK(hrt_set_host(nullptr)) << "nothing changes";
+  EXPECT_OK(hrt_host_set(nullptr)) << "nothing changes";
   hrt_host host = hrt_host_init();
   host.log = [](void*, std::uint32_t, const char*) {};
   host.context = &host;
-  EXPECT_OK(hrt_set_host(&host)) << "the allocator stays";
+  EXPECT_OK(hrt_host_set(&host)) << "the allocator stays";
   host.allocate = [](void*, std::size_t size, std::size_t) { return std::malloc(size); };
   host.release = [](void*, void* memory) { std::free(memory); };
-  expect_error(hrt_set_host(&host), HRT_ERROR_WRONG_STATE, "holds");
+  expect_error(hrt_host_set(&host), HRT_ERROR_WRONG_STATE, "holds");
   ASSERT_OK(hrt_session_destroy(session));
-  EXPECT_OK(hrt_set_host(&host));
+  EXPECT_OK(hrt_host_set(&host));
   ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
-  EXPECT_OK(hrt_set_host(&host));
+  EXPECT_OK(hrt_host_set(&host));
   host.context = &session;
-  expect_error(hrt_set_host(&host), HRT_ERROR_WRONG_STATE, "holds");
+  expect_error(hrt_host_set(&host), HRT_ERROR_WRONG_STATE, "holds");
   ASSERT_OK(hrt_session_destroy(session));
-  EXPECT_OK(hrt_set_host(nullptr));
+  EXPECT_OK(hrt_host_set(nullptr));
 }
 
 TEST(Memory, AllocatorIsChecked) {
   hrt_host host{};
-  expect_error(hrt_set_host(&host), HRT_ERROR_STRUCT_SIZE, "host");
+  expect_error(hrt_host_set(&host), HRT_ERROR_STRUCT_SIZE, "host");
   host = hrt_host_init();
   host.allocate = [](void*, std::size_t, std::size_t) -> void* { return nullptr; };
-  expect_error(hrt_set_host(&host), HRT_ERROR_NULL_ARGUMENT, "release is null");
+  expect_error(hrt_host_set(&host), HRT_ERROR_NULL_ARGUMENT, "release is null");
   host.release = [](void*, void*) {};
   host.allocate = nullptr;
-  expect_error(hrt_set_host(&host), HRT_ERROR_NULL_ARGUMENT, "allocate is null");
+  expect_error(hrt_host_set(&host), HRT_ERROR_NULL_ARGUMENT, "allocate is null");
 }
 
 }  // namespace

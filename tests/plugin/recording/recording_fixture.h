@@ -24,7 +24,7 @@ inline std::string read(const std::filesystem::path& path) {
 
 inline hrt_replay_report replay(const std::string& text) {
   auto report = output<hrt_replay_report>();
-  EXPECT_OK(hrt_replay(nullptr, text.data(), text.size(), &report));
+  EXPECT_OK(hrt_recording_replay(nullptr, text.data(), text.size(), &report));
   return report;
 }
 

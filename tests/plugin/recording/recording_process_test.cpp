@@ -64,12 +64,13 @@ TEST_F(RecordingTest, PipesAreRefusedAndNotWaitedFor) {
   ASSERT_EQ(mkfifo(path().c_str(), 0600), 0);
   auto report = output<hrt_replay_report>();
   expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
-  expect_error(hrt_replay(path().c_str(), nullptr, 0, &report), HRT_ERROR_SYSTEM, ": not a regular file");
+  expect_error(hrt_recording_replay(path().c_str(), nullptr, 0, &report), HRT_ERROR_SYSTEM, ": not a regular file");
   const int reader = open(path().c_str(), O_RDONLY | O_NONBLOCK);
   ASSERT_GE(reader, 0);
   expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
   close(reader);
-  expect_error(hrt_replay("/dev/zero", nullptr, 0, &report), HRT_ERROR_SYSTEM, "/dev/zero: not a regular file");
+  expect_error(hrt_recording_replay("/dev/zero", nullptr, 0, &report), HRT_ERROR_SYSTEM,
+               "/dev/zero: not a regular file");
 }
 
 /// Files that grow beyond a size are refused by the system while this lives.
@@ -184,7 +185,7 @@ TEST_F(RecordingTest, LargeFilesAreNotReadInVain) {
     std::filesystem::resize_file(path(), size);
     auto report = output<hrt_replay_report>();
     const auto before = std::chrono::steady_clock::now();
-    expect_error(hrt_replay(path().c_str(), nullptr, 0, &report), code, part);
+    expect_error(hrt_recording_replay(path().c_str(), nullptr, 0, &report), code, part);
     EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::milliseconds(100));
   };
   refused(std::uintmax_t{6} << 30, HRT_ERROR_SYSTEM, "has 6442450944 bytes; allowed: up to 1073741824");

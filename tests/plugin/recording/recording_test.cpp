@@ -47,7 +47,7 @@ TEST_F(RecordingTest, ReplaysToTheSameBits) {
   EXPECT_EQ(status.rows_lost, 0u);
   EXPECT_EQ(status.system_error, 0);
   auto report = output<hrt_replay_report>();
-  ASSERT_OK(hrt_replay(path().c_str(), nullptr, 0, &report));
+  ASSERT_OK(hrt_recording_replay(path().c_str(), nullptr, 0, &report));
   expect_same(report);
   EXPECT_EQ(report.rows, 3u * 2u + 64u + 2u * 270u);
   EXPECT_EQ(report.hash, 0x72374e75ca350fc0u) << "which is 0x" << std::hex << report.hash;
@@ -229,7 +229,7 @@ TEST_F(RecordingTest, AlteredOrCutIsNotComplete) {
 TEST_F(RecordingTest, NothingFollowsTheEnd) {
   const std::string text = recording() + "update,0\n";
   auto report = output<hrt_replay_report>();
-  expect_error(hrt_replay(nullptr, text.data(), text.size(), &report), HRT_ERROR_BAD_FORMAT, "after the end");
+  expect_error(hrt_recording_replay(nullptr, text.data(), text.size(), &report), HRT_ERROR_BAD_FORMAT, "after the end");
 }
 
 // Whatever came out of a call is compared: each cell of a row in turn is made another.
@@ -378,7 +378,7 @@ TEST_F(RecordingTest, CutOffAnywhereIsIncompleteOrRefused) {
   const std::string golden = recording();
   for (std::size_t size = 0; size + 1 < golden.size(); size += size < 4000 ? 1 : 997) {
     auto report = output<hrt_replay_report>();
-    const hrt_result result = hrt_replay(nullptr, golden.data(), size, &report);
+    const hrt_result result = hrt_recording_replay(nullptr, golden.data(), size, &report);
     if (result == HRT_OK) {
       EXPECT_EQ(report.complete, 0u);
       EXPECT_EQ(report.first_different_line, 0u);
@@ -393,7 +393,7 @@ TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
   const auto refused = [](const std::string& text, const char* part) {
     auto report = output<hrt_replay_report>();
     report.rows = 77;
-    expect_error(hrt_replay(nullptr, text.data(), text.size(), &report), HRT_ERROR_BAD_FORMAT, part);
+    expect_error(hrt_recording_replay(nullptr, text.data(), text.size(), &report), HRT_ERROR_BAD_FORMAT, part);
     EXPECT_EQ(report.rows, 77u);
   };
   const std::string header = golden.substr(0, golden.find("# config"));
@@ -443,7 +443,7 @@ TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
   const std::string added = "# target added 1 " + target("\"a\"", "\"place\":1");
   refused(header + config + added + "\n" + added + "\n", "line 11: target 1 is there already");
   auto report = output<hrt_replay_report>();
-  expect_error(hrt_replay("/no/such/file", nullptr, 0, &report), HRT_ERROR_SYSTEM, "/no/such/file");
+  expect_error(hrt_recording_replay("/no/such/file", nullptr, 0, &report), HRT_ERROR_SYSTEM, "/no/such/file");
 }
 
 TEST_F(RecordingTest, ReplayStopsWhereRowsWereLost) {
@@ -475,7 +475,7 @@ TEST_F(RecordingTest, PathsAreUtf8) {
   stop();
   EXPECT_TRUE(std::filesystem::exists(file));
   auto report = output<hrt_replay_report>();
-  ASSERT_OK(hrt_replay(path, nullptr, 0, &report));
+  ASSERT_OK(hrt_recording_replay(path, nullptr, 0, &report));
   EXPECT_EQ(report.complete, 1u);
 }
 

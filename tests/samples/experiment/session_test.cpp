@@ -55,7 +55,7 @@ void expect_recordings_replay(const Design& design, const fs::path& study) {
     if (entry.path().extension() != ".csv" || fs::file_size(entry.path()) == 0) continue;
     hrt_replay_report report = hrt_replay_report_init();
     // A recording that a kill cut before its header is none.
-    if (hrt_replay(entry.path().c_str(), nullptr, 0, &report) != HRT_OK) continue;
+    if (hrt_recording_replay(entry.path().c_str(), nullptr, 0, &report) != HRT_OK) continue;
     EXPECT_EQ(report.first_different_line, 0U) << entry.path();
     whole += report.complete;
   }

@@ -61,7 +61,7 @@ func stop(why: String) -> void:
 	set_process(false)
 	get_tree().quit(1)
 
-# FNV-1a of HRT_HASHED_FIELDS (study.h).
+# FNV-1a of HRT_HASHED_FIELDS (recording.h).
 func hash_command(command: Dictionary) -> void:
 	var bytes := StreamPeerBuffer.new()
 	bytes.put_64(command.flags)

@@ -16,7 +16,7 @@ HASHED_FIELDS = ["flags", "step", "plate_orientation_deg", "finger_direction_deg
 
 
 def fnv1a(commands: Any) -> int:
-    """FNV-1a of HRT_HASHED_FIELDS (study.h), 8 bytes each."""
+    """FNV-1a of HRT_HASHED_FIELDS (recording.h), 8 bytes each."""
     value = 0xCBF29CE484222325
     for flags, *others in commands[HASHED_FIELDS]:
         for byte in int(flags).to_bytes(8, "little") + b"".join(other.tobytes() for other in others):

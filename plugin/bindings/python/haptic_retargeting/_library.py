@@ -28,9 +28,10 @@ class Error(RuntimeError):
 def load(name: str, variable: str, functions: dict[str, tuple[Any, ...]]) -> ctypes.CDLL:
     """A library with its functions declared: the file that the environment's `variable` names, that of the wheel, or what the
     system's loader finds."""
-    major = _abi.VERSION[0]
-    names = {"win32": f"{name}.dll", "darwin": f"lib{name}.{major}.dylib"}
-    default = names.get(sys.platform, f"lib{name}.so.{major}")
+    major, minor = _abi.VERSION[:2]
+    version = f"{major}.{minor}" if major == 0 else f"{major}"
+    names = {"win32": f"{name}.dll", "darwin": f"lib{name}.{version}.dylib"}
+    default = names.get(sys.platform, f"lib{name}.so.{version}")
     in_wheel = Path(__file__).parent / default
     file = os.environ.get(variable) or (str(in_wheel) if in_wheel.exists() else default)
     try:

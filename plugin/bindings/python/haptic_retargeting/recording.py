@@ -178,4 +178,4 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
 
 def replay(path: str | os.PathLike[str]) -> ReplayReport:
     """Repeats the recorded calls and compares the results, bit for bit."""
-    return output(ReplayReport, library().hrt_replay, os.fsencode(path), None, 0)
+    return output(ReplayReport, library().hrt_recording_replay, os.fsencode(path), None, 0)

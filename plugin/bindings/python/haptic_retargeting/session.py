@@ -132,7 +132,7 @@ class Session(SessionKeywords, Closing):
 
     def new_person(self) -> None:
         """Resets the parameters of the user, because another person follows."""
-        check(library().hrt_session_new_person(self.handle))
+        check(library().hrt_profile_reset(self.handle))
 
     def cancel(self) -> None:
         """Cancels the reach or the set-up in progress. Error with WRONG_STATE if there is none."""
@@ -201,7 +201,7 @@ class Session(SessionKeywords, Closing):
         sustain, is smallest. With `exclusive`, each real target serves at most one virtual target. A virtual target that
         cannot be served is not `reachable` and has no real target."""
         out = (Gap * len(virtuals))(*(Gap() for _ in virtuals))
-        check(library().hrt_target_assign(
+        check(library().hrt_gap_assign(
             self.handle, _handles(virtuals, "virtuals"), len(virtuals), _handles(reals, "reals"), len(reals),
             AssignFlag.EXCLUSIVE if exclusive else 0, len(out), out))
         return [gap.belongs_to(self) for gap in out]

@@ -63,7 +63,7 @@ namespace Hrt
         {
             Load();
             var report = new ReplayReport { structSize = SizeOf<ReplayReport>.Value };
-            Check(Native.hrt_replay(Utf8.ZeroEnded(path, nameof(path)), null, 0, ref report));
+            Check(Native.hrt_recording_replay(Utf8.ZeroEnded(path, nameof(path)), null, 0, ref report));
             return report;
         }
 
@@ -116,7 +116,7 @@ namespace Hrt
         static Result SetLog(IntPtr log)
         {
             var host = new Host { structSize = SizeOf<Host>.Value, log = log };
-            return Native.hrt_set_host(ref host);
+            return Native.hrt_host_set(ref host);
         }
 
         /// <summary>Where the library's log goes: Unity's console, or what .NET programs choose.</summary>

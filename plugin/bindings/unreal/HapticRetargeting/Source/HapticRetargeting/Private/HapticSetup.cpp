@@ -65,7 +65,7 @@ bool UHapticRetargetingComponent::CancelSetup()
 
 bool UHapticRetargetingComponent::NewPerson()
 {
-	const bool bForgotten = HAPTIC_CALL(hrt_session_new_person(Session));
+	const bool bForgotten = HAPTIC_CALL(hrt_profile_reset(Session));
 	if (bForgotten)
 	{
 		TakeFromSession();

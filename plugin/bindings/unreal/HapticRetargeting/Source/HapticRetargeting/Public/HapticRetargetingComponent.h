@@ -3,10 +3,15 @@
 
 #include "Components/SceneComponent.h"
 #include "CoreMinimal.h"
+#include "haptic_retargeting/gap.h"
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/host.h"
+#include "haptic_retargeting/person.h"
 #include "haptic_retargeting/plate.h"
+#include "haptic_retargeting/profile.h"
+#include "haptic_retargeting/recording.h"
+#include "haptic_retargeting/scene.h"
 #include "haptic_retargeting/setup.h"
-#include "haptic_retargeting/study.h"
 #include "HapticRetargetingTypes.h"
 #include "HapticRetargetingComponent.generated.h"
 

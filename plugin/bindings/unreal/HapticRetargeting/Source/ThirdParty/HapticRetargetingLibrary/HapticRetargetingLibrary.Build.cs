@@ -27,11 +27,12 @@ public class HapticRetargetingLibrary : ModuleRules
 			PublicRuntimeLibraryPaths.Add(Folder);
 			foreach (string Name in new string[] { "libhaptic_retargeting.so", "libhrt_plate.so" })
 			{
-				// Linked by the one name, loaded by the other.
 				PublicAdditionalLibraries.Add(Path.Combine(Folder, Name));
 				RuntimeDependencies.Add(Path.Combine(Folder, Name));
-				RuntimeDependencies.Add(Path.Combine(Folder, Name + ".0"));
 			}
+			// The names by which they are loaded.
+			RuntimeDependencies.Add(Path.Combine(Folder, "libhaptic_retargeting.so.0.5"));
+			RuntimeDependencies.Add(Path.Combine(Folder, "libhrt_plate.so.0.5"));
 		}
 		else
 		{

@@ -1,4 +1,4 @@
-#include "haptic_retargeting/study.h"
+#include "haptic_retargeting/person.h"
 
 #include "core/simulation/simulated_hand.h"
 #include "generated/fields.h"

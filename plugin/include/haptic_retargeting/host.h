@@ -1,0 +1,52 @@
+/*
+ * Functions that the host lends to the library: its allocator and its log.
+ */
+#ifndef HAPTIC_RETARGETING_HOST_H
+#define HAPTIC_RETARGETING_HOST_H
+
+#include "base.h"
+
+#if defined(__cplusplus)
+extern "C" {
+#endif
+
+/** @enumeration HRT_LOG Level of a log message. */
+#define HRT_LOG_WARNING 1
+#define HRT_LOG_ERROR 2
+
+/** Functions that the host lends to the library, for the whole process. All zero except `struct_size`: memory of the
+ *  C library, and no log. These functions must not call this library or throw. Each may be called on any thread. */
+typedef struct hrt_host {
+  uint32_t struct_size;
+  uint32_t reserved;
+  /** Passed to all functions. The library does not read it. */
+  void* context;
+  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. Called
+   *  concurrently. Null, then `release` must be null too: the allocator of the C library. */
+  void* (*allocate)(void* context, size_t size, size_t alignment);
+  /** Releases memory that allocate() returned. Like free(), it is not given the size: an allocator that needs the
+   *  size must store it next to the memory. Called concurrently. */
+  void (*release)(void* context, void* memory);
+  /** Receives events that no call can return, for example that the disk of a recording is full. `level` is one of
+   *  HRT_LOG_*. `text` is one line that names the session and, for a recording, the file; it is valid during the
+   *  call. Called within calls that are not real-time or on a thread of the library, one call at a time. Null: no
+   *  log. */
+  void (*log)(void* context, uint32_t level, const char* text);
+} hrt_host;
+
+/** Sets allocator and log. Waits for a running call of the former log; the former log is not called after this
+ *  returns.
+ *
+ *  @param host  Copied. Null: the defaults.
+ *  @return WRONG_STATE if the allocator changes while a session, person or scene exists; NULL_ARGUMENT if only one of
+ *          allocate and release is given.
+ *  @threadsafety [any-thread], but while the allocator changes no other thread may be in a call of this library. */
+HRT_NODISCARD HRT_API hrt_result hrt_host_set(const hrt_host* host) HRT_NOEXCEPT;
+
+#if defined(__cplusplus)
+}
+#endif
+
+#include "host_init.h"
+
+#endif

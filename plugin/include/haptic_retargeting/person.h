@@ -1,0 +1,103 @@
+/*
+ * A simulated person: a finger that slides over the plate, perceives its ridges and is deflected by them. It replaces a
+ * tracked finger and the plate's servo in a first program, a demo or an engine's test. It is a model, not a measurement
+ * of people: its parameters follow from a seed, and its illusion is linear in the plate angle.
+ */
+#ifndef HAPTIC_RETARGETING_PERSON_H
+#define HAPTIC_RETARGETING_PERSON_H
+
+#include "reach.h"
+
+#if defined(__cplusplus)
+extern "C" {
+#endif
+
+/** A simulated person's handle. Zero is never a person. Handles are never reused. */
+typedef struct hrt_person {
+  uint64_t value;
+} hrt_person;
+
+/** Maximum number of simulated people in a process. */
+#define HRT_PEOPLE_MAX 64
+
+/** Configuration of a simulated person. The default is all zero except `struct_size`. */
+typedef struct hrt_person_config {
+  uint32_t struct_size;
+  uint32_t reserved;
+  /** Tactile weight; 0: drawn from the seed between 0.12 and 0.3. @range 0 or 0.01 to 0.49 @unit 1 @default 0 */
+  double tactile_weight;
+  /** Direction in which the person sees a virtual target, minus its own. @range -45 to 45 @default 0 @ccw */
+  double bias_deg;
+  /** Duration of the motion; 0: 1.5 s. @range 0 or 0.3 to 20 @default 0 */
+  double duration_s;
+  /** SD of the tracker's white noise in each coordinate; 0: 1.2 mm. @range 0 to 0.1 @default 0 */
+  double tracker_noise_m;
+  /** Maximum speed of the plate's servo; 0: 400. @range 0 to 1e6 @default 0 */
+  double plate_max_speed_deg_s;
+  /** Time from a command to the servo's first motion; 0: 30 ms. @range 0 to 1 s @default 0 */
+  int64_t plate_latency_ns;
+} hrt_person_config;
+
+/** State of a simulated person. Positions are in plate coordinates, without the tracker's noise. */
+typedef struct hrt_person_state {
+  uint32_t struct_size;
+  /** 1 if the motion is over. @bool */
+  uint32_t done;
+  /** Position of the fingertip. */
+  double position_m[3];
+  /** Position of the fingertip as the person perceives it. */
+  double felt_position_m[3];
+  /** Plate orientation of the servo. @ccw */
+  double plate_orientation_deg;
+  /** Perceived direction minus that of the virtual target. @ccw */
+  double felt_error_deg;
+} hrt_person_state;
+
+/** Creates a person. The same configuration and seed are the same person on every host, bit for bit.
+ *
+ *  @param config  Null: the defaults.
+ *  @param seed    Any number.
+ *  @return OUT_OF_RANGE naming the field; LIMIT_REACHED; OUT_OF_MEMORY.
+ *  @threadsafety [any-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed,
+                                                   hrt_person* out_person) HRT_NOEXCEPT;
+
+/** Destroys the person.
+ *
+ *  @threadsafety [one-thread] */
+HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
+
+/** Puts the finger at rest at the session's start. After a rest of 0.6 s, the person intends to slide to the present
+ *  position of a virtual target. Each call is a further reach, with its own noise.
+ *
+ *  @param session         Session of the target.
+ *  @param virtual_target  Target of the person.
+ *  @return INVALID_HANDLE; OUT_OF_RANGE naming the target.
+ *  @threadsafety [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session session,
+                                                  hrt_target virtual_target) HRT_NOEXCEPT;
+
+/** Commands the servo, advances the simulation, and returns the report of tracker and servo: a sample with
+ *  PLATE_POSITION and PLATE_ORIENTATION. The first call after hrt_person_begin() starts the rest and places the plate
+ *  at the given orientation.
+ *
+ *  @param time_ns                Time to which the simulation advances.
+ *  @param plate_orientation_deg  Command: this orientation, or the nearest one with the same ridges. @ccw
+ *  @return OUT_OF_RANGE naming plate_orientation_deg; TIME_REVERSED; WRONG_STATE before hrt_person_begin().
+ *  @threadsafety [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orientation_deg,
+                                                 hrt_sample* out_sample) HRT_NOEXCEPT;
+
+/** Returns the state of the person.
+ *
+ *  @return WRONG_STATE before hrt_person_begin().
+ *  @threadsafety [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_person_get_state(hrt_person person, hrt_person_state* out_state) HRT_NOEXCEPT;
+
+#if defined(__cplusplus)
+}
+#endif
+
+#include "person_init.h"
+
+#endif

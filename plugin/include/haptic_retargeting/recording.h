@@ -1,0 +1,111 @@
+/*
+ * Recordings of a session, and their replay.
+ *
+ * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. It has a row for each
+ * begin, update, retarget, touched, cancel and end of a reach, and for each update, finish and cancel of a
+ * set-up, including refused calls, except those of a set-up whose structs cannot be read. Comments hold
+ * configurations, targets, beginnings of set-ups and the plate orientation. Numbers have full precision. A thread
+ * of the library writes the file: a slow or full disk never delays a call; rows are dropped and counted.
+ */
+#ifndef HAPTIC_RETARGETING_RECORDING_H
+#define HAPTIC_RETARGETING_RECORDING_H
+
+#include "reach.h"
+
+#if defined(__cplusplus)
+extern "C" {
+#endif
+
+/** State of a recording. */
+typedef struct hrt_recording_status {
+  uint32_t struct_size;
+  /** errno of the first failed write, after which nothing is written; 0: no write failed. */
+  int32_t system_error;
+  /** Calls that the operating system has accepted for writing. */
+  uint64_t rows_written;
+  /** Calls dropped because the disk was too slow or failed. 0 after stopping: the file is complete. */
+  uint64_t rows_lost;
+} hrt_recording_status;
+
+/** Starts recording the session into a file, which is created or replaced. In the child of a fork, which has the
+ *  parent's sessions but not its recordings, calls of these sessions are not recorded, hrt_recording_get_status() and
+ *  hrt_recording_stop() return WRONG_STATE, and this call may start a recording of the child.
+ *
+ *  @return SYSTEM if the file cannot be created, is not a regular file, or another recording is written to it, in
+ *          this process or another; WRONG_STATE during a reach or a set-up, or while recording; OUT_OF_MEMORY.
+ *  @threadsafety [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;
+
+/** Returns the state of the recording.
+ *
+ *  @return WRONG_STATE without a recording.
+ *  @threadsafety [real-time] */
+HRT_NODISCARD HRT_API hrt_result hrt_recording_get_status(hrt_session session,
+                                                          hrt_recording_status* out_status) HRT_NOEXCEPT;
+
+/** Writes the remaining rows, closes the file and returns the final state. The call may wait for the disk. Destroying
+ *  the session also stops its recording.
+ *
+ *  @return WRONG_STATE without a recording.
+ *  @threadsafety [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) HRT_NOEXCEPT;
+
+/** @enumeration HRT_ENDING End of a recording. */
+#define HRT_ENDING_COMPLETE 0  /**< an end line, and nothing was altered or lost */
+#define HRT_ENDING_CUT 1       /**< no end line: cut off, or the process ended while recording */
+#define HRT_ENDING_LOST_ROWS 2 /**< rows that a slow disk has lost: only the rows before them were replayed */
+#define HRT_ENDING_ALTERED 3   /**< an end line whose checksum does not match the text before it */
+
+/** The fields of hrt_command that hrt_replay_report::hash covers, in this order: WHOLE(name) for each whole number,
+ *  NUMBER(name) for each double. A new field of hrt_command changes no hash. */
+#define HRT_HASHED_FIELDS(WHOLE, NUMBER) \
+  WHOLE(flags)                           \
+  WHOLE(step)                            \
+  NUMBER(plate_orientation_deg)          \
+  NUMBER(finger_direction_deg)           \
+  NUMBER(perceived_direction_deg)        \
+  NUMBER(aimed_direction_deg)            \
+  NUMBER(distance_to_go_m)               \
+  NUMBER(tactile_weight)                 \
+  NUMBER(tactile_weight_sd)              \
+  NUMBER(time_to_go_s)                   \
+  NUMBER(felt_error_deg)                 \
+  NUMBER(predicted_miss_deg)             \
+  NUMBER(misfit)                         \
+  NUMBER(miss_sd_deg)
+
+/** Result of a replay. */
+typedef struct hrt_replay_report {
+  uint32_t struct_size;
+  /** 1 if `ending` is HRT_ENDING_COMPLETE. @bool */
+  uint32_t complete;
+  /** Rows replayed. */
+  uint64_t rows;
+  /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows are equal,
+   *  bit for bit. */
+  uint64_t first_different_line;
+  /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", the fields of
+   *  HRT_HASHED_FIELDS as 8 bytes each, least significant byte first. */
+  uint64_t hash;
+  /** End of the recording. @values HRT_ENDING */
+  uint32_t ending;
+  uint32_t reserved;
+} hrt_replay_report;
+
+/** Repeats the recorded calls and compares results, commands, summaries, steps and results of set-ups.
+ *
+ *  @param path    The file, of at most 1 GiB. Not read if `text` is given.
+ *  @param text    Content of a recording, or null.
+ *  @param length  Its bytes.
+ *  @return BAD_FORMAT naming the line, or a version that is not supported; SYSTEM if the file cannot be read.
+ *  @threadsafety [any-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_recording_replay(const char* path, const char* text, uint64_t length,
+                                                      hrt_replay_report* out_report) HRT_NOEXCEPT;
+
+#if defined(__cplusplus)
+}
+#endif
+
+#include "recording_init.h"
+
+#endif
