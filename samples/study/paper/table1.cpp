@@ -15,45 +15,57 @@ namespace {
 constexpr double significant = 3.841458820694124;
 
 Condition condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
-                    double virtual_direction_deg, std::uint64_t horizon) {
+                    double virtual_direction_deg, const Table1Options& options) {
   Condition condition = make_condition(motor_variance_deg2, tactile_weight, real_direction_deg, virtual_direction_deg);
-  condition.controller.mpc.horizon = static_cast<int>(horizon);
+  condition.participant.sensory_variance_deg2 = options.sensory_variance_deg2;
+  condition.controller.participant = condition.participant;
+  condition.controller.mpc.horizon = static_cast<int>(options.horizon);
+  condition.controller.mpc.plate_bound_deg = options.plate_bound_deg;
+  condition.steps = static_cast<int>(options.steps);
   return condition;
 }
 
 CellGroup six_pairs(const std::string& name, const std::string& title, double motor_variance_deg2,
-                    double tactile_weight, std::uint64_t horizon) {
+                    double tactile_weight, const Table1Options& options) {
   CellGroup group{.name = name, .title = title};
   for (const PaperCell& cell : paper_table1[0].cells)
     group.cells.push_back({.condition = condition(motor_variance_deg2, tactile_weight, cell.real_direction_deg,
-                                                  cell.virtual_direction_deg, horizon)});
+                                                  cell.virtual_direction_deg, options)});
   return group;
 }
 
-CellGroup paper_condition(std::size_t index, std::uint64_t horizon) {
+CellGroup paper_condition(std::size_t index, const Table1Options& options) {
   const PaperCondition& paper = paper_table1[index];
   CellGroup group =
       six_pairs("condition_" + std::to_string(index + 1),
                 "Condition " + std::to_string(index + 1) + ": motor variance " + number(paper.motor_variance_deg2) +
                     " deg^2, tactile weight " + number(paper.tactile_weight),
-                paper.motor_variance_deg2, paper.tactile_weight, horizon);
+                paper.motor_variance_deg2, paper.tactile_weight, options);
   for (std::size_t i = 0; i < paper.cells.size(); ++i) group.cells[i].paper_percent = paper.cells[i].percent;
   group.paper_percent = paper.mean_percent;
   group.paper_sd = paper.sd_percent;
   return group;
 }
 
-std::vector<CellGroup> paper_claims(std::uint64_t horizon) {
+std::vector<CellGroup> paper_claims(const Table1Options& options) {
   std::vector<CellGroup> claims;
-  claims.push_back(six_pairs("tactile_weight_0.05", "Tactile weight 0.05", 0.5, 0.05, horizon));
+  claims.push_back(six_pairs("tactile_weight_0.05", "Tactile weight 0.05", 0.5, 0.05, options));
   claims.back().paper_percent = paper_impaired_touch_percent;
+  CellGroup narrow = claims.back();
+  narrow.name = "tactile_weight_0.05_gap_6";
+  narrow.title = "The same, gap of 6 deg";
+  for (Cell& cell : narrow.cells) {
+    cell.condition.real_direction_deg *= 0.6;
+    cell.condition.virtual_direction_deg *= 0.6;
+  }
+  claims.push_back(narrow);
   for (const double tactile_weight : {0.2, 0.3, 0.45}) {
     claims.push_back(six_pairs("tactile_weight_" + number(tactile_weight), "Tactile weight " + number(tactile_weight),
-                               0.5, tactile_weight, horizon));
+                               0.5, tactile_weight, options));
     claims.back().paper_percent = paper_table1[0].mean_percent;
   }
 
-  Cell wide{.condition = condition(2.0, 0.15, 0.0, 12.0, horizon), .paper_percent = paper_wide_gap_percent};
+  Cell wide{.condition = condition(2.0, 0.15, 0.0, 12.0, options), .paper_percent = paper_wide_gap_percent};
   claims.push_back({.name = "gap_12",
                     .title = "Gap 12 deg, motor variance 2 deg^2",
                     .cells = {wide},
@@ -71,25 +83,28 @@ std::vector<CellGroup> paper_claims(std::uint64_t horizon) {
                     .cells = {wide},
                     .paper_percent = paper_wide_gap_percent});
 
-  Cell uncontrolled{.condition = condition(0.1, 0.15, 5.0, -5.0, horizon)};
+  Cell uncontrolled{.condition = condition(0.1, 0.15, 5.0, -5.0, options)};
   uncontrolled.condition.controller.mode = ControlMode::fixed_plate;
   claims.push_back({.name = "no_controller", .title = "No controller, plate at 0", .cells = {uncontrolled}});
 
-  for (std::uint64_t steps = 1; steps <= 5; ++steps)
+  for (std::uint64_t steps = 1; steps <= 5; ++steps) {
+    Table1Options other = options;
+    other.horizon = steps;
     claims.push_back(
-        six_pairs("horizon_" + std::to_string(steps), "Horizon " + std::to_string(steps), 0.5, 0.15, steps));
+        six_pairs("horizon_" + std::to_string(steps), "Horizon " + std::to_string(steps), 0.5, 0.15, other));
+  }
   claims[claims.size() - 3].paper_percent = paper_table1[0].mean_percent;
 
   return claims;
 }
 
 // The six pairs of each condition, as wide as each amplitude.
-std::vector<CellGroup> amplitude_groups(std::uint64_t horizon) {
+std::vector<CellGroup> amplitude_groups(const Table1Options& options) {
   std::vector<CellGroup> groups;
   for (std::size_t i = 0; i < paper_table1.size(); ++i)
     for (const double gap_deg : amplitudes_deg) {
       CellGroup group = six_pairs("amplitude_" + number(gap_deg) + "_condition_" + std::to_string(i + 1), "",
-                                  paper_table1[i].motor_variance_deg2, paper_table1[i].tactile_weight, horizon);
+                                  paper_table1[i].motor_variance_deg2, paper_table1[i].tactile_weight, options);
       for (Cell& cell : group.cells) {
         cell.condition.real_direction_deg *= gap_deg / 10.0;
         cell.condition.virtual_direction_deg *= gap_deg / 10.0;
@@ -219,9 +234,9 @@ bool agrees(const Cell& cell) { return paper_interval(cell).contains(cell.result
 
 Table1 simulate_table1(const Table1Options& options) {
   Table1 table{.options = options};
-  for (std::size_t i = 0; i < paper_table1.size(); ++i) table.conditions.push_back(paper_condition(i, options.horizon));
-  table.claims = paper_claims(options.horizon);
-  table.amplitudes = amplitude_groups(options.horizon);
+  for (std::size_t i = 0; i < paper_table1.size(); ++i) table.conditions.push_back(paper_condition(i, options));
+  table.claims = paper_claims(options);
+  table.amplitudes = amplitude_groups(options);
 
   std::vector<Cell*> cells;
   for (auto* groups : {&table.conditions, &table.claims, &table.amplitudes})
@@ -239,8 +254,13 @@ Table1 simulate_table1(const Table1Options& options) {
   for (CellGroup& group : table.conditions) {
     judge(group);
     for (const Cell& cell : group.cells) {
-      table.chi_squared += squared_difference(*cell.paper_percent, paper_trials, cell.result.hit_percent(),
-                                              static_cast<double>(cell.result.trials));
+      const auto trials = static_cast<double>(cell.result.trials);
+      table.chi_squared += squared_difference(*cell.paper_percent, paper_trials, cell.result.hit_percent(), trials);
+      // A share that the model never or always hits is taken half a trial from there.
+      const double share = std::clamp(cell.result.hit_percent() / 100.0, 0.5 / trials, 1.0 - 0.5 / trials);
+      const double paper_share = *cell.paper_percent / 100.0;
+      table.log_likelihood +=
+          paper_trials * (paper_share * std::log(share) + (1.0 - paper_share) * std::log(1.0 - share));
       ++table.degrees_of_freedom;
     }
   }

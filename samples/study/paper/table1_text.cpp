@@ -43,7 +43,8 @@ std::string fit_text(const Table1& table) {
   std::string page =
       "chi-squared " + fixed(table.chi_squared, 1) + " over " + std::to_string(table.degrees_of_freedom) +
       " cells, p = " + fixed(table.p_value, 2) + ": " + (table.p_value >= 0.05 ? "consistent" : "NOT consistent") +
-      " with the sampling noise of the paper's 50 trials a cell.\n" + std::to_string(outside) + " of the " +
+      " with the sampling noise of the paper's 50 trials a cell.\nlog-likelihood of the paper's trials " +
+      fixed(table.log_likelihood, 1) + "\n" + std::to_string(outside) + " of the " +
       std::to_string(table.degrees_of_freedom) +
       " cells lie outside their 95 % interval; one in twenty does by chance.\n" + wrapped(in_sample_words) +
       wrapped(
@@ -140,8 +141,10 @@ std::string table1_text(const Table1& table) {
   std::string page =
       "Trials that end within 1.5 deg of the real target, in percent: paper (50 trials a cell) and model\n(" +
       std::to_string(table.options.trials) + " trials a cell, seed " + std::to_string(table.options.seed) +
-      ", horizon " + std::to_string(table.options.horizon) +
-      "). Both are simulation; there was no human trial. Directions in deg.\n\n";
+      ", horizon " + std::to_string(table.options.horizon) + ", plate bound " + number(table.options.plate_bound_deg) +
+      " deg,\nsensory variance " + number(table.options.sensory_variance_deg2) + " deg^2, " +
+      std::to_string(table.options.steps) +
+      " steps). Both are simulation; there was no human trial. Directions in deg.\n\n";
   for (const CellGroup& group : table.conditions) page += condition_text(group);
   return page + fit_text(table) + claims_text(table) + amplitudes_text(table);
 }
@@ -152,6 +155,10 @@ Results table1_results(const Table1& table) {
                           {"trials_per_cell", table.options.trials},
                           {"seed", table.options.seed},
                           {"horizon", table.options.horizon},
+                          {"plate_bound_deg", table.options.plate_bound_deg},
+                          {"sensory_variance_deg2", table.options.sensory_variance_deg2},
+                          {"steps", table.options.steps},
+                          {"log_likelihood", table.log_likelihood},
                           {"chi_squared", table.chi_squared},
                           {"degrees_of_freedom", table.degrees_of_freedom},
                           {"p_value", table.p_value}},
