@@ -105,6 +105,7 @@ class Enumeration:
     name: str
     header: str
     flags: bool
+    type: Type
     text: str
     members: list[Value]
 

@@ -19,6 +19,8 @@
  *    hrt_session_config_init() and the like set it together with the defaults. A null configuration
  *    means the defaults. Bytes beyond the size that the library knows must be zero.
  *  - Fields named `reserved` must be zero. Integers have a fixed width. Fields have the alignment of C.
+ *  - A value of a type such as hrt_guidance is one of the constants below that type, or several of them if the type is
+ *    one of flags.
  *  - Texts and paths are UTF-8, on Windows too.
  *
  * In your process (plugin/README.md has numbers and details)
@@ -36,7 +38,6 @@
  *   @range A to B     allowed values; "0 or A to B" allows 0 as well
  *   @default V        value that hrt_..._init() sets
  *   @norm A to B      allowed length of a vector
- *   @values HRT_X     takes one of the constants HRT_X_*, or several of them if these are flags
  *   @elements HRT_X   array whose elements the constants HRT_X_* index
  *   @bool             0 or 1
  *   @ccw              angle that is positive counter-clockwise, seen from above

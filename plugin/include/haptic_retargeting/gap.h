@@ -52,6 +52,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target r
                                                hrt_gap* out_gap) HRT_NOEXCEPT;
 
 /** @flags HRT_ASSIGN Flags of hrt_gap_assign(). */
+typedef uint32_t hrt_assign_flags;
 /** A real target serves at most one virtual target. Otherwise, it may serve any number. */
 #define HRT_ASSIGN_EXCLUSIVE UINT32_C(1)
 
@@ -64,7 +65,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target r
  *
  *  @param virtual_targets  Targets to serve.
  *  @param real_targets     Targets that may serve them.
- *  @param flags            Options. @values HRT_ASSIGN
+ *  @param flags            Options.
  *  @param capacity         Elements of `out_gaps`.
  *  @param out_gaps         The gap of each virtual target. `out_gaps[0].struct_size` is the size of each. A target
  *                          that cannot be served has `reachable` 0, a null real_target, and the numbers of the
@@ -74,7 +75,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target r
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_gap_assign(hrt_session session, const hrt_target* virtual_targets,
                                                 uint64_t virtual_count, const hrt_target* real_targets,
-                                                uint64_t real_count, uint32_t flags, uint64_t capacity,
+                                                uint64_t real_count, hrt_assign_flags flags, uint64_t capacity,
                                                 hrt_gap* out_gaps) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)

@@ -11,6 +11,7 @@ extern "C" {
 #endif
 
 /** @enumeration HRT_LOG Level of a log message. */
+typedef uint32_t hrt_log_level;
 #define HRT_LOG_WARNING 1
 #define HRT_LOG_ERROR 2
 
@@ -31,7 +32,7 @@ typedef struct hrt_host {
    *  HRT_LOG_*. `text` is one line that names the session and, for a recording, the file; it is valid during the
    *  call. Called within calls that are not real-time or on a thread of the library, one call at a time. Null: no
    *  log. */
-  void (*log)(void* context, uint32_t level, const char* text);
+  void (*log)(void* context, hrt_log_level level, const char* text);
 } hrt_host;
 
 /** Sets allocator and log. Waits for a running call of the former log; the former log is not called after this

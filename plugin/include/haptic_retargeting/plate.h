@@ -45,6 +45,7 @@ typedef struct hrt_plate {
 } hrt_plate;
 
 /** @enumeration HRT_PLATE_HOMING Effect of hrt_plate_set() while HRT_PLATE_REPORT_UNHOMED is set. */
+typedef uint32_t hrt_plate_homing;
 #define HRT_PLATE_HOMING_REFUSED 0u /**< it fails with WRONG_STATE */
 /** The plate moves to the orientation of the first call slowly, in about 8 s. Keep fingers off: many servos turn
  *  slowly then, but a digital servo may move at its full speed. */
@@ -53,9 +54,9 @@ typedef struct hrt_plate {
 /** Options of a plate. */
 typedef struct hrt_plate_options {
   uint32_t struct_size;
-  /** Effect of hrt_plate_set() while the orientation is unknown. @values HRT_PLATE_HOMING
+  /** Effect of hrt_plate_set() while the orientation is unknown.
    *  @default HRT_PLATE_HOMING_REFUSED */
-  uint32_t homing;
+  hrt_plate_homing homing;
   /** Time without hrt_plate_set(), hrt_plate_stop() or hrt_plate_get() after which the plate stops where it is, so
    *  that an application that hangs does not leave a moving plate. The next hrt_plate_set() moves it again.
    *  @range 50 ms to 10 s @default 300 ms */
@@ -63,11 +64,13 @@ typedef struct hrt_plate_options {
 } hrt_plate_options;
 
 /** @enumeration HRT_PLATE_STATE State of a plate. */
+typedef uint32_t hrt_plate_state;
 #define HRT_PLATE_STATE_OPENING 1u /**< connecting: up to 6 s, because boards restart when their line is opened */
 #define HRT_PLATE_STATE_READY 2u   /**< accepts commands */
 #define HRT_PLATE_STATE_FAILED 3u  /**< stopped if it was still connected; hrt_plate_report::message has the reason */
 
 /** @enumeration HRT_PLATE_FAULT Cause of a plate's failure. */
+typedef uint32_t hrt_plate_fault;
 #define HRT_PLATE_FAULT_NONE 0u      /**< it has not failed */
 #define HRT_PLATE_FAULT_LINE 1u      /**< the line cannot be opened or set up, or is in use */
 #define HRT_PLATE_FAULT_NO_ANSWER 2u /**< no device answers as such a plate */
@@ -83,6 +86,7 @@ typedef struct hrt_plate_options {
 #define HRT_PLATE_FAULT_INTERNAL 12u /**< out of memory, or a defect of this library */
 
 /** @flags HRT_PLATE_REPORT Content of a report, and warnings. */
+typedef uint32_t hrt_plate_report_flags;
 #define HRT_PLATE_REPORT_ORIENTATION 1u  /**< the orientation is known */
 #define HRT_PLATE_REPORT_MEASURED 2u     /**< a sensor measures the orientation; else it is assumed from the commands */
 #define HRT_PLATE_REPORT_ROUND_TRIP 4u   /**< the round trip of the line was measured */
@@ -100,12 +104,12 @@ typedef struct hrt_plate_options {
 /** State and properties of a plate. All numbers are finite, and 0 while they are unknown. */
 typedef struct hrt_plate_report {
   uint32_t struct_size;
-  /** State of the plate. @values HRT_PLATE_STATE */
-  uint32_t state;
-  /** Cause of its failure. @values HRT_PLATE_FAULT */
-  uint32_t fault;
-  /** Content of the report, and warnings. @values HRT_PLATE_REPORT */
-  uint32_t flags;
+  /** State of the plate. */
+  hrt_plate_state state;
+  /** Cause of its failure. */
+  hrt_plate_fault fault;
+  /** Content of the report, and warnings. */
+  hrt_plate_report_flags flags;
   /** Last reported plate orientation, -360 to 360. For hrt_sample::plate_orientation_deg. @ccw */
   double orientation_deg;
   /** Orientation that was last sent, within the stops. @ccw */

@@ -25,15 +25,15 @@ extern "C" {
 #endif
 
 /** @flags HRT_CONDITION hrt_conditions::differing: conditions of the profile that differ from the present ones. */
+typedef uint32_t hrt_condition_flags;
 #define HRT_CONDITION_PLATE UINT32_C(1)   /**< the name of the plate */
 #define HRT_CONDITION_TRACKER UINT32_C(2) /**< the name of the tracker */
 
 /** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. */
 typedef struct hrt_conditions {
   uint32_t struct_size;
-  /** Output: conditions that both the profile and the host name, and that differ. Input: not read.
-   *  @values HRT_CONDITION */
-  uint32_t differing;
+  /** Output: conditions that both the profile and the host name, and that differ. Input: not read. */
+  hrt_condition_flags differing;
   /** Seconds since 1970, UTC, until the end of the year 9999; 0: unknown. @range 0 to 253402300799 */
   int64_t time_s;
   /** Name of the plate; empty: unknown. UTF-8 without control characters, terminated by a zero. */

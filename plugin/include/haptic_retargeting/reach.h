@@ -12,6 +12,7 @@ extern "C" {
 #endif
 
 /** @flags HRT_REACH Options of a reach: hrt_reach_config::flags. */
+typedef uint32_t hrt_reach_flags;
 /** `plate_orientation_deg` is given. Otherwise, the plate is at the session's last command, initially 0. */
 #define HRT_REACH_PLATE_ORIENTATION UINT32_C(1)
 /** The reach starts at the first position of the finger instead of hrt_session_config::start_position_m; directions
@@ -22,8 +23,8 @@ extern "C" {
 /** Configuration of a reach. */
 typedef struct hrt_reach_config {
   uint32_t struct_size;
-  /** Options. @values HRT_REACH @default 0 */
-  uint32_t flags;
+  /** Options. @default 0 */
+  hrt_reach_flags flags;
   /** Target of the hand, less than 90 degrees from the virtual direction plus hrt_session_config::paper.bias_deg.
    *  Null by default: must be set. */
   hrt_target real_target;
@@ -39,6 +40,7 @@ typedef struct hrt_reach_config {
 /** @flags HRT_SAMPLE hrt_sample::flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and
  *  WORLD_POSITION. A sample with none of these and without LIFTED is a dropout: the plate is held, and the model
  *  predicts. */
+typedef uint32_t hrt_sample_flags;
 #define HRT_SAMPLE_DIRECTION UINT32_C(1)         /**< finger_direction_deg */
 #define HRT_SAMPLE_PLATE_POSITION UINT32_C(2)    /**< finger_position_m, in plate coordinates */
 #define HRT_SAMPLE_PLATE_ORIENTATION UINT32_C(4) /**< plate_orientation_deg, as measured */
@@ -55,8 +57,8 @@ typedef struct hrt_reach_config {
  *  fields that `flags` names are read. */
 typedef struct hrt_sample {
   uint32_t struct_size;
-  /** Fields that are set. @values HRT_SAMPLE */
-  uint32_t flags;
+  /** Fields that are set. */
+  hrt_sample_flags flags;
   /** Time of the caller's monotonic clock, with any origin; never less than that of the last sample. @range any */
   int64_t time_ns;
   /** Direction of the finger's motion, taken as exact. @range -180 to 180 @ccw */
@@ -76,6 +78,7 @@ typedef struct hrt_sample {
 } hrt_sample;
 
 /** @flags HRT_COMMAND Reasons of a command, and warnings: hrt_command::flags. */
+typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_HELD UINT32_C(1)         /**< no new decision: the former command is repeated */
 #define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< no sample in the last step; under ARRIVAL, no sample now */
 #define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the plate's bound or a stop limits the command */
@@ -128,8 +131,8 @@ typedef struct hrt_sample {
 /** Command for the plate, and its reasons. */
 typedef struct hrt_command {
   uint32_t struct_size;
-  /** Reasons and warnings. @values HRT_COMMAND */
-  uint32_t flags;
+  /** Reasons and warnings. */
+  hrt_command_flags flags;
   /** Model step, from 0; -1 before the finger moves. */
   int64_t step;
   /** Plate orientation to turn to now. If speed and acceleration are unlimited, the nearest of the orientations with
@@ -204,8 +207,8 @@ typedef struct hrt_reach_learnt {
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
   /** UNREACHABLE, CONTACTS and NOT_AT_START at the end, MISFIT, REGISTRATION and IMPLAUSIBLE at any time, OFF_TARGET
-   *  and MISS_UNKNOWN for the end of the motion, FAULT. @values HRT_COMMAND */
-  uint32_t flags;
+   *  and MISS_UNKNOWN for the end of the motion, FAULT. */
+  hrt_command_flags flags;
   /** Direction of the finger in the last step. @ccw */
   double final_direction_deg;
   /** final_direction_deg minus the direction of the real target: the error measure of the paper. @ccw */
@@ -237,14 +240,15 @@ typedef struct hrt_reach_summary {
 
 /** @flags HRT_CONTACT hrt_contact::flags: coordinates of the position, at most one. Without both, the finger is at
  *  the near side of the reach's real target: its position, less its radius towards the start. */
+typedef uint32_t hrt_contact_flags;
 #define HRT_CONTACT_PLATE_POSITION UINT32_C(1) /**< position_m, in plate coordinates */
 #define HRT_CONTACT_WORLD_POSITION UINT32_C(2) /**< position_m, in the engine's world, by the session's pose */
 
 /** Position of the finger, known because it touches a real object. The default is all zero except `struct_size`. */
 typedef struct hrt_contact {
   uint32_t struct_size;
-  /** Coordinates of the position. @values HRT_CONTACT @default 0 */
-  uint32_t flags;
+  /** Coordinates of the position. @default 0 */
+  hrt_contact_flags flags;
   /** Position of the fingertip; the height above the plate has no effect. @range -1000 to 1000 @default 0 */
   double position_m[3];
   /** SD of the position in each coordinate; 0: the radius of the real target, or 10 mm if it is unknown.

@@ -51,6 +51,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_recording_get_status(hrt_session session,
 HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) HRT_NOEXCEPT;
 
 /** @enumeration HRT_ENDING End of a recording. */
+typedef uint32_t hrt_recording_ending;
 #define HRT_ENDING_COMPLETE 0  /**< an end line, and nothing was altered or lost */
 #define HRT_ENDING_CUT 1       /**< no end line: cut off, or the process ended while recording */
 #define HRT_ENDING_LOST_ROWS 2 /**< rows that a slow disk has lost: only the rows before them were replayed */
@@ -87,8 +88,8 @@ typedef struct hrt_replay_report {
   /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", the fields of
    *  HRT_HASHED_FIELDS as 8 bytes each, least significant byte first. */
   uint64_t hash;
-  /** End of the recording. @values HRT_ENDING */
-  uint32_t ending;
+  /** End of the recording. */
+  hrt_recording_ending ending;
   uint32_t reserved;
 } hrt_replay_report;
 

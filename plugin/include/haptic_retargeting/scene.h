@@ -39,8 +39,8 @@ typedef struct hrt_scene_info {
 /** A target of a scene. */
 typedef struct hrt_scene_target {
   uint32_t struct_size;
-  /** Role of the target. @values HRT_TARGET */
-  uint32_t role;
+  /** Role of the target. */
+  hrt_target_role role;
   /** Index of the real target that serves this virtual one: the one that the file names, or else the nearest in
    *  direction, the first of equally near ones; -1 for a real target. */
   int32_t served_by;

@@ -24,10 +24,12 @@ typedef struct hrt_session {
 #define HRT_SESSIONS_MAX 1024
 
 /** @enumeration HRT_CONTROL Source of the plate's commands. */
+typedef uint32_t hrt_control;
 #define HRT_CONTROL_MPC 0         /**< the model-predictive controller */
 #define HRT_CONTROL_FIXED_PLATE 1 /**< a plate that does not turn, as a baseline */
 
 /** @enumeration HRT_GUIDANCE Goal of the controller. It also selects the controller. */
+typedef uint32_t hrt_guidance;
 /** The direction of the real target, seen from the start: the controller of the paper, for the user of its model. */
 #define HRT_GUIDANCE_FIXED_DIRECTION 0
 /** The position of the real target at arrival: the controller for people. It treats the pace of the motion, the
@@ -37,6 +39,7 @@ typedef struct hrt_session {
 
 /** @enumeration HRT_ADAPTATION Estimation of the user's parameters: under GUIDANCE_ARRIVAL of all traits in
  *  person.mean, otherwise of the tactile weight and the motor variance. */
+typedef uint32_t hrt_adaptation;
 /** paper.tactile_weight and paper.bias_deg are taken as exact, and the illusion as linear. */
 #define HRT_ADAPTATION_OFF 0
 /** The parameters are estimated within each reach. Each reach starts from the values in the configuration. */
@@ -49,6 +52,7 @@ typedef struct hrt_session {
 #define HRT_ADAPTATION_CARRIED 2
 
 /** @flags HRT_SESSION Options of a session: hrt_session_config::flags. */
+typedef uint32_t hrt_session_flags;
 /** The plate does not move until the finger moves. Otherwise, it turns to the orientation that the start of the
  *  motion requires as soon as a reach begins, so that more fast reaches arrive at the target. Set this flag if the
  *  finger rests on the ridges before a reach, because the user feels a plate that turns under a resting finger. */
@@ -222,14 +226,14 @@ typedef struct hrt_session_paper {
 /** Configuration of a session. */
 typedef struct hrt_session_config {
   uint32_t struct_size;
-  /** Source of the plate's commands. @values HRT_CONTROL @default HRT_CONTROL_MPC */
-  uint32_t control;
-  /** Goal of the controller. @values HRT_GUIDANCE @default HRT_GUIDANCE_ARRIVAL */
-  uint32_t guidance;
-  /** Estimation of the user's parameters. @values HRT_ADAPTATION @default HRT_ADAPTATION_CARRIED */
-  uint32_t adaptation;
-  /** Options. @values HRT_SESSION @default 0 */
-  uint32_t flags;
+  /** Source of the plate's commands. @default HRT_CONTROL_MPC */
+  hrt_control control;
+  /** Goal of the controller. @default HRT_GUIDANCE_ARRIVAL */
+  hrt_guidance guidance;
+  /** Estimation of the user's parameters. @default HRT_ADAPTATION_CARRIED */
+  hrt_adaptation adaptation;
+  /** Options. @default 0 */
+  hrt_session_flags flags;
   /** Maximum perceived-direction error that GUIDANCE_ARRIVAL causes: perceived minus intended direction, as
    *  predicted. Lowering it makes the illusion less noticeable and loses some targets: among simulated users, 3.5
    *  costs about 2 reaches in 100. The user adds to it by noise and by differences from the estimate.
@@ -267,6 +271,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_
                                                     hrt_session* out_session) HRT_NOEXCEPT;
 
 /** @flags HRT_STATE State of a session, from hrt_session_get(). 0: idle, and no reach can begin. */
+typedef uint32_t hrt_session_state;
 #define HRT_STATE_READY UINT32_C(1)      /**< there is a real and a virtual target, and no reach is in progress */
 #define HRT_STATE_REACHING UINT32_C(2)   /**< a reach is in progress */
 #define HRT_STATE_SETTING_UP UINT32_C(4) /**< a set-up is in progress: no reach can begin */
@@ -276,10 +281,10 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_
  *
  *  @param session     INVALID_HANDLE shows that the session does not exist, BUSY that it exists.
  *  @param out_config  Null: skipped.
- *  @param out_state   Null: skipped. Later versions may set further bits. @values HRT_STATE
+ *  @param out_state   Null: skipped. Later versions may set further bits.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_get(hrt_session session, hrt_session_config* out_config,
-                                                 uint32_t* out_state) HRT_NOEXCEPT;
+                                                 hrt_session_state* out_state) HRT_NOEXCEPT;
 
 /** Replaces the configuration. Targets are kept.
  *

@@ -25,6 +25,7 @@ extern "C" {
 
 /** @flags HRT_SETUP Parts of a set-up, in the order in which they are done: each uses the results of the parts before
  *  it. */
+typedef uint32_t hrt_setup_parts;
 /** Offset of the point of contact on the skin from the tracked joint, from six touches of one mark with the finger
  *  held in different ways: hrt_session_config::fingertip_offset_m. Requires HRT_SAMPLE_JOINT_ROTATION. */
 #define HRT_SETUP_FINGERTIP UINT32_C(1)
@@ -94,6 +95,7 @@ typedef struct hrt_setup_config {
 } hrt_setup_config;
 
 /** @enumeration HRT_STEP Instruction to the user or to the host. */
+typedef uint32_t hrt_setup_instruction;
 #define HRT_STEP_WAIT UINT32_C(0)          /**< lift the finger: the plate turns */
 #define HRT_STEP_TOUCH_MARK UINT32_C(1)    /**< lift the finger, and touch the mark at place_m */
 #define HRT_STEP_HOLD_STILL UINT32_C(2)    /**< hold the finger still on the mark */
@@ -102,6 +104,7 @@ typedef struct hrt_setup_config {
 #define HRT_STEP_FINISH UINT32_C(5)        /**< nothing for the user: call hrt_setup_finish() */
 
 /** @enumeration HRT_PROBLEM Problem of the last attempt, which is repeated. */
+typedef uint32_t hrt_setup_problem;
 #define HRT_PROBLEM_NONE UINT32_C(0)          /**< no problem */
 #define HRT_PROBLEM_TOO_FAST UINT32_C(1)      /**< the slide took less than about 0.4 s */
 #define HRT_PROBLEM_TOO_SLOW UINT32_C(2)      /**< the slide took more than 8 s */
@@ -117,12 +120,12 @@ typedef struct hrt_setup_config {
 /** The next action. */
 typedef struct hrt_setup_step {
   uint32_t struct_size;
-  /** Instruction to the user or to the host. @values HRT_STEP */
-  uint32_t instruction;
-  /** Part in progress; 0: all parts are finished. @values HRT_SETUP */
-  uint32_t part;
-  /** Problem of the last attempt. @values HRT_PROBLEM */
-  uint32_t problem;
+  /** Instruction to the user or to the host. */
+  hrt_setup_instruction instruction;
+  /** Part in progress; 0: all parts are finished. */
+  hrt_setup_parts part;
+  /** Problem of the last attempt. */
+  hrt_setup_problem problem;
   /** Touches or slides that are completed in this part. */
   uint32_t done;
   /** Touches or slides that this part needs. */
@@ -150,6 +153,7 @@ typedef struct hrt_interval {
 } hrt_interval;
 
 /** @flags HRT_LACK_OF_FIT hrt_setup_result::lack_of_fit: patterns in the residuals of the fit. */
+typedef uint32_t hrt_setup_lack_of_fit;
 /** Over the plate orientation: no curve fits. Check the plate orientations and the direction of the slides. */
 #define HRT_LACK_OF_FIT_ANGLE UINT32_C(1)
 /** Over the order of the slides: the user learns or gets tired. Allow practice or rest, and repeat. */
@@ -159,6 +163,7 @@ typedef struct hrt_interval {
 #define HRT_LACK_OF_FIT_PATH UINT32_C(4)
 
 /** @flags HRT_RETEST hrt_setup_result::differing: differences of a retest. */
+typedef uint32_t hrt_setup_difference;
 #define HRT_RETEST_TACTILE_WEIGHT UINT32_C(1) /**< the tactile weight has changed */
 #define HRT_RETEST_BIAS UINT32_C(2)           /**< the bias has changed */
 #define HRT_RETEST_HABIT UINT32_C(4)          /**< the habit has changed */
@@ -167,16 +172,15 @@ typedef struct hrt_interval {
  *  are 0. */
 typedef struct hrt_setup_result {
   uint32_t struct_size;
-  /** Parts that were determined and applied since the set-up began. @values HRT_SETUP */
-  uint32_t done;
-  /** Parts that remain, so that updates continue. 0: the set-up is over. @values HRT_SETUP */
-  uint32_t left;
-  /** Differences of a RETEST, by Holm's procedure: if nothing has changed, 5 % of retests have any.
-   *  @values HRT_RETEST */
-  uint32_t differing;
+  /** Parts that were determined and applied since the set-up began. */
+  hrt_setup_parts done;
+  /** Parts that remain, so that updates continue. 0: the set-up is over. */
+  hrt_setup_parts left;
+  /** Differences of a RETEST, by Holm's procedure: if nothing has changed, 5 % of retests have any. */
+  hrt_setup_difference differing;
   /** Patterns that the model does not explain; the user's traits are then unknown. 0: none was found. If the model
-   *  fits, each is found for 1 % of users. @values HRT_LACK_OF_FIT */
-  uint32_t lack_of_fit;
+   *  fits, each is found for 1 % of users. */
+  hrt_setup_lack_of_fit lack_of_fit;
   /** Slides that were made. */
   uint32_t slides;
   /** Slides that are part of the fit. */
@@ -203,13 +207,13 @@ typedef struct hrt_setup_result {
  *  1.4 MB. After hrt_setup_cancel(), ALL_MISSING continues with the part that was in progress: completed parts are
  *  not missing.
  *
- *  @param what    Parts to do. @values HRT_SETUP
+ *  @param what    Parts to do.
  *  @param config  Null: the defaults.
  *  @return OUT_OF_RANGE naming the field, for CALIBRATION also if the plate extends less than 50 mm ahead of
  *          start_position_m, for GUIDES if a target is too near; WRONG_STATE during a reach or a set-up, for CHECK
  *          and GUIDES without their requirements; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_setup_begin(hrt_session session, uint32_t what,
+HRT_NODISCARD HRT_API hrt_result hrt_setup_begin(hrt_session session, hrt_setup_parts what,
                                                  const hrt_setup_config* config) HRT_NOEXCEPT;
 
 /** Processes one sample and returns the next action. Call it every frame, also while the finger is lifted or lost.
@@ -238,6 +242,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_finish(hrt_session session, hrt_setup
 HRT_NODISCARD HRT_API hrt_result hrt_setup_cancel(hrt_session session) HRT_NOEXCEPT;
 
 /** @enumeration HRT_SLIDE hrt_setup_residual::verdict: use of a slide. */
+typedef uint32_t hrt_slide_verdict;
 #define HRT_SLIDE_USED UINT32_C(0)         /**< part of the fit */
 #define HRT_SLIDE_OUTLYING UINT32_C(1)     /**< rejected as an outlier */
 #define HRT_SLIDE_ALONG_RIDGES UINT32_C(2) /**< rejected: the illusion changes sign along the ridges */
@@ -245,8 +250,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_cancel(hrt_session session) HRT_NOEXC
 /** One slide of a calibration, straight ahead. */
 typedef struct hrt_setup_residual {
   uint32_t struct_size;
-  /** Use of the slide. @values HRT_SLIDE */
-  uint32_t verdict;
+  /** Use of the slide. */
+  hrt_slide_verdict verdict;
   /** Plate orientation. @ccw */
   double plate_deg;
   /** Measured direction of the second half of the path. @ccw */

@@ -21,10 +21,12 @@ typedef struct hrt_target {
 #define HRT_NAME_SIZE 64
 
 /** @enumeration HRT_TARGET Role of a target. */
+typedef uint32_t hrt_target_role;
 #define HRT_TARGET_REAL 1    /**< the hand is steered to it */
 #define HRT_TARGET_VIRTUAL 2 /**< the user sees it and reaches for it */
 
 /** @enumeration HRT_PLACE Fields that give the position of a target. */
+typedef uint32_t hrt_target_place;
 #define HRT_PLACE_DIRECTION 1      /**< `direction_deg` and `distance_m` */
 #define HRT_PLACE_PLATE_POSITION 2 /**< `position_m` in plate coordinates */
 #define HRT_PLACE_WORLD_POSITION 3 /**< `position_m` in the engine's world */
@@ -32,10 +34,10 @@ typedef struct hrt_target {
 /** A target. Only the fields that `place` names are read. */
 typedef struct hrt_target_config {
   uint32_t struct_size;
-  /** Role of the target. @values HRT_TARGET @default HRT_TARGET_REAL */
-  uint32_t role;
-  /** Fields that give the position. @values HRT_PLACE @default HRT_PLACE_DIRECTION */
-  uint32_t place;
+  /** Role of the target. @default HRT_TARGET_REAL */
+  hrt_target_role role;
+  /** Fields that give the position. @default HRT_PLACE_DIRECTION */
+  hrt_target_place place;
   uint32_t reserved;
   /** Direction from the start. @range -180 to 180 @default 0 @ccw */
   double direction_deg;
@@ -84,13 +86,13 @@ HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target 
 
 /** Lists the targets of a role in the order of their addition.
  *
- *  @param role         Role of the targets; 0: both. @values HRT_TARGET
+ *  @param role         Role of the targets; 0: both.
  *  @param capacity     Elements of `out_targets`. 0: the targets are only counted.
  *  @param out_targets  Their ids. May be null if `capacity` is 0.
  *  @param out_count    Their number.
  *  @return BUFFER_TOO_SMALL.
  *  @threadsafety [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity,
+HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, hrt_target_role role, uint64_t capacity,
                                                  hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
