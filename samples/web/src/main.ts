@@ -13,7 +13,7 @@ import { Replaying } from "./modes/replaying";
 import { Sliding } from "./modes/sliding";
 import { Viewing } from "./modes/viewing";
 import { Watching } from "./modes/watching";
-import { check, chosen, element, messageOf, radios, say } from "./page";
+import { check, chosen, element, messageOf, part, radios, report, say } from "./page";
 import { Panel } from "./panel";
 import { createWorld } from "./person";
 import { Connecting } from "./plate/connecting";
@@ -27,8 +27,8 @@ import { Watch } from "./watch";
 import type { Wear } from "./wear/wear";
 import type { Wearing } from "./wear/wearing";
 
-/** A page that was hidden continues where it was. */
-const maxFrame_ms = 100;
+/** Slow machines skip frames and keep time, up to this; a page that was hidden continues where it was. */
+const maxFrame_ms = 1000;
 
 async function main(): Promise<void> {
   // The first picture needs no plugin, which is on its way meanwhile.
@@ -41,18 +41,15 @@ async function main(): Promise<void> {
   desk.resize();
   desk.setView(false);
   desk.draw(0, start, start);
-  showFigures();
-  const [library, watchWorld, handWorld, sceneWorld] = await Promise.all([
+  const [library, watchWorld, handWorld, sceneWorld, figureWorld] = await Promise.all([
     load(pluginModule),
+    createWorld(),
     createWorld(),
     createWorld(),
     createWorld(),
   ]);
   const linked = fromLink(location.hash.slice(1));
   showProblems(linked.problems);
-  // A link that says more than the address is a researcher's.
-  if (location.hash !== "") for (const part of document.querySelectorAll("details")) part.open = true;
-
   const watch = new Watch(library, watchWorld, linked.settings);
   const hand = new Hand(library, handWorld, linked.settings),
     plain = new Hand(library, handWorld, { ...linked.settings, controller: "off" });
@@ -124,9 +121,8 @@ async function main(): Promise<void> {
     const played = mode === "watch" || (mode === "scene" && viewing.course !== null);
     for (const name of [...modes, "played", "own"]) {
       const shown = name === "played" ? played : name === "own" ? mode !== "scene" : name === mode;
-      for (const part of document.querySelectorAll<HTMLElement>(`.${name}-only`)) part.hidden = !shown;
+      for (const only of document.querySelectorAll<HTMLElement>(`.${name}-only`)) only.hidden = !shown;
     }
-    element("legend", HTMLParagraphElement).hidden = mode === "replay";
     say(
       element("now-title", HTMLHeadingElement),
       mode === "replay" ? "What the controller believed" : "What is felt now",
@@ -148,20 +144,22 @@ async function main(): Promise<void> {
   }
 
   async function bringHeadset(): Promise<void> {
-    const [world, { Wear }, { Wearing }] = await Promise.all([
-      createWorld(),
-      import("./wear/wear"),
-      import("./wear/wearing"),
-    ]);
-    if (wearing) return;
-    const { settings } = panel,
+    const parts = await part(
+      "The headset's part",
+      Promise.all([createWorld(), import("./wear/wear"), import("./wear/wearing")]),
+    );
+    if (wearing || !parts) return;
+    const [world, { Wear }, { Wearing }] = parts,
+      { settings } = panel,
       wear = new Wear(library, world, desk.stage?.plate ?? new HapticPlate(), settings);
     wearing = new Wearing(wear, world, desk, voice, settings);
     wearing.onFrame = follow;
     wearing.onLeft = () => {
       desk.setView(mode !== "hand");
       desk.resize();
+      wake();
     };
+    wake();
   }
 
   function choose(wanted: Mode): void {
@@ -197,10 +195,21 @@ async function main(): Promise<void> {
 
   plate.onReady = ({ speed_deg_s }) => panel.change({ plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
 
-  let before_ms = performance.now();
+  /** Frames come while something moves, and for a moment after the visitor or a part has done something. */
+  let before_ms = NaN,
+    awake_ms = 0;
+  const linger_ms = 300;
+  function wake(): void {
+    awake_ms = linger_ms;
+    if (!Number.isNaN(before_ms)) return;
+    before_ms = performance.now();
+    requestAnimationFrame(frame);
+  }
+
   function frame(now_ms: number): void {
     const elapsed_ms = Math.max(0, now_ms - before_ms);
     before_ms = now_ms;
+    awake_ms -= elapsed_ms;
     if (!wearing?.worn) {
       if (!still) desk.ease(elapsed_ms);
       follow(elapsed_ms);
@@ -211,8 +220,18 @@ async function main(): Promise<void> {
     if (researchers.open) chart?.draw(trace, goals);
     table.show(trace);
     takeAway.allow(reaches().recording !== "");
-    requestAnimationFrame(frame);
+    const moving =
+      (mode === "hand" && sliding.busy) ||
+      ((mode === "watch" || mode === "scene") && watching.playing) ||
+      mode === "replay";
+    if (moving || awake_ms > 0 || plate.connected) requestAnimationFrame(frame);
+    else before_ms = NaN;
   }
+  for (const event of ["pointerdown", "pointermove", "keydown", "keyup", "click", "input", "change", "drop", "resize"])
+    window.addEventListener(event, wake, { passive: true, capture: true });
+  document.addEventListener("visibilitychange", () => {
+    if (!Number.isNaN(before_ms)) before_ms = performance.now();
+  });
 
   for (const radio of radios("mode")) {
     radio.addEventListener("change", () => {
@@ -221,12 +240,14 @@ async function main(): Promise<void> {
       address();
     });
   }
-  new ResizeObserver(() => desk.resize()).observe(desk.canvas);
-  researchers.addEventListener("toggle", () => {
-    if (!chart)
-      void import("./chart").then((part) => {
-        chart ??= new part.Chart(element("chart", HTMLDivElement));
-      });
+  new ResizeObserver(() => {
+    desk.resize();
+    wake();
+  }).observe(desk.frame);
+  researchers.addEventListener("toggle", async () => {
+    const loaded = chart ? null : await part("The chart", import("./chart"));
+    if (loaded) chart ??= new loaded.Chart(element("chart", HTMLDivElement));
+    wake();
   });
   desk.frame.addEventListener("keydown", (event) => {
     if (!sliding.active && desk.turn(event.key)) event.preventDefault();
@@ -237,30 +258,32 @@ async function main(): Promise<void> {
     showProblems(problems);
     choose(wanted);
     panel.change(settings);
+    wake();
   });
-  for (const button of document.querySelectorAll<HTMLButtonElement>("button[data-open]")) {
-    const part = element(button.dataset.open ?? "", HTMLDetailsElement);
-    button.addEventListener("click", () => {
-      part.open = true;
-      part.scrollIntoView({ behavior: still ? "auto" : "smooth" });
-      part.querySelector("summary")?.focus({ preventScroll: true });
-    });
-  }
   colour();
   choose(linked.mode);
+  element("main", HTMLElement).inert = false;
   document.documentElement.dataset.ready = "yes";
-  void desk.bringHand();
-  requestAnimationFrame(frame);
+  desk.onRestored = wake;
+  showFigures(library, figureWorld);
+  wake();
+  if (
+    await part(
+      "The hand",
+      desk.bringHand().then(() => true),
+    )
+  )
+    wake();
 }
 
 function showProblems(problems: readonly string[]): void {
-  const place = element("problem", HTMLParagraphElement);
-  place.hidden = problems.length === 0;
-  say(place, problems.length === 0 ? "" : `Left out of the link: ${problems.join("; ")}.`);
+  report(problems.length === 0 ? "" : `Left out of the link: ${problems.join("; ")}.`);
 }
 
+element("retry", HTMLButtonElement).addEventListener("click", () => location.reload());
 main().catch((error: unknown) => {
-  const caption = document.getElementById("caption");
-  if (caption) caption.textContent = `The page cannot start: ${messageOf(error)}`;
+  element("main", HTMLElement).inert = false;
+  say(element("caption", HTMLParagraphElement), "");
+  report(`The page cannot start: ${messageOf(error)}.`, true);
   throw error;
 });

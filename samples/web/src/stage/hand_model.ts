@@ -2,7 +2,16 @@
 
 import left from "generic-hand/left.glb";
 import right from "generic-hand/right.glb";
-import { Euler, type Material, type Object3D, Quaternion, type SkinnedMesh, Vector3 } from "three";
+import {
+  CylinderGeometry,
+  Euler,
+  type Material,
+  Mesh,
+  type Object3D,
+  Quaternion,
+  type SkinnedMesh,
+  Vector3,
+} from "three";
 import { type GLTF, GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 export async function readHand(side: "left" | "right"): Promise<GLTF> {
@@ -26,8 +35,10 @@ const bends = {
   "pinky-finger": [0, 60, 72, 40],
   thumb: [6, 16, 30],
 };
-/** The forearm comes from above and from the right. */
-const attitude = new Quaternion().setFromEuler(new Euler(-0.42, 0.75, 0.1, "YXZ"));
+/** The forearm comes from below, from the right. */
+const attitude = new Quaternion().setFromEuler(new Euler(-0.38, 0.42, 0.05, "YXZ"));
+/** Of the forearm, beyond the wrist, in the hand's own size. */
+const arm_m = { wrist: 0.026, elbow: 0.045, length: 0.34 };
 /** Smaller than a hand is: it would hide the plate. */
 const scale = 0.7;
 /** From the joint within the fingertip to its skin. */
@@ -55,6 +66,12 @@ export async function pointingHand(skin: Material): Promise<Object3D> {
   }
   cover(hand, skin);
   hand.quaternion.copy(attitude).multiply(wrist.quaternion.clone().invert());
+  const arm = new Mesh(new CylinderGeometry(arm_m.wrist, arm_m.elbow, arm_m.length, 24, 1, true), skin);
+  arm.castShadow = true;
+  // The hand lies along the wrist's -Z; a cylinder along Y, its top at the wrist.
+  arm.position.set(0, 0, arm_m.length / 2 - 0.01);
+  arm.rotation.x = -Math.PI / 2;
+  wrist.add(arm);
   hand.scale.setScalar(scale);
   hand.position.copy(tip.position).applyQuaternion(hand.quaternion).multiplyScalar(-scale);
   hand.position.y += pad_m;

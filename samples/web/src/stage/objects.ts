@@ -1,6 +1,7 @@
 // What lies and moves about the plate: the cylinder, the glass, the hand, the felt fingertip.
 import {
   CylinderGeometry,
+  DoubleSide,
   EdgesGeometry,
   Group,
   LatheGeometry,
@@ -66,7 +67,8 @@ export class Glass extends Group {
 
 /** A pointing hand whose fingertip touches its origin, once the model has come. */
 export class Finger extends Group {
-  readonly skin = new MeshStandardMaterial({ roughness: 0.6, transparent: true });
+  /** Fades by dots, so that no inner side is seen through it. */
+  readonly skin = new MeshStandardMaterial({ roughness: 0.6, alphaHash: true, side: DoubleSide });
   /** `model`: of hand_model.ts. */
   async become(model: (skin: Material) => Promise<Object3D>): Promise<void> {
     this.add(await model(this.skin));
@@ -102,7 +104,7 @@ export class StartMark extends Mesh {
   }
 }
 
-/** Targets in their colours: real ones solid, virtual ones as glasss. */
+/** Targets in their colours: real ones solid, virtual ones as glass. */
 export function colourTargets(group: Group, real: string, felt: string): void {
   group.traverse((node) => {
     const { haptic } = node.userData as { haptic?: { role?: unknown } };

@@ -3,7 +3,7 @@
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
 import { showNow } from "../now";
-import { chosen, element, messageOf } from "../page";
+import { chosen, element, messageOf, say } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import { Headset } from "../stage/headset";
@@ -22,6 +22,7 @@ const ahead_m = 0.45,
 export class Wearing {
   readonly #headset: Headset | null;
   readonly #cylinder = element("cylinder", HTMLInputElement);
+  readonly #state = element("wear-state", HTMLParagraphElement);
   readonly #leave = element("leave", HTMLButtonElement);
   readonly #buttons = kinds.map(([kind, id]) => ({ kind, button: element(id, HTMLButtonElement), supported: false }));
   #session: XRSession | null = null;
@@ -187,6 +188,7 @@ export class Wearing {
     showNow(this.world.plate_deg(), finger_deg, felt_deg, pageCourse(this.settings).virtual_deg);
     const text = this.#session ? wear.text : this.#message;
     this.desk.caption(wear.phase, text);
+    say(this.#state, text);
     this.desk.frame.dataset.lost = String(wear.lost);
     if (this.#session && text !== this.#spoken) this.voice.say(text);
     this.#spoken = text;
