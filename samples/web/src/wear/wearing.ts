@@ -1,7 +1,9 @@
 // The mode "Wear it": asks the browser for a headset with hand tracking, and shows the visitor's reaches in it.
 
+import { Vector3 } from "three";
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
+import { start } from "../geometry";
 import { showNow } from "../now";
 import { chosen, element, messageOf, say } from "../page";
 import type { World } from "../person";
@@ -18,6 +20,7 @@ const kinds: readonly (readonly [Kind, string])[] = [
 /** Until the plate is placed, it is shown there, from the eyes. */
 const ahead_m = 0.45,
   below_m = 0.3;
+const settle_ms = 400;
 
 export class Wearing {
   readonly #headset: Headset | null;
@@ -28,6 +31,7 @@ export class Wearing {
   #session: XRSession | null = null;
   #handedness: XRHandedness = "none";
   #before_ms = NaN;
+  #led = 0;
   #spoken = "";
   #message = "Put a headset on, and be the finger. A headset's browser with hand tracking is needed.";
   /** The headset's own frames, for what else follows the controller. */
@@ -98,7 +102,7 @@ export class Wearing {
         session,
         kind === "immersive-ar",
         (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
-        () => this.#moved(),
+        () => this.#placeAgain("The headset has moved its room, so the plate is placed again. "),
       );
     } catch (error) {
       this.#message = `The headset cannot be entered: ${messageOf(error)}${advice(error)}`;
@@ -120,10 +124,9 @@ export class Wearing {
     this.onLeft();
   }
 
-  /** The headset was recentred: nothing is where it was. */
-  #moved(): void {
+  #placeAgain(why: string): void {
     this.#before_ms = NaN;
-    this.wear.begin(this.#byMarks, "The headset has moved its room, so the plate is placed anew. ");
+    this.wear.begin(this.#byMarks, why);
     this.desk.clearPaths();
   }
 
@@ -148,7 +151,15 @@ export class Wearing {
     if (wear.phase === "sliding" && !wear.lost) this.desk.extendPaths(wear.finger, wear.felt.place);
     stage.place(this.world.plate_deg(), wear.finger, wear.felt.place);
     const unfelt = Number.isNaN(wear.plateConnected_deg);
-    this.#headset?.say(unfelt ? "SIMULATION: no plate is under your finger" : "A plate is connected", wear.text);
+    const title = unfelt ? "SIMULATION: your hand is drawn where it would be felt" : "A plate is connected";
+    this.#headset?.say(title, wear.text, wear.phase === "ready" || wear.phase === "arrived");
+    // Where it is felt, while it slides; then it goes to where it is.
+    this.#led = wear.phase === "sliding" && unfelt ? 1 : this.#led * Math.exp(-elapsed_ms / settle_ms);
+    const { place } = wear.felt;
+    this.#headset?.shift(
+      this.#led * (place.right_m - wear.finger.right_m),
+      this.#led * (place.away_m - wear.finger.away_m),
+    );
     this.#show();
   }
 
@@ -167,19 +178,30 @@ export class Wearing {
     stage.mount.rotation.set(0, yaw, 0);
   }
 
-  /** The hand that slides: the one that began, or, before, the first whose fingertip is seen. */
+  /** The hand that slides: the one that began; before, the one nearer to the ring, or, while the plate has no place, the one
+   *  that is held farther ahead. The other one may poke. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
-    const sources = this.#session?.inputSources,
-      keeps = this.wear.phase === "sliding";
-    for (let i = 0; sources && i < sources.length; ++i) {
-      const source = sources[i];
-      if (!source?.hand || (keeps && source.handedness !== this.#handedness)) continue;
-      const joint = source.hand.get("index-finger-tip");
-      if (!keeps && !(joint && frame.getJointPose?.(joint, space))) continue;
-      this.#handedness = source.handedness;
-      return source.hand;
+    const { wear } = this,
+      eyes = frame.getViewerPose(space)?.transform.position,
+      ring = this.desk.stage?.mount.localToWorld(new Vector3(start.right_m, 0, -start.away_m));
+    let best: XRHand | undefined,
+      least = Infinity;
+    for (const { hand, handedness } of this.#session?.inputSources ?? []) {
+      const joint = hand?.get("index-finger-tip"),
+        pose = joint && frame.getJointPose?.(joint, space);
+      if (wear.phase === "sliding") {
+        if (handedness === this.#handedness) return hand;
+        continue;
+      }
+      if (!hand || !pose) continue;
+      const { x, y, z } = pose.transform.position,
+        tip = new Vector3(x, y, z);
+      if (this.#headset?.poked(tip, handedness)) this.#placeAgain("");
+      const from = wear.phase === "placing" ? eyes && -Math.hypot(x - eyes.x, z - eyes.z) : ring?.distanceTo(tip);
+      if ((from ?? 0) >= least) continue;
+      [best, least, this.#handedness] = [hand, from ?? 0, handedness];
     }
-    return undefined;
+    return best;
   }
 
   #show(): void {
