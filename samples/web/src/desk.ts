@@ -159,11 +159,6 @@ export class Desk {
     say(this.#caption, words);
   }
 
-  showFelt(shown: boolean): void {
-    this.#change((stage) => stage.showFelt(shown));
-    this.#named.felt.hidden = !shown;
-  }
-
   /** The paths grow to where the finger is, and is felt. */
   extendPaths(finger: Readonly<Place>, felt: Readonly<Place>): void {
     if (!this.stage && this.#paths.real.length < maxTrace) {
@@ -179,6 +174,7 @@ export class Desk {
       state = [plate_deg, finger.right_m, finger.away_m, felt.right_m, felt.away_m].join();
     if (state === this.#drawn) return;
     this.#drawn = state;
+    this.frame.dataset.plateDeg = plate_deg.toFixed(1);
     if (!stage) return this.#drawFlat(plate_deg, finger, felt);
     stage.place(plate_deg, finger, felt);
     stage.draw();

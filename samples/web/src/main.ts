@@ -6,10 +6,11 @@ import type { Chart } from "./chart";
 import { motionBound_deg, pageCourse } from "./controller";
 import { Desk } from "./desk";
 import { showFigures } from "./figures";
+import type { RecordedReach } from "./files/recording";
 import { TakeAway } from "./files/takeaway";
 import { distance_m, start } from "./geometry";
 import { Hand } from "./hand";
-import { Replaying } from "./modes/replaying";
+import { Compare } from "./modes/compare";
 import { Sliding } from "./modes/sliding";
 import { Viewing } from "./modes/viewing";
 import { Watching } from "./modes/watching";
@@ -53,16 +54,17 @@ async function main(): Promise<void> {
   const watch = new Watch(library, watchWorld, linked.settings);
   const hand = new Hand(library, handWorld, linked.settings),
     plain = new Hand(library, handWorld, { ...linked.settings, controller: "off" });
-  const voice = new Voice(),
+  const compare = new Compare(),
+    voice = new Voice(),
     plate = new Connecting(),
     results = new Results();
   const table = new TraceTable(),
     researchers = element("researchers", HTMLDetailsElement);
   const watching = new Watching(watch, watchWorld, desk, results, linked.settings, voice, still);
-  const sliding = new Sliding(hand, plain, handWorld, desk, voice, new Ticks(still), linked.settings, still);
-  const replaying = new Replaying(desk, still);
+  const sliding = new Sliding(hand, plain, handWorld, desk, compare, voice, new Ticks(still), linked.settings, still);
   const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
-  let mode: Mode = "hand";
+  let mode: Mode = "hand",
+    recorded: RecordedReach | null = null;
   // These come when asked for.
   let chart: Chart | null = null,
     wearing: Wearing | null = null;
@@ -74,19 +76,21 @@ async function main(): Promise<void> {
     () => (mode === "scene" ? viewing.watch : watch).profile,
     {
       reach(reach) {
-        replaying.show(reach);
-        reveal("replay");
+        recorded = reach;
+        compare.keep("on", reach.samples, reach.course, reach.name);
+        showSettings();
       },
       scene(scene) {
         viewing.show(scene);
-        reveal("scene");
+        element("scene-mode", HTMLLabelElement).hidden = false;
+        choose("scene");
       },
     },
   );
 
   const panel = new Panel(linked.settings, () => {
     const { settings } = panel;
-    if (mode === "replay") choose("watch");
+    recorded = null;
     watching.apply(settings);
     sliding.apply(settings);
     wearing?.apply(settings);
@@ -100,10 +104,10 @@ async function main(): Promise<void> {
 
   function showSettings(): void {
     const { settings } = panel,
-      reach = mode === "replay" ? replaying.reach : null;
-    const { real_deg, virtual_deg, real_m } = reach ?? ((mode === "scene" && viewing.course) || pageCourse(settings));
-    Object.assign(goals, { real_deg, virtual_deg, weight: reach ? NaN : settings.tactile_weight });
-    desk.setTargets(real_deg, virtual_deg, real_m);
+      course = (mode === "scene" && viewing.course) || pageCourse(settings);
+    const { real_deg, virtual_deg } = recorded?.course ?? course;
+    Object.assign(goals, { real_deg, virtual_deg, weight: recorded ? NaN : settings.tactile_weight });
+    desk.setTargets(course.real_deg, course.virtual_deg, course.real_m);
     panel.showMaxGap(watchWorld.max_gap_deg(motionBound_deg));
   }
 
@@ -123,15 +127,10 @@ async function main(): Promise<void> {
       const shown = name === "played" ? played : name === "own" ? mode !== "scene" : name === mode;
       for (const only of document.querySelectorAll<HTMLElement>(`.${name}-only`)) only.hidden = !shown;
     }
-    say(
-      element("now-title", HTMLHeadingElement),
-      mode === "replay" ? "What the controller believed" : "What is felt now",
-    );
     desk.setView(!sliding.active);
     desk.setScene(mode === "scene" ? viewing.scene : null);
     desk.nameLabels(sliding.active);
     desk.reveal(1);
-    desk.showFelt(mode !== "replay");
     if (mode === "scene") watching.play(viewing.watch, sceneWorld, viewing.scene?.scale ?? 1);
     else watching.play(watch, watchWorld, 1);
     desk.resize();
@@ -139,7 +138,6 @@ async function main(): Promise<void> {
     if (mode === "wear" && !wearing) void bringHeadset();
     if (mode === "hand") sliding.restart();
     else if (mode === "watch") watching.resume();
-    else if (mode === "replay" && replaying.reach) replaying.show(replaying.reach);
     else if (mode === "scene") watching.apply(panel.settings);
   }
 
@@ -152,7 +150,7 @@ async function main(): Promise<void> {
     const [world, { Wear }, { Wearing }] = parts,
       { settings } = panel,
       wear = new Wear(library, world, desk.stage?.plate ?? new HapticPlate(), settings);
-    wearing = new Wearing(wear, world, desk, voice, settings);
+    wearing = new Wearing(wear, world, desk, voice);
     wearing.onFrame = follow;
     wearing.onLeft = () => {
       desk.setView(mode !== "hand");
@@ -167,11 +165,6 @@ async function main(): Promise<void> {
     showMode();
   }
 
-  function reveal(brought: "replay" | "scene"): void {
-    element(`${brought}-mode`, HTMLLabelElement).hidden = false;
-    choose(brought);
-  }
-
   function colour(): void {
     const colours = readColours();
     desk.setColours(colours);
@@ -180,7 +173,7 @@ async function main(): Promise<void> {
 
   /** Whose reaches are shown. */
   function reaches(): Watch | Hand | Wear {
-    return { watch, hand: sliding.hand, wear: wearing?.wear ?? hand, replay: watch, scene: viewing.watch }[mode];
+    return { watch, hand: sliding.hand, wear: wearing?.wear ?? hand, scene: viewing.watch }[mode];
   }
 
   /** A connected plate does what the controller commands, and is felt where it is. */
@@ -213,17 +206,14 @@ async function main(): Promise<void> {
     if (!wearing?.worn) {
       if (!still) desk.ease(elapsed_ms);
       follow(elapsed_ms);
-      const shown = { watch: watching, hand: sliding, wear: wearing, replay: replaying, scene: watching }[mode];
+      const shown = { watch: watching, hand: sliding, wear: wearing, scene: watching }[mode];
       shown?.frame(Math.min(elapsed_ms, maxFrame_ms));
     }
-    const { trace } = mode === "replay" ? replaying : reaches();
+    const trace = recorded?.samples ?? reaches().trace;
     if (researchers.open) chart?.draw(trace, goals);
     table.show(trace);
     takeAway.allow(reaches().recording !== "");
-    const moving =
-      (mode === "hand" && sliding.busy) ||
-      ((mode === "watch" || mode === "scene") && watching.playing) ||
-      mode === "replay";
+    const moving = mode === "hand" ? sliding.busy : mode !== "wear" && watching.playing;
     if (moving || awake_ms > 0 || plate.connected) requestAnimationFrame(frame);
     else before_ms = NaN;
   }

@@ -110,12 +110,12 @@ export async function saved(page, button) {
   return { name: download.suggestedFilename(), content: await readFile(await download.path(), "utf8") };
 }
 
-/** A file that is dropped is refused in these words, and gives no such mode. */
-export async function refuses(page, name, content, words, mode) {
+/** A file that is dropped is refused in these words, and shows nothing. */
+export async function refuses(page, name, content, words) {
   await drop(page, name, content);
   await page.waitForSelector("#problem:not([hidden])");
-  assert.match(await text(page, "#problem"), words);
-  assert.equal(await page.locator(`#${mode}-mode`).isVisible(), false);
+  assert.match(await text(page, "#problem-text"), words);
+  assert.deepEqual([await page.locator("#scene-mode").isVisible(), await text(page, "#replayed")], [false, ""]);
   await page.evaluate(() => { document.getElementById("problem").hidden = true; });
 }
 export const arrived = (result) => Math.abs(result.bearingErrorDeg) <= 1.5;

@@ -49,13 +49,13 @@ async function pinch(page, tip) {
  *  `unseen` have no hand. Returns each position that was seen, right and away of the start. */
 function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = false, unseen = [0, 0], until = 1 } = {}) {
   return page.evaluate((how) => {
-    const { headset, drawFrame } = globalThis, turn = document.getElementById("now-turn"), seen = [];
+    const { headset, drawFrame } = globalThis, { dataset } = document.getElementById("stage"), seen = [];
     let x = 0, away = 0, heading_deg = how.first_deg;
     const count = 135;
     for (let i = 0; i <= count * how.until; ++i) {
       const s = i / count, step_m = how.length_m * (30 * s ** 2 - 60 * s ** 3 + 30 * s ** 4) / count;
-      if (how.follows && turn.textContent === "left") heading_deg += 0.5;
-      if (how.follows && turn.textContent === "right") heading_deg -= 0.5;
+      const wrong_deg = Number(dataset.feltDeg) - 5;  // the glass lies there
+      if (how.follows && Math.abs(wrong_deg) > 1) heading_deg -= 0.5 * Math.sign(wrong_deg);
       x -= step_m * Math.sin(heading_deg * Math.PI / 180);
       away += step_m * Math.cos(heading_deg * Math.PI / 180);
       headset.see(i < how.unseen[0] || i >= how.unseen[1]);

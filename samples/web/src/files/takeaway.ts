@@ -70,7 +70,7 @@ export class TakeAway {
 
   #replay(name: string, text: string): RecordedReach {
     const report = this.library.replay(text),
-      reach = readReach(text);
+      reach = readReach(text, name);
     const same =
       report.first_different_line === 0n
         ? `All ${report.rows} calls gave the same numbers again, bit for bit.`

@@ -7,6 +7,7 @@ import type { Trace } from "../trace";
 interface Slide {
   readonly trace: Trace;
   readonly course: Course;
+  readonly name: string;
 }
 const kinds = ["on", "off"] as const;
 
@@ -18,9 +19,9 @@ export class Compare {
     this.#moment.addEventListener("input", () => this.#show());
   }
 
-  /** A slide that has ended; it stays until the next one of its kind. */
-  keep(kind: (typeof kinds)[number], trace: Trace, course: Course): void {
-    this.#slides[kind] = { trace, course };
+  /** A slide that has ended, or was recorded; it stays until the next one of its kind. */
+  keep(kind: (typeof kinds)[number], trace: Trace, course: Course, name = `Plate ${kind}`): void {
+    this.#slides[kind] = { trace, course, name };
     element("compare", HTMLElement).hidden = false;
     this.#moment.value = this.#moment.max;
     this.#show();
@@ -45,26 +46,20 @@ export class Compare {
         continue;
       }
       const { finger, felt, plate_deg, finger_deg, felt_deg } = at,
-        gone = slide.trace.slice(0, slide.trace.indexOf(at) + 1);
+        gone = slide.trace.slice(0, slide.trace.indexOf(at) + 1),
+        went = (which: "finger" | "felt") => gone.map((each) => each[which]);
+      const feels = Number.isNaN(felt.right_m) ? "" : path("felt", went("felt")) + dot("felt", felt);
       picture.innerHTML =
         plate(plate_deg) +
         targets(slide.course) +
-        path(
-          "real",
-          gone.map((each) => each.finger),
-        ) +
-        path(
-          "felt",
-          gone.map((each) => each.felt),
-        ) +
+        path("real", went("finger")) +
+        feels +
         arrows(finger, plate_deg, finger_deg, felt_deg) +
-        dot("felt", felt) +
         dot("real", finger);
+      say(element(`slide-${kind}-name`, HTMLElement), slide.name);
+      const moves = `the hand moves ${sideways(finger_deg)}, the ridges push ${sideways(normal_deg(plate_deg, finger_deg))}`;
       texts.push(
-        Number.isNaN(finger_deg)
-          ? `Plate ${kind}: the hand rests.`
-          : `Plate ${kind}: the hand moves ${sideways(finger_deg)}, the ridges push ` +
-              `${sideways(normal_deg(plate_deg, finger_deg))}, it feels like ${sideways(felt_deg)}.`,
+        `${slide.name}: ${Number.isNaN(finger_deg) ? "the hand rests" : `${moves}, it feels like ${sideways(felt_deg)}`}.`,
       );
     }
     say(element("moment-text", HTMLParagraphElement), texts.join(" "));

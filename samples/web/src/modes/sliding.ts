@@ -4,13 +4,12 @@ import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
 import { type Course, distance_m, length_m, type Place, start, virtualPlace } from "../geometry";
 import type { Hand } from "../hand";
-import { showNow } from "../now";
 import { element, say } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import type { Ticks } from "../ticks";
 import type { Voice } from "../voice";
-import { Compare } from "./compare";
+import type { Compare } from "./compare";
 import { Series } from "./series";
 
 const keySpeed_m_s = 0.06;
@@ -26,7 +25,6 @@ export class Sliding {
   /** Whether this mode is the one that is shown. */
   active = false;
   readonly #series: Series;
-  readonly #compare = new Compare();
   readonly #keys = new Set<string>();
   readonly #pointer: Place = { right_m: 0, away_m: 0 };
   readonly #grip: Place = { right_m: 0, away_m: 0 };
@@ -45,6 +43,7 @@ export class Sliding {
     private readonly plain: Hand,
     private readonly world: World,
     private readonly desk: Desk,
+    private readonly compare: Compare,
     private readonly voice: Voice,
     private readonly ticks: Ticks,
     private settings: Readonly<Settings>,
@@ -80,7 +79,7 @@ export class Sliding {
     this.led.apply(settings);
     this.#plateOff = false;
     this.#series.begin(settings.gap_deg);
-    this.#compare.clear();
+    this.compare.clear();
     this.restart();
   }
 
@@ -209,7 +208,7 @@ export class Sliding {
     this.#letGo();
     this.#shown_ms = 0;
     if (!this.#plateOff && result && result.feltToGlass_mm < missed_mm) this.#series.ask(result.gap_deg);
-    this.#compare.keep(this.#plateOff ? "off" : "on", hand.trace, this.#course());
+    this.compare.keep(this.#plateOff ? "off" : "on", hand.trace, this.#course());
     this.ticks.contact();
     this.voice.say(this.#text());
   }
@@ -221,7 +220,6 @@ export class Sliding {
     if (hand.phase !== "waiting") desk.extendPaths(hand.finger, hand.felt);
     desk.reveal(!over ? 0 : this.still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
     desk.draw(plate_deg, hand.finger, hand.felt);
-    showNow(plate_deg, hand.finger_deg, hand.felt_deg, this.#course().virtual_deg);
     desk.caption(hand.phase, this.#text());
     element("after", HTMLDivElement).hidden = !over || this.#series.asking;
     say(element("learnt", HTMLParagraphElement), over ? this.#learnt() : "");

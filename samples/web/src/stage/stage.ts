@@ -42,7 +42,10 @@ export class Stage {
     ridgeMaterial: this.#ridges,
     markMaterial: this.#mark,
   });
-  readonly desk = new THREE.Mesh(new THREE.BoxGeometry(1.2, 0.02, 0.9), new THREE.MeshStandardMaterial({ roughness: 1 }));
+  readonly desk = new THREE.Mesh(
+    new THREE.BoxGeometry(1.2, 0.02, 0.9),
+    new THREE.MeshStandardMaterial({ roughness: 1 }),
+  );
   readonly #real = new RealCylinder();
   readonly #glass = new Glass();
   readonly finger = new Finger();
@@ -182,11 +185,6 @@ export class Stage {
     this.finger.fade(share);
     this.truePath.shown = share;
     this.#real.visible = share > 0 && this.#glass.visible;
-  }
-
-  showFelt(shown: boolean): void {
-    this.#felt.visible = shown;
-    this.feltPath.visible = shown;
   }
 
   place(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {

@@ -1,10 +1,8 @@
 // The mode "Wear it": asks the browser for a headset with hand tracking, and shows the visitor's reaches in it.
 
 import { Vector3 } from "three";
-import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
 import { start } from "../geometry";
-import { showNow } from "../now";
 import { chosen, element, messageOf, say } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
@@ -44,7 +42,6 @@ export class Wearing {
     private readonly world: World,
     private readonly desk: Desk,
     private readonly voice: Voice,
-    private settings: Readonly<Settings>,
   ) {
     this.#headset = desk.stage && new Headset(desk.stage);
     wear.onPlaced = (position, rotation) => this.#headset?.put(position, rotation);
@@ -60,7 +57,6 @@ export class Wearing {
   }
 
   apply(settings: Readonly<Settings>): void {
-    this.settings = settings;
     this.wear.apply(settings);
     this.desk.clearPaths();
   }
@@ -205,13 +201,11 @@ export class Wearing {
   }
 
   #show(): void {
-    const wear = this.wear,
-      { finger_deg, felt_deg } = wear.felt;
-    showNow(this.world.plate_deg(), finger_deg, felt_deg, pageCourse(this.settings).virtual_deg);
+    const wear = this.wear;
     const text = this.#session ? wear.text : this.#message;
     this.desk.caption(wear.phase, text);
     say(this.#state, text);
-    this.desk.frame.dataset.lost = String(wear.lost);
+    Object.assign(this.desk.frame.dataset, { lost: wear.lost, feltDeg: wear.felt.felt_deg });
     if (this.#session && text !== this.#spoken) this.voice.say(text);
     this.#spoken = text;
     this.desk.write(wear.result, wear.felt.place);
