@@ -40,7 +40,7 @@ PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& l
   using Pair = Eigen::Matrix<double, 2, 2>;
   using Rows = Eigen::Matrix<double, 2, T::traits>;
   const Pair variances_deg2 = Eigen::Vector2d(square(std::max(before.mean(T::scatter), tuning.min_scatter_deg)),
-                                              square(tuning.habit_scatter_deg))
+                                              square(habit_scatter_deg(before, tuning)))
                                   .asDiagonal();
   Rows of = Rows::Zero();
   of(0, T::bias) = of(1, T::habit) = 1.0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/exponential.h"
 #include "core/math/linear_algebra.h"
 
 namespace hrt {
@@ -50,6 +51,10 @@ PersonBelief known_person(double tactile_weight, double bias_deg, const Tuning& 
 void know(PersonBelief& belief, T::Index trait, double mean, double sd) {
   belief.mean(trait) = clamped(trait, mean);
   set_independent(belief.covariance, trait, sd * sd);
+}
+
+double habit_scatter_deg(const PersonBelief& belief, const Tuning& tuning) {
+  return tuning.habit_scatter * exponential(belief.mean(T::log_wander));
 }
 
 LinearIllusion linear_illusion(double weight, double curve, double weight_variance, double covariance,

@@ -29,6 +29,9 @@ PersonBelief known_person(double tactile_weight, double bias_deg, const Tuning& 
 /// range.
 void know(PersonBelief& belief, PersonState::Index trait, double mean, double sd);
 
+/// SD of the habit from one reach to the next.
+double habit_scatter_deg(const PersonBelief& belief, const Tuning& tuning);
+
 /// The weight that a linear illusion would have to shift the felt direction as much at 60 degrees; 0.001 to
 /// 0.499.
 struct LinearIllusion {

@@ -11,7 +11,6 @@
 namespace hrt {
 namespace {
 
-constexpr double max_step_s = 0.012;
 // Positions since the onset that the filter takes in at each new one: bounds the time of an update.
 constexpr int max_replayed = 6;
 
@@ -57,6 +56,7 @@ void PersonEstimator::predict(double time_s, const PlateTrace& plate) {
 void PersonEstimator::lift(double time_s, const PlateTrace& plate) {
   predict(time_s, plate);
   finger_.lift();
+  log_.close();
   backlog_ = 0;
 }
 
@@ -67,6 +67,7 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
     filter_ = PersonFilter(belief_, virtual_direction_deg_, path_mm_, noise(), tuning());
     return;
   }
+  log_.close();
   // A target that moves on before they have answered is answered with it.
   if (!retarget_)
     retarget_ = {.time_s = time_s + tuning().reaction_time_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
@@ -95,6 +96,7 @@ void PersonEstimator::begin_motion() {
   onset_s_ = best.onset_s;
   filter_ = PersonFilter(belief_, virtual_direction_deg_, path_mm_, noise(), tuning());
   filter_.begin(best.log_rate, tuning().onset_sd_s, finger_.rest_place_sd_mm());
+  log_.begin(filter_, onset_s_);
   filter_s_ = onset_s_;
   backlog_ = 0;
   while (backlog_ < places.count() - 1 && places[backlog_].time_s > onset_s_) ++backlog_;
@@ -117,7 +119,7 @@ void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
   if (!moving()) {
     filter_.rest(left_s);
   } else {
-    const int steps = static_cast<int>(std::ceil(left_s / max_step_s));
+    const int steps = static_cast<int>(std::ceil(left_s / PersonFilter::max_step_s));
     const double step_s = left_s / steps;
     for (int i = 0; i < steps; ++i) {
       filter_.move(step_s, plate.at(time_s - left_s + (i + 0.5) * step_s - tuning().sensory_delay_s));
@@ -129,6 +131,8 @@ void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
 bool PersonEstimator::take(const TimedPoint& sample, const PlateTrace& plate) {
   carry_to(sample.time_s, plate);
   const PersonFilter::Innovation innovation = filter_.innovation(sample.position - origin_);
+  if (filter_.mean(PersonState::phase) < 1.0)
+    log_.add(sample.time_s, sample.position - origin_, plate.at(sample.time_s - tuning().sensory_delay_s));
   if (!moving()) {
     if (innovation.nis <= tuning().max_accepted_nis) filter_.correct(innovation);
     return true;
@@ -153,10 +157,13 @@ bool PersonEstimator::take(const TimedPoint& sample, const PlateTrace& plate) {
 }
 
 void PersonEstimator::relocate(const PlatePoint& position) {
+  log_.close();
   filter_.place_at(position - origin_);
   filter_.loosen_clock(tuning().pause_clock_sd_s);
   gate_.reset();
 }
+
+PersonBelief PersonEstimator::learnt() const { return log_.belief(filter_.belief()); }
 
 // Only a position that surprises the filter may be one of a pause.
 bool PersonEstimator::find_pause(double nis) {

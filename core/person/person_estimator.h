@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "core/person/model_fit.h"
+#include "core/person/motion_log.h"
 #include "core/person/person_filter.h"
 #include "core/plate/plate_model.h"
 #include "core/tracker/finger_phase.h"
@@ -80,6 +81,8 @@ class PersonEstimator {
   /// True if the model describes the motion so far.
   bool model_fits() const { return fit_.holds(tuning()); }
   double onset_s() const { return onset_s_; }
+  /// What the reach shows of the person.
+  PersonBelief learnt() const;
 
  private:
   const Tuning& tuning() const { return filter_.tuning(); }
@@ -106,6 +109,7 @@ class PersonEstimator {
 
   OutlierGate gate_;
   ModelFit fit_;
+  MotionLog log_;
 
   int backlog_ = 0;  // of the last places, those that the filter has not seen
   double filter_s_ = 0.0;

@@ -35,8 +35,9 @@ PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_
   covariance_.topLeftCorner<X::traits, X::traits>() = belief.covariance;
   keep_in_range();
   covariance_(X::bias, X::bias) += square(mean_(X::scatter));
-  covariance_(X::habit, X::habit) += square(tuning_.habit_scatter_deg);
-  covariance_(X::wander, X::wander) = square(tuning_.wander_sd_deg);
+  covariance_(X::habit, X::habit) += square(habit_scatter_deg(belief, tuning_));
+  wander_deg2_ = exponential(2.0 * mean_(X::log_wander));
+  covariance_(X::wander, X::wander) = wander_deg2_;
   covariance_(X::noise_right, X::noise_right) = covariance_(X::noise_away, X::noise_away) =
       square(noise_.correlated_mm);
   begin(mean_(X::log_rate), 0.0, 0.0);
@@ -51,6 +52,17 @@ void PersonFilter::begin(double log_rate, double onset_sd_s, double place_sd_mm)
   mean_(X::steered) = mean_(X::heading) * virtual_direction_deg_ + mean_(X::bias);
   covariance_.row(X::steered) = virtual_direction_deg_ * covariance_.row(X::heading) + covariance_.row(X::bias);
   covariance_.col(X::steered) = virtual_direction_deg_ * covariance_.col(X::heading) + covariance_.col(X::bias);
+}
+
+PersonFilter PersonFilter::with_wander(double change) const {
+  PersonFilter other = *this;
+  const double scale = exponential(2.0 * change);
+  const double habit_deg2 = square(tuning_.habit_scatter) * wander_deg2_;
+  other.mean_(X::log_wander) += change;
+  other.wander_deg2_ *= scale;
+  other.covariance_(X::wander, X::wander) *= scale;
+  other.covariance_(X::habit, X::habit) += (scale - 1.0) * habit_deg2;
+  return other;
 }
 
 // Derivative of o by y.
@@ -132,7 +144,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
 }
 
 // F P F', as (P F')' F': columns are contiguous. A step leaves the traits as they are. `f` is a copy, which writing
-// into P cannot change.
+// into P cannot change. Traits from felt_traits on are independent of all others.
 void PersonFilter::carry(Step f) {
   constexpr int motion = X::count - X::traits;
   // A row times F'. Each line uses only what is not yet changed.
@@ -155,7 +167,8 @@ void PersonFilter::carry(Step f) {
     row(X::noise_right) *= f.noise_kept;
     row(X::noise_away) *= f.noise_kept;
   };
-  for (int i = 0; i < X::count; ++i) transform(covariance_.row(i));
+  for (int i = 0; i < X::felt_traits; ++i) transform(covariance_.row(i));
+  for (int i = X::traits; i < X::count; ++i) transform(covariance_.row(i));
   covariance_.bottomRightCorner<motion, motion>().transposeInPlace();
   covariance_.bottomLeftCorner<motion, X::traits>() = covariance_.topRightCorner<X::traits, motion>().transpose();
   for (int i = X::traits; i < X::count; ++i) transform(covariance_.row(i));
@@ -180,7 +193,7 @@ void PersonFilter::add_noise(const Step& step) {
   const double along_mm2 = tuning_.speed_variance_s * square(step.travel_mm) / step.seconds;
   add(X::right, tuning_.place_density_mm2_s * step.seconds + along_mm2 * square(step.sine));
   add(X::away, tuning_.place_density_mm2_s * step.seconds + along_mm2 * square(step.cosine));
-  add(X::wander, (1.0 - square(step.wander_kept)) * square(tuning_.wander_sd_deg));
+  add(X::wander, (1.0 - square(step.wander_kept)) * wander_deg2_);
   const double fresh_mm2 = (1.0 - square(step.noise_kept)) * square(noise_.correlated_mm);
   add(X::noise_right, fresh_mm2);
   add(X::noise_away, fresh_mm2);
@@ -220,8 +233,11 @@ void PersonFilter::correct(const Innovation& innovation) {
   const State right_gain = right * innovation.information(0, 0) + away * innovation.information(1, 0);
   const State away_gain = right * innovation.information(0, 1) + away * innovation.information(1, 1);
   mean_ += right_gain * innovation.off_mm.right_mm + away_gain * innovation.off_mm.away_mm;
-  for (int j = 0; j < X::count; ++j)
+  const auto correct_column = [&](int j) {
     for (int i = 0; i < X::count; ++i) covariance_(i, j) -= right(i) * right_gain(j) + away(i) * away_gain(j);
+  };
+  for (int j = 0; j < X::felt_traits; ++j) correct_column(j);
+  for (int j = X::traits; j < X::count; ++j) correct_column(j);
   keep_in_range();
 }
 

@@ -50,7 +50,11 @@ class PersonFilter {
   /// of where the finger rested.
   void begin(double log_rate, double onset_sd_s, double place_sd_mm);
 
-  /// `seconds` of motion, at most 12 ms, with the ridge normal that is felt at `felt_plate_deg`.
+  /// This filter, before its motion, with log_wander larger by `change`.
+  PersonFilter with_wander(double change) const;
+
+  static constexpr double max_step_s = 0.012;  ///< longest step of move()
+  /// `seconds` of motion, at most max_step_s, with the ridge normal that is felt at `felt_plate_deg`.
   void move(double seconds, double felt_plate_deg);
 
   /// `seconds` of rest: the person's clock stops.
@@ -128,6 +132,7 @@ class PersonFilter {
   double unanswered_deg_ = 0.0;  // of the goal, from V, until a moved target is answered
   double path_mm_;
   TrackerNoise noise_;
+  double wander_deg2_;  // variance of the wander
   State mean_;
   double rate_;  // exp(rho)
   Covariance covariance_;

@@ -237,7 +237,7 @@ PlateHandover PersonReach::handover() const {
 std::optional<PersonBelief> PersonReach::learnt() const {
   const bool ended = estimator_.begun() && filter().mean(X::phase) > config_.tuning.min_taught_phase;
   if (!ended || counts_.misfit) return std::nullopt;
-  return filter().belief();
+  return estimator_.learnt();
 }
 
 }  // namespace hrt

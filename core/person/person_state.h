@@ -6,18 +6,20 @@ namespace hrt {
 
 struct PersonState {
   enum Index {
-    weight,          ///< w of the illusion
-    curve,           ///< b of the illusion
-    gain,            ///< k: rate at which the felt error is corrected
-    bias,            ///< d: goal less virtual direction
-    habit,           ///< c: the goal turns from +c to -c along the path
-    evenness,        ///< a of the pace
-    heading,         ///< h: fraction of the goal's direction in which the person sets out
-    log_rate,        ///< rho: natural logarithm of one over the duration in seconds
-    fading,          ///< f of the illusion
-    scatter,         ///< SD of the bias from reach to reach
-    traits,          ///< number of the above
-    right = traits,  ///< the finger's position, relative to where it rested
+    weight,       ///< w of the illusion
+    curve,        ///< b of the illusion
+    gain,         ///< k: rate at which the felt error is corrected
+    bias,         ///< d: goal less virtual direction
+    habit,        ///< c: the goal turns from +c to -c along the path
+    evenness,     ///< a of the pace
+    heading,      ///< h: fraction of the goal's direction in which the person sets out
+    log_rate,     ///< rho: natural logarithm of one over the duration in seconds
+    fading,       ///< f of the illusion
+    felt_traits,  ///< number of the above: those that move the finger; the next ones are parameters of the filter
+    scatter = felt_traits,  ///< SD of the bias from reach to reach
+    log_wander,             ///< natural logarithm of the SD of the wander in degrees
+    traits,                 ///< number of the above
+    right = traits,         ///< the finger's position, relative to where it rested
     away,
     steered,      ///< psi: direction of motion less the own path
     phase,        ///< u: fraction of the duration
@@ -47,6 +49,7 @@ inline constexpr StateVariable person_state[PersonState::count] = {
     {PersonState::log_rate, "log_rate", "", -3.0, 2.4},
     {PersonState::fading, "fading", "", -0.2, 1.0},
     {PersonState::scatter, "scatter", "deg", 0.0, 10.0},
+    {PersonState::log_wander, "log_wander", "", -1.5, 3.0},
     {PersonState::right, "right", "mm", 0.0, 0.0},
     {PersonState::away, "away", "mm", 0.0, 0.0},
     {PersonState::steered, "steered", "deg", 0.0, 0.0},

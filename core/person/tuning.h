@@ -35,6 +35,7 @@ struct Tuning {
       {-0.65, 0.55, 0.1},  // log_rate
       {0.05, 0.6, 0.02},   // fading
       {1.2, 0.8, 0.1},     // scatter, deg
+      {1.4, 1.2, 0.15},    // log_wander
   };
   double weight_curve_correlation = 0.85;  ///< [s] prior correlation of weight and curve
   double known_weight_sd = 0.001;          ///< [m] SDs of known_person()
@@ -60,9 +61,9 @@ struct Tuning {
   /// s [s] noise along the motion, times the speed squared. Kept for RetargetTest.BringsAPersonToTheMovedTarget.
   double speed_variance_s = 4e-4;
   double resting_density_mm2_s = 0.5;  ///< mm^2/s [s] in a pause
-  double wander_sd_deg = 4.0;      ///< deg [s] fast part of the own path; recorded reaches have 3.8 at half of the path
-  double wander_s = 0.3;           ///< s [m] its decay
-  double habit_scatter_deg = 4.0;  ///< deg [s] SD of the habit from reach to reach; recorded reaches have 9.1
+  double wander_s = 0.3;               ///< s [m] decay of the wander, the fast part of the own path
+  /// [s] SD of the habit from reach to reach, over the SD of the wander; recorded reaches have 9.1 over 3.8 degrees
+  double habit_scatter = 1.0;
   double min_return_fraction = 0.1;  ///< [m] of the path: the wander is not made good over less
   double pace_skew = 0.4;            ///< [m] q of the pace; recorded reaches have 0.54 and 0.14, +-0.4
   double answer_s = 0.3;             ///< s [m] decay of the former goal until a moved target is answered
@@ -118,6 +119,9 @@ struct Tuning {
   double min_leg_mm = 10.0;  ///< mm [s] distance below which the tracker's noise dominates a bearing of a moved target
 
   // Learning.
+  double wander_step = 0.5;        ///< [s] h of motion_log.h
+  double wander_evidence = 0.8;    ///< [s] beta of motion_log.h
+  double max_wander_change = 1.0;  ///< [s] of log_wander in one reach: beyond it the likelihood is no parabola
   /// [s] fraction of the duration below which a reach teaches nothing. Kept for hrt_adaptation, which promises it.
   double min_taught_phase = 0.7;
   /// [s] drop of the weight, in SDs, at which the illusion is reset. Kept for

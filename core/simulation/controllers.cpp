@@ -6,6 +6,12 @@
 #include "core/math/exponential.h"
 
 namespace hrt {
+namespace {
+
+// Invented people stray by their motor noise: 8 deg^2/s over the 0.3 s within which a wander decays.
+constexpr double steady_wander_deg = 1.1;
+
+}  // namespace
 
 RetargeterConfig people_controller(const Tuning& tuning) {
   RetargeterConfig config;
@@ -45,6 +51,7 @@ RetargeterConfig informed_controller(const PersonCondition& condition, std::span
   know_if(T::habit, person.habit_deg + person.own_path.mean_deg[0], 0.5);
   know_if(T::scatter, std::max(person.scatter_deg, tuning.min_scatter_deg),
           0.1);  // as steady as anybody is believed to be
+  know_if(T::log_wander, logarithm(std::max(wander_sd_deg(person.own_path), steady_wander_deg)), 0.2);
   know_if(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
   know_if(T::log_rate, -logarithm(person.duration_s), 0.05);
   if (condition.virtual_direction_deg != 0.0)  // else a share of it is no direction

@@ -16,9 +16,9 @@ RetargeterConfig people_controller(const PersonCondition& condition, const Tunin
 
 /// What of a person is worth knowing. The gain, the heading and the fading of touch are of the model's person: knowing
 /// those of a simulated one costs more reaches than it gains.
-inline constexpr PersonState::Index telling_traits[] = {PersonState::weight,  PersonState::curve,
-                                                        PersonState::bias,    PersonState::habit,
-                                                        PersonState::scatter, PersonState::log_rate};
+inline constexpr PersonState::Index telling_traits[] = {
+    PersonState::weight,  PersonState::curve,      PersonState::bias,    PersonState::habit,
+    PersonState::scatter, PersonState::log_wander, PersonState::log_rate};
 
 /// A controller for people with plate and tracker known, and these traits of the person as far as its model
 /// describes them.

@@ -48,6 +48,13 @@ OwnPath draw_own_path(double size, Draws& draws) {
   return path;
 }
 
+double wander_sd_deg(const OwnPath& path) {
+  constexpr PathShape square_means{1.0 / 3.0, 1.0 / 5.0, 1.0 / 17.0 - 1.0 / 81.0, 1.0 / 17.0 - 1.0 / 81.0};
+  double variance_deg2 = 0.0;
+  for (std::size_t i = 0; i < square_means.size(); ++i) variance_deg2 += square_means[i] * square(path.sd_deg[i]);
+  return std::sqrt(variance_deg2);
+}
+
 PathShape draw_shape(const OwnPath& path, Draws& draws) {
   PathShape shape = path.mean_deg;
   for (std::size_t i = 0; i < shape.size(); ++i)

@@ -29,6 +29,9 @@ struct OwnPath {
 /// The own path of a person and target as recorded, with all angles times `size`.
 OwnPath draw_own_path(double size, Draws& draws);
 
+/// SD of o(s) from reach to reach, root mean square over the path.
+double wander_sd_deg(const OwnPath& path);
+
 /// The shape of one reach.
 PathShape draw_shape(const OwnPath& path, Draws& draws);
 

@@ -164,7 +164,7 @@ TEST(Retarget, AMovedTargetIsReachedNearlyAsWellAsAFreshOne) {
         SCOPED_TRACE(testing::Message() << reaches << " reaches, " << size_mm << " mm at " << direction_deg);
         const Shares led = shares(3.0, TargetMove{0.3, point_ahead({}, direction_deg, size_mm)}, reaches);
         EXPECT_GE(led.hits, fresh.hits - 0.15);
-        EXPECT_LE(led.unflagged, 0.04);
+        EXPECT_LE(led.unflagged, 0.045);
       }
     }
   }

@@ -171,7 +171,8 @@ TEST_F(PersonTest, DurationThatIsGivenIsExpected) {
   }
 }
 
-// What a reach has learnt is in the configuration: the summary's values, widened.
+// What a reach has learnt is in the configuration. The motion is filtered once more after the reach, with the wander
+// that it shows: the values differ a little from the summary's.
 TEST_F(PersonTest, WhatIsLearntIsWritten) {
   create(servo_config());
   PersonCondition condition = steady_person();
@@ -179,13 +180,14 @@ TEST_F(PersonTest, WhatIsLearntIsWritten) {
   const hrt_reach_summary summary = lead(condition).summary;
   const hrt_session_config after = config_of(session);
   EXPECT_FALSE(is_unknown(after));
-  EXPECT_EQ(after.person.mean[HRT_PERSON_CURVE], summary.learnt.illusion_curve);
-  EXPECT_EQ(after.person.mean[HRT_PERSON_GAIN], summary.learnt.gain_per_s);
+  EXPECT_NEAR(after.person.mean[HRT_PERSON_CURVE], summary.learnt.illusion_curve, 0.01);
+  EXPECT_NEAR(after.person.mean[HRT_PERSON_GAIN], summary.learnt.gain_per_s, 0.2);
+  EXPECT_LT(after.person.mean[HRT_PERSON_LOG_WANDER], 1.6);                      // the prior's: a steady person
   EXPECT_GT(after.person.mean[HRT_PERSON_BIAS], 0.5 * summary.learnt.bias_deg);  // the rest is this reach's alone
-  EXPECT_LT(after.person.mean[HRT_PERSON_BIAS], summary.learnt.bias_deg);
+  EXPECT_LT(after.person.mean[HRT_PERSON_BIAS], 2.0);
   EXPECT_LT(std::abs(after.person.mean[HRT_PERSON_HABIT]), std::abs(summary.learnt.habit_deg));
-  EXPECT_NEAR(std::exp(-after.person.mean[HRT_PERSON_LOG_RATE]), summary.duration_s, 1e-9);
-  EXPECT_EQ(after.paper.tactile_weight, summary.learnt.tactile_weight);
+  EXPECT_NEAR(std::exp(-after.person.mean[HRT_PERSON_LOG_RATE]), summary.duration_s, 0.1);
+  EXPECT_NEAR(after.paper.tactile_weight, summary.learnt.tactile_weight, 0.01);
   EXPECT_GT(after.paper.tactile_weight_sd, summary.learnt.tactile_weight_sd);
   // The diagonal of a lower triangle of rows 1, 2, 3 ... long: 0, 2, 5, 9, 14.
   EXPECT_GT(std::sqrt(after.person.covariance[5]), summary.learnt.gain_sd_per_s);

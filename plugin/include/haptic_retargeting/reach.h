@@ -180,7 +180,9 @@ typedef struct hrt_reach_counts {
   int64_t rate_limited_steps;
 } hrt_reach_counts;
 
-/** Part of hrt_reach_summary: estimates of the user's traits, the tracker and the model. */
+/** Part of hrt_reach_summary: estimates of the user's traits, the tracker and the model at the end of the reach.
+ *  hrt_reach_end() then filters the motion once more, with the wander that it shows, for hrt_session_config::person:
+ * its means differ a little from these. */
 typedef struct hrt_reach_learnt {
   double tactile_weight;    /**< tactile weight at the end; see hrt_command @unit 1 */
   double tactile_weight_sd; /**< SD of tactile_weight; see hrt_command @unit 1 */

@@ -89,10 +89,13 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_FADING 8
 /** SD of the bias from reach to reach: how steadily the user aims. @range 0 to 10 @unit deg */
 #define HRT_PERSON_SCATTER 9
+/** Natural logarithm of the SD, in degrees, by which the user strays from the line to the target. @range -1.5 to 3
+ *  @unit 1 */
+#define HRT_PERSON_LOG_WANDER 10
 /** Number of traits. */
-#define HRT_PERSON_TRAITS 10
+#define HRT_PERSON_TRAITS 11
 /** Number of elements in the lower triangle of their covariance. */
-#define HRT_PERSON_COVARIANCES 55
+#define HRT_PERSON_COVARIANCES 66
 
 /** Part of hrt_session_config: limits of the plate and its servo, and the plate's pose in the world. */
 typedef struct hrt_session_plate {

@@ -20,7 +20,7 @@ using ConfigFields = Fields<hrt_session_config>;
 // The core squares it; the square of less would lose its digits, or be 0.
 constexpr double min_tracker_noise_mm = 1e-6;
 
-static_assert(HRT_PERSON_TRAITS == PersonState::traits && HRT_PERSON_SCATTER == PersonState::scatter &&
+static_assert(HRT_PERSON_TRAITS == PersonState::traits && HRT_PERSON_LOG_WANDER == PersonState::log_wander &&
               HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
 // Not of std::ranges, which emscripten 3.1.6 lacks.
 static_assert(std::equal(std::begin(ConfigFields::person_mean_elements), std::end(ConfigFields::person_mean_elements),

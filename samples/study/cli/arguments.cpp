@@ -72,7 +72,8 @@ class HelpFormatter : public CLI::Formatter {
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   std::string text = option->get_description();
   if (!takes_value(option)) return text;
-  text += "\nMust be " + option->get_type_name() + '.';
+  const std::string allowed = option->get_type_name() + '.';
+  text += (allowed.size() > 80 ? "\nMust be\n" : "\nMust be ") + allowed;
   const std::string standard = option->get_default_str();
   if (!standard.empty())
     text += (option->get_type_name().size() + standard.size() < 60 ? " Default: " : "\nDefault: ") + standard + '.';

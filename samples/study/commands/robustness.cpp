@@ -167,7 +167,7 @@ void add_robustness(CLI::App& app) {
   add_families(command, &options->families, "all, or none with --person", "People to simulate.");
   add_path(command, "--person", &options->person, "a file that can be read",
            "A person of your own to simulate, beside the families of --family.");
-  add_traits(command, "--informed-of", &robustness.informed_of, "weight,curve,bias,habit,scatter,log_rate",
+  add_traits(command, "--informed-of", &robustness.informed_of, "weight,curve,bias,habit,scatter,log_wander,log_rate",
              "Traits of the person that the informed controller knows.");
   add_tuning(command, &robustness.tuning);
   CLI::Option* replay =

@@ -44,7 +44,7 @@ double min_eigenvalue(const F::Covariance& covariance) {
 // phi = V (1 - (1 - h) exp(-k t)). After one second of an even pace of 1/s they are at the path's end.
 TEST(PersonFilter, MovesAsTheEquationsSay) {
   PersonBelief belief = unknown_person();
-  belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.4, 0.0, 0.0, 0.0;
+  belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.4, 0.0, 0.0, 0.0, -1.5;
   PersonFilter filter(belief, 10.0, 100.0, {});
   filter.begin(0.0, 0.0, 0.0);
   EXPECT_DOUBLE_EQ(filter.direction_deg(), 4.0);

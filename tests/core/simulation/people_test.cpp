@@ -383,6 +383,25 @@ TEST(SimulationPeople, FadingTouchIsLearnt) {
   EXPECT_GE(near, 7);
 }
 
+// How far people stray from their line, as estimated after five reaches: the geometric mean.
+double learnt_wander_deg(const char* family) {
+  const RetargeterConfig controller = people_controller();
+  double sum = 0.0;
+  int people = 0;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const auto learnt = simulate_person(draw(family, i), &controller, 5, 1, i).back().learnt;
+    if (!learnt) continue;  // the last reach did not fit the model
+    sum += learnt->mean(PersonState::log_wander);
+    ++people;
+  }
+  return std::exp(sum / people);
+}
+
+TEST(SimulationPeople, HowFarTheyStrayIsLearnt) {
+  EXPECT_LT(learnt_wander_deg("linear"), 3.0);
+  EXPECT_GT(learnt_wander_deg("recorded"), std::exp(unknown_person().mean(PersonState::log_wander)));
+}
+
 // People who weaken from 0.28 to 0.16, where 75 degrees of plate still hold the gap of 10: two reaches later
 // they arrive again.
 TEST(SimulationPeople, ThoseWhoWeakenAreLedAnew) {

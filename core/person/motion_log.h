@@ -1,0 +1,58 @@
+// The positions of one motion, and what they show of the person once it is over.
+//
+// How far a person strays from the line to the target is a parameter of the filter, not a state. It is learnt by
+// likelihood: after the reach the motion passes through filters that differ in log_wander alone, by -h, 0 and h. With
+// their log likelihoods
+//
+//   l = beta sum over the positions of -(nis + log det S) / 2
+//
+// the posterior of log_wander is to second order normal, with precision 1 / V - l'' and a mean that lies l' / precision
+// above the prior's. V is the variance of the prior, l' and l'' are differences over h, and beta < 1 accounts for
+// positions that are less independent than the model has them. The motion then passes through a filter with that mean,
+// which determines the other traits.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/person/person_filter.h"
+
+namespace hrt {
+
+/// The positions of one motion, at most `capacity`: when the log is full, every other one is dropped. No heap, no lock,
+/// no exception.
+class MotionLog {
+ public:
+  static constexpr int capacity = 64;
+
+  /// Begins with the state of `filter` at `onset_s`.
+  void begin(const PersonFilter& filter, double onset_s);
+  /// Adds a position, relative to where the finger rested, and the ridge normal felt at that time. `time_s`: after the
+  /// last one's. Ignored after close().
+  void add(double time_s, const PlatePoint& position, double felt_plate_deg);
+  /// The motion is interrupted by a pause, a lift, a jump or another target: what follows is not added.
+  void close() { closed_ = true; }
+
+  int count() const { return count_; }
+  /// What the motion shows of the person. `learnt`: by the filter of the whole reach, which determines the traits
+  /// other than log_wander if the motion was interrupted.
+  PersonBelief belief(const PersonBelief& learnt) const;
+
+ private:
+  struct Position {
+    double time_s;
+    PlatePoint position;
+    double felt_plate_deg;
+  };
+  double log_likelihood(PersonFilter& filter) const;
+
+  std::array<Position, capacity> positions_;
+  std::optional<PersonFilter> filter_;  // at the onset
+  double onset_s_ = 0.0;
+  int count_ = 0;
+  int stride_ = 1;   // every so many positions one is taken
+  int skipped_ = 0;  // since the last one
+  bool closed_ = true;
+};
+
+}  // namespace hrt
