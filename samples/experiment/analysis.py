@@ -1,5 +1,6 @@
 """The registered tests of a study, for `analyse` and `power`. Needs python3-pandas, python3-scipy and, for mixed models, r-cran-lmertest."""
 import io
+import json
 import math
 import pathlib
 import subprocess
@@ -11,6 +12,29 @@ import scipy.optimize
 import scipy.stats
 
 FLIPS = 20_000  # of signs: all of them for up to 14 people
+
+
+# Columns of text, whatever it looks like.
+NAMES = ["subject", "level", "kind", "condition", "pair", "end", "reason", "library", "questionnaire", "when", "text", "event", "details"]
+
+
+def read_study(file):
+    return json.loads(file.read_text(encoding="utf-8-sig"))
+
+
+def read_table(file):
+    """A table of hrt-experiment export. Names such as "NA", "null", "0" and "True" are text; what is not known is nan."""
+    names = NAMES + (["answer"] if file.name == "trials.csv" else [])
+    return pandas.read_csv(file, encoding="utf-8", dtype={name: str for name in names}, keep_default_na=False, na_values=[""])
+
+
+def run_main(main):
+    """Errors of input are one line, without a traceback."""
+    try:
+        main()
+    except (OSError, ValueError, KeyError, AttributeError) as error:  # the last two: a column that is missing
+        what = f"{error} is missing" if isinstance(error, KeyError) else str(error).splitlines()[0]
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {what}; give it the folder of a study that this version of hrt-experiment exported")
 
 
 def sign_flip(differences, seed, flips=FLIPS):
@@ -100,7 +124,7 @@ def holm(values):
 def registered(study):
     """What a design says of its analysis, with the defaults."""
     return {"measure": "abs_miss_deg", "test": "t", "alpha": 0.05, "margin": 1.0, "reference": study["conditions"][-1]["name"],
-            **study.get("analysis", {})}
+            "noticed": study.get("answers", ["yes"])[0], **study.get("analysis", {})}
 
 
 def counted(trials):

@@ -226,7 +226,32 @@ def test_report():
             assert "Simulation: no person took part." in report
             assert ("Conditions are blinded" in report) != unblinded
             assert ("<td>paper</td>" in report) == unblinded and ("Registered test: sign flip" in report) == unblinded
+            assert "% of catch trials" in report, report
             assert (hashlib.sha256((data / "export/trials.csv").read_bytes()).hexdigest()) in report
+
+
+def test_text():
+    """Names that look like something else, not ASCII, a byte order mark and CRLF, in a locale without UTF-8; and errors in one line."""
+    names = ["NA", "null", "None", "0", "True", "gefühlt 😀"]
+    study = {"title": "Blöcke \u2028 <b>", "participants": 2, "practice_trials": 0, "repeats": 1, "max_run": 9, "set_up": "none", "order": "random_in_blocks",
+             "pairs": [{"name": "nan", "virtual_deg": 6, "real_deg": 0}], "conditions": [{"name": name, "controller": "none"} for name in names],
+             "analysis": {"reference": "NA"}, "question": "Bent?", "answers": ["N/A", "no"]}
+    with tempfile.TemporaryDirectory() as folder:
+        data, design = pathlib.Path(folder, "dätä"), pathlib.Path(folder, "study.json")
+        design.write_bytes(b"\xef\xbb\xbf" + json.dumps(study, ensure_ascii=False, indent=1).replace("\n", "\r\n").encode())
+        run = lambda *words: subprocess.run(words, check=True, capture_output=True, env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0"})
+        run(sys.argv[2], "simulate", design, "--data", data)
+        run(sys.argv[2], "export", "--data", data, "--unblind")
+        run(sys.argv[1] + "/analyse", data)
+        run(sys.argv[1] + "/bids", data)
+        report = (data / "export/report.html").read_text(encoding="utf-8")
+        assert all(f"<th>{name}</th>" in report for name in names) and "Registered test" in report and "Blöcke \u2028 &lt;b&gt;" in report
+        events = (data / "export/bids/sub-01/ses-01/motion/sub-01_ses-01_task-reach_events.tsv").read_text(encoding="utf-8")
+        assert all(f"\t{name}\t" in events for name in names), events
+        assert set(analysis.read_table(data / "export/trials.csv").answer) <= {"N/A", "no"}
+        (data / "export/people.csv").write_text("nothing\n")
+        broken = subprocess.run([sys.argv[1] + "/analyse", data], capture_output=True, text=True, check=False)
+        assert broken.returncode == 1 and broken.stderr.startswith("analyse: ") and broken.stderr.count("\n") == 1, broken.stderr
 
 
 def bids_validator():
@@ -265,4 +290,5 @@ test_own_data()
 test_population()
 test_whole_studies()
 test_power()
+test_text()
 test_report()
