@@ -116,7 +116,7 @@ class Renderer(Names):
         parameters = "string text" if is_text else ", ".join(f"double {e}" for e in elements)
         lines = ["ulong[] words = Utf8.Words(text, nameof(text));"] * is_text
         lines += [f"this.{e} = {f'words[{i}]' if is_text else e};" for i, e in enumerate(elements)]
-        shown = f"Utf8.Read({', '.join(elements)})" if is_text else f'$"({", ".join(f"{{{e}}}" for e in elements)})"'
+        shown = f"Utf8.Read({', '.join(elements)})" if is_text else f'FormattableString.Invariant($"({", ".join(f"{{{e}}}" for e in elements)})")'
         return (self.doc(text, "") + "[Serializable, StructLayout(LayoutKind.Sequential)]\n"
                 f"public struct {name}\n{{\n    public {type_} {', '.join(elements)};\n\n    public {name}({parameters})\n    {{\n"
                 + "".join(f"        {line}\n" for line in lines) + "    }\n\n"

@@ -17,7 +17,7 @@ _TYPES = {"int32_t": "int", "uint32_t": "int", "int64_t": "long", "uint64_t": "u
 
 
 def render(abi: Abi, notice: str) -> str:
-    names, text, taken = Renderer(abi), "", ""
+    names, text, taken, changed = Renderer(abi), "", "", ""
     for section, fields in settings.by_section(abi).items():
         for i, field in enumerate(f for f in fields if f.name != _FROM_SCENE):
             type_, default = _type(names, field)
@@ -25,8 +25,12 @@ def render(abi: Abi, notice: str) -> str:
             text += f'[Header("{section}")]\n' * (i == 0) + _tooltip(names, field) + _range(field)
             text += f"public {type_} {name}{default and ' = ' + default};\n\n"
             value = f"(long)Math.Round({name} * 1e6)" if field.unit == "ns" else f"(uint){name}" if type_ == "int" else name
-            taken += f"    config.{camel(field.name)} = {value};\n"
-    text += f"SessionConfig Configuration()\n{{\n    SessionConfig config = SessionConfig.Default;\n{taken}    return config;\n}}\n"
+            member = camel(field.name)
+            taken += f"    config.{member} = {value};\n"
+            changed += f"    if (!now.{member}.Equals(before.{member})) config.{member} = now.{member};\n"
+    text += f"SessionConfig Configuration()\n{{\n    SessionConfig config = SessionConfig.Default;\n{taken}    return config;\n}}\n\n"
+    text += ("// Settings that differ, which the inspector or a script has changed since.\n"
+             f"static SessionConfig Changed(SessionConfig config, SessionConfig before, SessionConfig now)\n{{\n{changed}    return config;\n}}\n")
     return (f"// {notice}\nusing System;\nusing UnityEngine;\n\nnamespace Hrt\n{{\n"
             "    // The fields of SessionConfig; a Transform of the scene gives its plate's pose and its start.\n"
             "    public sealed partial class HapticRetargeting\n    {\n"

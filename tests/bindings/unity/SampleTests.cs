@@ -79,20 +79,30 @@ namespace Hrt.HostTests
             finger.retargeting = retargeting;
             finger.origin = new GameObject("origin").transform;
             finger.origin.position = Vector3.right;
-            hands.rightHand = new XRHand { isTracked = true, Tip = new Pose(Vector3.up, Quaternion.identity) };
-            finger.Message("Update")();
-            Assert.IsTrue(retargeting.FingerTracked);
-            Assert.AreEqual(Vector3.right + Vector3.up, finger.transform.position);
-            finger.left = true;
             finger.Message("Update")();
             Assert.IsFalse(retargeting.FingerTracked);
+            hands.rightHand = new XRHand { isTracked = true, Tip = new Pose(Vector3.up, Quaternion.identity) };
+            hands.Raise(XRHandSubsystem.UpdateType.Dynamic);
+            Assert.IsTrue(retargeting.FingerTracked);
+            Assert.AreEqual(Vector3.right + Vector3.up, finger.transform.position);
+            hands.rightHand = new XRHand { isTracked = true, Tip = Pose.identity };
+            hands.Raise(XRHandSubsystem.UpdateType.BeforeRender); // not a sample of its own
+            Assert.AreEqual(Vector3.right + Vector3.up, finger.transform.position);
+            finger.left = true;
+            hands.Raise(XRHandSubsystem.UpdateType.Dynamic);
+            Assert.IsFalse(retargeting.FingerTracked);
             hands.leftHand = new XRHand { isTracked = true, Tip = Pose.identity };
-            finger.Message("Update")();
+            hands.Raise(XRHandSubsystem.UpdateType.Dynamic);
             Assert.AreEqual(Vector3.right, finger.transform.position);
             Assert.IsTrue(retargeting.fingerIsJoint);
             hands.running = false;
             finger.Message("Update")();
-            Assert.IsFalse(retargeting.FingerTracked);
+            Assert.IsFalse(retargeting.FingerTracked || hands.IsHeard);
+            hands.running = true;
+            finger.Message("Update")();
+            Assert.IsTrue(hands.IsHeard);
+            finger.enabled = false;
+            Assert.IsFalse(hands.IsHeard);
             SubsystemManager.All.Clear();
             UnityEngine.Object.DestroyImmediate(retargeting.gameObject);
         }

@@ -61,6 +61,28 @@ namespace Hrt.HostTests
             Assert.AreEqual(1, component.EndReach().samples);
         }
 
+        // A script whose LateUpdate moves the finger runs before the sample is taken.
+        [Test]
+        public void SamplesAreTakenAfterOtherScripts()
+        {
+            var order = (DefaultExecutionOrder)Attribute.GetCustomAttribute(typeof(HapticRetargeting), typeof(DefaultExecutionOrder));
+            Assert.Greater(order.order, 0);
+        }
+
+        [Test]
+        public void ASettingThatChangesDuringAReachIsReported()
+        {
+            var logged = new List<string>();
+            Action<string, string> listener = (level, text) => logged.Add(level + ": " + text);
+            Debug.Logged += listener;
+            component.Message("OnValidate")();
+            Assert.AreEqual(0, logged.Count);
+            component.BeginReach(bottle);
+            component.Message("OnValidate")();
+            Debug.Logged -= listener;
+            StringAssert.Contains("take effect when the next reach", logged.Single());
+        }
+
         [Test]
         public void APlateThatIsDestroyedIsADropout()
         {

@@ -24,6 +24,12 @@ namespace UnityEngine
         }
     }
 
+    public class DefaultExecutionOrder : Attribute
+    {
+        public DefaultExecutionOrder(int order) => this.order = order;
+        public int order { get; }
+    }
+
     public class DisallowMultipleComponent : Attribute
     {
     }
@@ -307,6 +313,7 @@ namespace UnityEngine
 
         public static void Log(object message, Object context) => Logged?.Invoke("log", message.ToString());
         public static void LogWarning(object message) => Logged?.Invoke("warning", message.ToString());
+        public static void LogWarning(object message, Object context) => LogWarning(message);
         public static void LogError(object message) => Logged?.Invoke("error", message.ToString());
         public static void LogError(object message, Object context) => LogError(message);
     }

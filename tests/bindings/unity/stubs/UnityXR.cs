@@ -1,5 +1,6 @@
 // Stubs of the types of Unity's package XR Hands that the samples use. They show that the samples are
 // right if the engine's types do what these do.
+using System;
 using System.Collections.Generic;
 
 namespace UnityEngine
@@ -67,8 +68,27 @@ namespace UnityEngine.XR.Hands
 
     public sealed class XRHandSubsystem : ISubsystem
     {
+        public enum UpdateSuccessFlags
+        {
+            None
+        }
+
+        public enum UpdateType
+        {
+            Dynamic,
+            BeforeRender
+        }
+
+        public event Action<XRHandSubsystem, UpdateSuccessFlags, UpdateType> updatedHands;
+
         public bool running { get; set; } = true;
         public XRHand leftHand { get; set; }
         public XRHand rightHand { get; set; }
+
+        /// <summary>Of the stub: hands are updated.</summary>
+        public void Raise(UpdateType type) => updatedHands?.Invoke(this, UpdateSuccessFlags.None, type);
+
+        /// <summary>Of the stub: whether a script listens.</summary>
+        public bool IsHeard => updatedHands != null;
     }
 }

@@ -6,13 +6,14 @@ using UnityEngine.Events;
 namespace Hrt
 {
     /// <summary>
-    /// A plate, a finger and targets of the scene, given to the controller each frame. Begin a reach with
+    /// Passes a plate, a finger and targets of the scene to the controller in each frame. Begin a reach with
     /// <see cref="BeginReach(Transform)"/>; turn the real plate as <see cref="Commanded"/> or
-    /// <see cref="onPlateOrientation"/> receives; end it with <see cref="EndReach"/>.
+    /// <see cref="onPlateOrientation"/> says; call <see cref="EndReach"/> when <see cref="Arrived"/> is raised.
     ///
-    /// Samples go out in LateUpdate, after all scripts have moved the finger, with the frame's unscaled time: a
-    /// game that is slowed down or paused does not slow the hand. One unit of length is one metre.
+    /// Samples are taken in LateUpdate, after all other scripts, with the unscaled time of the frame: a game that is
+    /// slowed down or paused does not slow the hand. One unit of length is one metre.
     /// </summary>
+    [DefaultExecutionOrder(10000)]
     [AddComponentMenu("Haptic Retargeting/Haptic Retargeting")]
     [DisallowMultipleComponent]
     public sealed partial class HapticRetargeting : MonoBehaviour
@@ -30,19 +31,19 @@ namespace Hrt
         [Tooltip("The tracked fingertip. While it is inactive, or FingerTracked is false, the plate is held.")]
         public Transform finger;
 
-        [Tooltip("The finger is a tracked joint: a set-up finds where the skin is beside it.")]
+        [Tooltip("The finger is a tracked joint: a set-up finds the offset of the skin from it.")]
         public bool fingerIsJoint;
 
         [Tooltip("Where reaches start. None: on the plate, 5 cm from its centre towards the user.")]
         public Transform start;
 
-        [Tooltip("What is turned with the real plate's ridges, about its own y axis. May be none.")]
+        [Tooltip("Is turned with the ridges of the real plate, about its own y axis. May be none.")]
         public Transform ridges;
 
-        [Tooltip("Real objects, which the hand can be led to.")]
+        [Tooltip("Real objects, to which the hand is steered.")]
         public List<Transform> realTargets = new List<Transform>();
 
-        [Tooltip("Virtual objects, which the user goes to.")]
+        [Tooltip("Virtual objects, to which the user reaches.")]
         public List<Transform> virtualTargets = new List<Transform>();
 
         [Header("Events")]
@@ -52,27 +53,32 @@ namespace Hrt
         /// <summary>Each command, once a frame during a reach.</summary>
         public event Action<Command> Commanded;
 
-        /// <summary>What the controller says of its command, when it changes. Held, which comes and goes between
-        /// steps, is left out.</summary>
+        /// <summary>The flags of the command, when they change, except Held, which alternates between steps.</summary>
         public event Action<CommandFlags> FlagsChanged;
 
+        /// <summary>The finger has arrived: once in a reach, and again after a <see cref="RetargetReach"/>. Call
+        /// <see cref="EndReach"/>, here or later. With OffTarget in its flags, the finger rests elsewhere.</summary>
+        public event Action<Command> Arrived;
+
+        /// <summary>Raised by <see cref="EndReach"/>.</summary>
         public event Action<ReachSummary> ReachEnded;
 
-        /// <summary>What the user is to do now, in a set-up, when it changes: show its text, and its place with
+        /// <summary>The next instruction to the user in a set-up, when it changes: show its text, and its place with
         /// <see cref="PlaceOf"/>. At Step.Finish call <see cref="FinishSetup"/>.</summary>
         public event Action<SetupStep> SetupStepped;
 
-        // Of the session's targets. One Transform may be both: a cylinder that also stands for itself.
+        // Ids of the session's targets. A Transform may be in both: a cylinder that is also its own virtual target.
         readonly Dictionary<Transform, TargetId> realIds = new Dictionary<Transform, TargetId>();
         readonly Dictionary<Transform, TargetId> virtualIds = new Dictionary<Transform, TargetId>();
 
+        SessionConfig settings; // as they were last applied
         SetupStep setupStep;
         bool commanded;
         bool refused;
 
-        /// <summary>The session, from enabling to disabling: for its configuration, profile and recording
-        /// between reaches. Null while disabled. Its plate, start and targets are set from the
-        /// Transforms when a reach begins.</summary>
+        /// <summary>The session, for its configuration, profile and recording between reaches. Null while the component is
+        /// disabled. Plate, start and targets are set from the Transforms when a reach begins, and settings of the
+        /// inspector that have changed.</summary>
         public HapticRetargetingSession Session { get; private set; }
 
         public bool IsReaching { get; private set; }
@@ -86,11 +92,11 @@ namespace Hrt
         /// stale.</summary>
         public bool FingerTracked { get; set; } = true;
 
-        /// <summary>Set this to where the device says that the plate stands, each frame; null: it is taken to
+        /// <summary>Set this in each frame to the orientation that the device reports. Null: the plate is assumed to
         /// follow its commands as its speed and latency allow.</summary>
         public double? MeasuredPlateOrientationDeg { get; set; }
 
-        /// <summary>Begins a reach to a virtual target, served by the real one that can be held best.</summary>
+        /// <summary>Begins a reach to a virtual target, with the real target that leaves the largest margin.</summary>
         public void BeginReach(Transform virtualTarget)
         {
             PrepareReach();
@@ -111,8 +117,8 @@ namespace Hrt
                        IdOf(virtualTarget, virtualIds, nameof(virtualTarget)));
         }
 
-        /// <summary>Leads the reach to other targets from now on, or to the same ones, to where their Transforms are
-        /// now: each frame, if they move.</summary>
+        /// <summary>Redirects the reach to other targets, or to the present positions of the same ones: in each frame, if
+        /// they move.</summary>
         public void RetargetReach(Transform realTarget, Transform virtualTarget)
         {
             HapticRetargetingSession session = EnabledSession();
@@ -123,7 +129,7 @@ namespace Hrt
             session.RetargetReach(real, seen);
         }
 
-        /// <summary>Ends the reach without a summary; nothing is learnt from it.</summary>
+        /// <summary>Ends the reach without a summary and discards its estimates.</summary>
         public void CancelReach()
         {
             EnabledSession().CancelReach();
@@ -138,20 +144,20 @@ namespace Hrt
             return summary;
         }
 
-        /// <summary>Begins a set-up: of where the plate is, the skin beside a tracked joint, the user. Until it is over,
-        /// frames are its samples.</summary>
+        /// <summary>Begins a set-up of the pose of the plate, the offset of the skin from a tracked joint, and the user. Until
+        /// it is over, the frames are its samples.</summary>
         public void BeginSetup(SetupFlags what = SetupFlags.AllMissing)
         {
             HapticRetargetingSession session = EnabledSession();
-            session.Config = Placed(session.Config);
+            Configure(session);
             session.BeginSetup(what, SetupConfig.Default);
             IsSettingUp = true;
             commanded = false;
             refused = false;
         }
 
-        /// <summary>At Step.Finish: applies what was found, and moves the plate to where it was touched. Takes up to a
-        /// second. The set-up is over if nothing is left.</summary>
+        /// <summary>At Step.Finish: applies the results, and moves the plate to its registered pose. Takes up to a second. The
+        /// set-up is over if nothing is left.</summary>
         public SetupResult FinishSetup()
         {
             SetupResult result = EnabledSession().FinishSetup();
@@ -165,17 +171,17 @@ namespace Hrt
             return result;
         }
 
-        /// <summary>Ends the set-up. What was finished before stays.</summary>
+        /// <summary>Ends the set-up. Results of finished parts are kept.</summary>
         public void CancelSetup()
         {
             EnabledSession().CancelSetup();
             IsSettingUp = false;
         }
 
-        /// <summary>A place of the plate's, such as a step's, in Unity's world.</summary>
+        /// <summary>A position in plate coordinates, such as that of a step, in Unity's world.</summary>
         public Vector3 PlaceOf(Double3 placeM) => plate.TransformPoint(Axes.ToUnity(placeM));
 
-        /// <summary>The finger and the plate of this frame, as they go into a reach and a set-up.</summary>
+        /// <summary>The finger and the plate of this frame, as a sample for a reach or a set-up.</summary>
         public Sample ReadFinger()
         {
             var sample = new Sample { timeNs = (long)(Time.unscaledTimeAsDouble * 1e9) };
@@ -199,7 +205,14 @@ namespace Hrt
             return sample;
         }
 
-        void OnEnable() => Session = new HapticRetargetingSession(Configuration());
+        void OnEnable() => Session = new HapticRetargetingSession(settings = Configuration());
+
+        // The editor calls this when a setting changes, in play mode too.
+        void OnValidate()
+        {
+            if (IsReaching || IsSettingUp)
+                Debug.LogWarning("Haptic retargeting: settings that change now take effect when the next reach or set-up begins", this);
+        }
 
         void OnDisable()
         {
@@ -217,14 +230,14 @@ namespace Hrt
             if (IsSettingUp) Guide(ReadFinger());
         }
 
-        // Makes no garbage: it runs each frame.
+        // Runs in each frame, and makes no garbage.
         internal void Step(Sample sample)
         {
             if (Session.TryUpdate(sample, out Command command)) Apply(command);
             else Refuse(HapticRetargetingLibrary.LastError);
         }
 
-        // The command stays as it was. Said once in a reach or set-up, not in each frame.
+        // The command is unchanged. Reported once in a reach or set-up, not in each frame.
         void Refuse(string why)
         {
             if (!refused) Debug.LogError("Haptic retargeting: " + why, this);
@@ -266,14 +279,16 @@ namespace Hrt
             commanded = true;
             if (first || command.plateOrientationDeg != last.plateOrientationDeg) Turn(command.plateOrientationDeg);
             CommandFlags flags = command.flags & ~CommandFlags.Held;
-            if (first || flags != (last.flags & ~CommandFlags.Held)) FlagsChanged?.Invoke(flags);
+            CommandFlags before = first ? CommandFlags.None : last.flags;
+            if (first || flags != (before & ~CommandFlags.Held)) FlagsChanged?.Invoke(flags);
+            if ((flags & ~before & CommandFlags.Arrived) != 0) Arrived?.Invoke(command);
         }
 
         void PrepareReach()
         {
             HapticRetargetingSession session = EnabledSession();
             if (finger == null) throw new InvalidOperationException($"{name}: finger is not set");
-            session.Config = Placed(session.Config);
+            Configure(session);
             SetTargets(session, realTargets, TargetRole.Real, realIds);
             SetTargets(session, virtualTargets, TargetRole.Virtual, virtualIds);
         }
@@ -307,19 +322,21 @@ namespace Hrt
             throw new ArgumentException($"{name}: not one of the component's targets of this role", argument);
         }
 
-        // The configuration with plate and start where the Transforms are now.
-        SessionConfig Placed(SessionConfig config)
+        // Sets plate and start from the Transforms, and the settings that have changed.
+        void Configure(HapticRetargetingSession session)
         {
             if (plate == null) throw new InvalidOperationException($"{name}: plate is not set");
+            SessionConfig now = Configuration(), config = Changed(session.Config, settings, now);
             config.platePositionM = Axes.FromUnity(plate.position);
             config.plateRotation = Axes.FromUnity(plate.rotation);
             if (start != null)
                 config.startPositionM =
                     Axes.FromUnity(Quaternion.Inverse(plate.rotation) * (start.position - plate.position));
-            return config;
+            session.Config = config;
+            settings = now;
         }
 
-        // Where a target is on the plate, which may have moved since the reach began.
+        // A target by its position on the plate, which may have moved since the reach began.
         TargetConfig OnPlate(Transform target, TargetRole role)
         {
             TargetConfig config = TargetConfig.Default;
@@ -330,8 +347,8 @@ namespace Hrt
             return config;
         }
 
-        // Adds targets, moves them to where their Transforms are now, and removes those that are no longer listed or
-        // are destroyed.
+        // Adds targets, moves them to the positions of their Transforms, and removes those that are not listed or are
+        // destroyed.
         static void SetTargets(HapticRetargetingSession session, List<Transform> targets, TargetRole role,
                                Dictionary<Transform, TargetId> ids)
         {

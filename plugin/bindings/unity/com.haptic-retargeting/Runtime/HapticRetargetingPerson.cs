@@ -1,8 +1,8 @@
 namespace Hrt
 {
     /// <summary>
-    /// A simulated person, who feels the plate and is bent by it: a finger for first programs and tests. A model, and no
-    /// measurement of people. The same seed is the same person on every host.
+    /// A simulated person, who feels the ridges of the plate and is deflected by them: a finger for first programs and tests. It
+    /// is a model, not a measurement of people. The same seed is the same person on every host.
     /// </summary>
     public sealed partial class HapticRetargetingPerson : NativeObject
     {
@@ -15,8 +15,12 @@ namespace Hrt
         {
             HapticRetargetingLibrary.Load();
             config.structSize = SizeOf<PersonConfig>.Value;
-            Check(Native.hrt_person_create(ref config, seed, out PersonHandle handle));
-            Own(handle.value);
+            Own((out ulong created) =>
+            {
+                Result result = Native.hrt_person_create(ref config, seed, out PersonHandle handle);
+                created = handle.value;
+                return result;
+            });
         }
 
         internal PersonHandle Handle => new PersonHandle { value = Value };

@@ -25,8 +25,12 @@ namespace Hrt
             Load();
             byte[] name = Utf8.ZeroEnded(device, nameof(device));
             options.structSize = SizeOf<PlateOptions>.Value;
-            Check(PlateNative.hrt_plate_open(name, ref options, out PlateHandle handle));
-            Own(handle.value);
+            Own((out ulong created) =>
+            {
+                Result result = PlateNative.hrt_plate_open(name, ref options, out PlateHandle handle);
+                created = handle.value;
+                return result;
+            });
         }
 
         /// <summary>Waits while it is being opened, up to 6 s. <see cref="InvalidOperationException"/> with the reason

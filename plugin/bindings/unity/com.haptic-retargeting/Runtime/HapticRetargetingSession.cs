@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Hrt
 {
     /// <summary>
-    /// One user, one plate, and what the controller assumes of both. Add targets; then, as often as wanted,
-    /// begin a reach, stream samples of the finger, end it; dispose of the session, which ends its reach and its recording.
+    /// One user, one plate, and the assumptions of the controller about both. Add targets; then begin a reach, pass samples
+    /// of the finger, end the reach, as often as needed; dispose of the session, which ends its reach and its recording.
     ///
     /// <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>, <see cref="TryUpdate"/> and
     /// <see cref="EndReach"/> make no garbage, and the library takes no lock, allocates nothing and makes no system call
@@ -23,18 +23,22 @@ namespace Hrt
         {
             HapticRetargetingLibrary.Load();
             config.structSize = SizeOf<SessionConfig>.Value;
-            Check(Native.hrt_session_create(Constants.Version, ref config, out SessionHandle handle));
-            Own(handle.value);
+            Own((out ulong created) =>
+            {
+                Result result = Native.hrt_session_create(Constants.Version, ref config, out SessionHandle handle);
+                created = handle.value;
+                return result;
+            });
         }
 
-        /// <summary>The configuration. Setting it is refused during a reach; targets stay.</summary>
+        /// <summary>The configuration. It cannot be set during a reach; targets are kept.</summary>
         public SessionConfig Config
         {
             get => Get(out _);
             set => Set(value);
         }
 
-        /// <summary>What the session is about now; 0: idle.</summary>
+        /// <summary>The state of the session; 0: idle.</summary>
         public StateFlags State
         {
             get

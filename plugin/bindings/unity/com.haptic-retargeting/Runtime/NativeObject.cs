@@ -3,10 +3,10 @@ using System;
 namespace Hrt
 {
     /// <summary>
-    /// What the library knows by a handle, from construction until it is disposed of, collected, or its scripts are
-    /// unloaded. A call that the library refuses throws a <see cref="HapticRetargetingException"/> with the
-    /// library's text, and changes nothing. Two threads must not be in calls on one object at the same time: the
-    /// second gets <see cref="Result.Busy"/>.
+    /// An object of the library, from construction until it is disposed of or collected, or until the scripts are unloaded. A
+    /// call that the library refuses throws a <see cref="HapticRetargetingException"/> with the library's text, and
+    /// changes nothing. Two threads must not be in calls on one object at the same time: the second gets
+    /// <see cref="Result.Busy"/>.
     /// </summary>
     public abstract class NativeObject : IDisposable
     {
@@ -27,11 +27,22 @@ namespace Hrt
 
         public bool IsDisposed => handle == 0;
 
-        internal void Own(ulong created)
+        // `create` calls the library. At its limit, objects that are no longer used are collected before it is tried again.
+        internal void Own(Creation create)
         {
+            Result result = create(out ulong created);
+            if (result == Result.LimitReached)
+            {
+                GC.Collect();
+                GC.WaitForPendingFinalizers();
+                result = create(out created);
+            }
+            Check(result);
             handle = created;
             HapticRetargetingLibrary.Opened(created, destroy);
         }
+
+        internal delegate Result Creation(out ulong created);
 
         internal ulong Value
         {

@@ -5,7 +5,7 @@ namespace HrtSamples
 {
     /// <summary>
     /// Put this on an empty object of a scene with a camera, and press play: a simulated person slides to one virtual object
-    /// after the other, feels the ridges, and is bent to the cylinder.
+    /// after the other, feels the ridges, and is steered to the cylinder.
     /// </summary>
     [RequireComponent(typeof(Desk))]
     public sealed class SimulatedReach : MonoBehaviour
@@ -19,7 +19,7 @@ namespace HrtSamples
         void Start()
         {
             retargeting = GetComponent<Desk>().Retargeting;
-            retargeting.ReachEnded += Report;
+            retargeting.Arrived += Next;
             person = new HapticRetargetingPerson((ulong)seed);
             Camera.main.transform.position = retargeting.plate.position + new Vector3(0, 0.4f, -0.1f);
             Camera.main.transform.rotation = Quaternion.Euler(70, 0, 0);
@@ -29,7 +29,7 @@ namespace HrtSamples
 
         void OnDestroy()
         {
-            retargeting.ReachEnded -= Report;
+            retargeting.Arrived -= Next;
             person.Dispose();
         }
 
@@ -45,15 +45,16 @@ namespace HrtSamples
             Sample sample = person.Move((long)(Time.unscaledTimeAsDouble * 1e9), retargeting.LastCommand.plateOrientationDeg);
             retargeting.finger.position = retargeting.plate.TransformPoint(Axes.ToUnity(sample.fingerPositionM));
             retargeting.MeasuredPlateOrientationDeg = sample.plateOrientationDeg;
-            if ((retargeting.LastCommand.flags & CommandFlags.Arrived) == 0) return;
-            retargeting.EndReach();
+        }
+
+        void Next(Command arrived)
+        {
+            ReachSummary summary = retargeting.EndReach();
+            Debug.Log($"To the {retargeting.virtualTargets[chosen].name}, simulated: the hand ended " +
+                      $"{summary.distanceToTargetM * 1000:0} mm from the cylinder; felt, as the model predicts, " +
+                      $"{summary.perceivedErrorDeg:0.0} degrees beside the virtual one", this);
             chosen = (chosen + 1) % retargeting.virtualTargets.Count;
             Begin();
         }
-
-        void Report(ReachSummary summary) =>
-            Debug.Log($"To the {retargeting.virtualTargets[chosen].name}, simulated: the hand ended " +
-                      $"{summary.distanceToTargetM * 1000:0} mm from the cylinder; felt, as the model has it, " +
-                      $"{summary.perceivedErrorDeg:0.0} degrees beside the virtual one", this);
     }
 }

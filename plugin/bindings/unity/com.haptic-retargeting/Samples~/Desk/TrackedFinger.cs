@@ -13,23 +13,42 @@ namespace HrtSamples
     /// </summary>
     public sealed class TrackedFinger : MonoBehaviour
     {
-        [Tooltip("What this finger is given to.")]
+        [Tooltip("The component whose finger this is.")]
         public HapticRetargeting retargeting;
 
         public bool left;
 
-        [Tooltip("Tracking space, such as the Camera Offset of an XR Origin. None: it is the world.")]
+        [Tooltip("Tracking space, such as the Camera Offset of an XR Origin. None: the world.")]
         public Transform origin;
 
 #if HRT_XR_HANDS
         readonly List<XRHandSubsystem> subsystems = new List<XRHandSubsystem>();
+        XRHandSubsystem hands;
 
+        // Hands are read in the callback of their update. A poll in Update may read the poses of the frame before.
         void Update()
         {
+            if (hands != null && hands.running) return;
+            Release();
             SubsystemManager.GetSubsystems(subsystems);
-            XRHandSubsystem hands = subsystems.Find(one => one.running);
+            hands = subsystems.Find(one => one.running);
+            if (hands != null) hands.updatedHands += Read;
+        }
+
+        void OnDisable() => Release();
+
+        void Release()
+        {
+            if (hands != null) hands.updatedHands -= Read;
+            hands = null;
+            retargeting.FingerTracked = false;
+        }
+
+        void Read(XRHandSubsystem updated, XRHandSubsystem.UpdateSuccessFlags flags, XRHandSubsystem.UpdateType type)
+        {
+            if (type != XRHandSubsystem.UpdateType.Dynamic) return; // the poses just before rendering are too late for this frame
             Pose tip = Pose.identity;
-            XRHand hand = hands == null ? default(XRHand) : left ? hands.leftHand : hands.rightHand;
+            XRHand hand = left ? updated.leftHand : updated.rightHand;
             retargeting.FingerTracked = hand.isTracked && hand.GetJoint(XRHandJointID.IndexTip).TryGetPose(out tip);
             if (!retargeting.FingerTracked) return;
             if (origin != null) tip = new Pose(origin.TransformPoint(tip.position), origin.rotation * tip.rotation);
@@ -39,7 +58,7 @@ namespace HrtSamples
         }
 #else
         void Start() =>
-            Debug.LogError("Install the package XR Hands (com.unity.xr.hands, 1.1 or later): without it there is no hand", this);
+            Debug.LogError("Install the package XR Hands (com.unity.xr.hands, 1.1 or later), which has the tracked hands", this);
 #endif
     }
 }

@@ -153,6 +153,59 @@ namespace Hrt.Tests
         }
 
         [Test]
+        public void ArrivedIsRaisedOnceForEachEnd()
+        {
+            int arrived = 0, frame = 0;
+            component.Arrived += command =>
+            {
+                ++arrived;
+                Assert.AreEqual(CommandFlags.Arrived, command.flags & CommandFlags.Arrived);
+            };
+            component.BeginReach(virtualTarget);
+            Vector3 start = component.finger.position;
+            MoveTo(start, ref frame, 60);
+            MoveTo(real.position, ref frame, 100);
+            Assert.AreEqual(1, arrived);
+            component.CancelReach();
+            component.BeginReach(virtualTarget);
+            MoveTo(start, ref frame, 60);
+            MoveTo(real.position, ref frame, 100);
+            Assert.AreEqual(2, arrived);
+            MoveTarget(real, -15);
+            component.RetargetReach(real, virtualTarget);
+            MoveTo(real.position, ref frame, 200);
+            Assert.AreEqual(3, arrived);
+        }
+
+        // The finger goes there in a second, and rests.
+        void MoveTo(Vector3 target, ref int frame, int rest)
+        {
+            Vector3 from = component.finger.position, way = target - from;
+            for (int i = 1; i <= 90 + rest; ++i)
+            {
+                component.finger.position = from + way * Math.Min(1, i / 90f) + Vector3.up * (1e-5f * (i % 2)); // no copies
+                component.Step(At(++frame * 11111111L));
+            }
+        }
+
+        [Test]
+        public void SettingsThatChangeInPlayModeAreAppliedToTheNextReach()
+        {
+            component.BeginReach(virtualTarget);
+            component.CancelReach();
+            SessionConfig config = component.Session.Config;
+            config.tactileWeight = 0.3; // as learnt, or loaded from a profile
+            component.Session.Config = config;
+            component.maxFeltErrorDeg = 2;
+            component.plateLatencyMs = 50;
+            component.BeginReach(virtualTarget);
+            config = component.Session.Config;
+            Assert.AreEqual(2, config.maxFeltErrorDeg);
+            Assert.AreEqual(50000000, config.plateLatencyNs);
+            Assert.AreEqual(0.3, config.tactileWeight);
+        }
+
+        [Test]
         public void RidgesTurnWithTheCommand()
         {
             component.ridges = Make("ridges").transform;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using NUnit.Framework;
 
@@ -57,6 +58,23 @@ namespace Hrt.Tests
         }
 
         [Test]
+        public void TextsDoNotDependOnTheCulture()
+        {
+            CultureInfo culture = CultureInfo.CurrentCulture;
+            CultureInfo.CurrentCulture = new CultureInfo("de-DE");
+            try
+            {
+                Assert.AreEqual("(0.5, -1.25, 3)", new Double3(0.5, -1.25, 3).ToString());
+                Assert.AreEqual("(0.5, 0, 0, 1)", new Double4(0.5, 0, 0, 1).ToString());
+                StringAssert.Contains("\"tactile_weight\":0.2", session.SaveProfile());
+            }
+            finally
+            {
+                CultureInfo.CurrentCulture = culture;
+            }
+        }
+
+        [Test]
         public void NamesEndWithin63Bytes()
         {
             string longest = new string('x', 63);
@@ -77,11 +95,10 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void NothingIsNoText()
+        public void NullIsNotAText()
         {
             Assert.Throws<ArgumentNullException>(() => session.LoadProfile(null));
             Assert.Throws<ArgumentNullException>(() => session.StartRecording(null));
-            StringAssert.Contains("\"tactile_weight\":0.2", session.SaveProfile());
         }
 
         [Test]
