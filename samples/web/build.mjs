@@ -1,7 +1,8 @@
-// Bundles the page into a folder that any static server can serve.
+// Bundles the page into a folder that any static server can serve. HRT_PAGE_URL, for the picture of a link to it: its address there, with
+// a slash at its end.
 //   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE person.wasm plate_firmware.hex FOLDER_OF_THE_PAGE
 import { appendFile, cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
-import { dirname, join, resolve } from "node:path";
+import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
@@ -29,9 +30,18 @@ const shared = {
 const loader = { ".hex": "text", ".csv": "text" };
 await rm(pageFolder, { recursive: true, force: true });
 await mkdir(pageFolder, { recursive: true });
-await build({ ...shared, format: "esm", splitting: true, chunkNames: "part_[hash]", assetNames: "[name]", loader: { ...loader, ".wasm": "file", ".glb": "file" } });
+const { metafile: { outputs } } = await build({ ...shared, metafile: true, format: "esm", splitting: true, chunkNames: "part_[hash]", assetNames: "[name]", loader: { ...loader, ".wasm": "file", ".glb": "file" } });
 await build({ ...shared, entryPoints: [{ in: join(here, "src/main.ts"), out: "offline" }], format: "iife", loader: { ...loader, ".wasm": "binary", ".glb": "binary" } });
-for (const file of ["index.html", "page.css", "start.js"]) await cp(join(here, "src", file), join(pageFolder, file));
+await cp(join(here, "src/page.css"), join(pageFolder, "page.css"));
+await cp(join(here, "reveal.gif"), join(pageFolder, "reveal.gif"));
+// Who shows a link to the page fetches its picture by a whole address, which only the host knows.
+const html = await readFile(join(here, "src/index.html"), "utf8");
+await writeFile(join(pageFolder, "index.html"), html.replace('"reveal.gif"', `"${process.env.HRT_PAGE_URL ?? ""}reveal.gif"`));
+// What the first picture needs is asked for before page.js says so.
+const page = Object.entries(outputs).find(([name]) => basename(name) === "page.js")[1];
+const parts = ["page.js", ...page.imports.filter(({ kind }) => kind === "import-statement").map(({ path }) => basename(path)),
+               "haptic_retargeting.wasm", "person.wasm"].map((name) => `"${name}"`);
+await writeFile(join(pageFolder, "start.js"), (await readFile(join(here, "src/start.js"), "utf8")).replace("/* parts */", parts.join(", ")));
 await appendFile(join(pageFolder, "page.css"), await readFile(join(modules, "uplot/dist/uPlot.min.css")));
 
 const licences = [["This page and the plugin", join(packageFolder, "LICENSE")],

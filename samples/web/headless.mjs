@@ -11,6 +11,7 @@ export function stopTime() {
   let now_ms = 0, waiting = [];
   performance.now = () => now_ms;
   globalThis.requestAnimationFrame = (callback) => waiting.push(callback);
+  globalThis.framesWaiting = () => waiting.length;
   globalThis.drawFrame = (elapsed_ms) => {
     now_ms += elapsed_ms;
     for (const callback of waiting.splice(0)) callback(now_ms);

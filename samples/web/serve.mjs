@@ -13,7 +13,7 @@ if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
 
 // All that lies in the page's folder; other paths are not there. Compressed, as by any server of static files.
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
-                ".txt": "text/plain; charset=utf-8", ".wasm": "application/wasm", ".glb": "model/gltf-binary" };
+                ".txt": "text/plain; charset=utf-8", ".wasm": "application/wasm", ".glb": "model/gltf-binary", ".gif": "image/gif" };
 const names = new Set((await readdir(folder)).filter((name) => types[extname(name)]));
 const squeezed = new Map();
 

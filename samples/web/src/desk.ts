@@ -1,24 +1,25 @@
 // The picture with its labels, in the size of its place on the page. Without WebGL the rest of the page still works.
 
 import type { VisitorScene } from "./files/scene";
-import { ahead, degree, type Place, type SlideEnd, start } from "./geometry";
+import { ahead, type Course, type Place, type SlideEnd, start } from "./geometry";
 import { element, say } from "./page";
+import { dot, path, plate, targets } from "./plan";
 import { type LabelName, Stage } from "./stage/stage";
 import type { Colours } from "./theme";
+import { maxTrace } from "./trace";
 
 const labelNames: readonly LabelName[] = ["finger", "felt", "real", "glass"];
 const maxLabels = 30; // more would cover each other
 const margin_px = 4,
-  gap_px = 14,
-  rings = 6;
+  minGap_px = 14;
 const turn_rad = 0.15;
 
 interface Label {
   readonly element: HTMLElement;
   /** Where it points to, on the canvas. */
   readonly at: (stage: Stage, out: { x: number; y: number }) => void;
-  /** Sides on which it may stand, the best one first: clockwise from the right. */
-  readonly sides_deg: readonly number[];
+  /** To the right (1) or left (-1) of it, or above it (0). */
+  readonly side: number;
 }
 
 export class Desk {
@@ -26,24 +27,24 @@ export class Desk {
   readonly canvas = element("view", HTMLCanvasElement);
   /** Over the plate's disc: where a thumb moves the fingertip, and does not scroll. */
   readonly grip = element("grip", HTMLDivElement);
-  /** Null: this browser gives no WebGL. */
+  /** Null: this browser gives no WebGL, and a flat picture takes its place. */
   readonly stage: Stage | null;
+  readonly #flat = element("no-view", SVGSVGElement);
+  readonly #paths: { real: Place[]; felt: Place[] } = { real: [], felt: [] };
+  /** The browser has given WebGL back: the picture is to be drawn again. */
+  onRestored: () => void = () => {};
   readonly #named = Object.fromEntries(
     labelNames.map((name) => [name, element(`label-${name}`, HTMLSpanElement)]),
   ) as Record<LabelName, HTMLElement>;
-  readonly #own: readonly Label[] = labelNames.map((name) => {
-    const sides_deg = name === "finger" || name === "felt" ? [0, 45, -45, 90] : [-90, -45, 0, 180],
-      mirrored = name === "felt" || name === "glass";
-    return {
-      element: this.#named[name],
-      at: (stage, out) => stage.toCanvas(name, out),
-      sides_deg: mirrored ? sides_deg.map((angle) => 180 - angle) : sides_deg,
-    };
-  });
+  readonly #own: readonly Label[] = labelNames.map((name) => ({
+    element: this.#named[name],
+    at: (stage, out) => stage.toCanvas(name, out),
+    side: name === "felt" || name === "glass" ? -1 : 1,
+  }));
   #labels = [...this.#own];
   readonly #caption = element("caption", HTMLParagraphElement);
-  readonly #over = [element("legend", HTMLParagraphElement)];
   #glass: Place = { ...start };
+  #course: Course = { start, real_deg: 0, real_m: 0, virtual_deg: 0, virtual_m: 0 };
   readonly #at = { x: 0, y: 0 };
   /** What was drawn last; empty: something else has changed since. A picture at rest costs nothing. */
   #drawn = "";
@@ -57,11 +58,14 @@ export class Desk {
       this.stage = null;
     }
     this.stage?.orbit.addEventListener("change", () => this.#change(() => {}));
-    if (!this.stage) {
-      this.canvas.hidden = true;
-      element("no-view", HTMLParagraphElement).hidden = false;
-      element("labels", HTMLDivElement).hidden = true;
-    }
+    this.canvas.addEventListener("webglcontextrestored", () => {
+      this.#drawn = "";
+      this.onRestored();
+    });
+    if (this.stage) return;
+    this.canvas.hidden = true;
+    this.#flat.toggleAttribute("hidden", false);
+    element("labels", HTMLDivElement).hidden = true;
   }
 
   setColours(colours: Colours): void {
@@ -69,6 +73,7 @@ export class Desk {
   }
   setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
     this.#glass = ahead(start, virtual_deg, distance_m);
+    this.#course = { start, real_deg, real_m: distance_m, virtual_deg, virtual_m: distance_m };
     this.#change((stage) => stage.setTargets(real_deg, virtual_deg, distance_m));
   }
   /** The view from the visitor's seat, which a drag may turn. */
@@ -77,8 +82,8 @@ export class Desk {
     this.#placeGrip();
   }
   #placeGrip(): void {
-    const disc = this.stage?.discOnCanvas();
-    if (!disc) return;
+    const { clientWidth: width, clientHeight: height } = this.frame,
+      disc = this.stage?.discOnCanvas() ?? { left: 0, top: 0, width, height };
     for (const side of ["left", "top", "width", "height"] as const)
       this.grip.style[side] = `${disc[side].toFixed(1)}px`;
   }
@@ -99,6 +104,8 @@ export class Desk {
     this.frame.dataset.hand = "yes";
   }
   clearPaths(): void {
+    this.#paths.real = [];
+    this.#paths.felt = [];
     this.#change((stage) => stage.clearPaths());
   }
   resize(): void {
@@ -141,7 +148,7 @@ export class Desk {
       this.#labels.push({
         element: label,
         at: (stage, out) => stage.targetToCanvas(target.drawn, out),
-        sides_deg: [-90, -45, -135, 0, 180],
+        side: 0,
       });
     }
   }
@@ -152,13 +159,12 @@ export class Desk {
     say(this.#caption, words);
   }
 
-  showFelt(shown: boolean): void {
-    this.#change((stage) => stage.showFelt(shown));
-    this.#named.felt.hidden = !shown;
-  }
-
   /** The paths grow to where the finger is, and is felt. */
   extendPaths(finger: Readonly<Place>, felt: Readonly<Place>): void {
+    if (!this.stage && this.#paths.real.length < maxTrace) {
+      this.#paths.real.push({ ...finger });
+      this.#paths.felt.push({ ...felt });
+    }
     this.stage?.truePath.extend(finger.right_m, finger.away_m);
     this.stage?.feltPath.extend(felt.right_m, felt.away_m);
   }
@@ -166,25 +172,37 @@ export class Desk {
   draw(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
     const stage = this.stage,
       state = [plate_deg, finger.right_m, finger.away_m, felt.right_m, felt.away_m].join();
-    if (!stage || state === this.#drawn) return;
+    if (state === this.#drawn) return;
     this.#drawn = state;
+    this.frame.dataset.plateDeg = plate_deg.toFixed(1);
+    if (!stage) return this.#drawFlat(plate_deg, finger, felt);
     stage.place(plate_deg, finger, felt);
     stage.draw();
     this.#drawLabels(stage);
   }
 
-  /** Each beside its thing, within the picture, off the others and off the words that lie on the picture. */
+  #drawFlat(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
+    const truth = this.#revealed > 0 ? path("real", this.#paths.real) + dot("real", finger) : "";
+    this.#flat.innerHTML =
+      plate(plate_deg) +
+      targets(this.#course, true, this.#revealed > 0) +
+      path("felt", this.#paths.felt) +
+      dot("felt", felt) +
+      truth;
+  }
+
+  /** Each beside its thing or above it, within the picture. */
   #drawLabels(stage: Stage): void {
     const { clientWidth, clientHeight } = this.canvas,
-      within = new DOMRect(margin_px, margin_px, clientWidth - 2 * margin_px, clientHeight - 2 * margin_px);
-    const taken = this.#over.map((on) => new DOMRect(on.offsetLeft, on.offsetTop, on.offsetWidth, on.offsetHeight));
-    for (const { element: label, at, sides_deg } of this.#labels) {
+      gap_px = Math.max(minGap_px, 0.06 * this.grip.offsetWidth);
+    for (const { element: label, at, side } of this.#labels) {
       if (label.hidden) continue;
       at(stage, this.#at);
-      const box = new DOMRect(0, 0, label.offsetWidth, label.offsetHeight);
-      place(box, this.#at, sides_deg, within, taken);
-      taken.push(box);
-      label.style.transform = `translate(${box.x.toFixed(1)}px, ${box.y.toFixed(1)}px)`;
+      const { offsetWidth: width, offsetHeight: height } = label;
+      const x = this.#at.x - width / 2 + side * (width / 2 + gap_px),
+        y = this.#at.y - height / 2 - (side === 0 ? height : 0);
+      const within = (value: number, most: number) => Math.min(Math.max(value, margin_px), most - margin_px).toFixed(1);
+      label.style.transform = `translate(${within(x, clientWidth - width)}px, ${within(y, clientHeight - height)}px)`;
     }
   }
 
@@ -210,34 +228,11 @@ export class Desk {
 
   /** The place on the plate under a pointer; false beyond the horizon, or without a picture. */
   placeOf(event: PointerEvent, out: Place): boolean {
-    const box = this.canvas.getBoundingClientRect();
-    return this.stage?.toPlate(event.clientX - box.left, event.clientY - box.top, out) ?? false;
+    const box = (this.stage ? this.canvas : this.#flat).getBoundingClientRect();
+    if (this.stage) return this.stage.toPlate(event.clientX - box.left, event.clientY - box.top, out);
+    const scale = 0.16 / Math.min(box.width, box.height); // of its viewBox
+    out.right_m = (event.clientX - box.left - box.width / 2) * scale;
+    out.away_m = (box.top + box.height / 2 - event.clientY) * scale;
+    return true;
   }
-}
-
-/** Puts the box beside `at`: on the first side and in the nearest ring where it is free, else where it is within. */
-function place(
-  box: DOMRect,
-  at: Readonly<{ x: number; y: number }>,
-  sides_deg: readonly number[],
-  within: DOMRect,
-  taken: readonly DOMRect[],
-): void {
-  for (let ring = 1; ring <= rings; ++ring) {
-    for (const side_deg of sides_deg) {
-      const right = Math.round(Math.cos(side_deg * degree)),
-        down = Math.round(Math.sin(side_deg * degree));
-      box.x = at.x + right * (box.width / 2 + ring * gap_px) - box.width / 2;
-      box.y = at.y + down * (box.height / 2 + (ring * gap_px) / 2) - box.height / 2;
-      const inside =
-        box.left >= within.left && box.top >= within.top && box.right <= within.right && box.bottom <= within.bottom;
-      if (inside && !taken.some((other) => meet(box, other))) return;
-    }
-  }
-  box.x = Math.min(Math.max(at.x - box.width / 2, within.x), within.right - box.width);
-  box.y = Math.min(Math.max(at.y - 2 * box.height, within.y), within.bottom - box.height);
-}
-
-function meet(one: DOMRect, other: DOMRect): boolean {
-  return one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom;
 }

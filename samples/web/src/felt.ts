@@ -13,6 +13,10 @@ export class Felt {
   #speedRight_m_s = 0;
   #speedAway_m_s = 0;
 
+  get speed_m_s(): number {
+    return Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
+  }
+
   /** At rest there: nothing has been felt. */
   begin(at: Readonly<Place>): void {
     Object.assign(this.place, at);
@@ -25,9 +29,8 @@ export class Felt {
     const share = 1 - Math.exp(-milliseconds / smoothing_ms);
     this.#speedRight_m_s += share * ((1000 * right_m) / milliseconds - this.#speedRight_m_s);
     this.#speedAway_m_s += share * ((1000 * away_m) / milliseconds - this.#speedAway_m_s);
-    const speed_m_s = Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
     let added_deg = 0;
-    if (speed_m_s < minSpeed_m_s) {
+    if (this.speed_m_s < minSpeed_m_s) {
       this.finger_deg = this.felt_deg = NaN;
     } else {
       this.finger_deg = direction_deg(this.#speedRight_m_s, this.#speedAway_m_s);

@@ -1,94 +1,174 @@
-// Four figures that explain the illusion, each with one control. Drawn stronger than it is: touch has a third of the weight.
-import { degree } from "./geometry";
-import { element } from "./page";
+// Six figures that say why it works, each dragged in the picture, for the page's simulated person; one whose touch counts for more
+// than most people's, so that it can be seen.
+import type { Library } from "haptic-retargeting";
+import { pageCourse } from "./controller";
+import { ahead, bearing_deg, distance_m, type Place, start } from "./geometry";
+import { element, say } from "./page";
+import type { World } from "./person";
+import { arrow, arrows, dot, normal_deg, path, plate, targets, word } from "./plan";
+import { defaultSettings } from "./settings";
+import { Watch } from "./watch";
 
-const touch = 1 / 3;
-const length = 130,
-  foot = { x: 160, y: 195 };
+const strong = 0.3,
+  turned_deg = 50;
 
-const at = (angle_deg: number, far: number): string =>
-  `${(foot.x - far * Math.sin(angle_deg * degree)).toFixed(1)} ${(foot.y - far * Math.cos(angle_deg * degree)).toFixed(1)}`;
-const arrow = (kind: string, from: string, to: string): string =>
-  `<path class="${kind}" marker-end="url(#tip-${kind})" d="M${from} L${to}"/>`;
-const word = (kind: string, place: string, text: string): string =>
-  `<text class="${kind}" transform="translate(${place})">${text}</text>`;
-const dot = (kind: string, place: string): string => `<circle class="${kind}" r="8" transform="translate(${place})"/>`;
-const tips = ["real", "felt", "touch"]
-  .map(
-    (kind) => `<marker id="tip-${kind}" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="5" markerHeight="5"
-  orient="auto"><path class="tip ${kind}" d="M0 0 L8 4 L0 8 Z"/></marker>`,
-  )
-  .join("");
-
-/** The plate from above, its ridges turned. */
-function plate(turned_deg: number): string {
-  const lines = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((i) => {
-    const half = Math.sqrt(95 * 95 - 400 * i * i);
-    return `<path class="ridge" d="M${160 - half} ${115 + 20 * i} h${2 * half}"/>`;
-  });
-  return `<defs>${tips}</defs><circle class="disc" cx="160" cy="115" r="100"/><g transform="rotate(${-turned_deg} 160 115)">${lines.join("")}</g>`;
+interface Figure {
+  /** What a drag to this place of the picture means; within the range of its slider. */
+  readonly value: (at: Place) => number;
+  readonly draw: (value: number) => string;
+  /** What is seen, in words. */
+  readonly text: (value: number) => string;
 }
 
-/** Where the hand goes of one who keeps what is felt straight ahead: 0 = (1 - touch) hand + touch plate. */
-const hand_deg = (plate_deg: number): number => (-touch * plate_deg) / (1 - touch);
+const side = (angle_deg: number): string =>
+  Math.abs(angle_deg) < 1.5 ? "straight ahead" : angle_deg > 0 ? "to the left" : "to the right";
+const handle = (at: Readonly<Place>): string => `<g class="handle">${dot("real", at, 6)}</g>`;
 
-const figures: readonly ((value: number) => string)[] = [
-  (across) => {
-    // skin that is lifted where the ridge is
-    const x = 60 + 2 * across,
-      skin = Array.from({ length: 41 }, (_, i) => {
-        const u = x - 50 + 2.5 * i,
-          y = 160 - 26 * Math.exp(-(((u - 160) / 14) ** 2));
-        return `${u.toFixed(1)} ${Math.min(160 - 0.06 * Math.max(0, Math.abs(u - x) - 30) ** 2, y).toFixed(1)}`;
-      });
-    return (
-      `<path class="desk" d="M10 164 H310 V190 H10 Z"/><path class="bump" d="M146 164 Q160 116 174 164 Z"/>` +
-      `<path class="skin" d="M${skin.join(" L")} L${x + 46} 60 Q${x} 10 ${x - 46} 60 Z"/>` +
-      word("touch", "160 212", Math.abs(x - 160) < 50 ? "felt!" : "nothing felt")
-    );
-  },
-  (plate_deg) => {
-    const felt_deg = touch * plate_deg;
-    return (
-      plate(plate_deg) +
-      arrow("real", at(0, 0), at(0, length)) +
-      arrow("felt", at(0, 0), at(felt_deg, length)) +
-      (Math.abs(felt_deg) > 4 ? arrow("touch", at(0, length + 12), at(felt_deg, length + 12)) : "") +
-      word("real", at(-13 * Math.sign(plate_deg || 1), 80), "true") +
-      word("felt", at(felt_deg + 16 * Math.sign(plate_deg || 1), 80), "felt") +
-      word("touch", at(felt_deg / 2, length + 24), "touch")
-    );
-  },
-  (gone) => {
-    const far = (length * gone) / 100,
-      hand = hand_deg(50);
-    return (
-      plate(50) +
-      arrow("felt", at(0, 0), at(0, far + 1)) +
-      arrow("real", at(0, 0), at(hand, far + 1)) +
-      dot("felt", at(0, length + 16)) +
-      word("felt", at(16, 90), "felt") +
-      word("real", at(hand - 15, 90), "true")
-    );
-  },
-  (hand) =>
-    plate((-hand * (1 - touch)) / touch) +
-    arrow("felt", at(0, 0), at(0, length - 4)) +
-    arrow("real", at(0, 0), at(hand, length - 4)) +
-    dot("real", at(hand, length + 16)) +
-    dot("felt", at(0, length + 16)) +
-    word("felt", at(0, length + 32), "glass") +
-    (Math.abs(hand) > 8 ? word("real", at(hand + 24 * Math.sign(hand), length + 8), "cylinder") : ""),
-];
+export function showFigures(library: Library, world: World): void {
+  const settings = { ...defaultSettings(), tactile_weight: strong, noise_mm: 0.3, pace_s: 2 },
+    watch = new Watch(library, world, settings);
+  const still = () => {
+    world.set_person(1, strong, 2);
+    world.set_apparatus(0, settings.plate_deg_s);
+  };
+  const felt = (plate_deg: number, hand_deg: number) => hand_deg + world.felt_shift_deg(plate_deg, hand_deg);
 
-export function showFigures(): void {
-  figures.forEach((draw, i) => {
+  /** A reach to the glass straight ahead, over ridges that do not turn: places of finger and felt finger. */
+  const unled: { finger: Place; felt: Place }[] = [];
+  still();
+  world.begin_reach(1, start.right_m, start.away_m, 0, distance_m, turned_deg);
+  for (let ms = 0; world.over() === 0 && ms < 10_000; ++ms) {
+    world.advance();
+    if (ms % 20 !== 0) continue;
+    unled.push({
+      finger: { right_m: world.finger_right_m(), away_m: world.finger_away_m() },
+      felt: { right_m: world.felt_right_m(), away_m: world.felt_away_m() },
+    });
+  }
+
+  /** The third reach of a person whom the plugin leads. */
+  const led = (changes: Partial<typeof settings>) => {
+    watch.apply({ ...settings, person: watch.number, ...changes });
+    watch.apply({ ...settings, ...changes });
+    for (let reach = 1; ; ++reach) {
+      while (watch.phase !== "arrived") watch.advance();
+      if (reach === 3) break;
+      watch.begin();
+    }
+    const last = watch.trace.at(-1)!;
+    const picture =
+      plate(watch.trace.filter(({ finger_deg }) => !Number.isNaN(finger_deg)).at(-1)!.plate_deg) +
+      targets(watch.course) +
+      path(
+        "real",
+        watch.trace.map(({ finger }) => finger),
+      ) +
+      path(
+        "felt",
+        watch.trace.map((at) => at.felt),
+      ) +
+      dot("felt", last.felt, 4) +
+      dot("real", last.finger, 3);
+    return { picture, off_mm: watch.result?.toCylinder_mm ?? NaN };
+  };
+  let off_mm = NaN;
+  const reach = (changes: Partial<typeof settings>): string => {
+    const { picture, off_mm: off } = led(changes);
+    off_mm = off;
+    return picture;
+  };
+  const ended = () =>
+    off_mm < 4 ? "The hand ends at the cylinder." : `The hand misses the cylinder by ${off_mm.toFixed(0)} mm.`;
+
+  const figures: readonly Figure[] = [
+    {
+      value: ({ right_m }) => 1000 * right_m,
+      draw: (x) => {
+        // skin that is lifted where the ridge is
+        const skin = Array.from({ length: 41 }, (_, i) => {
+          const u = x - 25 + 1.25 * i,
+            y = 30 - 13 * Math.exp(-((u / 7) ** 2));
+          return `${u.toFixed(1)} ${Math.min(30 - 0.12 * Math.max(0, Math.abs(u - x) - 15) ** 2, y).toFixed(1)}`;
+        });
+        return (
+          '<path class="table" d="M-75 32 H75 V45 H-75 Z"/><path class="bump" d="M-7 32 Q0 8 7 32 Z"/>' +
+          `<path class="skin" d="M${skin.join(" L")} L${x + 23} -20 Q${x} -45 ${x - 23} -20 Z"/>`
+        );
+      },
+      text: (x) => (Math.abs(x) < 25 ? "The ridge presses into the skin: felt!" : "Nothing is felt."),
+    },
+    {
+      value: (at) => bearing_deg(start, at),
+      draw: (plate_deg) => plate(plate_deg) + arrow("touch", start, normal_deg(plate_deg, 0), 0.08),
+      text: (plate_deg) => `The push, square to the ridges, points ${side(plate_deg)}.`,
+    },
+    {
+      value: (at) => bearing_deg(start, at),
+      draw: (plate_deg) => plate(plate_deg) + arrows(start, plate_deg, 0, felt(plate_deg, 0), 0.08),
+      text: (plate_deg) => `The hand goes straight ahead. It feels ${side(felt(plate_deg, 0))}.`,
+    },
+    {
+      value: (at) => bearing_deg(start, at),
+      draw: (hand_deg) =>
+        plate(turned_deg) +
+        arrows(start, turned_deg, hand_deg, felt(turned_deg, hand_deg), 0.08) +
+        handle(ahead(start, hand_deg, 0.08)),
+      text: (hand_deg) => `The hand goes ${side(hand_deg)}. It feels ${side(felt(turned_deg, hand_deg))}.`,
+    },
+    {
+      value: ({ away_m }) => (100 * (away_m - start.away_m)) / distance_m,
+      draw: (percent) => {
+        const gone = unled.slice(0, Math.max(1, Math.round((percent / 100) * unled.length))),
+          at = gone.at(-1)!;
+        return (
+          plate(turned_deg) +
+          targets({ ...pageCourse(settings), virtual_deg: 0 }, true, false) +
+          path(
+            "real",
+            gone.map(({ finger }) => finger),
+          ) +
+          path(
+            "felt",
+            gone.map((each) => each.felt),
+          ) +
+          dot("felt", at.felt, 4) +
+          handle(at.finger)
+        );
+      },
+      text: (percent) =>
+        percent < 90 ? "They keep what they feel straight." : "They feel at the glass. The hand is to the right of it.",
+    },
+    {
+      value: (at) => -2 * bearing_deg(start, at),
+      draw: (gap_deg) =>
+        reach({ gap_deg: Math.abs(gap_deg) }) + word("real", { right_m: 0.045, away_m: 0.068 }, "drag it"),
+      text: (gap_deg) => `${ended()}${gap_deg > 22 ? " So far aside no plate can lead this person." : ""}`,
+    },
+  ];
+
+  for (const [i, { value, draw, text }] of figures.entries()) {
     const picture = element(`figure-${i + 1}`, SVGSVGElement),
-      input = element(`see-${i + 1}`, HTMLInputElement);
+      input = element(`see-${i + 1}`, HTMLInputElement),
+      words = element(`words-${i + 1}`, HTMLParagraphElement);
     const show = () => {
+      still();
       picture.innerHTML = draw(Number(input.value));
+      const said = text(Number(input.value));
+      say(words, said);
+      input.setAttribute("aria-valuetext", said);
     };
+    const drag = (event: PointerEvent) => {
+      if (event.type === "pointermove" && !(event.buttons & 1)) return;
+      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM()!.inverse());
+      input.value = String(value({ right_m: x / 1000, away_m: -y / 1000 }));
+      show();
+    };
+    picture.addEventListener("pointerdown", (event) => {
+      picture.setPointerCapture(event.pointerId);
+      drag(event);
+    });
+    picture.addEventListener("pointermove", drag);
     input.addEventListener("input", show);
     show();
-  });
+  }
 }

@@ -65,6 +65,9 @@ export class Hand extends Led {
   get felt_deg(): number {
     return this.#felt.felt_deg;
   }
+  get speed_m_s(): number {
+    return this.#felt.speed_m_s;
+  }
   get gap_deg(): number {
     return this.settings.gap_deg;
   }

@@ -6,14 +6,15 @@ import type { Chart } from "./chart";
 import { motionBound_deg, pageCourse } from "./controller";
 import { Desk } from "./desk";
 import { showFigures } from "./figures";
+import type { RecordedReach } from "./files/recording";
 import { TakeAway } from "./files/takeaway";
 import { distance_m, start } from "./geometry";
 import { Hand } from "./hand";
-import { Replaying } from "./modes/replaying";
+import { Compare } from "./modes/compare";
 import { Sliding } from "./modes/sliding";
 import { Viewing } from "./modes/viewing";
 import { Watching } from "./modes/watching";
-import { check, chosen, element, messageOf, radios, say } from "./page";
+import { check, chosen, element, messageOf, part, radios, report, say } from "./page";
 import { Panel } from "./panel";
 import { createWorld } from "./person";
 import { Connecting } from "./plate/connecting";
@@ -27,8 +28,8 @@ import { Watch } from "./watch";
 import type { Wear } from "./wear/wear";
 import type { Wearing } from "./wear/wearing";
 
-/** A page that was hidden continues where it was. */
-const maxFrame_ms = 100;
+/** Slow machines skip frames and keep time, up to this; a page that was hidden continues where it was. */
+const maxFrame_ms = 1000;
 
 async function main(): Promise<void> {
   // The first picture needs no plugin, which is on its way meanwhile.
@@ -41,31 +42,29 @@ async function main(): Promise<void> {
   desk.resize();
   desk.setView(false);
   desk.draw(0, start, start);
-  showFigures();
-  const [library, watchWorld, handWorld, sceneWorld] = await Promise.all([
+  const [library, watchWorld, handWorld, sceneWorld, figureWorld] = await Promise.all([
     load(pluginModule),
+    createWorld(),
     createWorld(),
     createWorld(),
     createWorld(),
   ]);
   const linked = fromLink(location.hash.slice(1));
   showProblems(linked.problems);
-  // A link that says more than the address is a researcher's.
-  if (location.hash !== "") for (const part of document.querySelectorAll("details")) part.open = true;
-
   const watch = new Watch(library, watchWorld, linked.settings);
   const hand = new Hand(library, handWorld, linked.settings),
     plain = new Hand(library, handWorld, { ...linked.settings, controller: "off" });
-  const voice = new Voice(),
+  const compare = new Compare(),
+    voice = new Voice(),
     plate = new Connecting(),
     results = new Results();
   const table = new TraceTable(),
     researchers = element("researchers", HTMLDetailsElement);
   const watching = new Watching(watch, watchWorld, desk, results, linked.settings, voice, still);
-  const sliding = new Sliding(hand, plain, handWorld, desk, voice, new Ticks(still), linked.settings, still);
-  const replaying = new Replaying(desk, still);
+  const sliding = new Sliding(hand, plain, handWorld, desk, compare, voice, new Ticks(still), linked.settings, still);
   const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
-  let mode: Mode = "hand";
+  let mode: Mode = "hand",
+    recorded: RecordedReach | null = null;
   // These come when asked for.
   let chart: Chart | null = null,
     wearing: Wearing | null = null;
@@ -77,19 +76,21 @@ async function main(): Promise<void> {
     () => (mode === "scene" ? viewing.watch : watch).profile,
     {
       reach(reach) {
-        replaying.show(reach);
-        reveal("replay");
+        recorded = reach;
+        compare.keep("on", reach.samples, reach.course, reach.name);
+        showSettings();
       },
       scene(scene) {
         viewing.show(scene);
-        reveal("scene");
+        element("scene-mode", HTMLLabelElement).hidden = false;
+        choose("scene");
       },
     },
   );
 
   const panel = new Panel(linked.settings, () => {
     const { settings } = panel;
-    if (mode === "replay") choose("watch");
+    recorded = null;
     watching.apply(settings);
     sliding.apply(settings);
     wearing?.apply(settings);
@@ -103,10 +104,10 @@ async function main(): Promise<void> {
 
   function showSettings(): void {
     const { settings } = panel,
-      reach = mode === "replay" ? replaying.reach : null;
-    const { real_deg, virtual_deg, real_m } = reach ?? ((mode === "scene" && viewing.course) || pageCourse(settings));
-    Object.assign(goals, { real_deg, virtual_deg, weight: reach ? NaN : settings.tactile_weight });
-    desk.setTargets(real_deg, virtual_deg, real_m);
+      course = (mode === "scene" && viewing.course) || pageCourse(settings);
+    const { real_deg, virtual_deg } = recorded?.course ?? course;
+    Object.assign(goals, { real_deg, virtual_deg, weight: recorded ? NaN : settings.tactile_weight });
+    desk.setTargets(course.real_deg, course.virtual_deg, course.real_m);
     panel.showMaxGap(watchWorld.max_gap_deg(motionBound_deg));
   }
 
@@ -124,18 +125,12 @@ async function main(): Promise<void> {
     const played = mode === "watch" || (mode === "scene" && viewing.course !== null);
     for (const name of [...modes, "played", "own"]) {
       const shown = name === "played" ? played : name === "own" ? mode !== "scene" : name === mode;
-      for (const part of document.querySelectorAll<HTMLElement>(`.${name}-only`)) part.hidden = !shown;
+      for (const only of document.querySelectorAll<HTMLElement>(`.${name}-only`)) only.hidden = !shown;
     }
-    element("legend", HTMLParagraphElement).hidden = mode === "replay";
-    say(
-      element("now-title", HTMLHeadingElement),
-      mode === "replay" ? "What the controller believed" : "What is felt now",
-    );
     desk.setView(!sliding.active);
     desk.setScene(mode === "scene" ? viewing.scene : null);
     desk.nameLabels(sliding.active);
     desk.reveal(1);
-    desk.showFelt(mode !== "replay");
     if (mode === "scene") watching.play(viewing.watch, sceneWorld, viewing.scene?.scale ?? 1);
     else watching.play(watch, watchWorld, 1);
     desk.resize();
@@ -143,35 +138,31 @@ async function main(): Promise<void> {
     if (mode === "wear" && !wearing) void bringHeadset();
     if (mode === "hand") sliding.restart();
     else if (mode === "watch") watching.resume();
-    else if (mode === "replay" && replaying.reach) replaying.show(replaying.reach);
     else if (mode === "scene") watching.apply(panel.settings);
   }
 
   async function bringHeadset(): Promise<void> {
-    const [world, { Wear }, { Wearing }] = await Promise.all([
-      createWorld(),
-      import("./wear/wear"),
-      import("./wear/wearing"),
-    ]);
-    if (wearing) return;
-    const { settings } = panel,
+    const parts = await part(
+      "The headset's part",
+      Promise.all([createWorld(), import("./wear/wear"), import("./wear/wearing")]),
+    );
+    if (wearing || !parts) return;
+    const [world, { Wear }, { Wearing }] = parts,
+      { settings } = panel,
       wear = new Wear(library, world, desk.stage?.plate ?? new HapticPlate(), settings);
-    wearing = new Wearing(wear, world, desk, voice, settings);
+    wearing = new Wearing(wear, world, desk, voice);
     wearing.onFrame = follow;
     wearing.onLeft = () => {
       desk.setView(mode !== "hand");
       desk.resize();
+      wake();
     };
+    wake();
   }
 
   function choose(wanted: Mode): void {
     check("mode", wanted);
     showMode();
-  }
-
-  function reveal(brought: "replay" | "scene"): void {
-    element(`${brought}-mode`, HTMLLabelElement).hidden = false;
-    choose(brought);
   }
 
   function colour(): void {
@@ -182,7 +173,7 @@ async function main(): Promise<void> {
 
   /** Whose reaches are shown. */
   function reaches(): Watch | Hand | Wear {
-    return { watch, hand: sliding.hand, wear: wearing?.wear ?? hand, replay: watch, scene: viewing.watch }[mode];
+    return { watch, hand: sliding.hand, wear: wearing?.wear ?? hand, scene: viewing.watch }[mode];
   }
 
   /** A connected plate does what the controller commands, and is felt where it is. */
@@ -197,22 +188,40 @@ async function main(): Promise<void> {
 
   plate.onReady = ({ speed_deg_s }) => panel.change({ plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
 
-  let before_ms = performance.now();
+  /** Frames come while something moves, and for a moment after the visitor or a part has done something. */
+  let before_ms = NaN,
+    awake_ms = 0;
+  const linger_ms = 300;
+  function wake(): void {
+    awake_ms = linger_ms;
+    if (!Number.isNaN(before_ms)) return;
+    before_ms = performance.now();
+    requestAnimationFrame(frame);
+  }
+
   function frame(now_ms: number): void {
     const elapsed_ms = Math.max(0, now_ms - before_ms);
     before_ms = now_ms;
+    awake_ms -= elapsed_ms;
     if (!wearing?.worn) {
       if (!still) desk.ease(elapsed_ms);
       follow(elapsed_ms);
-      const shown = { watch: watching, hand: sliding, wear: wearing, replay: replaying, scene: watching }[mode];
+      const shown = { watch: watching, hand: sliding, wear: wearing, scene: watching }[mode];
       shown?.frame(Math.min(elapsed_ms, maxFrame_ms));
     }
-    const { trace } = mode === "replay" ? replaying : reaches();
+    const trace = recorded?.samples ?? reaches().trace;
     if (researchers.open) chart?.draw(trace, goals);
     table.show(trace);
     takeAway.allow(reaches().recording !== "");
-    requestAnimationFrame(frame);
+    const moving = mode === "hand" ? sliding.busy : mode !== "wear" && watching.playing;
+    if (moving || awake_ms > 0 || plate.connected) requestAnimationFrame(frame);
+    else before_ms = NaN;
   }
+  for (const event of ["pointerdown", "pointermove", "keydown", "keyup", "click", "input", "change", "drop", "resize"])
+    window.addEventListener(event, wake, { passive: true, capture: true });
+  document.addEventListener("visibilitychange", () => {
+    if (!Number.isNaN(before_ms)) before_ms = performance.now();
+  });
 
   for (const radio of radios("mode")) {
     radio.addEventListener("change", () => {
@@ -221,12 +230,14 @@ async function main(): Promise<void> {
       address();
     });
   }
-  new ResizeObserver(() => desk.resize()).observe(desk.canvas);
-  researchers.addEventListener("toggle", () => {
-    if (!chart)
-      void import("./chart").then((part) => {
-        chart ??= new part.Chart(element("chart", HTMLDivElement));
-      });
+  new ResizeObserver(() => {
+    desk.resize();
+    wake();
+  }).observe(desk.frame);
+  researchers.addEventListener("toggle", async () => {
+    const loaded = chart ? null : await part("The chart", import("./chart"));
+    if (loaded) chart ??= new loaded.Chart(element("chart", HTMLDivElement));
+    wake();
   });
   desk.frame.addEventListener("keydown", (event) => {
     if (!sliding.active && desk.turn(event.key)) event.preventDefault();
@@ -237,30 +248,32 @@ async function main(): Promise<void> {
     showProblems(problems);
     choose(wanted);
     panel.change(settings);
+    wake();
   });
-  for (const button of document.querySelectorAll<HTMLButtonElement>("button[data-open]")) {
-    const part = element(button.dataset.open ?? "", HTMLDetailsElement);
-    button.addEventListener("click", () => {
-      part.open = true;
-      part.scrollIntoView({ behavior: still ? "auto" : "smooth" });
-      part.querySelector("summary")?.focus({ preventScroll: true });
-    });
-  }
   colour();
   choose(linked.mode);
+  element("main", HTMLElement).inert = false;
   document.documentElement.dataset.ready = "yes";
-  void desk.bringHand();
-  requestAnimationFrame(frame);
+  desk.onRestored = wake;
+  showFigures(library, figureWorld);
+  wake();
+  if (
+    await part(
+      "The hand",
+      desk.bringHand().then(() => true),
+    )
+  )
+    wake();
 }
 
 function showProblems(problems: readonly string[]): void {
-  const place = element("problem", HTMLParagraphElement);
-  place.hidden = problems.length === 0;
-  say(place, problems.length === 0 ? "" : `Left out of the link: ${problems.join("; ")}.`);
+  report(problems.length === 0 ? "" : `Left out of the link: ${problems.join("; ")}.`);
 }
 
+element("retry", HTMLButtonElement).addEventListener("click", () => location.reload());
 main().catch((error: unknown) => {
-  const caption = document.getElementById("caption");
-  if (caption) caption.textContent = `The page cannot start: ${messageOf(error)}`;
+  element("main", HTMLElement).inert = false;
+  say(element("caption", HTMLParagraphElement), "");
+  report(`The page cannot start: ${messageOf(error)}.`, true);
   throw error;
 });

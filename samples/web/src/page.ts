@@ -47,3 +47,21 @@ export function sideways(angle_deg: number, digits = 0, none = "straight ahead",
 export function turned(angle_deg: number): string {
   return sideways(angle_deg, 1, "nothing", "to the ");
 }
+
+/** Says what went wrong, until it is said that nothing did (""). `retry`: loading the page again may help; its address keeps
+ *  the settings. */
+export function report(text: string, retry = false): void {
+  element("problem", HTMLDivElement).hidden = text === "";
+  say(element("problem-text", HTMLSpanElement), text);
+  element("retry", HTMLButtonElement).hidden = !retry;
+}
+
+/** A part that is loaded when it is asked for; null if it could not be, which is said. */
+export async function part<Type>(name: string, loading: Promise<Type>): Promise<Type | null> {
+  try {
+    return await loading;
+  } catch (error) {
+    report(`${name} could not be loaded: ${messageOf(error)}.`, true);
+    return null;
+  }
+}

@@ -1,46 +1,21 @@
 // The simulated side: core's person, plate and tracker in a WebAssembly module of their own (person.cpp).
 import personModule from "person.wasm";
 
+type Does =
+  | "set_person"
+  | "set_apparatus"
+  | "begin_reach"
+  | "begin_hand"
+  | "advance"
+  | "look"
+  | "command"
+  | "set_plate";
+type Plate = "time_ms" | "plate_deg" | "plate_latency_ms" | "felt_shift_deg" | "max_gap_deg";
+type Finger = "moving" | "over" | "finger_right_m" | "finger_away_m" | "finger_deg" | "seen_right_m" | "seen_away_m";
+type Felt = "felt_right_m" | "felt_away_m" | "felt_error_deg" | "peak_felt_error_deg";
+type Series = "begin_series" | "answer" | "next_gap_deg" | "limit_deg" | "limit_lower_deg" | "limit_upper_deg";
 /** The exports of person.cpp, which documents them. */
-export interface World {
-  set_person(seed: number, tactileWeight: number, duration_s: number): void;
-  set_apparatus(noise_m: number, maxSpeed_deg_s: number): void;
-  plate_latency_ms(): number;
-  begin_reach(
-    number: number,
-    startRight_m: number,
-    startAway_m: number,
-    virtual_deg: number,
-    distance_m: number,
-    plate_deg: number,
-  ): void;
-  begin_hand(plate_deg: number): void;
-  advance(): void;
-  look(): void;
-  command(plate_deg: number): void;
-  set_plate(plate_deg: number): void;
-  time_ms(): number;
-  plate_deg(): number;
-  moving(): number;
-  over(): number;
-  finger_right_m(): number;
-  finger_away_m(): number;
-  felt_right_m(): number;
-  felt_away_m(): number;
-  finger_deg(): number;
-  felt_error_deg(): number;
-  peak_felt_error_deg(): number;
-  seen_right_m(): number;
-  seen_away_m(): number;
-  felt_shift_deg(plate_deg: number, finger_deg: number): number;
-  max_gap_deg(bound_deg: number): number;
-  begin_series(min_gap_deg: number, max_gap_deg: number): void;
-  answer(gap_deg: number, noticed: number): void;
-  next_gap_deg(): number;
-  limit_deg(): number;
-  limit_lower_deg(): number;
-  limit_upper_deg(): number;
-}
+export type World = Readonly<Record<Does | Plate | Finger | Felt | Series, (...values: number[]) => number>>;
 
 let compiled: Promise<WebAssembly.Module> | null = null;
 

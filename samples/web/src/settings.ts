@@ -3,8 +3,8 @@
 export const controllerNames = ["off", "paper", "ours"] as const;
 export type ControllerName = (typeof controllerNames)[number];
 
-/** What the visitor does. The last two need a file. */
-export const modes = ["hand", "watch", "wear", "replay", "scene"] as const;
+/** What the visitor does. The last one needs a file. */
+export const modes = ["hand", "watch", "wear", "scene"] as const;
 export type Mode = (typeof modes)[number];
 const linkedModes = modes.slice(0, 3);
 

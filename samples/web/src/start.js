@@ -1,8 +1,13 @@
-// A server gives the page in parts; a file: address, from which no part can be loaded, gives it whole.
-if (location.protocol === "file:") {
+// A server gives the page in parts, which are asked for at once; a file: address, from which no part can be loaded, gives it whole.
+const served = location.protocol !== "file:";
+for (const href of served ? [/* parts */] : []) {
+  const link = document.createElement("link"), script = href.endsWith(".js");
+  Object.assign(link, script ? { rel: "modulepreload" } : { rel: "preload", as: "fetch", crossOrigin: "anonymous" }, { href });
+  document.head.append(link);
+}
+addEventListener("DOMContentLoaded", () => {
+  if (served) return import("./page.js");
   const whole = document.createElement("script");
   whole.src = "offline.js";
   document.head.append(whole);
-} else {
-  import("./page.js");
-}
+});

@@ -1,12 +1,19 @@
-// What a fingertip would feel, for the ear and, where there is a motor, the hand: a tick at each ridge, a soft contact at the end.
+// What a fingertip would feel, for the ear and, where there is a motor, the hand: a burst of noise at each ridge, louder for a faster
+// finger, and a contact at the end. For keys, tones say where the glass lies from the dot.
 import { element, say } from "./page";
 
 const key = "haptic-retargeting-ticks";
+const loud_m_s = 0.2,
+  /** Motors do not answer to less. */
+  minShake_ms = 20,
+  guidePeriod_s = 0.3;
 
 export class Ticks {
   readonly #button = element("ticks", HTMLButtonElement);
   #on: boolean;
   #audio: AudioContext | null = null;
+  #noise: AudioBuffer | null = null;
+  #guided_s = -Infinity;
 
   /** `still`: off until the visitor asks. The choice is remembered where the browser allows it. */
   constructor(still: boolean) {
@@ -21,39 +28,78 @@ export class Ticks {
       } catch {
         /* for this visit only */
       }
-      this.wake();
-      this.ridge();
+      this.#wake();
+      this.ridge(loud_m_s);
     });
+    // Browsers give sound only once the visitor has pressed something: whatever that is.
+    for (const press of ["pointerdown", "keydown"])
+      window.addEventListener(press, () => this.#wake(), { capture: true });
   }
 
-  /** Browsers give sound only once the visitor has pressed something. */
-  wake(): void {
+  #wake(): void {
     if (!this.#on || typeof AudioContext === "undefined") return;
     this.#audio ??= new AudioContext();
     if (this.#audio.state === "suspended") void this.#audio.resume();
   }
 
-  ridge(): void {
-    this.#sound(1800, 0.012, 0.12, 4);
+  /** A ridge passes under a fingertip of this speed. */
+  ridge(speed_m_s: number): void {
+    this.#burst(1800, 0.015, 0.5 * Math.min(1, Math.max(0.1, speed_m_s / loud_m_s)));
   }
   contact(): void {
-    this.#sound(140, 0.16, 0.3, 25);
+    this.#burst(180, 0.12, 0.8);
   }
 
-  #sound(pitch_hz: number, length_s: number, loudness: number, shake_ms: number): void {
-    if (!this.#on) return;
-    if (navigator.userActivation?.hasBeenActive) navigator.vibrate?.(shake_ms);
-    const audio = this.#audio;
-    if (audio?.state !== "running") return;
+  /** For who does not see the dot: a tone on the side on which the glass lies, higher as it comes near. */
+  guide(side: number, way: number): void {
+    const audio = this.#ready();
+    if (!audio || audio.currentTime - this.#guided_s < guidePeriod_s) return;
+    this.#guided_s = audio.currentTime;
     const tone = audio.createOscillator(),
-      gain = audio.createGain(),
-      now_s = audio.currentTime;
-    tone.frequency.value = pitch_hz;
-    gain.gain.setValueAtTime(loudness, now_s);
-    gain.gain.exponentialRampToValueAtTime(1e-3, now_s + length_s);
-    tone.connect(gain).connect(audio.destination);
-    tone.start(now_s);
-    tone.stop(now_s + length_s);
+      pan = audio.createStereoPanner();
+    tone.frequency.value = 880 - 440 * Math.min(1, way);
+    pan.pan.value = Math.max(-1, Math.min(1, side));
+    tone
+      .connect(this.#fading(audio, 0.08, 0.2))
+      .connect(pan)
+      .connect(audio.destination);
+    tone.start();
+    tone.stop(audio.currentTime + 0.08);
+  }
+
+  #ready(): AudioContext | null {
+    return this.#on && this.#audio?.state === "running" ? this.#audio : null;
+  }
+
+  #fading(audio: AudioContext, length_s: number, loudness: number): GainNode {
+    const gain = audio.createGain();
+    gain.gain.setValueAtTime(loudness, audio.currentTime);
+    gain.gain.exponentialRampToValueAtTime(1e-3, audio.currentTime + length_s);
+    return gain;
+  }
+
+  /** Of noise about this pitch. */
+  #burst(pitch_hz: number, length_s: number, loudness: number): void {
+    if (this.#on && navigator.userActivation?.hasBeenActive)
+      navigator.vibrate?.(Math.max(minShake_ms, 1000 * length_s));
+    const audio = this.#ready();
+    if (!audio) return;
+    if (!this.#noise) {
+      this.#noise = audio.createBuffer(1, Math.ceil(0.2 * audio.sampleRate), audio.sampleRate);
+      this.#noise.getChannelData(0).forEach((_, i, samples) => {
+        samples[i] = 2 * Math.random() - 1;
+      });
+    }
+    const source = audio.createBufferSource(),
+      filter = audio.createBiquadFilter();
+    source.buffer = this.#noise;
+    filter.type = "bandpass";
+    filter.frequency.value = pitch_hz;
+    source
+      .connect(filter)
+      .connect(this.#fading(audio, length_s, loudness))
+      .connect(audio.destination);
+    source.start(0, 0, length_s);
   }
 
   #show(): void {

@@ -23,7 +23,7 @@ async function visit() {
   at("input[value=watch]").click();
   await until("#results tbody tr");
   await until("#chart .uplot");
-  await fetch("/shown", { method: "POST", body: JSON.stringify({ slid, watched: at("#spoken").textContent, drawn: at("#no-view").hidden, faults }) });
+  await fetch("/shown", { method: "POST", body: JSON.stringify({ slid, watched: at("#spoken").textContent, drawn: at("#no-view").hasAttribute("hidden"), faults }) });
 }
 
 test("a visitor's way through the page", async () => {

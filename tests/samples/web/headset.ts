@@ -24,6 +24,14 @@ globalThis.headset = {
     const at = hand.inputSource.hand.get("index-finger-tip")[P_SPACE].offsetMatrix;
     hand.position.set(x - at[12], y - at[13], z - at[14]);
   },
+  /** Thumb and index finger touch, or do not. */
+  pinch(touch: boolean) { hand.updatePinchValue(touch ? 1 : 0); hand.poseId = touch ? "pinch" : "point"; hand.updateHandPose(); },
+  /** The other hand rests there. */
+  restOther(x, y, z) {
+    const left = device.hands.left;
+    left.connected = true;
+    left.position.set(x, y, z);
+  },
   /** The headset sees the hand, or does not. */
   see(seen) { hand.connected = seen; },
   /** As by the headset's own button: the room's origin is elsewhere. */

@@ -30,22 +30,32 @@ async function enter(page, button = "#enter-vr") {
 /** The fingertip rests there for two seconds. */
 async function rest(page, tip) {
   await page.evaluate((place) => {
-    globalThis.headset.moveTip(...place);
-    for (let i = 0; i < 40; ++i) globalThis.drawFrame(50);
+    for (let i = 0; i < 40; ++i) {
+      globalThis.headset.moveTip(...place);
+      globalThis.drawFrame(50);
+    }
   }, tip);
+}
+
+/** The plate is placed there, by a pinch of two seconds. */
+async function pinch(page, tip) {
+  await page.evaluate(() => globalThis.headset.pinch(true));
+  await rest(page, tip);
+  await page.evaluate(() => globalThis.headset.pinch(false));
+  await rest(page, tip);
 }
 
 /** The fingertip slides by `length_m` in 1.5 s, first in `first_deg`; with `follows` it turns as what is felt asks. Frames in
  *  `unseen` have no hand. Returns each position that was seen, right and away of the start. */
 function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = false, unseen = [0, 0], until = 1 } = {}) {
   return page.evaluate((how) => {
-    const { headset, drawFrame } = globalThis, turn = document.getElementById("now-turn"), seen = [];
+    const { headset, drawFrame } = globalThis, { dataset } = document.getElementById("stage"), seen = [];
     let x = 0, away = 0, heading_deg = how.first_deg;
     const count = 135;
     for (let i = 0; i <= count * how.until; ++i) {
       const s = i / count, step_m = how.length_m * (30 * s ** 2 - 60 * s ** 3 + 30 * s ** 4) / count;
-      if (how.follows && turn.textContent === "left") heading_deg += 0.5;
-      if (how.follows && turn.textContent === "right") heading_deg -= 0.5;
+      const wrong_deg = Number(dataset.feltDeg) - 5;  // the glass lies there
+      if (how.follows && Math.abs(wrong_deg) > 1) heading_deg -= 0.5 * Math.sign(wrong_deg);
       x -= step_m * Math.sin(heading_deg * Math.PI / 180);
       away += step_m * Math.cos(heading_deg * Math.PI / 180);
       headset.see(i < how.unseen[0] || i >= how.unseen[1]);
@@ -80,8 +90,15 @@ test("a hand that is worn makes a real reach, which the plugin repeats bit for b
   assert.equal(await phase(page), "placing");
   await shoot(page, "wear_placing", false);
   await rest(page, start);
+  assert.equal(await phase(page), "placing", "a hand that does not pinch places nothing");
+  await page.evaluate(() => globalThis.headset.restOther(-0.1, 0.9, -0.1));  // in the lap
+  await page.evaluate(() => globalThis.headset.pinch(true));
+  await page.evaluate(([x, y, z]) => { globalThis.headset.moveTip(x, y, z); for (let i = 0; i < 12; ++i) globalThis.drawFrame(50); }, start);
+  assert.match(await caption(page), /^Hold: [123]$/);
+  await shoot(page, "wear_countdown", false);
+  await pinch(page, start);
   assert.equal(await phase(page), "sliding", await caption(page));
-  assert.match(await caption(page), /^Slide to the glass/);
+  assert.match(await caption(page), /^Slide to the orange glass\./);
   const places = await slide(page, { follows: true });
   const { toCylinderMm, toGlassMm, feltToGlassMm } = await ended(page);
   assert.ok(toCylinderMm < 9 && toGlassMm > 9, `${toCylinderMm} mm from the cylinder, ${toGlassMm} from the glass`);
@@ -103,16 +120,16 @@ test("a hand that is worn makes a real reach, which the plugin repeats bit for b
   assert.ok(Math.max(...off) < 1e-6, `positions as recorded are ${Math.max(...off)} m off`);
 }, "", [[], optional, ...optional.map((name) => [name])]);
 
-test("a headset that is recentred places the plate anew", async (page) => {
+test("a headset that is recentred places the plate again", async (page) => {
   await enter(page);
-  await rest(page, start);
+  await pinch(page, start);
   await slide(page, { until: 0.4 });
   assert.equal(await phase(page), "sliding");
   await page.evaluate(() => globalThis.headset.recentre());
   await frames(page, 11, 2);
   assert.equal(await phase(page), "placing");
-  assert.match(await caption(page), /^The headset has moved its room, so the plate is placed anew\. Hold your index/);
-  await rest(page, start.map((x) => x + 0.05));
+  assert.match(await caption(page), /^The headset has moved its room, so the plate is placed again\. Pinch thumb and index/);
+  await pinch(page, start.map((x) => x + 0.05));
   assert.equal(await phase(page), "sliding", "the next one is there");
 });
 
@@ -127,7 +144,7 @@ test("a headset that refuses hands says what to switch on", async (page) => {
 
 test("a hand that goes straight to the glass arrives there", async (page) => {
   await enter(page);
-  await rest(page, start);
+  await pinch(page, start);
   await slide(page);
   const { toGlassMm, feltToGlassMm } = await ended(page);
   assert.ok(toGlassMm < 1 && feltToGlassMm > 5, `${toGlassMm} mm, felt ${feltToGlassMm} mm from the glass`);
@@ -135,7 +152,7 @@ test("a hand that goes straight to the glass arrives there", async (page) => {
 
 test("a hand lost for a moment is bridged, one lost for longer begins again", async (page) => {
   await enter(page);
-  await rest(page, start);
+  await pinch(page, start);
   await slide(page, { unseen: [60, 80] });
   const { toGlassMm } = await ended(page);
   assert.ok(toGlassMm < 1, `${toGlassMm} mm from the glass`);
@@ -156,7 +173,7 @@ test("a hand lost for a moment is bridged, one lost for longer begins again", as
 
 test("a session that the user ends in the middle of a reach leaves a page that works", async (page) => {
   await enter(page, "#enter-ar");
-  await rest(page, start);
+  await pinch(page, start);
   await slide(page, { until: 0.5 });
   assert.equal(await phase(page), "sliding");
   await shoot(page, "wear_passthrough", false);

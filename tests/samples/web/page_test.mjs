@@ -69,7 +69,7 @@ test("a gap that cannot be held is said so", () => visit(async (page) => {
   await shoot(page, "watch_too_far");
 }, { link: "#mode=watch&tactile_weight=0.08&gap_deg=15" }));
 
-test("the chart is a table too, and each of the four figures follows its control", () => visit(async (page) => {
+test("the chart is a table too", () => visit(async (page) => {
   assert.ok(await page.locator("#trace tbody tr").count() >= 10);
   // Three strips, each with what is under the cursor; the weight that is believed, at the end.
   assert.equal(await page.locator("#chart .uplot").count(), 3);
@@ -77,14 +77,34 @@ test("the chart is a table too, and each of the four figures follows its control
   await page.locator("#chart .u-legend", { hasText: /felt:?\s*-?\d+\.\d°/ }).waitFor();
   assert.match(await page.locator("#chart .u-legend").last().innerText(), /believed:?\s*0\.[12]\d/);
   assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+\d+° (left|right)\s+\d+\.\d° (left|right)/);
-  for (const i of [1, 2, 3, 4]) {
-    const before = await page.locator(`#figure-${i}`).innerHTML();
-    await page.locator(`#see-${i}`).focus();
-    await page.keyboard.press("ArrowRight");
-    assert.notEqual(await page.locator(`#figure-${i}`).innerHTML(), before);
-  }
-  assert.doesNotMatch(await page.locator(".figures").innerText(), /w_?T|°|degree/, "words for a reader of twelve");
 }));
+
+test("each of the six figures follows a drag in the picture, and keys, and says what is seen", () => visit(async (page) => {
+  for (let i = 1; i <= 6; ++i) {
+    const figure = page.locator(`#figure-${i}`), said = new Set();
+    await figure.scrollIntoViewIfNeeded();
+    const { x, y, width, height } = await figure.boundingBox(), drawings = [await figure.innerHTML()];
+    for (const share of [0.05, 0.5, 0.85]) {
+      await page.mouse.move(x + 0.5 * width, y + 0.5 * height);
+      await page.mouse.down();
+      await page.mouse.move(x + share * width, y + (i === 5 ? 1 - share : 0.2) * height, { steps: 3 });
+      await page.mouse.up();
+      drawings.push(await figure.innerHTML());
+      said.add(await text(page, `#words-${i}`));
+      assert.equal(await page.locator(`#see-${i}`).getAttribute("aria-valuetext"), await text(page, `#words-${i}`));
+    }
+    assert.ok(new Set(drawings).size >= 3 && said.size >= 2, `figure ${i}: ${[...said]}`);
+    await page.locator(`#see-${i}`).press("ArrowLeft");
+    assert.notEqual(await figure.innerHTML(), drawings.at(-1));
+  }
+  // Ridges that are turned by 40 degrees push square to themselves: the arrow is the ridges' normal.
+  const turned = await page.locator("#figure-2").evaluate((figure) => {
+    const [x, y] = figure.querySelector("path.touch").getAttribute("d").match(/-?[\d.]+/g).slice(2).map(Number);
+    return [Math.atan2(x, -(y - 50)) * 180 / Math.PI, Number(/rotate\((.*)\)/.exec(figure.querySelector(".ridge").getAttribute("transform"))[1])];
+  });
+  assert.ok(Math.abs(turned[0] - turned[1]) < 1, `${turned}`);
+  assert.doesNotMatch(await page.locator(".figures").innerText(), /w_?T|°|degree/, "words for a reader of twelve");
+}, { link: "", open: false }));
 
 test("a reach plays, pauses and steps", () => visit(async (page) => {
   await page.selectOption("#speed", "1");
@@ -93,10 +113,10 @@ test("a reach plays, pauses and steps", () => visit(async (page) => {
   assert.equal(await phase(page), "sliding");
   await page.click("#play");
   await shoot(page, "watch_sliding");
-  const finger = await text(page, "#now-finger");
-  assert.match(finger, /^\d+\.\d° (left|right)$/);
+  const finger = await text(page, "#caption");
+  assert.match(finger, /^The finger moves \d+° (left|right); over these ridges that feels like/);
   await frames(page, 100, 3);
-  assert.equal(await text(page, "#now-finger"), finger, "it stands still");
+  assert.equal(await text(page, "#caption"), finger, "it stands still");
   for (let i = 0; i < 40 && await phase(page) !== "arrived"; ++i) {
     await page.click("#step");
     await frames(page, 20);
@@ -163,6 +183,8 @@ for (const delay_ms of [100, 200]) test(
     const { toGlassMm } = await ended(page);
     assert.ok(toGlassMm < 5, `${toGlassMm} mm from the glass`);
   }
+  assert.match(await text(page, "#moment-text"), /^Plate on: .*Plate off: /);
+  await shoot(page, `hand_both_${delay_ms}`);
 }, own));
 
 // Zero clicks: the mouse comes to the ring, which takes the finger along.
@@ -188,6 +210,15 @@ test("the hand is hidden while it is led, and then seen at the cylinder, where t
   assert.equal(await hidden(page), false);
   assert.ok(await skin(page) > unseen + 3000, `the hand is seen: ${unseen} pixels like skin before`);
   await shoot(page, "hand_arrived");
+  // Moment by moment, with the three arrows, and beside one with the plate off.
+  const text_on = await text(page, "#moment-text"), path = () => page.locator("#slide-on path.real").first().getAttribute("d"), whole = await path();
+  await page.locator("#moment").press("Home");
+  for (let i = 0; i < 50; ++i) await page.keyboard.press("ArrowRight");
+  assert.match(await text(page, "#moment-text"), /^Plate on: the hand moves \d+° (left|right), the ridges push \d+° (left|right), it feels like \d+° (left|right)\.$/);
+  assert.notEqual(await text(page, "#moment-text"), text_on);
+  assert.ok((await path()).length < whole.length && await page.locator("#slide-on path.tip").count() === 3);
+  assert.equal(await text(page, "#slide-off-missing"), "– not yet");
+  await shoot(page, "hand_compare");
   // What has arrived stays, whatever is clicked elsewhere.
   await page.mouse.click(...await place(page, "start"));
   await page.mouse.click(...glass);
@@ -251,7 +282,7 @@ test("a thumb on the disc drags the dot from anywhere, beyond the window too; a 
   await page.mouse.up();
 }, { ...own, viewport: phone }));
 
-test("ridges are heard, and one button, which is remembered, turns them off", () => visit(async (page) => {
+test("ridges are heard, louder when fast, keys are guided by tones, and one button, which is remembered, turns all off", () => visit(async (page) => {
   const heard = () => page.evaluate(() => globalThis.heard.splice(0));
   const slide = async () => {
     await page.locator("#stage").focus();
@@ -261,9 +292,11 @@ test("ridges are heard, and one button, which is remembered, turns them off", ()
     await page.keyboard.up("ArrowUp");
     return heard();
   };
-  const tones = await slide();
-  assert.ok(tones.length >= 6 && tones.length <= 20, `${tones.length} ridges`);
-  assert.deepEqual([tones[0], tones.at(-1)], [1800, 140]);
+  const sounds = await slide(), ridges = sounds.filter(([what]) => what === 1800), tones = sounds.filter(([what]) => what === "tone");
+  assert.ok(ridges.length >= 6 && ridges.length <= 20 && ridges.every(([, loud]) => loud > 0.05 && loud < 0.4), JSON.stringify(ridges));
+  assert.deepEqual(sounds.at(-1), [180, 0.8]);
+  assert.ok(tones.length >= 3 && tones.some(([, side]) => side !== 0), JSON.stringify(tones));
+  assert.ok((await page.evaluate(() => globalThis.shaken)).every((ms) => ms >= 20));
   await page.click("#ticks");
   assert.deepEqual(await slide(), []);
   await page.reload();
@@ -271,13 +304,88 @@ test("ridges are heard, and one button, which is remembered, turns them off", ()
   assert.equal(await text(page, "#ticks"), "Sound: off");
 }, { ...own, script: `(${() => {
   globalThis.heard = [];
-  const nothing = { setValueAtTime() {}, exponentialRampToValueAtTime() {} };
+  globalThis.shaken = [];
+  navigator.vibrate = (ms) => shaken.push(ms);
+  let pitch = 0, loud = 0, side = 0;
+  const node = (more) => ({ connect: (to) => to, stop() {}, ...more });
   globalThis.AudioContext = class {
-    state = "running"; currentTime = 0;
-    createOscillator() { const tone = { frequency: { value: 0 }, connect: (to) => to, start() { heard.push(tone.frequency.value); }, stop() {} }; return tone; }
-    createGain() { return { gain: nothing, connect: (to) => to }; }
+    state = "running"; sampleRate = 1000;
+    get currentTime() { return performance.now() / 1000; }
+    createBuffer() { return { getChannelData: () => new Float32Array(10) }; }
+    createBufferSource() { return node({ start() { heard.push([pitch, loud]); } }); }
+    createBiquadFilter() { return node({ frequency: { set value(hz) { pitch = hz; } } }); }
+    createOscillator() { return node({ frequency: {}, start() { heard.push(["tone", side]); } }); }
+    createStereoPanner() { return node({ pan: { set value(to) { side = to; } } }); }
+    createGain() { return node({ gain: { setValueAtTime(to) { loud = to; }, exponentialRampToValueAtTime() {} } }); }
   };
 }})()` }));
+
+test("the first screen has a title, a mark, and two controls; a thumb scrolls beside the disc", async () => {
+  for (const viewport of [phone, tablet, desktop]) await visit(async (page) => {
+    await page.waitForSelector("#stage[data-hand=yes]");
+    const seen = await page.evaluate(() => [...document.querySelectorAll("h1, .mark, #caption, #view, button, select, fieldset, summary, input[type=range], a")].filter((each) => {
+      const { top, bottom, width } = each.getBoundingClientRect();
+      return width > 1 && top < innerHeight - 50 && bottom > 0 && each.checkVisibility() && !each.closest(".figures");
+    }).map((each) => each.id || each.className || each.localName));
+    assert.deepEqual(seen, ["mark", "title", "caption", "view", "modes", "ticks"]);
+    const touch = (x, y) => page.evaluate(([right, down]) => {
+      const box = document.getElementById("view").getBoundingClientRect();
+      return getComputedStyle(document.elementFromPoint(box.x + right * box.width, box.y + down * box.height)).touchAction;
+    }, [x, y]);
+    assert.deepEqual([await touch(0.5, 0.5), await touch(0.02, 0.02), await touch(0.98, 0.98)], ["none", "pan-y pinch-zoom", "pan-y pinch-zoom"]);
+    // The caption lies beside the picture, and no label on a target.
+    const boxes = await page.evaluate(() => ["caption", "view"].map((id) => document.getElementById(id).getBoundingClientRect()).map(({ top, bottom }) => [top, bottom]));
+    assert.ok(boxes[0][1] <= boxes[1][0]);
+    const disc = await page.locator("#grip").boundingBox();
+    assert.ok(viewport !== phone || disc.width > 0.9 * viewport.width, `the plate is ${disc.width} pixels wide`);
+    await shoot(page, `first_${viewport.width}`, false);
+  }, { link: "", viewport });
+});
+
+test("frames stop while nothing moves, and come again with the visitor", () => visit(async (page) => {
+  const waiting = () => page.evaluate(() => globalThis.framesWaiting());
+  await page.waitForSelector("#stage[data-hand=yes]");
+  await frames(page, 100, 15);
+  assert.equal(await waiting(), 0, "a hand that waits");
+  await page.mouse.move(5, 5);
+  assert.equal(await waiting(), 1);
+  await steer(page);
+  await frames(page, 100, 15);
+  assert.equal(await waiting(), 0, "a result");
+  await page.locator("label:has(input[value=watch])").click();
+  await frames(page, 100, 15);
+  assert.equal(await waiting(), 1, "a reach that plays");
+  await page.click("#play");
+  await frames(page, 100, 15);
+  assert.equal(await waiting(), 0, "a pause");
+}, own));
+
+test("a restored WebGL context draws again", () => visit(async (page) => {
+  await page.waitForSelector("#stage[data-hand=yes]");
+  await frames(page, 100, 15);
+  assert.ok(await skin(page) > 2000);
+  await page.evaluate(async () => {
+    const lose = document.getElementById("view").getContext("webgl2").getExtension("WEBGL_lose_context"), canvas = document.getElementById("view");
+    const until = (event) => new Promise((done) => canvas.addEventListener(event, done, { once: true }));
+    const lost = until("webglcontextlost"), restored = until("webglcontextrestored");
+    lose.loseContext();
+    await lost;
+    setTimeout(() => lose.restoreContext(), 50);
+    await restored;
+  });
+  await frames(page, 100, 3);
+  assert.ok(await skin(page) > 2000, "the hand is seen again");
+}, { ...own, link: "#mode=watch", strict: false }));
+
+test("a part that does not come is said, with a way to try again", () => visit(async (page) => {
+  await page.route("**/part_*", (route) => route.abort());
+  await page.click("#researchers summary");
+  await page.locator("#problem-text", { hasText: /^The chart could not be loaded: / }).waitFor();
+  await page.unroute("**/part_*");
+  await page.click("#retry");
+  await page.waitForSelector("html[data-ready=yes]");
+  assert.equal(await page.locator("#problem").isVisible(), false);
+}, { link: "", strict: false }));
 
 test("a reach and what was learnt are saved, and the reach replays", () => visit(async (page) => {
   await drawn(page);
@@ -289,30 +397,24 @@ test("a reach and what was learnt are saved, and the reach replays", () => visit
   assert.ok(lines.filter((line) => line.startsWith("update,0,")).length > 200);
 
   await page.setInputFiles("#open-file", { name: "mine.csv", mimeType: "text/csv", buffer: Buffer.from(lines.join("\n")) });
-  await page.waitForSelector("#replayed:not([hidden])");
-  assert.match(await text(page, "#replayed"), /^mine\.csv: All 2\d\d calls gave the same numbers again, bit for bit\. A rec/);
+  await page.locator("#replayed", { hasText: /^mine\.csv: All 2\d\d calls gave the same numbers again, bit for bit\. A rec/ }).waitFor();
   await drawn(page);
-  assert.equal(await phase(page), "arrived");
-  assert.equal(await page.locator("#label-felt").isVisible(), false);
+  assert.deepEqual([await text(page, "#slide-on-name"), await page.locator("#slide-on path.real").count() >= 1], ["mine.csv", true]);
   await accessible(page);
   await shoot(page, "replay");
-  await page.locator("#gap_deg").focus();
-  await page.keyboard.press("ArrowRight");
-  assert.equal(await page.locator("input[value=watch]").isChecked(), true, "settings are for the simulation");
 }));
 
 test("a dropped recording of another host replays, and a bad one is refused in the plugin's words", () => visit(async (page) => {
   const reach = await readFile(recorded, "utf8");
   for (const [content, words] of [["", /^x\.csv: .*does not begin/], ["call,result\n<script>", /does not begin/],
                                   [reach.replace(/version \d+/, "version 999"), /^x\.csv: .+/]]) {
-    await refuses(page, "x.csv", content, words, "replay");
+    await refuses(page, "x.csv", content, words);
   }
   const lines = reach.split("\n"), rows = lines.filter((line) => /^(begin|update|end),/.test(line)).length;
   const altered = lines.map((line) => line.startsWith("update,")).lastIndexOf(true), cells = lines[altered].split(",");
   cells[lines.find((line) => line.startsWith("call,")).split(",").indexOf("plate_orientation_deg")] = "12.5";
   await drop(page, "altered.csv", [...lines.slice(0, altered), cells.join(","), ...lines.slice(altered + 1)].join("\n"));
-  await page.waitForSelector("#replayed:not([hidden])");
-  assert.match(await text(page, "#replayed"), new RegExp(`^altered\\.csv: Line ${altered + 1} gave other numbers than those recorded\\. The recording is not`));
+  await page.locator("#replayed", { hasText: new RegExp(`^altered\\.csv: Line ${altered + 1} gave other numbers than those recorded\\. The recording is not`) }).waitFor();
   await drop(page, "reach.csv", reach);
   await page.locator("#replayed", { hasText: `reach.csv: All ${rows} calls gave the same numbers again` }).waitFor();
 }));
@@ -347,7 +449,7 @@ test("a bad scene is refused in the loader's words", () => visit(async (page) =>
   for (const [content, words] of [["", /^bad\.gltf: /], ["{", /^bad\.gltf: /], ["{}", /^bad\.gltf: /],
                                   [scene.replace('"radius_m": 0.075', '"radius_m": -1'), /^bad\.gltf: .*Plate.*radius_m/],
                                   [scene.replace('"role": "real"', '"role": "<img src=x>"'), /^bad\.gltf: .*role/]]) {
-    await refuses(page, "bad.gltf", content, words, "scene");
+    await refuses(page, "bad.gltf", content, words);
   }
 }));
 
@@ -378,8 +480,8 @@ test("a scene whose meshes cannot be drawn is shown without them, and nothing is
                                   [changed(({ nodes }) => { while (nodes.length < 2000) nodes.push({ mesh: 6 }); }), /draw \d{7} vertices/]]) {
     await drop(page, "bad.gltf", content);
     // Not waitForFunction(), which the page's policy forbids.
-    await page.locator("#scene-about, #problem:not([hidden])").filter({ hasText: words }).first().waitFor({ timeout: 5000 });
-    await page.evaluate(() => { for (const id of ["problem", "scene-about"]) document.getElementById(id).textContent = ""; });
+    await page.locator("#scene-about, #problem:not([hidden])").filter({ hasText: words }).first().waitFor();
+    await page.evaluate(() => { for (const id of ["problem-text", "scene-about"]) document.getElementById(id).textContent = ""; });
   }
 }));
 
@@ -395,7 +497,7 @@ test("a scene comes with its buffer in another file, and a picture says what is 
 }));
 
 test("a bad link is named, and its good part is used", () => visit(async (page) => {
-  assert.equal(await text(page, "#problem"), "Left out of the link: gap_deg is \"99\"; allowed: 0 to 20.");
+  assert.equal(await text(page, "#problem-text"), "Left out of the link: gap_deg is \"99\"; allowed: 0 to 20.");
   assert.equal(await text(page, "output[for=noise_mm]"), "0.3 mm");
 }, { link: "#mode=watch&gap_deg=99&noise_mm=0.3" }));
 
@@ -437,7 +539,7 @@ async function skin(page) {
   return count;
 }
 
-test("in Watch a hand is seen, and a drag or the arrows turn the picture; from above it stands still", () => visit(async (page) => {
+test("in Watch a hand is seen, and a drag or the arrows turn the picture; in Be led it stays", () => visit(async (page) => {
   const glass = async () => {
     await drawn(page);
     return page.locator("#label-glass").evaluate((label) => label.style.transform);
@@ -477,12 +579,19 @@ test("the page opens from a folder, without a server", () => visit(async (page) 
   assert.equal(arrived(await newest(page)), true);
 }, { base: pathToFileURL(join(resolve(pageFolder), "index.html")).href.replace(/index\.html$/, ""), link: "index.html#mode=watch" }));
 
-test("without WebGL the numbers and the chart still work", async () => {
+test("without WebGL a flat picture takes its place", async () => {
   const plain = await launch("--disable-3d-apis");
   try {
     await visit(async (page) => {
       assert.equal(await page.locator("#no-view").isVisible(), true);
       assert.equal(arrived(await newest(page)), true);
+      await page.locator("label:has(input[value=hand])").click();
+      await drawn(page);
+      const { x, y, width, height } = await page.locator("#no-view").boundingBox(), scale = Math.min(width, height) / 160;
+      await page.mouse.move(x + width / 2, y + height / 2 + 50 * scale);
+      await page.mouse.move(x + width / 2 - 9 * scale, y + height / 2 - 60 * scale, { steps: 40 });
+      await page.waitForSelector("#stage[data-phase=arrived]");
+      assert.equal(await page.locator("#no-view path").count() >= 3, true, "ridges and two paths");
       await shoot(page, "without_webgl");
     }, { from: plain, strict: false });
   } finally {
@@ -499,6 +608,7 @@ for (const [size, viewport] of Object.entries({ desktop, tablet, phone })) {
         await page.locator(`label:has(input[value=${mode}])`).click();
         await page.waitForTimeout(300);
         await accessible(page);
+        assert.doesNotMatch(await page.innerText("body"), /ghost|real cylinder|real object|virtual target(?!s\.)|turntable/i, "one name each");
         const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
         assert.ok(inner <= outer, `${inner} pixels wide in a window of ${outer}`);
         await shoot(page, `${mode}_${size}_${colorScheme}`);

@@ -56,8 +56,8 @@ test("a plate on a serial line follows, is drawn, and its stop is said", () => v
   await page.keyboard.up("ArrowUp");
   assert.ok(Math.abs(await at()) > 15, `the plate was sent to ${await at()}`);
   await served(page, 3);
-  const [, size, side] = /^(\d+)° (left|right)$/.exec(await text(page, "#now-plate"));
-  assert.ok(Math.abs((side === "left" ? 1 : -1) * Number(size) - await at()) < 4, `drawn at ${size}° ${side}, reported ${await at()}`);
+  const shown = Number(await page.locator("#stage").getAttribute("data-plate-deg"));
+  assert.ok(Math.abs(shown - await at()) < 4, `drawn at ${shown}°, reported ${await at()}`);
   await accessible(page);
   await shoot(page, "plate_connected");
   await page.evaluate(() => globalThis.plateDouble.say("STOPPED emergency"));

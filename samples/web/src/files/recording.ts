@@ -1,24 +1,21 @@
 // A recording of the plugin, read for the picture: the tracked finger, the commanded plate, and what the controller
 // made of them. Library.replay() checks it; this reads columns by their names.
 import { HRT_SAMPLE_PLATE_POSITION } from "haptic-retargeting";
-import { start } from "../geometry";
-import type { Trace } from "../trace";
-
-export type RecordedSample = Trace[number] & { readonly time_ms: number };
+import { type Course, start } from "../geometry";
+import { maxTrace, type Trace, tracePeriod_ms } from "../trace";
 
 export interface RecordedReach {
-  readonly real_deg: number;
-  readonly virtual_deg: number;
-  readonly real_m: number;
-  /** With positions on the plate, in order of time, from 0. */
-  readonly samples: readonly RecordedSample[];
+  readonly name: string;
+  readonly course: Course;
+  /** With positions on the plate, as the chart has them. */
+  readonly samples: Trace;
 }
 
 /** The first reach of a recording that replays. Throws if it has no positions on the plate. */
-export function readReach(recording: string): RecordedReach {
+export function readReach(recording: string, name: string): RecordedReach {
   const lines = recording.split("\n").filter((line) => line !== "" && !line.startsWith("#"));
   const columns = (lines[0] ?? "").split(","),
-    samples: RecordedSample[] = [];
+    samples: Trace = [];
   let begin: string[] | null = null,
     first_ms = NaN;
   const number = (cells: readonly string[], column: string): number => {
@@ -40,8 +37,7 @@ export function readReach(recording: string): RecordedReach {
       if (!(number(cells, "sample_flags") & HRT_SAMPLE_PLATE_POSITION)) continue;
       if (Number.isNaN(first_ms)) first_ms = time_ms;
       const moving = number(cells, "step") >= 0;
-      samples.push({
-        time_ms: time_ms - first_ms,
+      const sample = {
         finger: { right_m, away_m },
         felt: { right_m: NaN, away_m: NaN }, // not in a recording
         plate_deg: number(cells, "plate_orientation_deg"),
@@ -49,14 +45,18 @@ export function readReach(recording: string): RecordedReach {
         felt_deg: moving ? number(cells, "perceived_direction_deg") : NaN,
         weight: number(cells, "tactile_weight"),
         weight_sd: number(cells, "tactile_weight_sd"),
-      });
+      };
+      while (samples.length * tracePeriod_ms <= time_ms - first_ms && samples.length < maxTrace) samples.push(sample);
     }
   }
   if (!begin || samples.length === 0) throw new Error("the recording has no reach with positions on the plate");
-  return {
+  const real_m = number(begin, "real_distance_m");
+  const course = {
+    start,
     real_deg: number(begin, "real_direction_deg"),
+    real_m,
     virtual_deg: number(begin, "virtual_direction_deg"),
-    real_m: number(begin, "real_distance_m"),
-    samples,
+    virtual_m: real_m,
   };
+  return { name, course, samples };
 }

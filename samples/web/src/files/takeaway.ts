@@ -1,7 +1,7 @@
 // Files of the plugin: the last reach and what was learnt, to take away; a recording, which is run again and compared bit
 // for bit, or a scene, to bring. Nothing leaves the machine. What is refused is refused in the plugin's words.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
-import { element, messageOf, say } from "../page";
+import { element, messageOf, report, say } from "../page";
 import { type RecordedReach, readReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
 
@@ -9,7 +9,6 @@ const max_bytes = 32 * 1024 * 1024;
 
 export class TakeAway {
   readonly #saveRecording = element("save-recording", HTMLButtonElement);
-  readonly #problem = element("problem", HTMLParagraphElement);
   readonly #replayed = element("replayed", HTMLParagraphElement);
 
   /** `recording` and `profile` are asked when a button is pressed; `brought` gets what is to be shown. */
@@ -45,11 +44,10 @@ export class TakeAway {
         throw new Error(`${Math.ceil(size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
       if (/\.csv$/i.test(name)) this.brought.reach(this.#replay(name, await file.text()));
       else this.brought.scene(await this.#scene(file, files));
-      this.#problem.hidden = true;
+      report("");
     } catch (error) {
       const message = messageOf(error);
-      this.#problem.hidden = false;
-      say(this.#problem, message.startsWith(name) ? message : `${name}: ${message}`);
+      report(message.startsWith(name) ? message : `${name}: ${message}`);
     }
   }
 
@@ -72,7 +70,7 @@ export class TakeAway {
 
   #replay(name: string, text: string): RecordedReach {
     const report = this.library.replay(text),
-      reach = readReach(text);
+      reach = readReach(text, name);
     const same =
       report.first_different_line === 0n
         ? `All ${report.rows} calls gave the same numbers again, bit for bit.`

@@ -2,14 +2,14 @@
 // steers that to the glass, and then sees where their hand is.
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
-import { length_m, type Place, start } from "../geometry";
+import { type Course, distance_m, length_m, type Place, start, virtualPlace } from "../geometry";
 import type { Hand } from "../hand";
-import { showNow } from "../now";
 import { element, say } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import type { Ticks } from "../ticks";
 import type { Voice } from "../voice";
+import type { Compare } from "./compare";
 import { Series } from "./series";
 
 const keySpeed_m_s = 0.06;
@@ -43,6 +43,7 @@ export class Sliding {
     private readonly plain: Hand,
     private readonly world: World,
     private readonly desk: Desk,
+    private readonly compare: Compare,
     private readonly voice: Voice,
     private readonly ticks: Ticks,
     private settings: Readonly<Settings>,
@@ -67,12 +68,18 @@ export class Sliding {
     return this.#plateOff ? this.plain : this.led;
   }
 
+  /** Something moves. */
+  get busy(): boolean {
+    return !this.hand.resting || this.#keys.size > 0 || (this.hand.phase === "arrived" && this.#shown_ms < reveal_ms);
+  }
+
   apply(settings: Readonly<Settings>): void {
     this.settings = settings;
     this.plain.apply({ ...settings, controller: "off" });
     this.led.apply(settings);
     this.#plateOff = false;
     this.#series.begin(settings.gap_deg);
+    this.compare.clear();
     this.restart();
   }
 
@@ -86,8 +93,12 @@ export class Sliding {
     this.#keys.clear();
     if (!this.active) return; // the picture is another mode's
     desk.clearPaths();
-    const { real_deg, virtual_deg, real_m } = pageCourse({ ...this.settings, gap_deg });
+    const { real_deg, virtual_deg, real_m } = this.#course();
     desk.setTargets(real_deg, virtual_deg, real_m);
+  }
+
+  #course(): Course {
+    return pageCourse({ ...this.settings, gap_deg: this.hand.gap_deg });
   }
 
   frame(elapsed_ms: number): void {
@@ -98,10 +109,18 @@ export class Sliding {
     const whole = Math.floor(this.#owed_ms);
     this.#owed_ms -= whole;
     hand.advance(whole);
-    if (phase === "sliding" && hand.ridges !== ridges) this.ticks.ridge();
+    if (phase === "sliding" && hand.ridges !== ridges) this.ticks.ridge(hand.speed_m_s);
+    if (this.#keys.size > 0 && hand.phase === "sliding") this.#guide();
     if (phase !== "arrived" && hand.phase === "arrived") this.#arrive();
     else if (hand.phase === "arrived") this.#shown_ms += elapsed_ms;
     this.#draw();
+  }
+
+  /** By sound, for who steers by keys. */
+  #guide(): void {
+    const { felt } = this.hand,
+      glass = virtualPlace(this.#course());
+    this.ticks.guide((glass.right_m - felt.right_m) / 0.015, length_m(felt, glass) / distance_m);
   }
 
   #again(plateOff: boolean): void {
@@ -113,7 +132,6 @@ export class Sliding {
 
   #press(event: PointerEvent): void {
     if (!this.active || event.button !== 0 || this.hand.phase === "arrived") return;
-    this.ticks.wake();
     this.#pressed = true;
     if (this.#held < 0 && this.desk.placeOf(event, this.#pointer)) this.#grasp(event);
     this.desk.grip.setPointerCapture(event.pointerId); // beyond the window too
@@ -163,7 +181,6 @@ export class Sliding {
     } else {
       return;
     }
-    this.ticks.wake();
     event.preventDefault();
   }
 
@@ -191,6 +208,7 @@ export class Sliding {
     this.#letGo();
     this.#shown_ms = 0;
     if (!this.#plateOff && result && result.feltToGlass_mm < missed_mm) this.#series.ask(result.gap_deg);
+    this.compare.keep(this.#plateOff ? "off" : "on", hand.trace, this.#course());
     this.ticks.contact();
     this.voice.say(this.#text());
   }
@@ -202,12 +220,6 @@ export class Sliding {
     if (hand.phase !== "waiting") desk.extendPaths(hand.finger, hand.felt);
     desk.reveal(!over ? 0 : this.still ? 1 : Math.min(1, this.#shown_ms / reveal_ms));
     desk.draw(plate_deg, hand.finger, hand.felt);
-    showNow(
-      plate_deg,
-      hand.finger_deg,
-      hand.felt_deg,
-      pageCourse({ ...this.settings, gap_deg: hand.gap_deg }).virtual_deg,
-    );
     desk.caption(hand.phase, this.#text());
     element("after", HTMLDivElement).hidden = !over || this.#series.asking;
     say(element("learnt", HTMLParagraphElement), over ? this.#learnt() : "");

@@ -1,7 +1,6 @@
 // The mode "Watch": plays reach after reach, at the chosen speed, and says what happens.
 import type { Desk } from "../desk";
 import type { Place } from "../geometry";
-import { showNow } from "../now";
 import { element, say, sideways } from "../page";
 import type { World } from "../person";
 import { type Results, resultText } from "../results";
@@ -133,7 +132,6 @@ export class Watching {
       goal_deg = this.watch.course.virtual_deg;
     const finger_deg = moving ? world.finger_deg() : NaN;
     const felt_deg = moving ? goal_deg + world.felt_error_deg() : NaN;
-    showNow(world.plate_deg(), finger_deg, felt_deg, goal_deg);
     this.desk.caption(this.watch.phase, this.#text(finger_deg, felt_deg));
   }
 

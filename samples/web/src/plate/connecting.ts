@@ -31,6 +31,9 @@ export class Connecting {
     window.addEventListener("pagehide", () => this.#device?.close());
   }
 
+  get connected(): boolean {
+    return this.#device !== null;
+  }
   /** Where the connected plate is; NaN: none is, or it is not ready. */
   get orientation_deg(): number {
     return this.#device?.link.ready ? this.#device.orientation_deg : NaN;

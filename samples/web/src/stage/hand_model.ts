@@ -2,7 +2,7 @@
 
 import left from "generic-hand/left.glb";
 import right from "generic-hand/right.glb";
-import { Euler, type Material, type Object3D, Quaternion, type SkinnedMesh, Vector3 } from "three";
+import * as THREE from "three";
 import { type GLTF, GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
 export async function readHand(side: "left" | "right"): Promise<GLTF> {
@@ -13,8 +13,8 @@ export async function readHand(side: "left" | "right"): Promise<GLTF> {
   );
 }
 
-export function cover(hand: Object3D, skin: Material): void {
-  const mesh = hand.getObjectByProperty("isSkinnedMesh", true) as SkinnedMesh;
+export function cover(hand: THREE.Object3D, skin: THREE.Material): void {
+  const mesh = hand.getObjectByProperty("isSkinnedMesh", true) as THREE.SkinnedMesh;
   Object.assign(mesh, { material: skin, castShadow: true, frustumCulled: false });
 }
 
@@ -26,17 +26,19 @@ const bends = {
   "pinky-finger": [0, 60, 72, 40],
   thumb: [6, 16, 30],
 };
-/** The forearm comes from above and from the right. */
-const attitude = new Quaternion().setFromEuler(new Euler(-0.42, 0.75, 0.1, "YXZ"));
+/** The forearm comes from below, from the right. */
+const attitude = new THREE.Quaternion().setFromEuler(new THREE.Euler(-0.38, 0.42, 0.05, "YXZ"));
+/** Of the forearm, beyond the wrist, in the hand's own size. */
+const arm_m = { wrist: 0.026, elbow: 0.045, length: 0.34 };
 /** Smaller than a hand is: it would hide the plate. */
 const scale = 0.7;
 /** From the joint within the fingertip to its skin. */
 const pad_m = 0.0065 * scale;
 
 /** A right hand that points ahead, its index fingertip at the origin. */
-export async function pointingHand(skin: Material): Promise<Object3D> {
+export async function pointingHand(skin: THREE.Material): Promise<THREE.Object3D> {
   const hand = (await readHand("right")).scene.children[0],
-    turn = new Quaternion();
+    turn = new THREE.Quaternion();
   const wrist = hand?.getObjectByName("wrist"),
     tip = hand?.getObjectByName("index-finger-tip");
   if (!hand || !wrist || !tip) throw new Error("the hand's file has no hand");
@@ -44,8 +46,8 @@ export async function pointingHand(skin: Material): Promise<Object3D> {
     // its joints lie side by side: those beyond a bend follow
     const joints = hand.children.filter(({ name }) => name.startsWith(finger));
     angles.forEach((angle, i) => {
-      const at = joints[i]?.position.clone() ?? new Vector3(),
-        axis = new Vector3(1, 0, 0).applyQuaternion(joints[i]?.quaternion ?? turn);
+      const at = joints[i]?.position.clone() ?? new THREE.Vector3(),
+        axis = new THREE.Vector3(1, 0, 0).applyQuaternion(joints[i]?.quaternion ?? turn);
       turn.setFromAxisAngle(axis, (-angle * Math.PI) / 180);
       for (const joint of joints.slice(i)) {
         joint.position.sub(at).applyQuaternion(turn).add(at);
@@ -55,6 +57,12 @@ export async function pointingHand(skin: Material): Promise<Object3D> {
   }
   cover(hand, skin);
   hand.quaternion.copy(attitude).multiply(wrist.quaternion.clone().invert());
+  const arm = new THREE.Mesh(new THREE.CylinderGeometry(arm_m.wrist, arm_m.elbow, arm_m.length, 24, 1, true), skin);
+  arm.castShadow = true;
+  // The hand lies along the wrist's -Z; a cylinder along Y, its top at the wrist.
+  arm.position.set(0, 0, arm_m.length / 2 - 0.01);
+  arm.rotation.x = -Math.PI / 2;
+  wrist.add(arm);
   hand.scale.setScalar(scale);
   hand.position.copy(tip.position).applyQuaternion(hand.quaternion).multiplyScalar(-scale);
   hand.position.y += pad_m;

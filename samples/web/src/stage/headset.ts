@@ -1,45 +1,38 @@
 // What only a headset shows: tracked hands, and a board with words behind the plate.
-import {
-  CanvasTexture,
-  Group,
-  type Loader,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  PlaneGeometry,
-  type Quaternion,
-  type Vector3,
-} from "three";
+import * as THREE from "three";
 import type { GLTF } from "three/addons/loaders/GLTFLoader.js";
 import { XRHandModelFactory } from "three/addons/webxr/XRHandModelFactory.js";
 import { cover, readHand } from "./hand_model";
 import type { Stage } from "./stage";
 
 const width_px = 1024,
-  height_px = 320,
   margin_px = 36;
+const poke_m = 0.015;
 
 /** Draws the stage in a headset. */
 export class Headset {
-  readonly #eyes = new PerspectiveCamera(40, 1, 0.01, 50); // the headset moves this one
-  readonly #words = new WordBoard();
-  readonly #skin = new MeshStandardMaterial({ roughness: 0.6, transparent: true, opacity: 0.75 });
+  /** Both hands, which are drawn where they are felt. */
+  readonly #hands = new THREE.Group();
+  readonly #again = new WordBoard(0.12, 0.05, new THREE.Vector3(0.15, 0.05, -0.1));
+  readonly #eyes = new THREE.PerspectiveCamera(40, 1, 0.01, 50); // the headset moves this one
+  readonly #words = new WordBoard(0.32, 0.1, new THREE.Vector3(0, 0.09, -0.16));
+  readonly #skin = new THREE.MeshStandardMaterial({ roughness: 0.6, transparent: true, opacity: 0.75 });
 
   constructor(private readonly stage: Stage) {
-    stage.mount.add(this.#words);
+    stage.mount.add(this.#words, this.#again);
+    stage.scene.add(this.#hands);
     const loader = {
       load: (file: string, use: (hand: GLTF) => void) => {
         void readHand(file === "left.glb" ? "left" : "right").then(use);
       },
     };
-    const factory = new XRHandModelFactory(loader as unknown as Loader<GLTF>, (hand) => cover(hand, this.#skin));
+    const factory = new XRHandModelFactory(loader as unknown as THREE.Loader<GLTF>, (hand) => cover(hand, this.#skin));
     for (const hand of [0, 1].map((i) => stage.renderer.xr.getHand(i)))
-      stage.scene.add(hand.add(factory.createHandModel(hand, "mesh")));
+      this.#hands.add(hand.add(factory.createHandModel(hand, "mesh")));
   }
 
   /** The plate and all about it lie there, in the space of the frames. */
-  put(position: Vector3, rotation: Quaternion): void {
+  put(position: THREE.Vector3, rotation: THREE.Quaternion): void {
     const { mount } = this.stage;
     mount.position.copy(position);
     mount.quaternion.copy(rotation);
@@ -52,11 +45,24 @@ export class Headset {
     this.#words.visible = worn;
   }
 
-  say(title: string, text: string): void {
+  /** `placed`: the plate can be placed again, by a poke at the button that says so. */
+  say(title: string, text: string, placed: boolean): void {
     const { colours } = this.stage;
     if (!colours) return;
     this.#skin.color.set(colours.hand);
     this.#words.say(title, text, colours.text, colours.panel);
+    this.#again.say("", "Poke here to place the plate again", colours.panel, colours.text);
+    this.#again.visible = placed;
+  }
+
+  /** The hands are seen this far from where they are, on the plate. */
+  shift(right_m: number, away_m: number): void {
+    this.#hands.position.set(right_m, 0, -away_m).applyQuaternion(this.stage.mount.quaternion);
+  }
+
+  /** True once for each poke of a fingertip at the button. */
+  poked(tip: Readonly<THREE.Vector3>, hand: string): boolean {
+    return this.#again.visible && this.#again.poked(tip, hand);
   }
 
   /** Draws until the session ends: `frame` is called before each picture, with the space in which `mount` stands; `moved`
@@ -77,6 +83,7 @@ export class Headset {
       xr.enabled = false;
       scene.background = background;
       desk.visible = true;
+      this.#again.visible = false;
       mount.position.set(0, 0, 0);
       mount.quaternion.identity();
     });
@@ -92,25 +99,35 @@ export class Headset {
   }
 }
 
-/** Words that stand behind the plate. Drawn anew only when they change. */
-class WordBoard extends Group {
+/** Words behind the plate, which lean back. Drawn again only when they change. */
+class WordBoard extends THREE.Mesh {
   readonly #canvas = document.createElement("canvas");
-  readonly #texture: CanvasTexture;
+  readonly #texture: THREE.CanvasTexture;
   #text = "";
+  #touched = "";
 
-  constructor() {
-    super();
+  constructor(
+    private readonly width_m: number,
+    private readonly height_m: number,
+    at: THREE.Vector3,
+  ) {
+    super(new THREE.PlaneGeometry(width_m, height_m));
     this.#canvas.width = width_px;
-    this.#canvas.height = height_px;
-    this.#texture = new CanvasTexture(this.#canvas);
-    const board = new Mesh(
-      new PlaneGeometry(0.32, (0.32 * height_px) / width_px),
-      new MeshBasicMaterial({ map: this.#texture }),
-    );
-    board.position.set(0, 0.09, -0.16);
-    board.rotation.x = -0.35;
-    this.add(board);
+    this.#canvas.height = (width_px * height_m) / width_m;
+    this.#texture = new THREE.CanvasTexture(this.#canvas);
+    this.material = new THREE.MeshBasicMaterial({ map: this.#texture });
+    this.position.copy(at);
+    this.rotation.x = -0.35;
     this.visible = false;
+  }
+
+  poked(tip: Readonly<THREE.Vector3>, hand: string): boolean {
+    const { x, y, z } = this.worldToLocal(tip.clone());
+    const touches = Math.abs(x) < this.width_m / 2 && Math.abs(y) < this.height_m / 2 && Math.abs(z) < poke_m;
+    const before = this.#touched;
+    if (touches) this.#touched = hand;
+    else if (before === hand) this.#touched = "";
+    return touches && before === "";
   }
 
   /** `title` is the first line. */
@@ -121,17 +138,19 @@ class WordBoard extends Group {
     const pen = this.#canvas.getContext("2d");
     if (!pen) return;
     pen.fillStyle = paper;
+    const height_px = this.#canvas.height;
     pen.fillRect(0, 0, width_px, height_px);
     pen.fillStyle = ink;
     // As large as fits: an instruction is never cut.
-    let size_px = 42,
+    const first = title ? 2.1 : 0.8; // the line on which the text begins
+    let size_px = title ? 42 : 110,
       lines: string[] = [];
     do {
       size_px -= 2;
       pen.font = `${size_px}px system-ui, sans-serif`;
       lines = wrapped(text, (line) => pen.measureText(line).width <= width_px - 2 * margin_px);
-    } while (size_px > 16 && (lines.length + 1.3) * 1.2 * size_px > height_px - margin_px);
-    for (const [i, line] of lines.entries()) pen.fillText(line, margin_px, margin_px + (i + 2.1) * 1.2 * size_px);
+    } while (size_px > 16 && (lines.length + first - 0.8) * 1.2 * size_px > height_px - margin_px);
+    for (const [i, line] of lines.entries()) pen.fillText(line, margin_px, margin_px + (i + first) * 1.2 * size_px);
     pen.font = `bold ${size_px}px system-ui, sans-serif`;
     pen.fillText(title, margin_px, margin_px + 0.8 * size_px);
     this.#texture.needsUpdate = true;

@@ -1,30 +1,15 @@
 // What lies and moves about the plate: the cylinder, the glass, the hand, the felt fingertip.
-import {
-  CylinderGeometry,
-  EdgesGeometry,
-  Group,
-  LatheGeometry,
-  LineBasicMaterial,
-  LineSegments,
-  type Material,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  type Object3D,
-  RingGeometry,
-  SphereGeometry,
-  Vector2,
-} from "three";
+import * as THREE from "three";
 import { cylinderRadius_m } from "../geometry";
 import type { Colours } from "../theme";
 
 /** What real and felt things are made of, in the page's colours. */
-const solid = new MeshStandardMaterial({ roughness: 0.35, metalness: 0.2 });
-const glass = new MeshBasicMaterial({ transparent: true, opacity: 0.25, depthWrite: false });
-const outlines = new LineBasicMaterial();
-const ballGlass = new MeshBasicMaterial({ transparent: true, opacity: 0.4, depthWrite: false });
-const ringPaint = new MeshBasicMaterial({ depthTest: false, transparent: true });
-const startPaint = new MeshBasicMaterial({ depthTest: false, transparent: true });
+const solid = new THREE.MeshStandardMaterial({ roughness: 0.35, metalness: 0.2 });
+const glass = new THREE.MeshBasicMaterial({ transparent: true, opacity: 0.25, depthWrite: false });
+const outlines = new THREE.LineBasicMaterial();
+const ballGlass = new THREE.MeshBasicMaterial({ transparent: true, opacity: 0.4, depthWrite: false });
+const ringPaint = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
+const startPaint = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
 
 export function colourThings({ real, felt, text }: Colours): void {
   solid.color.set(real);
@@ -33,10 +18,10 @@ export function colourThings({ real, felt, text }: Colours): void {
 }
 
 /** A solid cylinder that stands at its origin. */
-export class RealCylinder extends Group {
+export class RealCylinder extends THREE.Group {
   constructor() {
     super();
-    const cylinder = new Mesh(new CylinderGeometry(cylinderRadius_m, cylinderRadius_m, 0.03, 32), solid);
+    const cylinder = new THREE.Mesh(new THREE.CylinderGeometry(cylinderRadius_m, cylinderRadius_m, 0.03, 32), solid);
     cylinder.position.y = 0.015;
     cylinder.castShadow = true;
     this.add(cylinder);
@@ -44,7 +29,7 @@ export class RealCylinder extends Group {
 }
 
 /** A goblet that is seen, or imagined, and not there. */
-export class Glass extends Group {
+export class Glass extends THREE.Group {
   constructor() {
     super();
     const outline = [
@@ -56,19 +41,20 @@ export class Glass extends Group {
       [0.0062, 0.024],
       [0.0056, 0.03],
     ] as const;
-    const shape = new LatheGeometry(
-      outline.map(([r, y]) => new Vector2(r, y)),
+    const shape = new THREE.LatheGeometry(
+      outline.map(([r, y]) => new THREE.Vector2(r, y)),
       12,
     );
-    this.add(new Mesh(shape, glass), new LineSegments(new EdgesGeometry(shape, 1), outlines));
+    this.add(new THREE.Mesh(shape, glass), new THREE.LineSegments(new THREE.EdgesGeometry(shape, 1), outlines));
   }
 }
 
 /** A pointing hand whose fingertip touches its origin, once the model has come. */
-export class Finger extends Group {
-  readonly skin = new MeshStandardMaterial({ roughness: 0.6, transparent: true });
+export class Finger extends THREE.Group {
+  /** Fades by dots, so that no inner side is seen through it. */
+  readonly skin = new THREE.MeshStandardMaterial({ roughness: 0.6, alphaHash: true, side: THREE.DoubleSide });
   /** `model`: of hand_model.ts. */
-  async become(model: (skin: Material) => Promise<Object3D>): Promise<void> {
+  async become(model: (skin: THREE.Material) => Promise<THREE.Object3D>): Promise<void> {
     this.add(await model(this.skin));
   }
   /** From 0, not there, to 1. */
@@ -79,12 +65,12 @@ export class Finger extends Group {
 }
 
 /** Where the owner feels that the fingertip is: a ring, and a glassy ball. */
-export class FeltTip extends Group {
+export class FeltTip extends THREE.Group {
   constructor() {
     super();
-    const ball = new Mesh(new SphereGeometry(0.006, 20, 14), ballGlass);
+    const ball = new THREE.Mesh(new THREE.SphereGeometry(0.006, 20, 14), ballGlass);
     ball.position.y = 0.006;
-    const ring = new Mesh(new RingGeometry(0.0062, 0.0078, 36), ringPaint);
+    const ring = new THREE.Mesh(new THREE.RingGeometry(0.0062, 0.0078, 36), ringPaint);
     ring.rotation.x = -Math.PI / 2;
     ring.position.y = 0.003;
     ring.renderOrder = 6;
@@ -93,27 +79,27 @@ export class FeltTip extends Group {
 }
 
 /** Where a slide starts. */
-export class StartMark extends Mesh {
+export class StartMark extends THREE.Mesh {
   constructor() {
-    super(new RingGeometry(0.0085, 0.0095, 40), startPaint);
+    super(new THREE.RingGeometry(0.0085, 0.0095, 40), startPaint);
     this.rotation.x = -Math.PI / 2;
     this.position.y = 0.003;
     this.renderOrder = 4;
   }
 }
 
-/** Targets in their colours: real ones solid, virtual ones as glasss. */
-export function colourTargets(group: Group, real: string, felt: string): void {
+/** Targets in their colours: real ones solid, virtual ones as glass. */
+export function colourTargets(group: THREE.Group, real: string, felt: string): void {
   group.traverse((node) => {
     const { haptic } = node.userData as { haptic?: { role?: unknown } };
     const role = haptic?.role;
     if (role !== "real" && role !== "virtual") return;
     node.traverse((part) => {
-      if (!(part instanceof Mesh)) return;
+      if (!(part instanceof THREE.Mesh)) return;
       part.material =
         role === "real"
-          ? new MeshStandardMaterial({ color: real, roughness: 0.4 })
-          : new MeshBasicMaterial({ color: felt, transparent: true, opacity: 0.5, depthWrite: false });
+          ? new THREE.MeshStandardMaterial({ color: real, roughness: 0.4 })
+          : new THREE.MeshBasicMaterial({ color: felt, transparent: true, opacity: 0.5, depthWrite: false });
     });
   });
 }

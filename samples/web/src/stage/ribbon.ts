@@ -1,37 +1,22 @@
-// A path drawn flat on the plate, as a line that grows with the finger. Memory is taken once.
-import type { InterleavedBufferAttribute } from "three";
+// A path drawn flat on the plate, as a line that grows with the finger.
+import { Line2 } from "three/addons/lines/Line2.js";
+import { LineGeometry } from "three/addons/lines/LineGeometry.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
 const capacity = 2000;
-const minStep_m = 0.0005,
-  maxStep_m = 0.001;
+const minStep_m = 0.0005;
 
-export class Ribbon extends LineSegments2 {
-  readonly #buffer;
-  #count = 0;
-  #right_m = NaN;
-  #away_m = NaN;
-  #travelled_m = 0;
+export class Ribbon extends Line2 {
+  readonly #points: number[] = [];
   #shown = 1;
 
-  /** Dashes every `dash_m`, with round ends; 0: a solid line. */
-  constructor(
-    private readonly width_m: number,
-    private readonly dash_m: number,
-    height_m: number,
-  ) {
+  /** Dashes every `dash_m`; 0: a solid line. */
+  constructor(width_m: number, dash_m: number, height_m: number) {
+    const dashes = { dashed: dash_m > 0, dashSize: dash_m / 2, gapSize: dash_m / 2 };
     super(
-      new LineSegmentsGeometry().setPositions(new Float32Array(6 * capacity)),
-      new LineMaterial({
-        worldUnits: true,
-        linewidth: width_m,
-        depthTest: false,
-        transparent: true,
-      }),
+      new LineGeometry(),
+      new LineMaterial({ worldUnits: true, linewidth: width_m, depthTest: false, transparent: true, ...dashes }),
     );
-    this.#buffer = (this.geometry.attributes.instanceStart as InterleavedBufferAttribute).data;
     this.position.y = height_m;
     this.frustumCulled = false;
     this.renderOrder = 5;
@@ -39,9 +24,8 @@ export class Ribbon extends LineSegments2 {
   }
 
   reset(): void {
-    this.#right_m = this.#away_m = NaN;
-    this.#count = this.#travelled_m = 0;
-    this.#show();
+    this.#points.length = 0;
+    this.visible = false;
   }
 
   /** How much of it is drawn, from its start: 0 to 1. */
@@ -52,32 +36,18 @@ export class Ribbon extends LineSegments2 {
 
   /** The path continues there. */
   extend(right_m: number, away_m: number): void {
-    const far_m = Math.hypot(right_m - this.#right_m, away_m - this.#away_m),
-      from = { right_m: this.#right_m, away_m: this.#away_m };
-    if (far_m < minStep_m) return;
-    // In pieces, so that a fast finger's dashes are as long as a slow one's; NaN: the first place.
-    for (let i = 1, pieces = Math.ceil(far_m / maxStep_m) || 0; i <= pieces; ++i) {
-      this.#extend(
-        from.right_m + ((right_m - from.right_m) * i) / pieces,
-        from.away_m + ((away_m - from.away_m) * i) / pieces,
-        far_m / pieces,
-      );
-    }
-    [this.#right_m, this.#away_m] = [right_m, away_m];
+    const [x = NaN, , z = NaN] = this.#points.slice(-3);
+    if (Math.hypot(right_m - x, -away_m - z) < minStep_m || this.#points.length >= 3 * capacity) return;
+    this.#points.push(right_m, 0, -away_m);
+    if (this.#points.length < 6) return;
+    this.geometry.dispose();
+    this.geometry = new LineGeometry().setPositions(this.#points);
+    this.computeLineDistances();
     this.#show();
   }
 
-  #extend(right_m: number, away_m: number, far_m: number): void {
-    const drawn = this.dash_m === 0 || this.#travelled_m % this.dash_m < this.dash_m / 2 - this.width_m / 2;
-    if (drawn && this.#count < capacity) {
-      this.#buffer.set([this.#right_m, 0, -this.#away_m, right_m, 0, -away_m], 6 * this.#count++);
-      this.#buffer.needsUpdate = true;
-    }
-    this.#travelled_m += far_m;
-    [this.#right_m, this.#away_m] = [right_m, away_m];
-  }
-
   #show(): void {
-    this.geometry.instanceCount = Math.round(this.#shown * this.#count);
+    this.geometry.instanceCount = Math.round(this.#shown * (this.#points.length / 3 - 1));
+    this.visible = this.geometry.instanceCount > 0;
   }
 }

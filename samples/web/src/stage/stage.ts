@@ -1,23 +1,6 @@
 // The desk in three dimensions. Draws what it is given; knows no plugin and no person.
 import { HapticPlate } from "haptic-retargeting/three";
-import {
-  BoxGeometry,
-  type BufferGeometry,
-  Color,
-  DirectionalLight,
-  Group,
-  HemisphereLight,
-  type Material,
-  Mesh,
-  MeshStandardMaterial,
-  PerspectiveCamera,
-  Plane,
-  Raycaster,
-  Scene,
-  Vector2,
-  Vector3,
-  WebGLRenderer,
-} from "three";
+import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { VisitorScene } from "../files/scene";
 import { ahead, type Place, radius_m, ridgeSpacing_m, start } from "../geometry";
@@ -27,8 +10,8 @@ import { Ribbon } from "./ribbon";
 
 const fieldOfView_deg = 30; // from top to bottom
 /** From the visitor's seat: the same in all modes, as near as the plate fits into the picture. */
-const seat = new Vector3(0, 0.85, 0.53);
-const middle = new Vector3(0, 0, 0.002);
+const seat = new THREE.Vector3(0, 0.85, 0.53);
+const middle = new THREE.Vector3(0, 0, 0.002);
 const fill = 0.97;
 const headHeight_m = 0.034; // of a target, for its label
 const pathHeight_m = 0.003;
@@ -39,16 +22,16 @@ export type LabelName = "real" | "glass" | "finger" | "felt";
 export class Stage {
   readonly truePath = new Ribbon(0.0022, 0, pathHeight_m);
   readonly feltPath = new Ribbon(0.0022, 0.008, pathHeight_m);
-  readonly renderer: WebGLRenderer;
-  readonly scene = new Scene();
+  readonly renderer: THREE.WebGLRenderer;
+  readonly scene = new THREE.Scene();
   /** All that stands on or about the plate, in plate coordinates; in a headset, where the plate is. */
-  readonly mount = new Group();
+  readonly mount = new THREE.Group();
   /** The visitor turns the picture by a drag, except from above. */
   readonly orbit: OrbitControls;
-  readonly #camera = new PerspectiveCamera(fieldOfView_deg, 1, 0.01, 5);
-  readonly #disc = new MeshStandardMaterial({ roughness: 0.85 });
-  readonly #ridges = new MeshStandardMaterial({ roughness: 0.6 });
-  readonly #mark = new MeshStandardMaterial({ roughness: 0.6 });
+  readonly #camera = new THREE.PerspectiveCamera(fieldOfView_deg, 1, 0.01, 5);
+  readonly #disc = new THREE.MeshStandardMaterial({ roughness: 0.85 });
+  readonly #ridges = new THREE.MeshStandardMaterial({ roughness: 0.6 });
+  readonly #mark = new THREE.MeshStandardMaterial({ roughness: 0.6 });
   // Ridges are drawn larger than they are: as a headset would have them, they could hardly be seen from here.
   readonly plate = new HapticPlate({
     radius_m,
@@ -59,26 +42,29 @@ export class Stage {
     ridgeMaterial: this.#ridges,
     markMaterial: this.#mark,
   });
-  readonly desk = new Mesh(new BoxGeometry(1.2, 0.02, 0.9), new MeshStandardMaterial({ roughness: 1 }));
+  readonly desk = new THREE.Mesh(
+    new THREE.BoxGeometry(1.2, 0.02, 0.9),
+    new THREE.MeshStandardMaterial({ roughness: 1 }),
+  );
   readonly #real = new RealCylinder();
   readonly #glass = new Glass();
   readonly finger = new Finger();
   readonly #felt = new FeltTip();
   readonly #start = new StartMark();
-  readonly #visited = new Group();
+  readonly #visited = new THREE.Group();
   colours: Colours | null = null;
-  readonly #lamp = new DirectionalLight(0xfff4e6, 1.7);
-  readonly #ray = new Raycaster();
-  readonly #surface = new Plane(new Vector3(0, 1, 0), 0);
-  readonly #point = new Vector3();
-  readonly #pointer = new Vector2();
+  readonly #lamp = new THREE.DirectionalLight(0xfff4e6, 1.7);
+  readonly #ray = new THREE.Raycaster();
+  readonly #surface = new THREE.Plane(new THREE.Vector3(0, 1, 0), 0);
+  readonly #point = new THREE.Vector3();
+  readonly #pointer = new THREE.Vector2();
   #width = 1;
   #height = 1;
   #finest = 2;
 
   /** Throws if the browser has no WebGL. */
   constructor(canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.shadowMap.enabled = true;
     this.orbit = new OrbitControls(this.#camera, canvas);
     Object.assign(this.orbit, { enableZoom: false, enablePan: false, maxPolarAngle: 1.4 });
@@ -106,14 +92,14 @@ export class Stage {
       this.#lamp,
       this.#lamp.target,
     );
-    this.scene.add(this.mount, new HemisphereLight(0xffffff, 0x9a8f86, 1.9));
+    this.scene.add(this.mount, new THREE.HemisphereLight(0xffffff, 0x9a8f86, 1.9));
   }
 
   setColours(colours: Colours): void {
     this.colours = colours;
     colourTargets(this.#visited, colours.real, colours.felt);
     colourThings(colours);
-    this.scene.background = new Color(colours.stage);
+    this.scene.background = new THREE.Color(colours.stage);
     this.desk.material.color.set(colours.desk);
     this.#disc.color.set(colours.plate);
     this.#ridges.color.set(colours.ridges);
@@ -134,9 +120,9 @@ export class Stage {
   setScene(scene: VisitorScene | null): void {
     this.#visited.traverse((part) => {
       // off the graphics card; what is shown again goes there again
-      if (!(part instanceof Mesh)) return;
-      (part.geometry as BufferGeometry).dispose();
-      for (const material of [part.material].flat() as Material[]) material.dispose();
+      if (!(part instanceof THREE.Mesh)) return;
+      (part.geometry as THREE.BufferGeometry).dispose();
+      for (const material of [part.material].flat() as THREE.Material[]) material.dispose();
     });
     this.#visited.clear();
     for (const own of [this.#real, this.#glass]) own.visible = !scene;
@@ -199,11 +185,6 @@ export class Stage {
     this.finger.fade(share);
     this.truePath.shown = share;
     this.#real.visible = share > 0 && this.#glass.visible;
-  }
-
-  showFelt(shown: boolean): void {
-    this.#felt.visible = shown;
-    this.feltPath.visible = shown;
   }
 
   place(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {

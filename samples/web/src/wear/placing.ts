@@ -1,4 +1,4 @@
-// Where the plate is in the headset's world: touched mark by mark, in the plugin's set-up, or put where the visitor points.
+// Where the plate is in the headset's world: touched mark by mark, in the plugin's set-up, or put where the visitor pinches.
 import {
   HRT_MARK_NUMBERS,
   HRT_SETUP_REGISTRATION,
@@ -24,18 +24,20 @@ const marks = marksFile
 const marks_m = marks.flatMap(({ place_m }) => place_m);
 
 const pointRadius_m = 0.012,
-  rest_ms = 900;
+  hold_ms = 1500,
+  count_ms = 500;
+const pinch = "Pinch thumb and index finger where slides are to start, and hold. The plate will lie ahead of it.";
 
 export class Placing {
   /** What the visitor is to do. */
-  text = "Hold your index fingertip still where slides are to start. The plate will lie ahead of it.";
+  text = pinch;
   /** The plate's pose in the world, once placed. */
   readonly position = new Vector3();
   readonly rotation = new Quaternion();
 
-  readonly #rest = new Rest(pointRadius_m, rest_ms);
+  readonly #rest = new Rest(pointRadius_m, hold_ms);
 
-  /** By marks: `session` is registered. Null: by pointing. */
+  /** By marks: `session` is registered. Null: by a pinch. */
   constructor(private readonly session: Session | null) {
     if (!session) return;
     if (session.state & HRT_STATE_SETTING_UP) session.cancelSetup();
@@ -46,10 +48,13 @@ export class Placing {
     this.text = "Touch the marks of the plate, which stands at 0.";
   }
 
-  /** True once the plate has a place. `forward`: where the visitor looks. */
-  update(time_ms: number, tip: Vector3 | null, forward: Vector3): boolean {
+  /** True once the plate has a place. `forward`: where the visitor looks. A hand that does not pinch places nothing. */
+  update(time_ms: number, tip: Vector3 | null, forward: Vector3, pinches: boolean): boolean {
     if (this.session) return this.#touch(this.session, time_ms, tip);
-    return this.#rest.update(time_ms, tip) && this.#point(forward);
+    const placed = this.#rest.update(time_ms, pinches ? tip : null),
+      left_ms = hold_ms - this.#rest.held_ms(time_ms);
+    this.text = left_ms < hold_ms ? `Hold: ${Math.max(1, Math.ceil(left_ms / count_ms))}` : pinch;
+    return placed && this.#point(forward);
   }
 
   #point(forward: Vector3): boolean {

@@ -29,6 +29,10 @@ export class Rest {
     return true;
   }
 
+  held_ms(time_ms: number): number {
+    return this.#count === 0 ? 0 : time_ms - this.#since_ms;
+  }
+
   /** The next rest may be where the last one was. */
   reset(taken = false): void {
     this.#count = 0;

@@ -18,6 +18,7 @@ const startHeight_m = 0.03;
 const startRest_ms = 400;
 const lostLimit_ms = 1000; // a shorter loss is bridged: the plugin holds, and continues
 const beyond_m = 0.15;
+const pinch_m = 0.025; // between the tips of thumb and index finger
 const liftHeight_m = 0.05; // without a plate nothing holds the finger down
 const maxFrame_ms = 100;
 
@@ -38,6 +39,7 @@ export class Wear extends Led {
   readonly #shift_deg = (finger_deg: number): number => this.world.felt_shift_deg(this.world.plate_deg(), finger_deg);
   readonly #rest = new Rest(startRadius_m, startRest_ms);
   readonly #tip = new Vector3();
+  readonly #thumb = new Vector3();
   readonly #onPlate = new Vector3();
   readonly #forward = new Vector3();
   readonly #view = new Quaternion();
@@ -62,7 +64,7 @@ export class Wear extends Led {
     this.begin(false);
   }
 
-  /** Another session of a headset, or another room: the plate is placed anew, as it is said after `why`. */
+  /** Another session of a headset, another room, or another place: the plate is placed again, as is said after `why`. */
   begin(byMarks: boolean, why = ""): void {
     this.#byMarks = byMarks;
     this.#placing = new Placing(byMarks ? this.session : null);
@@ -108,7 +110,7 @@ export class Wear extends Led {
     this.#advance(elapsed_ms);
     if (this.phase === "sliding") return this.#slide(frame, hand, space, elapsed_ms);
     const tip = this.#locate(frame, hand, space);
-    if (this.phase === "placing") return this.#place(frame, tip, space);
+    if (this.phase === "placing") return this.#place(frame, hand, tip, space);
     if (this.#rest.update(now_ms, tip && this.#atStart(tip) ? tip : null)) this.#start();
   }
 
@@ -121,15 +123,21 @@ export class Wear extends Led {
     }
   }
 
-  #locate(frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace): Vector3 | null {
-    const joint = hand?.get("index-finger-tip"),
+  #locate(
+    frame: XRFrame,
+    hand: XRHand | undefined,
+    space: XRReferenceSpace,
+    name: XRHandJoint = "index-finger-tip",
+    out = this.#tip,
+  ): Vector3 | null {
+    const joint = hand?.get(name),
       pose = joint && frame.getJointPose?.(joint, space);
     if (!pose) return null;
     const { x, y, z } = pose.transform.position;
-    return Number.isFinite(x + y + z) ? this.#tip.set(x, y, z) : null;
+    return Number.isFinite(x + y + z) ? out.set(x, y, z) : null;
   }
 
-  #place(frame: XRFrame, tip: Vector3 | null, space: XRReferenceSpace): void {
+  #place(frame: XRFrame, hand: XRHand | undefined, tip: Vector3 | null, space: XRReferenceSpace): void {
     const viewer = frame.getViewerPose(space);
     if (viewer) {
       const { x, y, z, w } = viewer.transform.orientation;
@@ -138,7 +146,9 @@ export class Wear extends Led {
       // Of one who looks straight down, the top of the head points forward.
       if (Math.hypot(this.#forward.x, this.#forward.z) < 0.3) this.#forward.set(0, 1, 0).applyQuaternion(this.#view);
     }
-    const placed = this.#placing.update(this.#time_ms, tip, this.#forward);
+    const thumb = this.#locate(frame, hand, space, "thumb-tip", this.#thumb),
+      pinches = tip !== null && thumb !== null && tip.distanceTo(thumb) < pinch_m;
+    const placed = this.#placing.update(this.#time_ms, tip, this.#forward, pinches);
     this.text = this.#why + this.#placing.text;
     if (!placed) return;
     this.onPlaced(this.#placing.position, this.#placing.rotation);
@@ -169,7 +179,7 @@ export class Wear extends Led {
     this.lead(this.world.plate_deg());
     this.#seen_ms = this.#time_ms;
     this.phase = "sliding";
-    this.text = "Slide to the glass, the orange goblet. Stop there.";
+    this.text = "Slide to the orange glass. Stop there.";
   }
 
   #slide(frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {
@@ -203,12 +213,12 @@ export class Wear extends Led {
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
-  /** A hand that feels no plate teaches the controller nothing. One that ends at a cylinder has met it, which shows how far
-   *  the marks were touched askew. */
+  /** A hand is felt where it is, or seen where it would be felt: either teaches the controller. One that ends at a cylinder has
+   *  met it, which shows how far the marks were touched askew. */
   #arrive(): void {
     this.result = slideEnd(this.finger, this.felt.place, pageCourse(this.settings));
+    this.session.endReach();
     if (!Number.isNaN(this.plateConnected_deg)) {
-      this.session.endReach();
       const meets = this.hasCylinder && this.result.toCylinder_mm <= 1000 * cylinderRadius_m;
       if (meets && this.session.config.flags & HRT_SESSION_REGISTERED) this.session.reachTouched();
     }
@@ -217,7 +227,7 @@ export class Wear extends Led {
     this.#rest.reset();
     const { toCylinder_mm, toGlass_mm, feltToGlass_mm } = this.result;
     this.text =
-      `Your finger ended ${toCylinder_mm.toFixed(0)} mm from the cylinder and ${toGlass_mm.toFixed(0)} mm from the ` +
-      `glass. On ridges it would be felt ${feltToGlass_mm.toFixed(0)} mm from the glass. Back to the ring for the next one.`;
+      `Your hand ended ${toCylinder_mm.toFixed(0)} mm from the cylinder and ${toGlass_mm.toFixed(0)} mm from the glass; felt, ` +
+      `${feltToGlass_mm.toFixed(0)} mm from the glass. Back to the ring for the next one.`;
   }
 }

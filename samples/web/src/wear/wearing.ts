@@ -1,9 +1,9 @@
 // The mode "Wear it": asks the browser for a headset with hand tracking, and shows the visitor's reaches in it.
 
-import { pageCourse } from "../controller";
+import { Vector3 } from "three";
 import type { Desk } from "../desk";
-import { showNow } from "../now";
-import { chosen, element, messageOf } from "../page";
+import { start } from "../geometry";
+import { chosen, element, messageOf, say } from "../page";
 import type { World } from "../person";
 import type { Settings } from "../settings";
 import { Headset } from "../stage/headset";
@@ -18,15 +18,18 @@ const kinds: readonly (readonly [Kind, string])[] = [
 /** Until the plate is placed, it is shown there, from the eyes. */
 const ahead_m = 0.45,
   below_m = 0.3;
+const settle_ms = 400;
 
 export class Wearing {
   readonly #headset: Headset | null;
   readonly #cylinder = element("cylinder", HTMLInputElement);
+  readonly #state = element("wear-state", HTMLParagraphElement);
   readonly #leave = element("leave", HTMLButtonElement);
   readonly #buttons = kinds.map(([kind, id]) => ({ kind, button: element(id, HTMLButtonElement), supported: false }));
   #session: XRSession | null = null;
   #handedness: XRHandedness = "none";
   #before_ms = NaN;
+  #led = 0;
   #spoken = "";
   #message = "Put a headset on, and be the finger. A headset's browser with hand tracking is needed.";
   /** The headset's own frames, for what else follows the controller. */
@@ -39,7 +42,6 @@ export class Wearing {
     private readonly world: World,
     private readonly desk: Desk,
     private readonly voice: Voice,
-    private settings: Readonly<Settings>,
   ) {
     this.#headset = desk.stage && new Headset(desk.stage);
     wear.onPlaced = (position, rotation) => this.#headset?.put(position, rotation);
@@ -55,7 +57,6 @@ export class Wearing {
   }
 
   apply(settings: Readonly<Settings>): void {
-    this.settings = settings;
     this.wear.apply(settings);
     this.desk.clearPaths();
   }
@@ -97,7 +98,7 @@ export class Wearing {
         session,
         kind === "immersive-ar",
         (time_ms, frame, space) => this.#frameWorn(time_ms, frame, space),
-        () => this.#moved(),
+        () => this.#placeAgain("The headset has moved its room, so the plate is placed again. "),
       );
     } catch (error) {
       this.#message = `The headset cannot be entered: ${messageOf(error)}${advice(error)}`;
@@ -119,10 +120,9 @@ export class Wearing {
     this.onLeft();
   }
 
-  /** The headset was recentred: nothing is where it was. */
-  #moved(): void {
+  #placeAgain(why: string): void {
     this.#before_ms = NaN;
-    this.wear.begin(this.#byMarks, "The headset has moved its room, so the plate is placed anew. ");
+    this.wear.begin(this.#byMarks, why);
     this.desk.clearPaths();
   }
 
@@ -147,7 +147,15 @@ export class Wearing {
     if (wear.phase === "sliding" && !wear.lost) this.desk.extendPaths(wear.finger, wear.felt.place);
     stage.place(this.world.plate_deg(), wear.finger, wear.felt.place);
     const unfelt = Number.isNaN(wear.plateConnected_deg);
-    this.#headset?.say(unfelt ? "SIMULATION: no plate is under your finger" : "A plate is connected", wear.text);
+    const title = unfelt ? "SIMULATION: your hand is drawn where it would be felt" : "A plate is connected";
+    this.#headset?.say(title, wear.text, wear.phase === "ready" || wear.phase === "arrived");
+    // Where it is felt, while it slides; then it goes to where it is.
+    this.#led = wear.phase === "sliding" && unfelt ? 1 : this.#led * Math.exp(-elapsed_ms / settle_ms);
+    const { place } = wear.felt;
+    this.#headset?.shift(
+      this.#led * (place.right_m - wear.finger.right_m),
+      this.#led * (place.away_m - wear.finger.away_m),
+    );
     this.#show();
   }
 
@@ -166,28 +174,38 @@ export class Wearing {
     stage.mount.rotation.set(0, yaw, 0);
   }
 
-  /** The hand that slides: the one that began, or, before, the first whose fingertip is seen. */
+  /** The hand that slides: the one that began; before, the one nearer to the ring, or, while the plate has no place, the one
+   *  that is held farther ahead. The other one may poke. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
-    const sources = this.#session?.inputSources,
-      keeps = this.wear.phase === "sliding";
-    for (let i = 0; sources && i < sources.length; ++i) {
-      const source = sources[i];
-      if (!source?.hand || (keeps && source.handedness !== this.#handedness)) continue;
-      const joint = source.hand.get("index-finger-tip");
-      if (!keeps && !(joint && frame.getJointPose?.(joint, space))) continue;
-      this.#handedness = source.handedness;
-      return source.hand;
+    const { wear } = this,
+      eyes = frame.getViewerPose(space)?.transform.position,
+      ring = this.desk.stage?.mount.localToWorld(new Vector3(start.right_m, 0, -start.away_m));
+    let best: XRHand | undefined,
+      least = Infinity;
+    for (const { hand, handedness } of this.#session?.inputSources ?? []) {
+      const joint = hand?.get("index-finger-tip"),
+        pose = joint && frame.getJointPose?.(joint, space);
+      if (wear.phase === "sliding") {
+        if (handedness === this.#handedness) return hand;
+        continue;
+      }
+      if (!hand || !pose) continue;
+      const { x, y, z } = pose.transform.position,
+        tip = new Vector3(x, y, z);
+      if (this.#headset?.poked(tip, handedness)) this.#placeAgain("");
+      const from = wear.phase === "placing" ? eyes && -Math.hypot(x - eyes.x, z - eyes.z) : ring?.distanceTo(tip);
+      if ((from ?? 0) >= least) continue;
+      [best, least, this.#handedness] = [hand, from ?? 0, handedness];
     }
-    return undefined;
+    return best;
   }
 
   #show(): void {
-    const wear = this.wear,
-      { finger_deg, felt_deg } = wear.felt;
-    showNow(this.world.plate_deg(), finger_deg, felt_deg, pageCourse(this.settings).virtual_deg);
+    const wear = this.wear;
     const text = this.#session ? wear.text : this.#message;
     this.desk.caption(wear.phase, text);
-    this.desk.frame.dataset.lost = String(wear.lost);
+    say(this.#state, text);
+    Object.assign(this.desk.frame.dataset, { lost: wear.lost, feltDeg: wear.felt.felt_deg });
     if (this.#session && text !== this.#spoken) this.voice.say(text);
     this.#spoken = text;
     this.desk.write(wear.result, wear.felt.place);

@@ -1,0 +1,68 @@
+// The visitor's own slides, to look at again: with the plate on and off side by side, moment by moment.
+import type { Course } from "../geometry";
+import { element, say, sideways } from "../page";
+import { arrows, dot, normal_deg, path, plate, targets } from "../plan";
+import type { Trace } from "../trace";
+
+interface Slide {
+  readonly trace: Trace;
+  readonly course: Course;
+  readonly name: string;
+}
+const kinds = ["on", "off"] as const;
+
+export class Compare {
+  readonly #moment = element("moment", HTMLInputElement);
+  readonly #slides: { on: Slide | null; off: Slide | null } = { on: null, off: null };
+
+  constructor() {
+    this.#moment.addEventListener("input", () => this.#show());
+  }
+
+  /** A slide that has ended, or was recorded; it stays until the next one of its kind. */
+  keep(kind: (typeof kinds)[number], trace: Trace, course: Course, name = `Plate ${kind}`): void {
+    this.#slides[kind] = { trace, course, name };
+    element("compare", HTMLElement).hidden = false;
+    this.#moment.value = this.#moment.max;
+    this.#show();
+  }
+
+  /** As settings of another person take them away. */
+  clear(): void {
+    this.#slides.on = this.#slides.off = null;
+    element("compare", HTMLElement).hidden = true;
+  }
+
+  #show(): void {
+    const share = Number(this.#moment.value) / Number(this.#moment.max),
+      texts: string[] = [];
+    for (const kind of kinds) {
+      const slide = this.#slides[kind],
+        at = slide?.trace[Math.round(share * (slide.trace.length - 1))],
+        picture = element(`slide-${kind}`, SVGSVGElement);
+      element(`slide-${kind}-missing`, HTMLElement).hidden = slide !== null;
+      if (!slide || !at) {
+        picture.innerHTML = plate(0);
+        continue;
+      }
+      const { finger, felt, plate_deg, finger_deg, felt_deg } = at,
+        gone = slide.trace.slice(0, slide.trace.indexOf(at) + 1),
+        went = (which: "finger" | "felt") => gone.map((each) => each[which]);
+      const feels = Number.isNaN(felt.right_m) ? "" : path("felt", went("felt")) + dot("felt", felt);
+      picture.innerHTML =
+        plate(plate_deg) +
+        targets(slide.course) +
+        path("real", went("finger")) +
+        feels +
+        arrows(finger, plate_deg, finger_deg, felt_deg) +
+        dot("real", finger);
+      say(element(`slide-${kind}-name`, HTMLElement), slide.name);
+      const moves = `the hand moves ${sideways(finger_deg)}, the ridges push ${sideways(normal_deg(plate_deg, finger_deg))}`;
+      texts.push(
+        `${slide.name}: ${Number.isNaN(finger_deg) ? "the hand rests" : `${moves}, it feels like ${sideways(felt_deg)}`}.`,
+      );
+    }
+    say(element("moment-text", HTMLParagraphElement), texts.join(" "));
+    this.#moment.setAttribute("aria-valuetext", texts.join(" "));
+  }
+}

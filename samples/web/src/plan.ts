@@ -1,0 +1,74 @@
+// The plate from above, as the inside of an SVG picture in millimetres: a slide that is looked at again, the figures, and the
+// desk where there is no WebGL.
+import { ahead, type Course, cylinderRadius_m, type Place, radius_m, ridgeSpacing_m, start } from "./geometry";
+
+export type Kind = "real" | "felt" | "touch";
+
+const mm = (place: Readonly<Place>): string =>
+  `${(1000 * place.right_m).toFixed(1)} ${(-1000 * place.away_m).toFixed(1)}`;
+const line = (places: readonly Readonly<Place>[]): string => `M${places.map(mm).join(" L")}`;
+
+export const dot = (kind: Kind, at: Readonly<Place>, radius_mm = 5): string =>
+  `<circle class="${kind}" r="${radius_mm}" transform="translate(${mm(at)})"/>`;
+export const word = (kind: Kind, at: Readonly<Place>, text: string, anchor = "middle"): string =>
+  `<text class="${kind}" text-anchor="${anchor}" transform="translate(${mm(at)})">${text}</text>`;
+export const path = (kind: Kind, places: readonly Readonly<Place>[]): string =>
+  places.length < 2 ? "" : `<path class="${kind}" d="${line(places)}"/>`;
+
+/** An arrow from there in this direction. */
+export function arrow(kind: Kind, from: Readonly<Place>, direction_deg: number, length_m: number): string {
+  if (Number.isNaN(direction_deg)) return "";
+  const tip = ahead(from, direction_deg, length_m),
+    sides = [150, 210].map((turn) => ahead(tip, direction_deg + turn, 0.007));
+  return `<path class="${kind}" d="${line([from, tip])}"/><path class="tip ${kind}" d="${line([...sides, tip])} Z"/>`;
+}
+
+/** The plate with its ridges, their normal at `plate_deg`, and the ring. */
+export function plate(plate_deg: number): string {
+  const ridges = [];
+  for (let away_m = -0.07; away_m < 0.071; away_m += ridgeSpacing_m) {
+    const half_m = Math.sqrt(radius_m ** 2 - away_m ** 2);
+    ridges.push(line([-half_m, half_m].map((right_m) => ({ right_m, away_m }))));
+  }
+  return (
+    `<circle class="disc" r="${1000 * radius_m}"/><path class="ridge" transform="rotate(${(-plate_deg).toFixed(1)})" ` +
+    `d="${ridges.join("")}"/><circle class="ring" r="8" transform="translate(${mm(start)})"/>`
+  );
+}
+
+/** Cylinder and glass. */
+export function targets({ real_deg, real_m, virtual_deg, virtual_m }: Course, named = true, all = true): string {
+  const real = ahead(start, real_deg, real_m),
+    glass = ahead(start, virtual_deg, virtual_m),
+    beside = (at: Place, sign: number) => ({ right_m: at.right_m + sign * 0.009, away_m: at.away_m + 0.004 });
+  const side = real.right_m < glass.right_m ? -1 : 1,
+    anchor = (sign: number) => (sign < 0 ? "end" : "start");
+  return (
+    (all
+      ? dot("real", real, 1000 * cylinderRadius_m) +
+        (named ? word("real", beside(real, side), "cylinder", anchor(side)) : "")
+      : "") +
+    dot("felt", glass, 6) +
+    (named ? word("felt", beside(glass, -side), "glass", anchor(-side)) : "")
+  );
+}
+
+/** The normal of the ridges on the side to which a fingertip moves in `finger_deg`: what touch alone would report. */
+export function normal_deg(plate_deg: number, finger_deg: number): number {
+  return plate_deg - 180 * Math.round((plate_deg - finger_deg) / 180);
+}
+
+/** The three arrows of one moment, from one point: true motion, what touch alone reports, and what is felt between them. */
+export function arrows(
+  at: Readonly<Place>,
+  plate_deg: number,
+  finger_deg: number,
+  felt_deg: number,
+  length_m = 0.03,
+): string {
+  return (
+    arrow("touch", at, normal_deg(plate_deg, finger_deg), length_m) +
+    arrow("real", at, finger_deg, length_m) +
+    arrow("felt", at, felt_deg, length_m)
+  );
+}
