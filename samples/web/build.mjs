@@ -36,7 +36,9 @@ await cp(join(here, "src/page.css"), join(pageFolder, "page.css"));
 await cp(join(here, "reveal.gif"), join(pageFolder, "reveal.gif"));
 // Who shows a link to the page fetches its picture by a whole address, which only the host knows.
 const html = await readFile(join(here, "src/index.html"), "utf8");
-await writeFile(join(pageFolder, "index.html"), html.replace('"reveal.gif"', `"${process.env.HRT_PAGE_URL ?? ""}reveal.gif"`));
+const visitors = html.replace('"reveal.gif"', `"${process.env.HRT_PAGE_URL ?? ""}reveal.gif"`);
+await writeFile(join(pageFolder, "index.html"), visitors);
+await writeFile(join(pageFolder, "researchers.html"), visitors.replace("<body>", '<body class="researchers">').replaceAll("<details id=", "<details open id="));
 // What the first picture needs is asked for before page.js says so.
 const page = Object.entries(outputs).find(([name]) => basename(name) === "page.js")[1];
 const parts = ["page.js", ...page.imports.filter(({ kind }) => kind === "import-statement").map(({ path }) => basename(path)),

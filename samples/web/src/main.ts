@@ -58,8 +58,7 @@ async function main(): Promise<void> {
     voice = new Voice(),
     plate = new Connecting(),
     results = new Results();
-  const table = new TraceTable(),
-    researchers = element("researchers", HTMLDetailsElement);
+  const table = new TraceTable();
   const watching = new Watching(watch, watchWorld, desk, results, linked.settings, voice, still);
   const sliding = new Sliding(hand, plain, handWorld, desk, compare, voice, new Ticks(still), linked.settings, still);
   const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
@@ -210,7 +209,7 @@ async function main(): Promise<void> {
       shown?.frame(Math.min(elapsed_ms, maxFrame_ms));
     }
     const trace = recorded?.samples ?? reaches().trace;
-    if (researchers.open) chart?.draw(trace, goals);
+    chart?.draw(trace, goals);
     table.show(trace);
     takeAway.allow(reaches().recording !== "");
     const moving = mode === "hand" ? sliding.busy : mode !== "wear" && watching.playing;
@@ -234,11 +233,11 @@ async function main(): Promise<void> {
     desk.resize();
     wake();
   }).observe(desk.frame);
-  researchers.addEventListener("toggle", async () => {
-    const loaded = chart ? null : await part("The chart", import("./chart"));
-    if (loaded) chart ??= new loaded.Chart(element("chart", HTMLDivElement));
+  async function bringChart(): Promise<void> {
+    const loaded = await part("The chart", import("./chart"));
+    if (loaded) chart = new loaded.Chart(element("chart", HTMLDivElement));
     wake();
-  });
+  }
   desk.frame.addEventListener("keydown", (event) => {
     if (!sliding.active && desk.turn(event.key)) event.preventDefault();
   });
@@ -255,7 +254,8 @@ async function main(): Promise<void> {
   element("main", HTMLElement).inert = false;
   document.documentElement.dataset.ready = "yes";
   desk.onRestored = wake;
-  showFigures(library, figureWorld);
+  if (!document.body.classList.contains("researchers")) showFigures(library, figureWorld);
+  else void bringChart();
   wake();
   if (
     await part(

@@ -19,6 +19,15 @@ const texts: Readonly<Record<SliderName, (value: number) => string>> = {
   plate_deg_s: (value) => `${value} °/s`,
 };
 
+/** The same for who hears them. */
+const words: Readonly<Record<SliderName, (value: number) => string>> = {
+  tactile_weight: (value) => `${(100 * value).toFixed(0)} percent touch`,
+  gap_deg: (value) => `${value} degrees`,
+  noise_mm: (value) => `${value} millimetres`,
+  pace_s: (value) => `${value} seconds`,
+  plate_deg_s: (value) => `${value} degrees a second`,
+};
+
 export class Panel {
   /** Calls `changed` whenever something has changed. */
   constructor(
@@ -65,7 +74,7 @@ export class Panel {
         value = this.settings[name],
         text = texts[name](value);
       if (Number(input.value) !== value) input.value = String(value);
-      input.setAttribute("aria-valuetext", text);
+      input.setAttribute("aria-valuetext", words[name](value));
       const output = document.querySelector(`output[for="${name}"]`);
       if (output) say(output, text);
     }

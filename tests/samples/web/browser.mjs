@@ -29,11 +29,11 @@ after(async () => {
   server?.kill();
 });
 
-/** Opens the page on "Watch" with its folds open, after `script` has run in it, and uses it once the element `ready` is there. With `motion` false each
+/** Opens the page for researchers on "Watch", after `script` has run in it, and uses it once the element `ready` is there. With `motion` false each
  *  change shows its reach at once; with `motion` true the page's time stands still until frames(). Fails at the end of `use`
  *  on any error of the page, and on any request except those for its own files, which are those of `folder` if one is named. */
-export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "#mode=watch", from = browser,
-                            base = address, folder = null, strict = true, script = null, open = link !== "", ready = "html[data-ready=yes]" } = {}) {
+export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "researchers.html#mode=watch", from = browser,
+                            base = address, folder = null, strict = true, script = null, ready = "html[data-ready=yes]" } = {}) {
   const context = await from.newContext({ viewport, colorScheme, reducedMotion: motion ? "no-preference" : "reduce" });
   const page = await context.newPage(), faults = [];
   const file = (request) => join(folder, new URL(request.url()).pathname.replace(/\/$/, "/index.html"));
@@ -49,7 +49,6 @@ export async function visit(use, { motion = false, viewport = desktop, colorSche
   try {
     await page.goto(base + link);
     await page.waitForSelector(ready, { timeout: 60_000 });
-    if (open) await page.evaluate(() => { for (const fold of document.querySelectorAll("details")) fold.open = true; });
     await use(page);
     if (strict) assert.deepEqual(faults, []);
   } finally {
@@ -113,10 +112,10 @@ export async function saved(page, button) {
 /** A file that is dropped is refused in these words, and shows nothing. */
 export async function refuses(page, name, content, words) {
   await drop(page, name, content);
-  await page.waitForSelector("#problem:not([hidden])");
-  assert.match(await text(page, "#problem-text"), words);
+  await page.waitForSelector("#refused:not([hidden])");
+  assert.match(await text(page, "#refused"), words);
   assert.deepEqual([await page.locator("#scene-mode").isVisible(), await text(page, "#replayed")], [false, ""]);
-  await page.evaluate(() => { document.getElementById("problem").hidden = true; });
+  await page.evaluate(() => { document.getElementById("refused").hidden = true; });
 }
 export const arrived = (result) => Math.abs(result.bearingErrorDeg) <= 1.5;
 export const phase = (page) => page.locator("#stage").getAttribute("data-phase");

@@ -1,4 +1,4 @@
-// The page in headless Firefox: a slide by keys, the hand, a reach that is watched, the chart. A script of the page's own folder does it.
+// The page in headless Firefox: a slide by keys, the hand, a reach that is watched. A script of the page's own folder does it.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { extname, join, resolve } from "node:path";
@@ -19,10 +19,8 @@ async function visit() {
   at("#stage").dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp" }));
   await until("#stage[data-phase=arrived]");
   const slid = at("#spoken").textContent;
-  at("#researchers").open = true;
   at("input[value=watch]").click();
   await until("#results tbody tr");
-  await until("#chart .uplot");
   await fetch("/shown", { method: "POST", body: JSON.stringify({ slid, watched: at("#spoken").textContent, drawn: at("#no-view").hasAttribute("hidden"), faults }) });
 }
 

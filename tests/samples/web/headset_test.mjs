@@ -104,6 +104,8 @@ test("a hand that is worn makes a real reach, which the plugin repeats bit for b
   assert.ok(toCylinderMm < 9 && toGlassMm > 9, `${toCylinderMm} mm from the cylinder, ${toGlassMm} from the glass`);
   assert.ok(feltToGlassMm < 9, `felt ${feltToGlassMm} mm from the glass`);
   await shoot(page, "wear_arrived", false);
+  await rest(page, [0.2, 1.25, -0.5]);  // the button beside the words
+  assert.equal(await phase(page), "placing", "a poke places the plate again");
   await leave(page);
   assert.equal(await caption(page), "You have left the headset.");
   assert.equal(await page.locator("#leave").isVisible(), false);

@@ -1,14 +1,17 @@
 // Files of the plugin: the last reach and what was learnt, to take away; a recording, which is run again and compared bit
 // for bit, or a scene, to bring. Nothing leaves the machine. What is refused is refused in the plugin's words.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
-import { element, messageOf, report, say } from "../page";
+import { element, messageOf, say } from "../page";
 import { type RecordedReach, readReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
 
+const sceneAdvice =
+  "A scene names its plate, its start and its targets by haptic roles: scene/README.md has them, samples/scenes/desk.gltf is one.";
 const max_bytes = 32 * 1024 * 1024;
 
 export class TakeAway {
   readonly #saveRecording = element("save-recording", HTMLButtonElement);
+  readonly #refused = element("refused", HTMLParagraphElement);
   readonly #replayed = element("replayed", HTMLParagraphElement);
 
   /** `recording` and `profile` are asked when a button is pressed; `brought` gets what is to be shown. */
@@ -44,10 +47,12 @@ export class TakeAway {
         throw new Error(`${Math.ceil(size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
       if (/\.csv$/i.test(name)) this.brought.reach(this.#replay(name, await file.text()));
       else this.brought.scene(await this.#scene(file, files));
-      report("");
+      this.#refused.hidden = true;
     } catch (error) {
       const message = messageOf(error);
-      report(message.startsWith(name) ? message : `${name}: ${message}`);
+      const advice = /\.(gltf|glb)$/i.test(name) ? ` ${sceneAdvice}` : "";
+      this.#refused.hidden = false;
+      say(this.#refused, (message.startsWith(name) ? message : `${name}: ${message}`) + advice);
     }
   }
 

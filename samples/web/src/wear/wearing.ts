@@ -147,7 +147,7 @@ export class Wearing {
     if (wear.phase === "sliding" && !wear.lost) this.desk.extendPaths(wear.finger, wear.felt.place);
     stage.place(this.world.plate_deg(), wear.finger, wear.felt.place);
     const unfelt = Number.isNaN(wear.plateConnected_deg);
-    const title = unfelt ? "SIMULATION: your hand is drawn where it would be felt" : "A plate is connected";
+    const title = unfelt ? "SIMULATION: hand drawn where it is felt" : "A plate is connected";
     this.#headset?.say(title, wear.text, wear.phase === "ready" || wear.phase === "arrived");
     // Where it is felt, while it slides; then it goes to where it is.
     this.#led = wear.phase === "sliding" && unfelt ? 1 : this.#led * Math.exp(-elapsed_ms / settle_ms);
