@@ -1,15 +1,44 @@
 // The guide's pictures: openscad -D 'picture="step_1"' -o step_1.png --viewall --autocenter pictures.scad
 // A step's own parts are blue, screws orange and away from their place.
 picture = "overview";
+view = [58, 0, -28];  // rotation from which it is seen
 include <../model/apparatus.scad>
 part = "none";
 sensor_room_mm = picture == "sensor" ? 14 : 0;
 
-module placed(names, lift_mm = 0, paint = "#d1d5db") color(paint) translate([0, 0, lift_mm]) for (name = names) installed(name);
+// A label at the right edge, with a line to a point of the part: x to the right and y upwards in the picture.
+function seen(at_mm) = let (turn = view[2], tilt = view[0], x = at_mm[0] * cos(turn) + at_mm[1] * sin(turn),
+                            y = at_mm[1] * cos(turn) - at_mm[0] * sin(turn)) [x, y * cos(tilt) + at_mm[2] * sin(tilt)];
+label_edge = picture == "overview" ? 260 : 118;
+module label(words, at_mm, label_x = label_edge, label_y = undef) let (point = seen(at_mm), y = is_undef(label_y) ? point[1] : label_y)
+  color("#111827") rotate(view) translate([0, 0, 110]) linear_extrude(0.1) {
+    hull() for (end = [point, [label_x - 2, y]]) translate(end) circle(d = 0.5, $fn = 8);
+    translate(point) circle(d = 2, $fn = 16);
+    translate([label_x, y]) text(words, size = 6, valign = "center");
+  }
+// Where labels point: name, words, distance from the axis to the right in the picture, height.
+pointed = [["plate", "plate", 72, -4], ["hub", "hub", 24, hub_bottom_z + 2], ["bearing", "bearing 61808", 24, bearing_bottom_z + 3],
+    ["deck", "deck", 92, deck_bottom_z + 6], ["retainer", "retainer", 20, retainer_bottom_z + 2], ["horn", "horn", 8, horn_top_z - 8],
+    ["servo_mount", "servo mount", 30, mount_bottom_z + 2], ["servo", "hobby servo", 9, servo_bottom_z + 8], ["bridge", "bridge", 30, head_top_z - 4],
+    ["object", "object", 4, object_bottom_z + 20], ["drum", "drum", 88, drum_bottom_z + 20], ["box", "box", 60, drum_bottom_z + 20],
+    ["xl330_mount", "XL330 mount", 30, mount_bottom_z + 2], ["xl330_retainer", "XL330 retainer", 20, retainer_bottom_z + 2],
+    ["xl330", "XL330", 6, horn_top_z - 18]];
+module labels(names, lift_mm) for (name = names, row = pointed) if (row[0] == name)
+  label(row[1], [row[2] * cos(view[2]), row[2] * sin(view[2]), row[3] + lift_mm] + (name == "object" || name == "bridge" ? [0, object_at(0)[1], 0] : [0, 0, 0]));
+
+module placed(names, lift_mm = 0, paint = "#d1d5db") {
+  color(paint) translate([0, 0, lift_mm]) for (name = names) installed(name);
+  labels(len(names) < 3 || lift_mm != 0 ? names : ["deck", "plate"], lift_mm);
+}
 module new(names, lift_mm = 0) placed(names, lift_mm, "#60a5fa");
 
 // Their heads, shafts and the way to their place.
-module screws(name, lift_mm) for (row = table_of_screws()) if (row[0] == name) for (at_mm = row[5]) translate(at_mm) {
+module screws(name, lift_mm) {
+  screws_without_label(name, lift_mm);
+  for (row = table_of_screws()) if (row[0] == name)
+    label(str(len(row[5]), " × M3 × ", abs(row[3])), [row[5][0][0], row[5][0][1], row[4] + lift_mm + (lift_mm < 0 ? -8 : 2)]);
+}
+module screws_without_label(name, lift_mm) for (row = table_of_screws()) if (row[0] == name) for (at_mm = row[5]) translate(at_mm) {
   length_mm = row[3];
   color("#d97706") translate([0, 0, row[4] + lift_mm]) {
     translate([0, 0, length_mm > 0 ? -2.4 : 0]) cylinder(d = 5.5, h = 2.4);
@@ -17,7 +46,10 @@ module screws(name, lift_mm) for (row = table_of_screws()) if (row[0] == name) f
   }
   color("#fbbf24") translate([0, 0, row[4] + min(0, lift_mm)]) cylinder(d = 0.8, h = abs(lift_mm));
 }
-module pin(lift_mm) color("#d97706") translate([0, 75.5, lift_mm - 21]) cylinder(d = 3, h = 40);
+module pin(lift_mm) {
+  color("#d97706") translate([0, 75.5, lift_mm - 21]) cylinder(d = 3, h = 40);
+  label("zero pin", [0, 75.5, lift_mm + 15]);
+}
 
 // Of a cut along the mid-line, the user to the left; flat.
 paints = [["plate", "#60a5fa"], ["hub", "#6ee7b7"], ["bearing", "#a1a1aa"], ["deck", "#fca5a5"]];
@@ -25,7 +57,12 @@ xl330_paints = [["xl330_retainer", "#fde68a"], ["xl330_horn", "#9ca3af"], ["xl33
     ["drum", "#e5e7eb"], ["bridge", "#fdba74"], ["object", "#fcd34d"]];
 sensor_paints = [["retainer", "#fde68a"], ["horn", "#9ca3af"], ["servo", "#64748b"], ["sensor_arm", "#c4b5fd"]];
 module upright(width_mm, bottom_z, height_mm, paint) color(paint) linear_extrude(1) translate([-width_mm / 2, bottom_z]) square([width_mm, height_mm]);
-module section(rows) for (row = rows)
+module section(rows) {
+  section_without_labels(rows);
+  for (i = [0:len(rows) - 1], row = pointed) if (row[0] == rows[i][0])
+    label(row[1], [row[2], row[3], 0] + (rows[i][0] == "object" || rows[i][0] == "bridge" ? [-object_at(0)[1] - row[2], 0, 0] : [0, 0, 0]), label_edge, 40 - 9 * i);
+}
+module section_without_labels(rows) for (row = rows)
   color(row[1]) linear_extrude(1) projection(cut = true) rotate([0, 0, 90]) rotate([0, 90, 0]) translate([0.02, 0, 0]) installed(row[0]);
 
 if (picture == "step_1") { placed(["plate"]); new(["hub"], -30); screws("hub", -55); }
@@ -66,6 +103,8 @@ if (picture == "sensor") {
     section(concat(paints, sensor_paints));
     translate([-50, -60, -1]) cube([100, 62, 3]);
   }
+  label("magnet", [2, magnet_bottom_z + 1, 0], label_edge, -50);
+  label("AS5600", [8, sensor_arm_z + 1, 0], label_edge, -60);
   upright(magnet_mm[0], magnet_bottom_z, magnet_mm[1], "#dc2626");
   upright(sensor_board_mm[0], sensor_arm_z, sensor_board_mm[1], "#15803d");
   upright(4, sensor_arm_z + sensor_board_mm[1], magnet_gap_mm, "#15803d");
