@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   std::ofstream(file) << hrt::plate::with_checksum(R"({
   "format": "haptic plate 1", "device": "dynamixel:)" +
                                                    servo.device() + R"(",
-  "description": "Dynamixel XL330-M288, id 1, firmware 52",
+  "description": "Dynamixel XL330-M288, id 1, firmware 52", "details": [],
   "session": {"plate_max_speed_deg_s": 123.0, "plate_max_acceleration_deg_s2": 5000.0}, "measured": {"latency_ms": [4.0, 1.0]}, "max_error_deg": 1.0,
 )");
   setenv("HRT_PLATE_FILE", file.c_str(), 1);

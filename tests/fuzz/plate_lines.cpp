@@ -66,7 +66,8 @@ void run_as_plate(std::string_view bytes) {
   plate_start(&plate, &board, nullptr);
   for (const char byte : bytes) {
     plate_hear(&plate, byte);
-    const PlateInputs inputs{byte == '!', static_cast<std::int16_t>(static_cast<unsigned char>(byte) * 4)};
+    const PlateInputs inputs{byte == '!', static_cast<std::int16_t>(static_cast<unsigned char>(byte) * 4),
+                             static_cast<std::int16_t>(byte * 4)};
     if (byte == '\n' || byte == '!') plate_tick(&plate, &inputs);
     require(settings_valid(&plate.settings));
     require(std::abs(plate.position_microdeg) <= 180'000'000);

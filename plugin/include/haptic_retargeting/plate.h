@@ -10,14 +10,14 @@
  * - `plate.json`: a file of `hrt-plate commission`, with the name of the device and its measured properties
  *
  * Options of a servo, separated by '&': id (0 to 252, default 1), baud (57600, 115200 or 1000000, default
- * 57600), speed (degrees a second, 10 to 1000, default 300), effort (percent of the servo's current limit,
- * 5 to 100, default 50; never more than 5 N at the plate's rim, 75 mm from its axis).
+ * 57600), speed (degrees a second, 10 to 1000, default 300), effort (percent of the servo's stall current of
+ * 1.47 A, 5 to 100, default 50; at most 4 N at the plate's rim, 75 mm from its axis, by the maker's stall torque).
  *
  * Each plate has one thread for its communication. No call waits for a device, except hrt_plate_close(), for at
  * most 0.5 s. A plate stops when the host is silent (hrt_plate_options::host_timeout_ns), when it is closed, and
- * when it fails. A failure is permanent: close the plate and open it again. In the child of a fork, a plate cannot
- * be used; closing it there only releases its handle. The end of the process closes all plates. On Windows, close
- * them before the library is unloaded.
+ * when it fails. A failure is permanent: close the plate and open it again. In the child of a fork, the calls of a
+ * plate fail with WRONG_STATE; closing it there only releases its handle. The end of the process closes all plates. On
+ * Windows, close them before the library is unloaded.
  */
 #ifndef HAPTIC_RETARGETING_PLATE_H
 #define HAPTIC_RETARGETING_PLATE_H
@@ -97,8 +97,8 @@ typedef uint32_t hrt_plate_report_flags;
 #define HRT_PLATE_REPORT_UNHOMED 32u
 #define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< no command was reached since the plate was opened: keep fingers off */
 #define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are those of the file */
-/** For a second, the plate turned slower than 80 % of the speed in the file, or rested farther from its command than
- *  its error and three SD: commission it again. */
+/** The plate turned slower than 80 % of the speed in the file, or rested for a second farther from its command than its
+ *  error and three SD, or follows its commands 40 ms later than the file says: commission it again. */
 #define HRT_PLATE_REPORT_DEVIATES 256u
 
 /** State and properties of a plate. All numbers are finite, and 0 while they are unknown. */
@@ -134,7 +134,7 @@ typedef struct hrt_plate_report {
   double upper_stop_deg;
   /** Messages that the plate refused, or that were damaged in transmission. */
   uint64_t refused_messages;
-  /** The device, in one line of UTF-8: "protocol 2, firmware 1.0.0, serial number 000042". */
+  /** The device, in one line of UTF-8: "protocol 2, firmware 1.1.0, serial number 000042". */
   char description[128];
   /** Reason of a failure, in one line of UTF-8: "the plate at /dev/ttyACM0 is unplugged". */
   char message[256];

@@ -85,7 +85,7 @@ class Device {
 
   /// Settings of a board with the line protocol; null for any other device.
   virtual BoardSettings* board_settings() { return nullptr; }
-  /// Settings and the result of a self-test, a line each. Moves nothing.
+  /// Settings, whose lines begin with "setting ", and the result of a self-test. Moves nothing.
   virtual std::vector<std::string> details() = 0;
   /// Where 0 is in the device's own scale, counter-clockwise positive.
   virtual double zero_deg() = 0;

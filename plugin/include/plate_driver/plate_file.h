@@ -3,17 +3,22 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hrt::plate {
 
 struct PlateFile {
-  std::string device;       ///< the name to open
-  std::string description;  ///< of the device that was measured: with firmware and serial number
+  std::string device;                 ///< the name to open
+  std::string description;            ///< of the device that was measured: with firmware and serial number
+  std::vector<std::string> settings;  ///< those of Device::details() that the device keeps
   double speed_deg_s = 0.0;
   double acceleration_deg_s2 = 0.0;
   double latency_ms = 0.0;  ///< without the line
   double error_deg = 0.0;   ///< beyond which a plate at rest does not behave as measured
 };
+
+/// The lines of Device::details() that are settings, which a device keeps.
+std::vector<std::string> settings_of(const std::vector<std::string>& details);
 
 /// The text before the checksum, and the checksum of it: the file's last member.
 std::string with_checksum(std::string_view text);

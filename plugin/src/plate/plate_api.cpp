@@ -41,7 +41,14 @@ std::string path_of(std::string_view device) {
   return std::string(rest.substr(0, rest.find('?')));
 }
 
+hrt_result check_process(const PlateDriver& driver) {
+  if (!driver.is_inherited()) return HRT_OK;
+  return fail(HRT_ERROR_WRONG_STATE,
+              "the plate was opened by the parent of this process, before the fork; close it here and open it again");
+}
+
 hrt_result check_ready(const PlateDriver& driver) {
+  HRT_RETURN_IF_FAILED(check_process(driver));
   const hrt_plate_report report = driver.report();
   if (report.state == HRT_PLATE_STATE_READY) return HRT_OK;
   if (report.state == HRT_PLATE_STATE_OPENING)
@@ -52,7 +59,7 @@ hrt_result check_ready(const PlateDriver& driver) {
 hrt_result check_homed(const PlateDriver& driver) {
   if (driver.homes() || (driver.report().flags & HRT_PLATE_REPORT_UNHOMED) == 0) return HRT_OK;
   return fail(HRT_ERROR_WRONG_STATE,
-              "nobody knows where the plate stands; open it with hrt_plate_options::homing "
+              "the plate orientation is unknown (not homed); open it with hrt_plate_options::homing "
               "HRT_PLATE_HOMING_SLOW, and keep fingers off while it is homed");
 }
 
@@ -106,6 +113,7 @@ hrt_result hrt_plate_stop(hrt_plate plate) noexcept {
 hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_report* out_report) noexcept {
   return with_plate("hrt_plate_get", plate, [&](const PlateDriver& driver) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
+    HRT_RETURN_IF_FAILED(check_process(driver));
     write_struct(driver.report(), out_report);
     return HRT_OK;
   });

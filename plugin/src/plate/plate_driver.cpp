@@ -8,7 +8,7 @@
 #include <utility>
 
 #if !defined(_WIN32)
-#include <unistd.h>
+#include <pthread.h>
 #endif
 
 #include "plugin/src/abi/quiet_thread.h"
@@ -22,15 +22,14 @@ using namespace std::chrono_literals;
 
 constexpr auto pickup_period = 5ms;  // in which a command is seen
 constexpr double arrived_deg = 5.0;  // from the command
-constexpr double slow_share = 0.8;   // of the speed that was measured
-constexpr auto deviates_after = 1s;  // of rest, and of error
 constexpr double stay = std::numeric_limits<double>::quiet_NaN();
 
-int this_process() {
-#if defined(_WIN32)
-  return 0;
-#else
-  return getpid();
+std::atomic<std::uint32_t> forks{0};
+
+// Counted in the child, so that no call has to ask the system which process it runs in.
+void count_forks() {
+#if !defined(_WIN32)
+  [[maybe_unused]] static const int counted = pthread_atfork(nullptr, nullptr, [] { ++forks; });
 #endif
 }
 
@@ -73,9 +72,10 @@ PlateDriver::PlateDriver(DeviceMaker maker, LineOpener opener, std::string path,
       path_(std::move(path)),
       file_(std::move(file)),
       options_(options),
-      process_(this_process()),
+      forks_(forks),
       wanted_deg_(stay) {
   static_assert(std::atomic<double>::is_always_lock_free && std::atomic<std::uint64_t>::is_always_lock_free);
+  count_forks();
   now_known_.report.struct_size = sizeof(hrt_plate_report);
   now_known_.report.state = HRT_PLATE_STATE_OPENING;
   published_.publish(now_known_);
@@ -83,7 +83,7 @@ PlateDriver::PlateDriver(DeviceMaker maker, LineOpener opener, std::string path,
 }
 
 PlateDriver::~PlateDriver() {
-  if (process_ != this_process()) {
+  if (is_inherited()) {
     static_cast<void>(thread_.release());  // the thread is the parent's
     return;
   }
@@ -97,6 +97,8 @@ void PlateDriver::set(double orientation_deg) {
 }
 
 void PlateDriver::stop() { set(stay); }
+
+bool PlateDriver::is_inherited() const { return forks_ != forks.load(std::memory_order_relaxed); }
 
 hrt_plate_report PlateDriver::report() const {
   calls_.fetch_add(1, std::memory_order_relaxed);
@@ -129,15 +131,14 @@ void PlateDriver::run() noexcept {
 
 void PlateDriver::serve(Device& device) {
   write_text(now_known_.report.description, std::string_view(device.description()));
-  host_heard_ = near_ = commanded_ = now();
-  if (file_ && file_->description != device.description())
-    throw PlateFailure(Fault::no_answer,
-                       "is \"" + device.description() + "\", and its file is of \"" + file_->description + "\"");
+  if (file_) check_file(device);
+  if (file_) watch_.emplace(*file_);
+  host_heard_ = now();
   while (!ending_) {
     publish(device);
     device.wait(pickup_period);
     follow_host(device, now());
-    if (file_) compare_with_file(device, now());
+    if (watch_) watch_->look(now(), device, holds_ ? std::nullopt : std::optional(now_known_.report.command_deg));
   }
 }
 
@@ -158,7 +159,6 @@ void PlateDriver::follow_host(Device& device, Time now) {
     const std::optional<double> place_deg = device.orientation_deg();
     const double within_deg =
         orientation_within(limits.min_deg, limits.max_deg, wanted_deg, place_deg.value_or(wanted_deg));
-    if (holds_ || within_deg != now_known_.report.command_deg) commanded_ = now;
     device.turn_to(within_deg);
     if (place_deg && std::abs(*place_deg - within_deg) <= arrived_deg) has_arrived_ = true;
     now_known_.report.command_deg = within_deg;
@@ -169,25 +169,26 @@ void PlateDriver::follow_host(Device& device, Time now) {
   }
 }
 
-// Slower than measured; or for a second, at rest, farther from its command than it ever was.
-void PlateDriver::compare_with_file(const Device& device, Time now) {
-  const hrt_plate_report& report = now_known_.report;
-  const double error_deg = std::abs(device.orientation_deg().value_or(0.0) - report.command_deg);
-  const bool rests = !holds_ && now - commanded_ > deviates_after && device.orientation_deg();
-  if (!rests || error_deg <= file_->error_deg) near_ = now;
-  deviates_ = now - near_ > deviates_after || device.limits().speed_deg_s < slow_share * file_->speed_deg_s;
+void PlateDriver::check_file(Device& device) const {
+  if (file_->description != device.description())
+    throw PlateFailure(Fault::no_answer,
+                       "is \"" + device.description() + "\", and its file is of \"" + file_->description + "\"");
+  const std::vector<std::string> settings = settings_of(device.details());
+  for (const std::string& line : file_->settings)
+    if (std::find(settings.begin(), settings.end(), line) == settings.end())
+      throw PlateFailure(Fault::no_answer, "does not have \"" + line + "\", which its file has: commission it again");
 }
 
 void PlateDriver::publish(const Device& device) {
   hrt_plate_report& report = now_known_.report;
   const DeviceLimits limits = device.limits();
   report.state = HRT_PLATE_STATE_READY;
-  report.flags = (device.orientation_deg() ? HRT_PLATE_REPORT_ORIENTATION : HRT_PLATE_REPORT_UNHOMED) |
-                 (has_arrived_ ? 0U : HRT_PLATE_REPORT_FIRST_MOTION) |
-                 (device.is_measured() ? HRT_PLATE_REPORT_MEASURED : 0U) |
-                 (device.round_trip() ? HRT_PLATE_REPORT_ROUND_TRIP : 0U) | (holds_ ? 0U : HRT_PLATE_REPORT_COMMANDED) |
-                 (file_ ? HRT_PLATE_REPORT_COMMISSIONED : 0U) | (deviates_ ? HRT_PLATE_REPORT_DEVIATES : 0U) |
-                 (host_is_silent_ ? HRT_PLATE_REPORT_HOST_SILENT : 0U);
+  report.flags =
+      (device.orientation_deg() ? HRT_PLATE_REPORT_ORIENTATION : HRT_PLATE_REPORT_UNHOMED) |
+      (has_arrived_ ? 0U : HRT_PLATE_REPORT_FIRST_MOTION) | (device.is_measured() ? HRT_PLATE_REPORT_MEASURED : 0U) |
+      (device.round_trip() ? HRT_PLATE_REPORT_ROUND_TRIP : 0U) | (holds_ ? 0U : HRT_PLATE_REPORT_COMMANDED) |
+      (file_ ? HRT_PLATE_REPORT_COMMISSIONED : 0U) | (watch_ && watch_->deviates() ? HRT_PLATE_REPORT_DEVIATES : 0U) |
+      (host_is_silent_ ? HRT_PLATE_REPORT_HOST_SILENT : 0U);
   report.orientation_deg = device.orientation_deg().value_or(0.0);
   report.latency_ns = limits.latency.count();
   if (file_) report.latency_ns = std::llround(file_->latency_ms * 1e6) + device.round_trip().value_or(0ns).count() / 2;

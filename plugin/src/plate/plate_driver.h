@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -12,6 +13,7 @@
 #include "plugin/include/plate_driver/device.h"
 #include "plugin/include/plate_driver/plate_failure.h"
 #include "plugin/include/plate_driver/plate_file.h"
+#include "plugin/src/plate/file_watch.h"
 #include "plugin/src/plate/snapshot.h"
 
 namespace hrt::plate {
@@ -32,7 +34,9 @@ class PlateDriver {
   void set(double orientation_deg);
   void stop();
   hrt_plate_report report() const;
-  /// set() moves a plate whose place is unknown.
+  /// True in the child of a fork: the thread is the parent's.
+  bool is_inherited() const;
+  /// set() moves a plate whose orientation is unknown.
   bool homes() const { return options_.homing == HRT_PLATE_HOMING_SLOW; }
 
  private:
@@ -46,7 +50,7 @@ class PlateDriver {
   void serve(Device& device);
   void follow_host(Device& device, Time now);
   void publish(const Device& device);
-  void compare_with_file(const Device& device, Time now);
+  void check_file(Device& device) const;
   void fail(Fault fault, const char* sentence) noexcept;
   Time now() const { return std::chrono::steady_clock::now(); }
 
@@ -55,7 +59,7 @@ class PlateDriver {
   std::string path_;
   std::optional<PlateFile> file_;
   hrt_plate_options options_;
-  int process_;
+  std::uint32_t forks_;  // of this process and its parents, when the plate was opened
 
   // From the host: the orientation, or not a number to stay; and that it lives.
   std::atomic<double> wanted_deg_;
@@ -69,8 +73,7 @@ class PlateDriver {
   bool host_is_silent_ = false;
   bool holds_ = true;
   bool has_arrived_ = false;  // at a command
-  bool deviates_ = false;
-  Time commanded_, near_;  // when the command was last another one, and the plate last near it
+  std::optional<FileWatch> watch_;
 
   Snapshot<Published> published_;
   std::unique_ptr<std::thread> thread_;

@@ -59,6 +59,13 @@ std::string with_checksum(std::string_view text) {
   return std::string(text) + std::string(mark) + hash_of(text) + "\"\n}\n";
 }
 
+std::vector<std::string> settings_of(const std::vector<std::string>& details) {
+  std::vector<std::string> settings;
+  for (const std::string& line : details)
+    if (line.starts_with("setting ")) settings.push_back(line);
+  return settings;
+}
+
 bool is_plate_file(std::string_view name) { return name.ends_with(".json"); }
 
 PlateFile read_plate_file(const std::string& path) {
@@ -66,11 +73,12 @@ PlateFile read_plate_file(const std::string& path) {
   const std::size_t end = text.rfind(mark);
   if (end == std::string::npos) refuse(path, "has no checksum: it is not of hrt-plate commission");
   if (with_checksum(std::string_view(text).substr(0, end)) != text)
-    refuse(path, "was changed: its checksum is wrong. Commission the plate anew");
+    refuse(path, "was changed: its checksum is wrong. Commission the plate again");
   const auto json = nlohmann::json::parse(text, nullptr, false);
   try {
     if (json.at("format") != "haptic plate 1") refuse(path, "is not of format \"haptic plate 1\"");
     PlateFile file{.device = json.at("device"), .description = json.at("description")};
+    file.settings = settings_of(json.at("details"));
     const auto& session = json.at("session");
     file.speed_deg_s = session.at("plate_max_speed_deg_s");
     file.acceleration_deg_s2 = session.at("plate_max_acceleration_deg_s2");

@@ -85,8 +85,8 @@ std::optional<PlateMessage> parse_report(const Words& words) {
 }
 
 std::optional<PlateMessage> parse_stopped(const Words& words) {
-  static constexpr std::array<std::string_view, 8> reasons = {"host",      "heartbeat", "limit",  "fault",
-                                                              "emergency", "stuck",     "sensor", "unhomed"};
+  static constexpr std::array<std::string_view, 9> reasons = {"host",  "heartbeat", "limit",   "fault", "emergency",
+                                                              "stuck", "sensor",    "unhomed", "supply"};
   for (std::size_t i = 0; words.size() == 2 && i < reasons.size(); ++i)
     if (words[1] == reasons[i]) return PlateStopped{static_cast<StopReason>(i)};
   return std::nullopt;

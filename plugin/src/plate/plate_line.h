@@ -22,7 +22,7 @@ struct PlateReport {
   std::optional<double> orientation_deg;  ///< nothing if the plate does not know it
   std::uint16_t sequence;                 ///< of the last line that was taken in
 };
-enum class StopReason { host, heartbeat, limit, fault, emergency, stuck, sensor, unhomed };
+enum class StopReason { host, heartbeat, limit, fault, emergency, stuck, sensor, unhomed, supply };
 struct PlateStopped {
   StopReason reason;
 };
@@ -60,7 +60,7 @@ std::optional<PlateMessage> parse_plate_message(std::string_view body);
 
 /// The body of SET or HOME. `orientation_deg` within 360.
 std::string set_body(double orientation_deg, std::uint16_t sequence, std::string_view word = "SET");
-/// The body of BEAT or STOP.
+/// `word` with a number of five digits: the body of BEAT or STOP, or a body with its session's token.
 std::string beat_body(std::string_view word, std::uint16_t sequence);
 
 /// Cuts a stream of bytes into lines, in bounded memory.

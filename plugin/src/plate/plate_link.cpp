@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "plugin/include/plate_driver/plate_failure.h"
 
@@ -16,9 +17,15 @@ constexpr auto silence_limit = 500ms;
 constexpr int probes = 11;
 constexpr auto probe_limit = 100ms;
 
+std::uint16_t any_session() {
+  std::random_device device;
+  return std::uniform_int_distribution<std::uint16_t>(1, 65535)(device);
+}
+
 }  // namespace
 
-PlateLink::PlateLink(std::unique_ptr<Line> line) : line_(std::move(line)) {
+PlateLink::PlateLink(std::unique_ptr<Line> line, Start start)
+    : line_(std::move(line)), start_(start), session_(any_session()) {
   try {
     greet();
     measure_line();
@@ -49,6 +56,8 @@ void PlateLink::greet() {
   heard_ = began;
   while (!greeting_) {
     const auto passed = now() - began;
+    if (passed > greeting_limit && is_taken_)
+      throw PlateFailure(Fault::line, "is driven by another program: close that one");
     if (passed > greeting_limit) throw PlateFailure(Fault::no_answer, "does not answer as a plate within 5 s");
     ++unanswered_hellos_;
     say("HELLO 2");
@@ -146,10 +155,12 @@ void PlateLink::listen() {
 void PlateLink::take(const PlateMessage& message) {
   heard_ = now();
   if (const auto* greeting = std::get_if<PlateGreeting>(&message)) take_greeting(*greeting);
+  const auto* refused = std::get_if<PlateRefusal>(&message);
+  is_taken_ = is_taken_ || (refused != nullptr && refused->why == "session");
   if (!greeting_) return;
   if (const auto* report = std::get_if<PlateReport>(&message)) take_report(*report);
   if (const auto* stopped = std::get_if<PlateStopped>(&message)) take_stop(stopped->reason);
-  if (const auto* refusal = std::get_if<PlateRefusal>(&message)) take_refusal(*refusal);
+  if (refused != nullptr) take_refusal(*refused);
   if (const auto* info = std::get_if<PlateInfo>(&message)) info_ = *info;
   if (std::holds_alternative<PlateBooted>(message))
     throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
@@ -187,6 +198,7 @@ void PlateLink::take_stop(StopReason reason) {
     case StopReason::fault:
       throw PlateFailure(Fault::device, "reports a fault");
     case StopReason::emergency:
+      if (start_ == Start::quiet) break;
       throw PlateFailure(Fault::emergency, "was stopped by its emergency stop");
     case StopReason::stuck:
       throw PlateFailure(Fault::stuck, "reports that its servo is stuck");
@@ -194,13 +206,19 @@ void PlateLink::take_stop(StopReason reason) {
       throw PlateFailure(Fault::device,
                          "reports that its sensor runs against its servo: exchange adc_least and adc_most");
     case StopReason::unhomed:
-      throw PlateFailure(Fault::restarted, "has forgotten its place: open it anew, and home it");
+      throw PlateFailure(Fault::restarted, "no longer knows its orientation: open it again, and home it");
+    case StopReason::supply:
+      if (start_ == Start::quiet) break;
+      throw PlateFailure(
+          Fault::device,
+          "has less than 4 V at its servo's supply: check adapter, fuse, emergency stop and the wire to A1");
   }
 }
 
 // Lines are damaged now and then; a plate that does not know its host has lost its memory.
 void PlateLink::take_refusal(const PlateRefusal& refusal) {
   ++refusals_;
+  if (refusal.why == "session") throw PlateFailure(Fault::line, "hears another program too: close that one");
   if (refusal.why == "greeting") throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
 }
 
@@ -212,7 +230,7 @@ void PlateLink::drive(std::string_view word) {
 }
 
 void PlateLink::say(std::string_view body) {
-  line_->send(encode_line(body));
+  line_->send(encode_line(beat_body(body, session_)));
   said_ = now();
 }
 
@@ -231,7 +249,9 @@ void PlateLink::stop_if_heard() {
 
 DeviceMaker serial_device(const DeviceName& name) {
   name.allow({});
-  return [path = name.path](const LineOpener& open, Start) { return std::make_unique<PlateLink>(open(path, 115200)); };
+  return [path = name.path](const LineOpener& open, Start start) {
+    return std::make_unique<PlateLink>(open(path, 115200), start);
+  };
 }
 
 }  // namespace hrt::plate

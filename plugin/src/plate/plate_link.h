@@ -19,8 +19,8 @@ namespace hrt::plate {
 class PlateLink : public Device, public BoardSettings {
  public:
   /// Greets the plate, for which it has five seconds (boards start when their line is opened), and measures
-  /// the line. Moves nothing.
-  explicit PlateLink(std::unique_ptr<Line> line);
+  /// the line. Moves nothing. With Start::quiet an open emergency stop or a missing supply is no failure.
+  explicit PlateLink(std::unique_ptr<Line> line, Start start = Start::hold);
   /// Stops the plate, if it still hears.
   ~PlateLink() override;
   PlateLink(const PlateLink&) = delete;
@@ -83,6 +83,8 @@ class PlateLink : public Device, public BoardSettings {
   void stop_if_heard();
 
   std::unique_ptr<Line> line_;
+  Start start_;
+  std::uint16_t session_;  // token that marks the lines of this host
   LineReader reader_;
   std::optional<PlateGreeting> greeting_;
   std::optional<PlateInfo> info_;
@@ -92,6 +94,7 @@ class PlateLink : public Device, public BoardSettings {
   std::optional<double> command_deg_;
   std::uint16_t sequence_ = 0;
   int unanswered_hellos_ = 0;
+  bool is_taken_ = false;  // by another host
   std::uint64_t refusals_ = 0;
   const std::function<bool(const PlateMessage&)>* asked_ = nullptr;
   bool answered_ = false;

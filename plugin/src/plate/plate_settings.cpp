@@ -22,6 +22,14 @@ std::string shown(double value) {
   return text.data();
 }
 
+// Without a decimal point of the locale.
+std::string hundredths(double value) {
+  const long number = std::lround(value * 100.0), size = std::abs(number);
+  const std::string cents = std::to_string(size % 100);
+  return (number < 0 ? "-" : "") + std::to_string(size / 100) +
+         (size % 100 == 0 ? "" : (size % 100 < 10 ? ".0" : ".") + cents);
+}
+
 }  // namespace
 
 std::vector<std::string> PlateLink::details() {
@@ -72,12 +80,16 @@ double PlateLink::setting(const std::string& name) {
 
 void PlateLink::change_setting(const std::string& name, double value) {
   std::string why;
-  const std::string body = "CONF " + name + " " + std::to_string(std::lround(value));
+  const std::string body = "CONF " + name + " " + hundredths(value);
   ask(body, [&](const PlateMessage& message) {
     if (const auto* refusal = std::get_if<PlateRefusal>(&message)) why = refusal->why;
     const auto* setting = std::get_if<PlateSetting>(&message);
     return !why.empty() || (setting != nullptr && setting->name == name);
   });
+  if (why == "step")
+    why =
+        "it would move the servo, which holds its place, by more than 20 us, or put its place beyond the limits; "
+        "change it after power-on, before the first turn";
   if (!why.empty()) throw PlateFailure(Fault::protocol, "refuses " + body + ": " + why);
 }
 

@@ -1,12 +1,14 @@
 // The serial line of POSIX systems.
 #include <fcntl.h>
 #include <poll.h>
+#include <pthread.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 
@@ -38,6 +40,18 @@ speed_t speed_of(int baud) {
   }
 }
 
+// Lines that the child of a fork closes: it would keep their locks when its parent has gone.
+std::array<std::atomic<int>, 64> open_lines;  // descriptors and 1
+
+void replace(int before, int after) {
+  [[maybe_unused]] static const int registered = pthread_atfork(nullptr, nullptr, [] {
+    for (auto& number : open_lines)
+      if (const int open = number.exchange(0); open != 0) close(open - 1);
+  });
+  for (auto& number : open_lines)
+    if (int expected = before; number.compare_exchange_strong(expected, after)) return;
+}
+
 class SerialLine : public Line {
  public:
   SerialLine(const std::string& device, int baud)
@@ -49,6 +63,7 @@ class SerialLine : public Line {
       close(line_);
       throw;
     }
+    replace(0, line_ + 1);
   }
 
   // Closing waits, for half a minute in Linux, until all is sent: what a dead line has not taken is dropped
@@ -59,6 +74,7 @@ class SerialLine : public Line {
     if (unsent > 0) tcflush(line_, TCOFLUSH);
     ioctl(line_, TIOCNXCL);
     tcsetattr(line_, TCSANOW, &before_);
+    replace(line_ + 1, 0);
     close(line_);
   }
   SerialLine(const SerialLine&) = delete;

@@ -3,8 +3,8 @@
 
 enum { REPORT_MS = 20, ERROR_MS = 10 };
 
-static const char* const stop_words[PLATE_STOP_COUNT] = {"host",      "heartbeat", "limit",  "fault",
-                                                         "emergency", "stuck",     "sensor", "unhomed"};
+static const char* const stop_words[PLATE_STOP_COUNT] = {"host",  "heartbeat", "limit",   "fault", "emergency",
+                                                         "stuck", "sensor",    "unhomed", "supply"};
 
 static bool send(Plate* plate, const char* body) {
   char line[LINE_SIZE];
@@ -78,10 +78,18 @@ static bool send_test(Plate* plate, uint8_t number) {
       line_put_digits(end, plate->reading_256ths < 0 ? 0 : (uint32_t)plate->reading_256ths / 256, 1);
       break;
     case 3:
+      end = line_put_text(end, "supply ");
+      if (plate->settings.value[SETTING_SUPPLY] == 0) {
+        line_put_text(end, "unused");
+      } else { /* hundredths of a volt: twice 5 V over 1023 */
+        line_put_hundredths(end, plate->supply_adc < 0 ? 0 : (int32_t)plate->supply_adc * 1000 / 1023);
+      }
+      break;
+    case 4:
       end = line_put_text(end, "pulse ");
       line_put_hundredths(end, (int32_t)plate_pulse_ticks(plate) * 50);
       break;
-    case 4:
+    case 5:
       end = line_put_text(end, "loop ");
       line_put_digits(end, plate->loop_ms, 1);
       break;
@@ -111,7 +119,7 @@ void answer(Plate* plate) {
   for (int why = 0; why < PLATE_STOP_COUNT; ++why) {
     if ((plate->stops_due & 1U << why) == 0) continue;
     if (!send_words(plate, "STOPPED", stop_words[why])) return;
-    plate->stops_due = (uint8_t)(plate->stops_due & ~(1U << why));
+    plate->stops_due = (uint16_t)(plate->stops_due & ~(1U << why));
   }
   if ((plate->due & DUE_AT) != 0 || plate->report_ms >= REPORT_MS) {
     if (!send_place(plate)) return;

@@ -26,6 +26,10 @@ const char* line_error_word(LineError error) {
       return "greeting";
     case LINE_BUSY:
       return "busy";
+    case LINE_STEP:
+      return "step";
+    case LINE_SESSION:
+      return "session";
     case LINE_OK:
       break;
   }

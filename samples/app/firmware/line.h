@@ -21,7 +21,9 @@ typedef enum LineError {
   LINE_BAD_NUMBER,
   LINE_OUT_OF_RANGE,
   LINE_NOT_GREETED,
-  LINE_BUSY
+  LINE_BUSY,
+  LINE_STEP,
+  LINE_SESSION
 } LineError;
 const char* line_error_word(LineError error);
 

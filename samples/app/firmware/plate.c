@@ -6,6 +6,8 @@ enum {
   /* The protocol's limit is 300 ms; up to 20 of them pass until the next pulse shows the stop. */
   HEARTBEAT_MS = 275,
   EMERGENCY_MS = 2, /* a shorter opening is noise */
+  SUPPLY_MS = 5,    /* a shorter dip is the motor's start */
+  SUPPLY_ADC = 409, /* 4 V, halved, of 5 V: servos of 5 to 6 V lose their force below */
   /* At first a servo gets one pulse in eight: many drive their motor for one frame a pulse, so that they
    * turn at an eighth of their speed. 180 degrees at 200 degrees a second then take 7.2 s. */
   HOME_MS = 8000,
@@ -33,6 +35,15 @@ static bool is_measured(const Plate* plate) {
   return settings_has_feedback(&plate->settings) && plate->reading_256ths >= 0;
 }
 
+/* Divisions take a board long: these are done when something changes. */
+static void plan_motion(Plate* plate) {
+  const int32_t speed = settings_speed(&plate->settings);
+  plate->step_microdeg = plate->fast ? 360000000 : speed * 10;
+  const int32_t time_ms = plate->settings.value[SETTING_LATENCY_MS] / 100 + LEAD_MS;
+  const int32_t lead = MIN_LEAD_MILLIDEG + speed / 100 * time_ms;
+  plate->max_lead_millideg = plate->fast || lead > FAST_LEAD_MILLIDEG ? FAST_LEAD_MILLIDEG : lead;
+}
+
 static bool is_homing(const Plate* plate) { return plate->pulses && !plate->homed; }
 
 static void keep_within_limits(Plate* plate) {
@@ -56,7 +67,7 @@ static void stop(Plate* plate, PlateStop why) {
   hold(plate);
   if (is_homing(plate)) plate->pulses = false; /* it is somewhere on its way */
   if (plate->state == PLATE_FOLLOWING) plate->state = PLATE_RESTING;
-  plate->stops_due = (uint8_t)(plate->stops_due | 1U << why);
+  plate->stops_due = (uint16_t)(plate->stops_due | 1U << why);
 }
 
 /* A stop without pulses, until the next HELLO. A hand may turn the plate meanwhile. */
@@ -110,20 +121,12 @@ static void settle(Plate* plate) {
   if (plate->settle_ms == 0) plate->homed = plate->pulses;
 }
 
-static int32_t max_lead_millideg(const Plate* plate) {
-  if (plate->fast) return FAST_LEAD_MILLIDEG;
-  const int32_t time_ms = plate->settings.value[SETTING_LATENCY_MS] / 100 + LEAD_MS;
-  const int32_t lead = MIN_LEAD_MILLIDEG + settings_speed(&plate->settings) / 100 * time_ms;
-  return lead < FAST_LEAD_MILLIDEG ? lead : FAST_LEAD_MILLIDEG;
-}
-
 static void move(Plate* plate) {
   if (plate->settle_ms > 0) {
     settle(plate);
     return;
   }
-  /* Microdegrees in a millisecond. */
-  const int32_t step = plate->fast ? 360000000 : settings_speed(&plate->settings) * 10;
+  const int32_t step = plate->step_microdeg;
   const int32_t way = plate->target_microdeg - plate->position_microdeg;
   plate->at_rest_ms = way != 0 ? 0 : plate->at_rest_ms < AT_REST_MS ? plate->at_rest_ms + 1 : AT_REST_MS;
   const int32_t position = plate->position_microdeg + clamp(way, -step, step);
@@ -132,7 +135,7 @@ static void move(Plate* plate) {
     return;
   }
   /* Waits for a servo that it leads by too much; it does not go back to it. */
-  const int32_t measured = plate->measured_millideg, lead = max_lead_millideg(plate);
+  const int32_t measured = plate->measured_millideg, lead = plate->max_lead_millideg;
   const int32_t least = (measured - lead) * 1000, most = (measured + lead) * 1000, now = plate->position_microdeg;
   const int32_t bounded = clamp(position, now < least ? now : least, now > most ? now : most);
   plate->is_held_back = bounded != position;
@@ -149,7 +152,7 @@ static bool runs_against(const Plate* plate, int32_t measured) {
 static void watch_servo(Plate* plate) {
   if (!is_settled(plate) || !is_measured(plate)) return;
   const int32_t measured = plate->measured_millideg, pulse = plate->position_microdeg / 1000;
-  const bool is_astray = plate->is_held_back || apart(measured, pulse) > max_lead_millideg(plate);
+  const bool is_astray = plate->is_held_back || apart(measured, pulse) > plate->max_lead_millideg;
   if (apart(measured, pulse) < MOVED_MILLIDEG) {
     plate->near_millideg = measured;
     plate->near_pulse_millideg = pulse;
@@ -175,9 +178,11 @@ uint16_t plate_pulse_ticks(const Plate* plate) {
   return settings_pulse_ticks(&plate->settings, (position + (position < 0 ? -500 : 500)) / 1000);
 }
 
-static void greet(Plate* plate) {
+static void greet(Plate* plate, uint16_t session) {
   plate->greeted = true;
+  plate->session = session;
   plate->fast = false;
+  plan_motion(plate);
   plate->sequence = 0;
   plate->error = LINE_OK;
   plate->stops_due = 0;
@@ -186,6 +191,7 @@ static void greet(Plate* plate) {
   hold(plate);
   plate->state = PLATE_RESTING;
   if (is_homing(plate)) plate->pulses = false;
+  if (plate->supply_low) latch(plate, PLATE_STOP_SUPPLY);
   if (plate->emergency_open) latch(plate, PLATE_STOP_EMERGENCY);
   plate->due = (uint16_t)((plate->due & DUE_BOOT) | DUE_PLATE);
 }
@@ -196,17 +202,19 @@ static LineError change_setting(Plate* plate, Setting setting, int32_t value) {
   const uint16_t pulse = plate_pulse_ticks(plate);
   plate->settings.value[setting] = value;
   const int32_t place = plate->position_microdeg / 10000;
-  bool fits = settings_valid(&plate->settings);
-  if (fits && plate->pulses) {
+  LineError error = settings_valid(&plate->settings) ? LINE_OK : LINE_OUT_OF_RANGE;
+  if (error == LINE_OK && plate->pulses) {
     const int32_t jump = (int32_t)plate_pulse_ticks(plate) - (int32_t)pulse;
-    fits = jump >= -TRIM_TICKS && jump <= TRIM_TICKS && place >= settings_least(&plate->settings) &&
-           place <= settings_most(&plate->settings);
+    if (jump < -TRIM_TICKS || jump > TRIM_TICKS || place < settings_least(&plate->settings) ||
+        place > settings_most(&plate->settings))
+      error = LINE_STEP;
   }
-  if (!fits) {
+  if (error != LINE_OK) {
     plate->settings = before;
-    return LINE_OUT_OF_RANGE;
+    return error;
   }
   if (!plate->pulses) keep_within_limits(plate);
+  plan_motion(plate);
   plate->conf_next = (uint8_t)setting;
   plate->conf_end = (uint8_t)(setting + 1);
   return LINE_OK;
@@ -273,6 +281,7 @@ static LineError hear_drive(Plate* plate, const char* verb, char* rest) {
   plate->due |= DUE_AT;
   if (sets) turn_to(plate, angle, homes);
   if (hurries) plate->fast = true;
+  if (hurries) plan_motion(plate);
   if (stops) stop(plate, PLATE_STOP_HOST);
   return LINE_OK;
 }
@@ -299,17 +308,37 @@ static bool is_service(const char* verb) {
   return is_word(verb, "CONF") || is_word(verb, "SAVE") || is_word(verb, "INFO") || is_word(verb, "TEST");
 }
 
+/* A host that has fallen silent leaves the plate to the next one. */
+static LineError hear_hello(Plate* plate, char* rest) {
+  const char* version = line_word(&rest);
+  const char* token = *rest != 0 ? line_word(&rest) : NULL;
+  uint16_t session = 0;
+  if (!is_word(version, "2") || *rest != 0) return LINE_BAD_WORD;
+  if (token != NULL && !line_sequence(token, &session)) return LINE_BAD_NUMBER;
+  if (plate->greeted && session != plate->session && plate->silent_ms < HEARTBEAT_MS) return LINE_SESSION;
+  greet(plate, session);
+  return LINE_OK;
+}
+
+/* Cuts the session's token off the end of a body; false if it has another one. */
+static bool cut_token(const Plate* plate, char* body) {
+  if (plate->session == 0) return true;
+  char* end = body;
+  while (*end != 0) ++end;
+  while (end != body && *end != ' ') --end;
+  uint16_t token = 0;
+  if (!line_sequence(end == body ? body : end + 1, &token) || token != plate->session) return false;
+  *end = 0;
+  return true;
+}
+
 static LineError hear_line(Plate* plate, char* body) {
   char* rest = body;
   char* verb = line_word(&rest);
   if (verb == NULL) return LINE_BAD_WORD;
-  if (is_word(verb, "HELLO")) {
-    const char* version = line_word(&rest);
-    if (!is_word(version, "2") || *rest != 0) return LINE_BAD_WORD;
-    greet(plate);
-    return LINE_OK;
-  }
+  if (is_word(verb, "HELLO")) return hear_hello(plate, rest);
   if (!plate->greeted) return LINE_NOT_GREETED;
+  if (!cut_token(plate, rest)) return LINE_SESSION;
   if (is_service(verb)) return hear_service(plate, verb, rest);
   return hear_drive(plate, verb, rest);
 }
@@ -331,10 +360,19 @@ void plate_start(Plate* plate, const PlateBoard* board, const Settings* saved) {
   plate->board = board;
   plate->settings = saved != NULL ? *saved : settings_default();
   plate->settings_preset = saved == NULL;
-  plate->reading_256ths = -1;
+  plate->reading_256ths = plate->supply_adc = -1;
   keep_within_limits(plate);
   plate->test_next = TEST_LINES;
   plate->due = DUE_BOOT;
+}
+
+static void read_supply(Plate* plate, int16_t adc) {
+  if (adc >= 0) plate->supply_adc = adc;
+  const bool low =
+      plate->settings.value[SETTING_SUPPLY] != 0 && plate->supply_adc >= 0 && plate->supply_adc < SUPPLY_ADC;
+  plate->supply_low_ms = !low ? 0 : plate->supply_low_ms < SUPPLY_MS ? (uint8_t)(plate->supply_low_ms + 1) : SUPPLY_MS;
+  plate->supply_low = plate->supply_low_ms == SUPPLY_MS;
+  if (plate->supply_low && plate->state != PLATE_LATCHED) latch(plate, PLATE_STOP_SUPPLY);
 }
 
 static void read_inputs(Plate* plate, const PlateInputs* inputs) {
@@ -349,6 +387,7 @@ static void read_inputs(Plate* plate, const PlateInputs* inputs) {
   const bool open = inputs->emergency_open && plate->settings.value[SETTING_EMERGENCY] != 0;
   plate->open_ms = !open ? 0 : plate->open_ms < EMERGENCY_MS ? (uint8_t)(plate->open_ms + 1) : EMERGENCY_MS;
   plate->emergency_open = plate->open_ms == EMERGENCY_MS;
+  read_supply(plate, inputs->supply_adc);
   if (plate->emergency_open && (plate->state != PLATE_LATCHED || plate->latched_by != PLATE_STOP_EMERGENCY))
     latch(plate, PLATE_STOP_EMERGENCY);
 }

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-#define PLATE_FIRMWARE_VERSION "1.0.0"
+#define PLATE_FIRMWARE_VERSION "1.1.0"
 
 /** What the board does for the plate. */
 typedef struct PlateBoard {
@@ -25,18 +25,19 @@ typedef struct PlateBoard {
 /** What the board reads, once a millisecond. */
 typedef struct PlateInputs {
   bool emergency_open; /**< the emergency stop's contact is open: pressed, or its wire is broken */
-  int16_t adc;         /**< of the servo's potentiometer, 0 to 1023; negative: no reading yet */
+  int16_t adc;         /**< reading of the sensor, 0 to 1023; negative: none yet */
+  int16_t supply_adc;  /**< reading of half of the servo's supply; negative: none yet */
 } PlateInputs;
 
 typedef enum PlateState {
   PLATE_RESTING,   /**< holds its place; SET moves it */
   PLATE_FOLLOWING, /**< turns to the target and holds it, while the host is heard */
-  PLATE_LATCHED    /**< no pulses after an emergency or a fault of the servo; only HELLO ends it */
+  PLATE_LATCHED    /**< no pulses after an emergency, or a fault of servo or supply; only HELLO ends it */
 } PlateState;
 
 /** Lines to the host that are due, as bits; and how many those of a self-test are. */
 enum { DUE_BOOT = 1, DUE_PLATE = 2, DUE_INFO = 4, DUE_SAVED = 8, DUE_AT = 16 };
-enum { TEST_LINES = 6 };
+enum { TEST_LINES = 7 };
 
 /** Reasons of a stop, in the order of their words in answer.c. */
 typedef enum PlateStop {
@@ -48,6 +49,7 @@ typedef enum PlateStop {
   PLATE_STOP_STUCK,
   PLATE_STOP_SENSOR,
   PLATE_STOP_UNHOMED,
+  PLATE_STOP_SUPPLY,
   PLATE_STOP_COUNT
 } PlateStop;
 
@@ -62,6 +64,8 @@ typedef struct Plate {
 
   int32_t position_microdeg; /**< of the motion, as the pulse has it */
   int32_t target_microdeg;
+  int32_t step_microdeg;     /**< of the motion in a millisecond */
+  int32_t max_lead_millideg; /**< of the pulse over the sensor */
   bool pulses;
   bool homed;                  /**< the servo is at position_microdeg, as far as a blind plate can know */
   uint16_t settle_ms;          /**< until the servo is where the first pulses send it */
@@ -75,17 +79,21 @@ typedef struct Plate {
   uint16_t at_rest_ms;         /**< time since the pulse last moved, up to a limit */
   uint8_t open_ms;             /**< since the emergency stop's contact opened */
   bool emergency_open;
+  int16_t supply_adc;
+  uint8_t supply_low_ms; /**< time for which the servo's supply has been too low */
+  bool supply_low;
   uint16_t loop_ms; /**< longest time between two ticks: main.c */
 
   bool greeted;       /**< by a host, since the reset */
+  uint16_t session;   /**< token of that host, which its lines end with; 0: they have none */
   bool fast;          /**< the motion has no limit of its own until the next greeting */
   uint16_t sequence;  /**< last one that was taken in */
   uint16_t silent_ms; /**< since the last valid line */
   uint16_t report_ms; /**< since the last AT */
   uint8_t error_ms;   /**< until the next ERROR may be sent */
   LineError error;
-  uint16_t due;      /**< lines to send: DUE_* */
-  uint8_t stops_due; /**< bits of PlateStop */
+  uint16_t due;       /**< lines to send: DUE_* */
+  uint16_t stops_due; /**< bits of PlateStop */
   uint8_t conf_next, conf_end;
   uint8_t test_next;
 } Plate;

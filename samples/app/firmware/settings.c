@@ -9,6 +9,7 @@ typedef struct Range {
 } Range;
 
 /* clang-format off */
+#define BEND(i) {"bend_" #i, false,          -1000,              1000,      0}
 static const Range ranges[SETTING_COUNT] = {
     {"zero",      true,                  50000,             250000, 150000},
     {"span",      true,                -250000,             250000, 200000},
@@ -19,6 +20,8 @@ static const Range ranges[SETTING_COUNT] = {
     {"adc_least", true,                      0,             102300,      0},
     {"adc_most",  true,                      0,             102300,      0},
     {"emergency", true,                      0,                100,    100},
+    {"supply",    true,                      0,                100,    100},
+    BEND(0), BEND(1), BEND(2), BEND(3), BEND(4), BEND(5), BEND(6), BEND(7), BEND(8),
     {"serial",    true,                      0,           99999900,      0},
 };
 /* clang-format on */
@@ -26,7 +29,7 @@ static const Range ranges[SETTING_COUNT] = {
 static const int32_t min_span = 50000, min_adc_span = 5000;
 static const int32_t max_unmeasured_speed = 6000;
 
-enum { VERSION = 1 };
+enum { VERSION = 2 };
 
 const char* setting_name(Setting setting) { return ranges[setting].name; }
 
@@ -132,13 +135,26 @@ bool settings_has_feedback(const Settings* settings) {
   return settings->value[SETTING_ADC_LEAST] != settings->value[SETTING_ADC_MOST];
 }
 
+/* Hundredths of a degree by which the sensor's line is off at a part of it. */
+static int32_t bend_at(const Settings* settings, int32_t part, int32_t whole) {
+  if (whole < 0) {
+    part = -part;
+    whole = -whole;
+  }
+  part = part < 0 ? 0 : part > whole ? whole : part;
+  const int32_t before = part * BEND_PARTS / whole; /* at most 16368 * 8 */
+  const int32_t* bend = &settings->value[SETTING_BEND_0 + before];
+  return before == BEND_PARTS ? bend[0] : bend[0] + (bend[1] - bend[0]) * (part * BEND_PARTS - before * whole) / whole;
+}
+
 int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16ths) {
   const int32_t at_least = settings->value[SETTING_ADC_LEAST] / 100 * 16;
   const int32_t at_most = settings->value[SETTING_ADC_MOST] / 100 * 16;
   const int32_t min = settings->value[SETTING_MIN_DEG];
   const int32_t width = settings->value[SETTING_MAX_DEG] - min;
   /* In hundredths: at most 16368 * 36000 = 6e8, which fits. */
-  const int32_t place = min + ((int32_t)reading_16ths - at_least) * width / (at_most - at_least);
+  const int32_t part = (int32_t)reading_16ths - at_least, whole = at_most - at_least;
+  const int32_t place = min + part * width / whole - bend_at(settings, part, whole);
   const int32_t turn = 36000;
   return (place < -turn ? -turn : place > turn ? turn : place) * 10;
 }

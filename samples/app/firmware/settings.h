@@ -22,9 +22,14 @@ typedef enum Setting {
   SETTING_ADC_LEAST,   /**< readings of the sensor at the two limits; equal: there is none */
   SETTING_ADC_MOST,
   SETTING_EMERGENCY, /**< 1: the emergency stop's contact must be closed; 0: there is none */
-  SETTING_SERIAL,    /**< serial number */
+  SETTING_SUPPLY,    /**< 1: the servo's supply is sensed, and must be there; 0: it is not sensed */
+  SETTING_BEND_0,    /**< error of the sensor's line at `least` + (`most` - `least`) * i / BEND_PARTS, subtracted */
+  SETTING_BEND_LAST = SETTING_BEND_0 + 8,
+  SETTING_SERIAL, /**< serial number */
   SETTING_COUNT
 } Setting;
+
+enum { BEND_PARTS = SETTING_BEND_LAST - SETTING_BEND_0 };
 
 /** Values in hundredths of each setting's unit. */
 typedef struct Settings {

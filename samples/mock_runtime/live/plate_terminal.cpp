@@ -34,7 +34,7 @@ Settings settings_of(const PlateDynamics& servo) {
   settings.value[SETTING_LATENCY_MS] = whole_hundredths(static_cast<double>(servo.latency_ns) * 1e-6, 0.0, 200.0);
   settings.value[SETTING_ADC_LEAST] = whole_hundredths(adc_least, 0.0, 1023.0);
   settings.value[SETTING_ADC_MOST] = whole_hundredths(adc_most, 0.0, 1023.0);
-  settings.value[SETTING_EMERGENCY] = 0;
+  settings.value[SETTING_EMERGENCY] = settings.value[SETTING_SUPPLY] = 0;
   return settings;
 }
 
@@ -85,7 +85,8 @@ std::optional<double> PlateTerminal::run_until(XrTime now, double orientation_de
       std::for_each_n(bytes.begin(), count, [this](char byte) { plate_hear(&plate_, byte); });
   const double share = (std::clamp(orientation_deg, -stop_deg, stop_deg) + stop_deg) / (2.0 * stop_deg);
   const PlateInputs inputs{.emergency_open = false,
-                           .adc = static_cast<std::int16_t>(std::lround(adc_least + share * (adc_most - adc_least)))};
+                           .adc = static_cast<std::int16_t>(std::lround(adc_least + share * (adc_most - adc_least))),
+                           .supply_adc = -1};
   now_ = std::max(now_, now - max_behind_ns);
   for (; now_ + millisecond_ns <= now; now_ += millisecond_ns) {
     plate_tick(&plate_, &inputs);

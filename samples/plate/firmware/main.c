@@ -107,7 +107,7 @@ static void start_clock(void) {
 
 /* The settings in EEPROM: two copies, so that one is whole whenever the power fails. */
 
-enum { COPIES = 2, COPY_BYTES = 64 };
+enum { COPIES = 2, COPY_BYTES = 128 };
 
 static uint8_t to_save[SETTINGS_BYTES];
 static uint8_t save_at, save_copy = COPIES;
@@ -166,23 +166,28 @@ static void calm_watchdog(void) {
 static void start_inputs(void) {
   PORTD = _BV(PORTD2);
   ADMUX = _BV(REFS0);
-  ADCSRA = _BV(ADEN) | _BV(ADPS2) | _BV(ADPS1) | _BV(ADPS0);
+  ADCSRA = _BV(ADEN) | _BV(ADIE) | _BV(ADPS2) | _BV(ADPS1) | _BV(ADPS0);
 }
 
-/* The reading that was begun a millisecond ago; begins the next one. */
-static int16_t read_adc(void) {
-  static bool begun = false;
-  if ((ADCSRA & _BV(ADSC)) != 0) return -1;
-  const int16_t reading = begun ? (int16_t)ADC : -1;
-  begun = true;
-  ADCSRA |= _BV(ADSC);
-  return reading;
+/* A0, the sensor, then A1, half of the servo's supply, begun once a millisecond. */
+static volatile int16_t readings[2] = {-1, -1};
+
+ISR(ADC_vect) {
+  const uint8_t channel = ADMUX & 1;
+  readings[channel] = (int16_t)ADC;
+  ADMUX = _BV(REFS0) | (channel ^ 1);
+  if (channel == 0) ADCSRA |= _BV(ADSC);
 }
 
 static const PlateBoard board = {send, save};
 
 static void tick(Plate* plate) {
-  const PlateInputs inputs = {(PIND & _BV(PIND2)) != 0, read_adc()};
+  PlateInputs inputs = {.emergency_open = (PIND & _BV(PIND2)) != 0};
+  ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
+    inputs.adc = readings[0];
+    inputs.supply_adc = readings[1];
+  }
+  ADCSRA |= _BV(ADSC);
   plate_tick(plate, &inputs);
   const uint16_t wanted = plate_pulse_ticks(plate);
   ATOMIC_BLOCK(ATOMIC_RESTORESTATE) wanted_ticks = wanted;

@@ -103,10 +103,11 @@ Person person_at(const Surroundings& around) {
   return {around.read, [&around](const std::string& text) { around.out << text << std::endl; }};
 }
 
-// Turns the plate to 0, as often as the person has its mark off; one who goes away leaves the old trim.
+// Moves 0 until its mark is right. If the person leaves before the end, the old trim is kept.
 int run_trim(const Options& options, const Surroundings& around) {
   const auto device = open(options.device, around, Start::hold);
   const double before_deg = device->zero_deg();
+  ask(*device, person_at(around), "Hands off the plate: it turns to 0. Enter starts it.");
   turn_and_wait(*device, 0.0);
   std::string question =
       "The plate is at 0. How many degrees is its mark off, counter-clockwise positive? An empty line keeps "
@@ -121,7 +122,7 @@ int run_trim(const Options& options, const Surroundings& around) {
     throw;
   }
   device->keep_zero();
-  around.out << "saved\n";
+  around.out << "saved. Commission the plate again: a plate.json of before is of the old 0\n";
   return success;
 }
 

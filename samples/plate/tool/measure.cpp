@@ -37,29 +37,6 @@ std::pair<double, double> sweep_range_deg(const DeviceLimits& limits) {
   return {std::max(-180.0, limits.min_deg), std::min(180.0, limits.max_deg)};
 }
 
-void sweep(Device& device, Measurements& found) {
-  const auto [low_deg, high_deg] = sweep_range_deg(found.limits);
-  const double min_deg = low_deg, max_deg = high_deg;
-  const int count = std::max(4, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
-  const auto visit = [&](int i, bool upwards) {
-    // Unevenly, so that the steps of the sensor's converter are met at all their phases.
-    const double aside = i == 0 || i == count ? 0.0 : 0.5 * (std::fmod(0.618 * i, 1.0) - 0.5);
-    const double commanded_deg = min_deg + (max_deg - min_deg) * (i + aside) / count;
-    found.sweep.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});
-  };
-  for (int i = 0; i <= count; ++i) visit(i, true);
-  for (int i = count - 1; i >= 0; --i) visit(i, false);
-  // Both ends of the sweep were approached from above.
-  if (const double slip_deg = found.sweep.back().reported_deg - found.sweep.front().reported_deg;
-      std::abs(slip_deg) > max_slip_deg)
-    throw PlateFailure(Fault::device,
-                       format("came back from its sweep %.2f deg off: its sensor or a gear slips", slip_deg));
-  std::vector<double> errors_deg;
-  for (const SweepPoint& point : found.sweep) errors_deg.push_back(point.reported_deg - point.commanded_deg);
-  found.error_deg = mean_of(errors_deg);
-  found.error_deg.deviation *= std::sqrt(static_cast<double>(errors_deg.size()));
-}
-
 // Of the sweep's inner points, which were visited from both sides; the last one up was visited once.
 Measured backlash_of(const std::vector<SweepPoint>& sweep) {
   const std::size_t count = sweep.size() / 2;
@@ -68,7 +45,6 @@ Measured backlash_of(const std::vector<SweepPoint>& sweep) {
     differences_deg.push_back(sweep[2 * count - i].reported_deg - sweep[i].reported_deg);
   return mean_of(differences_deg);
 }
-
 Measured repeatability_of(Device& device, double away_deg) {
   std::vector<double> places_deg;
   for (int i = 0; i < returns; ++i) {
@@ -121,6 +97,26 @@ void time_steps(Device& device, Measurements& found) {
 
 }  // namespace
 
+std::vector<SweepPoint> sweep(Device& device) {
+  std::vector<SweepPoint> found;
+  const auto [low_deg, high_deg] = sweep_range_deg(device.limits());
+  const double min_deg = low_deg, max_deg = high_deg;
+  const int count = std::max(4, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
+  const auto visit = [&](int i, bool upwards) {
+    // Unevenly, so that the steps of the sensor's converter are met at all their phases.
+    const double aside = i == 0 || i == count ? 0.0 : 0.5 * (std::fmod(0.618 * i, 1.0) - 0.5);
+    const double commanded_deg = min_deg + (max_deg - min_deg) * (i + aside) / count;
+    found.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});
+  };
+  for (int i = 0; i <= count; ++i) visit(i, true);
+  for (int i = count - 1; i >= 0; --i) visit(i, false);
+  // Both ends of the sweep were approached from above.
+  if (const double slip_deg = found.back().reported_deg - found.front().reported_deg; std::abs(slip_deg) > max_slip_deg)
+    throw PlateFailure(Fault::device,
+                       format("came back from its sweep %.2f deg off: its sensor or a gear slips", slip_deg));
+  return found;
+}
+
 void turn_and_wait(Device& device, double orientation_deg) {
   // The arrival of a plate without a sensor is not reported; its first turn homes it, in 8 s.
   const auto time = device.orientation_deg() ? limit_of_turn(device, orientation_deg) : 9000ms;
@@ -165,7 +161,11 @@ Measurements measure(Device& device, const std::function<void(const std::string&
   found.round_trip = device.round_trip().value_or(0ns);
   const auto [min_deg, max_deg] = sweep_range_deg(found.limits);
   note(format("Sweeping from %.0f to %.0f deg and back", min_deg, max_deg));
-  sweep(device, found);
+  found.sweep = sweep(device);
+  std::vector<double> errors_deg;
+  for (const SweepPoint& point : found.sweep) errors_deg.push_back(point.reported_deg - point.commanded_deg);
+  found.error_deg = mean_of(errors_deg);
+  found.error_deg.deviation *= std::sqrt(static_cast<double>(errors_deg.size()));
   found.backlash_deg = backlash_of(found.sweep);
   note("Returning to 0");
   found.repeatability_deg = repeatability_of(device, std::max(-90.0, found.limits.min_deg) / 2.0);

@@ -21,6 +21,9 @@ struct SweepPoint {
   bool upwards;
 };
 
+/// Turns the plate through its range and back. Throws PlateFailure if it does not come back to the same place.
+std::vector<SweepPoint> sweep(Device& device);
+
 struct Measurements {
   std::string device;                ///< in one line
   std::vector<std::string> details;  ///< settings and self-test

@@ -22,7 +22,7 @@ def eventually(plate: Plate, wanted: Callable[[PlateReport], bool]) -> PlateRepo
 def test_opens_turns_and_stops() -> None:
     with Plate(os.environ["HRT_PLATE_DEVICE"], host_timeout_s=10) as plate:
         report = plate.wait_until_ready()
-        assert report.description == "protocol 2, firmware 1.0.0, serial number 000000"
+        assert report.description == "protocol 2, firmware 1.1.0, serial number 000000"
         assert report.fault == PlateFault.NONE and report.lower_stop_deg == -90.0
         with Session(**plate.session_fields()) as session:
             assert session.config.plate_lower_stop_deg == -90.0

@@ -32,7 +32,7 @@ namespace Hrt.HostTests
             using (var plate = new HapticRetargetingPlate(Device(), options))
             {
                 PlateReport report = plate.WaitUntilReady();
-                Assert.AreEqual("protocol 2, firmware 1.0.0, serial number 000000", report.description.ToString());
+                Assert.AreEqual("protocol 2, firmware 1.1.0, serial number 000000", report.description.ToString());
                 Assert.AreEqual(PlateFault.None, report.fault);
                 SessionConfig config = SessionConfig.Default;
                 config.TakePlate(report);

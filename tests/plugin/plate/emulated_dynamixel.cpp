@@ -55,7 +55,8 @@ std::int64_t EmulatedDynamixel::homing() const {
 }
 
 std::int64_t EmulatedDynamixel::present(double reading_deg) const {
-  const auto steps = std::lround(reading_deg * 4096.0 / 360.0) + 2048;
+  const double sign = (get(10, 1) & 1) != 0 ? -1.0 : 1.0;
+  const auto steps = std::lround(sign * reading_deg * 4096.0 / 360.0) + 2048;
   // Without power it knows its place within a turn; later it counts turns.
   return steps - turns_ * 4096 + homing();
 }
@@ -82,6 +83,7 @@ void EmulatedDynamixel::hear(std::string_view bytes, Time now) {
     heard_ = now;
     if (is_mute) continue;
     std::string reply = answer(*packet);
+    if (damages_length && ++answers_ % 25 == 0) reply[5] = static_cast<char>(damages_length);
     if (damages_answers && ++answers_ % 2 == 0) reply.back() = static_cast<char>(reply.back() ^ 0x55);
     output_ += reply;
   }
@@ -117,7 +119,8 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   const int address = static_cast<int>(number_at(parameters, 0, 2)), size = static_cast<int>(parameters.size()) - 2;
   const std::int64_t value = number_at(parameters, 2, size);
   const std::int64_t max_current = get(38, 2);
-  const std::array<Writable, 8> writable = {{{11, 1, 0, 16},
+  const std::array<Writable, 9> writable = {{{10, 1, 0, 13},
+                                             {11, 1, 0, 16},
                                              {homing_offset, 4, -1'044'479, 1'044'479},
                                              {torque_enable, 1, 0, 1},
                                              {bus_watchdog, 1, 0, 127},
@@ -152,9 +155,13 @@ void EmulatedDynamixel::run_until(Time now) {
     set(goal_position, 4, present(twin.plate_deg()));
   }
   now_ = now;
+  // Drive mode: bit 0 reverses the direction; with bit 2 the profile is the duration of the motion in milliseconds.
   const auto profile = static_cast<double>(get(profile_velocity, 4));
-  twin.limit_speed(profile == 0.0 ? 1e9 : profile * 0.229 * 6.0);
-  const auto goal_steps = static_cast<double>(get(goal_position, 4) - homing() + turns_ * 4096 - 2048);
+  const double sign = (get(10, 1) & 1) != 0 ? -1.0 : 1.0;
+  const auto goal_steps = sign * static_cast<double>(get(goal_position, 4) - homing() + turns_ * 4096 - 2048);
+  const double way_deg = std::abs(goal_steps * 360.0 / 4096.0 - twin.plate_deg());
+  if (get(goal_position, 4) != std::exchange(last_goal_, get(goal_position, 4)) || (get(10, 1) & 4) == 0)
+    twin.limit_speed(profile == 0.0 ? 1e9 : (get(10, 1) & 4) != 0 ? way_deg / profile * 1000.0 : profile * 0.229 * 6.0);
   twin.set_goal(get(torque_enable, 1) == 1 ? std::optional(goal_steps * 360.0 / 4096.0) : std::nullopt, now);
   twin.run_until(now);
   set(present_position, 4, present(twin.reading_deg()));

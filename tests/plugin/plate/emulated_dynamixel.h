@@ -53,6 +53,7 @@ class EmulatedDynamixel {
   bool echoes = false;                 ///< an adapter that hears what it says
   std::chrono::milliseconds delay{0};  ///< of every answer
   bool damages_answers = false;        ///< every second one
+  int damages_length = 0;              ///< what the length of every 25th one is then
   std::uint8_t forced_error = 0;       ///< in every status
 
  private:
@@ -69,6 +70,7 @@ class EmulatedDynamixel {
   int turns_ = 0;
   int writes_to_eeprom_ = 0;
   int answers_ = 0;
+  std::int64_t last_goal_ = 0;
   dynamixel::PacketReader reader_;
 };
 

@@ -18,6 +18,13 @@ class EmulatedLine : public Line {
   explicit EmulatedLine(Device& device, const bool& is_unplugged = never)
       : device_(device), is_unplugged_(is_unplugged), now_(device.now()) {}
 
+  /// What was sent arrives, as a system's buffers are emptied when a line is closed.
+  ~EmulatedLine() override {
+    while (!going_.empty() && !is_unplugged_) run();
+  }
+  EmulatedLine(const EmulatedLine&) = delete;
+  EmulatedLine& operator=(const EmulatedLine&) = delete;
+
   Time now() const override { return Time(now_); }
   void receive(std::string& bytes) override {
     check();

@@ -9,11 +9,11 @@
 
 namespace hrt::plate {
 
-/// True as soon as `condition` is, false if it is not within 20 seconds.
+/// True as soon as `condition` is, false if it is not within two minutes: machines are busy.
 template <class Condition>
 bool eventually(Condition condition) {
   using Clock = std::chrono::steady_clock;
-  for (const auto give_up = Clock::now() + std::chrono::seconds(20); !condition();
+  for (const auto give_up = Clock::now() + std::chrono::minutes(2); !condition();
        std::this_thread::sleep_for(std::chrono::milliseconds(2)))
     if (Clock::now() > give_up) return false;
   return true;

@@ -51,7 +51,7 @@ TEST_F(PlateApi, OpensReportsTurnsAndStops) {
   EXPECT_EQ(error(), "hrt_plate_set: the plate is being opened; wait until its state is READY");
   ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
   hrt_plate_report report = report_of(plate);
-  EXPECT_STREQ(report.description, "protocol 2, firmware 1.0.0, serial number 000007");
+  EXPECT_STREQ(report.description, "protocol 2, firmware 1.1.0, serial number 000007");
   EXPECT_STREQ(report.message, "");
   EXPECT_EQ(report.fault, HRT_PLATE_FAULT_NONE);
   EXPECT_EQ(report.lower_stop_deg, -90.0);
@@ -115,48 +115,41 @@ TEST_F(PlateApi, HomesAPlateThatDoesNotKnowItsPlaceIfAllowed) {
   EXPECT_TRUE(eventually([&] { return (report_of(plate).flags & HRT_PLATE_REPORT_FIRST_MOTION) == 0; }));
 }
 
-// What was measured goes into the session. A slower servo, and one that rests away from its command, are
-// reported.
-TEST_F(PlateApi, OpensWhatWasCommissionedAndReportsWhenItDeviates) {
+// What was measured goes into the session; another plate, and one whose settings were changed, are refused.
+TEST_F(PlateApi, OpensWhatWasCommissioned) {
   const std::string file = testing::TempDir() + "/hrt_plate_api_test.json";
-  const auto write = [&](const std::string& device, const std::string& serial) {
+  PtyPlate device;
+  const auto write = [&](const std::string& serial, const std::string& span) {
     std::ofstream(file) << with_checksum(R"({
   "format": "haptic plate 1", "device": "serial:)" +
-                                         device + R"(",
-  "description": "protocol 2, firmware 1.0.0, serial number )" +
-                                         serial + R"(",
+                                         device.device() + R"(",
+  "description": "protocol 2, firmware 1.1.0, serial number )" +
+                                         serial + R"(", "details": ["setting span )" + span + R"(", "test loop 1"],
   "session": {"plate_max_speed_deg_s": 190.0, "plate_max_acceleration_deg_s2": 5000.0}, "measured": {"latency_ms": [25.0, 1.0]}, "max_error_deg": 1.5,
 )");
   };
-  const struct {
-    TwinTraits servo;
-    bool deviates;
-  } cases[] = {{{}, false}, {{.speed_deg_s = 100.0}, true}, {{.dead_band_deg = 4.0}, true}};
-  for (const auto& [servo, deviates] : cases) {
-    PtyPlate device({.servo = servo});
-    write(device.device(), "000007");
-    open_until_ready(file);
-    hrt_plate_report report = report_of(plate);
-    EXPECT_NE(report.flags & HRT_PLATE_REPORT_COMMISSIONED, 0U);
-    hrt_session_config config{};
-    hrt_session_config_from_plate(&config, &report);
-    EXPECT_EQ(config.plate.max_speed_deg_s, 190.0);
-    EXPECT_EQ(config.plate.max_acceleration_deg_s2, 5000.0);
-    EXPECT_EQ(config.plate.latency_ns, 25'000'000 + report.round_trip_ns / 2);
-    EXPECT_EQ(config.plate.upper_stop_deg, 90.0);
-    for (const double to_deg : {80.0, -80.0, 80.0}) {
-      ASSERT_EQ(hrt_plate_set(plate, to_deg), HRT_OK);
-      ASSERT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg - to_deg) < 5.0; }));
-    }
-    EXPECT_TRUE(!deviates || eventually([&] { return (report_of(plate).flags & HRT_PLATE_REPORT_DEVIATES) != 0; }));
-    EXPECT_EQ((report_of(plate).flags & HRT_PLATE_REPORT_DEVIATES) != 0, deviates);
+  write("000007", "2000");
+  open_until_ready(file);
+  hrt_plate_report report = report_of(plate);
+  EXPECT_NE(report.flags & HRT_PLATE_REPORT_COMMISSIONED, 0U);
+  EXPECT_EQ(report.flags & HRT_PLATE_REPORT_DEVIATES, 0U);
+  hrt_session_config config{};
+  hrt_session_config_from_plate(&config, &report);
+  EXPECT_EQ(config.plate.max_speed_deg_s, 190.0);
+  EXPECT_EQ(config.plate.max_acceleration_deg_s2, 5000.0);
+  EXPECT_EQ(config.plate.latency_ns, 25'000'000 + report.round_trip_ns / 2);
+  EXPECT_EQ(config.plate.upper_stop_deg, 90.0);
+  const std::pair<const char*, const char*> wrong[] = {{"000008", "2000"}, {"000007", "1980"}};
+  for (const auto& [serial, span] : wrong) {
     ASSERT_EQ(hrt_plate_close(plate), HRT_OK);
+    write(serial, span);
+    open(file);
+    ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_FAILED));
+    EXPECT_TRUE(has(report_of(plate).message,
+                    serial == std::string("000008")
+                        ? "and its file is of \"protocol 2, firmware 1.1.0, serial number 000008\""
+                        : "does not have \"setting span 1980\", which its file has: commission it again"));
   }
-  PtyPlate other;
-  write(other.device(), "000008");
-  open(file);
-  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_FAILED));
-  EXPECT_TRUE(has(report_of(plate).message, "and its file is of \"protocol 2, firmware 1.0.0, serial number 000008\""));
   std::ofstream(file) << "{}";
   hrt_plate none{};
   EXPECT_EQ(hrt_plate_open(file.c_str(), nullptr, &none), HRT_ERROR_OUT_OF_RANGE);
@@ -261,16 +254,32 @@ TEST_F(PlateApi, SixteenPlatesAtMost) {
   for (const hrt_plate one : plates) EXPECT_EQ(hrt_plate_close(one), HRT_OK);
 }
 
-// The child has the memory and no thread.
+// The child has the memory and no thread. A child that lives on does not keep the line from being opened again.
 TEST_F(PlateApi, AChildOfAForkOnlyLetsGo) {
   PtyPlate device;
   open_until_ready("serial:" + device.device());
+  std::array<int, 2> alive{};
+  ASSERT_EQ(pipe(alive.data()), 0);
   const pid_t child = fork();
-  if (child == 0) _exit(hrt_plate_close(plate) == HRT_OK ? 0 : 1);
+  if (child == 0) {
+    hrt_plate_report report{};
+    report.struct_size = sizeof report;
+    const bool refused = hrt_plate_set(plate, 1.0) == HRT_ERROR_WRONG_STATE && has(error(), "before the fork") &&
+                         hrt_plate_stop(plate) == HRT_ERROR_WRONG_STATE &&
+                         hrt_plate_get(plate, &report) == HRT_ERROR_WRONG_STATE;
+    close(alive[1]);
+    char byte = 0;
+    [[maybe_unused]] const ssize_t ended = read(alive[0], &byte, 1);  // until its parent has opened the line again
+    _exit(refused && hrt_plate_close(plate) == HRT_OK ? 0 : 1);
+  }
+  EXPECT_EQ(report_of(plate).state, HRT_PLATE_STATE_READY);
+  EXPECT_EQ(hrt_plate_close(plate), HRT_OK);
+  open_until_ready("serial:" + device.device());
+  close(alive[1]);
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_EQ(status, 0);
-  EXPECT_EQ(report_of(plate).state, HRT_PLATE_STATE_READY);
+  close(alive[0]);
 }
 
 TEST_F(PlateApi, DrivesADynamixel) {

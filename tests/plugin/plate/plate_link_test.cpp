@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "plugin/src/plate/file_watch.h"
 #include "tests/plugin/plate/failing_test.h"
 #include "tests/plugin/plate/twin_board.h"
 
@@ -48,11 +49,11 @@ TEST_F(PlateLinkTest, LearnsLimitsAndOrientation) {
   EXPECT_EQ(link->limits().min_deg, -90.0);
   EXPECT_EQ(link->limits().max_deg, 90.0);
   EXPECT_EQ(link->limits().speed_deg_s, 150.0);
-  // A line of 16 bytes, its answer of 22 bytes, at 87 us.
-  EXPECT_GE(*link->round_trip(), 38 * 87us);
-  EXPECT_LT(*link->round_trip(), 38 * 87us + 2ms);
+  // A line of 22 bytes, its answer of 22 bytes, at 87 us.
+  EXPECT_GE(*link->round_trip(), 44 * 87us);
+  EXPECT_LT(*link->round_trip(), 44 * 87us + 2ms);
   EXPECT_EQ(link->limits().latency, 30ms + *link->round_trip() / 2);
-  EXPECT_EQ(link->description(), "protocol 2, firmware 1.0.0, serial number 000007");
+  EXPECT_EQ(link->description(), "protocol 2, firmware 1.1.0, serial number 000007");
   EXPECT_FALSE(plate->has_pulses());
   link->turn_to(12.345);
   serve(500ms);
@@ -125,6 +126,57 @@ TEST_F(PlateLinkTest, FailsWhenThePlateAnnouncesItselfAnew) {
   EXPECT_EQ(fault, Fault::restarted);
 }
 
+// A servo of 30 ms; then one that is slower than the file says, that rests away from its command, that is late.
+TEST_F(PlateLinkTest, DeviatesFromItsFile) {
+  const struct {
+    TwinTraits servo;
+    bool deviates;
+  } rows[] = {{{.acceleration_deg_s2 = 5000.0, .dead_time = 20ms}, false},
+              {{.speed_deg_s = 100.0}, true},
+              {{.dead_band_deg = 4.0}, true},
+              {{.dead_time = 110ms}, true}};
+  for (const auto& row : rows) {
+    for (const double step_deg : {160.0, 3.0}) {  // at once, and as a controller commands it: 120 degrees a second
+      open({.servo = row.servo});
+      FileWatch watch({.speed_deg_s = 190.0, .acceleration_deg_s2 = 5000.0, .latency_ms = 30.0, .error_deg = 1.5});
+      double command_deg = 0.0, to_deg = 80.0;
+      const auto begin = link->now();
+      for (auto next = begin; link->now() < begin + 16s;) {
+        if (link->now() > next) {
+          next += 25ms;
+          command_deg += std::clamp(to_deg - command_deg, -step_deg, step_deg);
+          if ((link->now() - begin) / 4s % 2 == 0 ? to_deg < 0.0 : to_deg > 0.0) to_deg = -to_deg;
+          link->turn_to(command_deg);
+        }
+        link->wait(5ms);
+        watch.look(link->now(), *link, command_deg);
+      }
+      if (step_deg > 100.0 || row.servo.speed_deg_s > 100.0) {
+        EXPECT_EQ(watch.deviates(), row.deviates) << step_deg << " " << &row - rows;
+      }
+    }
+  }
+}
+
+// Another program holds the plate, and is heard.
+TEST_F(PlateLinkTest, DoesNotTakeAPlateFromAnotherHost) {
+  struct Taken : TwinBoard {
+    void run_until(Time now) {
+      if (now - said_ < 100ms) return TwinBoard::run_until(now);
+      said_ = now;
+      say("BEAT 00001 00042");
+      TwinBoard::run_until(now);
+    }
+    Time said_{0};
+  } taken;
+  taken.say("HELLO 2 00042");
+  taken.run_for(10ms);
+  taken.take_output();
+  EXPECT_EQ(failure_of([&] { PlateLink(std::make_unique<EmulatedLine<Taken>>(taken)); }),
+            "is driven by another program: close that one");
+  EXPECT_FALSE(taken.has_pulses());
+}
+
 TEST_F(PlateLinkTest, FailsWhenThePlateSaysThatItCannotGoOn) {
   // Another program: its number is not of ours; one of ours, but not the last, is behind it.
   open();
@@ -141,7 +193,9 @@ TEST_F(PlateLinkTest, FailsWhenThePlateSaysThatItCannotGoOn) {
       {"limit", "refused an angle beyond its limits", Fault::limits},
       {"stuck", "reports that its servo is stuck", Fault::stuck},
       {"sensor", "reports that its sensor runs against its servo: exchange adc_least and adc_most", Fault::device},
-      {"unhomed", "has forgotten its place: open it anew, and home it", Fault::restarted}};
+      {"supply", "has less than 4 V at its servo's supply: check adapter, fuse, emergency stop and the wire to A1",
+       Fault::device},
+      {"unhomed", "no longer knows its orientation: open it again, and home it", Fault::restarted}};
   for (const auto& stop : stops) {
     open();
     plate->send("STOPPED " + stop.why);

@@ -56,8 +56,10 @@ void Twin::step(double seconds) {
 }
 
 double Twin::reading_deg() {
-  if (traits_.noise_deg == 0.0) return plate_deg_ + slip_deg;
-  return plate_deg_ + slip_deg + std::normal_distribution<double>(0.0, traits_.noise_deg)(random_);
+  const double wave = std::sin((bend_waves * plate_deg_ + bend_phase_deg) * 3.14159265358979 / 180.0);
+  const double shown_deg = plate_deg_ + slip_deg + bend_deg * wave;
+  if (traits_.noise_deg == 0.0) return shown_deg;
+  return shown_deg + std::normal_distribution<double>(0.0, traits_.noise_deg)(random_);
 }
 
 void HobbyTwin::take_pulse(double width_us, Time now) {

@@ -50,6 +50,9 @@ class Twin {
   bool is_jammed = false;
   double supply = 1.0;    ///< share of its voltage
   double slip_deg = 0.0;  ///< by which its sensor has slipped on the axis
+  /// Error of its sensor: a wave over the place, as a magnet beside the axis has it.
+  double bend_deg = 0.0, bend_phase_deg = 0.0;
+  int bend_waves = 1;  ///< in a turn
 
  private:
   struct Goal {

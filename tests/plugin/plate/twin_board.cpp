@@ -44,8 +44,9 @@ void TwinBoard::hear(std::string_view bytes, Time now) {
     const auto line = reader_.take(byte);
     const auto body = line ? decode_line(*line) : std::nullopt;
     if (!body) continue;
-    const bool is_numbered = body->size() > 9 && (*body)[body->size() - 6] == ' ';
-    heard_.emplace_back(is_numbered ? body->substr(0, body->size() - 6) : *body);
+    std::string_view words = *body;  // without sequence number and token
+    while (words.size() > 9 && words[words.size() - 6] == ' ') words.remove_suffix(6);
+    heard_.emplace_back(words);
   }
 }
 
@@ -64,6 +65,7 @@ void TwinBoard::tick() {
   const double pin_mv = has_sensor ? servo.sensor_mv() : 0.0;
   inputs_.adc = static_cast<std::int16_t>(std::clamp(std::lround(pin_mv * 1023.0 / 5000.0), 0L, 1023L));
   inputs_.adc = static_cast<std::int16_t>(inputs_.adc - inputs_.adc % codes);
+  inputs_.supply_adc = static_cast<std::int16_t>(std::lround(servo.supply * 5.0 / 2.0 * 1023.0 / 5.0));
   plate_tick(&plate_, &inputs_);
   if (std::exchange(is_saving_, false)) {
     traits_.settings = plate_.settings;

@@ -25,6 +25,7 @@ struct BoardWithServo : EmulatedBoard {
     on_millisecond = [this] {
       servo.run_until(now());
       set_feedback_mv(static_cast<std::uint32_t>(std::lround(servo.sensor_mv())));
+      set_supply_mv(static_cast<std::uint32_t>(std::lround(5000.0 * servo.supply)));
     };
   }
 

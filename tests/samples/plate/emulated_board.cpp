@@ -65,6 +65,7 @@ EmulatedBoard::EmulatedBoard(const std::vector<std::uint8_t>& eeprom) : avr_(avr
   avr_ioctl(avr_, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
   start_line();
   open_emergency_stop(false);
+  set_supply_mv(supply_mv);
   avr_irq_register_notify(avr_io_getirq(avr_, AVR_IOCTL_TIMER_GETIRQ('1'), TIMER_IRQ_OUT_COMP), take_edge, this);
   avr_irq_register_notify(avr_io_getirq(avr_, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), take_byte, this);
 }
@@ -127,6 +128,10 @@ void EmulatedBoard::open_emergency_stop(bool open) {
 
 void EmulatedBoard::set_feedback_mv(std::uint32_t millivolts) {
   avr_raise_irq(avr_io_getirq(avr_, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC0), millivolts);
+}
+
+void EmulatedBoard::set_supply_mv(std::uint32_t millivolts) {
+  avr_raise_irq(avr_io_getirq(avr_, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC1), millivolts / 2);
 }
 
 std::vector<std::uint8_t> EmulatedBoard::eeprom() const {

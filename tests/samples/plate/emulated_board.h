@@ -61,6 +61,8 @@ class EmulatedBoard {
   void open_emergency_stop(bool open);
   /// Voltage at the potentiometer's pin.
   void set_feedback_mv(std::uint32_t millivolts);
+  /// Voltage of the servo's supply, of which a divider shows half at A1.
+  void set_supply_mv(std::uint32_t millivolts);
   std::vector<std::uint8_t> eeprom() const;
   /// Its extended fuse, as the ELF declares it.
   std::uint8_t extended_fuse() const;

@@ -219,6 +219,63 @@ TEST_F(FirmwareLogic, NamesASensorThatRunsAgainstItsServo) {
   }
 }
 
+// The servo's supply fails while the plate turns, is stuck, or holds, and returns: with pulses the servo would go to
+// where they are at its full speed of 250 degrees a second.
+TEST_F(FirmwareLogic, ALostSupplyEndsThePulses) {
+  const std::function<void()> moments[] = {[&] { set(80.0, 400ms); },
+                                           [&] {
+                                             board_.servo.is_jammed = true;
+                                             set(-80.0, 400ms);
+                                           },
+                                           [&] { set(0.0, 1500ms); }};
+  for (const auto& moment : moments) {
+    board_.say("HELLO 2");
+    moment();
+    board_.servo.supply = 0.0;
+    run_with_beats(10ms);
+    EXPECT_TRUE(has_sent("STOPPED supply"));
+    board_.servo.is_jammed = false;
+    run_with_beats(300ms);
+    const double place_deg = board_.orientation_deg();
+    board_.servo.supply = 1.0;
+    set(80.0, 300ms);
+    EXPECT_FALSE(board_.has_pulses());
+    EXPECT_NEAR(board_.orientation_deg(), place_deg, 0.5);
+    board_.say("HELLO 2");
+    set(80.0, 100ms);
+    EXPECT_NEAR(board_.orientation_deg(), place_deg, 0.5);  // the servo takes hold where it is
+    run_with_beats(1000ms);
+    EXPECT_NEAR(board_.orientation_deg(), 80.0, 0.5);
+  }
+  board_.servo.supply = 0.7;  // of 5 V
+  board_.run_for(4ms);
+  EXPECT_TRUE(board_.has_pulses());  // a dip
+  board_.run_for(5ms);
+  EXPECT_TRUE(has_sent("STOPPED supply"));
+  board_.say("HELLO 2");
+  EXPECT_EQ(answer_to("CONF supply 0"), "CONF supply 0.00;");
+  board_.say("HELLO 2");
+  set(80.0, 200ms);
+  EXPECT_TRUE(board_.has_pulses());
+}
+
+// A host that greets with a token is alone until it has been silent for 300 ms.
+TEST_F(FirmwareLogic, RefusesASecondHost) {
+  board_.run_for(300ms);
+  EXPECT_TRUE(has(answer_to("HELLO 2 00007"), "PLATE 2 "));
+  for (const char* line : {"SET +040.00 00001", "SET +040.00 00001 00008", "BEAT 00001", "CONF zero 1600", "STOP 00001",
+                           "HOME +040.00 00001 7", "SAVE", "TEST", "HELLO 2", "HELLO 2 00008"}) {
+    board_.say("BEAT 00002 00007");
+    EXPECT_EQ(answer_to(line), "ERROR session;") << line;
+  }
+  EXPECT_FALSE(board_.has_pulses());
+  EXPECT_EQ(answer_to("CONF zero 1501 00007"), "CONF zero 1501.00;");
+  EXPECT_EQ(answer_to("SET +040.00 00003 00007"), "");
+  EXPECT_TRUE(board_.has_pulses());
+  board_.run_for(300ms);
+  EXPECT_TRUE(has(answer_to("HELLO 2 00008"), "PLATE 2 "));
+}
+
 TEST_F(FirmwareLogic, AGreetingStopsTheMotion) {
   set(90.0, 400ms);
   const double before_deg = board_.orientation_deg();
@@ -233,7 +290,7 @@ TEST_F(FirmwareLogic, AGreetingStopsTheMotion) {
 TEST_F(FirmwareLogic, ASettingMovesTheServoByASmallStepOnly) {
   set(0.0, 200ms);
   const int before = plate_pulse_ticks(&plate_);
-  EXPECT_EQ(answer_to("CONF zero 1521"), "ERROR range;");
+  EXPECT_EQ(answer_to("CONF zero 1521"), "ERROR step;");
   EXPECT_EQ(answer_to("CONF zero 1520"), "CONF zero 1520.00;");
   EXPECT_EQ(plate_pulse_ticks(&plate_), before + 40);
 }
@@ -253,9 +310,10 @@ TEST_F(FirmwareLogic, SettingsWaitForTheEndOfAMotion) {
 TEST_F(FirmwareLogic, AnswersQuestions) {
   const std::string settings = answer_to("CONF");
   EXPECT_EQ(std::count(settings.begin(), settings.end(), ';'), SETTING_COUNT);
-  EXPECT_EQ(answer_to("INFO"), "INFO 1.0.0 000007;");
-  EXPECT_EQ(answer_to("TEST"),
-            "TEST settings saved;TEST emergency closed;TEST adc 512;TEST pulse 0.00;TEST loop 0;TEST end;");
+  EXPECT_EQ(answer_to("INFO"), "INFO 1.1.0 000007;");
+  EXPECT_EQ(
+      answer_to("TEST"),
+      "TEST settings saved;TEST emergency closed;TEST adc 512;TEST supply 5.00;TEST pulse 0.00;TEST loop 0;TEST end;");
 }
 
 TEST_F(FirmwareLogic, NamesWhatItRefuses) {

@@ -64,7 +64,7 @@ TEST(PlateMessage, IsRead) {
   EXPECT_EQ(std::get<PlateStopped>(*parse_plate_message("STOPPED emergency")).reason, StopReason::emergency);
   EXPECT_EQ(std::get<PlateStopped>(*parse_plate_message("STOPPED stuck")).reason, StopReason::stuck);
   EXPECT_TRUE(std::holds_alternative<PlateBooted>(*parse_plate_message("BOOT")));
-  EXPECT_EQ(std::get<PlateInfo>(*parse_plate_message("INFO 1.0.0 000042")).serial, "000042");
+  EXPECT_EQ(std::get<PlateInfo>(*parse_plate_message("INFO 1.1.0 000042")).serial, "000042");
   EXPECT_EQ(std::get<PlateRefusal>(*parse_plate_message("ERROR sum")).why, "sum");
   EXPECT_EQ(std::get<PlateSetting>(*parse_plate_message("CONF zero 1510.00")).value, 1510.0);
   EXPECT_EQ(std::get<PlateTest>(*parse_plate_message("TEST emergency closed")).result, "closed");
@@ -81,7 +81,7 @@ TEST(PlateMessage, IsNothingElse) {
       "PLATE 2 -90 90 400 20 measured 1;PLATE 2 -90 90 400;PLATE 2 -90 90 400 20 guessed;"
       "PLATE 2 -90 90 400 -1 measured;PLATE 2 -90 90 400 1001 measured;AT -12.50 00042;"
       "AT +012.5 00042;AT +0012.50 0042;AT +012.50 0042;AT +012.50 65536;AT +012.50;"
-      "AT  012.50 00042;AT +361.00 00001;AT +01.250 00001;AT +012.50 +0042;BOOT now;INFO 1.0.0;"
+      "AT  012.50 00042;AT +361.00 00001;AT +01.250 00001;AT +012.50 +0042;BOOT now;INFO 1.1.0;"
       "CONF zero x;CONF zero;ERROR;TEST;TEST over;STOPPED why;STOPPED");
   for (std::string body; std::getline(bodies, body, ';');) EXPECT_FALSE(parse_plate_message(body)) << body;
 }

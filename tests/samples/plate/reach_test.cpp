@@ -41,7 +41,7 @@ TEST(ReachWithFirmware, ReachesTheTarget) {
       0, reach::run_scripted(
              real_time, {desk, "--target", "goblet", "--plate", "serial:" + board.device(), "--record", recording}));
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
-  EXPECT_TRUE(has(outcome.out, {"protocol 2, firmware 1.0.0", "orientation measured"}));
+  EXPECT_TRUE(has(outcome.out, {"protocol 2, firmware 1.1.0", "orientation measured"}));
   EXPECT_GT(max_turn_deg(board), 30.0);
   // What was measured is what the controller planned with: 30 ms of the plate's own, and half of the line.
   const std::string recorded = read_file(recording);

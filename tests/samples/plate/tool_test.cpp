@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <deque>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <regex>
@@ -92,7 +93,7 @@ TEST(PlateTool, FindsThePlate) {
   const Outcome outcome = expect_exit(0, run_with(board, {"find"}));
   EXPECT_EQ(outcome.out,
             "/nonexistent cannot be opened: No such file or directory\n"
-            "serial:board: protocol 2, firmware 1.0.0, serial number 000007\n");
+            "serial:board: protocol 2, firmware 1.1.0, serial number 000007\n");
   const Outcome none = expect_exit(1, run_with(board, {"find", "/dev/null"}));
   EXPECT_EQ(none.out, "/dev/null is not a serial line\n");
   EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /dev/null\n");
@@ -124,7 +125,7 @@ TEST(PlateTool, ShowsSettingsAndSelfTest) {
   TwinBoard board({.settings = settings_default()});
   const Outcome outcome = expect_exit(0, run_with(board, {"show", "board"}));
   EXPECT_TRUE(
-      has(outcome.out, {"protocol 2, firmware 1.0.0, serial number 000000\n",
+      has(outcome.out, {"protocol 2, firmware 1.1.0, serial number 000000\n",
                         "range -45 to 45 deg, 60 deg/s, latency 32 ms with half of the line, orientation assumed",
                         "setting zero 1500", "setting serial 0", "test emergency closed"}));
   EXPECT_FALSE(board.has_pulses());
@@ -171,7 +172,7 @@ TEST(PlateTool, TurnsAndHolds) {
 // trim is there after power-off, and after one that was abandoned.
 TEST(PlateTool, TrimsAndSaves) {
   BoardWithServo board;
-  const Outcome outcome = expect_exit(0, run_with(board, {"trim", "board"}, entered({"x", "31", "3", ""})));
+  const Outcome outcome = expect_exit(0, run_with(board, {"trim", "board"}, entered({"", "x", "31", "3", ""})));
   EXPECT_TRUE(has(outcome.out,
                   {"\"x\" is not a number from -30 to 30", "\"31\" is not a number", "0 has moved by -2.97 deg."}));
   const auto& pulses = board.pulses();
@@ -179,7 +180,7 @@ TEST(PlateTool, TrimsAndSaves) {
   for (std::size_t i = 1; i < pulses.size(); ++i)
     EXPECT_LE(std::abs(pulses[i].width_us() - pulses[i - 1].width_us()), 45.0);
   BoardWithServo again({}, 0.0, board.eeprom());
-  EXPECT_EQ(run_with(again, {"trim", "board"}, entered({"-2"})).err, "hrt-plate: was abandoned: nothing is kept\n");
+  EXPECT_EQ(run_with(again, {"trim", "board"}, entered({"", "-2"})).err, "hrt-plate: was abandoned: nothing is kept\n");
   EXPECT_EQ(PlateLink(line_to(again)).setting("zero"), 1467.0);
 }
 
@@ -189,15 +190,15 @@ TEST(PlateTool, FindsShowsAndTrimsADynamixel) {
   EXPECT_TRUE(is_in_guide(found.out, "board", "/dev/ttyUSB0"));
   EXPECT_TRUE(has(found.out, "dynamixel:board: Dynamixel XL330-M077, id 1, firmware 52\n"));
   const Outcome shown = run_with(servo, {"show", "dynamixel:board"});
-  EXPECT_TRUE(has(shown.out, {"range -360 to 360 deg, 299.532 deg/s", "orientation measured\n", "operating mode 3\n",
-                              "homing offset 0 steps\n", "hardware error 0\n"}));
+  EXPECT_TRUE(has(shown.out, {"range -360 to 360 deg, 299.532 deg/s", "orientation measured\n",
+                              "setting operating mode 3\n", "setting homing offset 0 steps\n", "hardware error 0\n"}));
   EXPECT_TRUE(is_in_guide(shown.out, "board", ""));
   EXPECT_EQ(servo.get(64, 1), 0);
-  const Outcome trimmed = expect_exit(0, run_with(servo, {"trim", "dynamixel:board"}, entered({"3", "-1", ""})));
+  const Outcome trimmed = expect_exit(0, run_with(servo, {"trim", "dynamixel:board"}, entered({"", "3", "-1", ""})));
   EXPECT_TRUE(has(trimmed.out, "0 has moved by -2.02 deg."));
   servo.restart();
   EXPECT_EQ(servo.get(20, 4), 23);
-  EXPECT_EQ(run_with(servo, {"trim", "dynamixel:board"}, entered({"5"})).exit_code, 1);
+  EXPECT_EQ(run_with(servo, {"trim", "dynamixel:board"}, entered({"", "5"})).exit_code, 1);
   EXPECT_EQ(servo.get(20, 4), 23);
 }
 
@@ -239,11 +240,13 @@ TEST(PlateCommission, WritesTheFileOfAPlate) {
   EXPECT_TRUE(has(file.at("details").dump(), "setting span -2") &&
               has(file.at("details").dump(), "test emergency closed"));
   EXPECT_NEAR(file.at("session").at("plate_max_speed_deg_s").get<double>(), 144.0, 8.0);
-  EXPECT_NEAR(file.at("measured").at("latency_ms").at(0).get<double>(), 21.5,
-              3.0);  // dead time, half a frame, a pulse
+  const auto& latency_ms = file.at("measured").at("latency_ms");  // dead time, half a frame, a pulse
+  EXPECT_NEAR(latency_ms.at(0).get<double>(), 21.5, 3.0 * latency_ms.at(1).get<double>());
   EXPECT_NEAR(file.at("measured").at("backlash_deg").at(0).get<double>(), 2.2, 0.3);
   const PlateFile read = read_plate_file(folder / "plate.json");
-  EXPECT_EQ(read.description, "protocol 2, firmware 1.0.0, serial number 000000");
+  EXPECT_TRUE(has(read.description, "protocol 2, firmware 1.1.0, serial number "));
+  EXPECT_NE(read.description.substr(read.description.size() - 6), "000000");
+  EXPECT_TRUE(has(read.settings.front(), "setting zero "));
   BoardWithServo kept({}, 0.0, board.eeprom());
   PlateLink link(line_to(kept));
   EXPECT_TRUE(link.is_measured());
@@ -300,6 +303,9 @@ struct Hobby : Troubled<TwinBoard> {
       : Troubled({.settings = settings_default(),
                   .servo = any_traits(between, seed, 400.0),
                   .place_deg = between(-40.0, 40.0)}) {
+    servo.bend_deg = between(0.0, 3.0);
+    servo.bend_waves = 1 + static_cast<int>(between.random() % 2);
+    servo.bend_phase_deg = between(0.0, 360.0);
     servo.span_us = between(1500.0, 2300.0) * (between.random() % 2 == 0 ? 1.0 : -1.0);
   }
   Measurements commissioned() {
@@ -321,8 +327,10 @@ struct Xl330 : Troubled<EmulatedDynamixel> {
   Measurements commissioned() {
     const auto name = "dynamixel:board?speed=" + std::to_string(std::lround(speed_deg_s));
     const auto open = [&](const std::string&, int) { return line_to(*this); };
-    return commission([&] { return device_named(name)(open, Start::hold); },
-                      {reader_of(entered({""})), [](const std::string&) {}});
+    const Measurements found = commission([&] { return device_named(name)(open, Start::hold); },
+                                          {reader_of(entered({"", "y", ""})), [](const std::string&) {}});
+    twin.limit_speed(std::round(std::round(speed_deg_s) / 1.374) * 1.374);  // until it was closed
+    return found;
   }
   Twin& physics() { return twin; }
   static constexpr double exchange_ms = 3.2;  // half of one that is under way, and two bytes more than a poll has
@@ -334,11 +342,16 @@ struct Xl330 : Troubled<EmulatedDynamixel> {
 // wrong, if anything.
 struct Judge {
   double speed = 0.0, latency_ms = 0.0, backlash_deg = 0.0, mean_ms = 0.0;  // the largest errors
+  int numbers = 0, covered = 0;                                             // within two deviations
+  std::map<std::string, std::vector<double>> errors;                        // in deviations
 
   std::string operator()(const Measurements& found, const Twin& twin, double exchange_ms) {
     std::string wrong;
     const auto compare = [&](const char* name, const Measured& measured, double truth, double least) {
       const double error = std::abs(measured.value - truth);
+      errors[name].push_back((measured.value - truth) / measured.deviation);
+      ++numbers;
+      covered += error <= 2.0 * measured.deviation ? 1 : 0;
       if (error > std::max({least, 0.05 * truth, 3.0 * measured.deviation}))
         wrong += format("%s %g +- %g of %g; ", name, measured.value, measured.deviation, truth);
       return error;
@@ -369,7 +382,7 @@ TYPED_TEST(PlateCommissionOf, AHundredTwinsIsRight) {
   Uniform between;
   Judge judge;
   double longest_s = 0.0;
-  int wrong = 0;
+  int wrong = 0, refused = 0;
   for (unsigned i = 0; i < 100; ++i) {
     TypeParam plate(between, i);
     try {
@@ -378,12 +391,31 @@ TYPED_TEST(PlateCommissionOf, AHundredTwinsIsRight) {
       if (!found.empty()) std::printf("plate %u: %s\n", i, found.c_str());
       longest_s = std::max(longest_s, plate.ran_s);
     } catch (const PlateFailure& failure) {
-      ADD_FAILURE() << i << " " << failure.what();
+      ++refused;
+      std::printf("plate %u is refused: %s\n", i, failure.what());
     }
   }
-  EXPECT_LE(wrong, 2);  // of 400 numbers, beyond three standard errors
-  EXPECT_NEAR(judge.mean_ms, 0.0, 0.5);
+  EXPECT_LE(refused, (std::is_same_v<TypeParam, Hobby>) ? 30 : 0);  // whose sensors are bent
+  EXPECT_LE(wrong, 2);                                              // of 400 numbers, beyond three standard errors
+  EXPECT_NEAR(judge.mean_ms, 0.0, (std::is_same_v<TypeParam, Hobby>) ? 1.5 : 0.5);
   EXPECT_LT(longest_s, 180.0);
+  for (const auto& [name, in_deviations] : judge.errors) {
+    double sum = 0.0, squares = 0.0;
+    for (const double error : in_deviations) {
+      sum += error;
+      squares += error * error;
+    }
+    const auto n = static_cast<double>(in_deviations.size());
+    std::printf("%-12s %3.0f %% within two deviations; mean %.2f, root mean square %.2f deviations\n", name.c_str(),
+                100.0 *
+                    static_cast<double>(std::count_if(in_deviations.begin(), in_deviations.end(),
+                                                      [](double error) { return std::abs(error) <= 2.0; })) /
+                    n,
+                sum / n, std::sqrt(squares / n));
+  }
+  const double coverage = static_cast<double>(judge.covered) / judge.numbers;
+  std::printf("%d numbers, %.1f %% within two stated deviations\n", judge.numbers, 100.0 * coverage);
+  EXPECT_NEAR(coverage, 0.95, 0.02);
   std::printf("100 twins, worst: %.1f ms of latency, %.1f %% of speed, backlash %.2f deg, %.0f s\n", judge.latency_ms,
               100.0 * judge.speed, judge.backlash_deg, longest_s);
 }
@@ -421,7 +453,7 @@ TEST(PlateCommission, WritesTheFileOfADynamixel) {
   EmulatedDynamixel servo(1, 1190);
   const TemporaryFolder folder;
   const Outcome outcome =
-      run_with(servo, {"commission", "dynamixel:board", "--out", folder / "plate.json"}, entered({""}));
+      run_with(servo, {"commission", "dynamixel:board", "--out", folder / "plate.json"}, entered({"", "y", ""}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(is_in_guide(outcome.out, folder / "", ""));
   EXPECT_EQ(read_plate_file(folder / "plate.json").description, "Dynamixel XL330-M077, id 1, firmware 52");
@@ -429,13 +461,23 @@ TEST(PlateCommission, WritesTheFileOfADynamixel) {
   EXPECT_TRUE(has(read_file(folder / "plate.svg"), "</svg>"));
 }
 
+TEST(PlateCommission, RefusesAServoThatTurnsTheWrongWay) {
+  EmulatedDynamixel servo(1, 1190);
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_with(servo, {"commission", "dynamixel:board", "--out", folder / "plate.json"}, entered({"", "n"}));
+  EXPECT_EQ(outcome.exit_code, 9);
+  EXPECT_TRUE(has(outcome.err, "turns the wrong way"));
+}
+
 TEST(PlateFile, IsRefusedUnlessItIsWhole) {
   Measurements found;
-  found.device = "protocol 2, firmware 1.0.0, serial number 000007";
+  found.device = "protocol 2, firmware 1.1.0, serial number 000007";
   found.limits = {-90.0, 90.0, 200.0, 30ms};
   found.speed_deg_s = {180.0, 1.0};
   found.acceleration_deg_s2 = {6000.0, 300.0};
   found.latency_ms = {24.0, 0.5};
+  found.details = {"setting span 2000", "test loop 1"};
   found.sweep = {{-90.0, -90.0, true}, {90.0, 90.0, true}, {-90.0, -90.0, false}};
   const TemporaryFolder folder;
   const std::string path = folder / "plate.json", text = file_of(found, "serial:/dev/x", "2026-11-24");
@@ -451,6 +493,7 @@ TEST(PlateFile, IsRefusedUnlessItIsWhole) {
   EXPECT_EQ(refusal(text), "");
   const PlateFile read = read_plate_file(path);
   EXPECT_EQ(read.device, "serial:/dev/x");
+  EXPECT_EQ(read.settings, std::vector<std::string>{"setting span 2000"});
   EXPECT_EQ(read.speed_deg_s, 180.0);
   EXPECT_EQ(read.latency_ms, 24.0);
   for (std::size_t at = 0; at < text.size(); at += 7) {
@@ -470,7 +513,7 @@ TEST(PlateTool, RunsAsAProgram) {
   EXPECT_EQ(none.err, "hrt-plate: the plate at /dev/null is not a serial line\n");
   PtyPlate device;
   const Outcome saved =
-      Process({"/bin/sh", "-c", "printf -- '-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + device.device()}, {}).wait();
+      Process({"/bin/sh", "-c", "printf -- '\\n-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + device.device()}, {}).wait();
   EXPECT_TRUE(has(saved.out, "0 has moved by +0.99 deg.")) << saved.out << saved.err;
 }
 

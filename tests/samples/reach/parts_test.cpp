@@ -47,7 +47,7 @@ TEST(DevicePlate, LeavesTheLineAsItWas) {
   ASSERT_EQ(tcsetattr(line, TCSANOW, &odd), 0);
   close(line);
   const termios before = settings();
-  EXPECT_TRUE(has(DevicePlate("serial:" + device.device()).description(), "firmware 1.0.0, serial number 000007"));
+  EXPECT_TRUE(has(DevicePlate("serial:" + device.device()).description(), "firmware 1.1.0, serial number 000007"));
   const termios after = settings();
   EXPECT_EQ(after.c_lflag, before.c_lflag);
   EXPECT_EQ(after.c_iflag, before.c_iflag);

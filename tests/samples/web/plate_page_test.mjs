@@ -28,7 +28,7 @@ function plateDouble() {
         double.lines.push(body);
         if (words[0] === "HELLO") double.say("PLATE 2 -90.00 90.00 300.00 20.00 measured");
         if (words[0] === "SET") double.at = words[1];
-        double.say(`AT ${double.at} ${words[0] === "HELLO" ? "00000" : words.at(-1)}`);
+        double.say(`AT ${double.at} ${words[0] === "HELLO" ? "00000" : words.at(-2)}`);
       }
     } }),
   };

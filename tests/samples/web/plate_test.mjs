@@ -61,14 +61,16 @@ function obedient() {
     const [verb, ...rest] = body.split(" ");
     if (verb === "HELLO") return [facts, `AT ${at} 00000`];
     if (verb === "SET") at = rest[0];
-    return [`AT ${at} ${rest.at(-1)}`];
+    return [`AT ${at} ${rest.at(-2)}`];
   });
 }
 
 test("a plate is greeted, does not move, follows, and hears a beat", () => {
   const plate = obedient();
   plate.run(300);
-  assert.equal(plate.said[0], "HELLO 2");
+  assert.match(plate.said[0], /^HELLO 2 \d{5}$/);
+  const token = plate.said[0].slice(-6);
+  assert.ok(plate.said.every((body) => body.endsWith(token)));
   assert.ok(plate.said.slice(1).every((body) => body.startsWith("BEAT ")), "opening moves nothing");
   assert.equal(plate.link.ready, true);
   plate.link.turnTo(30.004);
@@ -82,7 +84,7 @@ test("a plate is greeted, does not move, follows, and hears a beat", () => {
   plate.run(50);
   assert.equal(plate.link.orientation_deg, 30);
   plate.link.stop(plate.now);
-  assert.match(plate.said.at(-1), /^STOP \d{5}$/);
+  assert.match(plate.said.at(-1), /^STOP \d{5} \d{5}$/);
   plate.run(1000);
   assert.match(plate.said.at(-1), /^STOP/, "nothing after it");
 });
@@ -105,7 +107,8 @@ test("a plate is given up for what the protocol says, in words", () => {
   assert.equal(silent.link.failure, "The plate does not answer as a plate of protocol version 2 within 5 s.");
   const cases = [[hello(), 700, /not been heard for half a second/], [hello("STOPPED emergency"), 300, /emergency stop/],
                  [hello("STOPPED stuck"), 300, /servo is stuck/], [hello("BOOT"), 300, /has restarted/],
-                 [hello("ERROR greeting"), 300, /has restarted/], [hello("AT unknown 00000"), 300, /does not know its place/], [hello(facts), 300, /announced itself anew/],
+                 [hello("ERROR greeting"), 300, /has restarted/], [hello("ERROR session"), 300, /another program/],
+                 [hello("STOPPED supply"), 300, /less than 4 V/], [hello("AT unknown 00000"), 300, /does not know its place/], [hello(facts), 300, /announced itself anew/],
                  [hello("AT +095.00 00000"), 300, /95\.0°, outside its limits of -90° to 90°/],
                  [(body) => (body.startsWith("HELLO") ? [facts] : ["ERROR busy"]), 700, /never reports its orientation/]];
   for (const [answer, time, words] of cases) {
@@ -116,7 +119,7 @@ test("a plate is given up for what the protocol says, in words", () => {
     plate.run(500);
     assert.equal(plate.said.length, length, "nothing is sent to a plate that was given up");
   }
-  const stuck = double((body) => (body.startsWith("HELLO") ? [facts] : [`AT +000.00 ${body.split(" ").at(-1)}`]));
+  const stuck = double((body) => (body.startsWith("HELLO") ? [facts] : [`AT +000.00 ${body.split(" ").at(-2)}`]));
   stuck.run(200);
   stuck.link.turnTo(60);
   stuck.run(1500);

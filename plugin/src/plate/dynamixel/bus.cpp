@@ -10,6 +10,7 @@ using namespace std::chrono_literals;
 constexpr auto silence_limit = 500ms;
 constexpr auto glance = 5ms;  // at the line, while an answer is awaited
 constexpr int max_tries = 10;
+constexpr std::size_t max_timed = 4;  // bytes of an answer that takes the time of a command's
 
 // Of its parameters, without an error.
 std::size_t size_of_answer(const Packet& request) {
@@ -61,7 +62,8 @@ void Bus::send(const Packet& request) {
   asked_ = line_->now();
   is_answered_ = false;
   if (!silent_since_) silent_since_ = asked_;
-  round_trips_.sent(asked_, ++sequence_);
+  ++sequence_;
+  if (size_of_answer(request) <= max_timed) round_trips_.sent(asked_, sequence_);
   line_->send(encode(request));
 }
 
@@ -84,8 +86,14 @@ std::optional<Packet> Bus::answer() {
 
 bool Bus::has_missed_answer() {
   if (is_answered_ || awaits_answer()) return false;
-  is_answered_ = true;
+  give_up_answer();
   return true;
+}
+
+// A packet whose length was damaged would swallow the next answers as its parameters.
+void Bus::give_up_answer() {
+  is_answered_ = true;
+  reader_.drop_partial();
 }
 
 void Bus::check_silence() const {
@@ -95,7 +103,7 @@ void Bus::check_silence() const {
 
 // It would be taken for that of the next request.
 void Bus::pass_over_late_answer() {
-  is_answered_ = true;
+  give_up_answer();
   for (const auto end = line_->now() + answer_limit; line_->now() < end;) {
     line_->wait(glance);
     answer();

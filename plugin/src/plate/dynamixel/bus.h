@@ -21,24 +21,32 @@ struct Entry {
   int address;
   int size;
 };
-inline constexpr Entry operating_mode{11, 1}, homing_offset{20, 4}, current_limit{38, 2}, velocity_limit{44, 4},
-    torque_enable{64, 1}, hardware_error{70, 1}, bus_watchdog{98, 1}, goal_current{102, 2}, profile_velocity{112, 4},
-    goal_position{116, 4}, present_position{132, 4}, present_voltage{144, 2}, present_temperature{146, 1};
+inline constexpr Entry drive_mode{10, 1}, operating_mode{11, 1}, homing_offset{20, 4}, current_limit{38, 2},
+    velocity_limit{44, 4}, torque_enable{64, 1}, hardware_error{70, 1}, bus_watchdog{98, 1}, goal_current{102, 2},
+    profile_velocity{112, 4}, goal_position{116, 4}, present_position{132, 4}, present_voltage{144, 2},
+    present_temperature{146, 1};
 
+/// Stall torque at 5 V and 1.47 A, for both: https://emanual.robotis.com/docs/en/dxl/x/xl330-m077/ and xl330-m288/,
+/// section "Specifications".
 struct Model {
   int number;
   const char* name;
-  double stall_nm;  ///< torque at its limit of current
+  double stall_nm;
 };
 inline constexpr std::array models = {Model{1190, "XL330-M077", 0.215}, Model{1200, "XL330-M288", 0.52}};
-inline constexpr double max_torque_nm = 5.0 * 0.075;  ///< 5 N at the rim of a plate of 150 mm
+inline constexpr double stall_ma = 1470.0;
+/// 4 N at the rim, 75 mm from the axis: a fifth less than the 5 N that the plate may push with, because no servo was
+/// measured.
+inline constexpr double max_torque_nm = 4.0 * 0.075;
 
 inline constexpr int current_based_position_mode = 5;
+inline constexpr int normal_drive_mode = 0;  ///< counter-clockwise is positive; profiles are velocities
 inline constexpr int middle_step = 2048;
 inline constexpr int max_homing_steps = 1024;  ///< to either side; some modes ignore more
 inline constexpr double deg_per_step = 360.0 / 4096.0;
-inline constexpr double deg_s_per_unit = 0.229 * 6.0;  ///< of velocity: 0.229 revolutions a minute
-inline constexpr int watchdog_ticks = 15;              ///< of 20 ms
+inline constexpr double deg_s_per_unit = 0.229 * 6.0;   ///< of velocity: 0.229 revolutions a minute
+inline constexpr int min_supply = 37, max_supply = 60;  ///< input voltage of an XL330, tenths of a volt
+inline constexpr int watchdog_ticks = 15;               ///< of 20 ms
 inline constexpr int watchdog_expired = -1;
 
 /// All calls throw PlateFailure when the line has failed. One thread.
@@ -89,6 +97,7 @@ class Bus {
   // 48 bytes at 57600 baud are 9 ms.
   static constexpr auto answer_limit = std::chrono::milliseconds(60);
   void pass_over_late_answer();
+  void give_up_answer();
 
   std::unique_ptr<Line> line_;
   std::uint8_t id_;

@@ -17,10 +17,13 @@ using namespace std::chrono_literals;
 using namespace dynamixel;
 
 constexpr double stop_deg = 360.0;  // it counts turns; and this is what a report may hold
+constexpr double slack_deg = 3.0;   // beyond it
 constexpr auto ping_limit = 3s;     // adapters and servos need a moment after the line is opened
 constexpr int probes = 11;
 // The servo's own: its control loop runs every millisecond.
 constexpr auto servo_latency = 2ms;
+constexpr std::int64_t resting_units = 1;  // velocity before the first command: another program cannot throw the plate
+constexpr int polls_per_check = 8;         // of the torque, which lies apart from the rest
 
 struct Settings {
   std::uint8_t id;
@@ -50,6 +53,7 @@ class Servo : public Device {
       : bus_(std::move(line), settings.id), settings_(settings) {
     identify();
     check_hardware(bus_.read(hardware_error));
+    check_supply(bus_.read(present_voltage));
     fastest_units_ = std::max<std::int64_t>(1, bus_.read(velocity_limit));
     if (start == Start::hold) set_up();
     watch_.emplace(PlateGreeting{-stop_deg, stop_deg, speed_deg_s(), 0.0, true}, now());
@@ -108,9 +112,13 @@ class Servo : public Device {
     const auto value = [&](const char* name, Entry entry, const char* unit) {
       return name + std::to_string(bus_.read(entry)) + unit;
     };
-    return {value("operating mode ", operating_mode, ""),      value("homing offset ", homing_offset, " steps"),
-            value("velocity limit ", velocity_limit, ""),      value("supply ", present_voltage, " tenths of a volt"),
-            value("temperature ", present_temperature, " °C"), value("hardware error ", hardware_error, "")};
+    return {value("setting drive mode ", drive_mode, ""),
+            value("setting operating mode ", operating_mode, ""),
+            value("setting homing offset ", homing_offset, " steps"),
+            value("setting velocity limit ", velocity_limit, ""),
+            value("supply ", present_voltage, " tenths of a volt"),
+            value("temperature ", present_temperature, " °C"),
+            value("hardware error ", hardware_error, "")};
   }
 
   // A servo's position is the shaft's own and the homing offset.
@@ -172,15 +180,15 @@ class Servo : public Device {
     model_ = &*found;
   }
 
-  // The mode is kept in memory that wears: it is written only if it is another one.
+  // The modes are in memory that wears: they are written only if they differ.
   void set_up() {
     bus_.write(bus_watchdog, 0);
     bus_.write(torque_enable, 0);
     if (bus_.read(operating_mode) != current_based_position_mode)
       bus_.write(operating_mode, current_based_position_mode);
-    const double max_percent = 100.0 * max_torque_nm / model_->stall_nm;
-    effort_ =
-        bus_.read(current_limit) * std::min<std::int64_t>(settings_.effort_percent, std::llround(max_percent)) / 100;
+    if (bus_.read(drive_mode) != normal_drive_mode) bus_.write(drive_mode, normal_drive_mode);
+    const double max_ma = std::min(settings_.effort_percent / 100.0, max_torque_nm / model_->stall_nm) * stall_ma;
+    effort_ = std::min(static_cast<std::int64_t>(max_ma), bus_.read(current_limit));
     for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
   }
 
@@ -193,7 +201,7 @@ class Servo : public Device {
 
   // The servo forgets them when its watchdog stops it.
   std::array<std::pair<Entry, std::int64_t>, 2> motion_entries() const {
-    return {{{profile_velocity, speed_units()}, {goal_current, effort_}}};
+    return {{{profile_velocity, profile_units_}, {goal_current, effort_}}};
   }
 
   // ---- In motion.
@@ -205,6 +213,10 @@ class Servo : public Device {
     if (bus_.awaits_answer()) return;
     if (must_stop_) {
       send_stop();
+    } else if (!is_goal_sent_ && (!is_profile_sent_ || profile_units_ != speed_units())) {
+      is_profile_sent_ = true;
+      profile_units_ = speed_units();
+      bus_.send(bus_.write_request(profile_velocity, profile_units_));
     } else if (!is_goal_sent_) {
       is_goal_sent_ = true;
       bus_.send(bus_.write_request(goal_position, *goal_step_));
@@ -217,47 +229,65 @@ class Servo : public Device {
   void take(const Packet& answer) {
     const Packet request = bus_.request();
     const StatusError error = answer.status_error();
-    const bool is_goal = request.instruction == Instruction::write;
+    const bool writes = request.instruction == Instruction::write;
+    const bool is_goal = writes && number_at(request.parameters, 0, 2) == goal_position.address;
     if (answer.is_alert()) check_hardware(bus_.read(hardware_error));
     if (error == StatusError::crc) {
       bus_.count_refusal();
-      if (is_goal) repeat_goal();
-    } else if (error == StatusError::data_range && is_goal) {
+      if (writes) repeat_write();
+    } else if (error == StatusError::data_range && writes) {
       recover_from_watchdog();
     } else if (error != StatusError::none) {
       throw PlateFailure(Fault::protocol, Bus::describe(request, error));
-    } else if (!is_goal) {
+    } else if (!writes) {
       take_poll(answer.parameters);
-    } else {
+    } else if (is_goal) {
       known_goal_ = number_at(request.parameters, 2, goal_position.size);
     }
   }
 
-  // Watchdog and position, and what lies between, in one answer; in a hurry the position alone.
-  Packet poll_request() const {
+  // From the watchdog to the voltage in one answer; now and then the torque; in a hurry the position alone.
+  Packet poll_request() {
     if (poll_period_ == 0ms) return bus_.read_request(present_position);
-    const int size = present_position.address + present_position.size - bus_watchdog.address;
+    if (++polls_ % polls_per_check == 0) return bus_.read_request(torque_enable);
+    const int size = present_voltage.address + present_voltage.size - bus_watchdog.address;
     return bus_.read_request({bus_watchdog.address, size});
   }
 
   void take_poll(const std::string& table) {
     if (table.size() == std::size_t{present_position.size})
       return take_position(number_at(table, 0, present_position.size));
-    const std::int64_t watchdog = number_at(table, 0, bus_watchdog.size);
+    if (table.size() == std::size_t{torque_enable.size}) {
+      has_torque_ = table[0] != 0;
+      return;
+    }
+    const auto value = [&](Entry entry) {
+      return number_at(table, static_cast<std::size_t>(entry.address - bus_watchdog.address), entry.size);
+    };
+    const std::int64_t watchdog = value(bus_watchdog);
     if (watchdog == 0) throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
-    take_position(number_at(table, present_position.address - bus_watchdog.address, present_position.size));
+    if (!has_torque_) throw PlateFailure(Fault::device, "has no torque: another program or the servo switched it off");
+    take_position(value(present_position));
+    check_supply(value(present_voltage));
     if (watchdog == watchdog_expired) {
       recover_from_watchdog();
     } else {
-      const auto goal = number_at(table, goal_position.address - bus_watchdog.address, goal_position.size);
-      if (known_goal_.value_or(goal) != goal)
+      const std::int64_t goal = value(goal_position);
+      if (known_goal_.value_or(goal) != goal || value(goal_current) != effort_ ||
+          (is_profile_sent_ && value(profile_velocity) != profile_units_))
         throw PlateFailure(Fault::line, "hears another program too: close that one");
       known_goal_ = goal;
     }
   }
 
   void take_position(std::int64_t step) {
+    const double seconds = std::chrono::duration<double>(now() - reported_).count();
+    if (orientation_deg_ && seconds > 0.0) speed_seen_deg_s_ = (deg_of(step) - *orientation_deg_) / seconds;
     orientation_deg_ = deg_of(step);
+    if (std::abs(*orientation_deg_) > stop_deg + slack_deg)
+      throw PlateFailure(Fault::limits,
+                         "was turned by " + std::to_string(std::lround(*orientation_deg_)) +
+                             " degrees, more than the 360 that it counts: switch the servo's supply off and on");
     reported_ = now();
     watch_->reported(reported_, orientation_deg_);
   }
@@ -271,7 +301,12 @@ class Servo : public Device {
   }
 
   void repeat_lost_goal() {
-    if (bus_.has_missed_answer() && bus_.request().instruction == Instruction::write) repeat_goal();
+    if (bus_.has_missed_answer() && bus_.request().instruction == Instruction::write) repeat_write();
+  }
+
+  void repeat_write() {
+    if (number_at(bus_.request().parameters, 0, 2) == profile_velocity.address) is_profile_sent_ = false;
+    repeat_goal();
   }
 
   void repeat_goal() {
@@ -280,9 +315,18 @@ class Servo : public Device {
     must_stop_ = !goal_step_;
   }
 
+  // At the place where it is by now, so that it does not turn back.
   void send_stop() {
     must_stop_ = false;
-    if (orientation_deg_) bus_.send(bus_.write_request(goal_position, step_of(*orientation_deg_)));
+    if (!orientation_deg_) return;
+    const double age_s = std::min(0.05, std::chrono::duration<double>(now() - reported_).count());
+    bus_.send(bus_.write_request(goal_position, step_of(*orientation_deg_ + age_s * speed_seen_deg_s_)));
+  }
+
+  static void check_supply(std::int64_t tenths) {
+    if (tenths >= min_supply && tenths <= max_supply) return;
+    throw PlateFailure(Fault::device, "has a supply of " + std::to_string(tenths) +
+                                          " tenths of a volt; allowed: 37 to 60. Check adapter, fuse and wires");
   }
 
   // Two do not speak at once on this line.
@@ -304,6 +348,8 @@ class Servo : public Device {
       await_answer();
       send_stop();
       await_answer();
+      bus_.send(bus_.write_request(profile_velocity, resting_units));
+      await_answer();
     } catch (const PlateFailure&) {
       return;
     }
@@ -314,7 +360,12 @@ class Servo : public Device {
   const Model* model_ = nullptr;
   int firmware_ = 0;
   std::int64_t fastest_units_ = 1;
-  std::int64_t effort_ = 0;
+  std::int64_t effort_ = 0;                     // of the goal current, mA
+  std::int64_t profile_units_ = resting_units;  // of the profile that the servo has
+  bool is_profile_sent_ = true;
+  bool has_torque_ = true;
+  double speed_seen_deg_s_ = 0.0;  // between the last two reports
+  int polls_ = 0;
   std::optional<PlateWatch> watch_;
   std::optional<double> orientation_deg_;
   std::optional<int> goal_step_;

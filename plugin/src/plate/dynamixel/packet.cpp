@@ -87,6 +87,12 @@ std::int64_t number_at(std::string_view bytes, std::size_t at, int count) {
   return static_cast<std::int64_t>((value ^ sign) - sign);
 }
 
+void PacketReader::drop_partial() {
+  if (bytes_.size() < header.size()) return;
+  ++damaged_;
+  bytes_.erase(0, 1);
+}
+
 std::optional<Packet> PacketReader::next() {
   for (;;) {
     const std::size_t at = bytes_.find(header);

@@ -53,6 +53,8 @@ class PacketReader {
   void take(std::string_view bytes) { bytes_ += bytes; }
   /// The next whole packet; nothing if more bytes are needed.
   std::optional<Packet> next();
+  /// Drops a packet of which only a part has come, when the time for its rest is over.
+  void drop_partial();
   /// Packets with a wrong length or CRC so far.
   std::uint64_t damaged() const { return damaged_; }
 

@@ -25,8 +25,8 @@ const sram_bytes = 2048;
 const sleepInstruction = 0x9588;
 const servoPin = 1,
   emergencyPin = 2;
-/** Zero, span, limits, speed, latency, the sensor's readings at the limits, emergency stop, serial number; times 100. */
-const settings = [150000, 200000, -9000, 9000, 20000, 3000, 20500, 81800, 100, 0];
+/** Zero, span, limits, speed, latency, the sensor's readings at the limits, emergency stop, supply, bend, serial number; times 100. */
+const settings = [150000, 200000, -9000, 9000, 20000, 3000, 20500, 81800, 100, 100, ...new Array<number>(9).fill(0), 0];
 /** Of the emulated servo, at each pulse: 400 degrees a second. */
 const servoStep_deg = 8;
 
@@ -55,6 +55,7 @@ export class Board {
     for (const [at, byte] of packed(settings).entries()) eeprom.writeMemory(at, byte);
     new AVREEPROM(cpu, eeprom);
     this.#adc = new AVRADC(cpu, adcConfig);
+    this.#adc.channelValues[1] = 2.5; // half of the servo's supply
     this.#showPlace();
     this.#portD = new AVRIOPort(cpu, portDConfig);
     this.openEmergencyStop(false);
@@ -144,7 +145,7 @@ export class Board {
 function packed(values: readonly number[]): Uint8Array {
   const bytes = new Uint8Array(4 + 4 * values.length + 2),
     view = new DataView(bytes.buffer);
-  bytes.set([0x48, 0x52, 0x50, 1]);
+  bytes.set([0x48, 0x52, 0x50, 2]);
   for (const [i, value] of values.entries()) view.setInt32(4 + 4 * i, value, true);
   view.setUint16(bytes.length - 2, crc16(String.fromCharCode(...bytes.subarray(0, -2))), true);
   return bytes;

@@ -50,8 +50,8 @@ export type PlateMessage =
   | { readonly kind: "at"; readonly orientation_deg: number; readonly sequence: number }
   | { readonly kind: "stopped" | "error"; readonly why: string };
 
-const reasons = ["host", "heartbeat", "limit", "fault", "emergency", "stuck", "sensor", "unhomed"];
-const refusals = ["length", "byte", "sum", "word", "number", "range", "greeting", "busy"];
+const reasons = ["host", "heartbeat", "limit", "fault", "emergency", "stuck", "sensor", "unhomed", "supply"];
+const refusals = ["length", "byte", "sum", "word", "number", "range", "greeting", "busy", "step", "session"];
 
 /** What a body of the plate says; null: nothing that this page needs, or out of range. */
 export function parseMessage(body: string): PlateMessage | null {

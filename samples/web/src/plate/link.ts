@@ -18,7 +18,8 @@ const stops: Readonly<Record<string, string>> = {
   emergency: "was stopped by its emergency stop",
   stuck: "reports that its servo is stuck",
   sensor: "reports that its sensor runs against its servo: exchange adc_least and adc_most",
-  unhomed: "has forgotten its place",
+  unhomed: "no longer knows its orientation",
+  supply: "has less than 4 V at its servo's supply",
 };
 
 /** What a plate said of itself. */
@@ -31,6 +32,8 @@ export class PlateLink {
   /** Why the plate was given up; empty: it was not. After that nothing is sent. */
   failure = "";
 
+  /** Marks the lines of this page. */
+  readonly #token = String(1 + Math.floor(65535 * Math.random())).padStart(5, "0");
   readonly #reader = new LineReader();
   #began_ms = NaN;
   #heard_ms = NaN;
@@ -112,6 +115,7 @@ export class PlateLink {
     if (message.kind === "at") return this.#takeReport(message.orientation_deg, now_ms);
     const restarted = message.kind === "boot" || (message.kind === "error" && message.why === "greeting");
     if (restarted) this.#fail("has restarted: its supply or its line failed");
+    if (message.kind === "error" && message.why === "session") this.#fail("hears another program too: close that one");
     if (message.kind !== "stopped") return;
     const why = stops[message.why];
     if (why) this.#fail(why);
@@ -161,7 +165,7 @@ export class PlateLink {
 
   #say(body: string, now_ms: number): void {
     this.#said_ms = now_ms;
-    this.send(encodeLine(body));
+    this.send(encodeLine(`${body} ${this.#token}`));
   }
 
   #fail(why: string): void {

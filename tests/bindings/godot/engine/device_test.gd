@@ -28,7 +28,7 @@ func test_refusals() -> void:
 
 func test_turns() -> void:
 	var devices := {
-		"HRT_PLATE_DEVICE": "protocol 2, firmware 1.0.0, serial number 000000",
+		"HRT_PLATE_DEVICE": "protocol 2, firmware 1.1.0, serial number 000000",
 		"HRT_PLATE_FILE": "Dynamixel XL330-M288, id 1, firmware 52",  # commissioned, the last one
 	}
 	var plate := new_plate()

@@ -1,0 +1,44 @@
+// Compares a plate with what was measured of it when it was commissioned.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "plugin/include/plate_driver/device.h"
+#include "plugin/include/plate_driver/plate_file.h"
+
+namespace hrt::plate {
+
+/// Reads no clock. One thread.
+class FileWatch {
+ public:
+  using Time = Line::Time;
+
+  explicit FileWatch(const PlateFile& file) : file_(file) {}
+
+  /// Call after each Device::wait(). `command_deg`: nothing while the plate is not commanded.
+  void look(Time now, const Device& device, std::optional<double> command_deg);
+  /// True if the plate is slower than 80 % of the file's speed, rests farther from its command than the file's error,
+  /// or follows 40 ms later than the file says.
+  bool deviates() const { return deviates_; }
+
+ private:
+  struct Command {
+    Time acts;
+    double orientation_deg;
+  };
+  void follow(Time now, const Device& device);
+
+  PlateFile file_;
+  std::optional<double> command_deg_;
+  Time commanded_, near_;  // when the command last changed, and the plate last was near it
+  bool deviates_ = false;
+  // A plate that follows its commands as the file says, and how late the reported one is.
+  std::deque<Command> coming_;
+  std::optional<double> goal_deg_;
+  double model_deg_ = 0.0;
+  Time looked_, reported_;
+  double late_sum_ = 0.0, square_sum_ = 0.0, way_deg_ = 0.0;
+};
+
+}  // namespace hrt::plate
