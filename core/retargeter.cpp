@@ -43,7 +43,6 @@ PersonReachConfig person_config(const RetargeterConfig& config) {
           .plate = config.plate,
           .noise = noise_of(config.estimator, config.tuning),
           .tracker_latency_ns = config.tracker_latency_ns,
-          .step_period_ns = config.step_period_ns,
           .plate_waits = config.plate_waits,
           .start_is_felt = config.start_is_felt,
           .frame = config.frame,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/trigonometry.h"
 #include "core/paper/participant.h"
 
 namespace hrt {
@@ -27,6 +28,7 @@ bool is_rate_limited(ActiveBound active) { return active == ActiveBound::rate_do
 
 PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach, const std::optional<PlateHandover>& handover)
     : config_(config),
+      start_(reach.start),
       reach_(reach),
       goal_deg_(goal_direction_deg(config.participant, reach.virtual_direction_deg)),
       target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm)),
@@ -106,6 +108,10 @@ ReachSummary PaperReach::summary() const {
           .perceived_direction_deg = command_.perceived_direction_deg,
           .perceived_error_deg = command_.perceived_direction_deg - goal_deg_,
           .distance_to_target_mm = distance_to_go_mm(),
+          .bearing_deg = command_.bearing_deg,
+          .bearing_error_deg = place() ? wrap_deg(command_.bearing_deg - bearing_deg(start_, target_), 360.0)
+                               : command_.step >= 0 ? command_.bearing_deg - reach_.real_direction_deg
+                                                    : 0.0,
           .unreachable = decision_.aim.unreachable,
           .miss_unknown = command_.step < 0,
           .estimate = estimator_.estimate()};
@@ -158,6 +164,7 @@ inline void PaperReach::show_finger(double plate_orientation_deg) {
 const PlateCommand& PaperReach::publish(bool held) {
   command_.plate_orientation_deg = decision_.plate.orientation_deg;
   command_.aimed_direction_deg = decision_.aim.direction_deg;
+  command_.bearing_deg = bearing_from_start_deg();
   command_.distance_to_go_mm = distance_to_go_mm();
   command_.step = estimator_.current_step();
   command_.active = decision_.plate.active;
@@ -166,6 +173,11 @@ const PlateCommand& PaperReach::publish(bool held) {
   command_.unreachable = decision_.aim.unreachable;
   command_.optimal = decision_.plate.optimal;
   return command_;
+}
+
+double PaperReach::bearing_from_start_deg() const {
+  if (estimator_.current_step() < 0) return 0.0;
+  return estimator_.place() ? bearing_deg(start_, *estimator_.place()) : estimator_.direction_deg();
 }
 
 double PaperReach::distance_to_go_mm() const {

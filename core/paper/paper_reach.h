@@ -68,8 +68,10 @@ class PaperReach {
   void show_finger(double plate_orientation_deg);
   const PlateCommand& publish(bool held);
   double distance_to_go_mm() const;
+  double bearing_from_start_deg() const;
 
   PaperReachConfig config_;
+  PlatePoint start_;
   Reach reach_;
   double goal_deg_;
   PlatePoint target_;

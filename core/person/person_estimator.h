@@ -10,7 +10,6 @@
 
 #include <optional>
 
-#include "core/person/model_fit.h"
 #include "core/person/motion_log.h"
 #include "core/person/person_filter.h"
 #include "core/plate/plate_model.h"
@@ -37,6 +36,28 @@ class OutlierGate {
  private:
   double max_outliers_;
   int outliers_ = 0;
+};
+
+/// How well the filter predicts the positions that it then receives, as running means over about 20 positions in
+/// motion:
+///
+///   nis          normalised innovation squared; 2 if the model holds
+///   correlation  of an innovation with the previous one; 0 if the model holds
+class ModelFit {
+ public:
+  /// Adds a position, outliers included: its innovation and the innovation's NIS.
+  void add(const Tuning& tuning, const PlatePoint& innovation_mm, double nis);
+
+  double nis() const { return nis_; }
+
+  /// True if the model describes the motion. Innovations far below the noise may correlate: a tracker without
+  /// noise shows every trace of the person.
+  bool holds(const Tuning& tuning) const;
+
+ private:
+  double nis_ = 2.0;
+  double correlation_ = 0.0;
+  PlatePoint previous_mm_{0.0, 0.0};
 };
 
 /// One reach. No heap, no lock, no exception. One thread at a time.

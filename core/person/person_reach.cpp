@@ -208,7 +208,8 @@ ReachSummary PersonReach::summary() const {
   summary.perceived_error_deg =
       command_.perceived_direction_deg - reach.virtual_direction_deg - config_.person.mean(X::bias);
   summary.distance_to_target_mm = distance_mm(ended, goal_.target);
-  summary.bearing_error_deg = begun ? wrap_deg(bearing_deg(reach.start, ended) - reach.real_direction_deg, 360.0) : 0.0;
+  summary.bearing_deg = command_.bearing_deg;
+  summary.bearing_error_deg = begun ? wrap_deg(command_.bearing_deg - reach.real_direction_deg, 360.0) : 0.0;
   summary.bearing_error_sd_deg = command_.bearing_error_sd_deg;
   summary.rms_felt_error_deg =
       felt_samples_ > 0 ? std::sqrt(square_felt_sum_deg2_ / static_cast<double>(felt_samples_)) : 0.0;

@@ -62,6 +62,7 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
       .predicted_miss_deg = decision.predicted_miss_deg,
       .nis = estimator.fit().nis(),
       .active = decision.plate.active,
+      .for_people = true,
       .held = !moment.decided,
       .off_target = moment.progress.off_target,
       .arrived = moment.progress.arrived,
@@ -69,6 +70,7 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
   };
   if (!estimator.begun()) return command;
 
+  command.bearing_deg = bearing_deg(goal.reach.start, moment.finger);
   const double phase = filter.mean(X::phase);
   const bool moving = estimator.moving();
   const double time_left_s = (1.0 - answered.mean(X::phase)) / answered.rate();
@@ -78,8 +80,7 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
     command.time_to_go_s = std::max(0.0, time_left_s - (moment.now_s - estimator.time_s()));
   }
   if (!moving || phase >= tuning.last_phase)
-    command.predicted_miss_deg =
-        wrap_deg(bearing_deg(goal.reach.start, moment.finger) - goal.reach.real_direction_deg, 360.0);
+    command.predicted_miss_deg = wrap_deg(command.bearing_deg - goal.reach.real_direction_deg, 360.0);
   command.felt_error_deg = felt_deg - now.goal_deg;
   command.bearing_error_sd_deg = bearing_error_sd_deg(goal, filter);
   command.miss_unknown = false;

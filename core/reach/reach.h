@@ -62,6 +62,7 @@ inline constexpr double unknown_miss_sd_deg = 180.0;
 struct PlateCommand {
   double plate_orientation_deg = 0.0;    ///< T; which of those that feel the same, see plate_limits.h
   double finger_direction_deg = 0.0;     ///< P, estimated or predicted
+  double bearing_deg = 0.0;              ///< of the finger from the start of the reach; 0 until it moves
   double perceived_direction_deg = 0.0;  ///< theta_hat at the end of this step; of a person: felt now
   double aimed_direction_deg = 0.0;      ///< the wanted direction, if it can be held
   double tactile_weight = 0.0;           ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
@@ -76,6 +77,7 @@ struct PlateCommand {
   double nis = 0.0;                        ///< normalised innovation squared of recent positions; 2 is expected
   std::int64_t step = -1;                  ///< model step; -1 before the finger moves
   ActiveBound active = ActiveBound::none;  ///< the bound that holds the command
+  bool for_people = false;                 ///< from the controller for people, not from the paper's
   bool held = true;                        ///< no new decision was taken in this call
   bool predicted = false;     ///< neither this step nor the one before has a sample: the finger is the model's
   bool unreachable = false;   ///< this participant can't be held on the real direction
@@ -138,7 +140,8 @@ struct ReachSummary {
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
   double perceived_error_deg = 0.0;      ///< perceived_direction_deg less theta_V and the configured bias
   double distance_to_target_mm = 0.0;    ///< from the last position, seen or predicted, to the real target's
-  double bearing_error_deg = 0.0;        ///< of the last position from the start, less P_R; 0 if it is unknown
+  double bearing_deg = 0.0;              ///< as in the last PlateCommand
+  double bearing_error_deg = 0.0;        ///< bearing_deg less that of the real target; 0 if it is unknown
   double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< as in the last PlateCommand
   double peak_felt_error_deg = 0.0;                   ///< largest size of PlateCommand::felt_error_deg
   double rms_felt_error_deg = 0.0;

@@ -2,8 +2,8 @@
 class_name Results
 extends RefCounted
 
-const COLUMNS: PackedStringArray = ["miss_deg", "miss_sd_deg", "distance_to_target_m", "peak_felt_error_deg", "perceived_direction_deg",
-		"final_direction_deg", "tactile_weight", "duration_s", "samples", "dropped_samples", "flags"]
+const COLUMNS: PackedStringArray = ["miss_deg", "miss_sd_deg", "distance_to_target_m", "peak_felt_error_deg", "bearing_deg",
+		"tactile_weight", "duration_s", "samples", "dropped_samples", "flags"]
 const ON_TARGET_DEG := 1.5
 
 var count := 0

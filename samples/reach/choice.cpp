@@ -49,8 +49,8 @@ std::string words_of(const ScenePlace& place, double above_floor_m) {
 TargetSet load_targets(const Plugin& plugin, const Options& options) {
   hrt_session_config config = hrt_session_config_init();
   constexpr double paper_tactile_weight = 0.15;
-  if (!options.for_people) config.paper.tactile_weight = paper_tactile_weight;
-  if (options.tactile_weight) config.paper.tactile_weight = *options.tactile_weight;
+  if (!options.for_people) config.person.tactile_weight = paper_tactile_weight;
+  if (options.tactile_weight) config.person.tactile_weight = *options.tactile_weight;
   config.adaptation = options.for_people ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
   config.guidance = options.for_people ? HRT_GUIDANCE_ARRIVAL : HRT_GUIDANCE_FIXED_DIRECTION;
   config.paper.motor_variance_deg2 = options.motor_variance_deg2;

@@ -51,18 +51,18 @@ StatusLine::StatusLine(bool verbose) : verbose_(verbose), on_terminal_(isatty(ST
 void StatusLine::show(const TargetPair& pair, const Moment& moment) {
   if (verbose_) {
     std::fprintf(
-        stderr, "%.9f s  %s  tip %+8.2f right %+8.2f away mm  moves %+7.2f  feels %+7.2f  plate %+7.2f deg%s%s\n",
+        stderr, "%.9f s  %s  tip %+8.2f right %+8.2f away mm  bearing %+7.2f  feels %+7.2f  plate %+7.2f deg%s%s\n",
         static_cast<double>(moment.time) * 1e-9, pair.virtual_name.c_str(), moment.position_m[0] * 1e3,
-        -moment.position_m[2] * 1e3, moment.finger_direction_deg, moment.felt_direction_deg,
-        moment.plate_orientation_deg, moment.tracked ? "" : "  not tracked", moment.saturated ? "  at its bound" : "");
+        -moment.position_m[2] * 1e3, moment.bearing_deg, moment.felt_direction_deg, moment.plate_orientation_deg,
+        moment.tracked ? "" : "  not tracked", moment.saturated ? "  at its bound" : "");
     return;
   }
   const auto now = std::chrono::steady_clock::now();
   if (!on_terminal_ || now - last_ < refresh_period) return;
   last_ = now;
   shown_ = true;
-  const std::string text = format(": %5.1f mm to go, moves %+6.1f, feels %+6.1f, plate %+6.1f deg%s",
-                                  moment.distance_to_go_m * 1e3, moment.finger_direction_deg, moment.felt_direction_deg,
+  const std::string text = format(": %5.1f mm to go, bearing %+6.1f, feels %+6.1f, plate %+6.1f deg%s",
+                                  moment.distance_to_go_m * 1e3, moment.bearing_deg, moment.felt_direction_deg,
                                   moment.plate_orientation_deg, moment.tracked ? "" : "  (finger not tracked)");
   // A longer line would wrap, and clear() clears one line only.
   std::fprintf(stderr, "\r\033[K%s", cut_to(cut_to(pair.virtual_name, 24) + text, columns() - 1).c_str());
@@ -159,7 +159,7 @@ std::string calibration_text(const hrt_setup_result& result, const hrt_session_c
          line("share of touch (w_T) at 60 deg", result.tactile_weight, "") +
          line("largest gap that a plate can hold", result.max_gap_deg, "deg") +
          line("bias, left positive", result.bias_deg, "deg") +
-         format("%-34s %8.0f deg at most\n", "the plate is turned from the motion", config.motion_bound_deg) +
+         format("%-34s %8.0f deg at most\n", "the plate is turned from the motion", config.person.motion_bound_deg) +
          format("%-34s %8.3f mm\n", "tracker noise, white", 1e3 * config.tracker.noise_m) +
          format("%-34s %8.3f mm\n", "tracker noise, correlated", 1e3 * config.tracker.correlated_noise_m) +
          lack_of_fit_text(result.lack_of_fit) +

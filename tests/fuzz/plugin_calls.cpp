@@ -37,8 +37,9 @@ void require_finite(const Struct& value, size_t offset) {
   }
 }
 
-void require_command(const hrt_command& command) {
+void require_command(hrt_command command) {
   require((command.flags & HRT_COMMAND_FAULT) == 0);
+  command.paper.step = 0;  // the only field that is no double
   require_finite(command, offsetof(hrt_command, plate_orientation_deg));
 }
 
@@ -257,13 +258,13 @@ class Caller {
     disturb(sample);
     hrt_command command{};
     command.struct_size = sizeof command;
-    command.step = 77;
+    command.paper.step = 77;
     const hrt_result result = hrt_reach_update(session(), &sample, &command);
     check(result);
     if (result == HRT_OK)
       require_command(command);
     else
-      require(command.step == 77);
+      require(command.paper.step == 77);
   }
 
   void end() {
@@ -274,7 +275,7 @@ class Caller {
     check(result);
     if (result != HRT_OK) return;
     require((summary.flags & HRT_COMMAND_FAULT) == 0 && summary.counts.samples >= 0);
-    require_finite(summary, offsetof(hrt_reach_summary, final_direction_deg));
+    require_finite(summary, offsetof(hrt_reach_summary, bearing_deg));
     // What was carried can be configured.
     hrt_session_config config{};
     config.struct_size = sizeof config;

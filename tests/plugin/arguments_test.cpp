@@ -134,6 +134,8 @@ void ArgumentsTest::try_reaches() {
   REFUSES(hrt_target_remove, session, real);
   REFUSES(hrt_target_list, session, 0, targets.size(), targets.data(), &count);
 
+  REFUSES(hrt_flags_text, HRT_COMMAND_HELD, text.size(), text.data(), &count);
+
   auto gap = output<hrt_gap>();
   REFUSES(hrt_gap_query, session, real, seen, &gap);
   REFUSES(hrt_gap_assign, session, &seen, 1, &real, 1, 0, 1, &gap);
@@ -164,6 +166,7 @@ void ArgumentsTest::try_reaches() {
   REFUSES(hrt_recording_start, session, path.c_str());
   ASSERT_OK(hrt_recording_start(session, path.c_str()));
   REFUSES(hrt_recording_get_status, session, &status);
+  REFUSES(hrt_recording_flush, session, &status);
   REFUSES(hrt_recording_stop, session, &status);
   ASSERT_OK(hrt_recording_stop(session, &status));
   REFUSES_BUT(({"text"}), hrt_recording_replay, path.c_str(), nullptr, 0, &report);

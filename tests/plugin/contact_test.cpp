@@ -97,11 +97,11 @@ TEST_F(ContactTest, BeforeTheEndAndAfterItAreTheSame) {
 TEST_F(ContactTest, ABiasThatNoReachHasTaughtStays) {
   hrt_session_config config = registered();
   config.adaptation = HRT_ADAPTATION_REACH;
-  config.paper.bias_deg = 3.0;
+  config.person.bias_deg = 3.0;
   create(config);
   reach_straight_ahead();
   ASSERT_OK(touch(contact_in(-2.0)));
-  EXPECT_EQ(config_of(session).paper.bias_deg, 3.0);
+  EXPECT_EQ(config_of(session).person.bias_deg, 3.0);
   EXPECT_EQ(config_of(session).person.mean[HRT_PERSON_BIAS], 0.0);
   EXPECT_FALSE(has_no_contacts(config_of(session)));
 }

@@ -173,13 +173,14 @@ class Extremes : public SessionTest {
     std::memcpy(sample.finger_position_m, config_of(session).start_position_m, sizeof sample.finger_position_m);
     for (int i = 0; i < 60; ++i) {
       move(&sample);
-      const hrt_command command = update(sample);
+      hrt_command command = update(sample);
       ASSERT_EQ(command.flags & HRT_COMMAND_FAULT, 0u) << "in sample " << i;
+      command.paper.step = 0;  // the only field that is no double
       ASSERT_EQ(first_not_finite(command, offsetof(hrt_command, plate_orientation_deg)), 0u);
     }
     const hrt_reach_summary summary = end();
     ASSERT_EQ(summary.flags & HRT_COMMAND_FAULT, 0u);
-    ASSERT_EQ(first_not_finite(summary, offsetof(hrt_reach_summary, final_direction_deg)), 0u);
+    ASSERT_EQ(first_not_finite(summary, offsetof(hrt_reach_summary, bearing_deg)), 0u);
     check_what_is_kept();
   }
 

@@ -66,7 +66,7 @@ inline hrt_session_config paper_config() {
   hrt_session_config config = session_config();
   config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
   config.adaptation = HRT_ADAPTATION_OFF;
-  config.paper.tactile_weight = 0.15;
+  config.person.tactile_weight = 0.15;
   return config;
 }
 

@@ -123,19 +123,19 @@ TEST_F(LearningTest, SummarySaysHowWellTheMotorVarianceIsKnown) {
   double miss = 0.0;
   set(adapting(HRT_ADAPTATION_REACH));
   hrt_reach_summary summary = reach_by_direction(with_motor_variance(1.0), 0, &miss);
-  EXPECT_GT(summary.learnt.motor_variance_deg2, 0.6);
-  EXPECT_LT(summary.learnt.motor_variance_sd_deg2, 0.2);
+  EXPECT_GT(summary.paper.motor_variance_deg2, 0.6);
+  EXPECT_LT(summary.paper.motor_variance_sd_deg2, 0.2);
   EXPECT_EQ(config().paper.motor_variance_deg2, 0.5) << "carried, and should not be";
 
   // 1.2 mm of noise shows hardly anything of it.
   summary = reach_by_position(with_motor_variance(1.0, 0.0012), 0, &miss);
-  EXPECT_GT(summary.learnt.motor_variance_sd_deg2, 0.95 * 0.5);
-  EXPECT_NEAR(summary.learnt.motor_variance_deg2, 0.5, 0.2);
+  EXPECT_GT(summary.paper.motor_variance_sd_deg2, 0.95 * 0.5);
+  EXPECT_NEAR(summary.paper.motor_variance_deg2, 0.5, 0.2);
 
   set(adapting(HRT_ADAPTATION_OFF));
   summary = reach_by_direction(with_motor_variance(1.0), 0, &miss);
-  EXPECT_EQ(summary.learnt.motor_variance_deg2, 0.5);
-  EXPECT_EQ(summary.learnt.motor_variance_sd_deg2, 0.0);
+  EXPECT_EQ(summary.paper.motor_variance_deg2, 0.5);
+  EXPECT_EQ(summary.paper.motor_variance_sd_deg2, 0.0);
 }
 
 TEST_F(LearningTest, OneReachCarriesLittle) {
@@ -143,7 +143,7 @@ TEST_F(LearningTest, OneReachCarriesLittle) {
   hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
   assumed.paper.motor_variance_deg2 = 0.1;
   set(assumed);
-  EXPECT_GT(reach_by_direction(with_motor_variance(4.0), 0, &miss).learnt.motor_variance_deg2, 0.2);
+  EXPECT_GT(reach_by_direction(with_motor_variance(4.0), 0, &miss).paper.motor_variance_deg2, 0.2);
   EXPECT_EQ(config().paper.motor_variance_deg2, 0.2);
   EXPECT_EQ(config().paper.motor_variance_sd_deg2, 0.5);
 
@@ -170,7 +170,7 @@ TEST_F(LearningTest, OneReachCarriesLittle) {
 // With nothing seen but a first direction, w_T becomes less sure; not less than can be configured.
 TEST_F(LearningTest, WhatIsCarriedCanBeConfigured) {
   hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
-  assumed.paper.tactile_weight_sd = 0.49;
+  assumed.person.tactile_weight_sd = 0.49;
   set(assumed);
   begin_reach();
   update(direction_sample(0, 0.0));
@@ -178,7 +178,7 @@ TEST_F(LearningTest, WhatIsCarriedCanBeConfigured) {
   dropout.flags = 0;
   update(dropout);
   end();
-  EXPECT_EQ(config().paper.tactile_weight_sd, 0.49);
+  EXPECT_EQ(config().person.tactile_weight_sd, 0.49);
   set(config());
 }
 
@@ -186,7 +186,7 @@ TEST_F(LearningTest, WhatIsCarriedCanBeConfigured) {
 TEST_F(LearningTest, BiasMovesWhereTheUserGoes) {
   const auto reach = [&](double target_deg, double bias_deg) {
     hrt_session_config config = paper_config();
-    config.paper.bias_deg = bias_deg;
+    config.person.bias_deg = bias_deg;
     create(config);
     const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, target_deg);
     EXPECT_EQ(gap_of(real, cup).gap_deg, 12.0);
@@ -196,12 +196,12 @@ TEST_F(LearningTest, BiasMovesWhereTheUserGoes) {
   };
   hrt_reach_summary one = reach(5.0, 2.0);
   const hrt_reach_summary other = reach(7.0, 0.0);
-  EXPECT_EQ(one.paper_miss_deg, other.paper_miss_deg);
-  EXPECT_EQ(one.perceived_direction_deg, other.perceived_direction_deg);
-  EXPECT_EQ(one.perceived_error_deg, other.perceived_error_deg);
+  EXPECT_EQ(one.paper.miss_deg, other.paper.miss_deg);
+  EXPECT_EQ(one.paper.perceived_direction_deg, other.paper.perceived_direction_deg);
+  EXPECT_EQ(one.paper.perceived_error_deg, other.paper.perceived_error_deg);
 
   hrt_session_config config = paper_config();
-  config.paper.bias_deg = 45.0;
+  config.person.bias_deg = 45.0;
   create(config);
   expect_error(begin(add(HRT_TARGET_REAL, -50.0), add(HRT_TARGET_VIRTUAL, 5.0)), HRT_ERROR_OUT_OF_RANGE,
                "the virtual at 50 with the user's bias; allowed");

@@ -73,7 +73,7 @@ TEST_F(LocaleTest, ScenesHaveTheSamePlaces) {
 
 TEST_F(LocaleTest, MessagesHavePoints) {
   hrt_session_config config = session_config();
-  config.paper.tactile_weight = 0.625;
+  config.person.tactile_weight = 0.625;
   hrt_session other{};
   expect_error(hrt_session_create(HRT_VERSION, &config, &other), HRT_ERROR_OUT_OF_RANGE,
                "tactile_weight is 0.625; allowed: 0.001 to 0.499");

@@ -13,13 +13,13 @@ using ProfileTest = SessionTest;
 TEST_F(ProfileTest, IsWhatTheHeaderSays) {
   EXPECT_EQ(save_profile(),
             "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tracker_noise_m\":0,\"tactile_weight\":0.2,"
-            "\"tactile_weight_sd\":0.05,\"motor_variance_deg2\":0.5,\"motor_variance_sd_deg2\":0.5,"
-            "\"sensory_variance_deg2\":0.1,\"initial_variance_deg2\":0,\"bias_deg\":0}\n");
+            "\"tactile_weight_sd\":0.05,\"bias_deg\":0,\"motor_variance_deg2\":0.5,\"motor_variance_sd_deg2\":0.5,"
+            "\"sensory_variance_deg2\":0.1,\"initial_variance_deg2\":0}\n");
 }
 
 TEST_F(ProfileTest, ComesBackToTheLastBit) {
   hrt_session_config config = session_config();
-  config.paper.tactile_weight = 0.1 + 1e-17 + 0.02;
+  config.person.tactile_weight = 0.1 + 1e-17 + 0.02;
   config.paper.motor_variance_deg2 = 1.0 / 3.0;
   config.paper.horizon = 9;
   ASSERT_OK(hrt_session_set(session, &config));
@@ -27,14 +27,14 @@ TEST_F(ProfileTest, ComesBackToTheLastBit) {
   create(session_config());
   ASSERT_OK(load_profile(text));
   const hrt_session_config back = config_of(session);
-  EXPECT_EQ(back.paper.tactile_weight, config.paper.tactile_weight);
+  EXPECT_EQ(back.person.tactile_weight, config.person.tactile_weight);
   EXPECT_EQ(back.paper.motor_variance_deg2, config.paper.motor_variance_deg2);
   EXPECT_EQ(back.paper.horizon, 3u) << "a profile is the participant's, not the session's";
 }
 
 TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
   hrt_session_config config = session_config();
-  config.paper.bias_deg = 1.5;
+  config.person.bias_deg = 1.5;
   config.paper.motor_variance_sd_deg2 = 0.25;
   config.tracker.noise_m = 0.001;
   ASSERT_OK(hrt_session_set(session, &config));
@@ -42,9 +42,9 @@ TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
       R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.02,)"
       R"("motor_variance_deg2":0.6,"sensory_variance_deg2":0.2,"initial_variance_deg2":0.1})"));
   const hrt_session_config back = config_of(session);
-  EXPECT_EQ(back.paper.tactile_weight, 0.2);
+  EXPECT_EQ(back.person.tactile_weight, 0.2);
   EXPECT_EQ(back.paper.motor_variance_deg2, 0.6);
-  EXPECT_EQ(back.paper.bias_deg, 1.5);
+  EXPECT_EQ(back.person.bias_deg, 1.5);
   EXPECT_EQ(back.paper.motor_variance_sd_deg2, 0.25);
   EXPECT_EQ(back.tracker.noise_m, 0.001);
 }

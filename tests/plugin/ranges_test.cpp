@@ -164,9 +164,9 @@ TEST_F(SessionTest, RangesOfASample) {
   begin_reach();
   const auto take = [&](const hrt_sample& sample) {
     auto command = output<hrt_command>();
-    command.step = 77;
+    command.paper.step = 77;
     const hrt_result result = hrt_reach_update(session, &sample, &command);
-    EXPECT_EQ(result == HRT_OK, command.step != 77);
+    EXPECT_EQ(result == HRT_OK, command.paper.step != 77);
     return result;
   };
   // Of three kinds of places a sample has one.

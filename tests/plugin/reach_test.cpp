@@ -19,9 +19,34 @@ TEST_F(ReachTest, FirstCommandIsAsDerivedByHand) {
   EXPECT_NEAR(command.plate_orientation_deg, 4.8, 1e-9);
   EXPECT_NEAR(command.perceived_direction_deg, 0.6, 1e-9);
   EXPECT_EQ(command.flags, HRT_COMMAND_MISS_UNKNOWN);
-  EXPECT_EQ(command.step, 0);
+  EXPECT_EQ(command.paper.step, 0);
   EXPECT_EQ(command.tactile_weight, 0.15);
   EXPECT_EQ(command.tactile_weight_sd, 0.0);
+}
+
+TEST_F(ReachTest, FlagsAreWords) {
+  char words[64];
+  std::uint64_t length = 0;
+  ASSERT_OK(hrt_flags_text(HRT_COMMAND_UNREACHABLE | HRT_COMMAND_OFF_TARGET, sizeof words, words, &length));
+  EXPECT_STREQ(words, "unreachable, off target");
+  EXPECT_EQ(length, 23u);
+  ASSERT_OK(hrt_flags_text(0, sizeof words, words, &length));
+  EXPECT_STREQ(words, "");
+  ASSERT_OK(hrt_flags_text(HRT_COMMAND_NOT_AT_START, 0, nullptr, &length));
+  EXPECT_EQ(length, 12u);
+  expect_error(hrt_flags_text(HRT_COMMAND_NOT_AT_START, 12, words, &length), HRT_ERROR_BUFFER_TOO_SMALL, "12");
+  expect_error(hrt_flags_text(UINT32_C(1) << 31, sizeof words, words, &length), HRT_ERROR_OUT_OF_RANGE, "flags");
+}
+
+// With positions, the miss is the bearing of the end minus that of the real target: the path bends, and its last step
+// has another direction.
+TEST_F(ReachTest, MissIsABearingForThePapersControllerToo) {
+  ASSERT_OK(begin(add(HRT_TARGET_REAL, 5.0), add(HRT_TARGET_VIRTUAL, 8.0)));
+  for (int i = 0; i <= 20; ++i) update(position_sample(i * 100 * ms, -0.0002 * i * i, -0.05 + 0.004 * i));
+  const hrt_reach_summary summary = end();
+  EXPECT_GT(summary.bearing_deg, 30.0);
+  EXPECT_NEAR(summary.miss_deg, summary.bearing_deg - 5.0, 1e-9);
+  EXPECT_NE(summary.paper.final_direction_deg, summary.bearing_deg);
 }
 
 TEST_F(ReachTest, WithoutASampleHasNoSummary) {
@@ -33,7 +58,7 @@ TEST_F(ReachTest, WithoutASampleHasNoSummary) {
   EXPECT_EQ(command.time_to_go_s, HRT_NOT_MOVING) << "of this controller it is not known";
   ASSERT_OK(hrt_reach_end(session, &summary));
   EXPECT_EQ(summary.counts.samples, 1);
-  EXPECT_EQ(summary.miss_deg, summary.paper_miss_deg);
+  EXPECT_EQ(summary.miss_deg, summary.paper.miss_deg);
   EXPECT_NE(summary.miss_deg, 0.0);
 }
 
@@ -46,8 +71,8 @@ TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
     if (i >= 0) forward_m += 0.001;
   }
   // Estimates: the tracker's noise has yet to be learnt to be none.
-  EXPECT_NEAR(command.finger_direction_deg, 0.0, 2.0);
-  EXPECT_GE(command.step, 1);
+  EXPECT_NEAR(command.paper.finger_direction_deg, 0.0, 2.0);
+  EXPECT_GE(command.paper.step, 1);
   // The real target is 0.1 m from the start, 5 degrees to the right; the finger has gone 0.028 m ahead.
   const double rad = 5.0 * 3.14159265358979323846 / 180.0;
   EXPECT_NEAR(command.distance_to_go_m, std::hypot(0.1 * std::sin(rad), 0.1 * std::cos(rad) - 0.028), 1e-4);
@@ -87,7 +112,7 @@ TEST_F(ReachTest, PlateMayMoveWithTheFinger) {
     sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
     sample.plate_position_m[0] = 0.01 * i;
     sample.plate_rotation[3] = 1.0;
-    EXPECT_EQ(update(sample).step, -1);
+    EXPECT_EQ(update(sample).paper.step, -1);
   }
 }
 
@@ -113,10 +138,10 @@ TEST_F(ReachTest, DropoutsAreHeldThenPredicted) {
   EXPECT_NE(command.flags & HRT_COMMAND_PREDICTED, 0u);
   command = update(direction_sample(5 * step_ns + 1, -5.0));
   EXPECT_EQ(command.flags & HRT_COMMAND_PREDICTED, 0u);
-  EXPECT_EQ(command.step, 5);
+  EXPECT_EQ(command.paper.step, 5);
   const hrt_reach_summary summary = end();
   EXPECT_EQ(summary.counts.dropped_samples, 2);
-  EXPECT_EQ(summary.counts.predicted_steps, 4);
+  EXPECT_EQ(summary.paper.predicted_steps, 4);
 }
 
 TEST_F(ReachTest, LiftedFingerIsNoObservationWhateverItsDirection) {
@@ -124,7 +149,7 @@ TEST_F(ReachTest, LiftedFingerIsNoObservationWhateverItsDirection) {
   hrt_sample lifted = direction_sample(0, 10.0);
   lifted.flags |= HRT_SAMPLE_LIFTED;
   const hrt_command command = update(lifted);
-  EXPECT_EQ(command.step, -1);
+  EXPECT_EQ(command.paper.step, -1);
   EXPECT_NE(command.flags & HRT_COMMAND_LIFTED, 0u);
   EXPECT_EQ(end().counts.steps, 0);
 }
@@ -201,12 +226,12 @@ TEST_F(ReachTest, AdaptationLearnsTheShareOfTouchAndCarriesIt) {
   EXPECT_NEAR(first.learnt.tactile_weight, 0.22, 0.02);
   EXPECT_GT(first.learnt.tactile_weight_sd, 0.0);
   EXPECT_LT(first.learnt.tactile_weight_sd, 0.05);
-  EXPECT_NEAR(first.paper_miss_deg, 0.0, 0.5);
-  EXPECT_EQ(first.final_direction_deg, first.paper_miss_deg - 5.0);
+  EXPECT_NEAR(first.paper.miss_deg, 0.0, 0.5);
+  EXPECT_EQ(first.paper.final_direction_deg, first.paper.miss_deg - 5.0);
   EXPECT_EQ(first.counts.steps, 30);
   const hrt_session_config learnt = config_of(session);
-  EXPECT_EQ(learnt.paper.tactile_weight, first.learnt.tactile_weight);
-  EXPECT_EQ(learnt.paper.tactile_weight_sd, std::max(first.learnt.tactile_weight_sd, 0.01));
+  EXPECT_EQ(learnt.person.tactile_weight, first.learnt.tactile_weight);
+  EXPECT_EQ(learnt.person.tactile_weight_sd, std::max(first.learnt.tactile_weight_sd, 0.01));
 
   config.adaptation = HRT_ADAPTATION_OFF;
   create(config);
@@ -246,11 +271,11 @@ TEST_F(ReachTest, TimeRunningBackwardsIsRefusedAndChangesNothing) {
   begin_reach();
   update(direction_sample(1000, 0.0));
   auto command = output<hrt_command>();
-  command.step = 77;
+  command.paper.step = 77;
   const hrt_sample early = direction_sample(999, 0.0);
   expect_error(hrt_reach_update(session, &early, &command), HRT_ERROR_TIME_REVERSED,
                "time_ns is 999; allowed: from the last sample's, 1000");
-  EXPECT_EQ(command.step, 77);
+  EXPECT_EQ(command.paper.step, 77);
   update(direction_sample(1000, 0.0));
   EXPECT_EQ(end().counts.samples, 2);
 }
@@ -260,9 +285,9 @@ TEST_F(ReachTest, SamplesOfTwoPlacesOrWithoutAPoseAreRefusedAndChangeNothing) {
   const hrt_command before = update(direction_sample(0, 0.0));
   const auto refused = [&](hrt_sample sample, const char* part) {
     auto command = output<hrt_command>();
-    command.step = 77;
+    command.paper.step = 77;
     expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, part);
-    EXPECT_EQ(command.step, 77);
+    EXPECT_EQ(command.paper.step, 77);
   };
   hrt_sample sample = direction_sample(1, 0.0);
   sample.flags = HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION;
@@ -284,7 +309,7 @@ TEST_F(ReachTest, LargerCommandKeepsItsSizeWithZerosBeyond) {
   const hrt_sample sample = direction_sample(0, 0.0);
   ASSERT_OK(hrt_reach_update(session, &sample, &later.command));
   EXPECT_EQ(later.command.struct_size, sizeof later);
-  EXPECT_EQ(later.command.step, 0);
+  EXPECT_EQ(later.command.paper.step, 0);
   EXPECT_EQ(later.further, 0.0);
 }
 

@@ -118,7 +118,9 @@ TEST_F(RetargetTest, LeadsToTheNewPlaces) {
     const double u = 610.0 / 1500.0;
     const PlatePoint finger{0.0, -50.0 + 100.0 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))};
     EXPECT_NEAR(command.distance_to_go_m, distance_mm(finger, {-20.0, 50.0}) / mm_per_m, 0.003);
-    EXPECT_NEAR(command.aimed_direction_deg, bearing_deg(finger, {-20.0, 50.0}), 3.0) << guidance;
+    if (guidance == HRT_GUIDANCE_FIXED_DIRECTION) {
+      EXPECT_NEAR(command.paper.aimed_direction_deg, bearing_deg(finger, {-20.0, 50.0}), 3.0);
+    }
     slide(920, 2200);
     const hrt_reach_summary summary = end();
     EXPECT_NEAR(summary.distance_to_target_m, 0.02, 0.002);
@@ -136,7 +138,9 @@ TEST_F(RetargetTest, StartsWhereTheFingerIsFirstSeen) {
     update(lost);
     const hrt_command first = update(position_sample(10 * ms, 0.02, -0.02));
     EXPECT_NEAR(first.distance_to_go_m, distance_mm({20.0, -20.0}, {30.0, 40.0}) / mm_per_m, 1e-9);
-    EXPECT_NEAR(first.aimed_direction_deg, bearing_deg({20.0, -20.0}, {30.0, 40.0}), 1e-9);
+    if (guidance == HRT_GUIDANCE_FIXED_DIRECTION) {
+      EXPECT_NEAR(first.paper.aimed_direction_deg, bearing_deg({20.0, -20.0}, {30.0, 40.0}), 1e-9);
+    }
     end();
   }
 }

@@ -126,7 +126,7 @@ TEST_F(SceneAbiTest, TargetsBeyondTenPlateRadiiAreAWarning) {
 
 TEST_F(SceneAbiTest, BadArgumentsAreRefused) {
   hrt_scene loaded{7};
-  expect_error(hrt_scene_load("/no/such/file.gltf", nullptr, 0, &loaded), HRT_ERROR_BAD_FORMAT, "/no/such/file.gltf");
+  expect_error(hrt_scene_load("/no/such/file.gltf", nullptr, 0, &loaded), HRT_ERROR_SYSTEM, "/no/such/file.gltf");
   EXPECT_EQ(loaded.value, 7u);
   expect_error(hrt_scene_register(scene, {scene.value}, 0, nullptr), HRT_ERROR_INVALID_HANDLE, "session");
   expect_error(hrt_scene_register({session.value}, session, 0, nullptr), HRT_ERROR_INVALID_HANDLE, "scene");

@@ -53,16 +53,16 @@ TEST(SessionConfig, DefaultsAreTheModels) {
   EXPECT_EQ(config.paper.actual_weight, core.mpc.actual_weight);
   EXPECT_EQ(config.paper.plate_bound_deg, core.mpc.plate_bound_deg);
   EXPECT_EQ(config.fixed_plate_orientation_deg, core.fixed_plate_orientation_deg);
-  EXPECT_EQ(config.paper.tactile_weight, 0.2);
-  EXPECT_EQ(config.paper.tactile_weight_sd, core.estimator.tactile_weight_sd);
+  EXPECT_EQ(config.person.tactile_weight, 0.2);
+  EXPECT_EQ(config.person.tactile_weight_sd, core.estimator.tactile_weight_sd);
   EXPECT_EQ(config.paper.motor_variance_deg2, core.participant.motor_variance_deg2);
   EXPECT_EQ(config.paper.motor_variance_sd_deg2, core.estimator.motor_variance_sd_deg2);
   EXPECT_EQ(config.paper.sensory_variance_deg2, core.participant.sensory_variance_deg2);
   EXPECT_EQ(config.paper.initial_variance_deg2, core.participant.initial_variance_deg2);
   EXPECT_EQ(mm_per_m * config.tracker.noise_m, core.estimator.tracker_noise_mm);
   EXPECT_EQ(config.lift_height_m, PlateSurface().lift_height_m);
-  EXPECT_EQ(config.max_felt_error_deg, core.reach.max_felt_error_deg);
-  EXPECT_EQ(config.motion_bound_deg, core.reach.bound_deg);
+  EXPECT_EQ(config.person.max_felt_error_deg, core.reach.max_felt_error_deg);
+  EXPECT_EQ(config.person.motion_bound_deg, core.reach.bound_deg);
   EXPECT_EQ(mm_per_m * config.tracker.correlated_noise_m, core.estimator.correlated_noise_mm);
   EXPECT_EQ(config.tracker.correlation_s, core.estimator.correlation_s);
 }
@@ -76,9 +76,9 @@ TEST_F(SessionTest, ANewPersonIsUnknown) {
   apparatus.tracker.latency_ns = 30'000'000;
   apparatus.paper.horizon = 7;
   hrt_session_config known = apparatus;
-  known.paper.tactile_weight = 0.3;
-  known.paper.bias_deg = -2.0;
-  known.motion_bound_deg = 50.0;
+  known.person.tactile_weight = 0.3;
+  known.person.bias_deg = -2.0;
+  known.person.motion_bound_deg = 50.0;
   known.fingertip_offset_m[2] = 0.01;
   for (int i = 0, place = 0; i < HRT_PERSON_TRAITS; place += i++ + 2) known.person.covariance[place] = 0.01;
   constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 1.0, 0.0, 0.1, 0.2, -0.5, 0.0, 1.2, 0.5};

@@ -104,7 +104,7 @@ TEST_F(SetupTest, FindsAllThatIsMissing) {
         i, turn_deg, result.registration_turn_sd_deg, true_weight, weight.lower, weight.upper, bias_deg,
         result.bias_deg.lower, result.bias_deg.upper, result.slides, result.lack_of_fit);
     if (weight.known) {
-      EXPECT_NEAR(config.paper.tactile_weight, weight.value, 1e-12);
+      EXPECT_NEAR(config.person.tactile_weight, weight.value, 1e-12);
       EXPECT_NE(config.person.covariance[0], 0.0);
     }
     EXPECT_NE(config.flags & HRT_SESSION_REGISTERED, 0u);
@@ -242,13 +242,13 @@ TEST_F(SetupTest, RetestFindsAnotherPerson) {
   begin_setup(HRT_SETUP_RETEST);
   const hrt_setup_result result = run(person);
   EXPECT_NE(result.differing & HRT_RETEST_TACTILE_WEIGHT, 0u);
-  EXPECT_NEAR(config_of(session).paper.tactile_weight, 0.28, 0.02);
+  EXPECT_NEAR(config_of(session).person.tactile_weight, 0.28, 0.02);
 }
 
 // Curve, bias and habit become the person whom reaches begin with, in place of what these have learnt.
 TEST_F(SetupTest, ACalibrationBecomesThePerson) {
   hrt_session_config before = session_config();
-  before.motion_bound_deg = 30.0;
+  before.person.motion_bound_deg = 30.0;
   know_person(before, 0.5);
   create(before);
   auto residual = output<hrt_setup_residual>();
@@ -263,17 +263,17 @@ TEST_F(SetupTest, ACalibrationBecomesThePerson) {
   const hrt_session_config config = config_of(session);
   const double weight = person.condition.person.illusion.tactile_weight;
   EXPECT_NEAR(result.tactile_weight.value, weight, 0.02);
-  EXPECT_EQ(config.paper.tactile_weight, result.tactile_weight.value);
+  EXPECT_EQ(config.person.tactile_weight, result.tactile_weight.value);
   const double sd = (result.tactile_weight.upper - result.tactile_weight.lower) / 3.92;
-  EXPECT_NEAR(config.paper.tactile_weight_sd, std::max(sd, 0.01), 1e-5) << "people change";
+  EXPECT_NEAR(config.person.tactile_weight_sd, std::max(sd, 0.01), 1e-5) << "people change";
   EXPECT_NEAR(config.person.mean[HRT_PERSON_WEIGHT], weight, 0.05);
   EXPECT_NEAR(config.person.mean[HRT_PERSON_BIAS], 3.0, 1.0);
   EXPECT_EQ(config.person.mean[HRT_PERSON_BIAS], result.bias_deg.value);
-  EXPECT_EQ(config.paper.bias_deg, result.bias_deg.value);
+  EXPECT_EQ(config.person.bias_deg, result.bias_deg.value);
   EXPECT_NE(config.person.covariance[0], 0.01);
   EXPECT_NE(config.person.covariance[1], 0.0) << "of weight and curve";
   EXPECT_NEAR(config.tracker.noise_m, 0.001, 0.0002);
-  EXPECT_GT(config.motion_bound_deg, 40.0);
+  EXPECT_GT(config.person.motion_bound_deg, 40.0);
 
   double worst_deg = 0.0;
   for (std::uint32_t i = 0; i < result.slides; ++i) {
@@ -302,8 +302,8 @@ TEST_F(SetupTest, WhatDoesNotFitTheModelChangesNothingOfThePerson) {
   EXPECT_EQ(result.tactile_weight.known, 0u);
   EXPECT_NE(result.lack_of_fit, 0u);
   const hrt_session_config config = config_of(session);
-  EXPECT_EQ(config.paper.tactile_weight, session_config().paper.tactile_weight);
-  EXPECT_EQ(config.paper.bias_deg, 0.0);
+  EXPECT_EQ(config.person.tactile_weight, session_config().person.tactile_weight);
+  EXPECT_EQ(config.person.bias_deg, 0.0);
   EXPECT_EQ(config.person.covariance[0], 0.0);
 }
 

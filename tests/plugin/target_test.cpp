@@ -136,7 +136,7 @@ TEST_F(GapTest, OfAPairIsAsDerivedByHand) {
 // has 84.5 x 0.15/0.85 = 14.91.
 TEST_F(GapTest, IsAboutTheMotionUnderArrival) {
   hrt_session_config config = session_config();
-  config.paper.tactile_weight = 0.15;
+  config.person.tactile_weight = 0.15;
   config.adaptation = HRT_ADAPTATION_OFF;
   create(config);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);

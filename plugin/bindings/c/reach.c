@@ -104,8 +104,7 @@ int main(int argc, char** argv) {
   check(hrt_session_destroy(session));
 
   printf("hash 0x%016" PRIx64 "\n", hash);
-  printf("steps %d, of these predicted %d\n", (int)(summary.counts.steps + summary.counts.predicted_steps),
-         (int)summary.counts.predicted_steps);
+  printf("samples %d, of these dropped %d\n", (int)summary.counts.samples, (int)summary.counts.dropped_samples);
   printf("ended %.2f deg beside the real target, felt error %.2f deg at most (scripted)\n", summary.miss_deg,
          summary.peak_felt_error_deg);
   return 0;

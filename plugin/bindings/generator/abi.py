@@ -179,7 +179,8 @@ class Abi:
         def flat(whole: Value) -> list[Value]:
             """The field, or those of the part that it is."""
             return [replace(whole, member=whole.name)] if "*" not in whole.flatten else [
-                replace(f, name=names[f"{whole.name}.{f.name}"], member=f"{whole.name}.{f.name}", offset=whole.offset + f.offset)
+                replace(f, name=names[f"{whole.name}.{f.name}"], member=f"{whole.name}.{f.name}", offset=whole.offset + f.offset,
+                        text=f.text + " Read under FIXED_DIRECTION only." * (whole.name == "paper" and whole.flatten == "*"))
                 for s in api["structs"] if s.name == whole.type.name for f in s.fields]
 
         self.constants: list[Value] = here(api["constants"])

@@ -13,7 +13,8 @@ _CLASSES = {"hrt_session": "HapticRetargetingSession", "hrt_person": "HapticReta
 _STATIC = "HapticRetargetingLibrary"
 # Whose names do not follow from those of the headers.
 _NAMES = {"hrt_target_list": "ListTargets", "hrt_gap_assign": "AssignTargets",
-          "hrt_reach_touched": "ReachTouched", "hrt_profile_reset": "NewPerson"}
+          "hrt_reach_touched": "ReachTouched", "hrt_profile_reset": "NewPerson",
+          "hrt_flags_text": "FlagsText"}
 # What the classes have by hand: constructors, updates without garbage, scenes, and what belongs to the process.
 _BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_host_set", "hrt_recording_replay")
 

@@ -48,7 +48,8 @@
  * The origin is the plate's centre. The mid-line is -z: straight away from the user.
  *
  * Directions are measured from the mid-line, counter-clockwise positive seen from above: a target to the left
- * has a positive direction.
+ * has a positive direction. The bearing of a position is the direction from the start of the reach to it: the
+ * angle at the start. It differs from the direction of the motion, since paths are curved.
  *
  * Plate orientation is the direction of the normal of the ridges, counter-clockwise from the mid-line, seen
  * from above. 0: ridges across the mid-line, left to right. Ridges repeat every 180 degrees. Seen from above,
@@ -133,9 +134,9 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_BUFFER_TOO_SMALL (-11)
 /** Another target of this session has this name. */
 #define HRT_ERROR_NAME_TAKEN (-12)
-/** The operating system refused a file or a thread. */
+/** The operating system refused a file, for example because it does not exist, or a thread. */
 #define HRT_ERROR_SYSTEM (-13)
-/** A file or text is malformed, or the file of a scene cannot be read. hrt_last_error() names the position. */
+/** A file or text is malformed. hrt_last_error() names the position. */
 #define HRT_ERROR_BAD_FORMAT (-14)
 /** The data cannot determine the requested value. hrt_last_error() names what is missing. */
 #define HRT_ERROR_INSUFFICIENT_DATA (-15)

@@ -147,7 +147,7 @@ typedef struct hrt_plate_report {
  *  @param device   Name of the plate.
  *  @param options  Null: the defaults.
  *  @return OUT_OF_RANGE for a malformed name or file, with what is allowed; LIMIT_REACHED for more than 16 plates;
- *          OUT_OF_MEMORY; SYSTEM if no thread can be started.
+ *          OUT_OF_MEMORY; SYSTEM if the file cannot be read or no thread can be started.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
                                                       hrt_plate* out_plate) HRT_NOEXCEPT;

@@ -2,8 +2,8 @@
  * Profiles: a participant's parameters as JSON, to be stored and loaded later:
  *
  *   {"format":"haptic retargeting profile","version":1,"tracker_noise_m":0,"tactile_weight":0.2,
- *    "tactile_weight_sd":0.05,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,"sensory_variance_deg2":0.1,
- *    "initial_variance_deg2":0,"bias_deg":0}
+ *    "tactile_weight_sd":0.05,"bias_deg":0,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,
+ *    "sensory_variance_deg2":0.1,"initial_variance_deg2":0}
  *
  * and "person_mean":[...],"person_covariance":[...] after a reach has estimated the user's traits.
  *

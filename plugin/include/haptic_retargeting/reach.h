@@ -25,7 +25,7 @@ typedef struct hrt_reach_config {
   uint32_t struct_size;
   /** Options. @default 0 */
   hrt_reach_flags flags;
-  /** Target of the hand, less than 90 degrees from the virtual direction plus hrt_session_config::paper.bias_deg.
+  /** Target of the hand, less than 90 degrees from the virtual direction plus hrt_session_config::person.bias_deg.
    *  Null by default: must be set. */
   hrt_target real_target;
   /** Target that the user reaches for. Null by default: must be set. */
@@ -128,61 +128,80 @@ typedef uint32_t hrt_command_flags;
 /** hrt_command::time_to_go_s: the motion has ended, or should have ended by now. */
 #define HRT_ARRIVED 0
 
+/** Writes flags of a command or summary as words: "unreachable, off target". Empty text without flags.
+ *
+ *  @param flags       Flags of hrt_command or hrt_reach_summary.
+ *  @param capacity    Bytes of `out_text`. 0: only the length is returned.
+ *  @param out_text    The words in UTF-8 with a terminating zero. May be null if `capacity` is 0.
+ *  @param out_length  Their length without the zero.
+ *  @return OUT_OF_RANGE for bits that are no flags; BUFFER_TOO_SMALL unless `capacity` exceeds the length.
+ *  @threadsafety [any-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_flags_text(hrt_command_flags flags, uint64_t capacity, char* out_text,
+                                                uint64_t* out_length) HRT_NOEXCEPT;
+
+/** Part of hrt_command: values of the controller of the paper. Under GUIDANCE_ARRIVAL, step is -1 and the directions
+ * are 0. */
+typedef struct hrt_command_paper {
+  /** Model step, from 0; -1 before the finger moves. */
+  int64_t step;
+  /** Direction of the finger's motion in the last step, observed or predicted. @ccw */
+  double finger_direction_deg;
+  /** Direction to which the finger is steered: that of the real target, or the nearest one that the plate can
+   *  sustain. @ccw */
+  double aimed_direction_deg;
+} hrt_command_paper;
+
 /** Command for the plate, and its reasons. */
 typedef struct hrt_command {
   uint32_t struct_size;
   /** Reasons and warnings. */
   hrt_command_flags flags;
-  /** Model step, from 0; -1 before the finger moves. */
-  int64_t step;
   /** Plate orientation to turn to now. If speed and acceleration are unlimited, the nearest of the orientations with
    *  the same ridges between the stops. Otherwise, the plate stays within one half turn for the whole reach, limited
    *  by the stops. Without stops, successive reaches may wind it up: the device must count turns, or omit whole ones.
    *  @ccw */
   double plate_orientation_deg;
-  /** Direction of the finger in the last step, observed or predicted. @ccw */
-  double finger_direction_deg;
+  /** Bearing of the finger, seen from the start of the reach; 0 until the finger moves. In a reach with directions
+   *  only, the direction of the last step. @ccw */
+  double bearing_deg;
   /** Perceived direction under this command, as the model predicts it. @ccw */
   double perceived_direction_deg;
-  /** Direction to which the finger is steered; see hrt_session_config::guidance. @ccw */
-  double aimed_direction_deg;
+  /** Estimated perceived minus intended direction now: the error that the user could notice. Users notice about
+   *  4.5 degrees of visual redirection; no threshold is published for touch. 0 under FIXED_DIRECTION. @ccw */
+  double felt_error_deg;
+  /** Predicted bearing of the position of arrival minus that of the real target; 0 with HRT_COMMAND_MISS_UNKNOWN.
+   *  @ccw */
+  double predicted_miss_deg;
+  /** SD of the finger's true position across the line to the real target, as a bearing: uncertainty of the estimator
+   *  and of plate.covariance or, after contacts, of their covariance. At the end, the SD of
+   *  hrt_reach_summary::miss_deg. 180 with HRT_COMMAND_MISS_UNKNOWN. */
+  double miss_sd_deg;
   /** Distance along the plate to the real target; from the start until the first position. */
   double distance_to_go_m;
+  /** Predicted time until the motion ends, or HRT_NOT_MOVING, or HRT_ARRIVED. */
+  double time_to_go_s;
   /** Tactile weight that the controller assumes. @unit 1 */
   double tactile_weight;
   /** SD of tactile_weight; 0: taken as exact. @unit 1 */
   double tactile_weight_sd;
-  /** Predicted time until the motion ends, or HRT_NOT_MOVING, or HRT_ARRIVED. */
-  double time_to_go_s;
-  /** Estimated perceived minus intended direction now: the error that the user could notice. Users notice about
-   *  4.5 degrees of visual redirection; no threshold is published for touch. 0 under FIXED_DIRECTION. @ccw */
-  double felt_error_deg;
-  /** Predicted bearing of the position of arrival, seen from the start, minus that of the real target; 0 with
-   *  HRT_COMMAND_MISS_UNKNOWN. @ccw */
-  double predicted_miss_deg;
   /** Normalised innovation squared (NIS) of the last positions, mean over about twenty: their deviation from the
    *  model. About 2 if the model fits; MISFIT from 4.5. 0 under FIXED_DIRECTION. @unit 1 */
   double misfit;
-  /** SD of the finger's true position across the line to the real target, as a bearing from the start: uncertainty of
-   *  the estimator and of plate.covariance or, after contacts, of their covariance. At the end, the SD of
-   *  hrt_reach_summary::miss_deg. 180 with HRT_COMMAND_MISS_UNKNOWN. */
-  double miss_sd_deg;
+  hrt_command_paper paper; /**< values of the controller of the paper @flatten paper_* */
 } hrt_command;
 
-/** Part of hrt_reach_summary: numbers of samples and steps. */
+/** Part of hrt_reach_summary: numbers of samples and steps. A step lasts 0.1 s; under FIXED_DIRECTION,
+ *  paper.step_period_ns. */
 typedef struct hrt_reach_counts {
   int64_t samples;         /**< samples */
   int64_t dropped_samples; /**< samples that were dropouts or rejected as outliers */
-  int64_t steps;           /**< model steps with samples */
-  int64_t predicted_steps; /**< steps without samples; under ARRIVAL also those before the motion was detected */
+  int64_t steps;           /**< steps with samples */
   int64_t saturated_steps; /**< steps with samples in which the plate's bound or a stop limited the command */
-  /** Steps with samples in which the plate's speed limited the command; 0 unless FIXED_DIRECTION. */
-  int64_t rate_limited_steps;
 } hrt_reach_counts;
 
-/** Part of hrt_reach_summary: estimates of the user's traits, the tracker and the model at the end of the reach.
- *  hrt_reach_end() then filters the motion once more, with the wander that it shows, for hrt_session_config::person:
- * its means differ a little from these. */
+/** Part of hrt_reach_summary: estimates of the user and the tracker at the end of the reach. hrt_reach_end() then
+ *  filters the motion once more, with the wander that it shows, for hrt_session_config::person, which has all traits
+ *  with HRT_ADAPTATION_CARRIED: its means differ a little from these. Under FIXED_DIRECTION, curve and bias are 0. */
 typedef struct hrt_reach_learnt {
   double tactile_weight;    /**< tactile weight at the end; see hrt_command @unit 1 */
   double tactile_weight_sd; /**< SD of tactile_weight; see hrt_command @unit 1 */
@@ -190,20 +209,32 @@ typedef struct hrt_reach_learnt {
    *  valid at 60 degrees only. @unit 1 */
   double illusion_curve;
   double illusion_curve_sd; /**< SD of illusion_curve @unit 1 */
-  double gain_per_s;        /**< correction rate: HRT_PERSON_GAIN */
-  double gain_sd_per_s;     /**< SD of gain_per_s */
   double bias_deg;          /**< bias: HRT_PERSON_BIAS @ccw */
   double bias_sd_deg;       /**< SD of bias_deg */
-  double habit_deg;         /**< curvature of the path: HRT_PERSON_HABIT @ccw */
-  double habit_sd_deg;      /**< SD of habit_deg */
   /** SD of the noise in each tracked coordinate, estimated or configured: of white noise; under ARRIVAL of all noise.
    */
   double tracker_noise_m;
-  /** Motor variance: the configured one, corrected by this reach. */
-  double motor_variance_deg2;
-  /** SD of motor_variance_deg2; close to the configured one if the reach had too little data; 0: taken as exact. */
-  double motor_variance_sd_deg2;
 } hrt_reach_learnt;
+
+/** Part of hrt_reach_summary: results of the controller of the paper; all 0 under GUIDANCE_ARRIVAL. */
+typedef struct hrt_reach_paper {
+  /** Direction of the finger's motion in the last step. @ccw */
+  double final_direction_deg;
+  /** final_direction_deg minus the direction of the real target: the error measure of the paper. @ccw */
+  double miss_deg;
+  /** Perceived direction in the last step. @ccw */
+  double perceived_direction_deg;
+  /** perceived_direction_deg minus the direction of the virtual target and the user's bias as configured before the
+   *  reach. @ccw */
+  double perceived_error_deg;
+  /** Motor variance: the configured one, corrected by this reach. @flatten motor_variance_deg2 */
+  double motor_variance_deg2;
+  /** SD of motor_variance_deg2; close to the configured one if the reach had too little data; 0: taken as exact.
+   *  @flatten motor_variance_sd_deg2 */
+  double motor_variance_sd_deg2;
+  int64_t predicted_steps;    /**< steps without samples */
+  int64_t rate_limited_steps; /**< steps with samples in which the plate's speed limited the command */
+} hrt_reach_paper;
 
 /** Result of a reach. */
 typedef struct hrt_reach_summary {
@@ -211,23 +242,16 @@ typedef struct hrt_reach_summary {
   /** UNREACHABLE, CONTACTS and NOT_AT_START at the end, MISFIT, REGISTRATION and IMPLAUSIBLE at any time, OFF_TARGET
    *  and MISS_UNKNOWN for the end of the motion, FAULT. */
   hrt_command_flags flags;
-  /** Direction of the finger in the last step. @ccw */
-  double final_direction_deg;
-  /** final_direction_deg minus the direction of the real target: the error measure of the paper. @ccw */
-  double paper_miss_deg;
-  /** Perceived direction in the last step. @ccw */
-  double perceived_direction_deg;
-  /** perceived_direction_deg minus the direction of the virtual target and the user's bias as configured before the
-   *  reach. @ccw */
-  double perceived_error_deg;
+  /** Bearing of the last position; 0 with HRT_COMMAND_MISS_UNKNOWN. In a reach with directions only, the direction of
+   *  the last step. @ccw */
+  double bearing_deg;
+  /** bearing_deg minus the bearing of the real target; 0 with HRT_COMMAND_MISS_UNKNOWN. @ccw */
+  double miss_deg;
+  /** SD of miss_deg: the last hrt_command::miss_sd_deg. 180 under FIXED_DIRECTION, where the fields from
+   *  peak_felt_error_deg to duration_s are 0. */
+  double miss_sd_deg;
   /** Distance along the plate from the last position to the real target; from the start without positions. */
   double distance_to_target_m;
-  /** Bearing of the last position, seen from the start, minus that of the real target; 0 with
-   *  HRT_COMMAND_MISS_UNKNOWN. Under FIXED_DIRECTION, equal to paper_miss_deg; then miss_sd_deg is 180, and the other
-   *  fields below and the estimates of ARRIVAL are 0. @ccw */
-  double miss_deg;
-  /** SD of miss_deg: the last hrt_command::miss_sd_deg. */
-  double miss_sd_deg;
   /** Largest absolute hrt_command::felt_error_deg. */
   double peak_felt_error_deg;
   /** Root mean square of hrt_command::felt_error_deg while the finger moved. */
@@ -238,6 +262,7 @@ typedef struct hrt_reach_summary {
   double duration_s;
   hrt_reach_counts counts; /**< numbers of samples and steps @flatten * */
   hrt_reach_learnt learnt; /**< estimates @flatten * */
+  hrt_reach_paper paper;   /**< results of the controller of the paper @flatten paper_* */
 } hrt_reach_summary;
 
 /** @flags HRT_CONTACT hrt_contact::flags: coordinates of the position, at most one. Without both, the finger is at

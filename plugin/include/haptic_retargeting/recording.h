@@ -21,7 +21,7 @@ typedef struct hrt_recording_status {
   uint32_t struct_size;
   /** errno of the first failed write, after which nothing is written; 0: no write failed. */
   int32_t system_error;
-  /** Calls that the operating system has accepted for writing. */
+  /** Rows that the operating system has accepted for writing: after stopping, hrt_replay_report::rows of a replay. */
   uint64_t rows_written;
   /** Calls dropped because the disk was too slow or failed. 0 after stopping: the file is complete. */
   uint64_t rows_lost;
@@ -43,6 +43,14 @@ HRT_NODISCARD HRT_API hrt_result hrt_recording_start(hrt_session session, const 
 HRT_NODISCARD HRT_API hrt_result hrt_recording_get_status(hrt_session session,
                                                           hrt_recording_status* out_status) HRT_NOEXCEPT;
 
+/** Waits until the operating system has accepted all rows so far, so that they survive a crash of the process. The file
+ *  stays open.
+ *
+ *  @return WRONG_STATE without a recording.
+ *  @threadsafety [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_recording_flush(hrt_session session,
+                                                     hrt_recording_status* out_status) HRT_NOEXCEPT;
+
 /** Writes the remaining rows, closes the file and returns the final state. The call may wait for the disk. Destroying
  *  the session also stops its recording.
  *
@@ -61,19 +69,20 @@ typedef uint32_t hrt_recording_ending;
  *  NUMBER(name) for each double. A new field of hrt_command changes no hash. */
 #define HRT_HASHED_FIELDS(WHOLE, NUMBER) \
   WHOLE(flags)                           \
-  WHOLE(step)                            \
   NUMBER(plate_orientation_deg)          \
-  NUMBER(finger_direction_deg)           \
+  NUMBER(bearing_deg)                    \
   NUMBER(perceived_direction_deg)        \
-  NUMBER(aimed_direction_deg)            \
-  NUMBER(distance_to_go_m)               \
-  NUMBER(tactile_weight)                 \
-  NUMBER(tactile_weight_sd)              \
-  NUMBER(time_to_go_s)                   \
   NUMBER(felt_error_deg)                 \
   NUMBER(predicted_miss_deg)             \
+  NUMBER(miss_sd_deg)                    \
+  NUMBER(distance_to_go_m)               \
+  NUMBER(time_to_go_s)                   \
+  NUMBER(tactile_weight)                 \
+  NUMBER(tactile_weight_sd)              \
   NUMBER(misfit)                         \
-  NUMBER(miss_sd_deg)
+  WHOLE(paper.step)                      \
+  NUMBER(paper.finger_direction_deg)     \
+  NUMBER(paper.aimed_direction_deg)
 
 /** Result of a replay. */
 typedef struct hrt_replay_report {

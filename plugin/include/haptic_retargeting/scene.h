@@ -65,7 +65,8 @@ typedef struct hrt_scene_target {
  *  @param path    The file; or, with `bytes`, its name in error texts.
  *  @param bytes   Content of a file, not used after the call. Null: the file is read.
  *  @param length  Its bytes.
- *  @return BAD_FORMAT naming the file, the node and the property; LIMIT_REACHED; OUT_OF_MEMORY.
+ *  @return SYSTEM if the file cannot be read; BAD_FORMAT naming the file, the node and the property; LIMIT_REACHED;
+ *          OUT_OF_MEMORY.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length,
                                                 hrt_scene* out_scene) HRT_NOEXCEPT;

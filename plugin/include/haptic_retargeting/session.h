@@ -40,14 +40,14 @@ typedef uint32_t hrt_guidance;
 /** @enumeration HRT_ADAPTATION Estimation of the user's parameters: under GUIDANCE_ARRIVAL of all traits in
  *  person.mean, otherwise of the tactile weight and the motor variance. */
 typedef uint32_t hrt_adaptation;
-/** paper.tactile_weight and paper.bias_deg are taken as exact, and the illusion as linear. */
+/** person.tactile_weight and person.bias_deg are taken as exact, and the illusion as linear. */
 #define HRT_ADAPTATION_OFF 0
 /** The parameters are estimated within each reach. Each reach starts from the values in the configuration. */
 #define HRT_ADAPTATION_REACH 1
 /** As REACH; in addition, the end of a reach writes the estimates into the configuration: person.mean,
- *  person.covariance, paper.tactile_weight and paper.tactile_weight_sd. Their uncertainty is increased, because
+ *  person.covariance, person.tactile_weight and person.tactile_weight_sd. Their uncertainty is increased, because
  *  people change. A reach that ends early or that does not fit the model (HRT_COMMAND_MISFIT) writes nothing. Under
- *  FIXED_DIRECTION, it writes paper.tactile_weight and paper.motor_variance_deg2; one reach changes the latter by a
+ *  FIXED_DIRECTION, it writes person.tactile_weight and paper.motor_variance_deg2; one reach changes the latter by a
  *  factor of 2 at most. */
 #define HRT_ADAPTATION_CARRIED 2
 
@@ -149,13 +149,35 @@ typedef struct hrt_session_tracker {
   int64_t latency_ns;
 } hrt_session_tracker;
 
-/** Part of hrt_session_config: prior of the user's traits under GUIDANCE_ARRIVAL. Reaches update it. */
+/** Part of hrt_session_config: the user. Reaches update the estimates with HRT_ADAPTATION_CARRIED. */
 typedef struct hrt_session_person {
+  /** Tactile weight w_T: share of touch in the perceived direction. With a higher weight, the same rotation of the
+   *  plate steers the hand further. Under GUIDANCE_ARRIVAL, the slope of an illusion that is taken as linear, at
+   *  60 degrees; person.mean overrides it. @range 0.001 to 0.499 @unit 1 @default 0.2 @profile
+   *  @flatten tactile_weight */
+  double tactile_weight;
+  /** SD of person.tactile_weight, from which adaptation starts. Raising it makes adaptation faster and less steady;
+   *  under GUIDANCE_ARRIVAL, it also raises the uncertainty of the illusion curve in proportion. @range 0.001 to 0.49
+   *  @unit 1 @default 0.05 @profile @flatten tactile_weight_sd */
+  double tactile_weight_sd;
+  /** Perceptual bias: perceived minus true direction of a virtual target. The user aims at the virtual direction plus
+   *  this bias. A set-up measures it; GUIDANCE_ARRIVAL estimates the rest. @range -45 to 45 @default 0 @profile @ccw
+   *  @flatten bias_deg */
+  double bias_deg;
+  /** Maximum perceived-direction error that GUIDANCE_ARRIVAL causes: perceived minus intended direction, as
+   *  predicted. Lowering it makes the illusion less noticeable and loses some targets: among simulated users, 3.5
+   *  costs about 2 reaches in 100. The user adds to it by noise and by differences from the estimate.
+   *  @range 0.1 to 45 @default 5 @flatten max_felt_error_deg */
+  double max_felt_error_deg;
+  /** Maximum angle between the plate orientation and the direction of the finger under GUIDANCE_ARRIVAL. Raising it
+   *  allows larger gaps for users whose illusion still increases at that angle; published data reach up to 60. The
+   *  controller never exceeds the peak of the user's illusion. @range 1 to 89 @default 75 @flatten motion_bound_deg */
+  double motion_bound_deg;
   /** Mean of the traits HRT_PERSON_*, whose comments have the ranges. Read if person.covariance is not 0.
    *  @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0 @profile person.covariance */
   double mean[HRT_PERSON_TRAITS];
   /** Covariance of person.mean: lower triangle, row by row; positive definite. All 0: an unknown user, of whom only
-   *  paper.tactile_weight, paper.tactile_weight_sd and paper.bias_deg are read. @unit mixed @range -1e4 to 1e4
+   *  person.tactile_weight, person.tactile_weight_sd and person.bias_deg are read. @unit mixed @range -1e4 to 1e4
    *  @default 0 @profile person.covariance */
   double covariance[HRT_PERSON_COVARIANCES];
 } hrt_session_person;
@@ -182,8 +204,8 @@ typedef struct hrt_session_registration {
   double contact_covariance[10];
 } hrt_session_registration;
 
-/** Part of hrt_session_config: the controller and the user model of the paper. GUIDANCE_ARRIVAL reads only the step,
- *  the tactile weight and the bias. */
+/** Part of hrt_session_config: the controller of the paper and the noise of its user. Read under FIXED_DIRECTION, not
+ *  under GUIDANCE_ARRIVAL. */
 typedef struct hrt_session_paper {
   /** Steps that the controller plans ahead. With 1, most reaches miss; more than 3 changes little and costs time.
    *  @range 1 to 20 @default 3 */
@@ -197,18 +219,10 @@ typedef struct hrt_session_paper {
   /** Cost of the finger's actual error. Raising it steers faster, with a larger perceived-direction error; 0: no
    *  steering. @range 0 to 1e6 @unit 1 @default 1 */
   double actual_weight;
-  /** Maximum angle, modulo 180, between the plate orientation and the virtual direction plus paper.bias_deg. Raising
+  /** Maximum angle, modulo 180, between the plate orientation and the virtual direction plus person.bias_deg. Raising
    *  it allows larger gaps; near 90, the ridges run along the motion and provide no cue. @range 0.1 to 90
    *  @default 84.5 */
   double plate_bound_deg;
-  /** Tactile weight w_T: share of touch in the perceived direction. With a higher weight, the same rotation of the
-   *  plate steers the hand further. Under GUIDANCE_ARRIVAL, the slope of an illusion that is taken as linear, at
-   *  60 degrees; person.mean overrides it. @range 0.001 to 0.499 @unit 1 @default 0.2 @profile */
-  double tactile_weight;
-  /** SD of paper.tactile_weight, from which adaptation starts. Raising it makes adaptation faster and less steady;
-   *  under GUIDANCE_ARRIVAL, it also raises the uncertainty of the illusion curve in proportion. @range 0.001 to 0.49
-   *  @unit 1 @default 0.05 @profile */
-  double tactile_weight_sd;
   /** Variance of the user's motor command per step. Raising it makes the estimator follow the samples more closely.
    *  @range 1e-9 to 1e4 @default 0.5 @profile */
   double motor_variance_deg2;
@@ -221,9 +235,6 @@ typedef struct hrt_session_paper {
   /** Variance of the perceived direction before the first step. Raising it models a user who relies more on touch in
    *  the first steps. @range 0 to 1e4 @default 0 @profile */
   double initial_variance_deg2;
-  /** Perceptual bias: perceived minus true direction of a virtual target. The user aims at the virtual direction plus
-   *  this bias. A set-up measures it; GUIDANCE_ARRIVAL estimates the rest. @range -45 to 45 @default 0 @profile @ccw */
-  double bias_deg;
 } hrt_session_paper;
 
 /** Configuration of a session. */
@@ -237,15 +248,6 @@ typedef struct hrt_session_config {
   hrt_adaptation adaptation;
   /** Options. @default 0 */
   hrt_session_flags flags;
-  /** Maximum perceived-direction error that GUIDANCE_ARRIVAL causes: perceived minus intended direction, as
-   *  predicted. Lowering it makes the illusion less noticeable and loses some targets: among simulated users, 3.5
-   *  costs about 2 reaches in 100. The user adds to it by noise and by differences from the estimate.
-   *  @range 0.1 to 45 @default 5 */
-  double max_felt_error_deg;
-  /** Maximum angle between the plate orientation and the direction of the finger under GUIDANCE_ARRIVAL. Raising it
-   *  allows larger gaps for users whose illusion still increases at that angle; published data reach up to 60. The
-   *  controller never exceeds the peak of the user's illusion. @range 1 to 89 @default 75 */
-  double motion_bound_deg;
   /** Plate orientation under HRT_CONTROL_FIXED_PLATE. With stops, the plate goes to the nearest orientation with the
    *  same ridges. @range -180 to 180 @default 0 @ccw */
   double fixed_plate_orientation_deg;
@@ -259,9 +261,9 @@ typedef struct hrt_session_config {
   double fingertip_offset_m[3];
   hrt_session_plate plate;               /**< limits and pose of the plate @flatten plate_* */
   hrt_session_tracker tracker;           /**< errors of the tracker @flatten tracker_* */
-  hrt_session_person person;             /**< prior of the user's traits @flatten person_* */
+  hrt_session_person person;             /**< the user @flatten person_* */
   hrt_session_registration registration; /**< age and accuracy of the pose @flatten registration_* */
-  hrt_session_paper paper;               /**< controller and user model of the paper @flatten * */
+  hrt_session_paper paper;               /**< the controller of the paper @flatten * */
 } hrt_session_config;
 
 /** Creates a session.

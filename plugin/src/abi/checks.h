@@ -91,6 +91,22 @@ inline hrt_result check_zero(const char* field, std::uint32_t value) {
   return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; it must be 0");
 }
 
+/// Writes a text into a caller's buffer. `what` begins the refusal of one that is too small.
+inline hrt_result write_text(const char* what, std::string_view text, std::uint64_t capacity, char* out_text,
+                             std::uint64_t* out_length) {
+  if (!out_length) return fail(HRT_ERROR_NULL_ARGUMENT, "out_length is null");
+  if (capacity > 0) {
+    if (!out_text) return fail(HRT_ERROR_NULL_ARGUMENT, "out_text is null");
+    if (capacity <= text.size())
+      return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; ", what, " ", text.size(),
+                  " bytes and a zero");
+    std::memcpy(out_text, text.data(), text.size());
+    out_text[text.size()] = '\0';
+  }
+  *out_length = text.size();
+  return HRT_OK;
+}
+
 inline hrt_result check_flags(std::uint32_t flags, std::uint32_t known) {
   if ((flags & ~known) == 0) return HRT_OK;
   return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", flags, "; allowed: the bits of ", known);

@@ -32,18 +32,9 @@ hrt_result hrt_profile_get_conditions(hrt_session session, hrt_conditions* out_c
 
 hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text, uint64_t* out_length) noexcept {
   return with_session("hrt_profile_save", session, [&](RecordedSession& s) -> hrt_result {
-    if (!out_length) return fail(HRT_ERROR_NULL_ARGUMENT, "out_length is null");
     JsonText text;
     write_profile(to_c(s.session().model()), s.conditions.measured(), text);
-    if (capacity > 0) {
-      if (!out_text) return fail(HRT_ERROR_NULL_ARGUMENT, "out_text is null");
-      if (capacity <= text.view().size())
-        return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; the profile has ", text.view().size(),
-                    " bytes and a zero");
-      std::memcpy(out_text, text.c_str(), text.view().size() + 1);
-    }
-    *out_length = text.view().size();
-    return HRT_OK;
+    return write_text("the profile has", text.view(), capacity, out_text, out_length);
   });
 }
 

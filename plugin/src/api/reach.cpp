@@ -6,6 +6,16 @@
 
 using namespace hrt::plugin;
 
+hrt_result hrt_flags_text(hrt_command_flags flags, uint64_t capacity, char* out_text, uint64_t* out_length) noexcept {
+  return guarded("hrt_flags_text", [&]() -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_flags(flags, Fields<hrt_command>::flags.high));
+    Text<400> words;
+    for (const auto& [bit, word] : command_flag_words)
+      if (flags & bit) words << (words.view().empty() ? "" : ", ") << word;
+    return write_text("the words have", words.view(), capacity, out_text, out_length);
+  });
+}
+
 hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) noexcept {
   return with_session("hrt_reach_begin", session, [&](RecordedSession& s) -> hrt_result {
     hrt_reach_config known = defaults<hrt_reach_config>;

@@ -67,6 +67,7 @@ class RecordedSession {
   hrt_result check_recording() const;
   /// Require that check_recording() succeeds.
   RecorderStatus recording_status() const { return recorder_->status(); }
+  RecorderStatus flush_recording() { return recorder_->flush(); }
   RecorderStatus stop_recording();
 
   Conditions conditions;

@@ -58,6 +58,15 @@ hrt_result hrt_recording_get_status(hrt_session session, hrt_recording_status* o
   });
 }
 
+hrt_result hrt_recording_flush(hrt_session session, hrt_recording_status* out_status) noexcept {
+  return with_session("hrt_recording_flush", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.check_recording());
+    HRT_RETURN_IF_FAILED(check_output("out_status", out_status));
+    write_struct(to_abi(s.flush_recording()), out_status);
+    return HRT_OK;
+  });
+}
+
 hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) noexcept {
   return with_session("hrt_recording_stop", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.check_recording());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "generated/fields.h"
@@ -133,7 +134,11 @@ using namespace hrt::plugin;
 hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length, hrt_scene* out_scene) noexcept {
   return guarded("hrt_scene_load", [&]() -> hrt_result {
     if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
-    if (!bytes) return add_scene(out_scene, path, [&] { return hrt::load_scene(path_of(path)); });
+    if (!bytes) {
+      File readable;  // an error of the operating system, not of the format
+      HRT_RETURN_IF_FAILED(File::open(path, std::numeric_limits<std::uint64_t>::max(), &readable));
+      return add_scene(out_scene, path, [&] { return hrt::load_scene(path_of(path)); });
+    }
     const std::span<const std::byte> file(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(length));
     return add_scene(out_scene, path, [&] { return hrt::load_scene(file, path); });
   });

@@ -55,8 +55,8 @@ void visit_pairs(Config& config, Model& model, Visit&& visit) {
     visit(elements[2], vector.z);
   };
   visit(config.adaptation, model.adaptation);
-  visit(config.max_felt_error_deg, control.reach.max_felt_error_deg);
-  visit(config.motion_bound_deg, control.reach.bound_deg);
+  visit(config.person.max_felt_error_deg, control.reach.max_felt_error_deg);
+  visit(config.person.motion_bound_deg, control.reach.bound_deg);
   visit(config.fixed_plate_orientation_deg, control.fixed_plate_orientation_deg);
   visit_vector(config.start_position_m, model.start_m);
   visit(config.lift_height_m, mount.surface.lift_height_m);
@@ -77,13 +77,13 @@ void visit_pairs(Config& config, Model& model, Visit&& visit) {
   visit(config.paper.perceived_weight, control.mpc.perceived_weight);
   visit(config.paper.actual_weight, control.mpc.actual_weight);
   visit(config.paper.plate_bound_deg, control.mpc.plate_bound_deg);
-  visit(config.paper.tactile_weight, control.participant.tactile_weight);
-  visit(config.paper.tactile_weight_sd, control.estimator.tactile_weight_sd);
+  visit(config.person.tactile_weight, control.participant.tactile_weight);
+  visit(config.person.tactile_weight_sd, control.estimator.tactile_weight_sd);
   visit(config.paper.motor_variance_deg2, control.participant.motor_variance_deg2);
   visit(config.paper.motor_variance_sd_deg2, control.estimator.motor_variance_sd_deg2);
   visit(config.paper.sensory_variance_deg2, control.participant.sensory_variance_deg2);
   visit(config.paper.initial_variance_deg2, control.participant.initial_variance_deg2);
-  visit(config.paper.bias_deg, control.participant.bias_deg);
+  visit(config.person.bias_deg, control.participant.bias_deg);
 }
 
 // No limit is 0 in the struct.

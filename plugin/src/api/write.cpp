@@ -100,20 +100,23 @@ hrt_command to_c(const PlateCommand& command) {
       .struct_size = sizeof out,
       .flags = flags_of(command, &OutcomeFlag::of_command) | bound_flags[static_cast<int>(command.active)] |
                flag_if(!command.optimal, HRT_COMMAND_APPROXIMATE),
-      .step = command.step,
       .plate_orientation_deg = command.plate_orientation_deg,
-      .finger_direction_deg = command.finger_direction_deg,
+      .bearing_deg = command.bearing_deg,
       .perceived_direction_deg = command.perceived_direction_deg,
-      .aimed_direction_deg = command.aimed_direction_deg,
-      .distance_to_go_m = command.distance_to_go_mm / mm_per_m,
-      .tactile_weight = command.tactile_weight,
-      .tactile_weight_sd = command.tactile_weight_sd,
-      .time_to_go_s = command.time_to_go_s,
       .felt_error_deg = command.felt_error_deg,
       .predicted_miss_deg = command.predicted_miss_deg,
-      .misfit = command.nis,
       .miss_sd_deg = command.bearing_error_sd_deg,
+      .distance_to_go_m = command.distance_to_go_mm / mm_per_m,
+      .time_to_go_s = command.time_to_go_s,
+      .tactile_weight = command.tactile_weight,
+      .tactile_weight_sd = command.tactile_weight_sd,
+      .misfit = command.nis,
+      .paper = {.step = -1, .finger_direction_deg = 0.0, .aimed_direction_deg = 0.0},
   };
+  if (!command.for_people)
+    out.paper = {.step = command.step,
+                 .finger_direction_deg = command.finger_direction_deg,
+                 .aimed_direction_deg = command.aimed_direction_deg};
   if (!make_finite(&out) || command.fault) out.flags |= HRT_COMMAND_FAULT | HRT_COMMAND_HELD;
   return out;
 }
@@ -124,13 +127,10 @@ hrt_reach_summary to_c(const ReachSummary& summary) {
   hrt_reach_summary out{
       .struct_size = sizeof out,
       .flags = flags_of(summary, &OutcomeFlag::of_summary),
-      .final_direction_deg = summary.final_direction_deg,
-      .paper_miss_deg = summary.final_miss_deg,
-      .perceived_direction_deg = summary.perceived_direction_deg,
-      .perceived_error_deg = summary.perceived_error_deg,
-      .distance_to_target_m = summary.distance_to_target_mm / mm_per_m,
-      .miss_deg = summary.person ? summary.bearing_error_deg : summary.final_miss_deg,
+      .bearing_deg = summary.bearing_deg,
+      .miss_deg = summary.bearing_error_deg,
       .miss_sd_deg = summary.bearing_error_sd_deg,
+      .distance_to_target_m = summary.distance_to_target_mm / mm_per_m,
       .peak_felt_error_deg = summary.peak_felt_error_deg,
       .rms_felt_error_deg = summary.rms_felt_error_deg,
       .misfit = summary.nis,
@@ -138,23 +138,25 @@ hrt_reach_summary to_c(const ReachSummary& summary) {
       .counts = {.samples = summary.samples,
                  .dropped_samples = summary.dropped_samples,
                  .steps = summary.steps,
-                 .predicted_steps = summary.predicted_steps,
-                 .saturated_steps = summary.saturated_steps,
-                 .rate_limited_steps = summary.rate_limited_steps},
+                 .saturated_steps = summary.saturated_steps},
       .learnt = {.tactile_weight = estimate.tactile_weight,
                  .tactile_weight_sd = estimate.tactile_weight_sd,
                  .illusion_curve = person.curve,
                  .illusion_curve_sd = person.curve_sd,
-                 .gain_per_s = person.gain_s,
-                 .gain_sd_per_s = person.gain_sd_s,
                  .bias_deg = person.bias_deg,
                  .bias_sd_deg = person.bias_sd_deg,
-                 .habit_deg = person.habit_deg,
-                 .habit_sd_deg = person.habit_sd_deg,
-                 .tracker_noise_m = estimate.tracker_noise_mm / mm_per_m,
-                 .motor_variance_deg2 = estimate.motor_variance_deg2,
-                 .motor_variance_sd_deg2 = estimate.motor_variance_sd_deg2},
+                 .tracker_noise_m = estimate.tracker_noise_mm / mm_per_m},
+      .paper = {},
   };
+  if (!summary.person)
+    out.paper = {.final_direction_deg = summary.final_direction_deg,
+                 .miss_deg = summary.final_miss_deg,
+                 .perceived_direction_deg = summary.perceived_direction_deg,
+                 .perceived_error_deg = summary.perceived_error_deg,
+                 .motor_variance_deg2 = estimate.motor_variance_deg2,
+                 .motor_variance_sd_deg2 = estimate.motor_variance_sd_deg2,
+                 .predicted_steps = summary.predicted_steps,
+                 .rate_limited_steps = summary.rate_limited_steps};
   if (!make_finite(&out)) out.flags |= HRT_COMMAND_FAULT;
   return out;
 }

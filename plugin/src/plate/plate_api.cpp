@@ -1,6 +1,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "generated/plate_fields.h"
 #include "haptic_retargeting/plate.h"
@@ -81,6 +82,8 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options, 
       maker = hrt::plate::device_named(file ? file->device : name);
     } catch (const std::invalid_argument& wrong) {
       return fail(HRT_ERROR_OUT_OF_RANGE, wrong.what());
+    } catch (const std::system_error& error) {
+      return fail(HRT_ERROR_SYSTEM, error.what());
     }
     const std::string path = path_of(file ? file->device : name);
     auto driver =

@@ -3,10 +3,12 @@
 #include <fcntl.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "plugin/src/abi/hash.h"
 #if defined(_WIN32)
@@ -48,7 +50,8 @@ std::string content_of(const std::string& path) {
   const OpenFile file(open_to_read(path));
   std::string text(max_bytes + 1, '\0');
   if (file) text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-  if (!file || std::ferror(file.get()) != 0) refuse(path, "cannot be read");
+  if (!file || std::ferror(file.get()) != 0)
+    throw std::system_error(errno, std::generic_category(), "plate file " + path + " cannot be read");
   if (text.size() > max_bytes) refuse(path, "is longer than 1000000 bytes");
   return text;
 }

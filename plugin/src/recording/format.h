@@ -105,6 +105,12 @@ struct Record {
       call;
 };
 
+/// A row of the table; other records are comments.
+inline bool is_row(const Record& record) {
+  return !std::holds_alternative<ConfigSet>(record.call) && !std::holds_alternative<TargetChanged>(record.call) &&
+         !std::holds_alternative<PlateStands>(record.call) && !std::holds_alternative<SetupBegun>(record.call);
+}
+
 using RecordText = Text<8192>;
 
 /// The first line of a recording.

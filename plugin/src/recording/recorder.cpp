@@ -77,6 +77,13 @@ RecorderStatus Recorder::stop() {
   return status();
 }
 
+RecorderStatus Recorder::flush() {
+  if (!writer_.joinable()) drain();
+  while (taken_.load(std::memory_order_acquire) != pushed_.load(std::memory_order_relaxed))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return status();
+}
+
 // Thread and file belong to the parent process.
 void Recorder::abandon() {
   std::construct_at(&writer_);
@@ -92,7 +99,7 @@ RecorderStatus Recorder::status() const {
   const int error = system_error_.load();
   // After a failed write no further record reaches the file.
   const std::uint64_t refused = error == 0 ? 0 : pushed_.load() - written;
-  return {.written = written, .lost = lost_.load() + refused, .system_error = error};
+  return {.written = written_rows_.load(), .lost = lost_.load() + refused, .system_error = error};
 }
 
 void Recorder::write_all() {
@@ -118,7 +125,9 @@ void Recorder::drain() {
     const Entry& entry = ring_[n % capacity];
     write_lost(entry.lost_before);
     write_record_of(entry.record);
-    if (system_error_.load() == 0) written_.fetch_add(1);
+    if (system_error_.load() != 0) continue;
+    written_.fetch_add(1);
+    if (is_row(entry.record)) written_rows_.fetch_add(1);
   }
 }
 

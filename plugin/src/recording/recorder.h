@@ -19,7 +19,7 @@ namespace hrt::plugin {
 
 /// State of a recording.
 struct RecorderStatus {
-  std::uint64_t written = 0;  ///< records that have gone to the operating system
+  std::uint64_t written = 0;  ///< rows that have gone to the operating system; records in comments do not count
   std::uint64_t lost = 0;     ///< records that a slow or broken disk left no room for
   int system_error = 0;       ///< errno of the first failed write; 0: none
 };
@@ -45,6 +45,8 @@ class Recorder {
 
   /// Ends the recording as the destructor does, and returns the final state.
   RecorderStatus stop();
+  /// Waits until all records have gone to the operating system.
+  RecorderStatus flush();
   RecorderStatus status() const;
 
  private:
@@ -69,6 +71,7 @@ class Recorder {
   std::atomic<std::uint64_t> taken_{0};   // of them, by the thread that writes
   std::atomic<std::uint64_t> lost_{0};
   std::atomic<std::uint64_t> written_{0};
+  std::atomic<std::uint64_t> written_rows_{0};  // of them, those that are no comments
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint64_t> lost_unnoted_{0};  // of lost_, those that no entry notes

@@ -154,11 +154,9 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
   Point end_m = moments.back().position_m;
   result.can_be_held = moments.back().can_be_held;
   result.summary = summary;
-  result.final_direction_deg = summary.final_direction_deg;
   result.peak_felt_error_deg = summary.peak_felt_error_deg;
   if (stage.simulation != nullptr) {
     const Simulation::Truth truth = stage.simulation->truth(hand);
-    result.final_direction_deg = truth.finger_direction_deg;
     result.peak_felt_error_deg = truth.peak_felt_error_deg;
     result.holdable_gap_deg = pair.real_direction_deg < pair.virtual_direction_deg
                                   ? pair.virtual_direction_deg - truth.rightmost_direction_deg
@@ -167,13 +165,19 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
     result.is_truth = true;
     end_m = truth.tip_m;
   }
-  result.miss_deg = bearing_deg(stage.targets.start_m, end_m) - pair.real_direction_deg;
+  const double end_bearing_deg = bearing_deg(stage.targets.start_m, end_m);
+  result.miss_deg = end_bearing_deg - pair.real_direction_deg;
+  if (config_of(stage).guidance == HRT_GUIDANCE_ARRIVAL)
+    result.final_direction_deg = end_bearing_deg;
+  else
+    result.final_direction_deg = stage.simulation != nullptr ? stage.simulation->truth(hand).finger_direction_deg
+                                                             : summary.paper.final_direction_deg;
   result.miss_m = distance_along_plate_m(end_m, pair.real_position_m);
   result.frames = static_cast<int>(moments.size());
   result.dropouts = static_cast<int>(
       std::count_if(moments.begin(), moments.end(), [](const Moment& moment) { return !moment.tracked; }));
   if (summary.counts.steps > 0)
-    result.saturated_share = static_cast<double>(summary.counts.saturated_steps + summary.counts.rate_limited_steps) /
+    result.saturated_share = static_cast<double>(summary.counts.saturated_steps + summary.paper.rate_limited_steps) /
                              static_cast<double>(summary.counts.steps);
   return result;
 }
@@ -221,7 +225,7 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
                   .position_m = tip.tracked       ? tip.position_m
                                 : moments.empty() ? stage.targets.start_m
                                                   : moments.back().position_m,
-                  .finger_direction_deg = command.finger_direction_deg,
+                  .bearing_deg = command.bearing_deg,
                   .felt_direction_deg = command.perceived_direction_deg,
                   .plate_orientation_deg = measured_deg.value_or(command.plate_orientation_deg),
                   .distance_to_go_m = command.distance_to_go_m,

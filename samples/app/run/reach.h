@@ -7,7 +7,7 @@
 namespace hrt::app {
 
 struct ReachResult {
-  double final_direction_deg;  ///< P at the end: the simulation's truth, or else as observed
+  double final_direction_deg;  ///< bearing of the fingertip's end; under the paper's controller P of its last step
   double peak_felt_error_deg;  ///< the simulation's truth, or else as estimated; 0 if unknown
   double miss_deg;             ///< bearing of the fingertip's end, from the start, less the real target's
   double miss_m;               ///< from where the fingertip ended to the real target's place, along the plate

@@ -21,7 +21,7 @@ struct Moment {
   XrTime time;
   bool tracked;                      ///< without it, `position_m` is of the last frame that was
   std::array<double, 3> position_m;  ///< of the fingertip, as tracked
-  double finger_direction_deg;       ///< in the last step, observed or predicted
+  double bearing_deg;                ///< of the finger, seen from the start
   double felt_direction_deg;         ///< the simulation's truth, or else the plugin's estimate
   double plate_orientation_deg;      ///< measured, or else commanded
   double distance_to_go_m;

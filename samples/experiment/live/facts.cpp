@@ -71,12 +71,15 @@ void Live::moment(const app::Stage& stage, const app::TargetPair& pair, const ap
     facts["path"] = facts["felt"] = "";
     finger_m_ = felt_m_ = moment.position_m;
   }
-  // Felt is each piece of the way, turned by felt less true direction.
-  const double turn = (moment.felt_direction_deg - moment.finger_direction_deg) * std::numbers::pi / 180.0;
-  const double x_m = moment.position_m[0] - finger_m_[0], z_m = moment.position_m[2] - finger_m_[2];
-  felt_m_[0] += std::cos(turn) * x_m + std::sin(turn) * z_m;
-  felt_m_[2] += std::cos(turn) * z_m - std::sin(turn) * x_m;
-  finger_m_ = moment.position_m;
+  // The perceived path has the length of the true one, without the tracker's noise, in the perceived directions.
+  constexpr double min_step_m = 0.002;
+  const double step_m = app::distance_along_plate_m(moment.position_m, finger_m_);
+  if (step_m >= min_step_m) {
+    const double felt = moment.felt_direction_deg * std::numbers::pi / 180.0;
+    felt_m_[0] -= step_m * std::sin(felt);
+    felt_m_[2] -= step_m * std::cos(felt);
+    finger_m_ = moment.position_m;
+  }
   facts["path"].get_ref<std::string&>() += point_of(finger_m_);
   facts["felt"].get_ref<std::string&>() += point_of(felt_m_);
 }

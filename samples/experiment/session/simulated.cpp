@@ -144,7 +144,7 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
     hrt_command command = hrt_command_init();
     check(hrt_reach_update(order.session, &sample, &command));
     plate_deg = command.plate_orientation_deg;
-    if (began_ns == 0 && command.step >= 0) began_ns = time_ns;
+    if (began_ns == 0 && command.bearing_deg != 0.0) began_ns = time_ns;
     if (!state.done)
       outcome.peak_felt_error_deg = std::max(outcome.peak_felt_error_deg, std::abs(state.felt_error_deg));
     if (state.done && done_ns == 0) done_ns = time_ns;

@@ -18,8 +18,7 @@ def test_arrays_give_the_bits_of_single_steps(session: hrt.Session, straight: np
             assert bytes(command) == expected.tobytes()
     assert record.summary == reach.summary
     assert record.summary.steps == 30
-    assert record.final_direction_deg == record.summary.final_direction_deg
-    assert record.paper_miss_deg == pytest.approx(record.summary.paper_miss_deg)
+    assert record.final_bearing_deg == record.summary.bearing_deg
     assert np.array_equal(record.position_m, straight["finger_position_m"])
 
 
@@ -27,7 +26,7 @@ def test_nothing_is_copied(session: hrt.Session, straight: np.ndarray) -> None:
     out = hrt.commands(len(straight))
     with session.reach(session.target("cylinder"), session.target("cup")) as reach:
         assert reach.run(straight, out) is out
-    assert out["step"][-1] == 29
+    assert out["paper_step"][-1] == 29
 
 
 def test_commands_stay_as_they_were(session: hrt.Session) -> None:
@@ -45,7 +44,7 @@ def test_error_within_an_array_tells_the_row_and_keeps_what_precedes(session: hr
         with pytest.raises(hrt.Error, match=r"samples\[100\].*time_ns") as caught:
             reach.run(straight, out)
     assert caught.value.code is hrt.ErrorCode.TIME_REVERSED
-    assert out["step"][99] > 0 and out["step"][100] == 0
+    assert out["paper_step"][99] > 0 and out["paper_step"][100] == 0
 
 
 def test_exception_within_a_reach_cancels_it(session: hrt.Session, straight: np.ndarray) -> None:
@@ -116,7 +115,7 @@ def test_record_shows_itself(session: hrt.Session, straight: np.ndarray) -> None
     straight["flags"][50:80] = 0
     record = session.run_reach(session.target("cylinder"), session.target("cup"), straight)
     assert re.fullmatch(r"<RunRecord: 271 samples in 3\.00 s, real target -5\.00 deg, virtual \+5\.00 deg, "
-                        r"last step [-+]\d\.\d\d deg>", repr(record))
+                        r"final bearing [-+]\d\.\d\d deg>", repr(record))
 
 
 def test_samples_are_made_of_columns() -> None:

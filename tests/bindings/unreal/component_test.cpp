@@ -127,7 +127,7 @@ TEST(UnrealSettings, AreConverted) {
 }
 
 TEST_F(Component, HasNoStepBeforeTheFirstCommand) {
-  EXPECT_EQ(component_.GetCommand().Step, -1);
+  EXPECT_EQ(component_.GetCommand().PaperStep, -1);
 }
 
 TEST_F(Component, CallsRightPositive) {

@@ -231,7 +231,7 @@ sessionTest("a reach turns the plate, is recorded, and replays to the same bits"
   session.beginReach(real, virtual, 10);
   slide(session, 270);
   assert.ok(session.command.plate_orientation_deg > 10);
-  assert.equal(session.command.step, 27);
+  assert.equal(session.command.paper_step, 27);
   const summary = session.endReach();
   assert.equal(summary.samples, 270n);
   const recording = session.stopRecording();

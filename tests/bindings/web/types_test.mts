@@ -28,7 +28,7 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   person.begin(session, virtual);
   person.move(session.sample, 1, 30);
   const felt: number[] = person.state.felt_position_m;
-  const plate: number = session.command.plate_orientation_deg + session.command.step;
+  const plate: number = session.command.plate_orientation_deg + session.command.paper_step;
   const samples: bigint = session.endReach().samples;
   const report = library.replay(session.stopRecording());
   const same: boolean = report.hash === samples;

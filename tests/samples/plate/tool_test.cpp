@@ -505,7 +505,7 @@ TEST(PlateFile, IsRefusedUnlessItIsWhole) {
   EXPECT_EQ(refusal("{}"), "plate file " + path + " has no checksum: it is not of hrt-plate commission");
   EXPECT_EQ(refusal(with_checksum("{\n")),
             "plate file " + path + " misses something: [json.exception.out_of_range.403] key 'format' not found");
-  EXPECT_THROW(read_plate_file("/nonexistent.json"), std::invalid_argument);
+  EXPECT_THROW(read_plate_file("/nonexistent.json"), std::system_error);
 }
 
 TEST(PlateTool, RunsAsAProgram) {

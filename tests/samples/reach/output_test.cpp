@@ -39,7 +39,7 @@ TEST(ReachStatusLine, IsWrittenOverAndWipedInTheEnd) {
   EXPECT_EQ(rows_of(program.wait()).size(), 1U);
   const std::string text = terminal.take();
   EXPECT_GE(occurrences(text, "\r\033[Kbottle: "), 4U) << text;
-  EXPECT_GE(occurrences(text, " mm to go, moves "), 4U) << text;
+  EXPECT_GE(occurrences(text, " mm to go, bearing "), 4U) << text;
   EXPECT_FALSE(has(text, "\n"));
   EXPECT_EQ(text.substr(text.size() - 4), "\r\033[K") << text;
 }

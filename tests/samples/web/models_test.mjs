@@ -255,7 +255,7 @@ function slide(see) {
   const session = reaching(), seeing = see(session), commands = [];
   for (let i = 0; i < 200; ++i) {
     seeing(i * 11, new models.Vector3(0.0001 * i, 0.002, 0.05 - 0.0005 * Math.max(0, i - 40)));
-    commands.push([session.command.plate_orientation_deg, session.command.step, session.command.flags]);
+    commands.push([session.command.plate_orientation_deg, session.command.paper_step, session.command.flags]);
   }
   session.destroy();
   return commands;

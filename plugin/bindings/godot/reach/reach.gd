@@ -65,10 +65,12 @@ func stop(why: String) -> void:
 func hash_command(command: Dictionary) -> void:
 	var bytes := StreamPeerBuffer.new()
 	bytes.put_64(command.flags)
-	bytes.put_64(command.step)
-	for field in ["plate_orientation_deg", "finger_direction_deg", "perceived_direction_deg",
-			"aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd",
-			"time_to_go_s", "felt_error_deg", "predicted_miss_deg", "misfit", "miss_sd_deg"]:
+	for field in ["plate_orientation_deg", "bearing_deg", "perceived_direction_deg", "felt_error_deg",
+			"predicted_miss_deg", "miss_sd_deg", "distance_to_go_m", "time_to_go_s", "tactile_weight",
+			"tactile_weight_sd", "misfit"]:
 		bytes.put_double(command[field])
+	bytes.put_64(command.paper_step)
+	bytes.put_double(command.paper_finger_direction_deg)
+	bytes.put_double(command.paper_aimed_direction_deg)
 	for byte in bytes.data_array:
 		fnv = (fnv ^ byte) * 0x100000001b3

@@ -10,9 +10,9 @@ from typing import Any
 import haptic_retargeting as hrt
 
 
-HASHED_FIELDS = ["flags", "step", "plate_orientation_deg", "finger_direction_deg", "perceived_direction_deg",
-                 "aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd", "time_to_go_s",
-                 "felt_error_deg", "predicted_miss_deg", "misfit", "miss_sd_deg"]
+HASHED_FIELDS = ["flags", "plate_orientation_deg", "bearing_deg", "perceived_direction_deg", "felt_error_deg",
+                 "predicted_miss_deg", "miss_sd_deg", "distance_to_go_m", "time_to_go_s", "tactile_weight",
+                 "tactile_weight_sd", "misfit", "paper_step", "paper_finger_direction_deg", "paper_aimed_direction_deg"]
 
 
 def fnv1a(commands: Any) -> int:

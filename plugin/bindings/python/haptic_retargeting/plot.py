@@ -72,13 +72,13 @@ def over_time(axes: Any, record: ReachRecord) -> None:
     """Bearings of the finger seen from the start (left) and the plate orientation (right) over time; grey where the finger
     was not seen or lifted. A reach without positions has the directions of its motion instead."""
     time, commands = record.time_s, record.commands
-    moving = commands["step"] >= 0
+    moving = np.nan_to_num(commands["bearing_deg"]) != 0
     plate_axes = axes.twinx()
     _shade(axes, time, (record.samples["flags"] & (SampleFlag.DIRECTION | SampleFlag.PLATE_POSITION
                                                    | SampleFlag.WORLD_POSITION)) == 0, "0.85", "finger not seen")
     _shade(axes, time, (commands["flags"] & CommandFlag.LIFTED) != 0, "0.93", "finger lifted")
     for name, colour, position_m, field in (
-            ("finger", REAL, record.position_m, "finger_direction_deg"),
+            ("finger", REAL, record.position_m, "bearing_deg"),
             ("felt, as the model predicts", VIRTUAL, record.felt_position_m, "perceived_direction_deg")):
         seen = not np.isnan(position_m).all()
         axes.plot(time, np.where(moving, record.bearing_deg(position_m) if seen else commands[field], np.nan), color=colour, label=name)

@@ -26,7 +26,7 @@ class ReachRecord:
     samples: Array
     """The input, of dtype SAMPLE."""
     commands: Array
-    """The output, of dtype COMMAND; NaN, and step -1, where the call failed."""
+    """The output, of dtype COMMAND; NaN, and paper_step -1, where the call failed."""
     results: NDArray[np.int32]
     """Result of each call: 0, or an ErrorCode."""
     summary: ReachSummary | None = None
@@ -36,17 +36,12 @@ class ReachRecord:
         duration = float(self.time_s[-1]) if len(self.samples) else 0.0
         return (f"<{type(self).__name__}: {len(self.samples)} samples in {duration:.2f} s, real target "
                 f"{self.real_direction_deg:+.2f} deg, virtual {self.virtual_direction_deg:+.2f} deg, "
-                f"last step {self.final_direction_deg:+.2f} deg>")
+                f"final bearing {self.final_bearing_deg:+.2f} deg>")
 
     @property
-    def final_direction_deg(self) -> float:
-        """Direction of the finger in the last step; NaN if the reach did not end."""
-        return np.nan if self.summary is None else self.summary.final_direction_deg
-
-    @property
-    def paper_miss_deg(self) -> float:
-        """The final direction minus that of the real target."""
-        return self.final_direction_deg - self.real_direction_deg
+    def final_bearing_deg(self) -> float:
+        """Bearing of the last position; NaN if the reach did not end."""
+        return np.nan if self.summary is None else self.summary.bearing_deg
 
     @property
     def time_s(self) -> Numbers:
@@ -73,16 +68,19 @@ class ReachRecord:
     @property
     def felt_position_m(self) -> Numbers:
         """The fingertip as the model predicts that it is felt, in plate coordinates: each step of the path is rotated by the
-        perceived direction minus that of the finger. NaN before the first position and where the finger was not seen."""
+        perceived direction minus that of the motion over eleven samples. NaN before the first position and where the finger was not seen."""
         position = self.position_m
         seen = ~np.isnan(position[:, 0])
         out = np.full_like(position, np.nan)
         if not seen.any():
             return out
-        turn = np.nan_to_num(self.commands["perceived_direction_deg"] - self.commands["finger_direction_deg"])
-        angle = np.radians(np.where(self.commands["step"] >= 0, turn, 0.0))[seen]
         right, height, towards = position[seen].T
-        steps = np.exp(1j * angle[1:]) * np.diff(right - 1j * towards)  # counter-clockwise, seen from above
+        path = right - 1j * towards
+        at = np.arange(len(path))
+        motion = np.angle((path[np.minimum(at + 5, at[-1])] - path[np.maximum(at - 5, 0)]) / 1j)
+        turn = np.radians(np.nan_to_num(self.commands["perceived_direction_deg"][seen])) - motion
+        angle = np.where(np.nan_to_num(self.commands["bearing_deg"][seen]) != 0, turn, 0.0)
+        steps = np.exp(1j * angle[1:]) * np.diff(path)  # counter-clockwise, seen from above
         felt = right[0] - 1j * towards[0] + np.concatenate(([0], np.cumsum(steps)))
         out[seen] = np.stack((felt.real, height, -felt.imag), axis=1)
         return out

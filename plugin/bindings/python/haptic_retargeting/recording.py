@@ -76,11 +76,11 @@ class _Rows:
 
 
 def _array(kind: type[Struct], rows: list[_Row], missing: float) -> Array:
-    """Structs from rows. A row without a value has `missing`, or flags of 0 and step -1."""
+    """Structs from rows. A row without a value has `missing`, or flags of 0 and paper_step -1."""
     out: Array = np.zeros(len(rows), _dtype(kind))
     out["struct_size"] = out.dtype.itemsize
     for name, columns in _STRUCTS[kind].items():
-        default = {"step": -1, "flags": 0}.get(name, missing)
+        default = {"paper_step": -1, "flags": 0}.get(name, missing)
         numbers = np.array([[default if row.get(c) is None else row[c] for c in columns] for row in rows])
         out[name] = numbers.reshape(out[name].shape)
     return out

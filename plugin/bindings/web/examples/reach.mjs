@@ -41,13 +41,15 @@ export function runReach(hrt, library) {
 
 // FNV-1a of HRT_HASHED_FIELDS (recording.h).
 function hashed(hash, command) {
-  const words = new DataView(new ArrayBuffer(112));
+  const words = new DataView(new ArrayBuffer(120));
   words.setBigUint64(0, BigInt(command.flags), true);
-  words.setBigInt64(8, BigInt(command.step), true);
-  [command.plate_orientation_deg, command.finger_direction_deg, command.perceived_direction_deg,
-   command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd,
-   command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit, command.miss_sd_deg]
-    .forEach((value, i) => words.setFloat64(16 + 8 * i, value, true));
+  [command.plate_orientation_deg, command.bearing_deg, command.perceived_direction_deg, command.felt_error_deg,
+   command.predicted_miss_deg, command.miss_sd_deg, command.distance_to_go_m, command.time_to_go_s,
+   command.tactile_weight, command.tactile_weight_sd, command.misfit]
+    .forEach((value, i) => words.setFloat64(8 + 8 * i, value, true));
+  words.setBigInt64(96, BigInt(command.paper_step), true);
+  words.setFloat64(104, command.paper_finger_direction_deg, true);
+  words.setFloat64(112, command.paper_aimed_direction_deg, true);
   for (let i = 0; i < words.byteLength; ++i) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(words.getUint8(i))) * 0x100000001b3n);
   }

@@ -36,12 +36,12 @@ export function readReach(recording: string, name: string): RecordedReach {
         away_m = -number(cells, "sample_z_m") - number(begin, "start_away_m") + start.away_m;
       if (!(number(cells, "sample_flags") & HRT_SAMPLE_PLATE_POSITION)) continue;
       if (Number.isNaN(first_ms)) first_ms = time_ms;
-      const moving = number(cells, "step") >= 0;
+      const moving = number(cells, "bearing_deg") !== 0;
       const sample = {
         finger: { right_m, away_m },
         felt: { right_m: NaN, away_m: NaN }, // not in a recording
         plate_deg: number(cells, "plate_orientation_deg"),
-        finger_deg: moving ? number(cells, "finger_direction_deg") : NaN,
+        finger_deg: moving ? number(cells, "bearing_deg") : NaN,
         felt_deg: moving ? number(cells, "perceived_direction_deg") : NaN,
         weight: number(cells, "tactile_weight"),
         weight_sd: number(cells, "tactile_weight_sd"),

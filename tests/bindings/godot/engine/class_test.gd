@@ -72,7 +72,7 @@ func test_axes() -> void:
 					"update")
 		outputs.append(each.get_command())
 		check_equal(each.end(), OK, "end")
-	check(outputs[0].finger_direction_deg > 2, "a finger that goes left has a positive direction")
+	check(outputs[0].bearing_deg > 2, "a finger that goes left has a positive direction")
 	check(outputs[0].plate_orientation_deg < -5, "the plate turns right to send the hand left of what is felt")
 	for field: String in outputs[0]:
 		check_near(outputs[1][field], outputs[0][field], field + " on the turned plate", 0.01)

@@ -75,14 +75,21 @@ namespace HrtSamples
         void Add(Command command)
         {
             Add((ulong)command.flags);
-            Add((ulong)command.step);
             double[] numbers =
             {
-                command.plateOrientationDeg, command.fingerDirectionDeg, command.perceivedDirectionDeg, command.aimedDirectionDeg,
-                command.distanceToGoM, command.tactileWeight, command.tactileWeightSd, command.timeToGoS, command.feltErrorDeg,
-                command.predictedMissDeg, command.misfit, command.missSdDeg
+                command.plateOrientationDeg, command.bearingDeg, command.perceivedDirectionDeg, command.feltErrorDeg,
+                command.predictedMissDeg, command.missSdDeg, command.distanceToGoM, command.timeToGoS, command.tactileWeight,
+                command.tactileWeightSd, command.misfit
             };
-            foreach (double number in numbers) Add((ulong)BitConverter.DoubleToInt64Bits(number));
+            foreach (double number in numbers) Add(number);
+            Add((ulong)command.paperStep);
+            Add(command.paperFingerDirectionDeg);
+            Add(command.paperAimedDirectionDeg);
+        }
+
+        void Add(double number)
+        {
+            Add((ulong)BitConverter.DoubleToInt64Bits(number));
         }
 
         void Add(ulong word)

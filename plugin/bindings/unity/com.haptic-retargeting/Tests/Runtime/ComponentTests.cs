@@ -73,7 +73,7 @@ namespace Hrt.Tests
                         fingerPositionM = new Double3(right, 0, 0.05 - away)
                     });
                     Command command = component.LastCommand;
-                    Assert.AreEqual(expected.step, command.step);
+                    Assert.AreEqual(expected.paperStep, command.paperStep);
                     Assert.AreEqual(expected.flags, command.flags);
                     // Unity's places have 24 bits: 0.1 micrometres here, which the controller amplifies.
                     Assert.That(command.plateOrientationDeg, Is.EqualTo(expected.plateOrientationDeg).Within(0.1));
