@@ -1,13 +1,14 @@
 #include "samples/app/scene/targets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "samples/app/base/at_end.h"
 #include "samples/app/base/exit_code.h"
 #include "samples/app/text/format.h"
+#include "samples/app/text/text.h"
 
 namespace hrt::app {
 namespace {
@@ -95,28 +96,28 @@ std::vector<Mark> marks_of(const TargetSet& targets) {
 std::vector<Mark> read_marks(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) throw Failure(ExitCode::registration, file.string() + " cannot be read");
+  const std::array<std::string, 4> columns{"name", "x_m", "y_m", "z_m"};
   std::vector<Mark> marks;
   std::size_t number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.size() > max_line || !is_printable(line)) refuse(file, number, "this is not a line of marks");
+    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+    std::vector<std::string> cells = csv_fields(line);
+    cells.resize(std::max<std::size_t>(cells.size(), 4));
     if (number == 1) {
-      if (line != "name,x_m,y_m,z_m" && !line.starts_with("name,x_m,y_m,z_m,"))
+      if (!std::equal(columns.begin(), columns.end(), cells.begin()))
         refuse(file, number, "the columns are to begin with name,x_m,y_m,z_m");
       continue;
     }
     if (line.empty()) continue;
-    std::istringstream cells(line);
-    Mark mark;
-    std::getline(cells, mark.name, ',');
+    Mark mark{cells[0], {}};
     if (mark.name.empty()) refuse(file, number, "the mark has no name");
-    for (double& coordinate_m : mark.position_m) {
-      std::string cell;
-      std::getline(cells, cell, ',');
-      const std::optional<double> value_m = number_in(cell, -farthest_m, farthest_m);
-      if (!value_m) refuse(file, number, "\"" + cell + "\" is not a number of metres within 1");
-      coordinate_m = *value_m;
+    for (std::size_t i = 0; i < mark.position_m.size(); ++i) {
+      const std::optional<double> value_m = number_in(cells[1 + i], -farthest_m, farthest_m);
+      if (!value_m) refuse(file, number, "\"" + cells[1 + i] + "\" is not a number of metres within 1");
+      mark.position_m[i] = *value_m;
     }
     marks.push_back(mark);
     if (marks.size() > max_marks) refuse(file, number, "there are more than 8 marks");

@@ -48,6 +48,23 @@ std::string csv_field(std::string_view text) {
   return field + '"';
 }
 
+std::vector<std::string> csv_fields(std::string_view line) {
+  std::vector<std::string> fields(1);
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == ',' && !is_quoted)
+      fields.emplace_back();
+    else if (line[i] != '"' || (!is_quoted && i > 0 && line[i - 1] == '"'))  // two quotes are one
+      fields.back() += line[i];
+    if (line[i] == '"') is_quoted = !is_quoted;
+  }
+  for (std::string& field : fields) {
+    field.erase(0, std::min(field.find_first_not_of(" \t"), field.size()));
+    field.erase(field.find_last_not_of(" \t") + 1);
+  }
+  return fields;
+}
+
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {

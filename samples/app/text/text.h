@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hrt {
 
@@ -22,6 +23,12 @@ std::string wrapped(const std::string& text, std::size_t width);
 
 /// `text` as a field of CSV: in quotes if it has a comma, a quote or a line end.
 std::string csv_field(std::string_view text);
+
+/// The fields of a line of CSV, without the quotes that R and Excel write around them, and without spaces around each.
+std::vector<std::string> csv_fields(std::string_view line);
+
+/// The byte order mark that some editors write first.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// `text` in HTML or XML, in an attribute too; a control character becomes '?'.
 std::string escaped(std::string_view text);

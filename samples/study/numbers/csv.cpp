@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "samples/app/text/text.h"
+
 namespace hrt::study {
 namespace {
 
@@ -23,7 +25,7 @@ std::string shown(std::string_view text) {
 }
 
 CsvReader::CsvReader(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {
-  if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+  if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
 }
 
 bool CsvReader::next() {
@@ -36,8 +38,7 @@ bool CsvReader::next() {
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++number_;
   } while (line_.empty());
-  fields_ = split(line_, ',');
-  for (std::string_view& field : fields_) field = trimmed(field);
+  fields_ = csv_fields(line_);
   return true;
 }
 

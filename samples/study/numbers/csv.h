@@ -12,7 +12,8 @@
 
 namespace hrt::study {
 
-/// Goes through a text line by line. Lines may end with CRLF, and a byte order mark may come first.
+/// Goes through a text line by line. Lines may end with CRLF, fields may be in quotes, and a byte order mark may
+/// come first.
 class CsvReader {
  public:
   /// `name` is the file's name in errors.
@@ -21,9 +22,8 @@ class CsvReader {
   /// Goes to the next line that is not blank; false after the last one.
   bool next();
 
-  /// The line, and its fields, without the blanks around them.
+  /// The line, without the blanks around it.
   std::string_view line() const { return line_; }
-  const std::vector<std::string_view>& fields() const { return fields_; }
 
   /// "FILE, line 3".
   std::string where() const;
@@ -49,7 +49,7 @@ class CsvReader {
   std::string_view rest_;
   std::size_t number_ = 0;
   std::string_view line_;
-  std::vector<std::string_view> fields_;
+  std::vector<std::string> fields_;
   std::size_t width_ = 0;                                         // fields of the header
   std::vector<std::pair<std::string_view, std::size_t>> places_;  // of the columns
 };

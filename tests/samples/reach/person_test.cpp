@@ -269,7 +269,8 @@ TEST(ReachKeys, AnswerTheHeightOfTheEyes) {
 TEST(ReachKeys, AWholeSessionWithoutSight) {
   const Voice voice;
   const std::string marks = voice.folder + "/marks.csv";
-  std::ofstream(marks) << "name,x_m,y_m,z_m\nstart,0,-0.001,0.05\nright,0.07,-0.001,0\nfar,0,-0.001,-0.07\n";
+  std::ofstream(marks) << "\xEF\xBB\xBFname,x_m,y_m,z_m\r\n\"start\",0,-0.001,0.05\r\nright,\"0.07\",-0.001,0\r\n"
+                          "far,0,-0.001,-0.07\r\n";
   Path path;
   for (const Place& mark : {start_of_desk, Place{0.07, 0.0}, Place{0.0, -0.07}}) path.hold(mark, 850).lift();
   path.hold(start_of_desk, 1000).slide({0.0, -0.05}, 800);

@@ -51,8 +51,8 @@ TEST(StudyCalibrate, ReadsWhatItWrites) {
 TEST(StudyCalibrate, ReadsOtherOrdersCommentsAndLineEndings) {
   const auto trials = parse_calibration_csv("data.csv",
                                             "\xEF\xBB\xBF# mine\r\n\r\n"
-                                            "plate_orientation_deg, finger ,away_m,right_m,time_s,trial\r\n"
-                                            "30, x ,0.2,0.1,1e-9,7\r\n30.5,,0.4,0.3,2e-9,7\r\n"
+                                            "plate_orientation_deg, finger ,\"away_m\",right_m,time_s,trial\r\n"
+                                            "30,\"x, \"\"y\"\"\",0.2,0.1,1e-9,7\r\n\"30.5\",,0.4,0.3,2e-9,7\r\n"
                                             "# next\r\n-30,,0.5,0,0,8");
   ASSERT_EQ(trials.size(), 2U);
   ASSERT_EQ(trials[0].samples.size(), 2U);
