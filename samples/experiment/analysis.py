@@ -123,8 +123,8 @@ def holm(values):
 
 def registered(study):
     """What a design says of its analysis, with the defaults."""
-    return {"measure": "abs_miss_deg", "test": "t", "alpha": 0.05, "margin": 1.0, "reference": study["conditions"][-1]["name"],
-            "noticed": study.get("answers", ["yes"])[0], **study.get("analysis", {})}
+    return {"measure": "abs_miss_deg", "test": "t", "hypothesis": "difference", "alpha": 0.05, "margin": 1.0, "within_deg": 1.5,
+            "reference": study["conditions"][-1]["name"], "noticed": study.get("answers", ["yes"])[0], **study.get("analysis", {})}
 
 
 def counted(trials):
@@ -137,18 +137,51 @@ def means_of(trials, measure):
     return trials.groupby(["participant", "condition"])[measure].mean().unstack()
 
 
+def noticed_share(trials, noticed):
+    """Share of the answer `noticed` of each participant and condition, in reaches (0) and catch trials (1), by the log-linear rule (Hautus
+    1995): half an answer is added to either side, so none is 0 or 1."""
+    answered = trials[(trials.kind == "reaches") & (trials.end == "counted") & trials.answer.notna()]
+    groups = (answered.answer == noticed).groupby([answered.is_catch, answered.participant, answered.condition])
+    return (groups.sum() + 0.5) / (groups.size() + 1)
+
+
+def outcomes(trials, plan):
+    """The registered outcome: a row of each participant, a column of each condition. Trials of an export, or reaches that count."""
+    reaches, measure = counted(trials) if "kind" in trials else trials, plan["measure"]
+    groups = reaches.groupby(["participant", "condition"])
+    if measure == "percent_within":
+        return means_of(reaches.assign(within=100.0 * (reaches.abs_miss_deg <= plan["within_deg"])), "within")
+    if measure == "variable_error_deg":
+        about = reaches.miss_deg - reaches.groupby(["participant", "condition", "pair"]).miss_deg.transform("mean")
+        freedom = groups.size() - groups.pair.nunique()
+        return numpy.sqrt((about**2).groupby([reaches.participant, reaches.condition]).sum() / freedom.where(freedom > 0)).unstack()
+    if measure in ("d_prime", "criterion"):
+        z = pandas.Series(scipy.stats.norm.ppf(share := noticed_share(trials, plan["noticed"])), share.index)
+        return ((z[0] - z[1]) if measure == "d_prime" else -(z[0] + z[1]) / 2).unstack()
+    return means_of(reaches, measure)
+
+
+def registered_p(plan):
+    """The column of compare() that is registered."""
+    return plan["test"] if plan.get("hypothesis", "difference") == "difference" else "equivalence"
+
+
 def compare(trials, plan, seed):
-    """A row of each condition against the reference: people, estimate, interval at 1 - alpha / comparisons, p of Student's t, of the sign
-    flip and of the mixed model if it is registered, Holm's p of the registered test, p of a difference beyond the margin."""
-    means = means_of(trials, plan["measure"])
-    differences = {condition: (means[condition] - means[plan["reference"]]).dropna() for condition in means.columns.drop(plan["reference"])}
-    level = 1 - plan["alpha"] / max(1, len(differences))
+    """A row of each condition against the reference, or against 0 if its outcome is to be below the margin: people, estimate, interval, p of
+    Student's t, of the sign flip, of equivalence (a difference beyond the margin) and of the mixed model if it is registered, and Holm's p of
+    the registered one. The interval is that of the test at alpha / comparisons: 1 - alpha / comparisons, or of equivalence 1 - 2 alpha / comparisons."""
+    means = outcomes(trials, plan)
+    if plan.get("hypothesis") == "below_margin":
+        differences = {condition: means[condition].dropna() for condition in means}
+    else:
+        differences = {condition: (means[condition] - means[plan["reference"]]).dropna() for condition in means.columns.drop(plan["reference"])}
+    level = 1 - (2 if registered_p(plan) == "equivalence" else 1) * plan["alpha"] / max(1, len(differences))
     rows = pandas.DataFrame({condition: dict(zip(
         ("people", "estimate", "low", "high", "t", "sign_flip", "equivalence"),
         (len(values), *interval(values, level), scipy.stats.ttest_1samp(values, 0).pvalue, sign_flip(values, seed), equivalence(values, plan["margin"]))))
         for condition, values in differences.items()}).T
     if plan["test"] == "mixed_model":
-        model = mixed_models([trials], plan["measure"], plan["reference"])[0].reindex(rows.index)
+        model = mixed_models([counted(trials) if "kind" in trials else trials], plan["measure"], plan["reference"])[0].reindex(rows.index)
         half = scipy.stats.t.isf((1 - level) / 2, model.df) * model.error
         rows = rows.assign(estimate=model.estimate, low=model.estimate - half, high=model.estimate + half, mixed_model=model.p, model=model.model)
-    return rows.assign(holm=pandas.Series(holm(rows[plan["test"]].to_dict()), dtype=float))
+    return rows.assign(holm=pandas.Series(holm(rows[registered_p(plan)].to_dict()), dtype=float))

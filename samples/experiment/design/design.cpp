@@ -119,6 +119,21 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
   if (a.contains("reference")) design.reference = index_of(design.conditions, where + ".reference", a["reference"]);
   design.alpha = a["alpha"];
   design.margin = a["margin"];
+  if ((design.measure == "d_prime" || design.measure == "criterion") &&
+      (design.question.empty() || design.catch_share <= 0.0))
+    refuse(where + ".measure",
+           "needs question and catch_share: " + design.measure + " compares answers with those of catch trials");
+  const bool is_of_trials = design.measure.ends_with("miss_deg") || design.measure == "miss_mm";
+  if (design.test == "mixed_model" && !is_of_trials)
+    refuse(where + ".test", "must be t or sign_flip with " + design.measure + ", which single trials do not have");
+  if (design.test != "t" && a["hypothesis"] != "difference")
+    refuse(where + ".test", "must be t: equivalence and below_margin are two one-sided t tests");
+  // The smallest p of a sign flip is 2 / 2^n, and Holm's first step needs alpha / comparisons.
+  const double level = design.alpha / std::max(1.0, static_cast<double>(design.conditions.size()) - 1.0);
+  const unsigned needed = design.test == "sign_flip" ? static_cast<unsigned>(std::ceil(1.0 - std::log2(level))) : 2U;
+  if (design.conditions.size() > 1 && design.participants < needed)
+    refuse(where + ".test",
+           format("cannot find anything with %u participants: it needs %u or more", design.participants, needed));
 }
 
 // Requirements on several fields together.

@@ -69,6 +69,29 @@ def test_level_and_coverage():
         assert 5 - slack < found < 5 + slack and 95 - slack < recovered < 95 + slack and strength > 80, (found, recovered, strength)
 
 
+def test_outcomes():
+    """By hand: percent within, variable error about each pair's mean, d' and criterion by the log-linear rule; equivalence and a margin."""
+    rows = [(1, "a", "l", 0, 1.0, "yes"), (1, "a", "l", 0, 3.0, "no"), (1, "a", "r", 0, -1.0, "yes"), (1, "a", "r", 0, -1.0, "yes"),
+            (1, "a", "l", 1, 0.0, "no"), (1, "a", "l", 1, 0.0, "no")]
+    trials = pandas.DataFrame(rows, columns=["participant", "condition", "pair", "is_catch", "miss_deg", "answer"]).assign(kind="reaches", end="counted")
+    trials["abs_miss_deg"] = abs(trials.miss_deg)
+    plan = {"within_deg": 1.5, "noticed": "yes", "reference": "none", "test": "t", "alpha": 0.05, "margin": 1.0}
+    z = scipy.stats.norm.ppf
+    for measure, value in {"percent_within": 75.0, "variable_error_deg": 1.0, "abs_miss_deg": 1.5, "miss_deg": 0.5,
+                           "d_prime": z(3.5 / 5) - z(0.5 / 3), "criterion": -(z(3.5 / 5) + z(0.5 / 3)) / 2}.items():
+        assert abs(analysis.outcomes(trials, {**plan, "measure": measure}).a[1] - value) < 1e-12, measure
+    values = {"a": [0.1, -0.2, 0.3, 0.2], "none": [4.0, 5.0, 6.0, 5.5]}
+    people = pandas.DataFrame([(i, name, value) for name, column in values.items() for i, value in enumerate(column)],
+                              columns=["participant", "condition", "miss_deg"])
+    found = analysis.compare(people, {**plan, "measure": "miss_deg", "hypothesis": "below_margin"}, 1)
+    one_sided = max(scipy.stats.ttest_1samp(values["a"], side * 1.0, alternative=way).pvalue for side, way in ((1, "less"), (-1, "greater")))
+    assert abs(found.equivalence.a - one_sided) < 1e-12 and abs(found.holm.a - 2 * one_sided) < 1e-12 and found.holm.none > 0.9, found
+    low, high = scipy.stats.ttest_1samp(values["a"], 0).confidence_interval(1 - 2 * 0.05 / 2)  # two conditions
+    assert abs(found.low.a - low) < 1e-12 and abs(found.high.a - high) < 1e-12, found
+    same = analysis.compare(people.assign(miss_deg=people.miss_deg * (people.condition == "a")), {**plan, "measure": "miss_deg", "hypothesis": "equivalence"}, 1)
+    assert list(same.index) == ["a"] and same.holm.a < 0.05, same
+
+
 def few_trials(every):
     """8 people, 3 conditions of different scatter, 2 pairs, 3 repeats; without each trial whose number is divisible by `every`."""
     draw = numpy.random.RandomState(5)
@@ -159,7 +182,7 @@ def test_whole_studies():
         effects, found = [], []
         for seed in range(1, studies + 1):
             trials, people = power.simulated(sys.argv[2], {**study, "simulated": {"weights": kind}}, 12, seed)
-            means = analysis.means_of(trials, "abs_miss_deg")
+            means = analysis.means_of(analysis.counted(trials), "abs_miss_deg")
             effects.append(means.people - means.none)
             errors = (people.tactile_weight_high - people.tactile_weight_low) / (2 * 1.96)
             found.append((analysis.interval(effects[-1]), *analysis.population(people.tactile_weight, errors)))
@@ -201,7 +224,7 @@ def test_power():
 def power_of_a_design(design):
     printed = subprocess.run([sys.argv[1] + "/power", design, "--program", sys.argv[2], "--pool", "6", "--people", "6,12", "--studies", "200",
                               "--effect", "0,4"], check=True, capture_output=True, text=True).stdout
-    assert printed.startswith("SIMULATION: no person took part. 6 simulated people; sign flip of abs_miss_deg, 2 at 0.05 / 2"), printed
+    assert printed.startswith("SIMULATION: no person took part. 6 simulated people; t of abs_miss_deg, 2 at 0.05 / 2"), printed
     assert printed.count(" less none: mean ") == 2 and len(printed.splitlines()) == 1 + 2 * (5 + 6) + 8, printed
     rows = [line.split() for line in printed.splitlines()]
     levels = [float(share) for row in rows if row and row[0] == "1" and row[-1] == "%" for share in row[3:-1]]
@@ -212,6 +235,7 @@ def test_report():
     with tempfile.TemporaryDirectory() as folder:
         study = json.loads(pathlib.Path(sys.argv[1], "example.json").read_text())
         study.update(participants=6, repeats=1, set_up="none", noticeability={"trials": 5, "condition": "people"})
+        study["analysis"]["test"] = "t"
         data, design = pathlib.Path(folder, "data"), pathlib.Path(folder, "study.json")
         design.write_text(json.dumps(study))
         run = lambda *words: subprocess.run(words, check=True, capture_output=True, text=True).stdout
@@ -225,7 +249,7 @@ def test_report():
             report = (data / "export/report.html").read_text()
             assert "Simulation: no person took part." in report
             assert ("Conditions are blinded" in report) != unblinded
-            assert ("<td>paper</td>" in report) == unblinded and ("Registered test: sign flip" in report) == unblinded
+            assert ("<td>paper</td>" in report) == unblinded and ("Registered test: t test" in report) == unblinded
             assert "% of catch trials" in report, report
             assert (hashlib.sha256((data / "export/trials.csv").read_bytes()).hexdigest()) in report
 
@@ -291,4 +315,5 @@ test_population()
 test_whole_studies()
 test_power()
 test_text()
+test_outcomes()
 test_report()

@@ -135,6 +135,17 @@ TEST(ExperimentDesign, RefusalsNameThePlace) {
       {".pairs[0].real_deg must be within 75",
        [](json& s) { s["pairs"][0].update({{"virtual_deg", 40}, {"real_deg", -40}}); }},
       {".questionnaires[0].items is missing", [](json& s) { s["questionnaires"] = {{{"name", "SSQ"}}}; }},
+      {".analysis.test cannot find anything with 2 participants: it needs 6 or more",
+       [](json& s) { s["analysis"] = {{"test", "sign_flip"}}; }},
+      {".analysis.test must be t or sign_flip with d_prime",
+       [](json& s) {
+         s["catch_share"] = 0.2;
+         s["analysis"] = {{"test", "mixed_model"}, {"measure", "d_prime"}};
+       }},
+      {".analysis.test must be t: equivalence",
+       [](json& s) { s["analysis"] = {{"test", "sign_flip"}, {"hypothesis", "equivalence"}}; }},
+      {".analysis.measure needs question and catch_share", [](json& s) { s["analysis"] = {{"measure", "criterion"}}; }},
+      {".analysis.measure must be one of", [](json& s) { s["analysis"] = {{"measure", "peak_felt_error_deg"}}; }},
       {".analysis.reference must be a condition", [](json& s) { s["analysis"] = {{"reference", "x"}}; }}};
   for (const Wrong& wrong : wrongs) {
     const std::string why = refusal_of([&] { small_design(2, wrong.change); });
