@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstring>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -78,12 +79,16 @@ void simulate(const Options& options) {
   std::atomic<unsigned> next = 1;
   std::mutex mutex;
   std::string failure;
+  std::map<unsigned, std::string> ends;  // that are not yet printed
+  unsigned printed = 0;
   const auto work = [&] {
     for (unsigned participant = next++; participant <= design.participants; participant = next++) try {
         SimulatedSubject subject(design, participant, options.reach.seed);
         const std::string end = run_session(design, {options.data, participant, 1}, subject, Disk());
         const std::scoped_lock lock(mutex);
-        std::cout << "sub-" << participant << ": " << end << "\n" << std::flush;
+        ends[participant] = end;
+        for (auto done = ends.begin(); done != ends.end() && done->first == printed + 1; done = ends.erase(done))
+          std::cout << "sub-" << ++printed << ": " << done->second << "\n" << std::flush;
       } catch (const std::exception& error) {
         const std::scoped_lock lock(mutex);
         failure = error.what();
@@ -102,9 +107,7 @@ void write_tables(const Options& options) {
   const Design design = read_design(study / "study.json");
   const Tables tables = export_study(design, study, options.unblinds);
   std::filesystem::create_directories(study / "export");
-  put(study / "export" / "trials.csv", tables.trials);
-  put(study / "export" / "people.csv", tables.people);
-  put(study / "export" / "dictionary.md", tables.dictionary);
+  for (const auto& [name, content] : tables.files) put(study / "export" / name, content);
   std::cout << (study / "export").string() << ": " << tables.sessions << " sessions\n";
 }
 
@@ -125,7 +128,7 @@ void add_commands(CLI::App& app, Options& options) {
       [](const Options&) { std::cout << design_schema().dump(2) << "\n"; });
   CLI::App* run = add("run", "Run or resume the session of a participant", true, run_one);
   CLI::App* all = add("simulate", "Run sessions of simulated people, all of the design", true, simulate);
-  CLI::App* tables = add("export", "Write trials.csv, people.csv and their dictionary", false, write_tables);
+  CLI::App* tables = add("export", "Write the journals as tables, with their dictionary", false, write_tables);
   run->add_option("--participant", options.participant, "From 1")->required();
   run->add_option("--session", options.session, "From 1 [1]")->check(CLI::Range(1, 99));
   run->add_option("--simulated", options.reach.seed, "Seed of a simulated participant: without a scene in this process")

@@ -84,7 +84,7 @@ std::vector<Event> read_journal(const std::string& text, const std::string& name
       if (damaged == 0) damaged = number + 1;
       continue;
     }
-    if (damaged != 0 && event->name != "opened")
+    if (damaged != 0 && event->name != "opened" && event->name != "closed")
       throw Refusal(name + format(": line %zu is damaged, and not where a process was cut off", damaged));
     damaged = 0;
     if (event->number != events.size() + 1)

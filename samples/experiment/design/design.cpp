@@ -186,10 +186,10 @@ const Json& design_schema() {
   return schema;
 }
 
-std::string letter_of(const Design& design, unsigned condition) {
+std::string letter_of(const Design& design, unsigned participant, unsigned condition) {
   std::vector<char> letters;
   for (unsigned i = 0; i < design.conditions.size(); ++i) letters.push_back(static_cast<char>('A' + i));
-  Stream(Use::letters, {.seed = design.seed}).shuffle(letters);
+  Stream(Use::letters, {.seed = design.seed, .participant = participant}).shuffle(letters);
   return {letters[condition]};
 }
 

@@ -107,8 +107,9 @@ Design read_design(const std::filesystem::path& file);
 /// The JSON Schema of a design: study.schema.json.
 const Json& design_schema();
 
-/// Letters by which conditions are known until they are unblinded: drawn from the design's seed.
-std::string letter_of(const Design& design, unsigned condition);
+/// The letter that stands for a condition until it is unblinded. Drawn for each participant, so what is known of one
+/// participant's letters says nothing about another's.
+std::string letter_of(const Design& design, unsigned participant, unsigned condition);
 
 /// Markdown: every field of the design with what it means, defaults too; and, in brackets, what its authors
 /// have to say.

@@ -86,9 +86,9 @@ Block noticeability_block(const Design& design, unsigned participant, unsigned n
   return made(BlockKind::noticeability, std::move(trials), design, participant, number);
 }
 
-std::string letters_of(const Design& design, const std::vector<unsigned>& order) {
+std::string letters_of(const Design& design, unsigned participant, const std::vector<unsigned>& order) {
   std::string text;
-  for (const unsigned condition : order) text += (text.empty() ? "" : " ") + letter_of(design, condition);
+  for (const unsigned condition : order) text += (text.empty() ? "" : " ") + letter_of(design, participant, condition);
   return text;
 }
 
@@ -183,6 +183,10 @@ std::string name_of(BlockKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+std::string blinded_name(const Design& design, unsigned participant, BlockKind kind, unsigned condition) {
+  return kind == BlockKind::reaches ? letter_of(design, participant, condition) : name_of(kind);
+}
+
 std::string design_text(const Design& design) {
   const Schedule first = schedule_of(design, 1);
   std::string text =
@@ -195,7 +199,7 @@ std::string design_text(const Design& design) {
   for (unsigned p = 1; p <= design.participants; ++p) {
     const Schedule schedule = schedule_of(design, p);
     text += format("sub-%02u  ", p) + (design.levels.empty() ? "" : design.levels[schedule.level] + "  ") +
-            (schedule.order.empty() ? "all in each block" : letters_of(design, schedule.order)) + "\n";
+            (schedule.order.empty() ? "all in each block" : letters_of(design, p, schedule.order)) + "\n";
   }
   return text + "\nConditions are letters until they are unblinded. No person has been led by this program.\n";
 }

@@ -41,6 +41,10 @@ std::string plan_text(const Design& design, const Schedule& schedule);
 /// Name of the kind, in files.
 std::string name_of(BlockKind kind);
 
+/// What stands for a condition until it is unblinded: its letter, or the kind of a block whose condition the design
+/// reveals.
+std::string blinded_name(const Design& design, unsigned participant, BlockKind kind, unsigned condition);
+
 /// The design for people: trials, minutes, balance, each participant's order, by letters.
 std::string design_text(const Design& design);
 

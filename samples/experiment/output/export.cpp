@@ -1,7 +1,9 @@
 #include "samples/experiment/output/export.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "samples/app/text/format.h"
 #include "samples/app/text/text.h"
@@ -18,42 +20,120 @@ std::string text_of(const json& value) {
 
 struct Column {
   const char* name;
+  const char* type;
+  const char* unit;
   const char* what;
 };
 
-const Column columns[] = {
-    {"participant", "number, from 1"},
-    {"session", "number, from 1"},
-    {"subject", "who it was; `simulated` is no person"},
-    {"level", "of the factor between people"},
-    {"block", "from 0, which is practice"},
-    {"kind", "practice, reaches or noticeability"},
-    {"pass", "of the block, from 1: after a long pause it starts again"},
-    {"trial", "within the block, as planned, from 1"},
-    {"presented", "order in which trials ended in the session, from 1"},
-    {"condition", "a letter, or after unblinding its name"},
-    {"is_catch", "1: no gap, the plate at rest"},
-    {"pair", "of targets; empty for noticeability"},
-    {"virtual_deg", "direction of the virtual target from the start, left positive, degrees"},
-    {"real_deg", "direction of the real target"},
-    {"end", "counted, missing (too many attempts), or open"},
-    {"reason", "why the last attempt did not count"},
-    {"attempt", "number of the last attempt, interrupted ones included"},
-    {"miss_deg", "bearing of the fingertip's end from the start, minus the real target's"},
-    {"abs_miss_deg", "its size"},
-    {"miss_mm", "distance of the end from the real target"},
-    {"peak_felt_error_deg", "largest felt minus intended direction: the simulation's truth, or the estimate"},
-    {"duration_s", "of the motion"},
-    {"samples", "of the finger"},
-    {"dropped", "samples without a finger"},
-    {"tactile_weight", "that the controller assumed at the end"},
-    {"gap_deg", "of the bent reach of noticeability; 0 in catch trials"},
-    {"bent", "which reach of two was bent, from 1"},
-    {"answer", "to the question, or which reach seemed bent"},
-    {"is_right", "1: the bent reach was found; empty in catch trials"},
-    {"began_utc", "of the last attempt"},
-    {"recording", "in the session's folder recordings, without ending"},
+// The first columns of each table.
+const Column whose[] = {
+    {"participant", "integer", "", "number, from 1"},
+    {"session", "integer", "", "number, from 1"},
+    {"subject", "text", "", "`simulated` is no person"},
+    {"level", "text", "", "of the factor between participants"},
 };
+
+struct Table {
+  const char* file;
+  const char* what;
+  std::vector<Column> columns;
+};
+
+// Of a reach, in trials.csv and attempts.csv.
+const std::vector<Column> reach_columns{
+    {"virtual_deg", "number", "deg", "direction of the virtual target from the start, left positive"},
+    {"real_deg", "number", "deg", "direction of the real target"},
+    {"miss_deg", "number", "deg", "bearing of the end of the fingertip from the start, minus the real target's"},
+    {"abs_miss_deg", "number", "deg", "absolute value of miss_deg"},
+    {"miss_mm", "number", "mm", "distance of the end from the real target"},
+    {"peak_felt_error_deg", "number", "deg",
+     "largest perceived minus intended direction: ground truth of a simulation; of a person only the estimate of the "
+     "controller under test, so not an outcome"},
+    {"is_truth", "boolean", "", "true: peak_felt_error_deg is ground truth"},
+    {"duration_s", "number", "s", "of the motion"},
+    {"samples", "integer", "", "of the finger"},
+    {"dropped", "integer", "", "samples without a finger"},
+    {"tactile_weight", "number", "", "that the controller assumed at the end"},
+    {"tracker_noise_m", "number", "m", "SD of the tracker's noise, as the plugin learnt it"},
+    {"misfit", "number", "", "of the plugin's model; it fits below 4.5"},
+    {"flags", "integer", "", "HRT_SUMMARY_* of the plugin"},
+};
+
+std::vector<Column> joined(std::vector<Column> first, const std::vector<Column>& middle,
+                           const std::vector<Column>& last) {
+  first.insert(first.end(), middle.begin(), middle.end());
+  first.insert(first.end(), last.begin(), last.end());
+  return first;
+}
+
+const std::vector<Column> trial_columns{
+    {"block", "integer", "", "from 0, which is practice"},
+    {"kind", "text", "", "practice, reaches or noticeability"},
+    {"pass", "integer", "", "of the block, from 1: after a long pause it starts again"},
+    {"trial", "integer", "", "within the block, as planned, from 1"},
+    {"condition", "text", "",
+     "a letter that is drawn for each participant, or after unblinding its name; of practice: practice"},
+    {"is_catch", "integer", "", "1: no gap, the plate at rest"},
+    {"pair", "text", "", "of targets; empty for noticeability"},
+    {"reason", "text", "", "why the attempt did not count"},
+    {"attempt", "integer", "", "number of the attempt, interrupted ones included"},
+    {"gap_deg", "number", "deg", "of the retargeted reach of noticeability; 0 in catch trials"},
+    {"bent", "integer", "", "which reach of two was retargeted, from 1"},
+    {"recording", "text", "", "in the session's folder recordings, without ending"},
+};
+
+const Table tables[] = {
+    {"trials.csv", "One row a trial, its last attempt",
+     joined(trial_columns, reach_columns,
+            {{"presented", "integer", "", "order in which trials ended in the session, from 1"},
+             {"end", "text", "", "counted, missing (too many attempts), or open"},
+             {"answer", "text", "", "to the question, or which reach seemed bent"},
+             {"is_right", "integer", "", "1: the retargeted reach was found; empty in catch trials"},
+             {"began_utc", "time", "", "of the last attempt"}})},
+    {"attempts.csv", "One row a reach of each attempt, also those that do not count",
+     joined(trial_columns, reach_columns,
+            {{"part", "integer", "", "of a trial of two reaches, from 1; empty: interrupted"},
+             {"counts", "boolean", "", "valid by the rules of the design"},
+             {"utc", "time", "", "at the end"}})},
+    {"people.csv",
+     "One row a session",
+     {{"end", "text", "", "done, stopped or open"},
+      {"reason", "text", "", "why the session ended, or why it was last left"},
+      {"library", "text", "", "versions of the library, one for each start"},
+      {"set_up_known", "boolean", "", "the set-up determined the illusion"},
+      {"tactile_weight", "number", "", "by the set-up"},
+      {"tactile_weight_low", "number", "", "lower end of its 95 % interval"},
+      {"tactile_weight_high", "number", "", "upper end"},
+      {"threshold_deg", "number", "deg",
+       "gap noticed, by QUEST+: posterior mean of the Weibull scale, 1 - 1/e of the way from guessing"},
+      {"threshold_low_deg", "number", "deg", "lower end of its 95 % interval"},
+      {"threshold_high_deg", "number", "deg", "upper end"},
+      {"threshold_answers", "integer", "", "answers that it rests on"}}},
+    {"questionnaires.csv",
+     "One row an answer",
+     {{"questionnaire", "text", "", "its name"},
+      {"when", "text", "", "before or after the reaches"},
+      {"item", "integer", "", "from 1"},
+      {"text", "text", "", "of the item"},
+      {"answer", "integer", "", "from low to high of the design"},
+      {"utc", "time", "", "of the last answer"}}},
+    {"events.csv",
+     "One row an event of the journal beside reaches and answers: starts, notes, stops, breaks, unblinding, ends",
+     {{"number", "integer", "", "of the event in the journal"},
+      {"utc", "time", "", ""},
+      {"monotonic_ns", "integer", "ns", "clock of this run of the machine"},
+      {"event", "text", "",
+       "opened, closed (why a start ended), consent, registered, checked, set_up, rest, note, plate_stopped, "
+       "unblinded, block_again, end"},
+      {"details", "text", "", "JSON, without samples and files"}}},
+};
+
+std::string shown_condition(const Design& design, const State& state, unsigned block, unsigned condition,
+                            bool unblinds) {
+  const BlockKind kind = state.schedule.blocks[block].kind;
+  return unblinds && kind != BlockKind::practice ? design.conditions[condition].name
+                                                 : blinded_name(design, state.participant, kind, condition);
+}
 
 // A trial by the columns' names, and by some of the journal's: what it has not got is not there.
 json trial_row(const Design& design, const State& state, unsigned block, std::size_t trial, bool unblinds) {
@@ -75,7 +155,7 @@ json trial_row(const Design& design, const State& state, unsigned block, std::si
   row["pass"] = state.passes[block];
   row["trial"] = planned.number;
   if (record.presented > 0) row["presented"] = record.presented;
-  row["condition"] = unblinds ? design.conditions[planned.condition].name : letter_of(design, planned.condition);
+  row["condition"] = shown_condition(design, state, block, planned.condition, unblinds);
   row["is_catch"] = int{planned.is_catch};
   row["end"] = std::array{"open", "counted", "missing"}[static_cast<std::size_t>(record.end)];
   if (is_choice) row["bent"] = bent + 1;
@@ -85,41 +165,110 @@ json trial_row(const Design& design, const State& state, unsigned block, std::si
   return row;
 }
 
-constexpr const char* people_columns =
-    "participant,session,subject,end,set_up_known,tactile_weight,tactile_weight_low,tactile_weight_high,"
-    "threshold_deg,threshold_low_deg,threshold_high_deg,threshold_answers\n";
-
-std::string person_row(const Design& design, const State& state, unsigned session, const std::string& subject) {
-  std::string text = format("%u,%u,", state.participant, session) + csv_field(subject) + "," +
-                     (state.end.empty() ? "open" : state.end);
-  for (const char* name : {"is_known", "tactile_weight", "tactile_weight_low", "tactile_weight_high"})
-    text += "," + (state.set_up ? text_of(state.set_up->at(name)) : "");
-  // Without an answer it is what is assumed of everybody.
+json person_row(const Design& design, const State& state, const std::vector<Event>& events) {
+  json row{{"end", state.end.empty() ? "open" : state.end}, {"reason", ""}, {"library", ""}};
+  for (const Event& event : events) {
+    if (event.name == "end" || event.name == "closed") row["reason"] = event.data.at("reason");
+    if (event.name != "opened") continue;
+    const std::string before = row["library"];
+    row["library"] = before + (before.empty() ? "" : " ") + event.data.at("library").get<std::string>();
+  }
+  if (state.set_up) {
+    row.update(*state.set_up);
+    row["set_up_known"] = row["is_known"];
+  }
+  // Without an answer the threshold is the prior.
   const app::QuestPlus::Threshold found = state.quest.threshold();
-  for (const double value : {found.deg, found.lower_deg, found.upper_deg})
-    text += "," + (state.quest.answers() > 0 ? json(value).dump() : "");
-  return text + "," + (design.noticeability ? std::to_string(state.quest.answers()) : "") + "\n";
+  if (state.quest.answers() > 0)
+    row.update({{"threshold_deg", found.deg},
+                {"threshold_low_deg", found.lower_deg},
+                {"threshold_high_deg", found.upper_deg}});
+  if (design.noticeability) row["threshold_answers"] = state.quest.answers();
+  return row;
+}
+
+// What the journal has beside trials. `add` appends a row to a table.
+void add_events(const Design& design, const State& state, const std::vector<Event>& events, bool unblinds,
+                const std::function<void(const char*, json)>& add) {
+  json attempt;
+  for (const Event& event : events) {
+    const json& data = event.data;
+    const std::string utc = utc_text(event.utc_ms);
+    if (event.name == "questionnaire") {
+      const auto asked = std::find_if(design.questionnaires.begin(), design.questionnaires.end(),
+                                      [&](const Questionnaire& each) { return each.name == data.at("name"); });
+      for (std::size_t i = 0; i < data.at("answers").size(); ++i)
+        add("questionnaires.csv", {{"questionnaire", data["name"]},
+                                   {"when", data["when"]},
+                                   {"item", i + 1},
+                                   {"text", asked->items.at(i)},
+                                   {"answer", data["answers"][i]},
+                                   {"utc", utc}});
+    } else if (event.name == "attempt" || event.name == "reach") {
+      if (event.name == "attempt" && !attempt.is_null()) add("attempts.csv", attempt);  // it was interrupted
+      if (event.name == "attempt") {
+        attempt = data;
+        const unsigned block = data.at("block"), trial = data.at("trial");
+        const unsigned condition = state.schedule.blocks.at(block).trials.at(trial - 1).condition;
+        attempt["condition"] = shown_condition(design, state, block, condition, unblinds);
+        attempt["is_catch"] = int{data.at("is_catch").get<bool>()};
+        if (data.contains("bent")) attempt["bent"] = data["bent"].get<unsigned>() + 1;
+        attempt.update({{"reason", "interrupted"}, {"counts", false}, {"utc", utc}});
+        continue;
+      }
+      attempt.update({{"reason", data.at("reason")}, {"counts", data.at("counts")}, {"utc", utc}});
+      for (std::size_t i = 0; i < data.at("parts").size(); ++i) {
+        json row = attempt;
+        row.update(data["parts"][i]);
+        row["part"] = i + 1;
+        row["abs_miss_deg"] = std::abs(row["miss_deg"].get<double>());
+        add("attempts.csv", row);
+      }
+      attempt = nullptr;
+    } else if (event.name != "slide" && event.name != "touch" && event.name != "answer") {
+      json details = data;
+      for (const char* file : {"profile", "registration"}) details.erase(file);
+      add("events.csv", {{"number", event.number},
+                         {"utc", utc},
+                         {"monotonic_ns", event.monotonic_ns},
+                         {"event", event.name},
+                         {"details", details.dump(-1, ' ', false, json::error_handler_t::replace)}});
+    }
+  }
+  if (!attempt.is_null()) add("attempts.csv", attempt);
 }
 
 std::string dictionary_of(const Design& design) {
-  std::string text =
-      "# Columns of trials.csv\n\nOne row a trial, the last attempt; empty: not known. Study: " + design.title +
-      ", SHA-256 " + design.sha256 + "\n\n| column | |\n|---|---|\n";
-  for (const Column& column : columns) text += std::string("| `") + column.name + "` | " + column.what + " |\n";
-  return text +
-         "\n# Columns of people.csv\n\nOne row a session. Weights with a 95 % interval, by the set-up; "
-         "thresholds of "
-         "noticing a gap with a 95 % interval, by QUEST+, of so many answers.\n";
+  std::string text = "# Columns of the tables\n\nUTF-8; an empty field is not known. Study: " + design.title +
+                     ", SHA-256 " + design.sha256 + "\n";
+  for (const Table& table : tables) {
+    text += std::string("\n## ") + table.file + "\n\n" + table.what +
+            ".\n\n| column | type | unit | |\n|---|---|---|---|\n";
+    for (const Column& column : joined({std::begin(whose), std::end(whose)}, table.columns, {}))
+      text +=
+          std::string("| `") + column.name + "` | " + column.type + " | " + column.unit + " | " + column.what + " |\n";
+  }
+  return text;
 }
 
 }  // namespace
 
 Tables export_study(const Design& design, const std::filesystem::path& study, bool unblinds) {
-  Tables tables;
-  for (const Column& column : columns) tables.trials += (tables.trials.empty() ? "" : ",") + std::string(column.name);
-  tables.trials += "\n";
-  tables.people = people_columns;
-  tables.dictionary = dictionary_of(design);
+  Tables found{.files = {{"dictionary.md", dictionary_of(design)}}};
+  json whose_row;
+  const auto add_line = [&](const Table& table, json row, bool is_header) {
+    std::string line;
+    row.update(whose_row);
+    for (const Column& column : joined({std::begin(whose), std::end(whose)}, table.columns, {}))
+      line += (line.empty() ? "" : ",") + csv_field(is_header ? column.name : text_of(row[column.name]));
+    found.files[table.file] += line + "\n";
+  };
+  const auto add = [&](const std::string& file, const json& row) {
+    for (const Table& table : tables)
+      if (file == table.file) add_line(table, row, false);
+  };
+  whose_row = json::object();
+  for (const Table& table : tables) add_line(table, json::object(), true);
   constexpr unsigned max_sessions = 99;
   for (unsigned participant = 1; participant <= design.participants; ++participant)
     for (unsigned session = 1; session <= max_sessions; ++session) {
@@ -130,21 +279,19 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
       if (events.front().data.at("sha256") != design.sha256) throw Refusal(file.string() + ": is of another design");
       const Schedule schedule = schedule_of(design, participant);
       const State state = state_of(design, schedule, participant, events);
-      const std::string subject = events.front().data.at("subject");
-      ++tables.sessions;
-      tables.people += person_row(design, state, session, subject);
+      ++found.sessions;
+      whose_row = {{"participant", participant},
+                   {"session", session},
+                   {"subject", events.front().data.at("subject")},
+                   {"level", design.levels.empty() ? "" : design.levels[schedule.level]}};
+      add("people.csv", person_row(design, state, events));
+      add_events(design, state, events, unblinds, add);
       for (unsigned block = 0; block < state.trials.size(); ++block)
-        for (std::size_t trial = 0; trial < state.trials[block].size(); ++trial) {
-          json row = trial_row(design, state, block, trial, unblinds);
-          row.update({{"participant", participant}, {"session", session}, {"subject", subject}});
-          if (!design.levels.empty()) row["level"] = design.levels[schedule.level];
-          std::string line;
-          for (const Column& column : columns) line += (line.empty() ? "" : ",") + csv_field(text_of(row[column.name]));
-          tables.trials += line + "\n";
-        }
+        for (std::size_t trial = 0; trial < state.trials[block].size(); ++trial)
+          add("trials.csv", trial_row(design, state, block, trial, unblinds));
     }
-  if (tables.sessions == 0) throw Refusal(study.string() + ": holds no session; hrt-experiment run makes them");
-  return tables;
+  if (found.sessions == 0) throw Refusal(study.string() + ": holds no session; hrt-experiment run makes them");
+  return found;
 }
 
 }  // namespace hrt::experiment

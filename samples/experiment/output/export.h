@@ -1,7 +1,8 @@
-// What a study's journals say, as tables: a row a trial, a row a person.
+// What a study's journals have, as tables.
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "samples/experiment/design/design.h"
@@ -9,9 +10,7 @@
 namespace hrt::experiment {
 
 struct Tables {
-  std::string trials;      ///< CSV
-  std::string people;      ///< CSV
-  std::string dictionary;  ///< of both, Markdown
+  std::map<std::string, std::string> files;  ///< by name: CSV, and their dictionary in Markdown
   unsigned sessions = 0;
 };
 

@@ -19,9 +19,26 @@ namespace hrt::experiment {
 namespace {
 
 constexpr const char* keys_text =
-    "Keys: s or Escape STOP THE PLATE, x the reach does not count, b a break, n a note, u unblind, q leave, to be "
-    "resumed, r what was asked, h these keys.";
+    "Keys: s or Escape STOP THE PLATE, x the reach does not count, b a break, n a note, u twice unblind, q twice "
+    "leave, to be resumed, r what was asked, h these keys.";
 constexpr char erase = 0x7f, escape = 0x1b;
+
+// Takes a key into a text that is typed. Returns true at its end.
+bool edit(std::string& text, char key) {
+  if (key == '\n' || key == '\r') {
+    std::cerr << "\n";
+    return true;
+  }
+  if (key == erase && !text.empty()) {
+    while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xc0U) == 0x80U) text.pop_back();
+    text.pop_back();  // the first byte of a character of UTF-8
+    std::cerr << "\b \b";
+  } else if (static_cast<unsigned char>(key) >= ' ' && key != erase) {
+    std::cerr << (text += key).back();
+  }
+  return false;
+}
+
 constexpr XrDuration home_limit_ns = 3'000'000'000;
 constexpr double home_deg = 2.0, no_way_m = 1e-3;
 
@@ -93,7 +110,8 @@ void LedSubject::stop_plate() {
 void LedSubject::between_frames() {
   while (const std::optional<char> key = keyboard_or_page()) {
     early_ += *key;
-    if (*key == escape || (*key == 's' && !is_typing_)) stop_plate();
+    const bool begins_note = early_.find('n') != std::string::npos && awaited_.find('n') == std::string::npos;
+    if (*key == escape || (*key == 's' && !is_typing_ && !note_ && !begins_note)) stop_plate();
   }
 }
 
@@ -159,14 +177,28 @@ void LedSubject::plan(hrt_session_config& config) const {
 // Escape alone.
 void LedSubject::attend(XrTime time) {
   while (const std::optional<char> key = next_key()) {
+    if (note_ && *key != escape) {
+      if (!edit(*note_, *key)) continue;
+      notes_.push_back(*std::exchange(note_, std::nullopt));
+      show_keys();
+      continue;
+    }
     if (is_typing_ ? *key != escape : awaited_.find(*key) != std::string::npos) {
       typed_ = key;
       return;
+    }
+    const char confirmed = std::exchange(to_confirm_, '\0');
+    if ((*key == 'q' || *key == 'u') && *key != confirmed) {
+      to_confirm_ = *key;
+      prompt_.say(*key == 'q' ? "Press q again to leave the session."
+                              : "Press u again to record that you are unblinded.");
+      continue;
     }
     switch (*key) {
       case 's':
       case escape:
         plate_->stop(time);
+        if (note_) notes_.push_back(*std::exchange(note_, std::nullopt));
         pressed_ = Key::stop_plate;
         throw Ended("the plate was stopped");
       case 'x':
@@ -179,7 +211,9 @@ void LedSubject::attend(XrTime time) {
         pressed_ = Key::rest;
         break;
       case 'n':
-        pressed_ = Key::note;
+        note_.emplace();
+        prompt_.say("A note, and Enter:");
+        show_keys();
         break;
       case 'u':
         pressed_ = Key::unblind;
@@ -199,10 +233,17 @@ void LedSubject::attend(XrTime time) {
 void LedSubject::await(const std::string& keys, bool text) {
   typed_.reset();
   awaited_ = keys;
+  is_text_ = text;
   is_typing_ = text && keys.empty();
-  std::string all = is_typing_ ? std::string{escape} : "sxbnuq";
-  std::erase_if(all, [&](char key) { return keys.find(key) != std::string::npos; });
-  show({{"keys", text ? all : all + keys}, {"is_typing", text}});
+  show_keys();
+}
+
+void LedSubject::show_keys() {
+  const bool types = is_typing_ || note_;
+  std::string all = types ? std::string{escape} : "sxbnuq";
+  std::erase_if(all, [&](char key) { return awaited_.find(key) != std::string::npos; });
+  const bool text = is_text_ || note_;
+  show({{"keys", text ? all : all + awaited_}, {"is_typing", text}});
 }
 
 std::optional<char> LedSubject::next_key() {
@@ -228,6 +269,7 @@ Key LedSubject::key() {
   const Key pressed = std::exchange(pressed_, Key::none);
   if (pressed == Key::stop_plate) is_stopped_ = true;
   if (pressed == Key::rest) rest(0.0);
+  if (pressed == Key::none && !notes_.empty()) return Key::note;
   if (pressed != Key::none || !is_stopped_) return pressed;
   prompt_.ask("The plate is stopped. Space continues, q leaves.");
   await_key(" ");
@@ -250,16 +292,9 @@ std::string LedSubject::typed(const std::string& keys) {
   std::string text;
   for (;; frame()) {
     const std::optional<char> key = std::exchange(typed_, std::nullopt);
-    if (key == '\n' || key == '\r') break;
-    if (key == erase && !text.empty()) {
-      text.pop_back();
-      std::cerr << "\b \b";
-    } else if (key && static_cast<unsigned char>(*key) >= ' ' && key != erase) {
-      std::cerr << (text += *key).back();
-    }
+    if (key && edit(text, *key)) break;
   }
   await("");
-  std::cerr << "\n";
   return text;
 }
 
@@ -272,8 +307,9 @@ unsigned LedSubject::typed_number(unsigned low, unsigned high) {
 }
 
 std::string LedSubject::note() {
-  prompt_.ask("A note, and Enter:");
-  return typed("");
+  const std::string text = notes_.front();
+  notes_.erase(notes_.begin());
+  return text;
 }
 
 bool LedSubject::consents() {

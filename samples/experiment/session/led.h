@@ -63,6 +63,7 @@ class LedSubject : public Subject {
   void attend(XrTime time);
   XrTime frame() { return next_frame(stage_); }
   void await(const std::string& keys, bool text = false);
+  void show_keys();
   char await_key(const std::string& allowed);
   std::string typed(const std::string& keys);
   unsigned typed_number(unsigned low, unsigned high);
@@ -89,7 +90,10 @@ class LedSubject : public Subject {
   Key pressed_ = Key::none;                            // and not yet asked for
   std::optional<char> typed_;                          // a key that is awaited
   std::string awaited_, early_;
-  bool is_typing_ = false, is_stopped_ = false;
+  std::optional<std::string> note_;  // that is being typed, in any state
+  std::vector<std::string> notes_;   // that are not yet in the journal
+  char to_confirm_ = '\0';           // a key that was pressed once and needs a second time
+  bool is_text_ = false, is_typing_ = false, is_stopped_ = false;
 };
 
 }  // namespace hrt::experiment

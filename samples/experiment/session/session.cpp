@@ -16,7 +16,7 @@ using nlohmann::json;
 namespace {
 
 constexpr double deg_per_rad = 180.0 / std::numbers::pi;
-constexpr std::int64_t ns_per_minute = 60'000'000'000, ns_per_ms = 1'000'000;
+constexpr std::int64_t ns_per_minute = 60'000'000'000;
 
 // Reaches of a session are numbered from here: those before are of its set-up.
 constexpr unsigned first_reach = 512;
@@ -76,10 +76,31 @@ class SessionRun {
                  [&subject] { return subject.now(); }),
         state_(state_of(design, schedule_, place.participant, journal_.events())) {}
 
+  // The journal says why the session ended; what a crash ends has no such event.
   std::string run() {
+    try {
+      const std::string how = lead();
+      if (state_.end.empty()) log("closed", {{"reason", "left by the experimenter"}});
+      return how;
+    } catch (const std::exception& error) {
+      close(error.what());
+      throw;
+    }
+  }
+
+ private:
+  void close(const std::string& reason) {
+    try {
+      if (is_open_) log("closed", {{"reason", reason}});
+    } catch (const std::exception&) {
+      // The journal cannot be written; the first error is reported.
+    }
+  }
+
+  std::string lead() {
     open();
     while (state_.end.empty()) try {
-        if (const std::string left = obey(); !left.empty()) return left;
+        if (obey()) return "left";
         const Task task = state_.next();
         if (task.kind == Task::Kind::end) {
           log("end", {{"how", "done"}, {"reason", ""}});
@@ -95,7 +116,6 @@ class SessionRun {
     return state_.end;
   }
 
- private:
   void log(const std::string& name, json data) {
     disk_.step("before state");
     state_.apply(journal_.append(name, std::move(data)));
@@ -117,6 +137,10 @@ class SessionRun {
       subject_.continue_after(*state_.last);
       is_long = is_long_pause();
     }
+    if (!events.empty() && events.front().data.at("library") != library_version())
+      subject_.say("The session began with version " + events.front().data.at("library").get<std::string>() +
+                   " of the library; this one has " + library_version() + ". The journal records both.");
+    is_open_ = true;
     log("opened", {{"study", design_.title},
                    {"sha256", design_.sha256},
                    {"participant", state_.participant},
@@ -136,29 +160,25 @@ class SessionRun {
   }
 
   bool is_long_pause() const {
-    std::string boot;
-    for (const Event& event : journal_.events())
-      if (event.name == "opened") boot = event.data.at("boot");
-    const Now now = subject_.now();
-    const std::int64_t pause_ns = boot == subject_.boot() ? now.monotonic_ns - state_.last->monotonic_ns
-                                                          : (now.utc_ms - state_.last->utc_ms) * ns_per_ms;
+    const std::int64_t pause_ns = state_.since_last_ns(subject_.now(), subject_.boot());
     return pause_ns < 0 || static_cast<double>(pause_ns) > design_.max_pause_minutes * ns_per_minute;
   }
 
-  std::string obey() {
+  // Returns true if the experimenter leaves.
+  bool obey() {
     for (Key key = subject_.key(); key != Key::none; key = subject_.key()) {
-      if (key == Key::leave) return "left";
+      if (key == Key::leave) return true;
       if (key == Key::unblind) log("unblinded", json::object());
       if (key == Key::note) log("note", {{"text", subject_.note()}});
       if (key == Key::rest) log("rest", {{"minutes", 0}, {"asked", true}});
       if (key == Key::stop_plate) log("plate_stopped", json::object());
     }
-    return {};
+    return false;
   }
 
   void stop_if_due() {
-    const double minutes =
-        static_cast<double>(subject_.now().monotonic_ns - state_.consent_ns) / static_cast<double>(ns_per_minute);
+    const std::int64_t passed_ns = state_.passed_ns + state_.since_last_ns(subject_.now(), state_.boot);
+    const double minutes = static_cast<double>(passed_ns) / static_cast<double>(ns_per_minute);
     if (state_.refused_in_a_row >= design_.max_invalid_in_a_row)
       log("end", {{"how", "stopped"}, {"reason", "too many reaches in a row did not count"}});
     else if (state_.has_consent && minutes > design_.max_minutes)
@@ -278,7 +298,10 @@ class SessionRun {
     if (noise_m > 0.0) subject_.show({{"noise_mm", 1e3 * noise_m}});
   }
 
-  std::string letter(unsigned condition) const { return letter_of(design_, condition); }
+  std::string blinded(const Task& task) const {
+    const Block& block = schedule_.blocks[task.block];
+    return blinded_name(design_, state_.participant, block.kind, block.trials[task.trial].condition);
+  }
 
   // The reaches of a trial, and for noticeability which gap and which of the two is bent.
   std::vector<Part> parts_of(const Task& task, json& about) const {
@@ -313,8 +336,8 @@ class SessionRun {
     if (task.kind == Task::Kind::trial || task.kind == Task::Kind::answer) {
       const std::vector<PlannedTrial>& trials = schedule_.blocks[task.block].trials;
       const std::size_t left = state_.pending.size(), all = trials.size();
-      text += format(", block %u of %zu, condition ", task.block, schedule_.blocks.size() - 1) +
-              letter(trials[task.trial].condition) + format(", %zu of %zu trials left", left, all);
+      text += format(", block %u of %zu, condition ", task.block, schedule_.blocks.size() - 1) + blinded(task) +
+              format(", %zu of %zu trials left", left, all);
       done += 1.0 - static_cast<double>(left) / static_cast<double>(all);
     }
     done /= static_cast<double>(schedule_.blocks.size());
@@ -329,7 +352,7 @@ class SessionRun {
     for (*number = record(task).attempts + 1;; ++*number) {
       const std::string stem =
           stem_ + format("_block-%02u_trial-%03u_attempt-%02u_cond-", task.block, planned.number, *number) +
-          letter(planned.condition);
+          blinded(task);
       if (!std::filesystem::exists(folder_ / "recordings" / (stem + ".json"))) return stem;
     }
   }
@@ -340,7 +363,7 @@ class SessionRun {
                {"kind", name_of(schedule_.blocks[task.block].kind)},
                {"pass", state_.passes[task.block]},
                {"trial", planned.number},
-               {"condition", letter(planned.condition)},
+               {"condition", blinded(task)},
                {"is_catch", planned.is_catch}};
     const std::vector<Part> parts = parts_of(task, about);
     unsigned number = 0;
@@ -421,6 +444,7 @@ class SessionRun {
   std::string stem_;
   Journal journal_;
   State state_;
+  bool is_open_ = false;
 };
 
 }  // namespace

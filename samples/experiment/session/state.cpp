@@ -1,5 +1,7 @@
 #include "samples/experiment/session/state.h"
 
+#include <algorithm>
+
 #include "samples/experiment/design/draws.h"
 
 namespace hrt::experiment {
@@ -70,16 +72,25 @@ void State::apply_answer(unsigned answer) {
   end_trial(TrialRecord::End::counted);
 }
 
+std::int64_t State::since_last_ns(const Now& now, const std::string& boot_now) const {
+  constexpr std::int64_t ns_per_ms = 1'000'000;
+  if (!last) return 0;
+  return boot_now == boot ? now.monotonic_ns - last->monotonic_ns : (now.utc_ms - last->utc_ms) * ns_per_ms;
+}
+
 void State::apply(const Event& event) {
-  last = Now{event.utc_ms, event.monotonic_ns};
   const json& data = event.data;
+  const Now now{event.utc_ms, event.monotonic_ns};
+  const std::string boot_now = event.name == "opened" ? data.at("boot").get<std::string>() : boot;
+  if (has_consent) passed_ns += std::max<std::int64_t>(0, since_last_ns(now, boot_now));
+  boot = boot_now;
+  last = now;
   if (event.name == "opened") {
     is_open = false;  // an attempt that was interrupted
     is_placed = false;
     registers = data.at("registers");
   } else if (event.name == "consent") {
     has_consent = data.at("given");
-    consent_ns = event.monotonic_ns;
     if (!has_consent) end = "stopped";
   } else if (event.name == "touch") {
     touches.push_back(data);

@@ -37,6 +37,8 @@ struct State {
 
   void apply(const Event& event);
   Task next() const;
+  /// Time since the last event; by the calendar if the machine was started again, when it may be negative.
+  std::int64_t since_last_ns(const Now& now, const std::string& boot_now) const;
 
   const Design& design;
   const Schedule& schedule;
@@ -63,9 +65,10 @@ struct State {
   unsigned refused_in_a_row = 0;
   std::vector<std::string> beliefs;  ///< profile of each condition after its last reach; empty: the set-up's
   app::QuestPlus quest;
-  std::string end;  ///< "done" or "stopped"; empty: neither
-  std::int64_t consent_ns = 0;
-  std::optional<Now> last;  ///< when the journal was last written
+  std::string end;             ///< "done" or "stopped"; empty: neither
+  std::int64_t passed_ns = 0;  ///< from consent to the last event, also while the machine was off
+  std::string boot;            ///< of the last start
+  std::optional<Now> last;     ///< when the journal was last written
 
  private:
   void end_trial(TrialRecord::End end);

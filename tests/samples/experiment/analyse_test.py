@@ -245,7 +245,7 @@ def test_report():
         for unblinded in (False, True):
             run(sys.argv[2], "export", "--data", data, *(["--unblind"] if unblinded else []))
             run(sys.argv[1] + "/analyse", data)
-            test_bids(data, {"people", "paper", "none"} if unblinded else {"A", "B", "C"})
+            test_bids(data, {"practice"} | ({"people", "paper", "none"} if unblinded else {"A", "B", "C", "noticeability"}))
             report = (data / "export/report.html").read_text()
             assert "Simulation: no person took part." in report
             assert ("Conditions are blinded" in report) != unblinded
@@ -299,8 +299,15 @@ def test_bids(data, conditions):
     assert time[0] == 0 and (time.diff()[1:] > 0).all() and list(events.columns[:3]) == ["onset", "duration", "trial_type"]
     # Every sample is of one reach, and every trial is there.
     assert (sum(time.between(row.onset - 1e-6, row.onset + row.duration + 1e-6).astype(int) for row in events.itertuples()) == 1).all()
-    assert len(events.groupby(["block", "trial"])) == sum(trials.participant == 2)
-    assert set(events.trial_type) == conditions, events.trial_type
+    assert len(events.dropna(subset="block").groupby(["block", "trial"])) == sum(trials.participant == 2)
+    assert set(events.trial_type[events.block.notna()]) == conditions, events.trial_type
+    assert {"opened", "rest", "end"} <= set(events.trial_type[events.block.isna()]), events.trial_type
+    answers = pandas.read_csv(bids / "phenotype/questionnaire1.tsv", sep="\t")
+    assert {"participant_id", "session_id", "before_item_1", "after_item_6"} <= set(answers) and len(answers) == len(set(trials.participant)), answers
+    scans = pandas.read_csv(bids / "sub-02/ses-01/sub-02_ses-01_scans.tsv", sep="\t")
+    assert (bids / "sub-02/ses-01" / scans.filename[0]).exists(), scans
+    about = json.loads((bids / "sub-02/ses-01/motion/sub-02_ses-01_task-reach_tracksys-plate_motion.json").read_text(encoding="utf-8"))
+    assert about["SoftwareVersions"].startswith("haptic_retargeting 0."), about
     if validator := bids_validator():
         found = json.loads(subprocess.run(["node", validator, "--json", bids], capture_output=True, check=False).stdout)
         assert not found["issues"]["errors"], found["issues"]["errors"]
@@ -308,6 +315,7 @@ def test_bids(data, conditions):
 
 
 test_by_hand()
+test_outcomes()
 test_level_and_coverage()
 test_mixed_model()
 test_own_data()
@@ -315,5 +323,4 @@ test_population()
 test_whole_studies()
 test_power()
 test_text()
-test_outcomes()
 test_report()

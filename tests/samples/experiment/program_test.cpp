@@ -58,7 +58,7 @@ TEST(ExperimentProgram, ThroughTheMockRuntime) {
   EXPECT_EQ(read_file(folder / "one/sub-01/ses-01/journal.jsonl"),
             read_file(folder / "two/sub-01/ses-01/journal.jsonl"));
   const Tables tables = export_study(design, folder / "one", false);
-  EXPECT_EQ(occurrences(tables.trials, ",counted,"), 1U + 4 + 5);
+  EXPECT_EQ(occurrences(tables.files.at("trials.csv"), ",counted,"), 1U + 4 + 5);
 }
 
 TEST(ExperimentProgram, RefusesInOneLine) {
@@ -135,7 +135,7 @@ struct AtPlate {
     return plate::eventually([&] { return occurrences(journal_of(folder), "\"event\":\"" + event) >= count; });
   }
   void leave() {
-    terminal.type("q");
+    terminal.type("qq");
     const Outcome outcome = program->wait();
     EXPECT_TRUE(has(outcome.out, "left")) << outcome.err;
   }
@@ -196,7 +196,7 @@ Outcome lead(const TemporaryFolder& folder, const reach::Path& path, const std::
                         written(folder, "script.json", path.script(more)), terminal.descriptor());
   EXPECT_TRUE(plate::eventually([&] { return occurrences(journal_of(folder), "\"event\":\"" + event) >= until; }))
       << program.err();
-  terminal.type("q");
+  terminal.type("qq");
   return program.wait();
 }
 
@@ -319,10 +319,15 @@ TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
   person.stop("Bent? 1 yes, 2 no.");
   person.type("2");
   person.stop("A break of 0 minutes. Space continues after it.");
-  person.type("n ");
-  person.stop("A note, and Enter:", "\x1b", "Put your index finger on the start.");
+  // All keys but Escape are of the note, at once; what was typed is kept.
+  person.type("nser cougheä" + std::string(2, '\x7f') + "d, unb s q");
+  person.stop("A note, and Enter:", "\x1b", "A break of 0 minutes. Space continues after it.");
+  EXPECT_TRUE(has(journal_of(person.folder), R"("text":"ser coughd, unb s q")"));
+  EXPECT_FALSE(has(journal_of(person.folder), "unblinded"));
+  person.type(" ");
+  person.stop("Put your index finger on the start.");
   person.leave();
-  EXPECT_EQ(occurrences(journal_of(person.folder), "plate_stopped"), 7U);
+  EXPECT_EQ(occurrences(journal_of(person.folder), "plate_stopped"), 8U);
   for (const char* name : {"secret", "hidden"})
     EXPECT_FALSE(has(person.all + read_file(person.folder / "heard"), name));
 }
