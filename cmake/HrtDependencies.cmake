@@ -20,7 +20,6 @@ if(HRT_BUILD_SAMPLES)
   # Its header calls libcrypto where it was built with it.
   pkg_check_modules(HRT_HTTPLIB REQUIRED IMPORTED_TARGET GLOBAL cpp-httplib libcrypto)
   find_path(HRT_VULKAN_INCLUDE vulkan/vulkan_core.h REQUIRED)
-  find_path(HRT_OPENGL_INCLUDE GL/glcorearb.h REQUIRED)
 endif()
 if(HRT_BUILD_TESTS AND NOT CMAKE_CROSSCOMPILING)
   find_package(GTest REQUIRED)

@@ -21,7 +21,6 @@ namespace hrt::mock {
   X(palm_pose, XR_EXT_PALM_POSE, XR_EXT_palm_pose)                               \
   X(vulkan_enable, XR_KHR_VULKAN_ENABLE, XR_KHR_vulkan_enable)                   \
   X(vulkan_enable2, XR_KHR_VULKAN_ENABLE2, XR_KHR_vulkan_enable2)                \
-  X(opengl_enable, XR_KHR_OPENGL_ENABLE, XR_KHR_opengl_enable)                   \
   X(layer_depth, XR_KHR_COMPOSITION_LAYER_DEPTH, XR_KHR_composition_layer_depth) \
   X(ridged_plate, XR_HRTX_RIDGED_PLATE, XR_HRTX_ridged_plate)                    \
   X(mock_control, XR_HRTX_MOCK_CONTROL, XR_HRTX_mock_control)

@@ -88,7 +88,6 @@
   X(xrGetVulkanInstanceExtensionsKHR,       get_vulkan_extensions,                   vulkan_enable, void)    \
   X(xrGetVulkanDeviceExtensionsKHR,         get_vulkan_extensions,                   vulkan_enable, void)    \
   X(xrGetVulkanGraphicsDeviceKHR,           get_vulkan_graphics_device,              vulkan_enable, void)    \
-  X(xrGetOpenGLGraphicsRequirementsKHR,     get_opengl_graphics_requirements,        opengl_enable, void)    \
   X(xrApplyScriptHRTX,                      apply_script,                            mock_control,  void)    \
   X(xrAdvanceTimeHRTX,                      advance_time,                            mock_control,  void)    \
   X(xrGetCallLogHRTX,                       get_call_log,                            mock_control,  void)    \

@@ -1,4 +1,4 @@
-// XR_KHR_vulkan_enable2, XR_KHR_vulkan_enable and XR_KHR_opengl_enable.
+// XR_KHR_vulkan_enable2 and XR_KHR_vulkan_enable.
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
 
@@ -7,8 +7,6 @@ namespace {
 
 // Of which images are made and read; nothing of these is newer than the oldest version.
 constexpr XrVersion min_vulkan = XR_MAKE_VERSION(1, 0, 0), max_vulkan = XR_MAKE_VERSION(1, 4, 0);
-// Textures whose storage does not change, with samples.
-constexpr XrVersion min_opengl = XR_MAKE_VERSION(4, 3, 0), max_opengl = XR_MAKE_VERSION(4, 6, 0);
 
 // The only choice: the first one.
 VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
@@ -48,12 +46,6 @@ std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, cons
     require(binding->physicalDevice != nullptr && binding->physicalDevice == setup.vulkan_device,
             XR_ERROR_GRAPHICS_DEVICE_INVALID, "physicalDevice is not that of xrGetVulkanGraphicsDevice(2)KHR");
     return make_vulkan_device(*binding, setup.get_vulkan);
-  }
-  if (const auto* binding = chained<const XrGraphicsBindingOpenGLXlibKHR>(info.next);
-      binding != nullptr && instance.enabled(Extension::opengl_enable)) {
-    require(setup.opengl_asked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
-            "xrGetOpenGLGraphicsRequirementsKHR has not been called");
-    return make_opengl_device(*binding);
   }
   require(instance.enabled(Extension::headless), XR_ERROR_GRAPHICS_DEVICE_INVALID,
           "createInfo has no graphics binding of an extension that is enabled, and XR_MND_headless is not");
@@ -98,14 +90,6 @@ void create_vulkan_device(Instance& instance, const XrVulkanDeviceCreateInfoKHR*
   require(info->vulkanPhysicalDevice != nullptr && info->vulkanPhysicalDevice == instance.graphics.vulkan_device,
           XR_ERROR_VALIDATION_FAILURE, "vulkanPhysicalDevice is not that of xrGetVulkanGraphicsDevice2KHR");
   *result = create(info->vulkanPhysicalDevice, info->vulkanCreateInfo, info->vulkanAllocator, device);
-}
-
-void get_opengl_graphics_requirements(Instance& instance, XrSystemId system,
-                                      XrGraphicsRequirementsOpenGLKHR* requirements) {
-  require_system(system);
-  requirements->minApiVersionSupported = min_opengl;
-  requirements->maxApiVersionSupported = max_opengl;
-  instance.graphics.opengl_asked = true;
 }
 
 }  // namespace hrt::mock

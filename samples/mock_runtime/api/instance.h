@@ -28,7 +28,6 @@ using SuggestedBindings = std::map<XrPath, std::vector<Binding>>;
 /// What an application has chosen before its session.
 struct GraphicsSetup {
   bool vulkan_asked = false;  ///< for its requirements
-  bool opengl_asked = false;
   PFN_vkGetInstanceProcAddr get_vulkan = nullptr;
   VkInstance vulkan_instance = nullptr;
   VkPhysicalDevice vulkan_device = nullptr;  ///< that it was given

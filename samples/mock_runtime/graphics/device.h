@@ -1,4 +1,4 @@
-// What a session draws with: images of the application's own Vulkan device or OpenGL context.
+// What a session draws with: images of the application's own Vulkan device.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +32,9 @@ class GraphicsDevice {
   virtual std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info, std::uint32_t count) = 0;
 };
 
-/// The devices of a session's bindings. They throw XR_ERROR_GRAPHICS_DEVICE_INVALID.
+/// The device of a session's binding. Throws XR_ERROR_GRAPHICS_DEVICE_INVALID.
 std::shared_ptr<GraphicsDevice> make_vulkan_device(const XrGraphicsBindingVulkanKHR& binding,
                                                    PFN_vkGetInstanceProcAddr get_proc_addr);
-std::shared_ptr<GraphicsDevice> make_opengl_device(const XrGraphicsBindingOpenGLXlibKHR& binding);
 
 /// The Vulkan loader of the process, which an application that gives a VkInstance has loaded; else null.
 PFN_vkGetInstanceProcAddr loaded_vulkan();

@@ -39,8 +39,8 @@ class MockErrors : public MockNegotiation {
   void create_instance() {
     const std::vector<const char*> names{
         "XR_MND_headless",      "XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time", "XR_EXT_conformance_automation",
-        "XR_KHR_locate_spaces", "XR_KHR_vulkan_enable", "XR_KHR_vulkan_enable2",        "XR_KHR_opengl_enable",
-        "XR_HRTX_ridged_plate", "XR_HRTX_mock_control"};
+        "XR_KHR_locate_spaces", "XR_KHR_vulkan_enable", "XR_KHR_vulkan_enable2",        "XR_HRTX_ridged_plate",
+        "XR_HRTX_mock_control"};
     ASSERT_XR(XR_SUCCESS, create_direct(names, XR_MAKE_VERSION(1, 1, 0)));
   }
   // A session with all kinds of handles.
@@ -168,8 +168,6 @@ TEST_F(MockErrors, OfInstances) {
   XrGraphicsRequirementsVulkanKHR vulkan{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN_KHR};
   REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirements2KHR, instance, none, &vulkan);
   REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirementsKHR, instance, none, &vulkan);
-  XrGraphicsRequirementsOpenGLKHR opengl{XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR};
-  REFUSED(SYSTEM_INVALID, xrGetOpenGLGraphicsRequirementsKHR, instance, none, &opengl);
   VkPhysicalDevice device = nullptr;
   REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsDeviceKHR, instance, none, nullptr, &device);
   REFUSED(VALIDATION_FAILURE, xrGetVulkanInstanceExtensionsKHR, instance, 1, 0, nullptr, nullptr);
