@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "samples/mock_runtime/api/swapchain.h"
-#include "samples/mock_runtime/graphics/world_picture.h"
 
 namespace hrt::mock {
 namespace {
@@ -38,14 +37,12 @@ bool is_due(Session& session) {
 
 void keep_pictures(const XrFrameEndInfo& info, Session& session) {
   const char* folder = std::getenv("HRT_MOCK_PICTURES");
-  if (folder == nullptr || *folder == '\0' || !is_due(session)) return;
+  if (folder == nullptr || *folder == '\0' || session.graphics == nullptr || !is_due(session)) return;
   char frame[32];
   std::snprintf(frame, sizeof frame, "%06lld", static_cast<long long>(session.frames.begun_number));
-  for (const Script::View view : runtime().script.views) {
-    if (view != Script::View::world && session.graphics == nullptr) continue;
-    const std::string name = view == Script::View::left ? "left" : view == Script::View::right ? "right" : "world";
-    const Picture picture = view == Script::View::world ? picture_of_world(session.world(), runtime().now())
-                                                        : picture_of_eye(info, view == Script::View::left ? 0 : 1);
+  for (const std::uint32_t eye : {0U, 1U}) {
+    const std::string name = eye == 0 ? "left" : "right";
+    const Picture picture = picture_of_eye(info, eye);
     std::ostringstream line;
     line << frame << ' ' << info.displayTime << ' ' << name << ' ' << picture.width << 'x' << picture.height << ' '
          << hash_of(picture);

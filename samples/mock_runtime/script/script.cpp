@@ -26,7 +26,7 @@ Json parse(std::string_view text, Recording& recording) {
 // What is played back takes the place of everything else that a script simulates.
 void check_playback(const Json& script) {
   static const std::vector<std::string> besides{
-      "clock", "calls", "picture_every_frames", "picture_views", "playback", "withhold_extensions", "$schema"};
+      "clock", "calls", "picture_every_frames", "playback", "withhold_extensions", "$schema"};
   for (const auto& [key, value] : script.items())
     if (std::find(besides.begin(), besides.end(), key) == besides.end())
       refuse("script.playback", "takes the place of " + key + ", which has no effect beside it");
@@ -77,14 +77,11 @@ WorldSettings read_world(const Json& json) {
 }
 
 Script read_script(const Json& json, Recording& recording) {
-  static const Names<Script::View> views{
-      {"left", Script::View::left}, {"right", Script::View::right}, {"world", Script::View::world}};
   Script script;
   if (json.value("clock", "manual") == "real-time") script.clock = Clock::Kind::real_time;
   if (json.contains("frame_rate_hz")) script.frame_period = std::llround(1e9 / json["frame_rate_hz"].get<double>());
   script.frame_times = json.value("frame_times", script.frame_times);
   script.focus_frame = json.value("focus_frame", script.focus_frame);
-  if (json.contains("picture_views")) script.views = meanings(json["picture_views"], views);
   script.pictures = json.value("picture_every_frames", script.pictures);
   script.stage = json.value("stage", script.stage);
   script.hand_tracking = json.value("hand_tracking", script.hand_tracking);

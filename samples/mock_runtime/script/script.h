@@ -24,9 +24,6 @@ struct Script {
   std::int64_t focus_frame = 0;
   bool stage = true;          ///< the runtime has the STAGE space
   bool hand_tracking = true;  ///< of the system: XrSystemHandTrackingPropertiesEXT
-  /// Of what pictures are: what each eye is shown, and the world.
-  enum class View { left, right, world };
-  std::vector<View> views{View::left, View::right};
   std::int64_t pictures = 0;  ///< of every so many frames, from the first on; 0: of those that events name
   ExtensionSet withheld;      ///< extensions that the runtime hides
   WorldSettings world;

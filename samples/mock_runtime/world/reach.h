@@ -41,7 +41,6 @@ class Reach {
   FingerMotion motion(XrTime time, const PlateModel& plate) const;
 
   const Eigen::Vector2d& start_m() const { return path_.front(); }
-  double goal_direction_deg() const { return goal_direction_deg_; }
   double tactile_weight() const { return simulated_.illusion.tactile_weight; }
   /// The outermost direction, to the left (`sign` > 0) or right, on which a plate within 75 degrees of the
   /// motion can hold the finger in mid-path.

@@ -140,11 +140,6 @@ std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {
   return state;
 }
 
-std::optional<HandState> World::true_hand(XrHandEXT side, XrTime time) const {
-  if (!at(side).tracked) return std::nullopt;
-  return at(side).reach ? sliding_hand(at(side), side, time) : hand_on_path(side, time);
-}
-
 HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
   const HandSettings& settings = settings_of(side);
   if (settings.path.empty()) return resting_hand(side);

@@ -59,9 +59,7 @@ class World {
 
   /// Plate frame: origin in the centre of rotation, +Y the normal, -Z the mid-line away from the user.
   void place_plate(const Pose& plate, double radius_m);
-  const Pose& plate() const { return plate_; }
   bool plate_is_placed() const { return plate_radius_m_ > 0.0; }
-  double plate_radius_m() const { return plate_radius_m_; }
 
   /// Sets the seed of all draws to come and the number of the next reach.
   void set_seed(std::uint64_t seed, std::uint32_t next_reach);
@@ -110,8 +108,6 @@ class World {
   /// The hand as the tracker reports it for `time`; none while not tracked. A future time is predicted
   /// without further plate commands.
   std::optional<HandState> hand(XrHandEXT hand, XrTime time) const;
-  /// The hand itself; none where the script has none.
-  std::optional<HandState> true_hand(XrHandEXT hand, XrTime time) const;
 
  private:
   struct Hand {
