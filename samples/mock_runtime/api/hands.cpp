@@ -6,10 +6,6 @@
 namespace hrt::mock {
 namespace {
 
-HandJoints joints_of(XrHandEXT side, const HandState& state, const Fingers& fingers) {
-  return place_hand(shape_hand(side, fingers), state.index_tip_m, state.orientation);
-}
-
 // Joints that are not given have no valid bit.
 void write_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& locations,
                   XrHandJointVelocitiesEXT* velocities) {
@@ -33,9 +29,7 @@ RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base, c
   RecordedJoints given{focused && hand && base_in_world, {}, {}};
   if (!given.active) return given;
   const Pose from_world = inverse(*base_in_world);
-  const HandJoints joints = joints_of(tracker.hand, *hand, hand->fingers);
-  // Where bending fingers alone would bring them.
-  const HandJoints soon = joints_of(tracker.hand, *hand, hand->fingers_soon);
+  const HandJoints joints = place_hand(tracker.hand, hand->index_tip_m, hand->orientation);
   const XrSpaceLocationFlags position_tracked =
       base.stands_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   const Velocities kind = world.velocities();
@@ -50,8 +44,7 @@ RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base, c
     if (kind == Velocities::zero) continue;
     const Eigen::Vector3d linear =
         hand->index_tip_velocity_m_per_s +
-        hand->angular_velocity_rad_per_s.cross(joints[i].pose.position_m - hand->index_tip_m) +
-        (soon[i].pose.position_m - joints[i].pose.position_m) / soon_s;
+        hand->angular_velocity_rad_per_s.cross(joints[i].pose.position_m - hand->index_tip_m);
     velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
     if (kind == Velocities::full)
       velocity.angularVelocity = to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));

@@ -40,7 +40,7 @@ void place_plate(Session& session, const XrPlatePlacementHRTX* placement) {
   require_length(placement->radius, "radius must be in (0, 10] m");
   const auto in_world = space.in_world(session.instance().clock.now());
   require(in_world.has_value(), XR_ERROR_VALIDATION_FAILURE, "the space is not tracked now");
-  if (!session.player) session.world().place_plate(*in_world * pose, placement->radius);
+  if (!session.player) session.world().place_plate(*in_world * pose);
 }
 
 void set_simulation_seed(Session& session, std::uint64_t seed, std::uint32_t next_reach) {

@@ -27,7 +27,6 @@ PlateDynamics read_servo(const Json& servo) {
 
 PlateSettings read_plate(const Json& plate) {
   return {{turn(plate["yaw_deg"], Eigen::Vector3d::UnitY()), read_vector(plate["position_m"])},
-          plate["radius_m"],
           plate.value("terminal", "")};
 }
 
@@ -59,14 +58,6 @@ std::vector<Keyframe> read_path(const Json& path, const std::string& where, cons
 HandSettings read_hand(const Json& object, const std::string& where, bool tracked) {
   HandSettings hand;
   hand.path = read_path(object["path"], where + ".path", resting_hand_orientation());
-  // What a keyframe does not give is as in the one before.
-  Fingers fingers;
-  for (const Json& point : object["path"]) {
-    if (point.contains("curl") && point["curl"].is_array()) fingers.curl = point["curl"].get<std::array<double, 5>>();
-    if (point.contains("curl") && point["curl"].is_number()) fingers.curl.emplace().fill(point["curl"]);
-    fingers.pinch = point.value("pinch", fingers.pinch);
-    hand.fingers.push_back({hand.path[hand.fingers.size()].time_ns, fingers});
-  }
   if (object.contains("slides")) {
     const Json& slides = object["slides"];
     hand.slides = {read_vector(slides["start_m"]), slides["direction_deg"], slides["length_m"],

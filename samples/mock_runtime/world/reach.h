@@ -40,7 +40,6 @@ class Reach {
   /// At any time; a future time is predicted without further plate commands.
   FingerMotion motion(XrTime time, const PlateModel& plate) const;
 
-  const Eigen::Vector2d& start_m() const { return path_.front(); }
   double tactile_weight() const { return simulated_.illusion.tactile_weight; }
   /// The outermost direction, to the left (`sign` > 0) or right, on which a plate within 75 degrees of the
   /// motion can hold the finger in mid-path.

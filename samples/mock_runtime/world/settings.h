@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/plate/plate_model.h"
-#include "samples/mock_runtime/world/hand_model.h"
 #include "samples/mock_runtime/world/people.h"
 #include "samples/mock_runtime/world/pose.h"
 
@@ -27,12 +26,6 @@ struct TrackerSettings {
   Velocities velocities = Velocities::full;
 };
 
-/// How a hand's fingers are bent at a time of its path.
-struct FingerKeyframe {
-  std::int64_t time_ns;  ///< since the session was created
-  Fingers fingers;
-};
-
 /// Slides over the placed plate, one after the other, that nobody instructs; in plate coordinates.
 struct SlideSettings {
   Eigen::Vector3d start_m;  ///< of the index tip joint
@@ -43,8 +36,7 @@ struct SlideSettings {
 
 struct HandSettings {
   bool tracked = false;
-  std::vector<Keyframe> path;           ///< of the index fingertip, and of the wrist's axes, in LOCAL; empty: at rest
-  std::vector<FingerKeyframe> fingers;  ///< at the times of the path; empty: it points
+  std::vector<Keyframe> path;  ///< of the index fingertip, and of the wrist's axes, in LOCAL; empty: at rest
   std::optional<SlideSettings> slides;
 };
 
@@ -55,8 +47,7 @@ struct ControllerSettings {
 
 /// A plate that stands before the session begins.
 struct PlateSettings {
-  Pose pose;  ///< in LOCAL; its +Y is the normal, its -Z the mid-line
-  double radius_m;
+  Pose pose;             ///< in LOCAL; its +Y is the normal, its -Z the mid-line
   std::string terminal;  ///< path of the pseudo-terminal that turns it; empty: none
 };
 

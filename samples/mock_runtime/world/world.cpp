@@ -59,13 +59,7 @@ World::World(const WorldSettings& settings, XrTime start)
   servo_.advance(start);
   for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) at(side).tracked = settings_of(side).tracked;
   if (settings_.plate)
-    place_plate({settings_.plate->pose.orientation, local_space_in_world() * settings_.plate->pose.position_m},
-                settings_.plate->radius_m);
-}
-
-void World::place_plate(const Pose& plate, double radius_m) {
-  plate_ = plate;
-  plate_radius_m_ = radius_m;
+    place_plate({settings_.plate->pose.orientation, local_space_in_world() * settings_.plate->pose.position_m});
 }
 
 void World::set_seed(std::uint64_t seed, std::uint32_t next_reach) {
@@ -100,7 +94,6 @@ void World::put_hand(XrHandEXT side, const Pose& pose) {
   HandSettings& settings = settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1];
   settings.slides.reset();
   settings.path = {{now_ - start_, pose}};
-  settings.fingers = {{now_ - start_, {}}};
   at(side).reach.reset();
   at(side).tracked = true;
 }
@@ -133,10 +126,7 @@ std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {
   if (settings_.tracker.period_ns > 0) sampled -= sampled % settings_.tracker.period_ns;
   HandState state = hand.reach ? sliding_hand(hand, side, sampled) : hand_on_path(side, sampled);
   state.index_tip_m += tracker_noise_m(side, sampled) + hand.jump_m;
-  if (hand.frozen_at) {
-    state.fingers_soon = state.fingers;
-    state.index_tip_velocity_m_per_s = state.angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
-  }
+  if (hand.frozen_at) state.index_tip_velocity_m_per_s = state.angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
   return state;
 }
 
@@ -144,23 +134,8 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
   const HandSettings& settings = settings_of(side);
   if (settings.path.empty()) return resting_hand(side);
   const Motion motion = motion_at(settings.path, time - start_);
-  HandState state{local_space_in_world() * motion.pose.position_m, motion.pose.orientation, motion.velocity_m_per_s,
-                  motion.angular_velocity_rad_per_s};
-  const auto& keys = settings.fingers;
-  const auto after = std::upper_bound(keys.begin(), keys.end(), time - start_,
-                                      [](XrDuration t, const FingerKeyframe& key) { return t < key.time_ns; });
-  if (after == keys.begin()) {
-    state.fingers = state.fingers_soon = keys.front().fingers;
-  } else if (after == keys.end()) {
-    state.fingers = state.fingers_soon = keys.back().fingers;
-  } else {
-    const FingerKeyframe& from = *std::prev(after);
-    const auto duration_ns = static_cast<double>(after->time_ns - from.time_ns);
-    const double share = static_cast<double>(time - start_ - from.time_ns) / duration_ns;
-    state.fingers = between(from.fingers, after->fingers, share);
-    state.fingers_soon = between(from.fingers, after->fingers, share + soon_s * 1e9 / duration_ns);
-  }
-  return state;
+  return {local_space_in_world() * motion.pose.position_m, motion.pose.orientation, motion.velocity_m_per_s,
+          motion.angular_velocity_rad_per_s};
 }
 
 Motion World::head(XrTime time) const {
@@ -187,9 +162,9 @@ HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) con
   const Eigen::Vector2d arm_m = tip_m - elbow_m;
   const double yaw_deg = atan2_deg(-arm_m.x(), -arm_m.y());
   const double yaw_rad_per_s = (arm_m.y() * velocity.x() - arm_m.x() * velocity.y()) / arm_m.squaredNorm();
-  return {plate_ * Eigen::Vector3d(tip_m.x(), hand.height_m, tip_m.y()), plate_.orientation * hand_orientation(yaw_deg),
-          plate_.orientation * Eigen::Vector3d(velocity.x(), 0.0, velocity.y()),
-          plate_.orientation * Eigen::Vector3d(0.0, yaw_rad_per_s, 0.0)};
+  const Eigen::Quaterniond& plate = plate_->orientation;
+  return {*plate_ * Eigen::Vector3d(tip_m.x(), hand.height_m, tip_m.y()), plate * hand_orientation(yaw_deg),
+          plate * Eigen::Vector3d(velocity.x(), 0.0, velocity.y()), plate * Eigen::Vector3d(0.0, yaw_rad_per_s, 0.0)};
 }
 
 Eigen::Vector3d World::tracker_noise_m(XrHandEXT side, XrTime time) const {

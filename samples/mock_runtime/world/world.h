@@ -22,11 +22,7 @@ struct HandState {
   Eigen::Quaterniond orientation;  ///< of the wrist
   Eigen::Vector3d index_tip_velocity_m_per_s = Eigen::Vector3d::Zero();
   Eigen::Vector3d angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
-  Fingers fingers = {};
-  Fingers fingers_soon = {};  ///< after soon_s, for the velocities of the joints
 };
-
-inline constexpr double soon_s = 1e-4;
 
 /// The head of the seated user, and LOCAL space, when the session is created.
 Pose local_space_in_world();
@@ -58,8 +54,8 @@ class World {
   World(const WorldSettings& settings, XrTime start);
 
   /// Plate frame: origin in the centre of rotation, +Y the normal, -Z the mid-line away from the user.
-  void place_plate(const Pose& plate, double radius_m);
-  bool plate_is_placed() const { return plate_radius_m_ > 0.0; }
+  void place_plate(const Pose& plate) { plate_ = plate; }
+  bool plate_is_placed() const { return plate_.has_value(); }
 
   /// Sets the seed of all draws to come and the number of the next reach.
   void set_seed(std::uint64_t seed, std::uint32_t next_reach);
@@ -131,8 +127,7 @@ class World {
 
   WorldSettings settings_;
   PlateModel servo_;
-  Pose plate_;
-  double plate_radius_m_ = 0.0;
+  std::optional<Pose> plate_;
   std::array<Hand, 2> hands_;
   std::optional<XrTime> head_lost_at_;
   std::uint32_t reaches_ = 0;

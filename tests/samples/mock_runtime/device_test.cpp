@@ -18,14 +18,6 @@ class MockDevices : public MockRuntime {
                      XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_HRTX_RIDGED_PLATE_EXTENSION_NAME,
                      XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_EXT_LOCAL_FLOOR_EXTENSION_NAME,
                      XR_KHR_LOCATE_SPACES_EXTENSION_NAME, XR_EXT_PALM_POSE_EXTENSION_NAME}) {}
-
-  // The joints of the right hand, one second after the session began.
-  Hand hand_with(const std::string& keyframe) {
-    begin_with(R"({"hands": {"right": {"path": [{"time_ms": 0, "position_m": [0, -0.4, -0.3])" + keyframe + "}]}}}");
-    const Hand held = locate_hand(hand, local, frame());
-    EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
-    return held;
-  }
 };
 
 // By hand: 0.2 m to the right in one second, turning left by 90 degrees; half way it is 0.1 m, and 45
@@ -181,64 +173,6 @@ TEST_F(MockControllers, ProfilesChangeAndControllersArePutAway) {
     EXPECT_EQ(pulled(), *expected == '\0' ? -1.0F : 0.0F);
     EXPECT_EQ(profile_events(), 1) << expected;
     EXPECT_EQ(profile(), expected);
-  }
-}
-
-// "The length of a bone does not change": from joint to joint of each finger, for every curl and pinch.
-TEST_F(MockDevices, FingersBendWithTheirBonesAsLongAsEver) {
-  const Hand pointing = hand_with("");
-  for (const char* bent : {R"(, "curl": 0)", R"(, "curl": 1)", R"(, "curl": [0.2, 0.4, 0.6, 0.8, 1])",
-                           R"(, "pinch": 1)", R"(, "pinch": 0.3)", R"(, "curl": [0, 0, 1, 1, 1], "pinch": 1)"}) {
-    const Hand held = hand_with(bent);
-    ASSERT_TRUE(held.active);
-    for (int joint = XR_HAND_JOINT_WRIST_EXT + 1; joint < XR_HAND_JOINT_COUNT_EXT; ++joint) {
-      const bool first = joint == XR_HAND_JOINT_THUMB_METACARPAL_EXT || (joint >= 6 && joint % 5 == 1);
-      const auto from = static_cast<std::size_t>(first ? XR_HAND_JOINT_WRIST_EXT : joint - 1);
-      const auto to = static_cast<std::size_t>(joint);
-      EXPECT_NEAR(distance_m(held.joints[from].pose, held.joints[to].pose),
-                  distance_m(pointing.joints[from].pose, pointing.joints[to].pose), 1e-6)
-          << bent << " joint " << joint;
-    }
-    // The path is the index tip's, however the hand is bent.
-    EXPECT_NEAR(held.index_tip().z, -0.3F, 1e-6F) << bent;
-  }
-}
-
-TEST_F(MockDevices, CurledTipsComeToThePalmAndStraightOnesDoNot) {
-  const Hand straight = hand_with(R"(, "curl": 0)"), fist = hand_with(R"(, "curl": 1)");
-  for (const std::size_t tip : {XR_HAND_JOINT_INDEX_TIP_EXT, XR_HAND_JOINT_MIDDLE_TIP_EXT, XR_HAND_JOINT_RING_TIP_EXT,
-                                XR_HAND_JOINT_LITTLE_TIP_EXT}) {
-    EXPECT_GT(distance_m(straight.joints[tip].pose, straight.joints[XR_HAND_JOINT_PALM_EXT].pose), 0.09) << tip;
-    EXPECT_LT(distance_m(fist.joints[tip].pose, fist.joints[XR_HAND_JOINT_PALM_EXT].pose), 0.065) << tip;
-    // On the side of the palm, not behind the hand.
-    EXPECT_LT(fist.joints[tip].pose.position.y, fist.joints[tip - 3].pose.position.y) << tip;
-  }
-}
-
-TEST_F(MockDevices, PinchBringsThumbAndIndexTipTogether) {
-  double last_m = 1.0;
-  for (const char* pinch : {"0", "0.25", "0.5", "0.75", "1"}) {
-    const Hand held = hand_with(std::string(R"(, "pinch": )") + pinch);
-    const double gap_m =
-        distance_m(held.joints[XR_HAND_JOINT_THUMB_TIP_EXT].pose, held.joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose);
-    EXPECT_LT(gap_m, last_m) << pinch;
-    last_m = gap_m;
-  }
-  EXPECT_NEAR(last_m, 0.008, 1e-4);
-}
-
-// The velocities of bending fingers are the rates of change.
-TEST_F(MockDevices, BendingFingersHaveTheirVelocities) {
-  begin_with(R"({"hands": {"right": {"path": [
-    {"time_ms": 0, "position_m": [0, -0.4, -0.3], "curl": 0},
-    {"time_ms": 1000, "position_m": [0, -0.4, -0.3], "curl": 1}]}}})");
-  const XrTime time = 1'500'000'000;
-  const Hand before = locate_hand(hand, local, time - 1'000'000), now = locate_hand(hand, local, time),
-             after = locate_hand(hand, local, time + 1'000'000);
-  for (const std::size_t joint : {XR_HAND_JOINT_THUMB_TIP_EXT, XR_HAND_JOINT_LITTLE_TIP_EXT}) {
-    const float rate = (after.joints[joint].pose.position.y - before.joints[joint].pose.position.y) / 0.002F;
-    EXPECT_GT(std::abs(rate), 0.01F);
-    EXPECT_NEAR(now.velocities[joint].linearVelocity.y, rate, 2e-3F) << joint;
   }
 }
 
