@@ -69,8 +69,8 @@ def _defaults(abi: Abi, struct: Struct) -> str:
 _LAYOUT_TYPES = """
 export interface FieldPlace {
   readonly offset: number;
-  /** Or the name of a struct. A handle is its u64. */
-  readonly type: "u8" | "i32" | "u32" | "i64" | "u64" | "f64" | string;
+  /** Or the name of a struct. An id of a target is a u64 that a number represents exactly. */
+  readonly type: "u8" | "i32" | "u32" | "i64" | "u64" | "id" | "f64" | string;
   readonly length?: number;
 }
 
@@ -115,4 +115,4 @@ def _element(abi: Abi, type_: Type) -> str:
     if type_.name in _ELEMENTS:
         return _ELEMENTS[type_.name]
     inner = abi.struct(type_.name)
-    return "u64" if inner.is_handle else inner.name
+    return "id" if inner.name == "hrt_target" else "u64" if inner.is_handle else inner.name

@@ -6,8 +6,8 @@ import type {
 } from "./abi.js";
 export * from "./abi.js";
 
-/** A struct that the library returns, as an object. 64-bit integers are bigint; in JSON they are numbers up to 2^53, and
- *  decimal text beyond. */
+/** A struct that the library returns, as an object. 64-bit integers are bigint, except ids of targets; in JSON they are
+ *  numbers up to 2^53, and decimal text beyond. */
 type Output<Struct> = Omit<Struct, "struct_size" | "reserved">;
 /** A struct for the library: fields left out take their defaults; integers may be numbers. */
 type Input<Struct> = {
@@ -21,7 +21,7 @@ type Frame<Struct> = {
 };
 
 /** A target's id within its session. */
-export type TargetId = bigint;
+export type TargetId = number;
 
 /** A call that failed. The message is the library's: call, field, value and what is allowed. Arguments that are not
  *  what their type says are a TypeError or a RangeError instead. */
@@ -52,10 +52,11 @@ export interface Library {
   replay(recording: string): Output<hrt_replay_report>;
 }
 
-/** A tracked fingertip: WebXR's XRPose or XRJointPose, or what has a place, as objects of three.js and vectors do. Null
- *  or undefined: lost. A rotation is that of the joint's axes, by which the session finds the skin. */
+/** The tracked joint at the fingertip: an XRPose, XRJointPose or XRRigidTransform of WebXR, an object of three.js, or a
+ *  position alone. Null, undefined or numbers that are not finite: lost. With the rotation of the joint, the session applies
+ *  `fingertip_offset_m`, the offset of the skin that a set-up finds. */
 export type FingerPose = { readonly transform: { readonly position: Point; readonly orientation?: Rotation } }
-  | { readonly position: Point; readonly quaternion?: Rotation } | Point | null | undefined;
+  | { readonly position: Point; readonly orientation?: Rotation; readonly quaternion?: Rotation } | Point | null | undefined;
 export interface Point { readonly x: number; readonly y: number; readonly z: number }
 /** A unit quaternion. */
 export interface Rotation extends Point { readonly w: number }
@@ -64,8 +65,8 @@ export interface Rotation extends Point { readonly w: number }
  *  three.js. */
 export type PlateMatrix = ArrayLike<number> | { readonly matrix: ArrayLike<number> } | { readonly elements: ArrayLike<number> };
 
-/** One user, one plate. To be destroyed when done: JavaScript does not collect what the module holds. Calls after that
- *  throw; `sample` can then no longer be written. */
+/** One user, one plate. Destroy it when it is no longer used: JavaScript does not free memory of the module. Other calls
+ *  throw after that, and `sample` is frozen. */
 export interface Session {
   readonly config: Output<hrt_session_config>;
   /** Changes fields of the configuration, between reaches. */
@@ -73,6 +74,7 @@ export interface Session {
   /** Where the plate's mount stands in the world, between reaches: a rotation and a translation. In the frame of the
    *  mount +Y is up and -Z away from the user. It replaces a registration. */
   setPlate(matrix: PlateMatrix): void;
+  /** Frees the session. A second call has no effect. */
   destroy(): void;
   [Symbol.dispose](): void;
 
@@ -103,6 +105,8 @@ export interface Session {
   beginReach(realTarget: TargetId, virtualTarget: TargetId, plateOrientationDeg?: number, startAtFinger?: boolean): void;
   /** Leads the reach to other targets from now on, or to the same ones after setTarget() has moved them. */
   retargetReach(realTarget: TargetId, virtualTarget: TargetId): void;
+  /** The pose of the plate is from a registration, as of the last beginReach(). */
+  readonly registered: boolean;
   /** The finger has met the real object, by default at the real target's near side: later reaches correct the tracker's frame,
    *  about a registration. Once a reach, before its end or after it. */
   reachTouched(contact?: Input<hrt_contact>): void;

@@ -1,4 +1,4 @@
-// The plugin for browsers and bundlers: loads the WebAssembly module and wraps its C functions. node begins at node.mjs.
+// The plugin for browsers and bundlers: loads the WebAssembly module and wraps its C functions. node starts with node.mjs.
 // Types and documentation: index.d.ts; fields of structs: abi.d.ts.
 import * as abi from "./abi.js";
 import { Command, readCommand, readSample, Sample, writeSample } from "./frame.mjs";
@@ -66,11 +66,15 @@ function idsOf(memory, count, write) {
   });
 }
 
-// What the module has under a handle, calls that begin with it, and structs in the module's memory for as long as it lives.
+/** A target's id, as the module takes it. */
+const idOf = (target, name = "target") => checked(name, "id", target);
+
+// An object of the module, calls that begin with its handle, and structs that exist in the module's memory as long as the object.
 class Native {
+  #destroyed = false;
   #destroy;
   #structs = new Map();
-  /** `destroy`, such as hrt_session_destroy, and the structs' types. */
+  /** `destroy`: the call that destroys it, such as hrt_session_destroy; `types`: those of the structs. */
   constructor(memory, destroy, create, ...types) {
     this.memory = memory;
     this.#destroy = destroy;
@@ -80,14 +84,16 @@ class Native {
   call(name, ...values) { this.memory.call(name, this.handle, ...values); }
   get(type, name, ...values) { return this.memory.get(type, name, this.handle, ...values); }
   put(type, fields, name, ...values) { this.memory.put(type, fields, name, this.handle, ...values); }
-  /** Where a struct is. */
+  /** The address of a struct. */
   at(type) {
     const at = this.#structs.get(type);
     if (at === undefined) throw new HapticRetargetingError(abi.HRT_ERROR_INVALID_HANDLE, `the ${this.#destroy.split("_")[1]} has been destroyed`);
     return at;
   }
   destroy() {
+    if (this.#destroyed) return;
     this.call(this.#destroy);
+    this.#destroyed = true;
     for (const at of this.#structs.values()) this.memory.free(at);
     this.#structs.clear();
   }
@@ -102,6 +108,7 @@ class Session {
   static #count = 0;
   #native;
   #update;
+  #registered = false;
   #path = `recording ${++Session.#count}`;
 
   constructor(memory, config) {
@@ -133,11 +140,11 @@ class Session {
   addTarget(config) {
     const { memory } = this.#native;
     return memory.withStruct("hrt_target_config", config, (at) =>
-      created(memory, (out) => this.#native.call("hrt_target_add", at, out)));
+      Number(created(memory, (out) => this.#native.call("hrt_target_add", at, out))));
   }
-  target(id) { return this.#native.get("hrt_target_config", "hrt_target_get", id); }
-  setTarget(id, changes) { this.#native.put("hrt_target_config", { ...this.target(id), ...changes }, "hrt_target_set", id); }
-  removeTarget(id) { this.#native.call("hrt_target_remove", id); }
+  target(id) { return this.#native.get("hrt_target_config", "hrt_target_get", idOf(id)); }
+  setTarget(id, changes) { this.#native.put("hrt_target_config", { ...this.target(id), ...changes }, "hrt_target_set", idOf(id)); }
+  removeTarget(id) { this.#native.call("hrt_target_remove", idOf(id)); }
   findTarget(name) {
     const found = this.targets().find((id) => this.target(id).name === name);
     if (found === undefined) throw new RangeError(`no target has the name "${name}"`);
@@ -147,14 +154,16 @@ class Session {
     const { memory } = this.#native, list = (capacity, ids) =>
       created(memory, (count) => this.#native.call("hrt_target_list", role, capacity, ids, count));
     const capacity = list(0n, 0);
-    return idsOf(memory, Number(capacity), (ids) => list(capacity, ids));
+    return idsOf(memory, Number(capacity), (ids) => list(capacity, ids)).map(Number);
   }
 
-  gap(realTarget, virtualTarget) { return this.#native.get("hrt_gap", "hrt_gap_query", realTarget, virtualTarget); }
+  gap(realTarget, virtualTarget) {
+    return this.#native.get("hrt_gap", "hrt_gap_query", idOf(realTarget, "realTarget"), idOf(virtualTarget, "virtualTarget"));
+  }
 
   assign(virtualTargets, realTargets, exclusive = false) {
     const { memory } = this.#native, count = virtualTargets.length, { size } = abi.structs.hrt_gap;
-    const ids = [...virtualTargets, ...realTargets];
+    const ids = [...virtualTargets, ...realTargets].map((id) => idOf(id));
     return memory.with(8 * ids.length + 1, (at) => memory.with(size * count + 4, (out) => {
       ids.forEach((id, i) => memory.view.setBigUint64(at + 8 * i, id, true));
       memory.view.setUint32(out, size, true);
@@ -177,8 +186,12 @@ class Session {
                   (startAtFinger ? abi.HRT_REACH_START_AT_FINGER : 0);
     this.#native.put("hrt_reach_config", { real_target: realTarget, virtual_target: virtualTarget, flags,
                                            plate_orientation_deg: plateOrientationDeg }, "hrt_reach_begin");
+    this.#registered = (this.config.flags & abi.HRT_SESSION_REGISTERED) !== 0;
   }
-  retargetReach(realTarget, virtualTarget) { this.#native.call("hrt_reach_retarget", realTarget, virtualTarget); }
+  get registered() { return this.#registered; }
+  retargetReach(realTarget, virtualTarget) {
+    this.#native.call("hrt_reach_retarget", idOf(realTarget, "realTarget"), idOf(virtualTarget, "virtualTarget"));
+  }
   reachTouched(contact = {}) { this.#native.put("hrt_contact", contact, "hrt_reach_touched"); }
   cancelReach() { this.#native.call("hrt_reach_cancel"); }
   setFinger(pose, time_ms) {
@@ -261,7 +274,7 @@ class Person {
   destroy() { this.#native.destroy(); }
   [dispose]() { this.destroy(); }
 
-  begin(session, virtualTarget) { this.#native.call("hrt_person_begin", session.handle, virtualTarget); }
+  begin(session, virtualTarget) { this.#native.call("hrt_person_begin", session.handle, idOf(virtualTarget, "virtualTarget")); }
   move(sample, time_ns, plateOrientationDeg) {
     const out = this.#native.at("hrt_sample");
     this.#native.call("hrt_person_move", checked("time_ns", "i64", Math.round(time_ns)),
@@ -288,6 +301,6 @@ class Scene {
   }
   register(session) {
     const count = this.info.target_count;
-    return idsOf(this.#native.memory, count, (ids) => this.#native.call("hrt_scene_register", session.handle, BigInt(count), ids));
+    return idsOf(this.#native.memory, count, (ids) => this.#native.call("hrt_scene_register", session.handle, BigInt(count), ids)).map(Number);
   }
 }

@@ -141,6 +141,7 @@ export class Memory {
     if (field.type === "u8") return readText(this.view.buffer.slice(offset, offset + field.length), 0);
     if (abi.structs[field.type]) return this.read(field.type, offset);
     const { size, get } = types[field.type];
+    if (field.type === "id") return Number(this.view[get](offset, true));
     if (!field.length) return this.view[get](offset, true);
     return Array.from({ length: field.length }, (_, i) => this.view[get](offset + size * i, true));
   }

@@ -1,15 +1,16 @@
-// Numbers in the module's memory, checked where assigning would silently change them.
+// Numbers in the module's memory, checked where an assignment would change them silently.
 
-// How a field's type is read and written; `least` and `most` are what is allowed of integers.
+// How a field's type is read and written; integers are allowed from `least` to `most`.
 export const types = {
   u32: { size: 4, least: 0, most: 2 ** 32 - 1, get: "getUint32", set: "setUint32" },
   i32: { size: 4, least: -(2 ** 31), most: 2 ** 31 - 1, get: "getInt32", set: "setInt32" },
   u64: { size: 8, least: 0n, most: 2n ** 64n - 1n, get: "getBigUint64", set: "setBigUint64" },
   i64: { size: 8, least: -(2n ** 63n), most: 2n ** 63n - 1n, get: "getBigInt64", set: "setBigInt64" },
+  id: { size: 8, least: 0n, most: BigInt(Number.MAX_SAFE_INTEGER), get: "getBigUint64", set: "setBigUint64" },  // of a target
   f64: { size: 8, get: "getFloat64", set: "setFloat64" },
 };
 
-// Checks here what assigning to memory would silently change; ranges are the library's to check.
+// Only the conversion is checked here. The library checks ranges.
 export function checked(name, type, value) {
   const { least, most } = types[type];
   if (type === "f64") {
@@ -19,7 +20,8 @@ export function checked(name, type, value) {
   const wide = typeof least === "bigint";
   const whole = typeof value === "bigint" || Number.isSafeInteger(value);
   if (!whole || value < least || value > most) {
-    throw new RangeError(`${name} is ${String(value)}; a whole number from ${least} to ${most} is needed`);
+    const needed = type === "id" ? "the id of a target, as addTarget() returns it," : `a whole number from ${least} to ${most}`;
+    throw new RangeError(`${name} is ${String(value)}; ${needed} is needed`);
   }
   return wide ? BigInt(value) : Number(value);
 }

@@ -1,20 +1,22 @@
-// Poses as WebXR and 3D libraries have them.
+// Poses of WebXR and of 3D libraries.
 
-/** A fingertip's { x, y, z }, or undefined if tracking has lost it. */
+/** The { x, y, z } of a fingertip, or undefined if tracking has lost it. */
 export function fingertipOf(pose) {
   if (pose === null || pose === undefined) return undefined;
   const at = pose.transform?.position ?? pose.position ?? pose;
-  if (typeof at.x === "number" && typeof at.y === "number" && typeof at.z === "number") return at;
+  if (typeof at.x === "number" && typeof at.y === "number" && typeof at.z === "number") {
+    return Number.isFinite(at.x + at.y + at.z) ? at : undefined;
+  }
   throw new TypeError("the pose has neither transform.position nor position nor x, y, z");
 }
 
 /** The { x, y, z, w } of a joint's rotation, or undefined if the pose has none. */
 export function rotationOf(pose) {
-  const rotation = pose.transform?.orientation ?? pose.quaternion;
+  const rotation = pose.transform?.orientation ?? pose.orientation ?? pose.quaternion;
   return typeof rotation?.w === "number" ? rotation : undefined;
 }
 
-/** Place and rotation of a plate out of a matrix of 4 x 4, column by column, from plate coordinates to the world. */
+/** Position and rotation of a plate from a 4 x 4 matrix, column by column, from plate coordinates to the world. */
 export function plateOf(matrix) {
   const m = matrix?.elements ?? matrix?.matrix ?? matrix;  // of three.js, of an XRRigidTransform
   if (m?.length !== 16 || !Array.prototype.every.call(m, Number.isFinite)) {

@@ -18,15 +18,16 @@ export interface HapticPlateOptions {
 }
 
 /** The ridged plate. This object is its mount, whose axes are the plugin's plate coordinates: origin at the centre of
- *  rotation on the surface, +Y up, -Z the mid-line away from the user, in metres. Place and turn it in the scene as the
- *  apparatus stands; do not scale it. Only the ridged disc within turns with `orientation_deg`. */
+ *  rotation on the surface, +Y up, -Z the mid-line away from the user, in metres. Give it the pose of the apparatus in the
+ *  scene, after a registration `plate_position_m` and `plate_rotation` of the session's configuration; do not scale it.
+ *  Only the ridged disc within turns with `orientation_deg`. */
 export class HapticPlate extends Group {
   constructor(options?: HapticPlateOptions);
   /** Direction of the normal of the ridges, counter-clockwise from the mid-line, seen from above. Default 0. */
   orientation_deg: number;
 }
 
-/** What updateFromHand() needs of an XRFrame, so that no types of WebXR are. */
+/** The part of an XRFrame that updateFromHand() uses, so that types of WebXR are not needed. */
 export interface HandFrame<Joint, Space> {
   /** Missing in a browser without hands: none is tracked. */
   readonly getJointPose?: ((joint: Joint, space: Space) => HandPose | null | undefined) | undefined;
@@ -39,12 +40,14 @@ export interface HandPose {
 export function trackedHand<Hand>(frame: { readonly session: { readonly inputSources: Sources<Hand> } }): Hand | undefined;
 export interface Sources<Hand> { readonly length: number; readonly [index: number]: { readonly hand?: Hand | undefined } }
 
-/** A reach of a hand that WebXR tracks. The session's reach is begun and ended by its own calls. */
+/** A reach of a hand that WebXR tracks: passes the pose of the joint at the tip of the index finger to the session, whose
+ *  `fingertip_offset_m` gives the point of contact on the skin. The pose of the plate is that of the session's registration,
+ *  or without one that of the plate's object. Session.beginReach() and endReach() begin and end the reach. */
 export class HandReach {
   constructor(session: Session, plate: HapticPlate);
   /** The last frame had no index fingertip: the plate was held. True before the first frame. */
   readonly lost: boolean;
-  /** Set before each update, if the plate reports where it is: its orientation. Default NaN: not reported. */
+  /** Set before each update, if the plate reports its orientation. Default NaN: not reported. */
   measuredPlate_deg: number;
   /** Set before each update, if the host knows that the finger does not touch the plate: the model waits. A fingertip above
    *  the session's lift_height_m counts as lifted anyway. Default false. */

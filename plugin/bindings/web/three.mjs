@@ -1,6 +1,6 @@
 // For three.js: the plate as an object, and a reach of a hand that WebXR tracks. Types and documentation: three.d.ts.
-import { BoxGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, Vector3 } from "three";
-import { HRT_SAMPLE_LIFTED, HRT_SAMPLE_PLATE_ORIENTATION, HRT_SAMPLE_PLATE_POSITION } from "./abi.js";
+import { BoxGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, Quaternion, Vector3 } from "three";
+import { HRT_SAMPLE_LIFTED, HRT_SAMPLE_PLATE_ORIENTATION, HRT_SAMPLE_PLATE_POSE, HRT_SAMPLE_WORLD_POSITION } from "./abi.js";
 
 const thickness_m = 0.006;
 
@@ -49,7 +49,8 @@ export class HandReach {
   lifted = false;
   #session;
   #plate;
-  #tip = new Vector3();
+  #at = new Vector3();
+  #turned = new Quaternion();
 
   constructor(session, plate) {
     this.#session = session;
@@ -60,9 +61,9 @@ export class HandReach {
     const { sample, command } = this.#session;
     const joint = hand?.get("index-finger-tip");
     const pose = joint && referenceSpace !== null ? frame.getJointPose?.(joint, referenceSpace) : undefined;
-    this.lost = !pose || !isFinite3(pose.transform.position);
-    this.#session.setFinger(this.lost ? null : pose, time_ms);
-    if (!this.lost) this.#moveToPlate();
+    this.#session.setFinger(pose, time_ms);
+    this.lost = (sample.flags & HRT_SAMPLE_WORLD_POSITION) === 0;
+    if (!this.lost && !this.#session.registered) this.#addPlatePose();
     if (this.lifted) sample.flags |= HRT_SAMPLE_LIFTED;
     if (Number.isFinite(this.measuredPlate_deg)) {
       sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
@@ -73,15 +74,11 @@ export class HandReach {
     return command;
   }
 
-  // In plate coordinates, as the plate stands in the scene.
-  #moveToPlate() {
-    const { sample } = this.#session, position = sample.finger_position_m;
-    this.#plate.worldToLocal(this.#tip.set(position[0], position[1], position[2]));
-    position[0] = this.#tip.x;
-    position[1] = this.#tip.y;
-    position[2] = this.#tip.z;
-    sample.flags = HRT_SAMPLE_PLATE_POSITION;
+  // Without a registration, the plate is where its object is in the scene.
+  #addPlatePose() {
+    const { sample } = this.#session;
+    this.#plate.getWorldPosition(this.#at).toArray(sample.plate_position_m);
+    this.#plate.getWorldQuaternion(this.#turned).toArray(sample.plate_rotation);
+    sample.flags |= HRT_SAMPLE_PLATE_POSE;
   }
 }
-
-function isFinite3({ x, y, z }) { return Number.isFinite(x + y + z); }

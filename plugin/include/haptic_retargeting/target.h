@@ -10,7 +10,8 @@
 extern "C" {
 #endif
 
-/** A target's id within its session. Zero is never a target. Ids are never reused, in any session. */
+/** A target's id within its session. Zero is never a target. Ids are never reused, in any session. They are below
+ *  2^53: a double represents them exactly. */
 typedef struct hrt_target {
   uint64_t value;
 } hrt_target;

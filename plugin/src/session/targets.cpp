@@ -7,8 +7,9 @@
 namespace hrt::plugin {
 namespace {
 
-// The top byte keeps the id of a target from being taken for a handle.
-std::atomic<std::uint64_t> next_id{(std::uint64_t{0x7a} << 56) + 1};
+// Below 2^53, so that a double represents every id. The top byte of a handle is not 0, and an index is smaller: neither
+// is taken for an id.
+std::atomic<std::uint64_t> next_id{(std::uint64_t{0x7a} << 44) + 1};
 
 hrt_result name_taken(const Target& target) {
   return fail(HRT_ERROR_NAME_TAKEN, "name \"", target.name.data(), "\" is that of another target of this session");

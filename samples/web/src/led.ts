@@ -16,8 +16,8 @@ export abstract class Led {
   protected settings: Settings;
   /** Knows the course and what the plate can do; nothing of the person. */
   protected session!: hrt.Session;
-  #real = 0n;
-  #virtual = 0n;
+  #real = 0;
+  #virtual = 0;
 
   constructor(
     private readonly library: hrt.Library,

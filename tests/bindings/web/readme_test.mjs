@@ -95,6 +95,32 @@ test("the set-up finds the plate and the skin of who does what it shows", async 
   session.destroy();
 });
 
+test("with three.js a registered plate and the skin beside the joint are those of the session", async () => {
+  const { HandReach, HapticPlate } = await import(pathToFileURL(join(folder, "node_modules/haptic-retargeting/three.mjs")));
+  const half = Math.sqrt(0.5), at = (x, y, z) => ({ position: { x, y, z }, orientation: { x: 0, y: half, z: 0, w: half } });
+  const frame = (transform) => ({ session: { inputSources: [] }, getJointPose: () => ({ transform }) }), hand = { get: () => ({}) };
+  // The joint's axes are turned to the left by 90 degrees, and so the skin is 14 mm to the left of the joint.
+  const toGo_mm = (config, place, update) => {
+    const session = library.createSession({ fingertip_offset_m: [0, 0, -0.014], ...config });
+    const [real, virtual] = [hrt.HRT_TARGET_REAL, hrt.HRT_TARGET_VIRTUAL].map((role) => session.addTarget({ role, direction_deg: 0 }));
+    const plate = new HapticPlate(), reach = new HandReach(session, plate);
+    plate.position.fromArray(place);
+    session.beginReach(real, virtual);
+    for (let i = 0; i < 30; ++i) update(session, reach, 11 * i);
+    assert.equal(reach.lost, update.lost ?? true);
+    session.destroy();
+    return 1000 * session.command.distance_to_go_m;
+  };
+  const byHand = (joint) => Object.assign((_, reach, time) => reach.updateFromHand(time, frame(joint), hand, {}), { lost: false });
+  const bySession = (joint) => (session, _, time) => { session.setFinger(joint, time); session.update(); };
+  const registered = { flags: hrt.HRT_SESSION_REGISTERED, plate_position_m: [0, 0.7, -0.3] }, here = at(0.04, 0.7, -0.3);
+  const expected = Math.hypot(40 - 14, 50);  // from the middle of the plate, 26 mm to the right, to the target
+  for (const [config, place, update] of [
+    [registered, [0, 0, 0], bySession(here)], [registered, [5, 5, 5], byHand(here)],  // drawn elsewhere
+    [{}, [0, 0.7, -0.3], byHand(here)], [{ plate_position_m: [5, 5, 5] }, [0, 0.7, -0.3], byHand(here)],
+  ]) assert.ok(Math.abs(toGo_mm(config, place, update) - expected) < 0.5, `${toGo_mm(config, place, update)} mm`);
+});
+
 test("with three.js a worn hand's reach turns the plate that is drawn, and a lost one holds it", async () => {
   const session = library.createSession(), cylinder = session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 });
   const cup = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 }), tip = {}, space = {}, plates = [];

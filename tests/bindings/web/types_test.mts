@@ -12,7 +12,7 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   const virtual = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 });
   session.configure({ start_position_m: [0, 0, 0.05], plate_latency_ns: 1n });
   const margin: number = session.gap(real, virtual).margin_deg;
-  const best: bigint = session.assign([virtual], [real])[0].real_target;
+  const best: hrt.TargetId = session.assign([virtual], [real])[0].real_target;
 
   session.startRecording();
   session.beginReach(best, virtual, 10);
@@ -21,7 +21,9 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   session.sample.finger_position_m[0] = margin;
   session.setFinger({ transform: { position: { x: 0, y: 0, z: 0 } } }, performance.now());
   session.setFinger(null, 1);
-  session.setFinger({ transform: { position: { x: 0, y: 0, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } } }, 1);
+  const tip = { position: { x: 0, y: 0, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } };
+  session.setFinger({ transform: tip }, 1);
+  session.setFinger(tip, 1);
   session.setPlate(new Float32Array(16));
   session.setPlate({ elements: [1] });
   session.update();
@@ -52,8 +54,8 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   library.createSession({ horizon: "3" });
   // @ts-expect-error: the plugin's to write
   session.command.flags = 1;
-  // @ts-expect-error: ids are not numbers
-  session.removeTarget(1);
+  // @ts-expect-error: ids are not names
+  session.removeTarget("cup");
 
   try {
     session.update();

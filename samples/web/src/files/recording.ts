@@ -1,6 +1,7 @@
 // A recording of the plugin, read for the picture: the tracked finger, the commanded plate, and what the controller
 // made of them. Library.replay() checks it; this reads columns by their names.
-import { HRT_SAMPLE_PLATE_POSITION } from "haptic-retargeting";
+import { HRT_SAMPLE_PLATE_POSE, HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_WORLD_POSITION } from "haptic-retargeting";
+import { Quaternion, Vector3 } from "three";
 import { type Course, start } from "../geometry";
 import { maxTrace, type Trace, tracePeriod_ms } from "../trace";
 
@@ -11,9 +12,15 @@ export interface RecordedReach {
   readonly samples: Trace;
 }
 
-/** The first reach of a recording that replays. Throws if it has no positions on the plate. */
+/** A position in plate coordinates, for a plate in the world with the rotation x, y, z, w. */
+function onPlate(world_m: Vector3, position_m: readonly number[], rotation: readonly number[]): Vector3 {
+  return world_m.sub(new Vector3().fromArray(position_m)).applyQuaternion(new Quaternion().fromArray(rotation).invert());
+}
+
+/** The first reach of a recording that replays. Throws if it has no positions. */
 export function readReach(recording: string, name: string): RecordedReach {
   const lines = recording.split("\n").filter((line) => line !== "" && !line.startsWith("#"));
+  const config = JSON.parse(/^# config (.*)$/m.exec(recording)?.[1] ?? "{}");
   const columns = (lines[0] ?? "").split(","),
     samples: Trace = [];
   let begin: string[] | null = null,
@@ -31,10 +38,20 @@ export function readReach(recording: string, name: string): RecordedReach {
     } else if (cells[0] === "end" || cells[0] === "cancel") {
       break;
     } else if (begin && cells[0] === "update") {
+      const flags = number(cells, "sample_flags"),
+        numbers = (...names: string[]) => names.map((name) => number(cells, name));
+      if (!(flags & (HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION))) continue;
+      let tip = new Vector3().fromArray(numbers("sample_x_m", "sample_y_m", "sample_z_m"));
+      if (flags & HRT_SAMPLE_PLATE_POSE)
+        tip = onPlate(
+          tip,
+          numbers("plate_x_m", "plate_y_m", "plate_z_m"),
+          numbers("plate_qx", "plate_qy", "plate_qz", "plate_qw"),
+        );
+      else if (flags & HRT_SAMPLE_WORLD_POSITION) tip = onPlate(tip, config.plate_position_m, config.plate_rotation);
       const time_ms = number(cells, "time_ns") / 1e6,
-        right_m = number(cells, "sample_x_m") - number(begin, "start_right_m") + start.right_m,
-        away_m = -number(cells, "sample_z_m") - number(begin, "start_away_m") + start.away_m;
-      if (!(number(cells, "sample_flags") & HRT_SAMPLE_PLATE_POSITION)) continue;
+        right_m = tip.x - number(begin, "start_right_m") + start.right_m,
+        away_m = -tip.z - number(begin, "start_away_m") + start.away_m;
       if (Number.isNaN(first_ms)) first_ms = time_ms;
       const moving = number(cells, "bearing_deg") !== 0;
       const sample = {

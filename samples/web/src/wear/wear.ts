@@ -151,6 +151,7 @@ export class Wear extends Led {
     const placed = this.#placing.update(this.#time_ms, tip, this.#forward, pinches);
     this.text = this.#why + this.#placing.text;
     if (!placed) return;
+    if (!this.#byMarks) this.session.configure({ flags: this.session.config.flags & ~HRT_SESSION_REGISTERED });
     this.onPlaced(this.#placing.position, this.#placing.rotation);
     this.restart();
   }
@@ -196,10 +197,7 @@ export class Wear extends Led {
       return;
     }
     this.#seen_ms = this.#time_ms;
-    const position = sample.finger_position_m,
-      x = position[0] ?? 0,
-      y = position[1] ?? 0,
-      z = position[2] ?? 0;
+    const { x, y, z } = this.plate.worldToLocal(this.#onPlate.fromArray(sample.finger_position_m));
     this.felt.move(x - this.finger.right_m, -z - this.finger.away_m, Math.max(1, elapsed_ms), this.#shift_deg);
     this.finger.right_m = x;
     this.finger.away_m = -z;
