@@ -215,11 +215,11 @@ FHapticCommand slide_on(const FTransform& plate) {
 TEST(UnrealPlate, MayStandAnywhere) {
   const FHapticCommand here = slide_on(FTransform());
   const FHapticCommand there = slide_on(somewhere());
-  EXPECT_GT(here.FingerYaw, 3) << "a finger that goes right";
+  EXPECT_GT(here.BearingYaw, 3) << "a finger that goes right";
   EXPECT_LT(here.PlateYaw, -5) << "the plate turns left of what is felt to send the hand right";
   EXPECT_GT(here.DistanceToGo, 0.1);
   EXPECT_LT(here.DistanceToGo, 0.5) << "centimetres";
-  EXPECT_NEAR(there.FingerYaw, here.FingerYaw, 1e-6);
+  EXPECT_NEAR(there.BearingYaw, here.BearingYaw, 1e-6);
   EXPECT_NEAR(there.PlateYaw, here.PlateYaw, 1e-6);
   EXPECT_NEAR(there.DistanceToGo, here.DistanceToGo, 1e-6);
 }

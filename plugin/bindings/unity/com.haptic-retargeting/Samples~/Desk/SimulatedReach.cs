@@ -52,7 +52,7 @@ namespace HrtSamples
             ReachSummary summary = retargeting.EndReach();
             Debug.Log($"To the {retargeting.virtualTargets[chosen].name}, simulated: the hand ended " +
                       $"{summary.distanceToTargetM * 1000:0} mm from the cylinder; felt, as the model predicts, " +
-                      $"{summary.perceivedErrorDeg:0.0} degrees beside the virtual one", this);
+                      $"up to {summary.peakFeltErrorDeg:0.0} degrees beside the virtual one", this);
             chosen = (chosen + 1) % retargeting.virtualTargets.Count;
             Begin();
         }

@@ -79,7 +79,6 @@ namespace Hrt.Tests
                     Assert.That(command.plateOrientationDeg, Is.EqualTo(expected.plateOrientationDeg).Within(0.1));
                     Assert.That(command.distanceToGoM, Is.EqualTo(expected.distanceToGoM).Within(1e-6));
                 }
-                Assert.AreEqual(10, component.LastCommand.step);
             }
             ReachSummary summary = component.EndReach();
             Assert.AreEqual(91, summary.samples);

@@ -138,7 +138,7 @@ bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
 FHapticCommand UHapticRetargetingComponent::GetCommand() const
 {
 	FHapticCommand None;
-	None.Step = -1;
+	None.PaperStep = -1;
 	return Command.struct_size == 0 ? None : FromCommand(Command);
 }
 
