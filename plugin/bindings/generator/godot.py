@@ -18,6 +18,18 @@ _NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
 # Of no property or Dictionary: methods return Godot's own errors.
 _NO_CONSTANTS = ("HRT_ERROR", "HRT_LOG")
 _ACRONYMS = {"MPC"}
+# Names of methods in error texts, where they are neither the verb of a call nor its verb and noun: hrt_reach_end is end, and
+# hrt_setup_begin is begin_setup.
+_CALLS = {
+    "session_create": "HapticRetargeting", "session_set": "HapticRetargeting", "session_get": "HapticRetargeting",
+    "session_new_person": "new_person", "target_add": "add_real_target", "target_set": "move_target_to", "target_get": "find_target",
+    "target_list": "find_target", "target_assign": "assign_targets", "gap_query": "get_gap", "scene_register": "load_scene",
+    "scene_load": "load_scene", "setup_update": "update", "profile_set_conditions": "set_conditions",
+    "profile_get_conditions": "get_conditions", "recording_get_status": "get_recording_status",
+    "person_create": "begin_simulated_finger", "person_begin": "begin_simulated_finger", "person_move": "update_simulated_finger",
+    "plate_open": "open_device", "plate_set": "turn_device", "plate_stop": "stop_device", "plate_get": "get_device_report",
+    "plate_close": "close_device",
+}
 _SETUP = "hrt_setup_config"
 _UNITS = {"deg": "°", "deg/s": "°/s", "deg/s^2": "°/s²", "deg^2": "°²", "1/s": "/s", "1": ""}
 _GODOT = Path(__file__).parent.parent / "godot"
@@ -33,7 +45,7 @@ def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
     return (f"// {notice}\n// clang-format off\n#include \"plate_node.h\"\n\nnamespace hrt_godot {{\n\n"
             + "".join(_record(abi, struct) for struct in _RECORDS) + _record(plate, "hrt_plate_report")
             + _table("Property", "properties", properties) + _table("Constant", "constants", constants)
-            + _table("Method", "methods", _methods())
+            + _table("Method", "methods", _methods()) + _table("ScriptName", "script_names_of_calls", _script_names(abi, plate))
             + f'constinit const char* const class_reference = R"xml({_reference(abi, plate, setup)})xml";\n\n'
             + "}  // namespace hrt_godot\n")
 
@@ -59,6 +71,15 @@ def _methods() -> list[str]:
     methods = [(name, re.sub(r"[\w:]+ (\w+)", r'"\1"', arguments))
                for name, arguments in re.findall(r"^  [\w:]+ (\w+)\(([^)]*)\)", shown, re.M)]
     return [f'bind<&PlateNode::{name}>("{name}", {{{names}}}, &PlateNode::{name})' for name, names in methods]
+
+
+def _script_names(abi: Abi, plate: Abi) -> list[str]:
+    rows = []
+    for function in (f.name.removeprefix("hrt_") for f in abi.functions + plate.functions):
+        noun, _, verb = function.partition("_")
+        method = _CALLS.get(function) or (verb if noun == "reach" else f"{verb}_{noun}")
+        rows.append(f'{{"hrt_{function}", "{method}"}}')
+    return rows
 
 
 def _property(abi: Abi, of: str, field: Value, prefix: str, group: str) -> str:

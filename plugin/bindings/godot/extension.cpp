@@ -96,11 +96,14 @@ const T& as(const void* value) {
   return *static_cast<const T*>(value);
 }
 
-/** Of the engine's value; null of a type that no method of the class takes. */
+Value from_variant(const gde_variant* variant);
+
+/** The value of an engine's value; null for a type that no method of the class takes. */
 Value decode(Type type, const void* value) {
   if (type == Type::kBool) return as<gde_bool>(value) != 0;
   if (type == Type::kInt) return as<int64_t>(value);
   if (type == Type::kReal) return as<double>(value);
+  if (type == Type::kTime) return from_variant(static_cast<const gde_variant*>(value));
   if (type == Type::kVector3) return Vector3(as<Eigen::Vector3f>(value).cast<double>());
   if (type == Type::kPose) {
     const auto& [basis, origin] = as<EngineTransform>(value);
@@ -186,6 +189,13 @@ class Instance : public Engine {
   void notify(int64_t what) { call("notification", {Variant(what).get()}); }
 
   void update_warnings() override { call("update_configuration_warnings"); }
+
+  std::string system_path(std::string path) override {
+    if (!path.starts_with("res://") && !path.starts_with("user://")) return path;
+    gde_object* settings = engine.global_get_singleton(EngineName("ProjectSettings").get());
+    Variant self(GDE_OBJECT, &settings);
+    return std::get<std::string>(call_on(self, "globalize_path", {Variant(Value(path)).get()}));
+  }
 
   void push_error(const char* text) override { engine.print_error(text, kClassName, "extension.cpp", __LINE__, false); }
 
@@ -328,12 +338,12 @@ class Registration {
   gde_name name(const char* utf8) { return names_.emplace_back(utf8).get(); }
   const gde_string* text(const char* utf8) { return texts_.emplace_back(utf8).get(); }
   gde_property describe(const char* own_name, Type type, Hint hint = Hint::kNone, const char* hint_text = "") {
-    return {.type = number(type),
+    return {.type = number(type == Type::kTime ? Type::kNil : type),
             .name = name(own_name),
             .class_name = name(""),
             .hint = static_cast<uint32_t>(hint),
             .hint_string = text(hint_text),
-            .usage = GDE_USAGE_DEFAULT};
+            .usage = type == Type::kTime ? GDE_USAGE_VARIANT : GDE_USAGE_DEFAULT};
   }
 
   std::deque<EngineName> names_;

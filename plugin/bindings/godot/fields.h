@@ -1,5 +1,5 @@
-// What tables.cpp has, which is generated: the fields of the plugin's structs as Godot sees them, properties of the
-// node and keys of Dictionaries, the plugin's constants, and the class reference.
+// The generated tables.cpp: the fields of the plugin's structs as properties of the node and keys of Dictionaries, the
+// plugin's constants, and the class reference.
 #pragma once
 
 #include <haptic_retargeting/gap.h>
@@ -19,9 +19,8 @@
 
 namespace hrt_godot {
 
-/** What has the properties: the configuration of sessions without the plate's pose, which is the node's own, and
- * without its fixed arrays, such as what is believed of the person, which profiles hold; and that of set-ups without
- * its marks. */
+/** The properties are the fields of these, without the plate's pose, which is the node's, the fixed arrays, such as the
+ *  person's mean, which profiles store, and the marks of set-ups. */
 struct Properties {
   hrt_session_config session = hrt_session_config_init();
   hrt_setup_config setup = hrt_setup_config_init();
@@ -41,7 +40,7 @@ struct Property {
   Value get(Properties& of) const {
     return std::visit([](const auto* at) { return to_value(*at); }, place(of));
   }
-  /** False, and nothing changes, if the value is not of the field's type. Ranges are left to the plugin. */
+  /** Returns false and changes nothing if the value is not of the field's type. The plugin checks ranges. */
   bool set(Properties& of, const Value& value) const;
 };
 extern const std::span<const Property> properties;
@@ -57,10 +56,18 @@ struct Constant {
   int64_t value;
   bool is_flag;
 };
-/** Of properties and flags: COMMAND_SATURATED and its like. */
+/** Values of properties and flags, such as COMMAND_SATURATED. */
 extern const std::span<const Constant> constants;
 
-/** What the editor shows of properties and constants: XML. */
+/** An error text with the names of GDScript: of methods for those of calls, and of constants without HRT_. */
+std::string script_names(std::string text);
+struct ScriptName {
+  const char* call;
+  const char* method;
+};
+extern const std::span<const ScriptName> script_names_of_calls;
+
+/** The class reference that the editor shows: XML. */
 extern const char* const class_reference;
 
 }  // namespace hrt_godot

@@ -38,7 +38,7 @@ typedef struct {
   int32_t error, argument, expected;
 } gde_call_error;
 
-enum { GDE_USAGE_DEFAULT = 6 };
+enum { GDE_USAGE_DEFAULT = 6, GDE_USAGE_VARIANT = 6 | 1 << 17 };
 /* A property, an argument or a return value. */
 typedef struct {
   int32_t type;
@@ -123,6 +123,7 @@ typedef void (*gde_destructor)(void* value);
   /* Returns how many bytes there are; writes no zero after them. */                                                  \
   X(int64_t, string_to_utf8_chars, const gde_string* self, char* out_text, int64_t capacity)                          \
   X(gde_variant*, dictionary_operator_index, void* dictionary, const gde_variant* key)                                \
+  X(gde_object*, global_get_singleton, gde_name name)                                                                 \
   X(void, object_set_instance, gde_object* object, gde_name class_name, void* instance)                               \
   X(gde_object*, classdb_construct_object2, gde_name class_name)                                                      \
   X(void, classdb_register_extension_class5, gde_library* library, gde_name name, gde_name parent,                    \

@@ -1,17 +1,16 @@
-// The device that turns the plate: libhrt_plate. Its calls wait for nothing, except open and close for up to
-// half a second.
+// The device that turns the plate: libhrt_plate. Its calls do not wait, except open and close for up to half a second.
 #include "plate_node.h"
 
 namespace hrt_godot {
 
-/** Zeros without a device. Takes no memory. */
+/** Zeros without a device. Allocates no memory. */
 hrt_plate_report PlateNode::read_device() const {
   hrt_plate_report report{};
   report.struct_size = sizeof report;
   return device_.value && hrt_plate_get(device_, &report) == HRT_OK ? report : hrt_plate_report{};
 }
 
-// Each frame may turn a device that is being opened, or has failed: the reason of a failure is shown once.
+// A frame may turn a device that is being opened or has failed. The error of a failure is shown once.
 Error PlateNode::after_device(hrt_result result) {
   result_ = result;
   if (result == HRT_ERROR_WRONG_STATE) {
@@ -21,7 +20,7 @@ Error PlateNode::after_device(hrt_result result) {
       engine_.push_error(report.message);
     }
   } else if (result != HRT_OK) {
-    engine_.push_error(hrt_plate_last_error());
+    engine_.push_error(script_names(hrt_plate_last_error()).c_str());
   }
   return error();
 }
@@ -29,7 +28,7 @@ Error PlateNode::after_device(hrt_result result) {
 Error PlateNode::open_device(std::string device) {
   if (const Error closed = close_device(); closed != Error::kOk) return closed;
   failure_is_known_ = false;
-  return after_device(hrt_plate_open(device.c_str(), nullptr, &device_));
+  return after_device(hrt_plate_open(engine_.system_path(device).c_str(), nullptr, &device_));
 }
 
 Error PlateNode::take_device() {

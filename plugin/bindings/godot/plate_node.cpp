@@ -71,27 +71,27 @@ std::string PlateNode::warning() {
   hrt_session_config config = properties_.session;
   if (!read_pose(config.plate.position_m, config.plate.rotation)) return kNotRigid;
   hrt_session session{};
-  if (hrt_session_create(HRT_VERSION, &config, &session) != HRT_OK) return hrt_last_error();
+  if (hrt_session_create(HRT_VERSION, &config, &session) != HRT_OK) return script_names(hrt_last_error());
   hrt_session_destroy(session);
   return {};
 }
 
-/** Whether it succeeded; otherwise the reason has been shown to the user. */
+/** Returns whether the call succeeded. Shows its error. */
 bool PlateNode::ok(hrt_result result) {
   result_ = result;
   if (result == HRT_OK) return true;
-  engine_.push_error(hrt_last_error());
+  push_last_error();
   return false;
 }
 
-/** Of the last call of the plugin. */
+/** The error of the last call of the plugin. */
 Error PlateNode::error() const {
   constexpr std::pair<hrt_result, Error> errors[] = {
       {HRT_OK, Error::kOk},
       {HRT_ERROR_WRONG_STATE, Error::kUnavailable},
       {HRT_ERROR_OUT_OF_RANGE, Error{5}},  // ERR_PARAMETER_RANGE_ERROR
       {HRT_ERROR_OUT_OF_MEMORY, Error{6}},
-      {HRT_ERROR_SYSTEM, Error::kFileCannotWrite},
+      {HRT_ERROR_SYSTEM, Error{12}},             // ERR_FILE_CANT_OPEN
       {HRT_ERROR_LIMIT_REACHED, Error{20}},      // ERR_CANT_CREATE
       {HRT_ERROR_INSUFFICIENT_DATA, Error{30}},  // ERR_INVALID_DATA
       {HRT_ERROR_TIME_REVERSED, Error{30}},
@@ -105,15 +105,14 @@ Error PlateNode::error() const {
   return found == std::end(errors) ? Error::kBug : found->second;
 }
 
-/** ok() as an Error of Godot's. */
+/** As ok(), with an Error of Godot. */
 Error PlateNode::report(hrt_result result) {
   ok(result);
   return error();
 }
 
-/** Brings the session to the properties and the node's pose, between reaches and set-ups. Properties are set
- * one by one, when a scene loads for example, and are valid or not only together: this is where they are
- * checked. */
+/** Sets the session's configuration from the properties and the node's pose, between reaches and set-ups. Properties
+ * are checked here, together, because a scene sets them one by one. */
 bool PlateNode::configure() {
   if (reaching_ || setting_up_) return true;
   hrt_session_config& config = properties_.session;
@@ -134,17 +133,28 @@ bool PlateNode::configure() {
   return true;
 }
 
-/** Shows why a sample was refused, once in a reach or set-up for each reason: samples come in every frame. */
+/** Shows the error of a sample, once in a reach or set-up for each reason, because samples come in every frame. */
 void PlateNode::report_sample(size_t reason, const char* text) {
-  if (!refused_.test(reason)) engine_.push_error(text);
+  if (!refused_.test(reason)) engine_.push_error(script_names(text).c_str());
   refused_.set(reason);
 }
 
-/** ok() of a sample. */
+/** As ok(), for a sample. */
 bool PlateNode::taken(hrt_result result) {
   result_ = result;
   if (result != HRT_OK) report_sample(static_cast<size_t>(-result) % kFlagsReason, hrt_last_error());
   return result == HRT_OK;
+}
+
+std::string script_names(std::string text) {
+  for (size_t at = 0; (at = text.find("hrt_", at)) != std::string::npos; ++at) {
+    const size_t end = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", at), text.size());
+    const std::string_view call(text.data() + at, end - at);
+    const auto found = std::ranges::find(script_names_of_calls, call, &ScriptName::call);
+    if (found != script_names_of_calls.end()) text.replace(at, end - at, found->method);
+  }
+  for (size_t at = 0; (at = text.find("HRT_", at)) != std::string::npos;) text.erase(at, 4);
+  return text;
 }
 
 bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
@@ -154,7 +164,7 @@ bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
     std::ranges::copy(configured_.plate.rotation, rotation);
     return true;
   }
-  // Within what floats can do.
+  // Within the precision of floats.
   if (!(pose.basis.transpose() * pose.basis).isIdentity(1e-3) || pose.basis.determinant() < 0) {
     result_ = HRT_ERROR_OUT_OF_RANGE;
     return false;
@@ -164,9 +174,9 @@ bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   return true;
 }
 
-/** Takes what the plugin itself has changed of the configuration into the properties, of which others may
- * have been set and wait. Where it has moved the plate, the node moves too: in floats, beside which the
- * session keeps its doubles. */
+/** Copies changes that the plugin has made to its configuration into the properties, and keeps properties that scripts
+ *  have set and that are not applied yet. If the plugin has moved the plate, the node moves too: in floats, while the
+ *  session keeps its doubles. */
 void PlateNode::take_changes() {
   Properties before = properties_, now = properties_;
   before.session = configured_;

@@ -1,5 +1,5 @@
-// The class HapticRetargeting as scripts see it, without the engine's interface: extension.cpp hands calls in
-// and signals out. One node is one session.
+// The class HapticRetargeting as scripts see it, without the engine's interface: extension.cpp passes calls and
+// signals. A node is a session.
 #pragma once
 
 #include <array>
@@ -27,12 +27,14 @@ struct Signal {
 };
 inline constexpr Signal kPlateCommanded{"plate_commanded", {"orientation_deg", Type::kReal}};
 inline constexpr Signal kFlagsChanged{"flags_changed", {"flags", Type::kInt}};
+inline constexpr Signal kArrived{"arrived", {"flags", Type::kInt}};
 inline constexpr Signal kReachEnded{"reach_ended", {"miss_deg", Type::kReal}};
 inline constexpr Signal kSetupStep{"setup_step", {"step", Type::kRecord}};
 inline constexpr Signal kSetupFinished{"setup_finished", {"result", Type::kRecord}};
-inline constexpr Signal kSignals[] = {kPlateCommanded, kFlagsChanged, kReachEnded, kSetupStep, kSetupFinished};
+inline constexpr Signal kSignals[] = {kPlateCommanded, kFlagsChanged, kArrived,
+                                      kReachEnded,     kSetupStep,    kSetupFinished};
 
-/** The engine, as the node needs it. */
+/** The part of the engine that the node uses. */
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -40,7 +42,9 @@ class Engine {
   virtual void move_node(const Pose& pose) = 0;
   virtual void emit(const Signal& signal, const Value& argument) = 0;
   virtual void push_error(const char* text) = 0;
-  /** Properties have changed, so there may be other warnings. */
+  /** The system's path of a file, which a script may give as res://... or user://... */
+  virtual std::string system_path(std::string path) = 0;
+  /** Properties have changed, and with them the warnings. */
   virtual void update_warnings() = 0;
 };
 
@@ -49,16 +53,16 @@ class PlateNode;
 struct Method {
   const char* name;
   Type returns;
-  Value failure;  ///< what a call returns that cannot be made
+  Value failure;  ///< the result of a call that fails
   std::vector<Argument> arguments;
   Value (*function)(PlateNode& node, const Value* arguments);
 };
 /** In tables.cpp, from the declarations below. */
 extern const std::span<const Method> methods;
-/** Arguments that a call is looked at for; one more than any method has, so that too many are noticed. */
+/** Maximum number of arguments that are read; one more than any method has, so that too many are noticed. */
 inline constexpr size_t kArgumentsMax = 8;
 
-/** Why samples are refused: the plugin's errors, up to 99, then the node's own. */
+/** Reasons of refused samples: the plugin's errors, up to 99, then the node's own. */
 inline constexpr size_t kFlagsReason = 126, kPoseReason = 127;
 inline constexpr const char* kNotRigid =
     "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
@@ -74,11 +78,11 @@ class PlateNode {
   Value call(const Method& method, std::span<const Value> arguments) noexcept;
   Value get(const Property& property) { return property.get(properties_); }
   void set(const Property& property, const Value& value) noexcept;
-  /** What is wrong with the properties or the node's place, for the editor; empty: nothing. */
+  /** The error in the properties or the node's pose, for the editor; empty: none. */
   std::string warning();
 
-  // The methods of scripts, with the names of their arguments there: the generator reads this list, and README.md says
-  // what each does.
+  // The methods of scripts, with the names of their arguments there: the generator reads this list, and README.md
+  // documents each method.
   hrt_target add_real_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_virtual_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_real_target_at(std::string name, Vector3 world_position);
@@ -88,10 +92,10 @@ class PlateNode {
   Error begin(hrt_target real_target, hrt_target virtual_target);
   Error begin_with_plate_at(hrt_target real_target, hrt_target virtual_target, double plate_orientation_deg);
   Error begin_for(hrt_target real_target, hrt_target virtual_target, double duration_s);
-  Error update(Vector3 world_position, int64_t time_ns);
-  Error update_joint(Pose joint, int64_t time_ns);
-  Error update_lost(int64_t time_ns);
-  Error update_sample(int64_t flags, int64_t time_ns, double finger_direction_deg, double finger_x_m, double finger_y_m,
+  Error update(Vector3 world_position, Time time_ns);
+  Error update_joint(Pose joint, Time time_ns);
+  Error update_lost(Time time_ns);
+  Error update_sample(int64_t flags, Time time_ns, double finger_direction_deg, double finger_x_m, double finger_y_m,
                       double finger_z_m, double plate_orientation_deg);
   Error retarget(hrt_target real_target, hrt_target virtual_target);
   Error touched(Vector3 world_position, double sd_m);
@@ -100,6 +104,9 @@ class PlateNode {
   Error end();
   bool is_reaching() { return reaching_; }
   Record get_command() { return to_record(command_); }
+  int64_t get_command_flags() { return command_.flags; }
+  double get_command_orientation_deg() { return command_.plate_orientation_deg; }
+  double get_command_distance_to_go_m() { return command_.distance_to_go_m; }
   Record get_summary() { return to_record(summary_); }
   Record get_gap(hrt_target real_target, hrt_target virtual_target);
   Error assign_targets(bool exclusive);
@@ -113,8 +120,8 @@ class PlateNode {
   bool is_setting_up() { return setting_up_; }
   Error new_person();
   Error begin_simulated_finger(hrt_target virtual_target, int64_t seed);
-  Vector3 move_simulated_finger(int64_t time_ns);
-  Vector3 update_simulated_finger(int64_t time_ns);
+  Vector3 move_simulated_finger(Time time_ns);
+  Vector3 update_simulated_finger(Time time_ns);
   Error load_profile(std::string json);
   std::string save_profile();
   Error set_conditions(std::string plate, std::string tracker, int64_t time_s);
@@ -144,23 +151,25 @@ class PlateNode {
   hrt_target add_target(uint32_t role, const std::string& name, hrt_target_config config);
   Error begin_reach(hrt_target real, hrt_target felt, std::optional<double> plate_orientation_deg, double duration_s);
   Error take_contact(const hrt_contact* contact);
-  Error send_finger(const Pose& finger, uint32_t flags, int64_t time_ns);
+  Error send_finger(const Pose& finger, uint32_t flags, Time time_ns);
   Error send(const hrt_sample& sample);
   Error guide(const hrt_sample& sample);
-  Vector3 move_person(int64_t time_ns, hrt_sample& out_sample);
+  Vector3 move_person(Time time_ns, hrt_sample& out_sample);
   hrt_plate_report read_device() const;
   Error after_device(hrt_result result);
+
+  void push_last_error() { engine_.push_error(script_names(hrt_last_error()).c_str()); }
 
   Engine& engine_;
   hrt_session session_{};
   hrt_person person_{};
   int64_t seed_ = 0;  ///< of the person
   hrt_plate device_{};
-  bool failure_is_known_ = false;  ///< the device's
+  bool failure_is_known_ = false;  ///< the error of the device was shown
   std::vector<hrt_gap> assigned_;
-  Properties properties_;            ///< and the node's pose
-  hrt_session_config configured_{};  ///< what the session has of them
-  std::optional<Pose> plate_pose_;   ///< the node's, where the library has placed it: doubles in floats
+  Properties properties_;            ///< with the node's pose
+  hrt_session_config configured_{};  ///< the configuration that the session has
+  std::optional<Pose> plate_pose_;   ///< pose of the node to which the library has moved it, in floats
   hrt_command command_{};            ///< struct_size 0: none yet in this reach
   hrt_reach_summary summary_{};      ///< struct_size 0: no reach has ended
   hrt_setup_step step_{};            ///< struct_size 0: none yet in this set-up
@@ -179,7 +188,7 @@ Method bind(const char* name, std::array<const char*, sizeof...(Arguments)> name
     return Method{name,
                   type_of(to_value(failure<Result>())),
                   to_value(failure<Result>()),
-                  {Argument{names[i], type_of(to_value(failure<Arguments>()))}...},
+                  {Argument{names[i], argument_type<Arguments>()}...},
                   [](PlateNode& node, [[maybe_unused]] const Value* values) {
                     return to_value((node.*function)(from_value<Arguments>(values[i])...));
                   }};

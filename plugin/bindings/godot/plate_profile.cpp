@@ -1,4 +1,4 @@
-// What is kept of the node's user, and recordings.
+// Profiles of the user, and recordings.
 #include "plate_node.h"
 
 namespace hrt_godot {
@@ -33,7 +33,7 @@ Record PlateNode::get_conditions() {
 }
 
 Error PlateNode::start_recording(std::string path) {
-  return configure() ? report(hrt_recording_start(session_, path.c_str())) : error();
+  return configure() ? report(hrt_recording_start(session_, engine_.system_path(path).c_str())) : error();
 }
 
 Record PlateNode::get_recording_status() {

@@ -1,4 +1,4 @@
-// A reach of the node: samples in, commands out.
+// A reach of the node: takes samples and signals commands.
 #include "plate_node.h"
 
 namespace hrt_godot {
@@ -31,11 +31,11 @@ Error PlateNode::begin_reach(hrt_target real, hrt_target felt, std::optional<dou
   return error();
 }
 
-/** A sample of the fingertip or a joint in the world, with the plate where the node is. */
-Error PlateNode::send_finger(const Pose& finger, uint32_t flags, int64_t time_ns) {
+/** Passes a sample of the fingertip or a joint in the world, with the node's pose as that of the plate. */
+Error PlateNode::send_finger(const Pose& finger, uint32_t flags, Time time_ns) {
   hrt_sample sample = hrt_sample_init();
   sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE | flags;
-  sample.time_ns = time_ns;
+  sample.time_ns = time_ns.ns;
   Vector3::Map(sample.finger_position_m) = finger.origin;
   Eigen::Vector4d::Map(sample.joint_rotation) = Eigen::Quaterniond(finger.basis).normalized().coeffs();
   const hrt_plate_report plate = read_device();
@@ -48,21 +48,21 @@ Error PlateNode::send_finger(const Pose& finger, uint32_t flags, int64_t time_ns
   return error();
 }
 
-Error PlateNode::update(Vector3 world_position, int64_t time_ns) {
+Error PlateNode::update(Vector3 world_position, Time time_ns) {
   return send_finger({.origin = world_position}, 0, time_ns);
 }
 
-Error PlateNode::update_joint(Pose joint, int64_t time_ns) {
+Error PlateNode::update_joint(Pose joint, Time time_ns) {
   return send_finger(joint, HRT_SAMPLE_JOINT_ROTATION, time_ns);
 }
 
-Error PlateNode::update_lost(int64_t time_ns) {
+Error PlateNode::update_lost(Time time_ns) {
   hrt_sample sample = hrt_sample_init();
-  sample.time_ns = time_ns;
+  sample.time_ns = time_ns.ns;
   return send(sample);
 }
 
-Error PlateNode::update_sample(int64_t flags, int64_t time_ns, double finger_direction_deg, double finger_x_m,
+Error PlateNode::update_sample(int64_t flags, Time time_ns, double finger_direction_deg, double finger_x_m,
                                double finger_y_m, double finger_z_m, double plate_orientation_deg) {
   constexpr int64_t kTaken =
       HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED;
@@ -74,7 +74,7 @@ Error PlateNode::update_sample(int64_t flags, int64_t time_ns, double finger_dir
   }
   hrt_sample sample = hrt_sample_init();
   sample.flags = static_cast<uint32_t>(flags);
-  sample.time_ns = time_ns;
+  sample.time_ns = time_ns.ns;
   sample.finger_direction_deg = finger_direction_deg;
   Vector3::Map(sample.finger_position_m) = Vector3(finger_x_m, finger_y_m, finger_z_m);
   sample.plate_orientation_deg = plate_orientation_deg;
@@ -86,10 +86,12 @@ Error PlateNode::send(const hrt_sample& sample) {
   hrt_command command = hrt_command_init();
   if (!taken(hrt_reach_update(session_, &sample, &command))) return error();
   const uint32_t changed = (command.flags ^ command_.flags) & ~HRT_COMMAND_HELD;
+  const bool arrived = changed & command.flags & HRT_COMMAND_ARRIVED;
   command_ = command;
-  // Handlers may call this node again, so nothing is read from it after the first signal.
+  // Handlers may call this node, so that its state is not read after the first signal.
   if (changed) engine_.emit(kFlagsChanged, to_value(command.flags));
   if (!(command.flags & HRT_COMMAND_HELD)) engine_.emit(kPlateCommanded, command.plate_orientation_deg);
+  if (arrived) engine_.emit(kArrived, to_value(command.flags));
   return Error::kOk;
 }
 
@@ -127,7 +129,7 @@ Error PlateNode::end() {
   return Error::kOk;
 }
 
-/** The same seed is the same person, in another reach. */
+/** The same seed is the same person in a further reach. */
 Error PlateNode::begin_simulated_finger(hrt_target virtual_target, int64_t seed) {
   if (!configure()) return error();
   if (person_.value == 0 || seed != seed_) {
@@ -140,22 +142,22 @@ Error PlateNode::begin_simulated_finger(hrt_target virtual_target, int64_t seed)
   return report(hrt_person_begin(person_, session_, virtual_target));
 }
 
-/** Where the tracker sees the finger in the world, which feels the plate as it was last commanded. */
-Vector3 PlateNode::move_person(int64_t time_ns, hrt_sample& out) {
+/** Returns the tracked position in the world of the simulated finger, which feels the plate at its last command. */
+Vector3 PlateNode::move_person(Time time_ns, hrt_sample& out) {
   const double plate_deg = setting_up_ ? step_.plate_orientation_deg : command_.plate_orientation_deg;
   out = hrt_sample_init();
-  if (!ok(hrt_person_move(person_, time_ns, plate_deg, &out))) return failure<Vector3>();
+  if (!ok(hrt_person_move(person_, time_ns.ns, plate_deg, &out))) return failure<Vector3>();
   const Pose plate = engine_.node_pose();
   return plate.origin + plate.basis * Vector3(out.finger_position_m);
 }
 
-Vector3 PlateNode::move_simulated_finger(int64_t time_ns) {
+Vector3 PlateNode::move_simulated_finger(Time time_ns) {
   hrt_sample sample;
   return move_person(time_ns, sample);
 }
 
-/** In place of update(), with the sample's doubles, and where the servo stands. */
-Vector3 PlateNode::update_simulated_finger(int64_t time_ns) {
+/** As update(), with the sample in doubles and the orientation of the servo. */
+Vector3 PlateNode::update_simulated_finger(Time time_ns) {
   hrt_sample sample;
   const Vector3 seen = move_person(time_ns, sample);
   return result_ == HRT_OK && send(sample) == Error::kOk ? seen : failure<Vector3>();

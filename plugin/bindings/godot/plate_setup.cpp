@@ -1,4 +1,4 @@
-// Setting up: samples in, what the user is to do out.
+// A set-up: takes samples and signals instructions to the user.
 #include <cstring>
 
 #include "plate_node.h"
@@ -15,8 +15,8 @@ Error PlateNode::begin_setup(int64_t what) {
   return error();
 }
 
-/** A step is shown when it is another one; its plate's orientation, which may change in every frame, goes the
- *  way of a reach's. */
+/** Signals a step when it changes. The plate orientation, which may change in every frame, is signalled as in a reach.
+ */
 Error PlateNode::guide(const hrt_sample& sample) {
   hrt_setup_step step = hrt_setup_step_init();
   if (!taken(hrt_setup_update(session_, &sample, &step))) return error();

@@ -1,4 +1,4 @@
-// What crosses between a script and the plate node.
+// Values that a script and the plate node exchange.
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>
@@ -18,7 +18,7 @@ namespace hrt_godot {
 /** Godot's vectors are of floats: each goes through the plugin's doubles and back unchanged. */
 using Vector3 = Eigen::Vector3d;
 
-/** A place in the world and a rotation. */
+/** A position in the world and a rotation. */
 struct Pose {
   Eigen::Matrix3d basis = Eigen::Matrix3d::Identity();
   Vector3 origin = Vector3::Zero();
@@ -28,6 +28,11 @@ struct Pose {
 /** Of Godot's enumeration Error. */
 enum class Error : int64_t { kOk = 0, kUnavailable = 2, kFileCannotWrite = 13, kInvalidParameter = 31, kBug = 47 };
 
+/** A time in nanoseconds. Scripts must give an int: the engine would round a float in seconds to whole nanoseconds. */
+struct Time {
+  int64_t ns;
+};
+
 struct Value;
 /** A Dictionary. Keys are string literals. */
 using Record = std::vector<std::pair<const char*, Value>>;
@@ -36,16 +41,26 @@ struct Value : std::variant<std::monostate, bool, int64_t, double, std::string, 
   using variant::variant;
 };
 
-/** Numbers of Godot's Variant.Type. */
-enum class Type { kNil = 0, kBool = 1, kInt = 2, kReal = 3, kString = 4, kVector3 = 9, kPose = 18, kRecord = 27 };
+/** Numbers of Godot's Variant.Type; kTime is registered as a Variant, so that a float arrives as such. */
+enum class Type {
+  kNil = 0,
+  kBool = 1,
+  kInt = 2,
+  kReal = 3,
+  kString = 4,
+  kVector3 = 9,
+  kPose = 18,
+  kRecord = 27,
+  kTime = 99
+};
 struct TypeName {
   Type type;
   const char* name;  ///< in scripts
 };
-inline constexpr TypeName kTypes[] = {{Type::kNil, "null"},          {Type::kBool, "bool"},
-                                      {Type::kInt, "int"},           {Type::kReal, "float"},
-                                      {Type::kString, "String"},     {Type::kVector3, "Vector3"},
-                                      {Type::kRecord, "Dictionary"}, {Type::kPose, "Transform3D"}};
+inline constexpr TypeName kTypes[] = {
+    {Type::kNil, "null"},          {Type::kBool, "bool"},        {Type::kInt, "int"},
+    {Type::kReal, "float"},        {Type::kString, "String"},    {Type::kVector3, "Vector3"},
+    {Type::kRecord, "Dictionary"}, {Type::kPose, "Transform3D"}, {Type::kTime, "int"}};
 
 inline Type type_of(const Value& value) { return kTypes[value.index()].type; }
 
@@ -53,10 +68,10 @@ inline const char* type_name(Type type) { return std::ranges::find(kTypes, type,
 
 /** GDScript writes 5 for 5.0. */
 inline bool fits(const Value& value, Type type) {
-  return type_of(value) == type || (type == Type::kReal && type_of(value) == Type::kInt);
+  return type_of(value) == type || ((type == Type::kReal || type == Type::kTime) && type_of(value) == Type::kInt);
 }
 
-/** What a method that fails returns: no target; a place that update() refuses. */
+/** The result of a method that fails: no target; a position that update() refuses. */
 template <typename T>
 T failure() {
   if constexpr (std::is_same_v<T, Error>)
@@ -67,7 +82,7 @@ T failure() {
     return {};
 }
 
-/** Of what a method returns, or of a field of the plugin's structs. */
+/** The value of a method's result, or of a field of the plugin's structs. */
 template <typename T>
 Value to_value(const T& value) {
   if constexpr (std::is_same_v<T, double[3]>)
@@ -80,12 +95,22 @@ Value to_value(const T& value) {
     return value;
 }
 
-/** Of a value that fits the type. */
+template <typename T>
+Type argument_type() {
+  if constexpr (std::is_same_v<T, Time>)
+    return Type::kTime;
+  else
+    return type_of(to_value(failure<T>()));
+}
+
+/** The argument of a value that fits its type. */
 template <typename T>
 T from_value(const Value& value) {
   const int64_t* integer = std::get_if<int64_t>(&value);
   if constexpr (std::is_same_v<T, hrt_target>)
     return {static_cast<uint64_t>(*integer)};
+  else if constexpr (std::is_same_v<T, Time>)
+    return {*integer};
   else if constexpr (std::is_same_v<T, double>)
     return integer ? static_cast<double>(*integer) : std::get<double>(value);
   else

@@ -1,29 +1,16 @@
-// The class without the engine: a frame of a reach takes no memory.
+// The class without the engine: for example, a frame of a reach allocates no memory.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <new>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "../../../plugin/bindings/godot/plate_node.h"
+#include "tests/core/heap_guard.h"
 #include "tests/plugin/plate/pty_device.h"
-
-namespace {
-int64_t allocations = 0;
-}
-
-void* operator new(size_t size) {
-  ++allocations;
-  void* memory = std::malloc(size);
-  if (!memory) throw std::bad_alloc();
-  return memory;
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -33,10 +20,20 @@ class StillEngine : public Engine {
  public:
   Pose node_pose() override { return pose; }
   void move_node(const Pose& to) override { pose = to; }
-  void emit(const Signal&, const Value&) override { ++signals; }
-  void push_error(const char* text) override { FAIL() << text; }
+  void emit(const Signal& signal, const Value&) override {
+    ++signals;
+    arrivals += signal.name == std::string_view("arrived");
+  }
+  void push_error(const char* text) override {
+    if (!errors) FAIL() << text;
+    errors->push_back(text);
+  }
+  std::string system_path(std::string path) override {
+    return path.starts_with("user://") ? "/nowhere/" + path.substr(7) : path;
+  }
   void update_warnings() override { ++warnings; }
-  int64_t signals = 0, warnings = 0;
+  int64_t signals = 0, warnings = 0, arrivals = 0;
+  std::vector<std::string>* errors = nullptr;  // null: none is expected
   Pose pose;
 };
 
@@ -46,19 +43,50 @@ const Method& method(std::string_view name) {
   throw std::out_of_range("no such method");
 }
 
-TEST(GodotNode, UpdatesWithoutTakingMemory) {
+TEST(GodotNode, UpdatesWithoutAllocatingMemoryAndArrives) {
   StillEngine engine;
   PlateNode node(engine);
   const Value real = node.call(method("add_real_target"), std::array<Value, 3>{"cylinder", -5.0, 0.1});
   const Value felt = node.call(method("add_virtual_target"), std::array<Value, 3>{"cup", 5.0, 0.1});
   node.call(method("begin"), std::array{real, felt});
   const Method& update = method("update");
-  const int64_t before = allocations;
-  for (int64_t frame = 0; frame <= 270; ++frame)
-    node.call(update,
-              std::array<Value, 2>{Vector3{0, 0, 0.05 - 0.1 * static_cast<double>(frame) / 270}, frame * 11'111'111});
-  EXPECT_EQ(allocations, before);
+  const auto move = [&](int64_t frame, const Vector3& finger) {
+    const hrt::HeapGuard guard;
+    node.call(update, std::array<Value, 2>{finger, frame * 11'111'111});
+  };
+  for (int64_t frame = 0; frame <= 270; ++frame) move(frame, {0, 0, 0.05 - 0.1 * static_cast<double>(frame) / 270});
   EXPECT_GT(engine.signals, 200);
+  EXPECT_EQ(engine.arrivals, 0);
+  for (int64_t frame = 271; frame <= 330; ++frame)  // the finger rests, seen by a tracker with noise
+    move(frame, {1e-5 * static_cast<double>(frame % 2), 0, -0.05});
+  EXPECT_EQ(engine.arrivals, 1);
+  EXPECT_NE(node.get_command_flags() & HRT_COMMAND_ARRIVED, 0);
+  EXPECT_LT(node.get_command_distance_to_go_m(), 0.02);
+}
+
+TEST(GodotNode, ErrorsHaveTheNamesOfScripts) {
+  StillEngine engine;
+  std::vector<std::string> errors;
+  engine.errors = &errors;
+  PlateNode node(engine);
+  const auto error = [&](std::string_view name, std::span<const Value> arguments) {
+    errors.clear();
+    node.call(method(name), arguments);
+    return errors.empty() ? std::string() : errors.front();
+  };
+  EXPECT_EQ(error("remove_target", std::array<Value, 1>{int64_t{5}}).find("remove_target: "), 0u);
+  const Value real = node.call(method("add_real_target"), std::array<Value, 3>{"cylinder", -5.0, 0.1});
+  const Value felt = node.call(method("add_virtual_target"), std::array<Value, 3>{"cup", 5.0, 0.1});
+  node.call(method("begin"), std::array{real, felt});
+  EXPECT_EQ(error("update", std::array<Value, 2>{Vector3{0, 0, 0.05}, 0.5}),
+            "called with (Vector3, float); it is update(world_position: Vector3, time_ns: int)");
+  EXPECT_EQ(error("end", {}), "end: the reach has had no sample; cancel() ends it");
+  node.call(method("update"), std::array<Value, 2>{Vector3{0, 0, 0.05}, int64_t{5}});
+  EXPECT_NE(error("touched_real_target", {}).find("the plate is not registered (SESSION_REGISTERED)"),
+            std::string::npos);
+  node.cancel();
+  EXPECT_NE(error("load_scene", std::array<Value, 1>{"user://desk.gltf"}).find("load_scene: /nowhere/desk.gltf"),
+            std::string::npos);
 }
 
 TEST(GodotNode, WarnsOfItsPropertiesAndPlace) {

@@ -39,12 +39,12 @@ func test_registered() -> void:
 	check(ClassDB.class_get_enum_constants("HapticRetargeting", "Command").has("COMMAND_SATURATED"), "an enumeration")
 	check(not ClassDB.class_has_integer_constant("HapticRetargeting", "ERROR_BUSY"), "methods return Godot's own errors")
 	for signal_of in ClassDB.class_get_signal_list("HapticRetargeting", true):
-		check(signal_of.name in ["plate_commanded", "flags_changed", "reach_ended", "setup_step", "setup_finished"], signal_of.name)
+		check(signal_of.name in ["plate_commanded", "flags_changed", "arrived", "reach_ended", "setup_step", "setup_finished"], signal_of.name)
 		check_equal(signal_of.args.size(), 1, "arguments of " + signal_of.name)
 
 func test_names() -> void:
 	var plate := new_plate()
-	check_equal(refused("hrt_target_add", plate.add_real_target.bind("n".repeat(64), 0.0, 0.1)), 0, "a name of 64 bytes")
+	check_equal(refused("add_real_target", plate.add_real_target.bind("n".repeat(64), 0.0, 0.1)), 0, "a name of 64 bytes")
 	check(plate.add_real_target("n".repeat(63), 0.0, 0.1) != 0, "a name of 63 bytes")
 	plate.name = &"Plate"
 	check(plate.add_real_target(plate.name, 0.0, 0.1) != 0, "the name of a node")
@@ -97,8 +97,8 @@ func test_signals() -> void:
 	check_equal(plate.is_reaching(), true, "reaching")
 	plate.update_sample(HapticRetargeting.SAMPLE_DIRECTION, 0, 0.0, 0.0, 0.0, 0.0, 0.0)
 	plate.update_sample(HapticRetargeting.SAMPLE_DIRECTION, 50000000, 0.0, 0.0, 0.0, 0.0, 0.0)
-	check_equal(heard, [[&"plate_commanded", plate.get_command().plate_orientation_deg]],
-			"signals of a step and of a sample between steps")
+	check_equal(heard, [[&"flags_changed", HapticRetargeting.COMMAND_MISS_UNKNOWN],
+			[&"plate_commanded", plate.get_command().plate_orientation_deg]], "signals of a step and of a sample between steps")
 	check(plate.get_command().flags & HapticRetargeting.COMMAND_HELD != 0, "the flag HELD between steps")
 	heard.clear()
 	check_equal(plate.update_lost(250000000), OK, "a dropout")
@@ -111,14 +111,16 @@ func test_signals() -> void:
 
 func test_refusals() -> void:
 	var plate := new_plate()
-	check_equal(refused("hrt_reach_update", plate.update_lost.bind(0)), ERR_DOES_NOT_EXIST, "update without a session")
+	check_equal(refused("update", plate.update_lost.bind(0)), ERR_DOES_NOT_EXIST, "update without a session")
 	plate = reaching_plate()
 	check(plate.get_summary().is_empty(), "summary without a reach")
 	check_equal(plate.update(Vector3(), 1000), OK, "update")
 	check_equal(refused("time_ns is 999", plate.update.bind(Vector3(), 999)), ERR_INVALID_DATA, "time that runs backwards")
 	check_equal(plate.update(Vector3(), 999), ERR_INVALID_DATA, "again, which is named once a reach")
-	check_equal(refused("hrt_reach_update", plate.update.bind(Vector3(NAN, 0, 0), 2000)), ERR_PARAMETER_RANGE_ERROR,
+	check_equal(refused("update: finger_position_m", plate.update.bind(Vector3(NAN, 0, 0), 2000)), ERR_PARAMETER_RANGE_ERROR,
 			"not a number")
+	check_equal(refused("called with (Vector3, float)", func() -> Error: return plate.update(Vector3(), 2.0)), ERR_INVALID_PARAMETER,
+			"a time in seconds")
 	for arguments: Array in [[Vector3()], ["here", 2000], [self, 2000]]:
 		check_equal(refused("; it is update(world_position: Vector3, time_ns: int)", plate.callv.bind("update", arguments)),
 				ERR_INVALID_PARAMETER, "update with %s" % [arguments])
@@ -140,6 +142,31 @@ func test_retarget() -> void:
 	check_equal(plate.cancel(), OK, "cancel")
 	check_equal(plate.is_reaching(), false, "reaching")
 	check_equal(plate.begin_for(real, felt, 1.5), OK, "begin again")
+
+# Targets as nodes, and files of the project.
+func test_places() -> void:
+	var plate := new_plate()
+	var nodes: Array[HapticTarget] = []
+	for role: HapticTarget.Role in [HapticTarget.Role.REAL, HapticTarget.Role.VIRTUAL]:
+		var node := HapticTarget.new()
+		node.name = "target %d" % role
+		node.role = role
+		node.plate = plate
+		add_child(node)
+		node.position = Vector3(0.01 - 0.02 * role, 0, -0.05)
+		nodes.append(node)
+	check_equal(plate.begin(nodes[0].place(), nodes[1].place()), OK, "begin with targets of the scene")
+	plate.cancel()
+	nodes[1].position.x = 0.02
+	check_equal(nodes[1].place(), plate.find_target("target 1"), "the same target, moved")
+	check(plate.get_gap(nodes[0].place(), nodes[1].place()).gap_deg < 0, "where it was moved")
+	nodes[1].free()
+	refused("no target has the name", plate.find_target.bind("target 1"))
+	check_equal(plate.start_recording("user://reach.csv"), OK, "a recording below user://")
+	check_equal(plate.stop_recording(), OK, "its end")
+	check(FileAccess.get_file_as_string("user://reach.csv").begins_with("# haptic retargeting recording"), "its file")
+	refused(ProjectSettings.globalize_path("res://none.gltf"), plate.load_scene.bind("res://none.gltf"))
+	nodes[0].free()
 
 # Nodes end their sessions, of which a process has 64.
 func test_lifetime() -> void:

@@ -15,7 +15,7 @@ func eventually(plate: HapticRetargeting, key: String, wanted: Variant, orientat
 func test_refusals() -> void:
 	var plate := new_plate()
 	check(plate.get_device_report().is_empty(), "a report without a device")
-	check_equal(refused("hrt_plate_open: device is of kind \"usb\"", plate.open_device.bind("usb:0")), ERR_PARAMETER_RANGE_ERROR,
+	check_equal(refused("open_device: device is of kind \"usb\"", plate.open_device.bind("usb:0")), ERR_PARAMETER_RANGE_ERROR,
 			"open of a wrong name")
 	check_equal(plate.open_device("serial:/nonexistent"), OK, "open")
 	check_equal(eventually(plate, "state", HapticRetargeting.PLATE_STATE_FAILED).fault, HapticRetargeting.PLATE_FAULT_LINE, "fault")

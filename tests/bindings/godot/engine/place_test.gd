@@ -4,7 +4,7 @@ extends "res://tests/checks.gd"
 func test_scene() -> void:
 	var plate := new_plate()
 	var desk := OS.get_environment("HRT_DESK")
-	check_equal(refused("hrt_scene_load", plate.load_scene.bind("/nowhere.gltf")), ERR_PARSE_ERROR, "no scene")
+	check_equal(refused("load_scene", plate.load_scene.bind("/nowhere.gltf")), ERR_FILE_CANT_OPEN, "no scene")
 	check_equal(plate.load_scene(desk), OK, "scene")
 	check(plate.position.is_equal_approx(Vector3(0.12, 0.75, -0.32)), "the node is at the plate: %s" % plate.position)
 	check(plate.rotation_degrees.is_equal_approx(Vector3(0, 20, 0)), "turned as the plate: %s" % plate.rotation_degrees)
@@ -24,7 +24,7 @@ func test_scene() -> void:
 		served += plate.get_assigned(plate.find_target(target)).reachable
 	check_equal(served, 1, "targets that the one real target serves")
 	check_equal(plate.begin(cylinder, bottle), OK, "begin")
-	check_equal(refused("hrt_scene_register: a reach is under way", plate.load_scene.bind(desk)), ERR_UNAVAILABLE,
+	check_equal(refused("load_scene: a reach is under way", plate.load_scene.bind(desk)), ERR_UNAVAILABLE,
 			"a scene during a reach")
 	check_equal(plate.cancel(), OK, "cancel")
-	check_equal(refused("hrt_scene_register", plate.load_scene.bind(desk)), ERR_ALREADY_EXISTS, "the same names again")
+	check_equal(refused("load_scene", plate.load_scene.bind(desk)), ERR_ALREADY_EXISTS, "the same names again")

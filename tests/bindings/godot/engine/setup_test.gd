@@ -40,7 +40,7 @@ func test_registration() -> void:
 	var pose := Transform3D(Basis(Vector3.UP, deg_to_rad(70)), Vector3(0.3, 0.75, -0.4))
 	check_equal(refused("what is 0", plate.begin_setup.bind(0)), ERR_PARAMETER_RANGE_ERROR, "nothing to set up")
 	check_equal(refused("what is", plate.begin_setup.bind(-1)), ERR_PARAMETER_RANGE_ERROR, "a negative number")
-	check_equal(refused("hrt_setup_begin", plate.begin_setup.bind(HapticRetargeting.SETUP_CHECK)), ERR_UNAVAILABLE, "no registration yet")
+	check_equal(refused("begin_setup", plate.begin_setup.bind(HapticRetargeting.SETUP_CHECK)), ERR_UNAVAILABLE, "no registration yet")
 	plate.setup_touches_per_mark = 9
 	check_equal(refused("touches_per_mark is 9; allowed: 1 to 5", plate.begin_setup.bind(HapticRetargeting.SETUP_REGISTRATION)),
 			ERR_PARAMETER_RANGE_ERROR, "a property of set-ups")
@@ -64,10 +64,10 @@ func test_registration() -> void:
 	check_equal(plate.begin_setup(HapticRetargeting.SETUP_REGISTRATION), OK, "a set-up")
 	check_equal(plate.cancel_setup(), OK, "cancelled")
 	check(not plate.is_setting_up(), "over")
-	check_equal(refused("hrt_setup_cancel", plate.cancel_setup), ERR_UNAVAILABLE, "cancel twice")
+	check_equal(refused("cancel_setup", plate.cancel_setup), ERR_UNAVAILABLE, "cancel twice")
 	check_equal(plate.new_person(), OK, "another user")
 	check_near(plate.tactile_weight, 0.2, "is not known", 1e-9)
-	check(refused("hrt_setup_finish", plate.finish_setup).is_empty(), "finish without a set-up")
+	check(refused("finish_setup", plate.finish_setup).is_empty(), "finish without a set-up")
 
 # A registration ends where the node is moved by others.
 func test_moved_plate() -> void:
@@ -75,7 +75,7 @@ func test_moved_plate() -> void:
 	plate.begin_setup(HapticRetargeting.SETUP_REGISTRATION)
 	touch_marks(plate, Transform3D(Basis(), Vector3(0, 0.7, 0)))
 	plate.translate(Vector3(0.01, 0, 0))
-	check_equal(refused("hrt_setup_begin", plate.begin_setup.bind(HapticRetargeting.SETUP_CHECK)), ERR_UNAVAILABLE, "not registered")
+	check_equal(refused("begin_setup", plate.begin_setup.bind(HapticRetargeting.SETUP_CHECK)), ERR_UNAVAILABLE, "not registered")
 	check_equal(plate.flags & HapticRetargeting.SESSION_REGISTERED, 0, "unregistered")
 
 # A simulated person slides over a plate that rests.

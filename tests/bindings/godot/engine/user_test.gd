@@ -9,7 +9,7 @@ func test_profile() -> void:
 	var other := new_plate()
 	check_equal(other.load_profile(profile), OK, "load")
 	check_equal(other.tactile_weight, 0.25, "tactile weight from the profile")
-	check_equal(refused("hrt_profile_load", other.load_profile.bind("{")), ERR_PARSE_ERROR, "half a profile")
+	check_equal(refused("load_profile", other.load_profile.bind("{")), ERR_PARSE_ERROR, "half a profile")
 
 func test_adaptation() -> void:
 	var plate := reaching_plate()
@@ -18,7 +18,7 @@ func test_adaptation() -> void:
 	plate.horizon = 4
 	check_equal(plate.end(), OK, "end")
 	check_equal(plate.horizon, 4, "a property set during a reach that learns")
-	check_equal(plate.tactile_weight, plate.get_summary().tactile_weight, "what a reach has learnt, carried")
+	check_near(plate.tactile_weight, plate.get_summary().tactile_weight, "what a reach has learnt, carried", 0.002)  # filtered once more after the reach
 	check(plate.tactile_weight != 0.2, "something is learnt")
 
 func test_recording() -> void:
@@ -33,6 +33,6 @@ func test_recording() -> void:
 	check_equal(plate.stop_recording(), OK, "stop")
 	var file := FileAccess.open(path, FileAccess.READ)
 	check(file != null and file.get_line().begins_with("# haptic retargeting recording, version "), "first line")
-	check_equal(refused("hrt_recording_stop", plate.stop_recording), ERR_UNAVAILABLE, "stop twice")
-	check_equal(refused("hrt_recording_start", plate.start_recording.bind("/nowhere/recording.csv")), ERR_FILE_CANT_WRITE,
+	check_equal(refused("stop_recording", plate.stop_recording), ERR_UNAVAILABLE, "stop twice")
+	check_equal(refused("start_recording", plate.start_recording.bind("/nowhere/recording.csv")), ERR_FILE_CANT_OPEN,
 			"a folder that is not there")
