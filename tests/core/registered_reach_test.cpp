@@ -1,7 +1,6 @@
 // What the uncertainty of the plate's pose does to reaches of people.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/plate/frame_error.h"
@@ -9,8 +8,6 @@
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
 #include "core/simulation/person_trial.h"
-#include "tests/core/heap_guard.h"
-#include "tests/times.h"
 
 namespace hrt {
 namespace {
@@ -28,35 +25,6 @@ RetargeterConfig registered(double turn_sd_deg) {
   RetargeterConfig config = people_controller();
   config.frame = turn_of(turn_sd_deg);
   return config;
-}
-
-// Where the plate leads does not depend on it.
-TEST(RegisteredReach, CommandsAreThoseOfAnExactPlate) {
-  Retargeter exact(registered(0.0));
-  Retargeter registered_by_touch(registered(2.0));
-  const Reach reach{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0, .real_distance_mm = 100.0};
-  exact.begin(reach);
-  registered_by_touch.begin(reach);
-  for (int i = 0; i < 150; ++i) {
-    const double share = std::clamp((i - 30) / 90.0, 0.0, 1.0);
-    const FingerSample sample{.time_ns = i * 11 * ms,
-                              .observation = Observation::position,
-                              .position = point_ahead({}, 3.0, 100.0 * share * share * (3.0 - 2.0 * share))};
-    PlateCommand a, b;
-    {
-      const HeapGuard no_heap;
-      a = exact.update(sample);
-      b = registered_by_touch.update(sample);
-    }
-    EXPECT_EQ(a.plate_orientation_deg, b.plate_orientation_deg);
-    EXPECT_EQ(a.predicted_miss_deg, b.predicted_miss_deg);
-    EXPECT_EQ(a.miss_unknown, b.miss_unknown);
-    if (a.miss_unknown) continue;
-    EXPECT_NEAR(b.bearing_error_sd_deg, std::hypot(2.0, a.bearing_error_sd_deg), 1e-9);
-    EXPECT_LT(a.bearing_error_sd_deg, 2.0);
-  }
-  EXPECT_GT(exact.summary().bearing_error_sd_deg, 0.0);
-  EXPECT_EQ(registered_by_touch.summary().bearing_error_sd_deg, registered_by_touch.command().bearing_error_sd_deg);
 }
 
 // The margin is 0.3 degrees less 0.9 deviations: the frame's variance adds to that of the person.

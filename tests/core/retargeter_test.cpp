@@ -9,10 +9,6 @@ namespace {
 
 constexpr Reach reach{.real_direction_deg = -5, .virtual_direction_deg = 5, .plate_orientation_deg = 20};
 
-FingerSample position(int i) {
-  return {.time_ns = i * 10 * ms, .observation = Observation::position, .position = {0, 0.5 * i}};
-}
-
 FingerSample direction(int i) {
   return {.time_ns = i * 100 * ms, .observation = Observation::direction, .direction_deg = 0.5 * i};
 }
@@ -24,50 +20,25 @@ TEST(Retargeter, TargetsMustBeWithinNinetyDegreesOfTheGoal) {
   EXPECT_TRUE(is_valid(wide, goal_direction_deg(Participant{.bias_deg = 3.0}, -1)));
 }
 
-TEST(Retargeter, PositionsAreLedByTheControllerForPeople) {
-  Retargeter retargeter({.mode = ControlMode::reach});
+// Until a position has been seen, directions are led by the paper's controller.
+TEST(Retargeter, TheFirstObservationChoosesTheController) {
+  Retargeter retargeter({.mode = ControlMode::reach, .plate = {.max_speed_deg_s = 100.0, .latency_ns = 30 * ms}});
+  retargeter.begin(reach);
+  EXPECT_TRUE(retargeter.leads_person());
+  EXPECT_NE(retargeter.command().plate_orientation_deg, 20.0);
+  for (const int early : {200, 100, 50}) retargeter.update({.time_ns = -early * ms});
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(retargeter.update(direction(i)).finger_direction_deg, 0.5 * i);
+    EXPECT_FALSE(retargeter.leads_person());
+  }
+  EXPECT_EQ(retargeter.summary().final_direction_deg, 4.5);
+  EXPECT_EQ(retargeter.summary().samples, 13);
+  EXPECT_EQ(retargeter.summary().dropped_samples, 3);
   EXPECT_FALSE(retargeter.learnt());
-  PersonReach person({.person = unknown_person()}, reach);
-  for (int pass = 0; pass < 2; ++pass) {  // the second starts anew
-    retargeter.begin(reach);
-    EXPECT_TRUE(retargeter.leads_person());
-    EXPECT_EQ(retargeter.command().plate_orientation_deg, person.command().plate_orientation_deg);
-  }
-  for (int i = 0; i < 100; ++i)
-    EXPECT_EQ(retargeter.update(position(i)).plate_orientation_deg, person.update(position(i)).plate_orientation_deg);
+  retargeter.begin(reach);
+  retargeter.update({.time_ns = 0, .observation = Observation::position, .position = {0, 0}});
   retargeter.update(direction(20));
-  EXPECT_TRUE(retargeter.leads_person()) << "a position has been seen";
-}
-
-// Before a sample the plate stands where it stood; after one it is under way to what suits a person.
-TEST(Retargeter, DirectionsAreLedByThePapersController) {
-  const PlateDynamics plate{.max_speed_deg_s = 100.0, .latency_ns = 30 * ms};
-  for (const bool commanded : {false, true}) {
-    Retargeter retargeter({.mode = ControlMode::reach, .plate = plate});
-    retargeter.begin(reach);
-    EXPECT_NE(retargeter.command().plate_orientation_deg, 20.0);
-    std::optional<PlateHandover> handover;
-    if (commanded) {
-      PersonReach person({.person = unknown_person(), .plate = plate}, reach);
-      for (const int early : {200, 100, 50}) {
-        retargeter.update({.time_ns = -early * ms});
-        person.update({.time_ns = -early * ms});
-      }
-      handover = person.handover();
-      EXPECT_NEAR(std::abs(handover->plate.orientation_deg() - 20.0), 12.0, 1e-9) << "150 ms less 30, at 100 deg/s";
-    }
-    PaperReach paper({.plate = plate}, reach, handover);
-    for (int i = 0; i < 10; ++i) {
-      const PlateCommand command = retargeter.update(direction(i));
-      EXPECT_FALSE(retargeter.leads_person());
-      EXPECT_EQ(command.plate_orientation_deg, paper.update(direction(i)).plate_orientation_deg);
-      EXPECT_EQ(command.finger_direction_deg, 0.5 * i);
-    }
-    EXPECT_EQ(retargeter.summary().final_direction_deg, 4.5);
-    EXPECT_EQ(retargeter.summary().samples, commanded ? 13 : 10);
-    EXPECT_EQ(retargeter.summary().dropped_samples, commanded ? 3 : 0);
-    EXPECT_FALSE(retargeter.learnt());
-  }
+  EXPECT_TRUE(retargeter.leads_person());
 }
 
 // The finger is seen elsewhere than the reach was to start: the plate runs on.

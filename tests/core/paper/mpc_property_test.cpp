@@ -6,27 +6,12 @@
 #include <limits>
 
 #include "core/paper/mpc.h"
-#include "tests/core/heap_guard.h"
 #include "tests/core/paper/mpc_random_problem.h"
 
 namespace hrt {
 namespace {
 
 constexpr int horizons[] = {1, 2, 3, 7, 13, 20};
-
-TEST(MpcProperty, MirroredProblemsHaveMirroredOptima) {
-  Random random(1);
-  for (int i = 0; i < 3000; ++i) {
-    RandomProblem drawn(random, horizons[i % 6], i % 4 < 2 ? RandomRate::moderate : RandomRate::none);
-    MpcProblem mirrored = drawn.problem;
-    mirrored.finger_offset_deg = -mirrored.finger_offset_deg;
-    mirrored.real_offset_deg = -mirrored.real_offset_deg;
-    mirrored.plate_offset_deg = -mirrored.plate_offset_deg;
-    const Mpc::Command command = Mpc(drawn.config).solve(drawn.problem);
-    const Mpc::Command mirror = Mpc(drawn.config).solve(mirrored);
-    EXPECT_EQ(command.plate_offset_deg, -mirror.plate_offset_deg) << i;
-  }
-}
 
 TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
   Random random(3);
@@ -97,18 +82,6 @@ TEST(MpcProperty, AWindowOfZeroGainsHoldsThePlate) {
       EXPECT_LE(std::abs(plate_deg), 84.5);
       EXPECT_LE(std::abs(plate_deg - 10.0), rate_deg);
     }
-  }
-}
-
-TEST(MpcProperty, DoesNotTouchTheHeap) {
-  Random random(5);
-  for (int i = 0; i < 300; ++i) {
-    const RandomProblem drawn(random, horizons[i % 6], i % 4 < 2 ? RandomRate::moderate : RandomRate::none);
-    const HeapGuard no_heap;
-    MpcPlan plan;
-    Mpc mpc(drawn.config);
-    mpc.solve(drawn.problem, &plan);
-    mpc.solve(drawn.problem);
   }
 }
 

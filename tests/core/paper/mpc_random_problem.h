@@ -18,7 +18,7 @@ inline double uniform(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-enum class RandomGains { perceived, two_thirds_zero, mostly_small, ten_to_minus_six_to_one };
+enum class RandomGains { perceived, two_thirds_zero, mostly_small };
 enum class RandomRate { none, moderate, slow, fraction_of_bound };
 
 struct RandomProblem {
@@ -50,8 +50,6 @@ struct RandomProblem {
         if (random() % 3 != 0) gains[i] = 0.0;
     if (gain_kind == RandomGains::mostly_small)
       std::generate_n(gains.begin(), horizon, [&] { return std::pow(uniform(random, 0.0, 1.0), 4); });
-    if (gain_kind == RandomGains::ten_to_minus_six_to_one)
-      std::generate_n(gains.begin(), horizon, [&] { return std::pow(10.0, uniform(random, -6.0, 0.0)); });
     const double w = uniform(random, 0.02, 0.49);
     const double max_gap = config.plate_bound_deg * w / (1.0 - w);
     problem.finger_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -3.0, 3.0) * max_gap;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace hrt {
 namespace {
@@ -87,71 +86,6 @@ DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem) {
     dense.limits.tail(2 * n) += (LongVector(2 * n) << before, -before).finished();
   }
   return dense;
-}
-
-LongVector feasible_start(const MpcConfig& config, const MpcProblem& problem) {
-  LongVector start(config.horizon);
-  long double last = std::isfinite(config.plate_rate_bound_deg) ? problem.plate_offset_deg : 0.0;
-  for (int i = 0; i < config.horizon; ++i) {
-    const long double rate = config.plate_rate_bound_deg;
-    last = last > rate ? last - rate : last < -rate ? last + rate : 0.0L;
-    start[i] = last;
-  }
-  return start;
-}
-
-LongVector dense_optimum(const DenseProblem& problem, const LongVector& start) {
-  const Eigen::Index n = start.size();
-  // No two bounds may meet in one point, or the method could cycle there: each gives way by its own 1e-14.
-  LongVector limits = problem.limits;
-  for (int i = 0; i < limits.size(); ++i)
-    limits[i] += 1e-14L * (1.0L + std::fmod(0.618L * static_cast<long double>(i), 1.0L));
-  // A step that is not felt costs nothing wherever the plate stands: a cost too small to matter makes one
-  // best.
-  LongMatrix hessian = problem.hessian;
-  for (int i = 0; i < n; ++i)
-    if (hessian(i, i) == 0.0L) hessian(i, i) = 1e-15L;
-  LongVector t = start;
-  std::vector<int> held;
-  constexpr int max_rounds = 2000;
-  for (int round = 0; round < max_rounds; ++round) {
-    // The move to the optimum on the bounds held, within the null space of their rows.
-    const LongVector slope = hessian * t + problem.gradient;
-    const auto m = static_cast<Eigen::Index>(held.size());
-    LongVector move = LongVector::Zero(n);
-    LongVector multipliers(m);
-    LongMatrix basis = LongMatrix::Identity(n, n);
-    Eigen::HouseholderQR<LongMatrix> factors;
-    if (m > 0) {
-      factors.compute(problem.rows(held, Eigen::seqN(0, n)).transpose());
-      basis = factors.householderQ();
-    }
-    const LongMatrix null_space = basis.rightCols(n - m);
-    if (m < n)
-      move = -null_space * (null_space.transpose() * hessian * null_space).llt().solve(null_space.transpose() * slope);
-    // The first bound on the way.
-    long double step = 1.0L;
-    int blocking = -1;
-    for (int i = 0; i < problem.rows.rows(); ++i) {
-      if (std::find(held.begin(), held.end(), i) != held.end()) continue;
-      const long double rise = problem.rows.row(i).dot(move);
-      if (rise <= 1e-16L) continue;
-      const long double room = std::max(0.0L, limits[i] - problem.rows.row(i).dot(t));
-      if (room < step * rise) step = room / rise, blocking = i;
-    }
-    t += step * move;
-    if (blocking >= 0) {
-      held.push_back(blocking);
-      continue;
-    }
-    if (m == 0) return t;
-    multipliers = factors.matrixQR().topRows(m).triangularView<Eigen::Upper>().solve(-basis.leftCols(m).transpose() *
-                                                                                     (hessian * t + problem.gradient));
-    Eigen::Index leaving = 0;
-    if (multipliers.minCoeff(&leaving) >= -1e-17L) return t;
-    held.erase(held.begin() + leaving);
-  }
-  throw std::runtime_error("the reference solver does not end");
 }
 
 KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate) {

@@ -1,5 +1,5 @@
-// Two independent judges of the controller, both dense, in long double and straight from the definition of
-// the problem: a primal active-set solver and a residual of the optimality conditions.
+// The optimality conditions of the controller's problem in long double, dense, straight from the definition of the
+// problem. It is convex, so a plan that meets them is optimal.
 #pragma once
 
 #include <Eigen/Dense>
@@ -26,12 +26,6 @@ struct DenseProblem {
 
 /// Writes the problem out. The plate must be able to reach the plate bound in one step.
 DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem);
-
-/// The optimum by a primal active-set method from the feasible `start`. Stops the test if it does not end.
-LongVector dense_optimum(const DenseProblem& problem, const LongVector& start);
-
-/// Some plate offsets within all bounds.
-LongVector feasible_start(const MpcConfig& config, const MpcProblem& problem);
 
 /// How far `plate` is from meeting the Karush-Kuhn-Tucker conditions.
 struct KktResidual {

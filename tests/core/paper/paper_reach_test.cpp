@@ -93,26 +93,6 @@ TEST(PaperReach, ADropoutHoldsThenRecovers) {
   EXPECT_LE(reach.summary.predicted_steps, 5);
 }
 
-// Exact directions once a step are the paper's loop, to the bit.
-TEST(PaperReach, DirectionSamplesAreThePapersLoop) {
-  const Reach reach{.real_direction_deg = 0, .virtual_direction_deg = 10};
-  PaperReach streamed({}, reach);
-  PaperReach stepped({}, reach);
-  for (int k = 0; k < 30; ++k) {
-    const double direction_deg = 3.0 * std::sin(k * 1.7);
-    const PlateCommand a = streamed.update(direction(k * 100 * ms, direction_deg));
-    const PlateCommand b = stepped.step(direction_deg);
-    EXPECT_EQ(a.plate_orientation_deg, b.plate_orientation_deg);
-    EXPECT_EQ(a.perceived_direction_deg, b.perceived_direction_deg);
-    EXPECT_EQ(a.step, k);
-    // Between steps the command is held.
-    const double held_deg = a.plate_orientation_deg;
-    const PlateCommand c = streamed.update(direction(k * 100 * ms + 50 * ms, 40.0));
-    EXPECT_TRUE(c.held);
-    EXPECT_EQ(c.plate_orientation_deg, held_deg);
-  }
-}
-
 TEST(PaperReach, PositionsAfterDirectionsShowWhereTheFingerIs) {
   const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -50.0}};
   PaperReach led({}, reach);
@@ -124,18 +104,6 @@ TEST(PaperReach, PositionsAfterDirectionsShowWhereTheFingerIs) {
                 1.0);
   }
   EXPECT_EQ(led.summary().dropped_samples, 0);
-}
-
-TEST(PaperReach, ASampleAnHourLateOrAtTheEndOfTimeIsSurvived) {
-  PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
-  led.update(direction(std::numeric_limits<std::int64_t>::min(), 2.0));
-  led.update(direction(0, 2.0));
-  EXPECT_EQ(led.update(direction(3'600'000 * ms, 2.0)).held, false);
-  const PlateCommand last = led.update(direction(std::numeric_limits<std::int64_t>::max(), 2.0));
-  EXPECT_TRUE(std::isfinite(last.plate_orientation_deg));
-  const ReachSummary summary = led.summary();
-  EXPECT_EQ(summary.steps, 4);
-  EXPECT_EQ(summary.steps + summary.predicted_steps, last.step + 1);
 }
 
 // The steps wait for a finger that is lifted or rests, to the end of time if need be.
@@ -255,30 +223,6 @@ TEST(PaperReach, ThePlateStaysUntilTheFingerMoves) {
     EXPECT_EQ(command.plate_orientation_deg, 12.5);
     EXPECT_EQ(command.step, -1);
   }
-}
-
-// Ten seconds at rest; then, after a lift, 15 mm aside.
-TEST(PaperReach, NoiseStartsNoReach) {
-  int started = 0;
-  for (const double noise_mm : {0.3, 1.2}) {
-    for (const double known_mm : {0.0, noise_mm}) {
-      for (std::uint32_t seed = 0; seed < 50; ++seed) {
-        PaperReach led({.estimator = {.tracker_noise_mm = known_mm}},
-                       {.real_direction_deg = -5, .virtual_direction_deg = 5});
-        Draws draws(seed, 0, 0, 0);
-        for (int i = 0; i < 1000; ++i) {
-          const double right_mm = i < 900 ? 0.0 : 15.0;
-          FingerSample sample =
-              position(i * 10 * ms, {right_mm + noise_mm * draws.normal(), noise_mm * draws.normal()});
-          if (i >= 895 && i < 900) sample.observation = Observation::lifted;
-          if (led.update(sample).step < 0) continue;
-          ++started;
-          break;
-        }
-      }
-    }
-  }
-  EXPECT_LE(started, 1) << "of 200";
 }
 
 // A lift and a dropout before the motion are the same to the clock.

@@ -53,10 +53,6 @@ TEST(Participant, InvalidParametersAreRecognised) {
   EXPECT_FALSE(is_valid(Participant{.initial_variance_deg2 = std::numeric_limits<double>::infinity()}));
 }
 
-}  // namespace
-
-namespace {
-
 // K_0 = 0.5 / (0.5 + 0.1) = 5/6, var_0 = (1/6)(1/2) = 1/12;
 // K_1 = (7/12) / (7/12 + 1/10) = 35/41, var_1 = (6/41)(7/12) = 7/82.
 TEST(Perception, FirstGainsOfConditionOne) {
@@ -91,10 +87,6 @@ TEST(Perception, WindowHoldsTheGainsAhead) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(window.data()[i], gains[k + i]) << k << ' ' << i;
   }
 }
-
-}  // namespace
-
-namespace {
 
 // L w / (1 - w): 90 * 0.15 / 0.85 = 15.88, 90 / 9 = 10, 90 * 0.05 / 0.95 = 4.74.
 TEST(Authority, LargestGapByHand) {
@@ -149,36 +141,6 @@ TEST(Authority, ThePlateItNamesHoldsTheFingerWhereItSays) {
         EXPECT_EQ(authority.reachable, authority.settling_direction_deg == real_deg);
         EXPECT_EQ(authority.reachable, authority.margin_deg >= 0.0);
         EXPECT_LE(std::abs(authority.plate_orientation_deg - virtual_deg), 84.5 + 1e-12);
-      }
-    }
-  }
-}
-
-// The controller in the loop ends there too: on the real target if it can be held, as near to it as the
-// bound allows if not.
-TEST(Authority, TheControllerSettlesWhereItSays) {
-  for (const double w : tactile_weights) {
-    for (const double real_deg : directions_deg) {
-      for (const double virtual_deg : {-5.0, 5.0}) {
-        const Authority authority = steering_authority(real_deg, virtual_deg, w, 84.5);
-        const Participant participant{.tactile_weight = w};
-        SimulatedParticipant person(participant, virtual_deg);
-        GainWindow gains(participant, 3);
-        const Mpc mpc({.horizon = 3});
-        double plate_deg = 0.0;
-        for (int k = 0; k < 300; ++k) {
-          const MpcProblem problem{.finger_offset_deg = person.finger_direction_deg() - virtual_deg,
-                                   .real_offset_deg = real_deg - virtual_deg,
-                                   .tactile_weight = w,
-                                   .plate_offset_deg = plate_deg - virtual_deg,
-                                   .gains = gains.data()};
-          plate_deg = virtual_deg + mpc.solve(problem).plate_offset_deg;
-          person.step(plate_deg, 0.0);
-          gains.advance();
-        }
-        EXPECT_NEAR(person.finger_direction_deg(), authority.settling_direction_deg, 1e-9)
-            << w << ' ' << real_deg << ' ' << virtual_deg;
-        EXPECT_NEAR(plate_deg, authority.plate_orientation_deg, 1e-7);
       }
     }
   }

@@ -26,16 +26,19 @@ TEST(Illusion, RepeatsEveryHalfTurn) {
   }
 }
 
-TEST(Illusion, ItsDerivativesAreThoseOfDifferences) {
+TEST(Illusion, DerivativesAreThoseOfDifferences) {
   constexpr double h = 1e-4;
-  for (double t = -85.0; t < 86.0; t += 17.0) {
-    const FeltShift g = felt_shift(curved, t);
-    const auto shift = [t](double weight, double curve, double more) {
-      return felt_shift({weight, curve}, t + more).shift_deg;
-    };
-    EXPECT_NEAR(g.by_offset, (shift(0.3, 0.12, h) - shift(0.3, 0.12, -h)) / (2 * h), 1e-8);
-    EXPECT_NEAR(g.by_weight, (shift(0.3 + h, 0.12, 0) - shift(0.3 - h, 0.12, 0)) / (2 * h), 1e-7);
-    EXPECT_NEAR(g.by_curve, (shift(0.3, 0.12 + h, 0) - shift(0.3, 0.12 - h, 0)) / (2 * h), 1e-7);
+  for (const double fading : {0.0, 0.7}) {
+    for (double t = -80.0; t < 86.0; t += 16.0) {
+      const auto shift = [&](double weight, double curve, double more_fading, double more_deg) {
+        return felt_shift({0.3 + weight, 0.12 + curve, fading + more_fading, 0.4}, t + more_deg).shift_deg;
+      };
+      const FeltShift g = felt_shift({0.3, 0.12, fading, 0.4}, t);
+      EXPECT_NEAR(g.by_offset, (shift(0, 0, 0, h) - shift(0, 0, 0, -h)) / (2 * h), 1e-7);
+      EXPECT_NEAR(g.by_weight, (shift(h, 0, 0, 0) - shift(-h, 0, 0, 0)) / (2 * h), 1e-7);
+      EXPECT_NEAR(g.by_curve, (shift(0, h, 0, 0) - shift(0, -h, 0, 0)) / (2 * h), 1e-7);
+      EXPECT_NEAR(g.by_fading, (shift(0, 0, h, 0) - shift(0, 0, -h, 0)) / (2 * h), 1e-7);
+    }
   }
 }
 
@@ -51,18 +54,6 @@ TEST(Illusion, FadesBetweenRidges) {
   Illusion fast = fading;
   fast.slowness = 0.0;
   EXPECT_DOUBLE_EQ(felt_shift(fast, 60.0).shift_deg, 12.0);
-}
-
-TEST(Illusion, DerivativesOfAFadingOneAreThoseOfDifferences) {
-  constexpr double h = 1e-4;
-  for (double t = -80.0; t < 86.0; t += 16.0) {
-    const auto shift = [t](double fading, double more) {
-      return felt_shift({0.3, 0.12, fading, 0.4}, t + more).shift_deg;
-    };
-    const FeltShift g = felt_shift({0.3, 0.12, 0.7, 0.4}, t);
-    EXPECT_NEAR(g.by_offset, (shift(0.7, h) - shift(0.7, -h)) / (2 * h), 1e-7);
-    EXPECT_NEAR(g.by_fading, (shift(0.7 + h, 0) - shift(0.7 - h, 0)) / (2 * h), 1e-7);
-  }
 }
 
 TEST(Illusion, OfAFadingTouchIsLargestBelowTheBound) {

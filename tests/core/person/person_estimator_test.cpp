@@ -6,7 +6,6 @@
 
 #include "core/reach/pace.h"
 #include "core/simulation/person.h"
-#include "tests/core/heap_guard.h"
 
 namespace hrt {
 namespace {
@@ -62,25 +61,6 @@ TEST_F(PersonEstimatorTest, DatesTheOnsetWithinFortyMilliseconds) {
   }
 }
 
-TEST_F(PersonEstimatorTest, AFingerAtRestRests) {
-  noise_mm_ = 1.2;
-  watch({.onset_s = 1e9}, 0.0, 60.0);
-  EXPECT_FALSE(estimator_.begun());
-  EXPECT_NEAR(estimator_.place().right_mm, 0.0, 5.0);
-}
-
-// Its departures are not taken for the noise of a finger at rest.
-TEST_F(PersonEstimatorTest, AFingerThatNeverRestsMoves) {
-  for (const double rate_hz : {60.0, 90.0, 144.0, 1000.0}) {
-    for (const double speed_mm_s : {20.0, 33.0, 100.0}) {
-      estimator_ = PersonEstimator(unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt);
-      for (double t = 0.0; t < 30.0 / speed_mm_s; t += 1.0 / rate_hz)
-        estimator_.observe(t, {0.0, speed_mm_s * t}, plate_);
-      EXPECT_TRUE(estimator_.moving()) << rate_hz << ' ' << speed_mm_s;
-    }
-  }
-}
-
 TEST_F(PersonEstimatorTest, KnowsWhereAMovingFingerIs) {
   noise_mm_ = 1.2;
   const Finger finger;
@@ -88,16 +68,6 @@ TEST_F(PersonEstimatorTest, KnowsWhereAMovingFingerIs) {
   EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.2).away_mm, 2.0);
   EXPECT_NEAR(estimator_.place().right_mm, 0.0, 2.0);
   EXPECT_TRUE(estimator_.model_fits());
-}
-
-TEST_F(PersonEstimatorTest, LearnsTheNoiseOfARestingFinger) {
-  for (const double noise_mm : {0.2, 1.2, 2.0}) {
-    estimator_ = PersonEstimator(unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt);
-    noise_mm_ = noise_mm;
-    watch({.onset_s = 4.0}, 0.0, 4.6);
-    ASSERT_TRUE(estimator_.moving());
-    EXPECT_NEAR(std::sqrt(estimator_.noise().variance_mm2()), noise_mm, 0.3 * noise_mm + 0.3);
-  }
 }
 
 TEST_F(PersonEstimatorTest, SeesAPauseAndItsEnd) {
@@ -121,27 +91,6 @@ TEST_F(PersonEstimatorTest, FollowsAJumpAndForgetsAnOutlier) {
   finger.start.right_mm = 60.0;  // another finger
   watch(finger, 0.92, 1.15);
   EXPECT_NEAR(estimator_.place().right_mm, 60.0, 3.0);
-}
-
-// At rest too: one or two positions in a row start nothing and move nothing. A third far off has it there.
-TEST_F(PersonEstimatorTest, AWildPositionAtRestStartsNothing) {
-  for (const double rate_hz : {60.0, 90.0, 240.0}) {
-    for (const double off_mm : {25.0, 300.0}) {
-      estimator_ = PersonEstimator(unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt);
-      const Finger resting{.onset_s = 1e9};
-      rate_hz_ = rate_hz;
-      noise_mm_ = 1.0;
-      watch(resting, 0.0, 0.5);
-      for (int i = 0; i < 2; ++i) EXPECT_FALSE(estimator_.observe(0.5 + i / rate_hz, {off_mm, 0.0}, plate_));
-      watch(resting, 0.5 + 2 / rate_hz, 0.8);
-      EXPECT_FALSE(estimator_.begun());
-      EXPECT_NEAR(estimator_.origin().right_mm, 0.0, 0.6);
-      if (off_mm < 100.0) continue;
-      for (int i = 0; i < 3; ++i) estimator_.observe(0.81 + i / rate_hz, {off_mm, 0.0}, plate_);
-      EXPECT_FALSE(estimator_.begun());
-      EXPECT_NEAR(estimator_.origin().right_mm, off_mm, 0.1);
-    }
-  }
 }
 
 TEST_F(PersonEstimatorTest, ALiftedFingerComesDownElsewhere) {
@@ -172,13 +121,6 @@ TEST_F(PersonEstimatorTest, SurvivesAGapWithoutEnd) {
   estimator_.observe(1.8e10 + 1.0, {0.0, 50.0}, plate_);
   EXPECT_TRUE(estimator_.filter().mean().allFinite());
   EXPECT_TRUE(estimator_.filter().covariance().allFinite());
-}
-
-TEST_F(PersonEstimatorTest, UsesNoHeap) {
-  const HeapGuard guard;
-  noise_mm_ = 1.2;
-  watch({.pause_from_s = 0.5, .pause_s = 0.5}, 0.0, 2.5);
-  estimator_.lift(2.6, plate_);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "core/simulation/people.h"
 #include "core/simulation/person.h"
 #include "core/simulation/person_trial.h"
-#include "tests/core/heap_guard.h"
 #include "tests/times.h"
 
 namespace hrt {
@@ -169,53 +168,6 @@ TEST(PersonReach, KeepsWithinTheStops) {
       EXPECT_LE(trial.last.plate_orientation_deg, lower_deg + 180.0);
     }
   }
-}
-
-// The step of a sample after hundreds of years, and of one at the end of the clock, is a number.
-TEST(PersonReach, SurvivesTheEndOfTime) {
-  for (const std::int64_t origin_ns : {std::numeric_limits<std::int64_t>::min(), std::int64_t{0}}) {
-    Trial trial(linear_person(), {.person = unknown_person()}, gap_of_ten, origin_ns);
-    trial.run_for(600);
-    const PlateCommand command = trial.reach.update(seen(std::numeric_limits<std::int64_t>::max(), {0.0, 50.0}));
-    EXPECT_GE(command.step, 0);
-    EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
-    EXPECT_TRUE(std::isfinite(command.distance_to_go_mm));
-    EXPECT_GE(trial.reach.summary().predicted_steps, 0);
-  }
-}
-
-TEST(PersonReach, UsesNoHeap) {
-  Trial trial(linear_person());
-  trial.noise_mm = 1.2;
-  const HeapGuard guard;
-  trial.run_for(5000);
-  (void)trial.reach.summary();
-  (void)trial.reach.learnt();
-}
-
-// Reaches within 1.5 degrees under correlated noise of 1.2 mm, with its size and time known or not.
-TEST(PersonReach, KnownCorrelatedNoiseBringsMoreReachesToTheTarget) {
-  int known = 0, unknown = 0;
-  for (const char* family : {"noise-100", "noise-300"}) {
-    for (const double duration_s : {1.0, 1.5}) {
-      for (std::uint32_t i = 0; i < 60; ++i) {
-        const PersonCondition condition = draw_person(*people_family(family), duration_s, 6, i);
-        if (!can_hold(condition)) continue;
-        RetargeterConfig config = people_controller();
-        const auto reaches_on_target = [&] {
-          int count = 0;
-          for (const PersonOutcome& outcome : simulate_person(condition, &config, 5, 6, i))
-            count += std::abs(outcome.bearing_error_deg) <= 1.5;
-          return count;
-        };
-        unknown += reaches_on_target();
-        config.estimator.correlated_noise_mm = condition.tracker.correlated_mm;
-        config.estimator.correlation_s = condition.tracker.correlation_s;
-        known += reaches_on_target();
-      }
-    }
-  }
-  EXPECT_GT(known, unknown);
 }
 
 }  // namespace

@@ -119,18 +119,6 @@ TEST(ReachControl, LeavesAPersonAloneWhoNeedsNoHelp) {
   EXPECT_NEAR(ready_orientation_deg({}, filter, {{0.0, 100.0}}), 0.0, 1e-9);
 }
 
-TEST(ReachControl, IsFiniteAtArrival) {
-  PersonFilter filter = under_way(1.0);
-  for (int i = 0; i < 400; ++i) filter.move(0.01, 35.0);
-  const ReachPlan planned = plan({}, filter, 35.0);
-  EXPECT_TRUE(std::isfinite(planned.plate_deg));
-  EXPECT_TRUE(std::isfinite(planned.miss_mm));
-}
-
-}  // namespace
-
-namespace {
-
 // k = 10 /s for 10 ms at 10 degrees from the goal, nothing felt of the plate: 10 x 10 x 0.01 / 1.05.
 TEST(Steering, AStepByHand) {
   const SteeringStep step = steer(10.0, 0.0, {}, 10.0, 0.01);

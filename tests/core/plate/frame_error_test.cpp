@@ -73,39 +73,5 @@ TEST(FrameError, RefusesWhatIsNoCovariance) {
   EXPECT_FALSE(is_frame_covariance(covariance));
 }
 
-// A finger that is believed to be at the target, of 2,000 registrations by touches of five marks with 1 and 3
-// mm of noise: binomial bounds of four deviations about 95 %.
-TEST(FrameError, CoversWhereTheFingerEnds) {
-  const Matrix3d rotation = some_rotation();
-  const Vector3d position(300.0, 750.0, -400.0);
-  const std::vector<Vector3d> five = {
-      {0.0, 0.0, 0.0}, {0.0, 0.0, 50.0}, {75.0, 0.0, 0.0}, {-75.0, 0.0, 0.0}, {0.0, 0.0, -75.0}};
-  const PlatePoint start{0.0, -50.0};
-  const PlatePoint target = point_ahead(start, -5.0, 100.0);
-  for (const double noise_mm : {1.0, 3.0}) {
-    int covered = 0, fitted = 0;
-    double sd_sum_deg = 0.0;
-    for (std::uint32_t i = 0; i < 2000; ++i) {
-      Draws draws(11, 0, i, 0);
-      const std::vector<MarkTouch> touches = touches_of(position, noise_mm, draws, 1.0, five);
-      const Registration found = fit_registration({.touch_sd_mm = noise_mm}, touches);
-      if (found.verdict != RegistrationVerdict::holds || found.left_out) continue;
-      ++fitted;
-      const Vector3d believed(target.right_mm, 0.0, -target.away_mm);
-      const Vector3d truly = rotation.transpose() * (found.rotation * believed + found.position_mm - position);
-      const double error_deg = bearing_deg(start, {truly.x(), -truly.z()}) - bearing_deg(start, target);
-      const double sd_deg = frame_bearing_sd_deg(frame_covariance(found), start, target);
-      sd_sum_deg += sd_deg;
-      covered += std::abs(error_deg) <= 1.96 * sd_deg;
-    }
-    ASSERT_GT(fitted, 1950);
-    EXPECT_GT(covered, 0.93 * fitted);
-    EXPECT_LT(covered, 0.97 * fitted);
-    EXPECT_NEAR(sd_sum_deg / fitted, 0.31 * noise_mm, 0.03);
-    std::printf("touches of %.0f mm: bearing known to %.2f degrees, covered %d of %d\n", noise_mm, sd_sum_deg / fitted,
-                covered, fitted);
-  }
-}
-
 }  // namespace
 }  // namespace hrt::test

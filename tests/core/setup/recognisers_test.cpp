@@ -77,7 +77,7 @@ TEST_F(SlideWatchTest, EndsWithARest) {
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::done);
 }
 
-TEST_F(SlideWatchTest, AShortPauseIsNoEnd) {
+TEST_F(SlideWatchTest, AShortPauseIsNoEndAndALongOneStopsIt) {
   go(0.0, -20.0, 400);
   stay(0.0, -20.0, 800);
   EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
@@ -85,22 +85,25 @@ TEST_F(SlideWatchTest, AShortPauseIsNoEnd) {
   expect_problem(SetupProblem::stopped);
 }
 
-TEST_F(SlideWatchTest, ElsewhereIsNoEnd) {
-  go(60.0, -40.0, 1000);
-  stay(60.0, -40.0, 2000);
-  expect_problem(SetupProblem::stopped);
+struct BadSlide {
+  double right_mm, away_mm;
+  int moving_ms, resting_ms;
+  SetupProblem problem;
+};
+
+class BadSlideTest : public SlideWatchTest, public ::testing::WithParamInterface<BadSlide> {};
+
+TEST_P(BadSlideTest, HasItsProblem) {
+  const BadSlide& slide = GetParam();
+  go(slide.right_mm, slide.away_mm, slide.moving_ms);
+  stay(slide.right_mm, slide.away_mm, slide.resting_ms);
+  expect_problem(slide.problem);
 }
 
-TEST_F(SlideWatchTest, TooFast) {
-  go(0.0, 50.0, 150);
-  stay(0.0, 50.0, 600);
-  expect_problem(SetupProblem::too_fast);
-}
-
-TEST_F(SlideWatchTest, TooSlow) {
-  go(0.0, 50.0, 9400);
-  expect_problem(SetupProblem::too_slow);
-}
+INSTANTIATE_TEST_SUITE_P(Slides, BadSlideTest,
+                         ::testing::Values(BadSlide{60.0, -40.0, 1000, 2000, SetupProblem::stopped},
+                                           BadSlide{0.0, 50.0, 150, 600, SetupProblem::too_fast},
+                                           BadSlide{0.0, 50.0, 9400, 0, SetupProblem::too_slow}));
 
 TEST_F(SlideWatchTest, Lifted) {
   go(0.0, 0.0, 500);

@@ -65,43 +65,6 @@ TEST(SimulationPeople, WhoIsDrawnIsAFunctionOfSeedDurationAndIndex) {
   EXPECT_NE(weight(1, 1.5, 3), weight(1, 1.5, 4));
 }
 
-TEST(SimulationPeople, EveryoneIsWithinTheirRanges) {
-  double min_weight = 1.0;
-  double max_weight = 0.0;
-  std::set<double> sides_deg;
-  for (std::uint32_t i = 0; i < 500; ++i) {
-    const PersonCondition person = draw("linear", i);
-    const double weight = person.person.illusion.tactile_weight;
-    min_weight = std::min(min_weight, weight);
-    max_weight = std::max(max_weight, weight);
-    EXPECT_GE(person.person.gain_per_s, 5.0);
-    EXPECT_LE(person.person.gain_per_s, 12.0);
-    EXPECT_GE(person.person.delay_s, 0.0);
-    EXPECT_LE(person.person.delay_s, 0.12);
-    EXPECT_EQ(person.person.duration_s, 1.5);
-    sides_deg.insert(person.virtual_direction_deg - person.real_direction_deg);
-  }
-  EXPECT_GE(min_weight, 0.12);
-  EXPECT_LT(min_weight, 0.125);
-  EXPECT_LE(max_weight, 0.30);
-  EXPECT_GT(max_weight, 0.295);
-  EXPECT_EQ(sides_deg, (std::set<double>{-10.0, 10.0}));
-}
-
-// Person i of a family is person i of the linear one with one thing changed; a larger lag needs a lower gain.
-TEST(SimulationPeople, AFamilyChangesOneThingOfTheSamePeople) {
-  for (const PeopleFamily& family : people_families())
-    for (std::uint32_t i = 0; i < 20; ++i) {
-      const PersonCondition linear = draw("linear", i);
-      const PersonCondition other = draw(family.name, i);
-      EXPECT_EQ(other.person.illusion.tactile_weight, linear.person.illusion.tactile_weight) << family.name;
-      const std::string name = family.name;
-      const double slower = name == "slow-arm" || name == "placing-arm" ? 0.6 : 1.0;
-      EXPECT_EQ(other.person.gain_per_s, slower * linear.person.gain_per_s) << name;
-      EXPECT_EQ(other.virtual_direction_deg, linear.virtual_direction_deg) << family.name;
-    }
-}
-
 TEST(SimulationPeople, FamiliesHaveTheTraitThatTheyAreNamedAfter) {
   using C = const PersonCondition&;
   using Values = std::set<double>;
@@ -269,40 +232,6 @@ TEST(SimulationPeople, AReachHasOneFaultOrNone) {
   EXPECT_EQ(faults.size(), 12U);  // none among them
 }
 
-// How often RESTING is said of a finger that is faster than 40 mm/s, and how late of one that pauses: ten samples.
-TEST(SimulationPeople, RestIsFoundAndMotionIsNoRest) {
-  for (const double rate_hz : {30.0, 90.0, 240.0, 1000.0}) {
-    int moving = 0, said_of_moving = 0, pauses = 0, found_soon = 0;
-    const auto watch = [&](const char* family, std::uint32_t person) {
-      PersonCondition condition = draw(family, person);
-      condition.tracker.rate_hz = rate_hz;
-      const bool pauses_once = condition.person.pace == Pace::pause;
-      const RetargeterConfig controller = people_controller(condition);
-      PersonMoment last{};
-      double paused_s = -1.0, found_s = -1.0;
-      simulate_person(condition, &controller, 1, 1, person, [&](int, const PersonMoment& now) {
-        const double speed_mm_s = distance_mm(now.finger, last.finger) / std::max(now.time_s - last.time_s, 1e-9);
-        const bool begun = last.time_s > 0.0 && now.command.step >= 0;
-        // No plate without stops goes to another orientation that feels the same.
-        if (begun) {
-          EXPECT_LT(std::abs(now.command.plate_orientation_deg - last.command.plate_orientation_deg), 90.0);
-        }
-        if (begun && !pauses_once && speed_mm_s > 40.0) ++moving, said_of_moving += now.command.resting;
-        if (begun && paused_s < 0.0 && speed_mm_s < 0.5 && now.finger.away_mm < 80.0) paused_s = now.time_s;
-        if (paused_s > 0.0 && found_s < 0.0 && now.command.resting) found_s = now.time_s;
-        last = now;
-      });
-      if (!pauses_once || !can_hold(condition)) return;
-      ++pauses;
-      found_soon += found_s > 0.0 && found_s - paused_s <= std::max(0.2, 11.0 / rate_hz);
-    };
-    for (std::uint32_t person = 0; person < 40; ++person) watch("linear", person), watch("pause", person);
-    EXPECT_LT(said_of_moving, 0.01 * moving) << rate_hz;
-    EXPECT_GE(found_soon, 0.95 * pauses) << rate_hz;
-    EXPECT_GT(pauses, 30);
-  }
-}
-
 TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
   const auto seen = [](PersonCondition condition) {
     condition.person.illusion = {.family = IllusionFamily::dead_band, .tactile_weight = 0.2, .scale_deg = 90.0};
@@ -343,46 +272,6 @@ TEST(SimulationPeople, AFixedPlateThatIsOffBendsThePathByItsShare) {
   EXPECT_NEAR(end_deg, condition.person.start_direction_deg, 0.3);
 }
 
-// Samples that come late by up to 8 ms are in order, and their stamps are when they come.
-TEST(SimulationPeople, LateSamplesAreLedAll) {
-  EXPECT_NEAR(static_cast<double>(led(draw("late-samples")).samples), static_cast<double>(led(draw("linear")).samples),
-              30.0);
-}
-
-// Not an aim, a floor: most of those whom the controller is made for arrive, and nobody without it.
-TEST(SimulationPeople, TheControllerLeadsLinearPeople) {
-  const RetargeterConfig controller = people_controller();
-  int holding = 0, near = 0, unled = 0;
-  for (std::uint32_t i = 0; i < 40; ++i) {
-    const PersonCondition person = draw("linear", i, 2.0);
-    if (!can_hold(person)) continue;
-    ++holding;
-    near += std::abs(simulate_person(person, &controller, 5, 1, i).back().bearing_error_deg) <= near_deg;
-    unled += std::abs(simulate_person(person, nullptr, 1, 1, i).back().bearing_error_deg) <= near_deg;
-  }
-  EXPECT_GE(near, holding - 3);
-  EXPECT_EQ(unled, 0);
-}
-
-// People who feel a ridge only as they cross it and whose weight is ample: what carries to the fifth reach
-// says so, and brings them closer than without it.
-TEST(SimulationPeople, FadingTouchIsLearnt) {
-  const RetargeterConfig controller = people_controller();
-  double fading = 0.0;
-  int near = 0;
-  int people = 0;
-  for (std::uint32_t i = 0; people < 10; ++i) {
-    PersonCondition condition = draw("crossings", i);
-    if (!can_hold(condition)) continue;
-    ++people;
-    const auto outcomes = simulate_person(condition, &controller, 5, 1, i);
-    near += std::abs(outcomes.back().bearing_error_deg) <= 1.5;
-    fading += outcomes.back().learnt->mean(PersonState::fading) / 10.0;
-  }
-  EXPECT_GT(fading, 0.7);
-  EXPECT_GE(near, 7);
-}
-
 // How far people stray from their line, as estimated after five reaches: the geometric mean.
 double learnt_wander_deg(const char* family) {
   const RetargeterConfig controller = people_controller();
@@ -417,53 +306,6 @@ TEST(SimulationPeople, ThoseWhoWeakenAreLedAnew) {
     near += std::abs(outcomes.back().bearing_error_deg) <= 1.5;
   }
   EXPECT_GE(near, 70);
-}
-
-// Of people who can hold the gap, those whose reach of that number ends within 1.5 degrees, percent.
-double hits(const char* family, std::size_t reach) {
-  const RetargeterConfig controller = people_controller();
-  int held = 0, near = 0;
-  for (std::uint32_t i = 0; i < 100; ++i) {
-    const PersonCondition condition = draw_person(*people_family(family), 1.5, 1, i);
-    if (!can_hold(condition)) continue;
-    ++held;
-    near += std::abs(simulate_person(condition, &controller, 5, 1, i)[reach - 1].bearing_error_deg) < near_deg;
-  }
-  return 100.0 * near / held;
-}
-
-// Without contacts few reaches of a turned frame end on the target, ever fewer as its turn is learnt as bias.
-TEST(SimulationPeople, ContactsFindATurnedFrame) {
-  EXPECT_LT(hits("turned-2", 5), 20.0);
-  EXPECT_GE(hits("turned-touch1", 3), 95.0);
-  EXPECT_GE(hits("turned-touch3", 5), 80.0);
-  EXPECT_GE(hits("headset-touch", 5), 95.0);
-  EXPECT_GE(hits("placed-touch3", 5), 95.0);
-}
-
-// Of the people of four families whose tracker is late: percent of first reaches within 1.5 degrees if the controller
-// is configured with the latency, and if it is not.
-TEST(SimulationPeople, AConfiguredLatencyIsCompensated) {
-  const auto percent = [](double latency_s, double configured_s) {
-    int near = 0, all = 0;
-    for (const char* family : {"linear", "clip-60", "noise-100", "habit-5"})
-      for (const double duration_s : {0.8, 1.0, 1.5, 2.0})
-        for (std::uint32_t i = 0; i < 100; ++i) {
-          PersonCondition late = draw(family, i, duration_s);
-          late.tracker.latency_s = latency_s;
-          if (!can_hold(late)) continue;
-          RetargeterConfig config = people_controller();
-          config.tracker_latency_ns = std::llround(1e9 * configured_s);
-          ++all;
-          near += std::abs(simulate_person(late, &config, 1, 1, i).front().bearing_error_deg) <= near_deg;
-        }
-    return 100.0 * near / all;
-  };
-  for (const double latency_s : {0.045, 0.1}) {
-    const double configured = percent(latency_s, latency_s), not_configured = percent(latency_s, 0.0);
-    std::printf("%3.0f ms: configured %.1f %%, not configured %.1f %%\n", 1e3 * latency_s, configured, not_configured);
-    EXPECT_GT(configured, not_configured - (latency_s < 0.1 ? 1.0 : 0.0));
-  }
 }
 
 TEST(SlidingFinger, RestsBeforeAndAfterItsPath) {

@@ -251,16 +251,6 @@ TEST(SimulationPerson, RidgesThatAreNotCrossedAreNotFelt) {
   EXPECT_GT(min_deg, virtual_deg - 8.0);  // 0.2 * 40, which fades between ridges
 }
 
-TEST(SimulationPerson, APathIsAFunctionOfItsDraws) {
-  Person person = linear();
-  person.noise_deg2_per_s = 8.0;
-  const auto end = [&](std::uint32_t reach) {
-    return walk(person, [](const SlidingPerson&) { return 20.0; }, draws(reach)).person.position().right_mm;
-  };
-  EXPECT_EQ(end(4), end(4));
-  EXPECT_NE(end(4), end(5));
-}
-
 // Without steering the direction is a random walk: 8 deg2 a second for 1.5 s.
 TEST(SimulationPerson, NoiseHasItsVariance) {
   Person person = numb();

@@ -56,106 +56,6 @@ TEST(SimulationRandom, DrawsOfATrialAreThoseOfItsCounters) {
     EXPECT_EQ(draws(step), standard_normal({0x0123456789abcdef, 77, 5, step})) << step;
 }
 
-// Every bit of the counter makes another draw.
-TEST(SimulationRandom, EveryPartOfTheCounterCounts) {
-  const RandomCounter base{.seed = 1, .condition = 2, .trial = 3, .step = 4};
-  std::vector<double> draws{standard_normal(base)};
-  for (int bit = 0; bit < 32; ++bit) {
-    RandomCounter changed = base;
-    changed.condition ^= 1u << bit;
-    draws.push_back(standard_normal(changed));
-    changed = base;
-    changed.trial ^= 1u << bit;
-    draws.push_back(standard_normal(changed));
-    changed = base;
-    changed.step ^= 1u << bit;
-    draws.push_back(standard_normal(changed));
-    changed = base;
-    changed.seed ^= std::uint64_t{1} << bit;
-    draws.push_back(standard_normal(changed));
-    changed.seed = base.seed ^ std::uint64_t{1} << (32 + bit);
-    draws.push_back(standard_normal(changed));
-  }
-  std::sort(draws.begin(), draws.end());
-  EXPECT_EQ(std::adjacent_find(draws.begin(), draws.end()), draws.end());
-}
-
-double normal_distribution_function(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
-
-// A million draws over trials and steps.
-const std::vector<double>& sorted_sample() {
-  static const std::vector<double> sample = [] {
-    std::vector<double> draws;
-    for (std::uint32_t trial = 0; trial < 33'334; ++trial) {
-      for (std::uint32_t step = 0; step < 30; ++step)
-        draws.push_back(standard_normal({.seed = 42, .condition = 1, .trial = trial, .step = step}));
-    }
-    std::sort(draws.begin(), draws.end());
-    return draws;
-  }();
-  return sample;
-}
-
-// Standard errors of the first four moments of n draws: sqrt of 1, 2, 15 and 96 over n.
-TEST(SimulationRandom, Moments) {
-  double sums[4] = {};
-  for (const double x : sorted_sample()) {
-    sums[0] += x;
-    sums[1] += x * x;
-    sums[2] += x * x * x;
-    sums[3] += x * x * x * x;
-  }
-  const auto n = static_cast<double>(sorted_sample().size());
-  EXPECT_NEAR(sums[0] / n, 0.0, 4.0 * std::sqrt(1.0 / n));
-  EXPECT_NEAR(sums[1] / n, 1.0, 4.0 * std::sqrt(2.0 / n));
-  EXPECT_NEAR(sums[2] / n, 0.0, 4.0 * std::sqrt(15.0 / n));
-  EXPECT_NEAR(sums[3] / n, 3.0, 4.0 * std::sqrt(96.0 / n));
-}
-
-// Kolmogorov and Smirnov: sqrt(n) D exceeds 1.95 once in a thousand samples.
-TEST(SimulationRandom, DistributionIsNormal) {
-  const std::vector<double>& sample = sorted_sample();
-  const auto n = static_cast<double>(sample.size());
-  double distance = 0.0;
-  for (std::size_t i = 0; i < sample.size(); ++i) {
-    const double expected = normal_distribution_function(sample[i]);
-    distance = std::max({distance, expected - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - expected});
-  }
-  EXPECT_LT(std::sqrt(n) * distance, 1.95);
-}
-
-// Chi-squared over 16 equally likely cells for each of two neighbouring draws, and correlation: of steps that
-// share 64 bits, of steps that share a block, of steps of different blocks, and of neighbouring trials.
-TEST(SimulationRandom, NeighboursAreIndependent) {
-  struct Neighbour {
-    std::uint32_t trial;
-    std::uint32_t step;
-  };
-  for (const auto& [next_trial, next_step] : {Neighbour{0, 1}, Neighbour{0, 2}, Neighbour{0, 4}, Neighbour{1, 0}}) {
-    constexpr int cells = 16;
-    constexpr std::uint32_t n = 200'000;
-    std::array<double, cells * cells> counts{};
-    double products = 0.0;
-    double square_products = 0.0;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const double a = standard_normal({7, 0, 2 * i, 8});
-      const double b = standard_normal({7, 0, 2 * i + next_trial, 8 + next_step});
-      const auto cell = [](double x) { return static_cast<int>(cells * normal_distribution_function(x)); };
-      ++counts[static_cast<std::size_t>(cells * cell(a) + cell(b))];
-      products += a * b;
-      square_products += (a * a - 1.0) * (b * b - 1.0);
-    }
-    const double expected = n / static_cast<double>(counts.size());
-    double chi_squared = 0.0;
-    for (const double count : counts) chi_squared += (count - expected) * (count - expected) / expected;
-    // 255 degrees of freedom: mean 255, standard deviation 22.6.
-    EXPECT_LT(chi_squared, 255.0 + 4.0 * 22.6) << next_trial << ' ' << next_step;
-    EXPECT_GT(chi_squared, 255.0 - 4.0 * 22.6) << next_trial << ' ' << next_step;
-    EXPECT_NEAR(products / n, 0.0, 4.0 / std::sqrt(n));
-    EXPECT_NEAR(square_products / n, 0.0, 4.0 * 2.0 / std::sqrt(n));
-  }
-}
-
 // Philox of the counter {block, person, reach, stream + 1}: 64 bits for a uniform draw or for two normal
 // ones.
 TEST(SimulationDraws, TakeHalfABlockAtATime) {
@@ -170,18 +70,6 @@ TEST(SimulationDraws, TakeHalfABlockAtATime) {
   EXPECT_EQ(draws.uniform(), static_cast<double>(half(1, 0) >> 11) * 0x1p-53);
   EXPECT_EQ(draws.normal(), second);
   EXPECT_EQ(draws.normal(), normal_pair(half(1, 1))[0]);
-}
-
-TEST(SimulationDraws, AreAFunctionOfTheirKeyAlone) {
-  Draws one(7, 1, 2, 3);
-  Draws same(7, 1, 2, 3);
-  std::vector<double> firsts;
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(one.normal(), same.normal());
-  for (Draws other : {Draws(7, 1, 2, 3), Draws(8, 1, 2, 3), Draws(7, 0, 2, 3), Draws(7, 1, 3, 3), Draws(7, 1, 2, 2),
-                      Draws(7, 1, 3, 2)})
-    firsts.push_back(other.uniform());
-  std::sort(firsts.begin(), firsts.end());
-  EXPECT_EQ(std::adjacent_find(firsts.begin(), firsts.end()), firsts.end());
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "core/reach/pace.h"
 #include "core/simulation/random.h"
-#include "tests/core/heap_guard.h"
 
 namespace hrt {
 namespace {
@@ -117,19 +116,6 @@ TEST(FingerPhase, AGapRestartsTheDurationOfARest) {
   EXPECT_EQ(watch.finger.rest_s(), 0.0);
 }
 
-TEST(FingerPhase, IsTheSameInSpace) {
-  FingerWatch plane;
-  PhaseDetector<Eigen::Vector3d> space(Eigen::Vector3d(10.0, 0.0, 50.0), half_a_millimetre);
-  for (double t = 0.0; t < 2.0; t += sample_period_s) {
-    const PlatePoint place = straight_at(t);
-    plane.see(place);
-    space.see(t, {place.right_mm, 0.0, -place.away_mm});
-    space.find_pause();
-    ASSERT_EQ(plane.finger.phase(), space.phase()) << t;
-  }
-  EXPECT_NEAR(space.rest_place().z(), -plane.finger.rest_place().away_mm, 1e-9);
-}
-
 // Ten seconds at rest, of 40 fingers each.
 TEST(FingerPhase, NoiseIsNoMotion) {
   for (const double rate_hz : {30.0, 90.0, 1000.0}) {
@@ -174,24 +160,6 @@ TEST(FingerPhase, FollowsMotionsOfAnySpeedAndNoise) {
       }
     }
   }
-}
-
-// Departures of a finger that never rests are not taken for noise.
-TEST(FingerPhase, AFingerThatNeverRestsMoves) {
-  for (const double rate_hz : {30.0, 90.0, 1000.0}) {
-    for (const double speed_mm_s : {20.0, 33.0, 100.0}) {
-      FingerPhase finger(PlatePoint{}, {});
-      for (double t = 0.0; t < 30.0 / speed_mm_s; t += 1.0 / rate_hz) finger.see(t, {0.0, speed_mm_s * t});
-      EXPECT_EQ(finger.phase(), Phase::moving) << rate_hz << ' ' << speed_mm_s;
-    }
-  }
-}
-
-TEST(FingerPhase, UsesNoHeap) {
-  const HeapGuard guard;
-  FingerWatch watch;
-  watch.until(2.0);
-  watch.finger.lift();
 }
 
 }  // namespace
