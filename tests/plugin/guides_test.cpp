@@ -220,7 +220,7 @@ TEST_F(GuidesTest, ALiftedFingerBeginsAnew) {
 
 TEST_F(GuidesTest, NeedsARegistrationAndATarget) {
   create(session_config());
-  expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_WRONG_STATE, "not registered");
+  expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_WRONG_STATE);
   make_session();
   expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES | HRT_SETUP_REGISTRATION, nullptr), HRT_ERROR_OUT_OF_RANGE,
                "what");
@@ -232,7 +232,7 @@ TEST_F(GuidesTest, NeedsARegistrationAndATarget) {
   hrt_session_config registered = session_config();
   registered.flags = HRT_SESSION_REGISTERED;
   create(registered);
-  expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_WRONG_STATE, "no real target");
+  expect_error(hrt_setup_begin(session, HRT_SETUP_GUIDES, nullptr), HRT_ERROR_WRONG_STATE);
 }
 
 // A frame that is seen 8 mm beside, in which nothing else is wrong, turns no reach from a start that is felt.

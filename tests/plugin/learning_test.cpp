@@ -1,5 +1,4 @@
 // Learning from reach to reach: simulated people with unknown parameters, seen through the C ABI alone.
-#include "core/math/trigonometry.h"
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
 #include "fixture.h"
@@ -7,17 +6,9 @@
 namespace hrt::test {
 namespace {
 
-constexpr int steps = 30;
-constexpr double whole_m = 0.1;
+constexpr std::uint32_t steps = 30;
 constexpr double real_deg = -5.0;
 constexpr double virtual_deg = 5.0;
-
-/// Who reaches, and how they are tracked.
-struct Person {
-  Participant participant;
-  double bias_deg = 0.0;
-  double tracker_noise_m = 0.0;
-};
 
 class LearningTest : public SessionTest {
  protected:
@@ -29,132 +20,70 @@ class LearningTest : public SessionTest {
 
   hrt_session_config config() const { return config_of(session); }
 
-  /// One reach of which the directions are seen, and known exactly. The miss is in degrees, of the last step.
-  hrt_reach_summary reach_by_direction(const Person& person, std::uint32_t reach, double* miss) {
-    begin_again();
-    SimulatedParticipant participant(person.participant, virtual_deg + person.bias_deg);
-    double direction_deg = 0.0;
-    for (int step = 0; step < steps; ++step) {
-      direction_deg = participant.finger_direction_deg();
-      const hrt_command command = update(direction_sample(step * step_ns, direction_deg));
-      participant.step(command.plate_orientation_deg, normal(reach, static_cast<std::uint32_t>(step)));
+  /// One reach of a person with w_T 0.2, whose directions are known exactly.
+  hrt_reach_summary reach_of(double motor_variance_deg2, std::uint32_t reach) {
+    EXPECT_OK(begin(real_, virtual_));
+    SimulatedParticipant participant({.tactile_weight = 0.2, .motor_variance_deg2 = motor_variance_deg2}, virtual_deg);
+    for (std::uint32_t step = 0; step < steps; ++step) {
+      const hrt_command command = update(direction_sample(step * step_ns, participant.finger_direction_deg()));
+      participant.step(command.plate_orientation_deg,
+                       standard_normal({.seed = 11, .condition = 0, .trial = reach, .step = step}));
     }
-    *miss = direction_deg - real_deg;
-    return end();
-  }
-
-  /// One reach of which a tracker sees positions at 90 Hz, after 0.2 s at rest. The miss is in millimetres,
-  /// across the real direction.
-  hrt_reach_summary reach_by_position(const Person& person, std::uint32_t reach, double* miss) {
-    begin_again();
-    SimulatedParticipant participant(person.participant, virtual_deg + person.bias_deg);
-    double right_m = 0.0, forward_m = -0.05, plate_deg = 0.0;
-    std::int64_t moved_to_ns = 0;
-    const auto move_to = [&](std::int64_t time_ns) {
-      const double travel_m = whole_m * static_cast<double>(time_ns - moved_to_ns) / (steps * step_ns);
-      right_m -= travel_m * sin_deg(participant.finger_direction_deg());
-      forward_m += travel_m * cos_deg(participant.finger_direction_deg());
-      moved_to_ns = time_ns;
-    };
-    int step = 0;
-    for (std::uint32_t sample = 0; step < steps; ++sample) {
-      const std::int64_t time_ns = -200'000'000 + sample * 11'111'111ll;
-      for (; step < steps && (step + 1) * step_ns <= time_ns; ++step) {
-        move_to((step + 1) * step_ns);
-        participant.step(plate_deg, normal(reach, static_cast<std::uint32_t>(step)));
-      }
-      if (step == steps) break;
-      if (time_ns > 0) move_to(time_ns);
-      const std::uint32_t draw = 1000 + 2 * sample;
-      plate_deg = update(position_sample(time_ns, right_m + person.tracker_noise_m * normal(reach, draw),
-                                         forward_m + person.tracker_noise_m * normal(reach, draw + 1)))
-                      .plate_orientation_deg;
-    }
-    const double away_m = forward_m + 0.05;
-    *miss = -1000.0 * (right_m * cos_deg(real_deg) + away_m * sin_deg(real_deg));
     return end();
   }
 
  private:
-  static double normal(std::uint32_t reach, std::uint32_t draw) {
-    return standard_normal({.seed = 11, .condition = 0, .trial = reach, .step = draw});
-  }
-
-  void begin_again() { ASSERT_OK(begin(real_, virtual_)); }
-
   hrt_target real_{}, virtual_{};
 };
 
-hrt_session_config adapting(std::uint32_t adaptation, std::uint32_t guidance = HRT_GUIDANCE_FIXED_DIRECTION) {
+hrt_session_config adapting(std::uint32_t adaptation) {
   hrt_session_config config = paper_config();
   config.adaptation = adaptation;
-  config.guidance = guidance;
   return config;
-}
-
-Person with_motor_variance(double motor_variance_deg2, double tracker_noise_m = 0.0) {
-  return {.participant = {.tactile_weight = 0.2, .motor_variance_deg2 = motor_variance_deg2},
-          .tracker_noise_m = tracker_noise_m};
 }
 
 // From 0.5, which is assumed, to what the person has.
 TEST_F(LearningTest, MotorVarianceComesToBeThePersons) {
   for (const double truth : {0.3, 1.0, 2.0}) {
     set(adapting(HRT_ADAPTATION_CARRIED));
-    double mean = 0.0, miss = 0.0;
+    double mean = 0.0;
     for (std::uint32_t reach = 0; reach < 60; ++reach) {
-      reach_by_direction(with_motor_variance(truth), reach, &miss);
+      reach_of(truth, reach);
       if (reach >= 20) mean += config().paper.motor_variance_deg2 / 40.0;
     }
     EXPECT_NEAR(mean, truth, 0.15 * truth);
-
-    // A tracker with 0.4 mm of noise takes longer.
-    set(adapting(HRT_ADAPTATION_CARRIED));
-    mean = 0.0;
-    for (std::uint32_t reach = 0; reach < 160; ++reach) {
-      reach_by_position(with_motor_variance(truth, 0.0004), reach, &miss);
-      if (reach >= 80) mean += config().paper.motor_variance_deg2 / 80.0;
-    }
-    EXPECT_NEAR(mean, truth, 0.2 * truth);
   }
 }
 
 TEST_F(LearningTest, SummarySaysHowWellTheMotorVarianceIsKnown) {
-  double miss = 0.0;
   set(adapting(HRT_ADAPTATION_REACH));
-  hrt_reach_summary summary = reach_by_direction(with_motor_variance(1.0), 0, &miss);
+  hrt_reach_summary summary = reach_of(1.0, 0);
   EXPECT_GT(summary.paper.motor_variance_deg2, 0.6);
   EXPECT_LT(summary.paper.motor_variance_sd_deg2, 0.2);
   EXPECT_EQ(config().paper.motor_variance_deg2, 0.5) << "carried, and should not be";
 
-  // 1.2 mm of noise shows hardly anything of it.
-  summary = reach_by_position(with_motor_variance(1.0, 0.0012), 0, &miss);
-  EXPECT_GT(summary.paper.motor_variance_sd_deg2, 0.95 * 0.5);
-  EXPECT_NEAR(summary.paper.motor_variance_deg2, 0.5, 0.2);
-
   set(adapting(HRT_ADAPTATION_OFF));
-  summary = reach_by_direction(with_motor_variance(1.0), 0, &miss);
+  summary = reach_of(1.0, 0);
   EXPECT_EQ(summary.paper.motor_variance_deg2, 0.5);
   EXPECT_EQ(summary.paper.motor_variance_sd_deg2, 0.0);
 }
 
 TEST_F(LearningTest, OneReachCarriesLittle) {
-  double miss = 0.0;
   hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
   assumed.paper.motor_variance_deg2 = 0.1;
   set(assumed);
-  EXPECT_GT(reach_by_direction(with_motor_variance(4.0), 0, &miss).paper.motor_variance_deg2, 0.2);
+  EXPECT_GT(reach_of(4.0, 0).paper.motor_variance_deg2, 0.2);
   EXPECT_EQ(config().paper.motor_variance_deg2, 0.2);
   EXPECT_EQ(config().paper.motor_variance_sd_deg2, 0.5);
 
   // The bounds of what is carried, whatever was configured.
   assumed.paper.motor_variance_deg2 = 1e-9;
   set(assumed);
-  reach_by_direction(with_motor_variance(4.0), 0, &miss);
+  reach_of(4.0, 0);
   EXPECT_EQ(config().paper.motor_variance_deg2, 0.05);
   assumed.paper.motor_variance_deg2 = 1e4;
   set(assumed);
-  reach_by_direction(with_motor_variance(4.0), 0, &miss);
+  reach_of(4.0, 0);
   EXPECT_EQ(config().paper.motor_variance_deg2, 5.0);
 
   // A reach in which nothing was seen carries nothing.
@@ -191,7 +120,7 @@ TEST_F(LearningTest, BiasMovesWhereTheUserGoes) {
     const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, target_deg);
     EXPECT_EQ(gap_of(real, cup).gap_deg, 12.0);
     EXPECT_OK(begin(real, cup));
-    for (int step = 0; step < steps; ++step) update(direction_sample(step * step_ns, 3.0 - step / 3.0));
+    for (std::uint32_t step = 0; step < steps; ++step) update(direction_sample(step * step_ns, 3.0 - step / 3.0));
     return end();
   };
   hrt_reach_summary one = reach(5.0, 2.0);

@@ -103,18 +103,6 @@ TEST_F(PlausibilityTest, AFingerThatMovesAwayIsOffTarget) {
   EXPECT_FALSE(arrived);
 }
 
-TEST_F(PlausibilityTest, RetargetingEveryFrameKeepsTheRest) {
-  const hrt_target real = add(HRT_TARGET_REAL, -5.0), seen = add(HRT_TARGET_VIRTUAL, 5.0);
-  ASSERT_OK(begin(real, seen));
-  hrt_command command{};
-  for (std::int64_t t = 0; t < 2600; t += 10) {
-    const double u = std::clamp(static_cast<double>(t - 300) / 1500.0, 0.0, 1.0);
-    command = update(position_sample(t * ms, 0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))));
-    ASSERT_OK(hrt_reach_retarget(session, real, seen));
-  }
-  EXPECT_EQ(command.flags & HRT_COMMAND_ARRIVED, HRT_COMMAND_ARRIVED);
-}
-
 // Each position in three samples is what a tracker of a third of the rate shows, with dropouts between.
 TEST_F(PlausibilityTest, CopiesOfAPositionAreDropouts) {
   hrt_reach_summary copied{}, dropped{};

@@ -58,25 +58,40 @@ TEST_F(ProfileTest, SmallBufferIsRefused) {
   EXPECT_EQ(text, std::string(whole.size(), '?'));
 }
 
+std::string profile_with(const std::string& fields) {
+  return R"({"format":"haptic retargeting profile","version":1)" + fields + "}";
+}
+
+struct BadProfile {
+  std::string text;
+  hrt_result result;
+  const char* named = "";
+};
+
 TEST_F(ProfileTest, WhatIsNotAProfileIsRefusedAndChangesNothing) {
-  const auto profile = [](const std::string& fields) {
-    return R"({"format":"haptic retargeting profile","version":1)" + fields + "}";
-  };
   const std::string before = save_profile();
-  expect_error(load_profile(""), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load_profile("[]"), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load_profile(before.substr(0, 50)), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load_profile(std::string(50'000, '[')), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load_profile(std::string(70'000, ' ')), HRT_ERROR_BAD_FORMAT, "70000 bytes");
-  expect_error(load_profile("{}"), HRT_ERROR_BAD_FORMAT, "format");
-  expect_error(load_profile(R"({"format":"haptic retargeting profile","version":2})"), HRT_ERROR_BAD_FORMAT, "version");
-  expect_error(load_profile(profile(",\"horizon\":4")), HRT_ERROR_BAD_FORMAT, "\"horizon\"");
-  expect_error(load_profile(profile(",\"tactile_weight\":\"0.2\"")), HRT_ERROR_BAD_FORMAT, "tactile_weight");
-  expect_error(load_profile(profile(",\"tactile_weight\":true")), HRT_ERROR_BAD_FORMAT, "not a JSON object");
-  expect_error(load_profile(profile(",\"tactile_weight\":0.9")), HRT_ERROR_OUT_OF_RANGE, "tactile_weight is 0.9");
-  expect_error(load_profile(profile(",\"tactile_weight\":1e999")), HRT_ERROR_BAD_FORMAT, "not a JSON object");
+  const BadProfile refused[] = {
+      {"", HRT_ERROR_BAD_FORMAT},
+      {"[]", HRT_ERROR_BAD_FORMAT},
+      {before.substr(0, 50), HRT_ERROR_BAD_FORMAT},
+      {std::string(50'000, '['), HRT_ERROR_BAD_FORMAT},
+      {std::string(70'000, ' '), HRT_ERROR_BAD_FORMAT, "70000"},
+      {"{}", HRT_ERROR_BAD_FORMAT, "format"},
+      {R"({"format":"haptic retargeting profile","version":2})", HRT_ERROR_BAD_FORMAT, "version"},
+      {profile_with(",\"horizon\":4"), HRT_ERROR_BAD_FORMAT, "\"horizon\""},
+      {profile_with(",\"tactile_weight\":\"0.2\""), HRT_ERROR_BAD_FORMAT, "tactile_weight"},
+      {profile_with(",\"tactile_weight\":true"), HRT_ERROR_BAD_FORMAT},
+      {profile_with(",\"tactile_weight\":0.9"), HRT_ERROR_OUT_OF_RANGE, "tactile_weight"},
+      {profile_with(",\"tactile_weight\":1e999"), HRT_ERROR_BAD_FORMAT},
+      {profile_with(R"(,"plate":7)"), HRT_ERROR_BAD_FORMAT, "plate"},
+      {profile_with(R"(,"plate":")" + std::string(64, 'x') + '"'), HRT_ERROR_BAD_FORMAT, "plate"},
+      {profile_with(R"(,"tracker":"a\tb")"), HRT_ERROR_OUT_OF_RANGE, "tracker"},
+      {profile_with(R"(,"measured_at_s":1.5)"), HRT_ERROR_BAD_FORMAT, "measured_at_s"},
+      {profile_with(R"(,"measured_at_s":-1)"), HRT_ERROR_OUT_OF_RANGE, "time_s"},
+  };
+  for (const BadProfile& bad : refused) expect_error(load_profile(bad.text), bad.result, bad.named);
   begin_reach();
-  expect_error(load_profile(before), HRT_ERROR_WRONG_STATE, "under way");
+  expect_error(load_profile(before), HRT_ERROR_WRONG_STATE);
   EXPECT_EQ(save_profile(), before);
 }
 
@@ -152,22 +167,11 @@ TEST_F(ConditionsTest, BadOnesAreRefusedAndChangeNothing) {
   const auto refused = [&](const hrt_conditions& bad, hrt_result code, const char* part) {
     expect_error(hrt_profile_set_conditions(session, &bad), code, part);
   };
-  refused(conditions("a\nb", ""), HRT_ERROR_OUT_OF_RANGE, "plate has a control character at byte 1");
-  refused(conditions("", "\xff"), HRT_ERROR_OUT_OF_RANGE, "tracker is not UTF-8");
+  refused(conditions("a\nb", ""), HRT_ERROR_OUT_OF_RANGE, "plate");
+  refused(conditions("", "\xff"), HRT_ERROR_OUT_OF_RANGE, "tracker");
   hrt_conditions endless = conditions("", "");
   std::fill(std::begin(endless.tracker), std::end(endless.tracker), 'x');
-  refused(endless, HRT_ERROR_OUT_OF_RANGE, "tracker is not ended by a zero within 64 bytes");
-  const auto profile = [](const std::string& fields) {
-    return R"({"format":"haptic retargeting profile","version":1)" + fields + "}";
-  };
-  expect_error(load_profile(profile(R"(,"plate":7)")), HRT_ERROR_BAD_FORMAT, "plate is not a text");
-  expect_error(load_profile(profile(R"(,"plate":")" + std::string(64, 'x') + '"')), HRT_ERROR_BAD_FORMAT,
-               "plate is not a text of up to 63 bytes");
-  expect_error(load_profile(profile(R"(,"tracker":"a\tb")")), HRT_ERROR_OUT_OF_RANGE,
-               "tracker has a control character");
-  expect_error(load_profile(profile(R"(,"measured_at_s":1.5)")), HRT_ERROR_BAD_FORMAT,
-               "measured_at_s is not a whole number");
-  expect_error(load_profile(profile(R"(,"measured_at_s":-1)")), HRT_ERROR_OUT_OF_RANGE, "time_s is -1");
+  refused(endless, HRT_ERROR_OUT_OF_RANGE, "tracker");
   EXPECT_STREQ(measured().plate, "desk 1");
   EXPECT_EQ(measured().time_s, 5);
   begin_reach();

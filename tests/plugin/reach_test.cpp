@@ -257,14 +257,14 @@ TEST_F(ReachTest, CallsOutOfOrderAreRefused) {
   auto command = output<hrt_command>();
   auto summary = output<hrt_reach_summary>();
   const hrt_sample sample = direction_sample(0, 0.0);
-  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_WRONG_STATE, "no reach");
-  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE, "no reach");
+  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_WRONG_STATE);
+  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE);
   begin_reach();
-  expect_error(begin({1}, {2}), HRT_ERROR_WRONG_STATE, "under way");
+  expect_error(begin({1}, {2}), HRT_ERROR_WRONG_STATE);
   const hrt_session_config config = paper_config();
-  expect_error(hrt_session_set(session, &config), HRT_ERROR_WRONG_STATE, "under way");
+  expect_error(hrt_session_set(session, &config), HRT_ERROR_WRONG_STATE);
   ASSERT_OK(hrt_reach_cancel(session));
-  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE, "no reach");
+  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE);
 }
 
 TEST_F(ReachTest, TimeRunningBackwardsIsRefusedAndChangesNothing) {
@@ -273,8 +273,7 @@ TEST_F(ReachTest, TimeRunningBackwardsIsRefusedAndChangesNothing) {
   auto command = output<hrt_command>();
   command.paper.step = 77;
   const hrt_sample early = direction_sample(999, 0.0);
-  expect_error(hrt_reach_update(session, &early, &command), HRT_ERROR_TIME_REVERSED,
-               "time_ns is 999; allowed: from the last sample's, 1000");
+  expect_error(hrt_reach_update(session, &early, &command), HRT_ERROR_TIME_REVERSED, "time_ns");
   EXPECT_EQ(command.paper.step, 77);
   update(direction_sample(1000, 0.0));
   EXPECT_EQ(end().counts.samples, 2);
@@ -291,9 +290,9 @@ TEST_F(ReachTest, SamplesOfTwoPlacesOrWithoutAPoseAreRefusedAndChangeNothing) {
   };
   hrt_sample sample = direction_sample(1, 0.0);
   sample.flags = HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION;
-  refused(sample, "flags is 3; allowed: one of");
+  refused(sample, "flags");
   sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
-  refused(sample, "plate_rotation is (0, 0, 0, 0)");
+  refused(sample, "plate_rotation");
   EXPECT_EQ(update(direction_sample(0, 0.0)).plate_orientation_deg, before.plate_orientation_deg);
   EXPECT_EQ(end().counts.samples, 2);
 }

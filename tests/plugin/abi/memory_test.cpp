@@ -207,13 +207,13 @@ TEST(Memory, AllocatorStaysWhileMemoryIsHeld) {
   EXPECT_OK(hrt_host_set(&host)) << "the allocator stays";
   host.allocate = [](void*, std::size_t size, std::size_t) { return std::malloc(size); };
   host.release = [](void*, void* memory) { std::free(memory); };
-  expect_error(hrt_host_set(&host), HRT_ERROR_WRONG_STATE, "holds");
+  expect_error(hrt_host_set(&host), HRT_ERROR_WRONG_STATE);
   ASSERT_OK(hrt_session_destroy(session));
   EXPECT_OK(hrt_host_set(&host));
   ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   EXPECT_OK(hrt_host_set(&host));
   host.context = &session;
-  expect_error(hrt_host_set(&host), HRT_ERROR_WRONG_STATE, "holds");
+  expect_error(hrt_host_set(&host), HRT_ERROR_WRONG_STATE);
   ASSERT_OK(hrt_session_destroy(session));
   EXPECT_OK(hrt_host_set(nullptr));
 }
@@ -223,10 +223,10 @@ TEST(Memory, AllocatorIsChecked) {
   expect_error(hrt_host_set(&host), HRT_ERROR_STRUCT_SIZE, "host");
   host = hrt_host_init();
   host.allocate = [](void*, std::size_t, std::size_t) -> void* { return nullptr; };
-  expect_error(hrt_host_set(&host), HRT_ERROR_NULL_ARGUMENT, "release is null");
+  expect_error(hrt_host_set(&host), HRT_ERROR_NULL_ARGUMENT, "release");
   host.release = [](void*, void*) {};
   host.allocate = nullptr;
-  expect_error(hrt_host_set(&host), HRT_ERROR_NULL_ARGUMENT, "allocate is null");
+  expect_error(hrt_host_set(&host), HRT_ERROR_NULL_ARGUMENT, "allocate");
 }
 
 }  // namespace

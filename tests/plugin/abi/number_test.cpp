@@ -55,33 +55,5 @@ TEST(Number, WholeReadings) {
   EXPECT_EQ(number, std::numeric_limits<std::int64_t>::min());
 }
 
-/// Powers of two and their neighbours, where the distance to the next number changes; any bits; decimals of
-/// few digits.
-TEST(Number, ReadsBackToTheSameBits) {
-  const auto check = [](double number) {
-    const std::string text = written(number);
-    double back = 0.0;
-    ASSERT_TRUE(read_number(text, &back)) << text;
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(number)) << text;
-#if defined(__cpp_lib_to_chars)
-    ASSERT_EQ(std::from_chars(text.data(), text.data() + text.size(), back).ptr, text.data() + text.size());
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(number)) << text;
-#endif
-  };
-  for (int exponent = -1074; exponent < 1024; ++exponent) {
-    const double power = std::ldexp(1.0, exponent);
-    for (const double number : {std::nextafter(power, 0.0), power, std::nextafter(power, 2.0 * power)}) check(number);
-  }
-  std::uint64_t bits = 1;
-  for (int i = 0; i < 20'000; ++i) {
-    bits = bits * 6364136223846793005u + 1442695040888963407u;
-    const auto any = std::bit_cast<double>(bits);
-    if (std::isfinite(any)) check(any);
-    const auto digits = static_cast<double>(bits >> 44);
-    check(digits * std::pow(10.0, static_cast<double>(bits % 40) - 20.0));
-    check(digits / 1e6);
-  }
-}
-
 }  // namespace
 }  // namespace hrt::plugin

@@ -221,8 +221,8 @@ TEST_F(RecordingTest, ChildrenAreNotRecordedAndSaySo) {
     update(direction_sample(1, 1.0));
     for (int i = 0; i < 10'000; ++i) update(direction_sample(2, 1.0));
     auto status = output<hrt_recording_status>();
-    expect_error(hrt_recording_get_status(session, &status), HRT_ERROR_WRONG_STATE, "was forked from");
-    expect_error(hrt_recording_stop(session, &status), HRT_ERROR_WRONG_STATE, "was forked from");
+    expect_error(hrt_recording_get_status(session, &status), HRT_ERROR_WRONG_STATE);
+    expect_error(hrt_recording_stop(session, &status), HRT_ERROR_WRONG_STATE);
     end();
     expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, "another recording");
     ASSERT_OK(hrt_recording_start(session, of_child.c_str()));
