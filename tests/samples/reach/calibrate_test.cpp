@@ -64,17 +64,6 @@ TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
   }
 }
 
-// Beyond 45 degrees this person feels no more: 9 degrees of shift at most.
-TEST(ReachCalibrate, ShowsAnIllusionThatSaturates) {
-  const Outcome outcome = expect_exit(
-      0, run_scripted(
-             R"({"participants": [{"illusion": "saturating", "illusion_scale_deg": 45, "tactile_weight": 0.2,
-          "steering": "continuous", "habit_deg": 0}]})",
-             {desk, "--calibrate", scratch_folder() + "/profile.json"}));
-  EXPECT_TRUE(has(outcome.out, "The model fits the slides."));
-  EXPECT_NEAR(value_of(outcome.out, "largest gap that a plate can hold"), 9.0, 1.0) << outcome.out;
-}
-
 TEST(ReachCalibrate, WritesWhatItKnowsWhenTheSlidesRunOut) {
   const std::string profile = scratch_folder() + "/profile.json";
   const std::string shaky = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.2,

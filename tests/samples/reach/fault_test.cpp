@@ -251,12 +251,5 @@ TEST(ReachFault, NoHeadsetIsThere) {
   EXPECT_TRUE(has(outcome.err, "no head-mounted display"));
 }
 
-// Velocities are not used, so nothing changes.
-TEST(ReachFault, VelocitiesAreMissingOrZero) {
-  const std::string usual = run_program({desk}).out;
-  for (const std::string velocities : {"none", "zero", "linear"})
-    EXPECT_EQ(run_desk(R"({"tracker": {"velocities": ")" + velocities + "\"}}").out, usual);
-}
-
 }  // namespace
 }  // namespace hrt::reach
