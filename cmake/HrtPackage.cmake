@@ -65,7 +65,7 @@ if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/api_layers/hrtx_capture.json DESTINATION ${CMAKE_INSTALL_LIBDIR}/api_layers
           COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/hrtx-run TYPE BIN COMPONENT mock_runtime EXCLUDE_FROM_ALL)
-  install(FILES samples/mock_runtime/hrtx_control.py ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_script.schema.json
+  install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_script.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/hrtx COMPONENT mock_runtime EXCLUDE_FROM_ALL)
 elseif(TARGET hrt-plate)  # Windows
   install(TARGETS hrt-plate RUNTIME COMPONENT runtime)

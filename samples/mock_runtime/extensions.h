@@ -14,11 +14,7 @@ namespace hrt::mock {
   X(headless, XR_MND_HEADLESS, XR_MND_headless)                                  \
   X(hand_tracking, XR_EXT_HAND_TRACKING, XR_EXT_hand_tracking)                   \
   X(timespec, XR_KHR_CONVERT_TIMESPEC_TIME, XR_KHR_convert_timespec_time)        \
-  X(automation, XR_EXT_CONFORMANCE_AUTOMATION, XR_EXT_conformance_automation)    \
   X(local_floor, XR_EXT_LOCAL_FLOOR, XR_EXT_local_floor)                         \
-  X(locate_spaces, XR_KHR_LOCATE_SPACES, XR_KHR_locate_spaces)                   \
-  X(maintenance1, XR_KHR_MAINTENANCE1, XR_KHR_maintenance1)                      \
-  X(palm_pose, XR_EXT_PALM_POSE, XR_EXT_palm_pose)                               \
   X(vulkan_enable, XR_KHR_VULKAN_ENABLE, XR_KHR_vulkan_enable)                   \
   X(vulkan_enable2, XR_KHR_VULKAN_ENABLE2, XR_KHR_vulkan_enable2)                \
   X(layer_depth, XR_KHR_COMPOSITION_LAYER_DEPTH, XR_KHR_composition_layer_depth) \

@@ -38,7 +38,6 @@
   X(xrGetReferenceSpaceBoundsRect,          get_reference_space_bounds_rect,         core,          XrResult)\
   X(xrLocateSpace,                          locate_space,                            core,          void)    \
   X(xrLocateSpaces,                         locate_spaces,                           version_1_1,   void)    \
-  X(xrLocateSpacesKHR,                      locate_spaces,                           locate_spaces, void)    \
   X(xrDestroySpace,                         destroy_space,                           core,          void)    \
   X(xrWaitFrame,                            wait_frame,                              core,          void)    \
   X(xrBeginFrame,                           begin_frame,                             core,          XrResult)\
@@ -70,11 +69,6 @@
   X(xrGetInputSourceLocalizedName,          get_input_source_localized_name,         core,          void)    \
   X(xrApplyHapticFeedback,                  apply_haptic_feedback,                   core,          XrResult)\
   X(xrStopHapticFeedback,                   stop_haptic_feedback,                    core,          XrResult)\
-  X(xrSetInputDeviceActiveEXT,              set_input_device_active,                 automation,    void)    \
-  X(xrSetInputDeviceStateBoolEXT,           set_input_device_state_bool,             automation,    void)    \
-  X(xrSetInputDeviceStateFloatEXT,          set_input_device_state_float,            automation,    void)    \
-  X(xrSetInputDeviceStateVector2fEXT,       set_input_device_state_vector2f,         automation,    void)    \
-  X(xrSetInputDeviceLocationEXT,            set_input_device_location,               automation,    void)    \
   X(xrCreateHandTrackerEXT,                 create_hand_tracker,                     hand_tracking, void)    \
   X(xrDestroyHandTrackerEXT,                destroy_hand_tracker,                    hand_tracking, void)    \
   X(xrLocateHandJointsEXT,                  locate_hand_joints,                      hand_tracking, void)    \

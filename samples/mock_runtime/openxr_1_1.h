@@ -63,19 +63,7 @@ using PFN_xrLocateSpaces = XrResult(XRAPI_PTR*)(XrSession session, const XrSpace
 #endif  // XR_API_VERSION_1_1
 
 #ifndef XR_KHR_locate_spaces
-#define XR_KHR_locate_spaces_SPEC_VERSION 1
-#define XR_KHR_LOCATE_SPACES_EXTENSION_NAME "XR_KHR_locate_spaces"
 using PFN_xrLocateSpacesKHR = PFN_xrLocateSpaces;
-#endif
-
-#ifndef XR_KHR_maintenance1
-#define XR_KHR_maintenance1_SPEC_VERSION 1
-#define XR_KHR_MAINTENANCE1_EXTENSION_NAME "XR_KHR_maintenance1"
-#endif
-
-#ifndef XR_EXT_palm_pose
-#define XR_EXT_palm_pose_SPEC_VERSION 3
-#define XR_EXT_PALM_POSE_EXTENSION_NAME "XR_EXT_palm_pose"
 #endif
 
 #ifndef XR_EXT_local_floor

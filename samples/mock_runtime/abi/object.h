@@ -95,8 +95,6 @@ class Registry {
     auto& siblings = object.parent_ != nullptr ? object.parent_->children_ : roots_;
     std::erase_if(siblings, [&](const auto& sibling) { return sibling.get() == &object; });
   }
-  /// Its handle is no more; the object lives as long as its parent.
-  void retire(const Object& object) { objects_.erase(object.id()); }
 
  private:
   void forget(Object& object) {

@@ -41,8 +41,7 @@ void require_subactions(const Instance& instance, const XrActionCreateInfo& info
 ActionSet::ActionSet(Instance* instance, const XrActionSetCreateInfo& info)
     : Object(object_type, instance),
       name(text_in(info.actionSetName)),
-      localized_name(text_in(info.localizedActionSetName)),
-      priority(info.priority) {}
+      localized_name(text_in(info.localizedActionSetName)) {}
 
 Action::Action(ActionSet* set, const XrActionCreateInfo& info)
     : Object(object_type, set),
@@ -75,28 +74,21 @@ void create_action(ActionSet& set, const XrActionCreateInfo* info, XrAction* act
   *action = handle_of<XrAction>(runtime().registry.create<Action>(&set, *info));
 }
 
-void destroy_action(XrAction handle) {
-  auto& action = runtime().registry.get_even_lost<Action>(handle);
-  // Spaces of an action that is attached need no handle of it.
-  action.action_set().attached ? runtime().registry.retire(action) : runtime().registry.destroy(action);
-}
+void destroy_action(XrAction handle) { runtime().registry.destroy(runtime().registry.get_even_lost<Action>(handle)); }
 
 void suggest_interaction_profile_bindings(Instance& instance, const XrInteractionProfileSuggestedBinding* info) {
   require(info->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings are suggested");
   require_pointer(info->suggestedBindings, "suggestedBindings");
-  const auto* profile = find_profile(instance.paths.text(info->interactionProfile), instance.sources());
+  const auto* profile = find_profile(instance.paths.text(info->interactionProfile), instance.version_1_1());
   require(profile != nullptr, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile");
-  std::vector<Binding> bindings;
   for (std::uint32_t i = 0; i < info->countSuggestedBindings; ++i) {
     const XrActionSuggestedBinding& binding = info->suggestedBindings[i];
     const auto& action = runtime().registry.get<Action>(binding.action);
     require(!action.action_set().attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
             "the action's set is attached: its bindings cannot change");
-    require(resolve_binding(*profile, instance.paths.text(binding.binding), action.action_type).has_value(),
-            XR_ERROR_PATH_UNSUPPORTED, "the interaction profile has no such binding path in this version of OpenXR");
-    bindings.push_back({action.id(), binding.binding});
+    require(profile->contains(instance.paths.text(binding.binding)), XR_ERROR_PATH_UNSUPPORTED,
+            "the interaction profile has no such binding path in this version of OpenXR");
   }
-  instance.suggestions[info->interactionProfile] = std::move(bindings);
 }
 
 void attach_session_action_sets(Session& session, const XrSessionActionSetsAttachInfo* info) {
@@ -105,8 +97,12 @@ void attach_session_action_sets(Session& session, const XrSessionActionSetsAttac
   std::vector<ActionSet*> sets;
   for (std::uint32_t i = 0; i < info->countActionSets; ++i)
     sets.push_back(&runtime().registry.get<ActionSet>(info->actionSets[i]));
-  require(!session.input.is_attached(), XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "action sets are attached already");
-  session.input.attach(sets, session.instance().suggestions);
+  require(!session.action_sets, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "action sets are attached already");
+  session.action_sets.emplace();
+  for (ActionSet* set : sets) {
+    session.action_sets->insert(set->id());
+    set->attached = true;
+  }
 }
 
 }  // namespace hrt::mock

@@ -24,36 +24,6 @@ void advance_time(Instance& instance, XrDuration duration) {
   fire_due_events();
 }
 
-std::string obey(Session& session, const std::string& line) {
-  static constexpr std::array states{"UNKNOWN", "IDLE",     "READY",        "SYNCHRONIZED", "VISIBLE",
-                                     "FOCUSED", "STOPPING", "LOSS_PENDING", "EXITING"};
-  static_assert(XR_SESSION_STATE_EXITING + 1 == states.size());
-  Json reply;
-  try {
-    Json command = parse_json(line, "control");
-    const bool has_event = command.contains("do"), has_fault = !has_event && command.contains("function");
-    check_json(command, script_schema(), "control", has_event ? "event_now" : has_fault ? "call_now" : "advance");
-    const auto what = has_event ? std::optional(read_happening(command, "control")) : std::nullopt;
-    const auto fault = has_fault ? std::optional(read_call(command, "control")) : std::nullopt;
-    const XrDuration advance_ns = nanoseconds(command["advance_ms"]);
-    if (what) session.happen(*what);
-    // The application may have located what it draws in this frame before.
-    if (what && std::holds_alternative<TakePicture>(*what)) session.picture_from = session.frame_number + 1;
-    if (fault) runtime().faults.add(*fault);
-    if (advance_ns > 0) advance_time(session.instance(), advance_ns);
-  } catch (const Error& error) {
-    reply["error"] = error.why;
-  } catch (const Refusal& refusal) {
-    reply["error"] = refusal.what();
-  }
-  const XrTime now = session.instance().clock.now();
-  reply["time_ns"] = now;
-  reply["frame"] = session.frame_number;
-  reply["state"] = states.at(static_cast<std::size_t>(session.state()));
-  if (!session.player) reply["plate_deg"] = session.world().plate_orientation_deg(now);
-  return reply.dump(-1, ' ', true, Json::error_handler_t::replace);
-}
-
 void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count, XrCallRecordHRTX* records) {
   runtime().registry.get_even_lost<Instance>(handle);
   two_call(runtime().log.records(), capacity, count, records, [](XrCallRecordHRTX& to, const CallRecord& from) {
@@ -77,11 +47,8 @@ void convert_timespec_time_to_time(Instance&, const struct timespec* from, XrTim
 
 void convert_time_to_timespec_time(Instance&, XrTime from, struct timespec* time) {
   require(from > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  std::int64_t clock_ns = from;
-  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
-    if (session->player) clock_ns = session->player->clock_ns(from).value_or(from);
-  time->tv_sec = clock_ns / 1'000'000'000;
-  time->tv_nsec = clock_ns % 1'000'000'000;
+  time->tv_sec = from / 1'000'000'000;
+  time->tv_nsec = from % 1'000'000'000;
 }
 
 }  // namespace hrt::mock

@@ -61,8 +61,7 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
   // An application that draws has to wait for a frame first.
   const bool draws = session.graphics != nullptr;
   if (draws && session.state() == XR_SESSION_STATE_READY) session.enter(XR_SESSION_STATE_SYNCHRONIZED);
-  if (session.frames.since_begin == std::max<std::int64_t>(runtime().script.focus_frame, draws ? 1 : 0))
-    session.go_to(XR_SESSION_STATE_FOCUSED);
+  if (draws && session.frames.since_begin == 1) session.go_to(XR_SESSION_STATE_FOCUSED);
   const XrDuration frame_period = runtime().script.frame_period;
   const XrTime now = session.instance().clock.now();
   FrameLoop& frames = session.frames;

@@ -31,7 +31,7 @@ RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base, c
   const Pose from_world = inverse(*base_in_world);
   const HandJoints joints = place_hand(tracker.hand, hand->index_tip_m, hand->orientation);
   const XrSpaceLocationFlags position_tracked =
-      base.stands_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+      base.is_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   const Velocities kind = world.velocities();
   for (std::size_t i = 0; i < joints.size(); ++i) {
     given.locations.push_back({XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |

@@ -53,7 +53,6 @@ void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock, enabled);
   runtime().instance = &instance;
   runtime().clock = &instance.clock;
-  ++runtime().made.instance;
   *handle = handle_of<XrInstance>(instance);
 }
 

@@ -3,7 +3,6 @@
 #include <openxr/openxr.h>
 
 #include <deque>
-#include <map>
 #include <vector>
 
 #include "samples/mock_runtime/api/runtime.h"
@@ -15,15 +14,6 @@ namespace hrt::mock {
 
 /// The only system, a head-mounted display.
 inline constexpr XrSystemId the_system = 1;
-
-/// A binding that an application suggests.
-struct Binding {
-  std::uint64_t action;  ///< its id
-  XrPath path;
-};
-
-/// By interaction profile; a new suggestion for a profile replaces the one before.
-using SuggestedBindings = std::map<XrPath, std::vector<Binding>>;
 
 /// What an application has chosen before its session.
 struct GraphicsSetup {
@@ -43,9 +33,6 @@ class Instance : public Object {
 
   bool enabled(Extension extension) const { return extensions_[static_cast<std::size_t>(extension)]; }
   bool version_1_1() const { return enabled(Extension::version_1_1); }
-  SourceSet sources() const {
-    return {version_1_1(), enabled(Extension::palm_pose), version_1_1() || enabled(Extension::maintenance1)};
-  }
 
   template <typename Event>
   void push_event(const Event& event) {
@@ -58,7 +45,6 @@ class Instance : public Object {
   Clock clock;
   std::deque<XrEventDataBuffer> events;  ///< oldest first
   PathTable paths;
-  SuggestedBindings suggestions;
   GraphicsSetup graphics;
 
  private:

@@ -21,27 +21,27 @@ struct Runtime {
   CallLog log;
   std::uint32_t threads = 0;  ///< that have called so far
   Script script;
-  std::string script_text;   ///< that `script` was read from; empty at first
-  Faults faults;             ///< of the script, with the calls counted so far
-  Scope made;                ///< instances and sessions created since the script took effect
-  std::string script_error;  ///< the environment's script is invalid: why; else empty
+  std::string script_text;     ///< that `script` was read from; empty at first
+  Faults faults;               ///< of the script, with the calls counted so far
+  std::uint64_t sessions = 0;  ///< created since the script took effect
+  std::string script_error;    ///< the environment's script is invalid: why; else empty
 
-  /// A script takes effect; calls, sessions and instances are counted anew. Throws as parse_script(), and
+  /// A script takes effect; calls and sessions are counted from here. Throws as parse_script(), and
   /// changes nothing then.
   void apply(const std::string& text) {
     script = parse_script(text);
     script_text = text;
     faults = Faults(script.calls);
-    made = {.instance = instance == nullptr ? 0U : 1U, .session = 0};
+    sessions = 0;
   }
-  /// Where a call belongs: to the existing session and instance, or to the next ones.
-  Scope scope() const {
+  /// The session that a call belongs to, from 1: the one that exists, or else the next.
+  std::uint64_t session_of_call() const {
     const bool in_session = instance != nullptr && registry.has_child(*instance, XR_OBJECT_TYPE_SESSION);
-    return {made.instance + (instance == nullptr ? 1 : 0), made.session + (in_session ? 0 : 1)};
+    return sessions + (in_session ? 0 : 1);
   }
   /// Counts a call and returns its fault, if any.
   std::optional<CallFault> next_fault(FunctionId function) {
-    return faults.empty() ? std::nullopt : faults.next(function, scope());
+    return faults.empty() ? std::nullopt : faults.next(function, session_of_call());
   }
   /// 0 without an instance.
   XrTime now() const { return clock == nullptr ? 0 : clock->now(); }

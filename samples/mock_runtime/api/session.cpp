@@ -2,7 +2,6 @@
 #include "samples/mock_runtime/api/session.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 
 namespace hrt::mock {
@@ -10,38 +9,25 @@ namespace hrt::mock {
 Session::Session(Instance* instance, const Script& script, std::shared_ptr<GraphicsDevice> device)
     : Object(object_type, instance),
       graphics(std::move(device)),
-      input(*instance, world_),
       created_(instance->clock.now()),
       world_(script.world, created_) {
-  const Scope here = runtime().scope();  // this session: no other exists
+  const std::uint64_t number = runtime().session_of_call();  // of this session: no other exists
   std::copy_if(script.events.begin(), script.events.end(), std::back_inserter(events_),
-               [&](const ScriptEvent& event) { return event.scope.includes(here); });
-  if (script.playback != nullptr) player.emplace(script.playback, here.session);
-  for (const XrHandEXT hand : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
-    if (const auto& controller = world_.controller_settings(hand); !controller.profile.empty())
-      happen(DeviceEvent{hand == XR_HAND_LEFT_EXT ? "/user/hand/left" : "/user/hand/right", controller.profile});
-  open_to_outside(script);
+               [&](const ScriptEvent& event) { return event.session == 0 || event.session == number; });
+  if (script.playback != nullptr) player.emplace(script.playback, number);
+  if (!script.world.plate || script.world.plate->terminal.empty()) return;
+  plate_.emplace(script.world.plate->terminal, script.world.servo, created_);
+  // The thread that destroys the session holds the lock and waits for this one, which therefore only tries it.
+  server_ = std::jthread([this](const std::stop_token& end) {
+    for (; !end.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(1)))
+      if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock) serve_plate();
+  });
 }
 
-void Session::open_to_outside(const Script& script) {
-  if (script.world.plate && !script.world.plate->terminal.empty())
-    plate_.emplace(script.world.plate->terminal, script.world.servo, created_);
-  if (const char* path = std::getenv("HRT_MOCK_CONTROL"); path != nullptr) control_.emplace(path);
-  // Who destroys the session waits for the thread and holds the lock.
-  if (plate_ || control_)
-    server_ = std::jthread([this](const std::stop_token& end) {
-      for (; !end.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(1)))
-        if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock) serve_outside();
-    });
-}
-
-void Session::serve_outside() {
-  if (plate_) {
-    const XrTime now = instance().clock.now();
-    if (const auto sent_deg = plate_->run_until(now, world().plate_orientation_deg(now)))
-      world().command_plate(*sent_deg);
-  }
-  if (control_) control_->serve([this](const std::string& line) { return obey(*this, line); });
+void Session::serve_plate() {
+  const XrTime now = instance().clock.now();
+  if (const auto sent_deg = plate_->run_until(now, world().plate_orientation_deg(now)))
+    world().command_plate(*sent_deg);
 }
 
 World& Session::world() {
@@ -68,7 +54,7 @@ void Session::go_to(XrSessionState state) {
   const auto in_frame_loop = [](XrSessionState s) {
     return s >= XR_SESSION_STATE_SYNCHRONIZED && s <= XR_SESSION_STATE_FOCUSED;
   };
-  // Who draws may ask for the end before its first frame.
+  // An application that renders may request exit before its first frame.
   if (running && state_ == XR_SESSION_STATE_READY && state == XR_SESSION_STATE_STOPPING)
     enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (!running || !in_frame_loop(state_)) return;
@@ -89,7 +75,6 @@ void Session::fire_due_events() {
   if (player) return play_due_events();
   const XrTime elapsed = instance().clock.now() - created_;
   const auto is_due = [&](const ScriptEvent& event) {
-    if (event.reach > 0) return world().reaches_ended() >= event.reach;
     return event.frame > 0 ? frame_number >= event.frame : elapsed >= event.time_ns;
   };
   std::vector<ScriptEvent> due;
@@ -112,9 +97,6 @@ void Session::happen(const Happening& what) {
   }
   if (std::holds_alternative<TakePicture>(what)) picture_from = std::max<std::int64_t>(1, frame_number);
   if (const auto* recenter = std::get_if<Recenter>(&what)) happen(*recenter);
-  if (const auto* device = std::get_if<DeviceEvent>(&what)) happen(*device);
-  if (const auto* input_event = std::get_if<InputEvent>(&what))
-    for (const auto& [source, value] : input_event->values) input.devices[input_event->device].values[source] = value;
   if (std::holds_alternative<RepeatState>(what)) report_state();
   if (std::holds_alternative<LoseSession>(what)) lost = XR_ERROR_SESSION_LOST;
   if (std::holds_alternative<LoseInstance>(what)) instance().lost = XR_ERROR_INSTANCE_LOST;
@@ -123,9 +105,6 @@ void Session::happen(const Happening& what) {
         XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, instance().clock.now()});
   if (const auto* head = std::get_if<HeadEvent>(&what)) world().lose_head(head->lost);
   if (const auto* hand = std::get_if<HandEvent>(&what)) happen(*hand);
-  if (const auto* put = std::get_if<Put>(&what))
-    put->hand ? world().put_hand(*put->hand, put->pose) : world().put_head(put->pose);
-  if (std::holds_alternative<UnplugPlate>(what) && plate_) plate_->unplug();
   runtime().frame_begun.notify_all();
 }
 
@@ -133,12 +112,6 @@ void Session::happen(const HandEvent& event) {
   if (event.fault == HandFault::lost) world().lose_tracking(event.hand, event.begins);
   if (event.fault == HandFault::frozen) world().freeze(event.hand, event.begins);
   if (event.fault == HandFault::jump) world().jump(event.hand, event.jump_m);
-}
-
-void Session::happen(const DeviceEvent& event) {
-  Device& device = input.devices[event.device];
-  device.active = !event.profile.empty();
-  if (device.active) device.profile = instance().paths.intern(event.profile);
 }
 
 void Session::happen(const Recenter& recenter) {
@@ -165,7 +138,7 @@ void create_session(Instance& instance, const XrSessionCreateInfo* info, XrSessi
           "a session exists already; one is allowed");
   auto device = device_of_session(instance, *info);
   auto& session = runtime().registry.create<Session>(&instance, runtime().script, std::move(device));
-  ++runtime().made.session;
+  ++runtime().sessions;
   if (!session.player || !session.player->has_states()) {
     session.enter(XR_SESSION_STATE_IDLE);
     session.enter(XR_SESSION_STATE_READY);
@@ -179,7 +152,7 @@ void destroy_session(XrSession handle) {
   // No event may name a session that no longer exists. Events that name one have it behind `next`.
   std::erase_if(session.instance().events, [&](const XrEventDataBuffer& event) {
     return event.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
-           reinterpret_cast<const XrEventDataInteractionProfileChanged&>(event).session == handle;
+           reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == handle;
   });
   runtime().registry.destroy(session);
   runtime().frame_begun.notify_all();
@@ -199,7 +172,7 @@ void begin_session(Session& session, const XrSessionBeginInfo* info) {
   if (session.player && session.player->follow(StateCall::begin)) return;
   if (session.graphics != nullptr) return;  // the states follow frames
   session.enter(XR_SESSION_STATE_SYNCHRONIZED);
-  if (runtime().script.focus_frame == 0) session.go_to(XR_SESSION_STATE_FOCUSED);
+  session.go_to(XR_SESSION_STATE_FOCUSED);
 }
 
 void request_exit_session(Session& session) {

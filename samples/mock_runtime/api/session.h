@@ -3,11 +3,11 @@
 #include <openxr/openxr.h>
 
 #include <optional>
+#include <set>
 #include <thread>
 
-#include "samples/mock_runtime/api/input.h"
+#include "samples/mock_runtime/api/actions.h"
 #include "samples/mock_runtime/graphics/device.h"
-#include "samples/mock_runtime/live/line_socket.h"
 #include "samples/mock_runtime/live/plate_terminal.h"
 #include "samples/mock_runtime/playback/player.h"
 #include "samples/mock_runtime/world/world.h"
@@ -46,7 +46,6 @@ class Session : public Object {
 
   /// Runs the events of the script that are due in this session.
   void fire_due_events();
-  void happen(const Happening& what);
 
   const std::shared_ptr<GraphicsDevice> graphics;  ///< null: headless
   bool running = false;
@@ -54,15 +53,15 @@ class Session : public Object {
   std::int64_t frame_number = 0;  ///< of the latest xrWaitFrame, over all runs
   FrameLoop frames;
   std::int64_t picture_from = 0;  ///< the next picture is of this frame or a later one; 0: none is ordered
-  Input input;
+  /// Ids of the action sets that are attached; none before xrAttachSessionActionSets.
+  std::optional<std::set<std::uint64_t>> action_sets;
   std::optional<Player> player;  ///< of a script that plays a recording back
 
  private:
+  void happen(const Happening& what);
   void happen(const Recenter& recenter);
-  void happen(const DeviceEvent& event);
   void happen(const HandEvent& event);
-  void open_to_outside(const Script& script);
-  void serve_outside();
+  void serve_plate();
   void report_state();
   void play_due_events();
 
@@ -71,12 +70,8 @@ class Session : public Object {
   std::vector<ScriptEvent> events_;  // still to come
   World world_;
   std::optional<PlateTerminal> plate_;
-  std::optional<LineSocket> control_;
-  std::jthread server_;  // of both
+  std::jthread server_;  // of the plate
 };
-
-/// Does what a line of HRT_MOCK_CONTROL says. Returns the reply, a JSON object.
-std::string obey(Session& session, const std::string& line);
 
 /// What the session draws with; null: nothing. Throws an Error for a binding that cannot be used.
 std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info);

@@ -28,7 +28,7 @@ void require_reference_space(const Session& session, XrReferenceSpaceType type) 
 }
 
 XrSpaceLocationFlags flags_of(const Space& space, const Space& base) {
-  const bool seen = space.stands_in_room() == base.stands_in_room() || base.can_see_room();
+  const bool seen = space.is_in_room() == base.is_in_room() || base.can_see_room();
   return seen ? all_location_flags : all_location_flags & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 }
 
@@ -79,7 +79,7 @@ RecordedViews views_of(const Space& space, XrTime time) {
   if (!in_world) return result;
   result.flags =
       XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
-  if (!space.stands_in_room() || space.can_see_room()) result.flags |= XR_VIEW_STATE_POSITION_TRACKED_BIT;
+  if (!space.is_in_room() || space.can_see_room()) result.flags |= XR_VIEW_STATE_POSITION_TRACKED_BIT;
   return result;
 }
 
@@ -92,15 +92,15 @@ Space& space_of(const Session& session, XrSpace handle) {
 }
 
 std::optional<Motion> Space::motion(XrTime time) const {
-  if (action != 0) {
-    const auto motion = session().input.motion(action, subaction, time);
-    return motion ? std::optional(*motion * offset) : std::nullopt;
-  }
+  if (name.reference == SpaceName::of_action) return std::nullopt;
+  const Pose offset = checked_pose(name.pose);
   if (name.reference == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset;
   return Motion{session().world().origins.in_world(name.reference, time) * offset};
 }
 
-bool Space::stands_in_room() const { return action == 0 && name.reference != XR_REFERENCE_SPACE_TYPE_VIEW; }
+bool Space::is_in_room() const {
+  return name.reference != SpaceName::of_action && name.reference != XR_REFERENCE_SPACE_TYPE_VIEW;
+}
 
 bool Space::can_see_room() const { return !session().world().head_is_lost(); }
 
@@ -116,30 +116,26 @@ void enumerate_reference_spaces(Session& session, std::uint32_t capacity, std::u
 
 void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
   require_reference_space(session, info->referenceSpaceType);
-  const Pose pose = checked_pose(info->poseInReferenceSpace);
-  const SpaceName name{info->referenceSpaceType, {}, {}, info->poseInReferenceSpace};
-  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name, pose));
+  checked_pose(info->poseInReferenceSpace);
+  const SpaceName name{info->referenceSpaceType, info->poseInReferenceSpace};
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name));
 }
 
 void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
   const auto& action = runtime().registry.get<Action>(info->action);
   require(action.action_type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH, "not a pose action");
-  SpaceName name{.action = action.full_name(), .pose = info->poseInActionSpace};
   if (info->subactionPath != XR_NULL_PATH) {
-    name.subaction = session.instance().paths.text(info->subactionPath);
+    session.instance().paths.text(info->subactionPath);
     require(action.has_subaction(info->subactionPath), XR_ERROR_PATH_UNSUPPORTED,
             "the action has no such subaction path");
   }
-  const Pose pose = checked_pose(info->poseInActionSpace);
-  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name, pose, action.id(), info->subactionPath));
+  checked_pose(info->poseInActionSpace);
+  const SpaceName name{.pose = info->poseInActionSpace};
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name));
 }
 
 XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType type, XrExtent2Df* bounds) {
   require_reference_space(session, type);
-  if (const auto* played = session.player ? session.player->next_bounds(type) : nullptr) {
-    *bounds = played->value_or(XrExtent2Df{});
-    return *played ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
-  }
   const bool bounded = type == XR_REFERENCE_SPACE_TYPE_STAGE;
   *bounds = bounded ? stage_bounds_m : XrExtent2Df{0.0F, 0.0F};
   return bounded ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;

@@ -8,7 +8,6 @@ namespace hrt::mock {
 namespace {
 
 constexpr std::size_t remembered_calls = 100'000;
-constexpr std::int64_t max_file_bytes = 32 << 20;
 
 }  // namespace
 
@@ -18,30 +17,18 @@ void CallLog::open() {
   if (path == path_) return;
   path_ = path;
   file_.reset();
-  if (!path.empty()) open_file();
-}
-
-void CallLog::open_file() {
+  if (path.empty()) return;
   file_.reset(std::fopen(path_.c_str(), "a"));
   if (file_ == nullptr) {
     std::fprintf(stderr, "mock runtime: HRT_MOCK_CALL_LOG: %s can't be written\n", path_.c_str());
     return;
   }
   std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);  // the log survives a crash of the application
-  std::fseek(file_.get(), 0, SEEK_END);
-  bytes_ = std::ftell(file_.get());
 }
 
 void CallLog::write(const CallRecord& record) {
-  if (bytes_ >= max_file_bytes) {
-    file_.reset();
-    std::rename(path_.c_str(), (path_ + ".1").c_str());
-    open_file();
-    if (file_ == nullptr) return;
-  }
-  bytes_ += std::fprintf(file_.get(), "%lld thread %u %s %s%s%s\n", static_cast<long long>(record.time), record.thread,
-                         record.function, result_name(record.result).c_str(), record.why.empty() ? "" : ": ",
-                         record.why.c_str());
+  std::fprintf(file_.get(), "%lld thread %u %s %s%s%s\n", static_cast<long long>(record.time), record.thread,
+               record.function, result_name(record.result).c_str(), record.why.empty() ? "" : ": ", record.why.c_str());
 }
 
 void CallLog::append(CallRecord record) {

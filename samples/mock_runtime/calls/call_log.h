@@ -21,8 +21,7 @@ struct CallRecord {
 
 class CallLog {
  public:
-  /// Appends to the file that HRT_MOCK_CALL_LOG names too, if it is set, from now on. At 32 MiB the file is
-  /// renamed to end in .1, in place of an older one, and begun anew.
+  /// Appends to the file that HRT_MOCK_CALL_LOG names too, if it is set, from now on.
   void open();
 
   void append(CallRecord record);
@@ -30,13 +29,11 @@ class CallLog {
   const std::deque<CallRecord>& records() const { return records_; }
 
  private:
-  void open_file();
   void write(const CallRecord& record);
 
   std::deque<CallRecord> records_;
   std::string path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, std::fclose};
-  long bytes_ = 0;  // of it
 };
 
 }  // namespace hrt::mock

@@ -7,10 +7,10 @@
 
 namespace hrt::mock {
 
-std::optional<CallFault> Faults::next(FunctionId function, const Scope& now) {
+std::optional<CallFault> Faults::next(FunctionId function, std::uint64_t session) {
   std::optional<CallFault> due;
   for (Counted& each : faults_) {
-    if (each.fault.function != function || !each.fault.scope.includes(now)) continue;
+    if (each.fault.function != function || (each.fault.session != 0 && each.fault.session != session)) continue;
     const std::uint64_t call = ++each.calls;
     if (!due && call >= each.fault.call && call - each.fault.call < each.fault.count) due = each.fault;
   }

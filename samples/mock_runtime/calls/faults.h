@@ -13,20 +13,10 @@
 
 namespace hrt::mock {
 
-/// Which instance and which session of the process, each counted from 1; 0 in a script: any.
-struct Scope {
-  std::uint64_t instance = 0;
-  std::uint64_t session = 0;
-
-  bool includes(const Scope& now) const {
-    return (instance == 0 || instance == now.instance) && (session == 0 || session == now.session);
-  }
-};
-
 struct CallFault {
   FunctionId function;
-  Scope scope;
-  std::uint64_t call;              ///< first affected call within the scope, counted from 1
+  std::uint64_t session;           ///< of which calls are counted, from 1; 0: all calls of the process
+  std::uint64_t call;              ///< first affected call, counted from 1
   std::uint64_t count;             ///< affected calls in a row
   std::chrono::nanoseconds delay;  ///< in real time, before the call
   bool blocks;                     ///< the call never returns
@@ -37,19 +27,17 @@ class Faults {
  public:
   Faults() = default;
   explicit Faults(const std::vector<CallFault>& faults) {
-    for (const CallFault& fault : faults) add(fault);
+    for (const CallFault& fault : faults) faults_.push_back({fault, 0});
   }
 
-  /// Counts its calls from now on.
-  void add(const CallFault& fault) { faults_.push_back({fault, 0}); }
-  /// Counts a call that is made within `now`; returns its fault, if any.
-  std::optional<CallFault> next(FunctionId function, const Scope& now);
+  /// Counts a call that belongs to a session; returns its fault, if any.
+  std::optional<CallFault> next(FunctionId function, std::uint64_t session);
   bool empty() const { return faults_.empty(); }
 
  private:
   struct Counted {
     CallFault fault;
-    std::uint64_t calls;  // within its scope so far
+    std::uint64_t calls;  // so far
   };
   std::vector<Counted> faults_;
 };

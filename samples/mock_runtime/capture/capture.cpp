@@ -45,9 +45,6 @@ void Capture::instance_destroyed(XrResult, XrInstance) {
   instance_ = XR_NULL_HANDLE;
   in_session_ = false;
   spaces_.clear();
-  actions_.clear();
-  action_sets_.clear();
-  paths_.clear();  // another instance has other ones
   trackers_.clear();
   write();
 }
@@ -115,8 +112,6 @@ void Capture::event(XrResult result, XrInstance, const XrEventDataBuffer* buffer
       return note_event("space_change", event.referenceSpaceType, event.changeTime, event.poseValid == XR_TRUE,
                         array_of(event.poseInPreviousSpace));
     }
-    case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
-      return note_event("profile_change");
     case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
       return note_event("instance_loss", as.operator()<XrEventDataInstanceLossPending>().lossTime);
     case XR_TYPE_EVENT_DATA_EVENTS_LOST:
@@ -140,14 +135,6 @@ void Capture::converted(XrResult, XrInstance, const timespec*, const XrTime* tim
   write();
 }
 
-void Capture::converted_back(XrResult, XrInstance, XrTime time, const timespec* clock) {
-  if (!in_session_) return;
-  // Unsigned, since a runtime may return anything.
-  const auto ns =
-      static_cast<std::uint64_t>(clock->tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(clock->tv_nsec);
-  note_of_session("timespec", time, static_cast<std::int64_t>(ns));
-}
-
 // Spaces.
 
 void Capture::define_space(XrSpace handle, const Json& description) {
@@ -158,15 +145,6 @@ void Capture::define_space(XrSpace handle, const Json& description) {
 
 void Capture::reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo* info, const XrSpace* space) {
   define_space(*space, array_of("reference_space", info->referenceSpaceType, array_of(info->poseInReferenceSpace)));
-}
-
-void Capture::action_space(XrResult, XrSession, const XrActionSpaceCreateInfo* info, const XrSpace* space) {
-  define_space(*space, array_of("action_space", actions_[info->action], path_text(info->subactionPath),
-                                array_of(info->poseInActionSpace)));
-}
-
-void Capture::bounds(XrResult result, XrSession, XrReferenceSpaceType type, const XrExtent2Df* extent) {
-  note_of_session("bounds", type, result == XR_SUCCESS, extent->width, extent->height);
 }
 
 void Capture::note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
@@ -240,40 +218,6 @@ void Capture::joints(XrResult, XrHandTrackerEXT tracker, const XrHandJointsLocat
       append(to, joint.velocityFlags, joint.linearVelocity, joint.angularVelocity);
     });
   note(record);
-}
-
-// Actions.
-
-const std::string& Capture::path_text(XrPath path) {
-  const auto [known, is_new] = paths_.try_emplace(path);
-  char text[XR_MAX_PATH_LENGTH] = "";
-  std::uint32_t count = 0;
-  if (is_new && path != XR_NULL_PATH && next.xrPathToString != nullptr &&
-      XR_SUCCEEDED(next.xrPathToString(instance_, path, sizeof text, &count, text)))
-    known->second = text;
-  return known->second;
-}
-
-void Capture::action_set(XrResult, XrInstance, const XrActionSetCreateInfo* info, const XrActionSet* set) {
-  action_sets_[*set] = text_in(info->actionSetName);
-}
-
-void Capture::action(XrResult, XrActionSet set, const XrActionCreateInfo* info, const XrAction* action) {
-  actions_[*action] = action_sets_[set] + "/" + std::string(text_in(info->actionName));
-}
-
-void Capture::synced(XrResult result, XrSession, const XrActionsSyncInfo*) {
-  note_of_session("synced", present_, result == XR_SUCCESS);
-}
-
-void Capture::note_state(const XrActionStateGetInfo& info, const XrActionStateVector2f& state) {
-  note_of_session("action", present_, actions_[info.action], path_text(info.subactionPath), state.isActive == XR_TRUE,
-                  state.changedSinceLastSync == XR_TRUE, state.lastChangeTime, state.currentState.x,
-                  state.currentState.y);
-}
-
-void Capture::profile(XrResult, XrSession, XrPath top_level, const XrInteractionProfileState* state) {
-  note_of_session("profile", present_, path_text(top_level), path_text(state->interactionProfile));
 }
 
 // XR_HRTX_ridged_plate.

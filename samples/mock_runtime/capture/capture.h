@@ -26,9 +26,7 @@
   X(xrBeginSession,                 session_begun)                     \
   X(xrEndSession,                   session_ended)                     \
   X(xrRequestExitSession,           exit_requested)                    \
-  X(xrGetReferenceSpaceBoundsRect,  bounds)                            \
   X(xrCreateReferenceSpace,         reference_space)                   \
-  X(xrCreateActionSpace,            action_space)                      \
   X(xrDestroySpace,                 space_destroyed)                   \
   X(xrLocateSpace,                  located)                           \
   X(xrLocateSpaces,                 located_several)                   \
@@ -37,21 +35,10 @@
   X(xrWaitFrame,                    frame)                             \
   X(xrBeginFrame,                   failures)                          \
   X(xrEndFrame,                     frame_ended)                       \
-  X(xrCreateActionSet,              action_set)                        \
-  X(xrCreateAction,                 action)                            \
-  X(xrSyncActions,                  synced)                            \
-  X(xrGetActionStateBoolean,        action_state)                      \
-  X(xrGetActionStateFloat,          action_state)                      \
-  X(xrGetActionStateVector2f,       action_state)                      \
-  X(xrGetActionStatePose,           action_state)                      \
-  X(xrGetCurrentInteractionProfile, profile)                           \
-  X(xrApplyHapticFeedback,          failures)                          \
-  X(xrStopHapticFeedback,           failures)                          \
   X(xrCreateHandTrackerEXT,         hand_tracker)                      \
   X(xrDestroyHandTrackerEXT,        failures)                          \
   X(xrLocateHandJointsEXT,          joints)                            \
   X(xrConvertTimespecTimeToTimeKHR, converted)                         \
-  X(xrConvertTimeToTimespecTimeKHR, converted_back)                    \
   X(xrGetPlateOrientationHRTX,      plate_orientation)                 \
   X(xrGetReachTruthHRTX,            reach_truth)
 // clang-format on
@@ -66,7 +53,6 @@ struct Next {
   PFN_xrGetInstanceProcAddr xrGetInstanceProcAddr = nullptr;
   PFN_xrGetInstanceProperties xrGetInstanceProperties = nullptr;
   PFN_xrEnumerateReferenceSpaces xrEnumerateReferenceSpaces = nullptr;
-  PFN_xrPathToString xrPathToString = nullptr;
 };
 
 /// One for the process: instances after each other, one at a time, go to one file.
@@ -101,9 +87,7 @@ class Capture {
   void session_begun(XrResult, XrSession, const XrSessionBeginInfo*) { stage("begin"); }
   void session_ended(XrResult, XrSession) { stage("end"); }
   void exit_requested(XrResult, XrSession) { stage("exit"); }
-  void bounds(XrResult, XrSession, XrReferenceSpaceType, const XrExtent2Df*);
   void reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo*, const XrSpace*);
-  void action_space(XrResult, XrSession, const XrActionSpaceCreateInfo*, const XrSpace*);
   void space_destroyed(XrResult, XrSpace space) { spaces_.erase(space); }
   void located(XrResult, XrSpace, XrSpace base, XrTime, const XrSpaceLocation*);
   void located_several(XrResult, XrSession, const XrSpacesLocateInfo*, const XrSpaceLocations*);
@@ -111,27 +95,9 @@ class Capture {
              const std::uint32_t* count, const XrView*);
   void frame(XrResult, XrSession, const XrFrameWaitInfo*, const XrFrameState*);
   void frame_ended(XrResult, XrSession, const XrFrameEndInfo*) { write(); }
-  void action_set(XrResult, XrInstance, const XrActionSetCreateInfo*, const XrActionSet*);
-  void action(XrResult, XrActionSet, const XrActionCreateInfo*, const XrAction*);
-  void synced(XrResult, XrSession, const XrActionsSyncInfo*);
-  template <typename State>
-  void action_state(XrResult, XrSession, const XrActionStateGetInfo* info, const State* state) {
-    XrActionStateVector2f any{.isActive = state->isActive};
-    if constexpr (requires { state->currentState; }) {
-      any.changedSinceLastSync = state->changedSinceLastSync;
-      any.lastChangeTime = state->lastChangeTime;
-      if constexpr (std::is_same_v<State, XrActionStateVector2f>)
-        any.currentState = state->currentState;
-      else
-        any.currentState.x = static_cast<float>(state->currentState);
-    }
-    note_state(*info, any);
-  }
-  void profile(XrResult, XrSession, XrPath, const XrInteractionProfileState*);
   void hand_tracker(XrResult, XrSession, const XrHandTrackerCreateInfoEXT*, const XrHandTrackerEXT*);
   void joints(XrResult, XrHandTrackerEXT, const XrHandJointsLocateInfoEXT*, const XrHandJointLocationsEXT*);
   void converted(XrResult, XrInstance, const timespec*, const XrTime*);
-  void converted_back(XrResult, XrInstance, XrTime, const timespec*);
   void plate_orientation(XrResult, XrSession, XrTime, const double*);
   void reach_truth(XrResult, XrSession, XrHandEXT, const XrReachTruthHRTX*);
 
@@ -151,8 +117,6 @@ class Capture {
   void define_space(XrSpace handle, const Json& description);
   void note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
                      const XrSpaceVelocity* velocity);
-  void note_state(const XrActionStateGetInfo& info, const XrActionStateVector2f& state);
-  const std::string& path_text(XrPath path);
 
   std::string path_;
   std::unique_ptr<ScriptFile> file_;
@@ -165,9 +129,6 @@ class Capture {
   std::map<std::pair<std::uint64_t, const char*>, std::uint64_t> calls_;  // of a session, by function
   std::map<std::string, std::size_t> known_spaces_;                       // numbers by description
   std::unordered_map<XrSpace, std::size_t> spaces_;
-  std::unordered_map<XrPath, std::string> paths_;
-  std::unordered_map<XrActionSet, std::string> action_sets_;
-  std::unordered_map<XrAction, std::string> actions_;
   std::unordered_map<XrHandTrackerEXT, XrHandEXT> trackers_;
 };
 

@@ -82,7 +82,6 @@ void fetch_all(Next& next, PFN_xrGetInstanceProcAddr get, XrInstance instance) {
 #undef HRT_CAPTURE_FETCH
   fetch(get, instance, "xrGetInstanceProperties", next.xrGetInstanceProperties);
   fetch(get, instance, "xrEnumerateReferenceSpaces", next.xrEnumerateReferenceSpaces);
-  fetch(get, instance, "xrPathToString", next.xrPathToString);
 }
 
 XrResult refuse(XrResult result, const std::string& why) {

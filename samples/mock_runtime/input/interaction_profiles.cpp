@@ -1,7 +1,7 @@
 // The interaction profiles of OpenXR 1.0 and 1.1: specification, "Interaction Profile Paths".
 #include <algorithm>
-#include <array>
 #include <map>
+#include <set>
 
 #include "samples/mock_runtime/input/paths.h"
 
@@ -108,76 +108,33 @@ std::string user_path(std::string_view device) {
   return (device == "left" || device == "right" ? "/user/hand/" : "/user/") + std::string(device);
 }
 
-Source make_source(std::string_view device, std::string_view component) {
-  if (component.starts_with("output/")) return {user_path(device) + '/' + std::string(component), SourceKind::haptic};
-  const std::string_view leaf = component.substr(component.find('/') + 1);
-  const SourceKind kind = leaf == "click" || leaf == "touch" || leaf == "proximity" ? SourceKind::boolean
-                          : leaf == "pose"                                          ? SourceKind::pose
-                                                                                    : SourceKind::scalar;
-  return {user_path(device) + "/input/" + std::string(component), kind};
-}
+using Profiles = std::map<std::string, std::set<std::string>, std::less<>>;
 
-using ProfileSources = std::map<std::string, std::vector<Source>, std::less<>>;
-
-// Poses of the palm are where there is a grip.
-void add_part(const Part& part, const SourceSet& set, ProfileSources& made) {
+// Sources, and the parents of inputs: ".../trigger" of ".../trigger/value".
+void add_part(const Part& part, Profiles& made) {
   for (const std::string_view profile : words(part.profiles))
     for (const std::string_view device : words(part.devices))
       for (const std::string_view component : words(part.components)) {
-        auto& sources = made["/interaction_profiles/" + std::string(profile)];
-        const std::size_t leaves = component.find('/') + 1;
-        for (const std::string_view leaf : words(component.substr(leaves), '|'))
-          sources.push_back(make_source(device, std::string(component.substr(0, leaves)).append(leaf)));
-        if (component != "grip/pose") continue;
-        if (set.grip_surface) sources.push_back(make_source(device, "grip_surface/pose"));
-        if (set.palm_pose) sources.push_back(make_source(device, "palm_ext/pose"));
+        auto& paths = made["/interaction_profiles/" + std::string(profile)];
+        const std::size_t slash = component.find('/');
+        const bool is_output = component.starts_with("output/");
+        const std::string parent = user_path(device) + (is_output ? "/" : "/input/") + std::string(component, 0, slash);
+        if (!is_output) paths.insert(parent);
+        for (const std::string_view leaf : words(component.substr(slash + 1), '|'))
+          paths.insert(parent + '/' + std::string(leaf));
       }
 }
 
-ProfileSources make_profiles(const SourceSet& set) {
-  ProfileSources made;
-  for (const Part& part : parts_of_1_0) add_part(part, set, made);
-  for (const Part& part : parts_of_1_1)
-    if (set.version_1_1) add_part(part, set, made);
+Profiles make_profiles(bool version_1_1) {
+  Profiles made;
+  for (const Part& part : parts_of_1_0) add_part(part, made);
+  if (!version_1_1) return made;
+  for (const Part& part : parts_of_1_1) add_part(part, made);
+  for (auto& [profile, paths] : made)
+    for (const char* hand : {"/user/hand/left/input/", "/user/hand/right/input/"})
+      if (paths.contains(std::string(hand) + "grip"))
+        paths.insert({std::string(hand) + "grip_surface", std::string(hand) + "grip_surface/pose"});
   return made;
-}
-
-const ProfileSources& profiles_of(SourceSet set) {
-  static const auto all = [] {
-    std::array<ProfileSources, 8> made;
-    for (unsigned i = 0; i < made.size(); ++i) made[i] = make_profiles({(i & 1U) != 0, (i & 2U) != 0, (i & 4U) != 0});
-    return made;
-  }();
-  return all[(set.version_1_1 ? 1U : 0U) + (set.palm_pose ? 2U : 0U) + (set.grip_surface ? 4U : 0U)];
-}
-
-// Whether a source of this kind can drive an action; floats and booleans convert to each other.
-bool can_drive(SourceKind kind, XrActionType type) {
-  switch (type) {
-    case XR_ACTION_TYPE_BOOLEAN_INPUT:
-    case XR_ACTION_TYPE_FLOAT_INPUT:
-      return kind == SourceKind::boolean || kind == SourceKind::scalar;
-    case XR_ACTION_TYPE_POSE_INPUT:
-      return kind == SourceKind::pose;
-    case XR_ACTION_TYPE_VIBRATION_OUTPUT:
-      return kind == SourceKind::haptic;
-    default:
-      return false;
-  }
-}
-
-// The components of a parent that an action can use, best first.
-std::vector<std::string_view> preferred_components(XrActionType type) {
-  switch (type) {
-    case XR_ACTION_TYPE_BOOLEAN_INPUT:
-      return {"click", "value", "force", "touch"};
-    case XR_ACTION_TYPE_FLOAT_INPUT:
-      return {"value", "force", "click", "touch"};
-    case XR_ACTION_TYPE_POSE_INPUT:
-      return {"pose"};
-    default:
-      return {};
-  }
 }
 
 }  // namespace
@@ -194,40 +151,11 @@ std::string_view top_level_of(std::string_view path) {
   return {};
 }
 
-const std::vector<Source>* find_profile(std::string_view profile, const SourceSet& set) {
-  const ProfileSources& profiles = profiles_of(set);
+const std::set<std::string>* find_profile(std::string_view profile, bool version_1_1) {
+  static const Profiles of_1_0 = make_profiles(false), of_1_1 = make_profiles(true);
+  const Profiles& profiles = version_1_1 ? of_1_1 : of_1_0;
   const auto found = profiles.find(profile);
   return found == profiles.end() ? nullptr : &found->second;
-}
-
-const Source* find_source(std::string_view path) {
-  for (const auto& [name, sources] : profiles_of({}))
-    for (const Source& source : sources)
-      if (source.path == path) return &source;
-  return nullptr;
-}
-
-std::optional<std::vector<Source>> resolve_binding(const std::vector<Source>& profile, std::string_view path,
-                                                   XrActionType type) {
-  const auto find = [&](const std::string& wanted) {
-    return std::find_if(profile.begin(), profile.end(), [&](const Source& source) { return source.path == wanted; });
-  };
-  const std::string text(path);
-  if (const auto leaf = find(text); leaf != profile.end())
-    return can_drive(leaf->kind, type) ? std::vector{*leaf} : std::vector<Source>{};
-  const bool is_parent = std::any_of(profile.begin(), profile.end(), [&](const Source& source) {
-    return source.path.rfind('/') == text.size() && source.path.starts_with(text) && source.kind != SourceKind::haptic;
-  });
-  if (!is_parent) return std::nullopt;
-  if (type == XR_ACTION_TYPE_VECTOR2F_INPUT) {
-    const auto x = find(text + "/x");
-    const auto y = find(text + "/y");
-    return x != profile.end() && y != profile.end() ? std::vector{*x, *y} : std::vector<Source>{};
-  }
-  for (const std::string_view component : preferred_components(type))
-    if (const auto child = find(text + '/' + std::string(component)); child != profile.end())
-      return std::vector{*child};
-  return std::vector<Source>{};
 }
 
 }  // namespace hrt::mock

@@ -1,9 +1,9 @@
-// Path atoms, and the input sources of the core interaction profiles.
+// Path atoms, and the paths of the core interaction profiles.
 #pragma once
 
 #include <openxr/openxr.h>
 
-#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -34,30 +34,7 @@ const std::vector<std::string>& top_level_paths();
 /// "/user/hand/left" of "/user/hand/left/input/select/click"; empty without one.
 std::string_view top_level_of(std::string_view path);
 
-enum class SourceKind { boolean, scalar, pose, haptic };
-
-/// One input or output of an interaction profile: "/user/hand/left/input/select/click".
-struct Source {
-  std::string path;
-  SourceKind kind;
-};
-
-/// Which sources interaction profiles have.
-struct SourceSet {
-  bool version_1_1 = true;   ///< those of OpenXR 1.1, or of 1.0
-  bool palm_pose = true;     ///< and of XR_EXT_palm_pose
-  bool grip_surface = true;  ///< and of XR_KHR_maintenance1, which 1.1 has
-};
-
-/// The sources of an interaction profile, or null if there is no such profile.
-const std::vector<Source>* find_profile(std::string_view profile, const SourceSet& set = {});
-
-/// The sources that drive an action of `type` bound to `path`, a source or the parent of sources: one, or x
-/// and y of a vector. An empty list if they cannot drive that type; none if the profile has no such path.
-std::optional<std::vector<Source>> resolve_binding(const std::vector<Source>& profile, std::string_view path,
-                                                   XrActionType type);
-
-/// The source of this path in any profile, or null.
-const Source* find_source(std::string_view path);
+/// The binding paths of an interaction profile of OpenXR 1.0 or 1.1; null if there is no such profile.
+const std::set<std::string>* find_profile(std::string_view profile, bool version_1_1);
 
 }  // namespace hrt::mock

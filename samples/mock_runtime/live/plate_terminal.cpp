@@ -72,7 +72,7 @@ PlateTerminal::~PlateTerminal() {
 }
 
 bool PlateTerminal::send(const char* line, std::uint8_t length) {
-  return !speaking->own_ || write(speaking->own_.get(), line, length) == length;
+  return write(speaking->own_.get(), line, length) == length;
 }
 
 void PlateTerminal::save(const std::uint8_t*) { speaking->saves_ = true; }
@@ -80,9 +80,8 @@ void PlateTerminal::save(const std::uint8_t*) { speaking->saves_ = true; }
 std::optional<double> PlateTerminal::run_until(XrTime now, double orientation_deg) {
   speaking = this;
   std::array<char, 256> bytes{};
-  if (own_)
-    for (ssize_t count = 0; (count = read(own_.get(), bytes.data(), bytes.size())) > 0;)
-      std::for_each_n(bytes.begin(), count, [this](char byte) { plate_hear(&plate_, byte); });
+  for (ssize_t count = 0; (count = read(own_.get(), bytes.data(), bytes.size())) > 0;)
+    std::for_each_n(bytes.begin(), count, [this](char byte) { plate_hear(&plate_, byte); });
   const double share = (std::clamp(orientation_deg, -stop_deg, stop_deg) + stop_deg) / (2.0 * stop_deg);
   const PlateInputs inputs{.emergency_open = false,
                            .adc = static_cast<std::int16_t>(std::lround(adc_least + share * (adc_most - adc_least))),
@@ -96,12 +95,6 @@ std::optional<double> PlateTerminal::run_until(XrTime now, double orientation_de
   if (half_us == 0) return std::nullopt;
   const auto& value = plate_.settings.value;
   return 180.0 * (50.0 * half_us - value[SETTING_ZERO_US]) / value[SETTING_SPAN_US];
-}
-
-void PlateTerminal::unplug() {
-  own_.close();
-  std::error_code ignored;
-  std::filesystem::remove(link_, ignored);
 }
 
 }  // namespace hrt::mock

@@ -26,9 +26,6 @@ class PlateTerminal {
   /// `orientation_deg`. Returns where its latest pulse sends the servo; nothing without pulses.
   std::optional<double> run_until(XrTime now, double orientation_deg);
 
-  /// The cable is pulled out: who has opened the terminal is hung up on.
-  void unplug();
-
  private:
   static bool send(const char* line, std::uint8_t length);
   static void save(const std::uint8_t* bytes);

@@ -90,13 +90,6 @@ const Value& Player::read(const Stream<Value>& stream, XrTime time) {
   return std::next(first, at.index)->second;
 }
 
-template <typename Map, typename Key>
-auto Player::read_of(const Map& streams, const Key& key, XrTime time) {
-  using Value = typename Map::mapped_type::mapped_type;
-  const auto found = streams.find(key);
-  return found == streams.end() ? std::optional<Value>() : std::optional<Value>(read(found->second, time));
-}
-
 bool Player::follow(StateCall call) {
   followed_ = followed_ && calls_ < session_.calls.size() && session_.calls[calls_] == call;
   ++calls_;
@@ -113,7 +106,7 @@ std::vector<XrEventDataBuffer> Player::take_events(XrSession session) {
     // Events that name a session have it behind `next`.
     if (event.buffer.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
         event.buffer.type != XR_TYPE_EVENT_DATA_EVENTS_LOST)
-      std::memcpy(reinterpret_cast<char*>(&due.back()) + offsetof(XrEventDataInteractionProfileChanged, session),
+      std::memcpy(reinterpret_cast<char*>(&due.back()) + offsetof(XrEventDataSessionStateChanged, session),
                   static_cast<const void*>(&session), sizeof session);
   }
   return due;
@@ -149,20 +142,6 @@ std::optional<XrTime> Player::next_converted() {
   if (converted_ < session_.converted.size()) return present_ = session_.converted[converted_++];
   constexpr XrDuration own_pace = 11'111'111;
   return present_ += own_pace;
-}
-
-std::optional<std::int64_t> Player::clock_ns(XrTime time) {
-  if (session_.clock_ns.empty()) return std::nullopt;
-  // Unsigned, since a recording may hold anything.
-  const auto later_ns =
-      static_cast<std::uint64_t>(time) - static_cast<std::uint64_t>(nearest_time(session_.clock_ns, time));
-  return static_cast<std::int64_t>(static_cast<std::uint64_t>(read(session_.clock_ns, time)) + later_ns);
-}
-
-const std::optional<XrExtent2Df>* Player::next_bounds(XrReferenceSpaceType type) {
-  const auto found = session_.bounds.find(type);
-  if (found == session_.bounds.end()) return nullptr;
-  return &found->second[std::min(bounds_[type]++, found->second.size() - 1)];
 }
 
 RecordedJoints Player::joints(XrHandEXT hand, const SpaceName& base, XrTime time) {
@@ -222,21 +201,15 @@ RecordedViews Player::views(const SpaceName& base, XrTime time) {
   return views;
 }
 
-bool Player::synced(bool otherwise) { return session_.synced.empty() ? otherwise : read(session_.synced, present_); }
-
-ActionState Player::state(const std::string& action, const std::string& subaction) {
-  return read_of(session_.states, std::pair(action, subaction), present_).value_or(ActionState{});
-}
-
-std::string Player::profile(const std::string& top_level) {
-  return read_of(session_.profiles, top_level, present_).value_or("");
-}
-
 std::optional<double> Player::plate_deg(XrTime time) {
   if (session_.plate_deg.empty()) return std::nullopt;
   return read(session_.plate_deg, time);
 }
 
-std::optional<RecordedTruth> Player::truth(XrHandEXT hand) { return read_of(session_.truths, int{hand}, present_); }
+std::optional<RecordedTruth> Player::truth(XrHandEXT hand) {
+  const auto found = session_.truths.find(int{hand});
+  if (found == session_.truths.end()) return std::nullopt;
+  return read(found->second, present_);
+}
 
 }  // namespace hrt::mock

@@ -1,5 +1,5 @@
 // Gives an application in one session what a recorded one was given: what has a time, by the nearest one;
-// frames, bounds and times of the machine's clock, in order; events, after the same calls and as many frames.
+// frames and times of the machine's clock, in order; events, after the same calls and as many frames.
 #pragma once
 
 #include <map>
@@ -29,20 +29,12 @@ class Player {
   RecordedFrame next_frame();
   /// The next time of the machine's clock; nothing if there is none.
   std::optional<XrTime> next_converted();
-  /// The machine's clock at `time`, in nanoseconds; nothing if none was recorded.
-  std::optional<std::int64_t> clock_ns(XrTime time);
 
   const std::optional<std::vector<XrReferenceSpaceType>>& spaces() const { return session_.spaces; }
-  /// One by one, then the last; null if the recorded application did not ask.
-  const std::optional<XrExtent2Df>* next_bounds(XrReferenceSpaceType type);
 
   RecordedJoints joints(XrHandEXT hand, const SpaceName& base, XrTime time);
   RecordedLocation location(const SpaceName& space, const SpaceName& base, XrTime time);
   RecordedViews views(const SpaceName& base, XrTime time);
-  /// These, at the present.
-  bool synced(bool otherwise);
-  ActionState state(const std::string& action, const std::string& subaction);
-  std::string profile(const std::string& top_level);
   std::optional<double> plate_deg(XrTime time);
   std::optional<RecordedTruth> truth(XrHandEXT hand);
 
@@ -55,8 +47,6 @@ class Player {
   XrDuration pace() const;  // of further frames
   template <typename Value>
   const Value& read(const Stream<Value>& stream, XrTime time);
-  template <typename Map, typename Key>
-  auto read_of(const Map& streams, const Key& key, XrTime time);
 
   std::shared_ptr<const Recording> recording_;
   const RecordedSession& session_;
@@ -68,7 +58,6 @@ class Player {
   std::size_t events_ = 0;
   std::size_t frames_ = 0;
   std::size_t converted_ = 0;
-  std::map<XrReferenceSpaceType, std::size_t> bounds_;
   RecordedFrame last_frame_{};
   std::optional<XrTime> began_;  // the first frame, by this runtime's clock
   XrTime present_ = 0;

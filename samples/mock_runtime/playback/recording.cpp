@@ -166,10 +166,6 @@ RecordedTruth read_truth(Fields& fields) {
   return truth;
 }
 
-ActionState read_state(Fields& fields) {
-  return {fields.boolean(), fields.boolean(), fields.whole<XrTime>(), {fields.single(), fields.single()}};
-}
-
 template <typename Enum>
 Enum read_enum(Fields& fields) {
   return static_cast<Enum>(fields.whole<std::int32_t>());
@@ -192,9 +188,6 @@ std::optional<XrEventDataBuffer> read_runtime_event(Fields& fields) {
     return as_buffer(XrEventDataReferenceSpaceChangePending{
         XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING, nullptr, nullptr, read_enum<XrReferenceSpaceType>(fields),
         fields.whole<XrTime>(), XrBool32{fields.boolean()}, fields.nested_pose()});
-  if (kind == "profile_change")
-    return as_buffer(
-        XrEventDataInteractionProfileChanged{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED, nullptr, nullptr});
   if (kind == "instance_loss")
     return as_buffer(
         XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, fields.whole<XrTime>()});
@@ -215,7 +208,7 @@ StateCall read_call_kind(Fields& fields) {
 
 CallFault read_failure(Fields& fields) {
   CallFault fault{};
-  fault.scope.session = fields.whole<std::uint64_t>(1, max_sessions);
+  fault.session = fields.whole<std::uint64_t>(1, max_sessions);
   const auto function = find_function(fields.text());
   if (!function) refuse(fields.where(), "names a function that this runtime does not have");
   fault.function = *function;
@@ -243,7 +236,6 @@ void keyed(Fields& fields, RecordedSession& in, const Recording& names) {
   stream.emplace(time, read(fields));
 }
 
-constexpr auto one_text = [](Fields& fields, auto&...) { return fields.text(); };
 constexpr auto hand_only = [](Fields& fields, const Recording&) { return fields.whole<int>(); };
 constexpr auto hand_and_space = [](Fields& fields, const Recording& names) {
   return std::pair{fields.whole<int>(), read_space(fields, names)};
@@ -251,7 +243,6 @@ constexpr auto hand_and_space = [](Fields& fields, const Recording& names) {
 constexpr auto two_spaces = [](Fields& fields, const Recording& names) {
   return std::pair{read_space(fields, names), read_space(fields, names)};
 };
-constexpr auto two_texts = [](Fields& fields, const Recording&) { return std::pair{fields.text(), fields.text()}; };
 
 constexpr std::pair<std::string_view, Reader> session_readers[] = {
     {"spaces",
@@ -260,13 +251,6 @@ constexpr std::pair<std::string_view, Reader> session_readers[] = {
        fields.nested([&](Fields& each) {
          while (each.more()) types.push_back(read_enum<XrReferenceSpaceType>(each));
        });
-     }},
-    {"bounds",
-     [](Fields& fields, RecordedSession& in, const Recording&) {
-       const auto type = read_enum<XrReferenceSpaceType>(fields);
-       const bool available = fields.boolean();
-       const XrExtent2Df extent{fields.single(), fields.single()};
-       in.bounds[type].push_back(available ? std::optional(extent) : std::nullopt);
      }},
     {"call", [](Fields& fields, RecordedSession& in, const Recording&) { in.calls.push_back(read_call_kind(fields)); }},
     {"frame",
@@ -282,14 +266,10 @@ constexpr std::pair<std::string_view, Reader> session_readers[] = {
        event.buffer = *buffer;
        in.events.push_back(event);
      }},
-    {"timespec", timed<&RecordedSession::clock_ns, [](Fields& fields) { return fields.whole<std::int64_t>(); }>},
-    {"synced", timed<&RecordedSession::synced, [](Fields& fields) { return fields.boolean(); }>},
     {"plate", timed<&RecordedSession::plate_deg, [](Fields& fields) { return fields.real(); }>},
     {"joints", keyed<&RecordedSession::joints, hand_and_space, read_joints>},
     {"located", keyed<&RecordedSession::locations, two_spaces, read_location>},
     {"views", keyed<&RecordedSession::views, read_space, read_views>},
-    {"action", keyed<&RecordedSession::states, two_texts, read_state>},
-    {"profile", keyed<&RecordedSession::profiles, one_text, one_text>},
     {"truth", keyed<&RecordedSession::truths, hand_only, read_truth>}};
 
 }  // namespace
@@ -315,9 +295,7 @@ void Recording::add(const Json& record) {
   } else if (kind == "failed") {
     failures.push_back(read_failure(fields));
   } else if (kind == "reference_space") {
-    spaces.push_back({read_enum<XrReferenceSpaceType>(fields), "", "", fields.nested_pose()});
-  } else if (kind == "action_space") {
-    spaces.push_back({XR_REFERENCE_SPACE_TYPE_MAX_ENUM, fields.text(), fields.text(), fields.nested_pose()});
+    spaces.push_back({read_enum<XrReferenceSpaceType>(fields), fields.nested_pose()});
   } else {
     const auto reader = std::find_if(std::begin(session_readers), std::end(session_readers),
                                      [&](const auto& each) { return each.first == kind; });

@@ -7,21 +7,15 @@
 //   ["system", name, has hand tracking]
 //   ["failed", session, function, its how-many-th call of the session, result]
 //   ["reference_space", type, pose]
-//   ["action_space", "set/action", subaction path, pose]
 //   ["spaces", session, [types of reference spaces]]
-//   ["bounds", session, type, available, width, height]
 //   ["call", session, "begin", "exit" or "end"]
 //   ["frame", session, predicted display time, period, should render]
 //   ["converted", session, time]
-//   ["timespec", session, time, the same by the machine's clock]
 //   ["event", session, calls before it, frames since the latest of these, kind, ...]
 //   ["joints", session, time, hand, base space, active, 0,
 //      [flags, pose, radius of each], [velocities]]
 //   ["located", session, time, space, base space, flags, pose, velocity flags, [linear, angular]]
 //   ["views", session, time, base space, flags, [pose, field of view of each]]
-//   ["synced", session, present, focused]
-//   ["action", session, present, "set/action", subaction path, active, changed, time of change, x, y]
-//   ["profile", session, present, top level user path, interaction profile]
 //   ["plate", session, time, orientation]
 //   ["truth", session, present, hand, [directions and weight], [index tip], done]
 //
@@ -48,14 +42,12 @@ using Stream = std::multimap<XrTime, Value>;
 
 /// A space as an application makes it.
 struct SpaceName {
-  XrReferenceSpaceType reference = XR_REFERENCE_SPACE_TYPE_MAX_ENUM;  ///< else it is an action's
-  std::string action;                                                 ///< "set/action"
-  std::string subaction;                                              ///< empty: none
-  XrPosef pose{};                                                     ///< in the reference space or the action's
+  static constexpr XrReferenceSpaceType of_action = XR_REFERENCE_SPACE_TYPE_MAX_ENUM;
 
-  bool same_origin(const SpaceName& other) const {
-    return reference == other.reference && action == other.action && subaction == other.subaction;
-  }
+  XrReferenceSpaceType reference = of_action;
+  XrPosef pose{};  ///< in the reference space or the action's
+
+  bool same_origin(const SpaceName& other) const { return reference == other.reference; }
 };
 
 struct RecordedJoints {
@@ -73,13 +65,6 @@ struct RecordedLocation {
 struct RecordedViews {
   XrViewStateFlags flags;
   std::vector<XrView> views;
-};
-/// Of an action, for one subaction path or for all together.
-struct ActionState {
-  bool active;
-  bool changed;  ///< by the last sync
-  XrTime last_change;
-  XrVector2f value;  ///< y for vectors only
 };
 struct RecordedFrame {
   XrTime time;
@@ -102,19 +87,13 @@ enum class StateCall { begin, exit, end };
 
 struct RecordedSession {
   std::optional<std::vector<XrReferenceSpaceType>> spaces;
-  /// In order; none: not available.
-  std::map<XrReferenceSpaceType, std::vector<std::optional<XrExtent2Df>>> bounds;
   std::vector<StateCall> calls;
   std::vector<RecordedFrame> frames;
   std::vector<XrTime> converted;
-  Stream<std::int64_t> clock_ns;  ///< what a time is by the machine's clock
   std::vector<RecordedEvent> events;
   std::map<std::pair<int, std::size_t>, Stream<RecordedJoints>> joints;               ///< hand, base
   std::map<std::pair<std::size_t, std::size_t>, Stream<RecordedLocation>> locations;  ///< space, base
   std::map<std::size_t, Stream<RecordedViews>> views;                                 ///< base
-  Stream<bool> synced;
-  std::map<std::pair<std::string, std::string>, Stream<ActionState>> states;  ///< action, subaction path
-  std::map<std::string, Stream<std::string>> profiles;                        ///< by top level user path
   Stream<double> plate_deg;
   std::map<int, Stream<RecordedTruth>> truths;  ///< by hand
 };

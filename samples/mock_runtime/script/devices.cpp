@@ -1,5 +1,4 @@
-// The devices of a script: hand tracker, servo, plate, hands, head, controllers.
-#include "samples/mock_runtime/input/paths.h"
+// The devices of a script: hand tracker, servo, plate, hands, head.
 #include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/world.h"
 
@@ -32,6 +31,9 @@ PlateSettings read_plate(const Json& plate) {
 
 Eigen::Vector3d read_vector(const Json& xyz) { return Eigen::Vector3d(xyz.get<std::array<double, 3>>().data()); }
 
+namespace {
+
+// `position_m`, and `orientation` if it is there.
 Pose read_pose(const Json& object, const std::string& where, const Eigen::Quaterniond& otherwise) {
   Pose pose{otherwise, read_vector(object["position_m"])};
   if (object.contains("orientation")) {
@@ -42,6 +44,8 @@ Pose read_pose(const Json& object, const std::string& where, const Eigen::Quater
   }
   return pose;
 }
+
+}  // namespace
 
 std::vector<Keyframe> read_path(const Json& path, const std::string& where, const Eigen::Quaterniond& orientation) {
   std::vector<Keyframe> keyframes;
@@ -66,20 +70,6 @@ HandSettings read_hand(const Json& object, const std::string& where, bool tracke
   // Paths and slides are there to be seen.
   hand.tracked = object.value("tracked", tracked || !hand.path.empty() || hand.slides);
   return hand;
-}
-
-ControllerSettings read_controller(const Json& controller, const std::string& where) {
-  return {read_profile(controller["profile"], where + ".profile"),
-          read_path(controller["path"], where + ".path", Eigen::Quaterniond::Identity())};
-}
-
-std::string read_profile(const Json& name, const std::string& where) {
-  if (name.is_null()) return {};
-  if (find_profile(name.get<std::string>()) == nullptr)
-    refuse(where,
-           "must be null or an interaction profile of OpenXR 1.1, such as "
-           "\"/interaction_profiles/khr/simple_controller\"");
-  return name;
 }
 
 }  // namespace hrt::mock

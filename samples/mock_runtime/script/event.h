@@ -38,16 +38,6 @@ struct Recenter {
   Pose pose;                                                   ///< of the new origin in the old space
   bool pose_valid = true;                                      ///< the application is given the pose
 };
-/// A device is put on, changed or, without a profile, put away.
-struct DeviceEvent {
-  std::string device;   ///< "/user/hand/left"
-  std::string profile;  ///< interaction profile path; empty: off
-};
-/// A button, trigger or stick of a device moves.
-struct InputEvent {
-  std::string device;
-  std::vector<std::pair<std::string, float>> values;  ///< of sources: "/user/hand/left/input/trigger/value"
-};
 /// Of the next frame that the application ends.
 struct TakePicture {};
 struct RepeatState {};
@@ -55,23 +45,14 @@ struct LoseSession {};
 struct LoseInstance {};
 struct InstanceLossPending {};
 
-/// A hand, or the head, is put somewhere.
-struct Put {
-  std::optional<XrHandEXT> hand;  ///< none: the head
-  Pose pose;                      ///< in LOCAL
-};
-/// The cable of the plate's terminal is pulled out.
-struct UnplugPlate {};
-
-using Happening = std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, Put, UnplugPlate,
-                               TakePicture, RepeatState, LoseSession, LoseInstance, InstanceLossPending>;
+using Happening = std::variant<HandEvent, HeadEvent, StateEvent, Recenter, TakePicture, RepeatState, LoseSession,
+                               LoseInstance, InstanceLossPending>;
 
 /// An event in a session.
 struct ScriptEvent {
-  Scope scope;
-  std::int64_t frame;    ///< at the xrWaitFrame of this number, from 1; 0: at time_ns
-  std::int64_t time_ns;  ///< after the session was created
-  std::uint64_t reach;   ///< at the end of this reach of the session, from 1; 0: at frame or time_ns
+  std::uint64_t session;  ///< in which it happens, from 1; 0: in each
+  std::int64_t frame;     ///< at the xrWaitFrame of this number, from 1; 0: at time_ns
+  std::int64_t time_ns;   ///< after the session was created
   Happening what;
 };
 
@@ -85,14 +66,7 @@ PlateSettings read_plate(const Json& plate);
 /// `tracked`: without a path, slides or a member "tracked".
 HandSettings read_hand(const Json& object, const std::string& where, bool tracked);
 std::vector<Keyframe> read_path(const Json& path, const std::string& where, const Eigen::Quaterniond& orientation);
-ControllerSettings read_controller(const Json& controller, const std::string& where);
-/// The path of an interaction profile; empty for null, a device that is off.
-std::string read_profile(const Json& name, const std::string& where);
-/// A pose in LOCAL: `position_m`, and `orientation` if it is there.
-Pose read_pose(const Json& object, const std::string& where, const Eigen::Quaterniond& otherwise);
 ScriptEvent read_event(const Json& object, const std::string& where);
-/// What an event lets happen: its `do`, and the members that belong to it.
-Happening read_happening(const Json& object, const std::string& where);
 CallFault read_call(const Json& object, const std::string& where);
 
 }  // namespace hrt::mock

@@ -70,8 +70,6 @@ WorldSettings read_world(const Json& json) {
   for (const auto& [side, i] : sides) {
     if (const auto& hands = json.value("hands", Json::object()); hands.contains(side))
       world.hands[i] = read_hand(hands[side], std::string("script.hands.") + side, world.hands[i].tracked);
-    if (const auto& controllers = json.value("controllers", Json::object()); controllers.contains(side))
-      world.controllers[i] = read_controller(controllers[side], std::string("script.controllers.") + side);
   }
   return world;
 }
@@ -81,7 +79,6 @@ Script read_script(const Json& json, Recording& recording) {
   if (json.value("clock", "manual") == "real-time") script.clock = Clock::Kind::real_time;
   if (json.contains("frame_rate_hz")) script.frame_period = std::llround(1e9 / json["frame_rate_hz"].get<double>());
   script.frame_times = json.value("frame_times", script.frame_times);
-  script.focus_frame = json.value("focus_frame", script.focus_frame);
   script.pictures = json.value("picture_every_frames", script.pictures);
   script.stage = json.value("stage", script.stage);
   script.hand_tracking = json.value("hand_tracking", script.hand_tracking);
@@ -107,16 +104,12 @@ Script read_script(const Json& json, Recording& recording) {
 
 }  // namespace
 
-const Json& script_schema() {
-  static const Json schema = Json::parse(script_schema_text);
-  return schema;
-}
-
 Script parse_script(std::string_view text) try {
   Recording recording;
   Json json = parse(text, recording);
   if (json.contains("playback")) check_playback(json);
-  check_json(json, script_schema(), "script");
+  static const Json schema = Json::parse(script_schema_text);
+  check_json(json, schema, "script");
   return read_script(json, recording);
 } catch (const Refusal& refusal) {
   throw Error{XR_ERROR_VALIDATION_FAILURE, refusal.what()};

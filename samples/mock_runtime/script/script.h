@@ -20,12 +20,10 @@ struct Script {
   Clock::Kind clock = Clock::Kind::manual;
   XrDuration frame_period = 11'111'111;  ///< 90 Hz
   bool frame_times = true;               ///< false: xrWaitFrame predicts the display time 0
-  /// The first frame since xrBeginSession with which the session gains focus; 0: with xrBeginSession.
-  std::int64_t focus_frame = 0;
-  bool stage = true;          ///< the runtime has the STAGE space
-  bool hand_tracking = true;  ///< of the system: XrSystemHandTrackingPropertiesEXT
-  std::int64_t pictures = 0;  ///< of every so many frames, from the first on; 0: of those that events name
-  ExtensionSet withheld;      ///< extensions that the runtime hides
+  bool stage = true;                     ///< the runtime has the STAGE space
+  bool hand_tracking = true;             ///< of the system: XrSystemHandTrackingPropertiesEXT
+  std::int64_t pictures = 0;             ///< of every so many frames, from the first on; 0: of those that events name
+  ExtensionSet withheld;                 ///< extensions that the runtime hides
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;
@@ -38,11 +36,9 @@ struct Script {
   bool hides(std::size_t extension) const;
 };
 
-/// Throws an Error that names place, mistake and allowed values.
+/// Checks a script by script.schema.json and more, such as names of functions. Throws an Error that names place,
+/// mistake and allowed values.
 Script parse_script(std::string_view json);
-
-/// The JSON Schema of scripts: script.schema.json. parse_script() checks more, such as names of functions.
-const Json& script_schema();
 
 /// The text of the file that HRT_MOCK_SCRIPT names; that of the default script if unset. Throws an Error if
 /// it cannot be read.

@@ -40,11 +40,6 @@ struct HandSettings {
   std::optional<SlideSettings> slides;
 };
 
-struct ControllerSettings {
-  std::string profile;         ///< interaction profile path; empty: off
-  std::vector<Keyframe> path;  ///< of the grip, in LOCAL; empty: before the user
-};
-
 /// A plate that stands before the session begins.
 struct PlateSettings {
   Pose pose;             ///< in LOCAL; its +Y is the normal, its -Z the mid-line
@@ -58,7 +53,6 @@ struct WorldSettings {
   PlateDynamics servo;
   std::optional<PlateSettings> plate;
   std::array<HandSettings, 2> hands = {{{}, {.tracked = true}}};  ///< left, right
-  std::array<ControllerSettings, 2> controllers;                  ///< left, right
   std::vector<Keyframe> head;                                     ///< in LOCAL; empty: at its origin
 };
 

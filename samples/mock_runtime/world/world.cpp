@@ -90,21 +90,10 @@ Eigen::Vector3d World::true_index_tip_m(XrHandEXT side) const {
 
 void World::freeze(XrHandEXT side, bool frozen) { at(side).frozen_at = frozen ? std::optional(now_) : std::nullopt; }
 
-void World::put_hand(XrHandEXT side, const Pose& pose) {
-  HandSettings& settings = settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1];
-  settings.slides.reset();
-  settings.path = {{now_ - start_, pose}};
-  at(side).reach.reset();
-  at(side).tracked = true;
-}
-
 void World::advance(XrTime now) {
   now_ = now;
   for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) {
-    if (std::optional<Reach>& reach = at(side).reach; reach && !reach->done()) {
-      reach->advance(now, servo_);
-      ended_ += reach->done() ? 1 : 0;
-    }
+    if (std::optional<Reach>& reach = at(side).reach; reach && !reach->done()) reach->advance(now, servo_);
     slide_again(side);
   }
   servo_.advance(now);
@@ -140,19 +129,9 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
 
 Motion World::head(XrTime time) const {
   if (settings_.head.empty()) return {local_space_in_world()};
-  const Motion there = on_path(settings_.head, head_lost_at_.value_or(time));
-  return head_lost_at_ ? Motion{there.pose} : there;
-}
-
-std::optional<Motion> World::controller(XrHandEXT side, XrTime time) const {
-  const auto& path = settings_.controllers[side == XR_HAND_LEFT_EXT ? 0 : 1].path;
-  return path.empty() ? std::nullopt : std::optional(on_path(path, time));
-}
-
-Motion World::on_path(const std::vector<Keyframe>& path, XrTime time) const {
-  Motion motion = motion_at(path, time - start_);
-  motion.pose.position_m = local_space_in_world() * motion.pose.position_m;  // LOCAL is not turned
-  return motion;
+  Motion head = motion_at(settings_.head, head_lost_at_.value_or(time) - start_);
+  head.pose.position_m = local_space_in_world() * head.pose.position_m;  // LOCAL is not turned
+  return head_lost_at_ ? Motion{head.pose} : head;
 }
 
 HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const {

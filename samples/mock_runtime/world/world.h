@@ -66,7 +66,6 @@ class World {
 
   /// Starts a reach, with the index tip joint at `height_m` above the plate. Requires plate_is_placed().
   void instruct(XrHandEXT hand, const ReachInstruction& instruction, double height_m, XrTime now);
-  std::uint64_t reaches_ended() const { return ended_; }
   /// The hand's latest reach, or null.
   const Reach* reach(XrHandEXT hand) const;
   /// The index tip joint of a hand with a reach, now, in plate coordinates.
@@ -77,21 +76,12 @@ class World {
   void freeze(XrHandEXT hand, bool frozen);
   void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
 
-  /// The index fingertip, with the wrist's axes, or the head stands there from now on; in LOCAL.
-  void put_hand(XrHandEXT hand, const Pose& pose);
-  void put_head(const Pose& pose) { settings_.head = {{now_ - start_, pose}}; }
-
   /// The headset loses track of the room: it stays where it was for the application, and what it sees is
   /// known from there alone.
   void lose_head(bool lost) { head_lost_at_ = lost ? std::optional(head_lost_at_.value_or(now_)) : std::nullopt; }
   bool head_is_lost() const { return head_lost_at_.has_value(); }
 
-  /// The head; a controller's grip, if it has a path.
   Motion head(XrTime time) const;
-  std::optional<Motion> controller(XrHandEXT hand, XrTime time) const;
-  const ControllerSettings& controller_settings(XrHandEXT hand) const {
-    return settings_.controllers[hand == XR_HAND_LEFT_EXT ? 0 : 1];
-  }
 
   /// The origins of the reference spaces.
   Origins origins;
@@ -121,7 +111,6 @@ class World {
   /// Lets a hand slide that nobody instructs, if it is time to.
   void slide_again(XrHandEXT side);
   HandState hand_on_path(XrHandEXT side, XrTime time) const;
-  Motion on_path(const std::vector<Keyframe>& path, XrTime time) const;
   HandState sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const;
   Eigen::Vector3d tracker_noise_m(XrHandEXT side, XrTime time) const;
 
@@ -131,7 +120,6 @@ class World {
   std::array<Hand, 2> hands_;
   std::optional<XrTime> head_lost_at_;
   std::uint32_t reaches_ = 0;
-  std::uint64_t ended_ = 0;
   XrTime start_;
   XrTime now_;
 };

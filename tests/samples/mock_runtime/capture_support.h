@@ -23,17 +23,14 @@ struct Given {
   }
 };
 
-/// What a runtime might give that is not this one, as a script: numbers of any bits, uneven frames with a
-/// jump, late states, a clock that is not the machine's, calls that fail, an interaction profile of no
-/// registry.
+/// What another runtime might give, as a script: numbers of any bits, uneven frames with a jump, late states, a clock
+/// that is not the machine's, calls that fail.
 inline std::string odd_recording() {
   std::string all = R"({"playback": {"version": 1, "records": [
     ["instance", "Other \"runtime\"", 1125921381679110, ["XR_MND_headless", "XR_EXT_hand_tracking",
-     "XR_KHR_locate_spaces", "XR_KHR_convert_timespec_time"]], ["system", "Other headset", true],
+     "XR_KHR_convert_timespec_time"]], ["system", "Other headset", true],
     ["reference_space", 2, [0, 0, 0, 1, 0, 0, 0]], ["reference_space", 2, [0, 0, 0, 1, 0.1, 1e-30, -0.3]],
-    ["reference_space", 1, [0, 0, 0, 1, 0, 0, 0]], ["action_space", "set/grip", "/user/hand/left", [0, 0, 0, 1, 0, 0, 0]],
-    ["action_space", "set/grip", "/user/hand/right", [0, 0, 0, 1, 0.1, 0, -0.3]],
-    ["spaces", 1, [2, 1]], ["bounds", 1, 1, false, 0, 0], ["timespec", 1, 86400123456789, 518400123456789],
+    ["reference_space", 1, [0, 0, 0, 1, 0, 0, 0]], ["spaces", 1, [2, 1]],
     ["failed", 1, "xrLocateHandJointsEXT", 7, -2], ["failed", 1, "xrLocateHandJointsEXT", 100, -2],
     ["call", 1, "begin"], ["call", 1, "exit"], ["call", 1, "end"],
     ["event", 1, 0, 0, "state", 1, 5], ["event", 1, 0, 0, "state", 2, 6], ["event", 1, 1, 1, "state", 3, 7],
@@ -57,16 +54,8 @@ inline std::string odd_recording() {
     const XrTime at = 86'400'123'456'789 + i * 13'888'888LL + i * 7919 % 1000 * 1000 + (i > 30 ? 2'000'000'000 : 0);
     const std::string time = std::to_string(at), even = i % 2 == 0 ? "true" : "false";
     add("frame", time + ",13888888," + even);
-    add("bounds", std::string("2,true,") + (i < 20 ? "2" : "2.5") + ",\"40490fdb\"");
     add("converted", std::to_string(at + 17));
-    add("synced", time + (i < 4 ? ",false" : ",true"));
-    add("profile",
-        time + ",\"/user/hand/left\",\"" + (i < 30 ? "/interaction_profiles/other/of_no_registry" : "") + "\"");
-    for (const char* action : {"press", "pull", "move", "grip"})
-      for (const char* hand : {"/user/hand/left", "/user/hand/right", ""})
-        add("action",
-            time + ",\"set/" + action + "\",\"" + hand + "\",true," + even + "," + std::to_string(i) + "," + bits(2));
-    for (const char* space : {"2", "3", "4"})
+    for (const char* space : {"1", "2"})
       add("located", time + "," + space + ",0," + (i % 7 == 3 ? "0" : "3") + ",[" + bits(7) + "],2,[" + bits(6) + "]");
     if (i % 3 != 0) continue;  // the nearest counts
     add("views", time + ",1,3,[" + bits(22) + "]");

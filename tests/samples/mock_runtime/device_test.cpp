@@ -1,4 +1,4 @@
-// Devices that a script moves and an unmodified application sees: head, controllers, fingers.
+// The head that a script moves, and controllers, which there are none of.
 #include <cmath>
 
 #include "tests/samples/mock_runtime/support.h"
@@ -11,14 +11,7 @@ double distance_m(const XrPosef& a, const XrPosef& b) {
                     static_cast<double>(a.position.z - b.position.z));
 }
 
-class MockDevices : public MockRuntime {
- protected:
-  MockDevices()
-      : MockRuntime({XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
-                     XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_HRTX_RIDGED_PLATE_EXTENSION_NAME,
-                     XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_EXT_LOCAL_FLOOR_EXTENSION_NAME,
-                     XR_KHR_LOCATE_SPACES_EXTENSION_NAME, XR_EXT_PALM_POSE_EXTENSION_NAME}) {}
-};
+using MockDevices = MockRuntime;
 
 // By hand: 0.2 m to the right in one second, turning left by 90 degrees; half way it is 0.1 m, and 45
 // degrees.
@@ -82,98 +75,31 @@ TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
   }
 }
 
-class MockControllers : public MockDevices {
- protected:
-  void attach_to(const std::vector<std::pair<const char*, const char*>>& profiles_and_triggers) {
-    set = make_set("set");
-    pull = make_action(set, "pull", XR_ACTION_TYPE_FLOAT_INPUT);
-    aim = make_action(set, "aim", XR_ACTION_TYPE_POSE_INPUT);
-    for (const auto& [profile, trigger] : profiles_and_triggers)
-      ASSERT_XR(XR_SUCCESS, suggest(profile, {{pull, path(trigger)}, {aim, path("/user/hand/right/input/aim/pose")}}));
-    begin_session();
-    ASSERT_XR(XR_SUCCESS, attach({set}));
-  }
-
-  float pulled() {
-    EXPECT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
-    const XrActionStateFloat state = scalar(pull);
-    return state.isActive == XR_TRUE ? state.currentState : -1.0F;
-  }
-
-  std::string profile() {
-    XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
-    EXPECT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, path("/user/hand/right"), &state));
-    if (state.interactionProfile == XR_NULL_PATH) return "";
-    char text[XR_MAX_PATH_LENGTH];
-    std::uint32_t count = 0;
-    EXPECT_XR(XR_SUCCESS, xrPathToString(instance, state.interactionProfile, sizeof text, &count, text));
-    return text;
-  }
-
-  int profile_events() {
-    int events = 0;
-    while (next_event<XrEventDataInteractionProfileChanged>(XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED)) ++events;
-    return events;
-  }
-
-  XrActionSet set = XR_NULL_HANDLE;
-  XrAction pull = XR_NULL_HANDLE;
-  XrAction aim = XR_NULL_HANDLE;
-};
-
-TEST_F(MockControllers, ButtonsAndPosesMoveAsTheScriptSays) {
-  apply(R"({"controllers": {"right": {"profile": "/interaction_profiles/oculus/touch_controller",
-      "path": [{"time_ms": 0, "position_m": [0.1, -0.3, -0.4]}, {"time_ms": 1000, "position_m": [0.1, -0.3, -0.6]}]}},
-    "events": [{"frame": 2, "do": "input", "device": "right", "source": "trigger/value", "value": 0.75},
-               {"frame": 3, "do": "input", "device": "right", "source": "thumbstick", "value": [0.5, -1]}]})");
-  attach_to({{"/interaction_profiles/oculus/touch_controller", "/user/hand/right/input/trigger/value"}});
-  frame();
-  EXPECT_EQ(pulled(), 0.0F);
-  frame();
-  EXPECT_EQ(pulled(), 0.75F);
-  const XrSpace space = create_action_space(aim);
-  XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
-  const auto location = located(space, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1'500'000'000, &velocity);
-  EXPECT_NEAR(location.pose.position.z, -0.55F, 1e-6F);  // 5 cm ahead of the grip at -0.5 m
-  EXPECT_NEAR(velocity.linearVelocity.z, -0.2F, 1e-6F);
-}
-
-// XR_EXT_palm_pose and "grip pose": +X is the palm's normal in both; -Z is the pointing finger's direction
-// there, and from little finger to thumb here. In a hand that holds a controller +Y of the palm is near -Z of
-// the grip.
-TEST_F(MockControllers, PalmLeansFromTheGrip) {
-  apply(R"({"controllers": {"right": {"profile": "/interaction_profiles/khr/simple_controller"}}})");
-  set = make_set("set");
-  const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT),
-                 palm = make_action(set, "palm", XR_ACTION_TYPE_POSE_INPUT);
-  ASSERT_XR(XR_SUCCESS, suggest("/interaction_profiles/khr/simple_controller",
-                                {{grip, path("/user/hand/right/input/grip/pose")},
-                                 {palm, path("/user/hand/right/input/palm_ext/pose")}}));
-  begin_session();
+// "The action state [...] is inactive" without a device that is bound to it: there are no controllers.
+TEST_F(MockDevices, ActionsAreInactive) {
+  const XrActionSet set = make_set("set");
+  const XrAction press = make_action(set, "press", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT);
+  const char* profile = "/interaction_profiles/khr/simple_controller";
+  ASSERT_XR(XR_SUCCESS, suggest(profile, {{press, path("/user/hand/left/input/select/click")},
+                                          {grip, path("/user/hand/left/input/grip")}}));
+  create_session();
   ASSERT_XR(XR_SUCCESS, attach({set}));
-  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
-  const XrSpaceLocation found = located(create_action_space(palm), create_action_space(grip), frame());
-  const XrQuaternionf& q = found.pose.orientation;
-  // Of the rotation about X: +Y is (0, cos, sin).
-  EXPECT_NEAR(q.y, 0.0F, 1e-6F);
-  EXPECT_NEAR(q.z, 0.0F, 1e-6F);
-  EXPECT_NEAR(-2.0F * q.w * q.x, std::sin(1.0471976F), 1e-6F) << "30 degrees from -Z";
-}
-
-TEST_F(MockControllers, ProfilesChangeAndControllersArePutAway) {
-  apply(R"({"controllers": {"right": {"profile": "/interaction_profiles/khr/simple_controller"}}, "events": [
-    {"frame": 2, "do": "interaction_profile", "device": "right",
-     "profile": "/interaction_profiles/valve/index_controller"},
-    {"frame": 3, "do": "interaction_profile", "device": "right", "profile": null}]})");
-  attach_to({{"/interaction_profiles/khr/simple_controller", "/user/hand/right/input/select/click"},
-             {"/interaction_profiles/valve/index_controller", "/user/hand/right/input/trigger/value"}});
-  for (const char* expected :
-       {"/interaction_profiles/khr/simple_controller", "/interaction_profiles/valve/index_controller", ""}) {
-    frame();
-    EXPECT_EQ(pulled(), *expected == '\0' ? -1.0F : 0.0F);
-    EXPECT_EQ(profile_events(), 1) << expected;
-    EXPECT_EQ(profile(), expected);
-  }
+  EXPECT_XR(XR_SESSION_NOT_FOCUSED, sync({{set, XR_NULL_PATH}}));
+  focus();
+  EXPECT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  XrActionStateBoolean state{XR_TYPE_ACTION_STATE_BOOLEAN, nullptr, XR_TRUE, XR_TRUE, 5, XR_TRUE};
+  const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, press, XR_NULL_PATH};
+  ASSERT_XR(XR_SUCCESS, xrGetActionStateBoolean(session, &info, &state));
+  EXPECT_FALSE(state.isActive);
+  EXPECT_FALSE(state.currentState);
+  EXPECT_EQ(state.lastChangeTime, 0);
+  XrInteractionProfileState current{XR_TYPE_INTERACTION_PROFILE_STATE, nullptr, 77};
+  ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, path("/user/hand/left"), &current));
+  EXPECT_EQ(current.interactionProfile, XrPath{XR_NULL_PATH});
+  const XrSpace space = create_action_space(grip);
+  EXPECT_XR(XR_SUCCESS, xrDestroyAction(grip));
+  EXPECT_EQ(located(space, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), frame()).locationFlags, 0U);
 }
 
 TEST_F(MockDevices, CallLogHasTimeThreadAndReason) {

@@ -38,9 +38,8 @@ class MockErrors : public MockNegotiation {
 
   void create_instance() {
     const std::vector<const char*> names{
-        "XR_MND_headless",      "XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time", "XR_EXT_conformance_automation",
-        "XR_KHR_locate_spaces", "XR_KHR_vulkan_enable", "XR_KHR_vulkan_enable2",        "XR_HRTX_ridged_plate",
-        "XR_HRTX_mock_control"};
+        "XR_MND_headless",       "XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time", "XR_KHR_vulkan_enable",
+        "XR_KHR_vulkan_enable2", "XR_HRTX_ridged_plate", "XR_HRTX_mock_control"};
     ASSERT_XR(XR_SUCCESS, create_direct(names, XR_MAKE_VERSION(1, 1, 0)));
   }
   // A session with all kinds of handles.
@@ -222,7 +221,6 @@ TEST_F(MockErrors, OfSessions) {
   XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
   XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO, nullptr, local, 0, 1, &local};
   REFUSED(TIME_INVALID, xrLocateSpaces, session, &locate, &locations);
-  REFUSED(TIME_INVALID, xrLocateSpacesKHR, session, &locate, &locations);
   for (const std::uint32_t count_given : {0U, 2U}) {
     locate.spaceCount = count_given;
     REFUSED(VALIDATION_FAILURE, xrLocateSpaces, session, &locate, &locations);
@@ -390,21 +388,11 @@ TEST_F(MockErrors, OfActions) {
     states(of, chest, XR_ERROR_PATH_UNSUPPORTED);
   }
   focus();
-  for (const XrPath side : {left, right}) XR(xrSetInputDeviceActiveEXT)(session, simple, side, XR_TRUE);
   active.subactionPath = XR_NULL_PATH;
-  XR(xrSyncActions)(session, &sync);
+  EXPECT_XR(XR_SUCCESS, XR(xrSyncActions)(session, &sync));
   others(left, XR_SUCCESS, select, XR_ERROR_SIZE_INSUFFICIENT);
-  for (const auto& [bad, code] : {std::pair{never, XR_ERROR_PATH_INVALID}, {chest, XR_ERROR_PATH_UNSUPPORTED}}) {
-    others(bad, code, bad, code);
-    EXPECT_XR(code, XR(xrSetInputDeviceActiveEXT)(session, simple, bad, XR_TRUE));
-    EXPECT_XR(code, XR(xrSetInputDeviceStateBoolEXT)(session, left, bad, XR_TRUE));
-    EXPECT_XR(code, XR(xrSetInputDeviceStateFloatEXT)(session, left, bad, 1.0F));
-    EXPECT_XR(code, XR(xrSetInputDeviceStateVector2fEXT)(session, left, bad, {}));
-    EXPECT_XR(code, XR(xrSetInputDeviceLocationEXT)(session, left, bad, local, identity_pose));
-  }
-  REFUSED(PATH_UNSUPPORTED, xrSetInputDeviceStateFloatEXT, session, left, select, 1.0F);
-  REFUSED(PATH_UNSUPPORTED, xrSetInputDeviceStateBoolEXT, session, right, select, XR_TRUE);
-  REFUSED(POSE_INVALID, xrSetInputDeviceLocationEXT, session, left, path("/user/hand/left/input/grip/pose"), local, {});
+  others(never, XR_ERROR_PATH_INVALID, never, XR_ERROR_PATH_INVALID);
+  others(chest, XR_ERROR_PATH_UNSUPPORTED, chest, XR_ERROR_PATH_UNSUPPORTED);
 }
 
 // Handles that do not exist, and missing outputs, in a session that is ready.

@@ -1,5 +1,4 @@
 // A plate that any program turns by its pseudo-terminal, as it would turn a real one.
-#include <filesystem>
 #include <fstream>
 
 #include "tests/plugin/plate/eventually.h"
@@ -22,14 +21,13 @@ class MockPlateTerminal : public MockRuntime {
   std::string terminal() const { return folder_ / "plate"; }
   // A plate 40 cm below and 35 cm before the eyes, turned by `plate`, over which a finger slides straight
   // ahead.
-  std::string script(const std::string& more = {}) const {
+  std::string script() const {
     return R"({"clock": "real-time", "servo": {"speed_deg_per_s": 400, "latency_ms": 20},
       "plate": {"position_m": [0, -0.4, -0.35], "terminal": ")" +
            terminal() + R"("},
       "participants": [{"tactile_weight": 0.3, "illusion": "linear", "noise_deg2_per_s": 0, "habit_deg": 0, "duration_ms": 1000,
                         "reaction_ms": 0, "start_direction_deg": 0}],
-      "hands": {"right": {"slides": {"start_m": [0, 0.008, 0.05], "direction_deg": 0}}})" +
-           more + "}";
+      "hands": {"right": {"slides": {"start_m": [0, 0.008, 0.05], "direction_deg": 0}}}})";
   }
   void open() {
     ASSERT_EQ(hrt_plate_open(("serial:" + terminal()).c_str(), nullptr, &plate_), HRT_OK) << hrt_plate_last_error();
@@ -63,15 +61,6 @@ TEST_F(MockPlateTerminal, TurnsThePlateAndBendsThePersonsHand) {
     return truth.trueDirection < -10.0;
   })) << truth.trueDirection;
   EXPECT_LT(std::abs(truth.perceivedDirection), std::abs(truth.trueDirection));
-}
-
-TEST_F(MockPlateTerminal, PullingTheCableIsSeenByTheDriver) {
-  begin_with(script(R"(, "events": [{"frame": 3, "do": "unplug_plate"}])"));
-  open();
-  for (int i = 0; i < 4; ++i) frame();
-  EXPECT_TRUE(eventually([&] { return report().state == HRT_PLATE_STATE_FAILED; }));
-  EXPECT_TRUE(has(report().message, "unplugged")) << report().message;
-  EXPECT_FALSE(std::filesystem::exists(terminal()));
 }
 
 TEST_F(MockPlateTerminal, OnePlateServesOneProgramAfterTheOther) {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <random>
 #include <thread>
@@ -62,7 +61,7 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
        "script.hands.right.path[0].position_m must be an array of 3 numbers"},
       {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0,0,0]}, {"time_ms": 5, "position_m": [0,0,0]}]}}})",
        "script.hands.right.path[1].time_ms must be later"},
-      {R"({"events": [{"do": "lose_session"}]})", "script.events[0] must have one of frame, time_ms and reach"},
+      {R"({"events": [{"do": "lose_session"}]})", "script.events[0] must have either frame or time_ms"},
       {R"({"events": [{"frame": 1, "do": "explode"}]})", "script.events[0].do must be one of \"lose_tracking\""},
       {R"({"events": [{"frame": 1, "do": "freeze"}]})", "script.events[0].hand is missing"},
       {R"({"calls": [{"function": "xrFly", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
@@ -85,15 +84,6 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"seed": 1, "seed": 2})", "script: \"seed\" occurs twice in one object"},
       {R"({"events": [{"frame": 1, "do": "freeze", "hand": "left", "frame": 2}]})",
        "script: \"frame\" occurs twice in one object"},
-      {R"({"controllers": {"left": {"profile": "/interaction_profiles/none"}}})",
-       "script.controllers.left.profile must be null or an interaction profile"},
-      {R"({"events": [{"frame": 1, "do": "input", "device": "left", "source": "nose", "value": 1}]})",
-       "script.events[0].source must be an input of the device"},
-      {R"({"events": [{"frame": 1, "do": "input", "device": "left", "source": "trigger/value", "value": 2}]})",
-       "script.events[0].value must be a number from -1 to 1"},
-      {R"({"events": [{"frame": 1, "do": "input", "device": "left", "source": "menu/click"}]})",
-       "script.events[0].value is missing"},
-      {R"({"focus_frame": -1})", "script.focus_frame must be a whole number from 0"},
   };
   for (const auto& [script, why] : cases) {
     EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrApplyScriptHRTX)(instance, script)) << script;
@@ -489,29 +479,14 @@ class MockEnvironment : public MockRuntime {
 TEST_F(MockEnvironment, FaultsHappenOnceAndFromTheFirstCallOn) {
   write_script(
       R"({"calls": [{"function": "xrCreateInstance", "result": "XR_ERROR_RUNTIME_UNAVAILABLE"},
-                    {"function": "xrGetSystem", "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"},
-                    {"instance": 3, "function": "xrCreateInstance", "result": "XR_ERROR_RUNTIME_UNAVAILABLE"}]})");
+                    {"function": "xrGetSystem", "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"}]})");
   EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, create());
   for (const bool first : {true, false}) {
     ASSERT_XR(XR_SUCCESS, create());
     EXPECT_XR(first ? XR_ERROR_FORM_FACTOR_UNAVAILABLE : XR_SUCCESS, result_of(xrGetSystem, instance, head_mounted));
     EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
   }
-  EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, create());
-  ASSERT_XR(XR_SUCCESS, create());
-  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
   EXPECT_TRUE(has(read_log(), "xrGetSystem XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"));
-}
-
-// A log that an application of days would fill is renamed, and another begun.
-TEST_F(MockEnvironment, CallLogIsBounded) {
-  write_script("{}");
-  std::ofstream(folder / "calls.log") << "old\n";
-  std::filesystem::resize_file(folder / "calls.log", 32 << 20);
-  ASSERT_XR(XR_SUCCESS, create());
-  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-  EXPECT_EQ(read_file(folder / "calls.log.1").substr(0, 4), "old\n");
-  EXPECT_TRUE(has(read_log(), "xrDestroyInstance"));
 }
 
 std::vector<std::string> enumerated_extensions() {

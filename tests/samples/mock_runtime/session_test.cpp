@@ -49,23 +49,5 @@ TEST_F(MockSession, UserEndsTheApplicationByScript) {
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}));
 }
 
-// On a headset with graphics focus follows frames: an application that waits for it before its first frame
-// waits forever.
-TEST_F(MockSession, FocusFollowsFramesOnOrder) {
-  ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, R"({"focus_frame": 2})"));
-  for (int run = 0; run < 2; ++run) {
-    create_session();
-    ASSERT_XR(XR_SUCCESS, begin(session));
-    EXPECT_EQ(all_states().back(), XR_SESSION_STATE_SYNCHRONIZED);
-    frame();
-    EXPECT_EQ(all_states(), std::vector<XrSessionState>{});
-    frame();
-    EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}));
-    frame();
-    EXPECT_EQ(all_states(), std::vector<XrSessionState>{});
-    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
-  }
-}
-
 }  // namespace
 }  // namespace hrt::mock

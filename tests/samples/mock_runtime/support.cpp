@@ -29,11 +29,10 @@ XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions) {
   return info;
 }
 
-XrActionSetCreateInfo set_info(const char* name, const char* localized, std::uint32_t priority) {
+XrActionSetCreateInfo set_info(const char* name, const char* localized) {
   XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
   std::snprintf(info.actionSetName, sizeof info.actionSetName, "%s", name);
   std::snprintf(info.localizedActionSetName, sizeof info.localizedActionSetName, "%s", localized);
-  info.priority = priority;
   return info;
 }
 
@@ -50,7 +49,6 @@ XrActionCreateInfo action_info(const char* name, const char* localized, XrAction
 
 const std::vector<const char*>& default_extensions() {
   static const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
-                                              XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME,
                                               XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, XR_HRTX_MOCK_CONTROL_EXTENSION_NAME};
   return names;
 }
@@ -153,8 +151,8 @@ XrSpaceLocation Application::located(XrSpace space, XrSpace base, XrTime time, X
   return location;
 }
 
-XrActionSet Application::make_set(const char* name, std::uint32_t priority) {
-  return output(XR(xrCreateActionSet), instance, set_info(name, name, priority));
+XrActionSet Application::make_set(const char* name) {
+  return output(XR(xrCreateActionSet), instance, set_info(name, name));
 }
 
 XrAction Application::make_action(XrActionSet in, const char* name, XrActionType type,
@@ -180,16 +178,9 @@ XrResult Application::sync(const std::vector<XrActiveActionSet>& sets) {
   return XR(xrSyncActions)(session, &info);
 }
 
-XrSpace Application::create_action_space(XrAction action, XrPath subaction, const XrPosef& pose) {
-  return output(XR(xrCreateActionSpace), session, {XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, subaction, pose});
-}
-
-XrActionStateBoolean Application::boolean(XrAction action, XrPath subaction) {
-  return output(XR(xrGetActionStateBoolean), session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction});
-}
-
-XrActionStateFloat Application::scalar(XrAction action) {
-  return output(XR(xrGetActionStateFloat), session, {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, XR_NULL_PATH});
+XrSpace Application::create_action_space(XrAction action) {
+  return output(XR(xrCreateActionSpace), session,
+                {XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, XR_NULL_PATH, identity_pose});
 }
 
 void MockRuntime::place_plate(XrSpace in) {

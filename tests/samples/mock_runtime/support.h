@@ -45,7 +45,7 @@ Output output(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type
 /// The info of an instance with these extensions. Valid as long as `extensions` is.
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions);
 
-XrActionSetCreateInfo set_info(const char* name, const char* localized, std::uint32_t priority = 0);
+XrActionSetCreateInfo set_info(const char* name, const char* localized);
 /// Valid as long as `subactions` is.
 XrActionCreateInfo action_info(const char* name, const char* localized, XrActionType type,
                                const std::vector<XrPath>& subactions = {});
@@ -78,14 +78,12 @@ class Application : public ::testing::Test {
   XrSpace create_space(XrReferenceSpaceType type, const XrPosef& pose = identity_pose);
   XrSpaceLocation located(XrSpace space, XrSpace base, XrTime time, XrSpaceVelocity* velocity = nullptr);
 
-  XrActionSet make_set(const char* name, std::uint32_t priority = 0);
+  XrActionSet make_set(const char* name);
   XrAction make_action(XrActionSet in, const char* name, XrActionType type, const std::vector<XrPath>& subactions = {});
   XrResult suggest(const std::string& profile, const std::vector<XrActionSuggestedBinding>& bindings);
   XrResult attach(const std::vector<XrActionSet>& sets);
   XrResult sync(const std::vector<XrActiveActionSet>& sets);
-  XrSpace create_action_space(XrAction action, XrPath subaction = XR_NULL_PATH, const XrPosef& pose = identity_pose);
-  XrActionStateBoolean boolean(XrAction action, XrPath subaction = XR_NULL_PATH);
-  XrActionStateFloat scalar(XrAction action);
+  XrSpace create_action_space(XrAction action);
 
   /// One frame of the loop. Returns the predicted display time.
   XrTime frame() { return whole_frame().predictedDisplayTime; }

@@ -1,11 +1,8 @@
 // An application for OpenXR 1.1. Above each test stands the sentence that it tests, from the
 // specification 1.1.
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 
 #include "tests/samples/mock_runtime/negotiation.h"
-#include "tests/samples/process.h"
 
 namespace hrt::mock {
 namespace {
@@ -107,39 +104,6 @@ TEST_F(MockPromoted, ProfilesAreThoseOfTheVersion) {
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, "oculus/touch_controller", "left/input/trigger/proximity"));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, "hp/mixed_reality_controller", "left/input/x/click"));
   destroy_direct();
-}
-
-// XR_EXT_palm_pose: "/user/hand/left/input/palm_ext/pose", "only usable if the extension is enabled";
-// XR_KHR_maintenance1: "grip_surface" likewise, on all profiles that have a grip.
-TEST_F(MockPromoted, PosesOfThePalmAreThereWithTheirExtensions) {
-  for (const auto& [extension, pose] :
-       {std::pair{"XR_EXT_palm_pose", "palm_ext"}, {"XR_KHR_maintenance1", "grip_surface"}})
-    for (const bool enabled : {false, true}) {
-      std::vector<const char*> names;
-      if (enabled) names.push_back(extension);
-      ASSERT_XR(XR_SUCCESS, create(names));
-      const XrAction action = make_action(make_set("set"), "only", XR_ACTION_TYPE_POSE_INPUT);
-      for (const char* profile : {"khr/simple_controller", "valve/index_controller"})
-        EXPECT_XR(enabled ? XR_SUCCESS : XR_ERROR_PATH_UNSUPPORTED,
-                  suggest(action, profile, std::string("left/input/") + pose + "/pose"));
-      destroy_direct();
-    }
-}
-
-// Each extension that OpenXR 1.1 promotes can be withheld.
-TEST_F(MockPromoted, CanBeWithheld) {
-  const TemporaryFolder folder;
-  for (const std::string name :
-       {"XR_EXT_local_floor", "XR_KHR_locate_spaces", "XR_KHR_maintenance1", "XR_EXT_palm_pose"}) {
-    std::ofstream(folder / "script.json") << R"({"withhold_extensions": [")" << name << "\"]}";
-    EXPECT_XR(XR_SUCCESS, create({name.c_str()}));
-    destroy_direct();
-    setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
-    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-    EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, create({name.c_str()})) << name;
-    unsetenv("HRT_MOCK_SCRIPT");
-    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-  }
 }
 
 }  // namespace

@@ -328,21 +328,6 @@ TEST_F(MockGraphics, FormatsAreConverted) {
   }
 }
 
-// A picture at the end of a reach.
-TEST_F(MockGraphics, PictureIsTakenWhenAReachHasEnded) {
-  begin_drawing(R"({"events": [{"reach": 2, "do": "take_picture"}]})");
-  place_plate(local);
-  for (int reach = 1; reach <= 2; ++reach) {
-    instruct();
-    while (!truth().isDone) {
-      EXPECT_EQ(read_file(folder / "pictures.txt"), "");
-      EXPECT_XR(XR_SUCCESS, end_frame({}));
-    }
-    EXPECT_XR(XR_SUCCESS, end_frame({}));
-  }
-  EXPECT_EQ(occurrences(read_file(folder / "pictures.txt"), "\n"), 2U);
-}
-
 // Headless applications need no Vulkan.
 TEST(MockGraphicsLibraries, VulkanIsNotLinked) {
   const Outcome needed = Process({"/usr/bin/readelf", "-d", HRT_MOCK_LIBRARY}, {}).wait();
@@ -369,8 +354,6 @@ class MockHelloXr : public ::testing::TestWithParam<const char*> {
 TEST_P(MockHelloXr, DrawsTheSamePixelsEachTime) {
   const TemporaryFolder folder;
   std::ofstream(folder / "script.json") << R"({"hands": {"left": {"tracked": true}},
-    "controllers": {"left": {"profile": "/interaction_profiles/khr/simple_controller"},
-                    "right": {"profile": "/interaction_profiles/khr/simple_controller"}},
     "head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 400, "position_m": [0.1, 0.05, 0.3]}]},
     "events": [{"frame": 5, "do": "take_picture"}, {"frame": 20, "do": "take_picture"},
                {"frame": 25, "do": "session_state", "state": "EXITING"}]})";
