@@ -15,7 +15,6 @@ namespace hrt::mock {
   X(hand_tracking, XR_EXT_HAND_TRACKING, XR_EXT_hand_tracking)                   \
   X(timespec, XR_KHR_CONVERT_TIMESPEC_TIME, XR_KHR_convert_timespec_time)        \
   X(local_floor, XR_EXT_LOCAL_FLOOR, XR_EXT_local_floor)                         \
-  X(vulkan_enable, XR_KHR_VULKAN_ENABLE, XR_KHR_vulkan_enable)                   \
   X(vulkan_enable2, XR_KHR_VULKAN_ENABLE2, XR_KHR_vulkan_enable2)                \
   X(layer_depth, XR_KHR_COMPOSITION_LAYER_DEPTH, XR_KHR_composition_layer_depth) \
   X(ridged_plate, XR_HRTX_RIDGED_PLATE, XR_HRTX_ridged_plate)                    \

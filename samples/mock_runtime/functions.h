@@ -78,10 +78,6 @@
   X(xrCreateVulkanInstanceKHR,              create_vulkan_instance,                  vulkan_enable2, void)   \
   X(xrGetVulkanGraphicsDevice2KHR,          get_vulkan_graphics_device2,             vulkan_enable2, void)   \
   X(xrCreateVulkanDeviceKHR,                create_vulkan_device,                    vulkan_enable2, void)   \
-  X(xrGetVulkanGraphicsRequirementsKHR,     get_vulkan_graphics_requirements,        vulkan_enable, void)    \
-  X(xrGetVulkanInstanceExtensionsKHR,       get_vulkan_extensions,                   vulkan_enable, void)    \
-  X(xrGetVulkanDeviceExtensionsKHR,         get_vulkan_extensions,                   vulkan_enable, void)    \
-  X(xrGetVulkanGraphicsDeviceKHR,           get_vulkan_graphics_device,              vulkan_enable, void)    \
   X(xrApplyScriptHRTX,                      apply_script,                            mock_control,  void)    \
   X(xrAdvanceTimeHRTX,                      advance_time,                            mock_control,  void)    \
   X(xrGetCallLogHRTX,                       get_call_log,                            mock_control,  void)    \

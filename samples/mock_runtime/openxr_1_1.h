@@ -62,10 +62,6 @@ using PFN_xrLocateSpaces = XrResult(XRAPI_PTR*)(XrSession session, const XrSpace
 
 #endif  // XR_API_VERSION_1_1
 
-#ifndef XR_KHR_locate_spaces
-using PFN_xrLocateSpacesKHR = PFN_xrLocateSpaces;
-#endif
-
 #ifndef XR_EXT_local_floor
 #define XR_EXT_local_floor_SPEC_VERSION 1
 #define XR_EXT_LOCAL_FLOOR_EXTENSION_NAME "XR_EXT_local_floor"

@@ -1,4 +1,4 @@
-// XR_KHR_vulkan_enable2 and XR_KHR_vulkan_enable.
+// XR_KHR_vulkan_enable2.
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
 
@@ -12,8 +12,7 @@ constexpr XrVersion min_vulkan = XR_MAKE_VERSION(1, 0, 0), max_vulkan = XR_MAKE_
 VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   require(vulkan != nullptr, XR_ERROR_VALIDATION_FAILURE, "the VkInstance is null");
   GraphicsSetup& setup = instance.graphics;
-  if (setup.get_vulkan == nullptr) setup.get_vulkan = loaded_vulkan();
-  require(setup.get_vulkan != nullptr, XR_ERROR_RUNTIME_FAILURE, "the process has no Vulkan loader");
+  require(setup.get_vulkan != nullptr, XR_ERROR_VALIDATION_FAILURE, "xrCreateVulkanInstanceKHR has not been called");
   const auto enumerate =
       reinterpret_cast<PFN_vkEnumeratePhysicalDevices>(setup.get_vulkan(vulkan, "vkEnumeratePhysicalDevices"));
   std::uint32_t count = 1;
@@ -39,12 +38,12 @@ Function creator(const Info& info, VkInstance vulkan, const char* name) {
 
 std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info) {
   const GraphicsSetup& setup = instance.graphics;
-  const bool vulkan = instance.enabled(Extension::vulkan_enable2) || instance.enabled(Extension::vulkan_enable);
-  if (const auto* binding = chained<const XrGraphicsBindingVulkanKHR>(info.next); binding != nullptr && vulkan) {
+  if (const auto* binding = chained<const XrGraphicsBindingVulkanKHR>(info.next);
+      binding != nullptr && instance.enabled(Extension::vulkan_enable2)) {
     require(setup.vulkan_asked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
-            "xrGetVulkanGraphicsRequirements(2)KHR has not been called");
+            "xrGetVulkanGraphicsRequirements2KHR has not been called");
     require(binding->physicalDevice != nullptr && binding->physicalDevice == setup.vulkan_device,
-            XR_ERROR_GRAPHICS_DEVICE_INVALID, "physicalDevice is not that of xrGetVulkanGraphicsDevice(2)KHR");
+            XR_ERROR_GRAPHICS_DEVICE_INVALID, "physicalDevice is not that of xrGetVulkanGraphicsDevice2KHR");
     return make_vulkan_device(*binding, setup.get_vulkan);
   }
   require(instance.enabled(Extension::headless), XR_ERROR_GRAPHICS_DEVICE_INVALID,
@@ -58,16 +57,6 @@ void get_vulkan_graphics_requirements(Instance& instance, XrSystemId system,
   requirements->minApiVersionSupported = min_vulkan;
   requirements->maxApiVersionSupported = max_vulkan;
   instance.graphics.vulkan_asked = true;
-}
-
-void get_vulkan_extensions(Instance&, XrSystemId system, std::uint32_t capacity, std::uint32_t* count, char* buffer) {
-  require_system(system);
-  two_call(std::string(1, '\0'), capacity, count, buffer);  // none
-}
-
-void get_vulkan_graphics_device(Instance& instance, XrSystemId system, VkInstance vulkan, VkPhysicalDevice* device) {
-  require_system(system);
-  *device = first_physical_device(instance, vulkan);
 }
 
 void create_vulkan_instance(Instance& instance, const XrVulkanInstanceCreateInfoKHR* info, VkInstance* vulkan,

@@ -114,8 +114,6 @@ void Capture::event(XrResult result, XrInstance, const XrEventDataBuffer* buffer
     }
     case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
       return note_event("instance_loss", as.operator()<XrEventDataInstanceLossPending>().lossTime);
-    case XR_TYPE_EVENT_DATA_EVENTS_LOST:
-      return note_event("events_lost", as.operator()<XrEventDataEventsLost>().lostEventCount);
     default:
       return note_event("other", buffer->type);
   }
@@ -147,34 +145,14 @@ void Capture::reference_space(XrResult, XrSession, const XrReferenceSpaceCreateI
   define_space(*space, array_of("reference_space", info->referenceSpaceType, array_of(info->poseInReferenceSpace)));
 }
 
-void Capture::note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
-                            const XrSpaceVelocity* velocity) {
+void Capture::located(XrResult, XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation* location) {
   const auto what = spaces_.find(space), in = spaces_.find(base);
   if (what == spaces_.end() || in == spaces_.end()) return;
   Json record =
-      array_of("located", sessions_, time, what->second, in->second, location.locationFlags, array_of(location.pose));
-  if (velocity != nullptr)
+      array_of("located", sessions_, time, what->second, in->second, location->locationFlags, array_of(location->pose));
+  if (const auto* velocity = chained<XrSpaceVelocity>(location->next))
     append(record, velocity->velocityFlags, array_of(velocity->linearVelocity, velocity->angularVelocity));
   note(record);
-}
-
-void Capture::located(XrResult, XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation* location) {
-  note_location(space, base, time, *location, chained<XrSpaceVelocity>(location->next));
-}
-
-void Capture::located_several(XrResult, XrSession, const XrSpacesLocateInfo* info, const XrSpaceLocations* locations) {
-  const auto* velocities = chained<XrSpaceVelocities>(locations->next);
-  for (std::uint32_t i = 0; i < info->spaceCount; ++i) {
-    const XrSpaceLocationData& data = locations->locations[i];
-    XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
-    if (velocities != nullptr) {
-      const auto& [flags, linear, angular] = velocities->velocities[i];
-      velocity = {XR_TYPE_SPACE_VELOCITY, nullptr, flags, linear, angular};
-    }
-    note_location(info->spaces[i], info->baseSpace, info->time,
-                  {XR_TYPE_SPACE_LOCATION, nullptr, data.locationFlags, data.pose},
-                  velocities == nullptr ? nullptr : &velocity);
-  }
 }
 
 void Capture::views(XrResult, XrSession, const XrViewLocateInfo* info, const XrViewState* state, std::uint32_t capacity,

@@ -29,8 +29,6 @@
   X(xrCreateReferenceSpace,         reference_space)                   \
   X(xrDestroySpace,                 space_destroyed)                   \
   X(xrLocateSpace,                  located)                           \
-  X(xrLocateSpaces,                 located_several)                   \
-  X(xrLocateSpacesKHR,              located_several)                   \
   X(xrLocateViews,                  views)                             \
   X(xrWaitFrame,                    frame)                             \
   X(xrBeginFrame,                   failures)                          \
@@ -90,7 +88,6 @@ class Capture {
   void reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo*, const XrSpace*);
   void space_destroyed(XrResult, XrSpace space) { spaces_.erase(space); }
   void located(XrResult, XrSpace, XrSpace base, XrTime, const XrSpaceLocation*);
-  void located_several(XrResult, XrSession, const XrSpacesLocateInfo*, const XrSpaceLocations*);
   void views(XrResult, XrSession, const XrViewLocateInfo*, const XrViewState*, std::uint32_t capacity,
              const std::uint32_t* count, const XrView*);
   void frame(XrResult, XrSession, const XrFrameWaitInfo*, const XrFrameState*);
@@ -115,8 +112,6 @@ class Capture {
   }
   void stage(const char* call);
   void define_space(XrSpace handle, const Json& description);
-  void note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
-                     const XrSpaceVelocity* velocity);
 
   std::string path_;
   std::unique_ptr<ScriptFile> file_;

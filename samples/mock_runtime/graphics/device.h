@@ -36,7 +36,4 @@ class GraphicsDevice {
 std::shared_ptr<GraphicsDevice> make_vulkan_device(const XrGraphicsBindingVulkanKHR& binding,
                                                    PFN_vkGetInstanceProcAddr get_proc_addr);
 
-/// The Vulkan loader of the process, which an application that gives a VkInstance has loaded; else null.
-PFN_vkGetInstanceProcAddr loaded_vulkan();
-
 }  // namespace hrt::mock

@@ -1,6 +1,4 @@
 // Swapchains of the application's own Vulkan device.
-#include <dlfcn.h>
-
 #include <array>
 
 #include "samples/mock_runtime/abi/two_call.h"
@@ -284,18 +282,6 @@ std::shared_ptr<GraphicsDevice> make_vulkan_device(const XrGraphicsBindingVulkan
               get_proc_addr != nullptr,
           XR_ERROR_GRAPHICS_DEVICE_INVALID, "instance, physicalDevice and device must be there");
   return std::make_shared<VulkanDevice>(binding, get_proc_addr);
-}
-
-PFN_vkGetInstanceProcAddr loaded_vulkan() {
-  constexpr const char* name = "vkGetInstanceProcAddr";
-  void* found = dlsym(RTLD_DEFAULT, name);
-  // Of an application that opens the loader itself.
-  void* loader = found == nullptr ? dlopen("libvulkan.so.1", RTLD_NOW | RTLD_NOLOAD) : nullptr;
-  if (loader != nullptr) {
-    found = dlsym(loader, name);
-    dlclose(loader);
-  }
-  return reinterpret_cast<PFN_vkGetInstanceProcAddr>(found);
 }
 
 }  // namespace hrt::mock

@@ -1,12 +1,9 @@
 #include "samples/mock_runtime/playback/player.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "samples/mock_runtime/world/pose.h"
 
@@ -33,41 +30,6 @@ XrTime nearest_time(const Stream<Value>& stream, XrTime time) {
   if (after == stream.begin()) return after->first;
   const XrTime before = std::prev(after)->first;
   return distance(before, time) <= distance(after->first, time) ? before : after->first;
-}
-
-// To the last bit.
-bool same(const XrPosef& a, const XrPosef& b) {
-  using Bits = std::array<std::uint32_t, 7>;
-  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
-}
-
-Pose pose_of(const XrPosef& pose) { return {from_xr(pose.orientation).normalized(), from_xr(pose.position)}; }
-
-// From the base in which something was recorded to the one in which it is wanted, both of one origin.
-Pose between_bases(const SpaceName& recorded, const SpaceName& wanted) {
-  return inverse(pose_of(wanted.pose)) * pose_of(recorded.pose);
-}
-
-XrPosef moved(const Pose& by, const XrPosef& pose) { return to_xr(by * pose_of(pose)); }
-
-XrVector3f turned(const Pose& by, const XrVector3f& vector) {
-  return to_xr(Eigen::Vector3d(by.orientation * from_xr(vector)));
-}
-
-// Of the streams that fit, the one that has the nearest sample; of equally near ones, one that was recorded
-// in just the spaces that are wanted.
-template <typename Map, typename Fits, typename Exact>
-auto choose(const Map& streams, XrTime time, Fits fits, Exact exact) {
-  auto best = streams.end();
-  std::uint64_t min = std::numeric_limits<std::uint64_t>::max();
-  for (auto each = streams.begin(); each != streams.end(); ++each) {
-    if (!fits(each->first)) continue;
-    const std::uint64_t away = distance(nearest_time(each->second, time), time);
-    if (best != streams.end() && (away > min || (away == min && !exact(each->first)))) continue;
-    best = each;
-    min = away;
-  }
-  return best;
 }
 
 }  // namespace
@@ -104,8 +66,7 @@ std::vector<XrEventDataBuffer> Player::take_events(XrSession session) {
     if (calls_ < event.calls || (calls_ == event.calls && frames_since_ < event.frames)) break;
     due.push_back(event.buffer);
     // Events that name a session have it behind `next`.
-    if (event.buffer.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
-        event.buffer.type != XR_TYPE_EVENT_DATA_EVENTS_LOST)
+    if (event.buffer.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
       std::memcpy(reinterpret_cast<char*>(&due.back()) + offsetof(XrEventDataSessionStateChanged, session),
                   static_cast<const void*>(&session), sizeof session);
   }
@@ -144,61 +105,29 @@ std::optional<XrTime> Player::next_converted() {
   return present_ += own_pace;
 }
 
-RecordedJoints Player::joints(XrHandEXT hand, const SpaceName& base, XrTime time) {
+std::size_t Player::number_of(const SpaceName& space) const {
   const auto& spaces = recording_->spaces;
-  const auto found = choose(
-      session_.joints, time, [&](const auto& key) { return key.first == hand && spaces[key.second].same_origin(base); },
-      [&](const auto& key) { return same(spaces[key.second].pose, base.pose); });
-  if (found == session_.joints.end()) return {false, {}, {}};
-  RecordedJoints joints = read(found->second, time);
-  const SpaceName& recorded = spaces[found->first.second];
-  if (same(recorded.pose, base.pose)) return joints;
-  const Pose by = between_bases(recorded, base);
-  for (XrHandJointLocationEXT& joint : joints.locations)
-    if (joint.locationFlags != 0) joint.pose = moved(by, joint.pose);
-  for (XrHandJointVelocityEXT& joint : joints.velocities) {
-    joint.linearVelocity = turned(by, joint.linearVelocity);
-    joint.angularVelocity = turned(by, joint.angularVelocity);
-  }
-  return joints;
+  return static_cast<std::size_t>(std::find(spaces.begin(), spaces.end(), space) - spaces.begin());
+}
+
+template <typename Map>
+auto Player::read_of(const Map& streams, const typename Map::key_type& key, XrTime time) {
+  using Value = typename Map::mapped_type::mapped_type;
+  const auto found = streams.find(key);
+  return found == streams.end() ? std::optional<Value>() : std::optional<Value>(read(found->second, time));
+}
+
+RecordedJoints Player::joints(XrHandEXT hand, const SpaceName& base, XrTime time) {
+  return read_of(session_.joints, {hand, number_of(base)}, time).value_or(RecordedJoints{});
 }
 
 RecordedLocation Player::location(const SpaceName& space, const SpaceName& base, XrTime time) {
-  const auto& spaces = recording_->spaces;
-  const auto is = [&](const auto& key) {
-    return same(spaces[key.first].pose, space.pose) && same(spaces[key.second].pose, base.pose);
-  };
-  const auto found = choose(
-      session_.locations, time,
-      [&](const auto& key) { return spaces[key.first].same_origin(space) && spaces[key.second].same_origin(base); },
-      is);
-  if (found == session_.locations.end()) {
-    RecordedLocation unknown{};
-    unknown.pose.orientation.w = 1.0F;
-    return unknown;
-  }
-  RecordedLocation location = read(found->second, time);
-  if (location.flags == 0 || is(found->first)) return location;
-  const Pose by = between_bases(spaces[found->first.second], base);
-  const Pose offset = inverse(pose_of(spaces[found->first.first].pose)) * pose_of(space.pose);
-  const Motion motion = Motion{pose_of(location.pose), from_xr(location.linear), from_xr(location.angular)} * offset;
-  location.pose = to_xr(by * motion.pose);
-  location.linear = to_xr(Eigen::Vector3d(by.orientation * motion.velocity_m_per_s));
-  location.angular = to_xr(Eigen::Vector3d(by.orientation * motion.angular_velocity_rad_per_s));
-  return location;
+  const RecordedLocation unknown{.pose = to_xr(Pose{})};
+  return read_of(session_.locations, {number_of(space), number_of(base)}, time).value_or(unknown);
 }
 
 RecordedViews Player::views(const SpaceName& base, XrTime time) {
-  const auto& spaces = recording_->spaces;
-  const auto found = choose(
-      session_.views, time, [&](std::size_t in) { return spaces[in].same_origin(base); },
-      [&](std::size_t in) { return same(spaces[in].pose, base.pose); });
-  if (found == session_.views.end()) return {0, {}};
-  RecordedViews views = read(found->second, time);
-  if (same(spaces[found->first].pose, base.pose)) return views;
-  const Pose by = between_bases(spaces[found->first], base);
-  for (XrView& view : views.views) view.pose = moved(by, view.pose);
-  return views;
+  return read_of(session_.views, number_of(base), time).value_or(RecordedViews{});
 }
 
 std::optional<double> Player::plate_deg(XrTime time) {
@@ -206,10 +135,6 @@ std::optional<double> Player::plate_deg(XrTime time) {
   return read(session_.plate_deg, time);
 }
 
-std::optional<RecordedTruth> Player::truth(XrHandEXT hand) {
-  const auto found = session_.truths.find(int{hand});
-  if (found == session_.truths.end()) return std::nullopt;
-  return read(found->second, present_);
-}
+std::optional<RecordedTruth> Player::truth(XrHandEXT hand) { return read_of(session_.truths, int{hand}, present_); }
 
 }  // namespace hrt::mock

@@ -47,6 +47,10 @@ class Player {
   XrDuration pace() const;  // of further frames
   template <typename Value>
   const Value& read(const Stream<Value>& stream, XrTime time);
+  template <typename Map>
+  auto read_of(const Map& streams, const typename Map::key_type& key, XrTime time);
+  /// Of a space that was recorded; the count of spaces for another one.
+  std::size_t number_of(const SpaceName& space) const;
 
   std::shared_ptr<const Recording> recording_;
   const RecordedSession& session_;

@@ -191,8 +191,6 @@ std::optional<XrEventDataBuffer> read_runtime_event(Fields& fields) {
   if (kind == "instance_loss")
     return as_buffer(
         XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, fields.whole<XrTime>()});
-  if (kind == "events_lost")
-    return as_buffer(XrEventDataEventsLost{XR_TYPE_EVENT_DATA_EVENTS_LOST, nullptr, fields.whole<std::uint32_t>()});
   if (kind != "other") refuse(fields.where(), "is an event of no known kind");
   fields.whole<std::int32_t>();
   return std::nullopt;

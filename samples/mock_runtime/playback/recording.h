@@ -24,6 +24,7 @@
 
 #include <openxr/openxr.h>
 
+#include <cstring>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -47,7 +48,10 @@ struct SpaceName {
   XrReferenceSpaceType reference = of_action;
   XrPosef pose{};  ///< in the reference space or the action's
 
-  bool same_origin(const SpaceName& other) const { return reference == other.reference; }
+  /// To the last bit.
+  bool operator==(const SpaceName& other) const {
+    return reference == other.reference && std::memcmp(&pose, &other.pose, sizeof pose) == 0;
+  }
 };
 
 struct RecordedJoints {

@@ -77,8 +77,7 @@ class CaptureFixture : public MockRuntime {
  protected:
   void SetUp() override {}
   void TearDown() override {
-    for (const char* name : {"XR_ENABLE_API_LAYERS", "XR_API_LAYER_PATH", "HRT_CAPTURE_FILE", "HRT_MOCK_SCRIPT",
-                             "XDG_DATA_HOME", "HRT_CAPTURE_DISABLE"})
+    for (const char* name : {"XR_ENABLE_API_LAYERS", "XR_API_LAYER_PATH", "HRT_CAPTURE_FILE", "HRT_MOCK_SCRIPT"})
       unsetenv(name);
     setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1);
   }

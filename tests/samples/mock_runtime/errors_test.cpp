@@ -38,7 +38,7 @@ class MockErrors : public MockNegotiation {
 
   void create_instance() {
     const std::vector<const char*> names{
-        "XR_MND_headless",       "XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time", "XR_KHR_vulkan_enable",
+        "XR_MND_headless",       "XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time",
         "XR_KHR_vulkan_enable2", "XR_HRTX_ridged_plate", "XR_HRTX_mock_control"};
     ASSERT_XR(XR_SUCCESS, create_direct(names, XR_MAKE_VERSION(1, 1, 0)));
   }
@@ -166,11 +166,9 @@ TEST_F(MockErrors, OfInstances) {
   REFUSED_INFO(SYSTEM_INVALID, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none});
   XrGraphicsRequirementsVulkanKHR vulkan{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN_KHR};
   REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirements2KHR, instance, none, &vulkan);
-  REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsRequirementsKHR, instance, none, &vulkan);
   VkPhysicalDevice device = nullptr;
-  REFUSED(SYSTEM_INVALID, xrGetVulkanGraphicsDeviceKHR, instance, none, nullptr, &device);
-  REFUSED(VALIDATION_FAILURE, xrGetVulkanInstanceExtensionsKHR, instance, 1, 0, nullptr, nullptr);
-  REFUSED(VALIDATION_FAILURE, xrGetVulkanDeviceExtensionsKHR, instance, 1, 0, nullptr, nullptr);
+  const XrVulkanGraphicsDeviceGetInfoKHR early{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR, nullptr, 1, nullptr};
+  REFUSED(VALIDATION_FAILURE, xrGetVulkanGraphicsDevice2KHR, instance, &early, &device);
   const timespec before{-1, 0};
   timespec back{};
   XrTime time = 0;

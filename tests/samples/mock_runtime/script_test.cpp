@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <random>
 #include <thread>
 
 #include "tests/samples/mock_runtime/support.h"
@@ -28,66 +27,39 @@ class MockScript : public MockRuntime {
   XrFrameState state{XR_TYPE_FRAME_STATE, nullptr, 99};  // of the latest wait()
 };
 
-// What is wrong, and what is allowed, is the reason in the call log; nothing of a bad script takes effect.
-TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
+// The reason in the call log begins with the place; nothing of a bad script takes effect. One script for each kind of
+// mistake.
+TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithItsPlace) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"{", "parse error"},
-      {"[]", "script must be an object"},
-      {R"({"sped": 1})", "script.sped is not known; known are \"$schema\", \"calls\", \"clock\""},
-      {R"({"clock": "sundial"})", "script.clock must be one of \"manual\", \"real-time\""},
-      {R"({"seed": -1})", "script.seed must be a whole number from 0"},
-      {R"({"participants": []})", "script.participants must be an array of 1 or more"},
-      {R"({"participants": [{"tactile_weight": 0.5}]})",
-       "script.participants[0].tactile_weight must be a number from 0.001 to 0.499"},
-      {R"({"participants": [{"tactile_weight": [0.1]}]})",
-       "script.participants[0].tactile_weight must be a number from 0.001 to 0.499 or an array of 2 numbers"},
-      {R"({"participants": [{"tactile_weight": [0.2, 0.1]}]})",
-       "script.participants[0].tactile_weight must have the smaller number first"},
-      {R"({"participants": [{"duration_ms": [1000, 90000]}]})",
-       "script.participants[0].duration_ms[1] must be a number from 100 to 60000"},
-      {R"({"participants": [{"delay_ms": 251}]})", "script.participants[0].delay_ms must be a number from 0 to 250"},
-      {R"({"participants": [{"illusion": ["sine", "cube"]}]})",
-       "script.participants[0].illusion[1] must be one of \"linear\", \"saturating\""},
-      {R"({"participants": [{"steering": []}]})", "\"heavy_arm\", \"crossings\", or an array of them"},
-      {R"({"participants": [{"speed_mm_per_s": 20}]})",
-       "script.participants[0].speed_mm_per_s is not known; known are \"bias_deg\", \"delay_ms\""},
-      {R"({"tracker": {"noise_mm": -1}})", "script.tracker.noise_mm must be a number from 0 to 1000"},
-      {R"({"tracker": {"noise_mm": "1"}})", "script.tracker.noise_mm must be a number"},
-      {R"({"servo": {"speed_deg_per_s": 0}})", "script.servo.speed_deg_per_s must be a number from 1"},
-      {R"({"hands": {"right": {"slides": {"length_m": 0.1}}}})", "script.hands.right.slides.start_m is missing"},
-      {R"({"hands": {"right": {"slides": {"start_m": [0, 0, 0], "length_m": 0}}}})",
-       "script.hands.right.slides.length_m must be a number from 0.001 to 10"},
-      {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0, 0]}]}}})",
-       "script.hands.right.path[0].position_m must be an array of 3 numbers"},
-      {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0,0,0]}, {"time_ms": 5, "position_m": [0,0,0]}]}}})",
-       "script.hands.right.path[1].time_ms must be later"},
-      {R"({"events": [{"do": "lose_session"}]})", "script.events[0] must have either frame or time_ms"},
-      {R"({"events": [{"frame": 1, "do": "explode"}]})", "script.events[0].do must be one of \"lose_tracking\""},
-      {R"({"events": [{"frame": 1, "do": "freeze"}]})", "script.events[0].hand is missing"},
-      {R"({"calls": [{"function": "xrFly", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
-       "script.calls[0].function must be the name of a function"},
-      {R"({"calls": [{"function": "xrWaitFrame", "result": "XR_SESSION_LOSS_PENDING"}]})",
-       "script.calls[0].result must be the name of an error of OpenXR"},
-      {R"({"calls": [{"function": "xrWaitFrame"}]})",
-       "script.calls[0] must have a result, a delay_ms above 0, or a block that is true"},
-      {R"({"calls": [{"function": "xrWaitFrame", "block": true, "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
-       "script.calls[0] has both a block and a result"},
-      {R"({"calls": [{"function": "xrWaitFrame", "block": true, "session": 0}]})",
-       "script.calls[0].session must be a whole number from 1"},
-      {R"({"events": [{"frame": 1, "do": "recenter", "space": "VIEW"}]})",
-       "script.events[0].space must be one of \"LOCAL\", \"STAGE\""},
-      {R"({"withhold_extensions": ["XR_EXT_none"]})",
-       "script.withhold_extensions[0] must be one of \"XR_MND_headless\""},
-      {R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})",
-       "script: withhold_extensions has no effect once there is an instance"},
+      {"[]", "script must"},
+      {R"({"sped": 1})", "script.sped"},
+      {R"({"seed": 1, "seed": 2})", "script: \"seed\""},
       {R"({"seed": 1e400})", "out_of_range"},
-      {R"({"seed": 1, "seed": 2})", "script: \"seed\" occurs twice in one object"},
-      {R"({"events": [{"frame": 1, "do": "freeze", "hand": "left", "frame": 2}]})",
-       "script: \"frame\" occurs twice in one object"},
+      {R"({"clock": "sundial"})", "script.clock"},
+      {R"({"tracker": {"noise_mm": "1"}})", "script.tracker.noise_mm"},
+      {R"({"participants": [{"delay_ms": 251}]})", "script.participants[0].delay_ms"},
+      {R"({"participants": [{"tactile_weight": [0.2, 0.1]}]})", "script.participants[0].tactile_weight"},
+      {R"({"participants": [{"illusion": ["sine", "cube"]}]})", "script.participants[0].illusion[1]"},
+      {R"({"hands": {"right": {"slides": {"length_m": 0.1}}}})", "script.hands.right.slides.start_m"},
+      {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0,0,0]}, {"time_ms": 5, "position_m": [0,0,0]}]}}})",
+       "script.hands.right.path[1].time_ms"},
+      {R"({"head": {"path": [{"position_m": [0, 0, 0], "orientation": [0, 0, 0, 0.5]}]}})",
+       "script.head.path[0].orientation"},
+      {R"({"plate": {"position_m": [0, 0, 0], "terminal": "/tmp/plate"}})", "script.plate.terminal"},
+      {R"({"events": [{"do": "lose_session"}]})", "script.events[0]"},
+      {R"({"events": [{"frame": 1, "do": "explode"}]})", "script.events[0].do"},
+      {R"({"events": [{"frame": 1, "do": "freeze"}]})", "script.events[0].hand"},
+      {R"({"calls": [{"function": "xrFly", "result": "XR_ERROR_RUNTIME_FAILURE"}]})", "script.calls[0].function"},
+      {R"({"calls": [{"function": "xrWaitFrame", "result": "XR_SUCCESS"}]})", "script.calls[0].result"},
+      {R"({"calls": [{"function": "xrWaitFrame"}]})", "script.calls[0]"},
+      {R"({"calls": [{"function": "xrWaitFrame", "block": true, "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
+       "script.calls[0]"},
+      {R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})", "script: withhold_extensions"},
   };
-  for (const auto& [script, why] : cases) {
+  for (const auto& [script, place] : cases) {
     EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, XR(xrApplyScriptHRTX)(instance, script)) << script;
-    EXPECT_TRUE(has(std::string(call_log().back().reason), why)) << call_log().back().reason;
+    EXPECT_TRUE(has(std::string(call_log().back().reason), place)) << call_log().back().reason;
   }
   create_session();
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, XR(xrApplyScriptHRTX)(instance, "{}"));
@@ -124,53 +96,6 @@ TEST_F(MockScript, ExamplesOfTheDocumentsRun) {
       ++count;
     }
   EXPECT_GE(count, 5U);
-}
-
-std::string readme_script() {
-  const std::string readme = read_file(HRT_MOCK_DOCUMENTS "/SCRIPTS.md");
-  const std::size_t begin = readme.find("```json\n") + 8;
-  std::string script = readme.substr(begin, readme.find("```", begin) - begin);
-  // Without the calls: some wait in real time.
-  return script.substr(0, script.find(",\n  \"calls\"")) + "\n}\n";
-}
-
-// A script with a mistake is refused with a reason, or is another script; nothing else happens.
-TEST_F(MockScript, RandomMistakesAreRefusedWithAReasonOrHarmless) {
-  const std::string whole = readme_script();
-  ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, whole.c_str())) << call_log().back().reason;
-  std::mt19937 random(1);
-  const std::string letters = "{}[]\",:0123456789.-eE truefalsn\\\n\x01\xff";
-  int refused = 0, taken = 0;
-  for (int i = 0; i < 1500; ++i) {
-    std::string script = whole;
-    for (std::uint32_t change = 0; change <= random() % 3; ++change) {
-      const std::size_t at = random() % script.size();
-      switch (random() % 4) {
-        case 0:
-          script.erase(at, random() % 20 + 1);
-          break;
-        case 1:
-          script.insert(at, 1, letters[random() % letters.size()]);
-          break;
-        case 2:
-          script[at] = letters[random() % letters.size()];
-          break;
-        default:
-          script.insert(at, script.substr(random() % script.size(), random() % 40));
-      }
-    }
-    const XrResult result = XR(xrApplyScriptHRTX)(instance, script.c_str());
-    if (result == XR_SUCCESS) {
-      ++taken;
-      begin_session();
-      EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
-    } else {
-      ++refused;
-      EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, result) << script;
-    }
-  }
-  EXPECT_GT(refused, 1000);
-  EXPECT_GT(taken, 10);
 }
 
 // A call takes long, in real time under either clock, and other threads' calls do not wait for it.

@@ -7,19 +7,11 @@
 namespace hrt::mock {
 namespace {
 
-class MockProfiles : public MockNegotiation {
+class MockVersion : public MockNegotiation {
  protected:
-  XrResult suggest(XrAction action, const std::string& profile, const std::string& source) {
-    return Application::suggest("/interaction_profiles/" + profile, {{action, path("/user/hand/" + source)}});
-  }
-};
-
-class MockVersion11 : public MockProfiles {
- protected:
-  void SetUp() override {
-    MockNegotiation::SetUp();
+  void create(XrVersion version) {
     ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-    ASSERT_XR(XR_SUCCESS, create_direct({XR_MND_HEADLESS_EXTENSION_NAME}, XR_MAKE_VERSION(1, 1, 41)));
+    ASSERT_XR(XR_SUCCESS, create_direct({XR_MND_HEADLESS_EXTENSION_NAME}, version));
     create_session();
   }
   void TearDown() override {
@@ -27,13 +19,21 @@ class MockVersion11 : public MockProfiles {
     MockNegotiation::TearDown();
   }
 
+  XrResult suggest(const std::string& profile, const std::string& source) {
+    if (any == XR_NULL_HANDLE) any = make_action(make_set("set"), "any", XR_ACTION_TYPE_FLOAT_INPUT);
+    return Application::suggest("/interaction_profiles/" + profile, {{any, path("/user/hand/" + source)}});
+  }
   XrSpace space(XrReferenceSpaceType type, const XrVector3f& at = {}) {
     return create_space(type, {identity_pose.orientation, at});
   }
+
+  static constexpr XrVersion version_1_1 = XR_MAKE_VERSION(1, 1, 41);
+  XrAction any = XR_NULL_HANDLE;
 };
 
 // "LOCAL_FLOOR [...] establishes a world-locked origin [...] at the floor level": right below LOCAL.
-TEST_F(MockVersion11, LocalFloorIsBelowLocal) {
+TEST_F(MockVersion, LocalFloorIsBelowLocal) {
+  create(version_1_1);
   std::uint32_t count = 0;
   const auto enumerate = XR(xrEnumerateReferenceSpaces);
   ASSERT_XR(XR_SUCCESS, enumerate(session, 0, &count, nullptr));
@@ -47,7 +47,8 @@ TEST_F(MockVersion11, LocalFloorIsBelowLocal) {
 
 // "xrLocateSpaces [...] provides the physical location of one or more spaces in a base space at a specified
 // time"; velocities follow if they are chained.
-TEST_F(MockVersion11, ManySpacesAreLocatedAtOnce) {
+TEST_F(MockVersion, ManySpacesAreLocatedAtOnce) {
+  create(version_1_1);
   const XrSpace base = space(XR_REFERENCE_SPACE_TYPE_LOCAL, {0.0F, 0.0F, -1.0F});
   const std::array spaces{space(XR_REFERENCE_SPACE_TYPE_LOCAL, {2.0F, 0.0F, 0.0F}),
                           space(XR_REFERENCE_SPACE_TYPE_STAGE)};
@@ -67,43 +68,29 @@ TEST_F(MockVersion11, ManySpacesAreLocatedAtOnce) {
 }
 
 // "Interaction Profile Paths": sources that 1.1 adds, and sources that a profile has on one hand only or not at all.
-TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
-  const XrAction any = make_action(make_set("set"), "any", XR_ACTION_TYPE_FLOAT_INPUT);
+TEST_F(MockVersion, PromotedProfilesHaveTheirSources) {
+  create(version_1_1);
   for (const auto& [profile, source] :
        std::vector<std::pair<const char*, const char*>>{{"oculus/touch_controller", "left/input/trigger/proximity"},
                                                         {"valve/index_controller", "left/input/grip_surface/pose"},
                                                         {"bytedance/pico4_controller", "left/input/menu/click"},
                                                         {"bytedance/pico_g3_controller", "right/input/thumbstick"},
                                                         {"meta/touch_pro_controller", "right/output/haptic_thumb"}})
-    EXPECT_XR(XR_SUCCESS, suggest(any, profile, source)) << profile << ' ' << source;
+    EXPECT_XR(XR_SUCCESS, suggest(profile, source)) << profile << ' ' << source;
   for (const auto& [profile, source] : std::vector<std::pair<const char*, const char*>>{
            {"oculus/touch_controller", "right/input/x/click"},
            {"bytedance/pico4_controller", "right/input/menu/click"},
            {"bytedance/pico_g3_controller", "left/output/haptic"},
            {"meta/touch_controller_quest_1_rift_s", "left/input/thumbrest/touch"}})
-    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, profile, source)) << profile << ' ' << source;
+    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(profile, source)) << profile << ' ' << source;
 }
 
-// Of an application for 1.0.
-class MockPromoted : public MockProfiles {
- protected:
-  void SetUp() override {
-    MockNegotiation::SetUp();
-    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-  }
-  XrResult create(const std::vector<const char*>& names, XrVersion version = XR_MAKE_VERSION(1, 0, 0)) {
-    return create_direct(names, version);
-  }
-};
-
 // What OpenXR 1.1 adds is unknown to an application for 1.0.
-TEST_F(MockPromoted, ProfilesAreThoseOfTheVersion) {
-  ASSERT_XR(XR_SUCCESS, create({}));
-  const XrAction any = make_action(make_set("set"), "any", XR_ACTION_TYPE_FLOAT_INPUT);
-  EXPECT_XR(XR_SUCCESS, suggest(any, "oculus/touch_controller", "right/input/thumbrest/touch"));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, "oculus/touch_controller", "left/input/trigger/proximity"));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(any, "hp/mixed_reality_controller", "left/input/x/click"));
-  destroy_direct();
+TEST_F(MockVersion, ProfilesAreThoseOfTheVersion) {
+  create(XR_MAKE_VERSION(1, 0, 0));
+  EXPECT_XR(XR_SUCCESS, suggest("oculus/touch_controller", "right/input/thumbrest/touch"));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("oculus/touch_controller", "left/input/trigger/proximity"));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("hp/mixed_reality_controller", "left/input/x/click"));
 }
 
 }  // namespace
