@@ -10,14 +10,13 @@
 namespace hrt::mock {
 
 // As we name them, and as the macros of OpenXR's headers for their names and their versions do.
-#define HRT_MOCK_EXTENSIONS(X)                                                   \
-  X(headless, XR_MND_HEADLESS, XR_MND_headless)                                  \
-  X(hand_tracking, XR_EXT_HAND_TRACKING, XR_EXT_hand_tracking)                   \
-  X(timespec, XR_KHR_CONVERT_TIMESPEC_TIME, XR_KHR_convert_timespec_time)        \
-  X(local_floor, XR_EXT_LOCAL_FLOOR, XR_EXT_local_floor)                         \
-  X(vulkan_enable2, XR_KHR_VULKAN_ENABLE2, XR_KHR_vulkan_enable2)                \
-  X(layer_depth, XR_KHR_COMPOSITION_LAYER_DEPTH, XR_KHR_composition_layer_depth) \
-  X(ridged_plate, XR_HRTX_RIDGED_PLATE, XR_HRTX_ridged_plate)                    \
+#define HRT_MOCK_EXTENSIONS(X)                                            \
+  X(headless, XR_MND_HEADLESS, XR_MND_headless)                           \
+  X(hand_tracking, XR_EXT_HAND_TRACKING, XR_EXT_hand_tracking)            \
+  X(timespec, XR_KHR_CONVERT_TIMESPEC_TIME, XR_KHR_convert_timespec_time) \
+  X(local_floor, XR_EXT_LOCAL_FLOOR, XR_EXT_local_floor)                  \
+  X(vulkan_enable2, XR_KHR_VULKAN_ENABLE2, XR_KHR_vulkan_enable2)         \
+  X(ridged_plate, XR_HRTX_RIDGED_PLATE, XR_HRTX_ridged_plate)             \
   X(mock_control, XR_HRTX_MOCK_CONTROL, XR_HRTX_mock_control)
 
 enum class Extension {

@@ -41,8 +41,7 @@ typedef struct XrCallRecordHRTX {
   uint32_t thread;                           /* that called, numbered from 1 in order of their first calls */
 } XrCallRecordHRTX;
 
-/* Replaces the script, from the next session on; calls, sessions and instances are
-** counted anew from here (this instance is the first).
+/* Replaces the script, from the next session on; calls and sessions are counted from here.
 ** XR_ERROR_CALL_ORDER_INVALID while there is a session. XR_ERROR_VALIDATION_FAILURE for a script that is
 ** not valid: the call log says what is wrong in it and what is allowed; the script before stays. */
 typedef XrResult(XRAPI_PTR* PFN_xrApplyScriptHRTX)(XrInstance instance, const char* json);

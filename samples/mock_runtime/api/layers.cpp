@@ -1,4 +1,4 @@
-// Composition layers: specification, "Compositing". Projections and quads, with or without depth.
+// Composition layers: specification, "Compositing". Projections and quads.
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/space.h"
 #include "samples/mock_runtime/api/swapchain.h"
@@ -37,11 +37,6 @@ void require_projection(const XrCompositionLayerProjection& layer, const Session
     require_struct(&view);
     checked_pose(view.pose);
     require_image(view.subImage, session);
-    const auto* depth = chained<const XrCompositionLayerDepthInfoKHR>(view.next);
-    if (depth == nullptr || !session.instance().enabled(Extension::layer_depth)) continue;
-    require(depth->minDepth >= 0.0F && depth->maxDepth <= 1.0F && depth->minDepth <= depth->maxDepth,
-            XR_ERROR_VALIDATION_FAILURE, "minDepth and maxDepth are from 0 to 1");
-    require_image(depth->subImage, session);
   }
 }
 

@@ -13,12 +13,9 @@ using mock::text_in;
 
 // Errors that a mistake of the application causes: the playback finds it in the calls themselves.
 constexpr XrResult mistakes[] = {
-    XR_ERROR_VALIDATION_FAILURE,          XR_ERROR_HANDLE_INVALID,         XR_ERROR_SIZE_INSUFFICIENT,
-    XR_ERROR_CALL_ORDER_INVALID,          XR_ERROR_SESSION_RUNNING,        XR_ERROR_SESSION_NOT_RUNNING,
-    XR_ERROR_SESSION_NOT_READY,           XR_ERROR_SESSION_NOT_STOPPING,   XR_ERROR_PATH_INVALID,
-    XR_ERROR_PATH_FORMAT_INVALID,         XR_ERROR_NAME_DUPLICATED,        XR_ERROR_NAME_INVALID,
-    XR_ERROR_LOCALIZED_NAME_DUPLICATED,   XR_ERROR_LOCALIZED_NAME_INVALID, XR_ERROR_ACTIONSET_NOT_ATTACHED,
-    XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, XR_ERROR_ACTION_TYPE_MISMATCH,   XR_ERROR_POSE_INVALID};
+    XR_ERROR_VALIDATION_FAILURE, XR_ERROR_HANDLE_INVALID,       XR_ERROR_SIZE_INSUFFICIENT,
+    XR_ERROR_CALL_ORDER_INVALID, XR_ERROR_SESSION_RUNNING,      XR_ERROR_SESSION_NOT_RUNNING,
+    XR_ERROR_SESSION_NOT_READY,  XR_ERROR_SESSION_NOT_STOPPING, XR_ERROR_POSE_INVALID};
 
 }  // namespace
 
@@ -58,6 +55,7 @@ void Capture::called(const char* function, std::uint64_t session, XrResult resul
   const std::uint64_t call = ++calls_[{session, function}];
   if (XR_SUCCEEDED(result) || std::find(std::begin(mistakes), std::end(mistakes), result) != std::end(mistakes)) return;
   note(array_of("failed", session, function, call, result));
+  write();
 }
 
 void Capture::system_properties(XrResult, XrInstance, XrSystemId, const XrSystemProperties* properties) {

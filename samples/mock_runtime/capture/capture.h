@@ -65,9 +65,6 @@ class Capture {
   /// Opens the file, unless it is open. Throws std::system_error.
   void open(const std::string& path);
   void instance_created(XrInstance instance, const XrInstanceCreateInfo& info);
-  /// Closes the file. Nothing is noted later.
-  void close() { file_.reset(); }
-
   /// The session that a call belongs to, from 1: the one that exists, or else the next.
   std::uint64_t session_of_call();
 

@@ -20,17 +20,6 @@ Capture& capture() {
   return the_capture;
 }
 
-// At the end of a process that did not destroy its instance; not if the runtime still makes it.
-struct AtExit {
-  AtExit() = default;
-  AtExit(const AtExit&) = delete;
-  AtExit& operator=(const AtExit&) = delete;
-  ~AtExit() {
-    const std::unique_lock lock(capture().mutex, std::try_to_lock);
-    if (lock) capture().close();
-  }
-} at_exit;
-
 template <typename Function>
 struct Wrapper;
 

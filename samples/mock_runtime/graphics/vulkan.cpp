@@ -34,26 +34,21 @@ void check_vulkan(VkResult result, const char* what) {
 
 struct VulkanFormat {
   VkFormat format;
-  VkImageAspectFlags aspects;
-  PixelKind kind;  // of colours
+  PixelKind kind;
 };
-constexpr VkImageAspectFlags depth_aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
-constexpr VkImageAspectFlags depth_stencil = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+constexpr VkImageLayout attachment_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 constexpr std::array vulkan_formats{
-    VulkanFormat{VK_FORMAT_R8G8B8A8_SRGB, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::rgba_srgb},
-    VulkanFormat{VK_FORMAT_B8G8R8A8_SRGB, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::bgra_srgb},
-    VulkanFormat{VK_FORMAT_R16G16B16A16_SFLOAT, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::half_linear},
-    VulkanFormat{VK_FORMAT_R8G8B8A8_UNORM, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::rgba_linear},
-    VulkanFormat{VK_FORMAT_B8G8R8A8_UNORM, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::bgra_linear},
-    VulkanFormat{VK_FORMAT_D32_SFLOAT, depth_aspect, {}},
-    VulkanFormat{VK_FORMAT_D16_UNORM, depth_aspect, {}},
-    VulkanFormat{VK_FORMAT_D24_UNORM_S8_UINT, depth_stencil, {}},
-    VulkanFormat{VK_FORMAT_D32_SFLOAT_S8_UINT, depth_stencil, {}},
+    VulkanFormat{VK_FORMAT_R8G8B8A8_SRGB, PixelKind::rgba_srgb},
+    VulkanFormat{VK_FORMAT_B8G8R8A8_SRGB, PixelKind::bgra_srgb},
+    VulkanFormat{VK_FORMAT_R16G16B16A16_SFLOAT, PixelKind::half_linear},
+    VulkanFormat{VK_FORMAT_R8G8B8A8_UNORM, PixelKind::rgba_linear},
+    VulkanFormat{VK_FORMAT_B8G8R8A8_UNORM, PixelKind::bgra_linear},
 };
 
-const VulkanFormat& format_of(std::int64_t format) {
-  return *std::find_if(vulkan_formats.begin(), vulkan_formats.end(),
-                       [&](const VulkanFormat& each) { return each.format == format; });
+PixelKind kind_of(std::int64_t format) {
+  return std::find_if(vulkan_formats.begin(), vulkan_formats.end(),
+                      [&](const VulkanFormat& each) { return each.format == format; })
+      ->kind;
 }
 
 VkImageUsageFlags usage_of(XrSwapchainUsageFlags flags) {
@@ -99,10 +94,8 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
     for (const VulkanFormat& each : vulkan_formats) {
       VkFormatProperties properties{};
       vk.vkGetPhysicalDeviceFormatProperties(physical_, each.format, &properties);
-      const VkFormatFeatureFlags needed = each.aspects == VK_IMAGE_ASPECT_COLOR_BIT
-                                              ? VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT
-                                              : VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT;
-      if ((properties.optimalTilingFeatures & needed) != 0) found.push_back(each.format);
+      if ((properties.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) != 0)
+        found.push_back(each.format);
     }
     return found;
   }
@@ -196,11 +189,7 @@ using DeviceBuffer = Resource<VkBuffer, VkBufferCreateInfo, &VulkanFunctions::vk
 class VulkanImages : public SwapchainImages {
  public:
   VulkanImages(std::shared_ptr<const VulkanDevice> device, const VkImageCreateInfo& info, std::uint32_t count)
-      : device_(std::move(device)),
-        info_(info),
-        format_(format_of(info.format)),
-        layout_(format_.aspects == VK_IMAGE_ASPECT_COLOR_BIT ? VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL
-                                                             : VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL) {
+      : device_(std::move(device)), info_(info), kind_(kind_of(info.format)) {
     for (std::uint32_t i = 0; i < count; ++i) images_.push_back(std::make_unique<DeviceImage>(device_, info_, 0));
   }
   ~VulkanImages() override { device_->vk.vkDeviceWaitIdle(device_->handle()); }
@@ -213,9 +202,9 @@ class VulkanImages : public SwapchainImages {
   }
 
   void prepare(std::uint32_t index) override {
-    const VkImageSubresourceRange all{format_.aspects, 0, info_.mipLevels, 0, info_.arrayLayers};
+    const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, info_.mipLevels, 0, info_.arrayLayers};
     device_->run([&](VkCommandBuffer buffer) {
-      device_->barrier(buffer, images_[index]->handle, all, VK_IMAGE_LAYOUT_UNDEFINED, layout_);
+      device_->barrier(buffer, images_[index]->handle, all, VK_IMAGE_LAYOUT_UNDEFINED, attachment_layout);
     });
   }
 
@@ -223,33 +212,32 @@ class VulkanImages : public SwapchainImages {
     Picture picture(static_cast<std::uint32_t>(part.extent.width), static_cast<std::uint32_t>(part.extent.height));
     const std::size_t pixels = std::size_t{picture.width} * picture.height;
     VkBufferCreateInfo needed{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
-    needed.size = pixels * bytes_of(format_.kind);
+    needed.size = pixels * bytes_of(kind_);
     needed.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     const DeviceBuffer buffer(device_, needed,
                               VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
     const VkImage image = images_[index]->handle;
     device_->run([&](VkCommandBuffer commands) {
       const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
-      device_->barrier(commands, image, range, layout_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+      device_->barrier(commands, image, range, attachment_layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
       VkBufferImageCopy copy{};
       copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1};
       copy.imageOffset = {part.offset.x, part.offset.y, 0};
       copy.imageExtent = {picture.width, picture.height, 1};
       device_->vk.vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle, 1,
                                          &copy);
-      device_->barrier(commands, image, range, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout_);
+      device_->barrier(commands, image, range, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, attachment_layout);
     });
     void* read = nullptr;
     check_vulkan(device_->vk.vkMapMemory(device_->handle(), buffer.memory, 0, VK_WHOLE_SIZE, 0, &read), "vkMapMemory");
-    convert_pixels(format_.kind, static_cast<const std::uint8_t*>(read), pixels, picture.rgba.data());
+    convert_pixels(kind_, static_cast<const std::uint8_t*>(read), pixels, picture.rgba.data());
     return picture;
   }
 
  private:
   std::shared_ptr<const VulkanDevice> device_;
   VkImageCreateInfo info_;
-  const VulkanFormat& format_;
-  VkImageLayout layout_;
+  PixelKind kind_;
   std::vector<std::unique_ptr<DeviceImage>> images_;
 };
 
@@ -263,9 +251,7 @@ std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCr
   image.arrayLayers = info.arraySize;
   image.samples = VK_SAMPLE_COUNT_1_BIT;
   // In the layout of an attachment, whatever the application does with it.
-  image.usage = usage_of(info.usageFlags) | (format_of(info.format).aspects == VK_IMAGE_ASPECT_COLOR_BIT
-                                                 ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
-                                                 : VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+  image.usage = usage_of(info.usageFlags) | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
   VkImageFormatProperties limits{};
   const VkResult possible = vk.vkGetPhysicalDeviceImageFormatProperties(
       physical_, image.format, image.imageType, image.tiling, image.usage, image.flags, &limits);

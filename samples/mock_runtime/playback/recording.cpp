@@ -219,13 +219,6 @@ CallFault read_failure(Fields& fields) {
 // What a record of a session adds, by its kind.
 using Reader = void (*)(Fields& fields, RecordedSession& in, const Recording& names);
 
-// A time and what was given then.
-template <auto stream, auto read>
-void timed(Fields& fields, RecordedSession& in, const Recording&) {
-  const auto time = fields.whole<XrTime>();
-  (in.*stream).emplace(time, read(fields));
-}
-
 // A time, of what, and what was given then.
 template <auto streams, auto read_key, auto read>
 void keyed(Fields& fields, RecordedSession& in, const Recording& names) {
@@ -264,7 +257,11 @@ constexpr std::pair<std::string_view, Reader> session_readers[] = {
        event.buffer = *buffer;
        in.events.push_back(event);
      }},
-    {"plate", timed<&RecordedSession::plate_deg, [](Fields& fields) { return fields.real(); }>},
+    {"plate",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       const auto time = fields.whole<XrTime>();
+       in.plate_deg.emplace(time, fields.real());
+     }},
     {"joints", keyed<&RecordedSession::joints, hand_and_space, read_joints>},
     {"located", keyed<&RecordedSession::locations, two_spaces, read_location>},
     {"views", keyed<&RecordedSession::views, read_space, read_views>},

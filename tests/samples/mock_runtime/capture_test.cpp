@@ -217,21 +217,18 @@ TEST_F(MockCapture, WhatIsNoCaptureIsRefusedByName) {
   };
   for (const std::size_t size : {whole.size() / 2, whole.size() - 5, std::size_t{100}})
     expect_refused(whole.substr(0, size), "parse error");
-  const auto with = [](const std::string& records) {
-    return R"({"playback": {"version": 1, "records": [)" + records + "]}}";
-  };
-  expect_refused(with(R"(["dance", 1])"), "records[0] is a record of no known kind");
-  expect_refused(with(R"(["frame", 1, 5, 6, true], ["frame", 1, 5])"), "records[1] has too few fields");
-  expect_refused(with(R"(["frame", 1, 5, 6, true, 9])"), "records[0] has too many fields");
-  expect_refused(with(R"(["frame", 0, 5, 6, true])"), "records[0] has no number of a session");
-  expect_refused(with(R"(["frame", 1, 5.5, 6, true])"), "records[0][2] must be a whole number");
-  expect_refused(with(R"(["joints", 1, 5, 1, 0, false, 0])"), "names a space before there is one");
-  expect_refused(with(R"(["plate", 1, 5, "12"])"), "records[0][3] must be a number");
-  expect_refused(with(R"(["failed", 1, "xrDance", 1, -2])"), "names a function that this runtime does not have");
-  expect_refused(with("7"), "script.playback.records[0] must be an array");
-  expect_refused(R"({"playback": {"version": 2, "records": []}})",
-                 "script.playback.version must be a whole number from 1 to 1");
-  expect_refused(R"({"seed": 3, "playback": {"version": 1, "records": []}})", "takes the place of seed");
+  for (const auto& [records, place] : {std::pair{R"(["dance", 1])", "records[0]"},
+                                       {R"(["frame", 1, 5, 6, true], ["frame", 1, 5])", "records[1]"},
+                                       {R"(["frame", 1, 5, 6, true, 9])", "records[0]"},
+                                       {R"(["frame", 0, 5, 6, true])", "records[0]"},
+                                       {R"(["frame", 1, 5.5, 6, true])", "records[0][2]"},
+                                       {R"(["joints", 1, 5, 1, 0, false, 0])", "records[0]"},
+                                       {R"(["plate", 1, 5, "12"])", "records[0][3]"},
+                                       {R"(["failed", 1, "xrDance", 1, -2])", "records[0]"},
+                                       {"7", "records[0]"}})
+    expect_refused(R"({"playback": {"version": 1, "records": [)" + std::string(records) + "]}}", place);
+  expect_refused(R"({"playback": {"version": 2, "records": []}})", "script.playback.version");
+  expect_refused(R"({"seed": 3, "playback": {"version": 1, "records": []}})", "script.playback");
 }
 
 // Faults can be added to what was captured.

@@ -50,7 +50,7 @@ class MockErrors : public MockNegotiation {
     local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
     hand = create_hand_tracker();
     set = Application::make_set("set");
-    ASSERT_XR(XR_SUCCESS, make_action("act", "Act", XR_ACTION_TYPE_BOOLEAN_INPUT, &action));
+    ASSERT_XR(XR_SUCCESS, make_action("set", "set", XR_ACTION_TYPE_BOOLEAN_INPUT, &action));
   }
 
   XrResult make_action(const char* name, const char* localized, XrActionType type, XrAction* made,
@@ -142,7 +142,10 @@ TEST_F(MockErrors, OfInstances) {
   std::ofstream(folder / "script.json") << good;
   ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
   create_instance();
+}
 
+TEST_F(MockErrors, OfSystemsAndViews) {
+  std::uint32_t count = 0;
   const auto none = static_cast<XrSystemId>(99);
   const auto odd = static_cast<XrViewConfigurationType>(12345);
   REFUSED_INFO(FORM_FACTOR_UNSUPPORTED, xrGetSystem, instance,
@@ -169,6 +172,10 @@ TEST_F(MockErrors, OfInstances) {
   VkPhysicalDevice device = nullptr;
   const XrVulkanGraphicsDeviceGetInfoKHR early{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR, nullptr, 1, nullptr};
   REFUSED(VALIDATION_FAILURE, xrGetVulkanGraphicsDevice2KHR, instance, &early, &device);
+}
+
+TEST_F(MockErrors, OfTimesAndPaths) {
+  std::uint32_t count = 0;
   const timespec before{-1, 0};
   timespec back{};
   XrTime time = 0;
@@ -184,15 +191,23 @@ TEST_F(MockErrors, OfInstances) {
   REFUSED(PATH_INVALID, xrPathToString, instance, 12345, 0, &count, nullptr);
   REFUSED(SIZE_INSUFFICIENT, xrPathToString, instance, path("/user/hand/left"), 4, &count, text);
   REFUSED(VALIDATION_FAILURE, xrPathToString, instance, path("/user/hand/left"), 0, nullptr, nullptr);
-  EXPECT_XR(XR_SUCCESS, make_set("taken", "Taken"));
-  EXPECT_XR(XR_ERROR_NAME_DUPLICATED, make_set("taken", "Other"));
-  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_DUPLICATED, make_set("other", "Taken"));
-  EXPECT_XR(XR_ERROR_NAME_INVALID, make_set("", "Other"));
-  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_INVALID, make_set("other", ""));
-  EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID, make_set("Other!", "Other"));
 }
 
-TEST_F(MockErrors, OfSessions) {
+// Of action sets and of actions.
+TEST_F(MockErrors, OfNames) {
+  create_session();
+  XrAction made = XR_NULL_HANDLE;
+  for (const auto& [name, localized, code] : {std::tuple{"set", "Other", XR_ERROR_NAME_DUPLICATED},
+                                              {"other", "set", XR_ERROR_LOCALIZED_NAME_DUPLICATED},
+                                              {"", "Other", XR_ERROR_NAME_INVALID},
+                                              {"other", "", XR_ERROR_LOCALIZED_NAME_INVALID},
+                                              {"Other!", "Other", XR_ERROR_PATH_FORMAT_INVALID}}) {
+    EXPECT_XR(code, make_set(name, localized)) << name;
+    EXPECT_XR(code, make_action(name, localized, XR_ACTION_TYPE_BOOLEAN_INPUT, &made)) << name;
+  }
+}
+
+TEST_F(MockErrors, OfSessionsAndSpaces) {
   create_session();
   std::uint32_t count = 0;
   REFUSED_INFO(LIMIT_REACHED, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1});
@@ -237,9 +252,12 @@ TEST_F(MockErrors, OfSessions) {
   const XrHandJointsLocateInfoEXT joint_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 0};
   REFUSED(TIME_INVALID, xrLocateHandJointsEXT, hand, &joint_info, &located_joints);
   REFUSED_INFO(SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain, session, {XR_TYPE_SWAPCHAIN_CREATE_INFO});
+}
+
+TEST_F(MockErrors, OfFrames) {
+  create_session();
   XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
   REFUSED(SESSION_NOT_RUNNING, xrEndFrame, session, &end);
-
   focus();
   REFUSED(VALIDATION_FAILURE, xrBeginSession, session, nullptr);
   const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr, stereo};
@@ -260,7 +278,19 @@ TEST_F(MockErrors, OfSessions) {
   end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_ADDITIVE;
   REFUSED(ENVIRONMENT_BLEND_MODE_UNSUPPORTED, xrEndFrame, session, &end);
   end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
-  end.layerCount = 1;
+  EXPECT_XR(XR_SUCCESS, XR(xrEndFrame)(session, &end)) << "what was refused has not ended the frame";
+  XR(xrRequestExitSession)(session);
+  XR(xrEndSession)(session);
+  REFUSED(SESSION_NOT_READY, xrBeginSession, session, &twice);  // EXITING
+}
+
+TEST_F(MockErrors, OfLayers) {
+  create_session();
+  focus();
+  XrFrameState frame{XR_TYPE_FRAME_STATE};
+  XR(xrWaitFrame)(session, nullptr, &frame);
+  XR(xrBeginFrame)(session, nullptr);
+  XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 1, nullptr};
   REFUSED(LAYER_INVALID, xrEndFrame, session, &end);
   XrCompositionLayerProjection layer{XR_TYPE_FRAME_STATE};
   std::array<const XrCompositionLayerBaseHeader*, XR_MIN_COMPOSITION_LAYERS_SUPPORTED + 1> layers{};
@@ -274,12 +304,11 @@ TEST_F(MockErrors, OfSessions) {
   end.layerCount = layers.size();
   REFUSED(LAYER_LIMIT_EXCEEDED, xrEndFrame, session, &end);
   --end.layerCount;
-  EXPECT_XR(XR_SUCCESS, XR(xrEndFrame)(session, &end)) << "what was refused has not ended the frame";
-  XR(xrRequestExitSession)(session);
-  XR(xrEndSession)(session);
-  REFUSED(SESSION_NOT_READY, xrBeginSession, session, &twice);  // EXITING
+  EXPECT_XR(XR_SUCCESS, XR(xrEndFrame)(session, &end));
+}
 
-  // The plate.
+TEST_F(MockErrors, OfThePlate) {
+  create_session();
   XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, local, {}, 0.075};
   XrReachInstructionHRTX instruction{XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, 5.0, 0.1};
   REFUSED(CALL_ORDER_INVALID, xrInstructReachHRTX, session, &instruction);
@@ -291,59 +320,26 @@ TEST_F(MockErrors, OfSessions) {
   REFUSED(VALIDATION_FAILURE, xrSetPlateOrientationHRTX, session, 1e9);
 }
 
-TEST_F(MockErrors, OfActions) {
-  create_session();
-  std::uint32_t count = 0;
-  const XrPath left = path("/user/hand/left"), right = path("/user/hand/right"), chest = path("/user/chest");
-  const auto never = static_cast<XrPath>(12345);
-  XrAction made = XR_NULL_HANDLE;
-  const auto make = [&](const char* name, const char* localized, const std::vector<XrPath>& subactions = {}) {
-    return make_action(name, localized, XR_ACTION_TYPE_BOOLEAN_INPUT, &made, subactions);
-  };
-  EXPECT_XR(XR_ERROR_NAME_DUPLICATED, make("act", "Other"));
-  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_DUPLICATED, make("other", "Act"));
-  EXPECT_XR(XR_ERROR_NAME_INVALID, make("", "Other"));
-  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_INVALID, make("other", ""));
-  EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID, make("Other!", "Other"));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, make("other", "Other", {chest}));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, make("other", "Other", {left, left}));
-  EXPECT_XR(XR_ERROR_PATH_INVALID, make("other", "Other", {never}));
-  EXPECT_XR(XR_ERROR_PATH_INVALID, make("other", "Other", {XR_NULL_PATH}));
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, make_action("other", "Other", static_cast<XrActionType>(77), &made));
-  XrAction button = XR_NULL_HANDLE, pose = XR_NULL_HANDLE, shake = XR_NULL_HANDLE;
-  ASSERT_XR(XR_SUCCESS, make_action("button", "Button", XR_ACTION_TYPE_BOOLEAN_INPUT, &button, {left, right}));
-  ASSERT_XR(XR_SUCCESS, make_action("pose", "Pose", XR_ACTION_TYPE_POSE_INPUT, &pose, {left, right}));
-  ASSERT_XR(XR_SUCCESS, make_action("shake", "Shake", XR_ACTION_TYPE_VIBRATION_OUTPUT, &shake, {left, right}));
-  const auto suggest = [&](XrPath profile, XrPath source) {
-    const XrActionSuggestedBinding bindings[]{{button, source}, {button, path("/user/hand/right/input/menu/click")}};
-    const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, profile, 2,
-                                                    bindings};
+class MockActionErrors : public MockErrors {
+ protected:
+  void SetUp() override {
+    MockErrors::SetUp();
+    create_session();
+    left = path("/user/hand/left");
+    chest = path("/user/chest");
+    simple = path("/interaction_profiles/khr/simple_controller");
+    select = path("/user/hand/left/input/select/click");
+    ASSERT_XR(XR_SUCCESS, make_action("button", "Button", XR_ACTION_TYPE_BOOLEAN_INPUT, &button, {left}));
+    ASSERT_XR(XR_SUCCESS, make_action("pose", "Pose", XR_ACTION_TYPE_POSE_INPUT, &pose, {left}));
+  }
+  XrResult suggest(XrPath profile, XrPath source) {
+    const XrActionSuggestedBinding binding{button, source};
+    const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, profile, 1,
+                                                    &binding};
     return XR(xrSuggestInteractionProfileBindings)(instance, &info);
-  };
-  const XrPath simple = path("/interaction_profiles/khr/simple_controller");
-  const XrPath select = path("/user/hand/left/input/select/click");
-  EXPECT_XR(XR_ERROR_PATH_INVALID, suggest(never, select));
-  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(chest, select));
-  for (const char* bad : {"/user/hand/left", "/user/hand/right/input", "/user/hand/left/input/trigger/value",
-                          "/user/head/input/select/click", "/user/hand/right/input/select/click/invalid"})
-    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(simple, path(bad))) << bad;
-  EXPECT_XR(XR_SUCCESS, suggest(simple, select));
-
-  XrActionSpaceCreateInfo space_info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, button, XR_NULL_PATH, identity_pose};
-  REFUSED_INFO(ACTION_TYPE_MISMATCH, xrCreateActionSpace, session, space_info);
-  space_info.action = pose;
-  space_info.subactionPath = never;
-  REFUSED_INFO(PATH_INVALID, xrCreateActionSpace, session, space_info);
-  space_info.subactionPath = chest;
-  REFUSED_INFO(PATH_UNSUPPORTED, xrCreateActionSpace, session, space_info);
-  space_info.subactionPath = left;
-  space_info.poseInActionSpace = {};
-  REFUSED_INFO(POSE_INVALID, xrCreateActionSpace, session, space_info);
-
-  XrActiveActionSet active{set, XR_NULL_PATH};
-  const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
-  // A mismatch is none for the action's own type.
-  const auto states = [&](XrAction of, XrPath subaction, XrResult refused) {
+  }
+  // Of all that reads or vibrates an action. A mismatch is none for the action's own type.
+  void expect_refused(XrAction of, XrPath subaction, XrResult refused) {
     const auto expected = [&](bool own) {
       return own && refused == XR_ERROR_ACTION_TYPE_MISMATCH ? XR_SUCCESS : refused;
     };
@@ -357,40 +353,73 @@ TEST_F(MockErrors, OfActions) {
     EXPECT_XR(refused,
               XR(xrApplyHapticFeedback)(session, &haptic, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)));
     EXPECT_XR(refused, XR(xrStopHapticFeedback)(session, &haptic));
-  };
-  const auto others = [&](XrPath top_level, XrResult of_profile, XrPath source, XrResult of_name) {
+  }
+  void expect_of_paths(XrPath top_level, XrResult of_profile, XrPath source, XrResult of_name) {
     XrInteractionProfileState profile{XR_TYPE_INTERACTION_PROFILE_STATE};
     EXPECT_XR(of_profile, XR(xrGetCurrentInteractionProfile)(session, top_level, &profile));
     const XrInputSourceLocalizedNameGetInfo name{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr, source, 7};
+    std::uint32_t count = 0;
     char text[2];
     EXPECT_XR(of_name, XR(xrGetInputSourceLocalizedName)(session, &name, 2, &count, text));
-    const XrBoundSourcesForActionEnumerateInfo bound{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr, button};
-    XrPath one = XR_NULL_PATH;
-    XR(xrEnumerateBoundSourcesForAction)(session, &bound, 1, &count, &one);
+  }
+
+  static constexpr auto never = static_cast<XrPath>(12345);
+  XrPath left = XR_NULL_PATH, chest = XR_NULL_PATH, simple = XR_NULL_PATH, select = XR_NULL_PATH;
+  XrAction button = XR_NULL_HANDLE, pose = XR_NULL_HANDLE;
+};
+
+TEST_F(MockActionErrors, OfActionsAndBindings) {
+  XrAction made = XR_NULL_HANDLE;
+  const auto make = [&](const std::vector<XrPath>& subactions, XrActionType type = XR_ACTION_TYPE_BOOLEAN_INPUT) {
+    return make_action("other", "Other", type, &made, subactions);
   };
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, make({chest}));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, make({left, left}));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, make({never}));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, make({XR_NULL_PATH}));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, make({}, static_cast<XrActionType>(77)));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, suggest(never, select));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(chest, select));
+  for (const char* bad : {"/user/hand/left", "/user/hand/right/input", "/user/hand/left/input/trigger/value",
+                          "/user/head/input/select/click", "/user/hand/right/input/select/click/invalid"})
+    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(simple, path(bad))) << bad;
+  EXPECT_XR(XR_SUCCESS, suggest(simple, select));
+
+  XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, button, XR_NULL_PATH, identity_pose};
+  REFUSED_INFO(ACTION_TYPE_MISMATCH, xrCreateActionSpace, session, info);
+  info.action = pose;
+  info.subactionPath = never;
+  REFUSED_INFO(PATH_INVALID, xrCreateActionSpace, session, info);
+  info.subactionPath = chest;
+  REFUSED_INFO(PATH_UNSUPPORTED, xrCreateActionSpace, session, info);
+  info.subactionPath = left;
+  info.poseInActionSpace = {};
+  REFUSED_INFO(POSE_INVALID, xrCreateActionSpace, session, info);
+}
+
+TEST_F(MockActionErrors, OfStates) {
+  XrActiveActionSet active{set, XR_NULL_PATH};
+  const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
   REFUSED(ACTIONSET_NOT_ATTACHED, xrSyncActions, session, &sync);  // nothing is attached
-  for (const XrAction of : {button, pose}) states(of, XR_NULL_PATH, XR_ERROR_ACTIONSET_NOT_ATTACHED);
-  others(left, XR_ERROR_ACTIONSET_NOT_ATTACHED, select, XR_ERROR_ACTIONSET_NOT_ATTACHED);
-  const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
-  ASSERT_XR(XR_SUCCESS, XR(xrAttachSessionActionSets)(session, &attach));
-  REFUSED(ACTIONSETS_ALREADY_ATTACHED, xrAttachSessionActionSets, session, &attach);
-  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, make("late", "Late"));
+  for (const XrAction of : {button, pose}) expect_refused(of, XR_NULL_PATH, XR_ERROR_ACTIONSET_NOT_ATTACHED);
+  expect_of_paths(left, XR_ERROR_ACTIONSET_NOT_ATTACHED, select, XR_ERROR_ACTIONSET_NOT_ATTACHED);
+  EXPECT_XR(XR_SUCCESS, attach({set}));
+  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, attach({set}));
+  XrAction late = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, make_action("late", "Late", XR_ACTION_TYPE_POSE_INPUT, &late));
   EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, suggest(simple, select));
   active.subactionPath = never;
   REFUSED(PATH_INVALID, xrSyncActions, session, &sync);
   active.subactionPath = chest;
   REFUSED(PATH_UNSUPPORTED, xrSyncActions, session, &sync);
   for (const XrAction of : {button, pose}) {
-    states(of, XR_NULL_PATH, XR_ERROR_ACTION_TYPE_MISMATCH);
-    states(of, never, XR_ERROR_PATH_INVALID);
-    states(of, chest, XR_ERROR_PATH_UNSUPPORTED);
+    expect_refused(of, XR_NULL_PATH, XR_ERROR_ACTION_TYPE_MISMATCH);
+    expect_refused(of, never, XR_ERROR_PATH_INVALID);
+    expect_refused(of, chest, XR_ERROR_PATH_UNSUPPORTED);
   }
-  focus();
-  active.subactionPath = XR_NULL_PATH;
-  EXPECT_XR(XR_SUCCESS, XR(xrSyncActions)(session, &sync));
-  others(left, XR_SUCCESS, select, XR_ERROR_SIZE_INSUFFICIENT);
-  others(never, XR_ERROR_PATH_INVALID, never, XR_ERROR_PATH_INVALID);
-  others(chest, XR_ERROR_PATH_UNSUPPORTED, chest, XR_ERROR_PATH_UNSUPPORTED);
+  expect_of_paths(left, XR_SUCCESS, select, XR_ERROR_SIZE_INSUFFICIENT);
+  expect_of_paths(never, XR_ERROR_PATH_INVALID, never, XR_ERROR_PATH_INVALID);
+  expect_of_paths(chest, XR_ERROR_PATH_UNSUPPORTED, chest, XR_ERROR_PATH_UNSUPPORTED);
 }
 
 // Handles that do not exist, and missing outputs, in a session that is ready.

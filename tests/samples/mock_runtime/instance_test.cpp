@@ -22,22 +22,6 @@ TEST_F(MockNegotiation, AnswersALoaderOfItsVersion) {
   EXPECT_EQ(request.runtime_api_version, XR_MAKE_VERSION(1, 0, 99));
 }
 
-// "The runtime must return XR_ERROR_API_VERSION_UNSUPPORTED if it does not support the requested API
-// version."
-TEST_F(MockNegotiation, TakesApplicationsForOpenXR10And11) {
-  ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-  for (const XrVersion version : {XR_MAKE_VERSION(1, 0, 0), XR_MAKE_VERSION(1, 0, 99), XR_MAKE_VERSION(1, 1, 40)}) {
-    ASSERT_XR(XR_SUCCESS, create_direct({}, version));
-    PFN_xrVoidFunction locate_spaces = nullptr;
-    EXPECT_XR(XR_VERSION_MINOR(version) == 1 ? XR_SUCCESS : XR_ERROR_FUNCTION_UNSUPPORTED,
-              request.get_instance_proc_addr(instance, "xrLocateSpaces", &locate_spaces));
-    EXPECT_EQ(locate_spaces != nullptr, XR_VERSION_MINOR(version) == 1);
-    destroy_direct();
-  }
-  for (const XrVersion version : {XR_MAKE_VERSION(0, 9, 0), XR_MAKE_VERSION(1, 2, 0), XR_MAKE_VERSION(2, 0, 0)})
-    EXPECT_XR(XR_ERROR_API_VERSION_UNSUPPORTED, create_direct({}, version));
-}
-
 // "When a [parent] handle is destroyed, all its child handles become invalid"; a handle is never used again,
 // nor for an object of another type. errors_test.cpp has null and bogus ones.
 TEST_F(MockInstance, DestroyingASessionDestroysWhatIsBelowIt) {

@@ -63,16 +63,6 @@ TEST_F(MockPlateTerminal, TurnsThePlateAndBendsThePersonsHand) {
   EXPECT_LT(std::abs(truth.perceivedDirection), std::abs(truth.trueDirection));
 }
 
-TEST_F(MockPlateTerminal, OnePlateServesOneProgramAfterTheOther) {
-  begin_with(script());
-  for (const double orientation_deg : {20.0, -20.0}) {
-    open();
-    ASSERT_EQ(hrt_plate_set(plate_, orientation_deg), HRT_OK);
-    EXPECT_TRUE(eventually([&] { return std::abs(true_orientation_deg() - orientation_deg) < 0.2; }));
-    hrt_plate_close(std::exchange(plate_, {}));
-  }
-}
-
 TEST_F(MockPlateTerminal, NothingOfTheUsersIsReplaced) {
   std::ofstream(terminal()) << "thesis";
   apply(script());

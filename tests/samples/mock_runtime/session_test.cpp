@@ -1,16 +1,15 @@
-// The session's states and the frame loop. Above each test stands the sentence that it tests, from the
-// OpenXR specification 1.0 or from XR_MND_headless.
+// The session's states, faults of sessions and calls, and recentring. Above each test stands the sentence that it
+// tests, from the OpenXR specification 1.0 or from XR_MND_headless.
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 #include "tests/samples/mock_runtime/support.h"
 
 namespace hrt::mock {
 namespace {
 
 using MockSession = MockRuntime;
-
-XrResult begin(XrSession session, XrViewConfigurationType type = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO) {
-  const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, type};
-  return xrBeginSession(session, &info);
-}
 
 // "In a headless session, the session state should proceed to XR_SESSION_STATE_READY directly from
 // XR_SESSION_STATE_IDLE." "In a headless session, the session state proceeds to
@@ -19,7 +18,7 @@ XrResult begin(XrSession session, XrViewConfigurationType type = XR_VIEW_CONFIGU
 TEST_F(MockSession, HeadlessStatesProceedWithoutAFrame) {
   create_session();
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
-  ASSERT_XR(XR_SUCCESS, begin(session));
+  focus();
   EXPECT_EQ(all_states(),
             (std::vector{XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}));
 }
@@ -47,6 +46,132 @@ TEST_F(MockSession, UserEndsTheApplicationByScript) {
   EXPECT_EQ(all_states().back(), XR_SESSION_STATE_STOPPING);
   ASSERT_XR(XR_SUCCESS, xrEndSession(session));
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}));
+}
+
+class MockScope : public MockRuntime {
+ protected:
+  XrResult poll() {
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    return xrPollEvent(instance, &event);
+  }
+};
+
+TEST_F(MockScope, EventHappensInItsSessionOnly) {
+  apply(R"({"events": [{"session": 2, "frame": 1, "do": "session_state", "state": "VISIBLE"}]})");
+  for (const int number : {1, 2, 3}) {
+    begin_session();
+    frame();
+    EXPECT_EQ(all_states().size(), number == 2 ? 1U : 0U) << number;
+    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  }
+}
+
+// Calls are counted within the session; between two sessions they belong to the next.
+TEST_F(MockScope, CallFailsInItsSessionOnly) {
+  apply(R"({"calls": [{"session": 2, "function": "xrPollEvent", "call": 2, "count": 2,
+                       "result": "XR_ERROR_RUNTIME_FAILURE"}]})");
+  EXPECT_XR(XR_EVENT_UNAVAILABLE, poll());
+  create_session();
+  for (int i = 0; i < 3; ++i) EXPECT_GE(poll(), XR_SUCCESS);
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  EXPECT_XR(XR_EVENT_UNAVAILABLE, poll());
+  create_session();
+  for (int i = 0; i < 2; ++i) EXPECT_XR(XR_ERROR_RUNTIME_FAILURE, poll());
+  EXPECT_GE(poll(), XR_SUCCESS);
+}
+
+// Other calls proceed meanwhile.
+TEST_F(MockScope, BlockedCallNeverReturns) {
+  apply(R"({"calls": [{"function": "xrPollEvent", "call": 2, "block": true}]})");
+  EXPECT_XR(XR_EVENT_UNAVAILABLE, poll());
+  static std::atomic<bool> returned = false;
+  std::thread([blocked = instance] {
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    xrPollEvent(blocked, &event);
+    returned = true;
+  }).detach();
+  while (call_log().back().result != XR_TIMEOUT_EXPIRED) std::this_thread::yield();
+  EXPECT_STREQ(call_log().back().reason, "the script blocks this call");
+  EXPECT_XR(XR_EVENT_UNAVAILABLE, poll());
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_FALSE(returned);
+}
+
+// A user who recentres: "XrEventDataReferenceSpaceChangePending [...] indicates that the origin (and perhaps
+// the bounds) of a reference space is changing [...] as of changeTime".
+class MockRecenter : public MockRuntime {
+ protected:
+  void begin_with(const char* script) {
+    MockRuntime::begin_with(script);
+    stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
+  }
+  auto next_change() {
+    return next_event<XrEventDataReferenceSpaceChangePending>(XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING);
+  }
+  XrPosef place(XrSpace space, XrSpace base, XrTime time) { return located(space, base, time).pose; }
+
+  XrSpace stage = XR_NULL_HANDLE;
+};
+
+// By hand: LOCAL is 1.2 m above STAGE. Its new origin is 0.5 m ahead of the old one, turned left by 90
+// degrees: what is ahead of the old origin is to the right of the new one.
+TEST_F(MockRecenter, LocalMovesFromTheChangeTimeOnAndTheRoomDoesNot) {
+  begin_with(R"({"events": [{"frame": 2, "do": "recenter", "position_m": [0, 0, -0.5], "yaw_deg": 90,
+                             "delay_ms": 100}],
+                 "hands": {"right": {"path": [{"time_ms": 0, "position_m": [0, -0.4, -0.75]}]}}})");
+  const XrTime before = frame();
+  EXPECT_FALSE(next_change().has_value());
+  const XrTime second = frame();
+  const auto change = next_change();
+  ASSERT_TRUE(change.has_value());
+  EXPECT_EQ(change->session, session);
+  EXPECT_EQ(change->referenceSpaceType, XR_REFERENCE_SPACE_TYPE_LOCAL);
+  EXPECT_EQ(change->changeTime, second - 11'111'111 + 100'000'000);
+  ASSERT_EQ(change->poseValid, static_cast<XrBool32>(XR_TRUE));
+  EXPECT_FLOAT_EQ(change->poseInPreviousSpace.position.z, -0.5F);
+  EXPECT_NEAR(change->poseInPreviousSpace.orientation.y, 0.70710678F, 1e-6F);
+  EXPECT_FALSE(next_change().has_value());  // LOCAL_FLOOR is of OpenXR 1.1
+
+  const XrTime after = change->changeTime;
+  for (const XrTime early : {before, second, after - 1})
+    EXPECT_NEAR(place(local, stage, early).position.z, 0.0F, 1e-6F);
+  EXPECT_NEAR(place(local, stage, after).position.z, -0.5F, 1e-6F);
+  EXPECT_NEAR(place(local, stage, after).position.y, 1.2F, 1e-6F);
+  EXPECT_NEAR(locate_hand(hand, stage, after).index_tip().z, -0.75F, 1e-6F);
+  const Hand in_local = locate_hand(hand, local, after);
+  EXPECT_NEAR(in_local.index_tip().x, 0.25F, 1e-6F);
+  EXPECT_NEAR(in_local.index_tip().y, -0.4F, 1e-6F);
+  EXPECT_NEAR(in_local.index_tip().z, 0.0F, 1e-6F);
+}
+
+TEST_F(MockRecenter, StageMovesAndThePoseMayBeWithheld) {
+  begin_with(R"({"events": [{"frame": 1, "do": "recenter", "space": "STAGE", "position_m": [1, 0, 0],
+                             "pose_valid": false}]})");
+  const XrTime time = frame();
+  const auto change = next_change();
+  ASSERT_TRUE(change.has_value());
+  EXPECT_EQ(change->referenceSpaceType, XR_REFERENCE_SPACE_TYPE_STAGE);
+  EXPECT_EQ(change->poseValid, static_cast<XrBool32>(XR_FALSE));
+  EXPECT_FLOAT_EQ(change->poseInPreviousSpace.orientation.w, 1.0F);
+  EXPECT_NEAR(place(local, stage, time).position.x, -1.0F, 1e-6F);
+}
+
+// The second is relative to the first.
+TEST_F(MockRecenter, RecentringsAddUp) {
+  begin_with(R"({"events": [{"frame": 1, "do": "recenter", "yaw_deg": 90},
+                            {"frame": 2, "do": "recenter", "position_m": [0, 0, -1]}]})");
+  frame();
+  const XrPosef pose = place(local, stage, frame());
+  EXPECT_NEAR(pose.position.x, -1.0F, 1e-6F);
+  EXPECT_NEAR(pose.position.z, 0.0F, 1e-6F);
+}
+
+// An event may not name a session that no longer exists.
+TEST_F(MockRecenter, EventGoesWithItsSession) {
+  begin_with(R"({"events": [{"frame": 1, "do": "recenter"}]})");
+  frame();
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  EXPECT_FALSE(next_change().has_value());
 }
 
 }  // namespace

@@ -86,8 +86,10 @@ TEST_F(MockVersion, PromotedProfilesHaveTheirSources) {
 }
 
 // What OpenXR 1.1 adds is unknown to an application for 1.0.
-TEST_F(MockVersion, ProfilesAreThoseOfTheVersion) {
-  create(XR_MAKE_VERSION(1, 0, 0));
+TEST_F(MockVersion, FunctionsAndProfilesAreThoseOfTheVersion) {
+  create(XR_MAKE_VERSION(1, 0, 99));
+  PFN_xrVoidFunction locate_spaces = nullptr;
+  EXPECT_XR(XR_ERROR_FUNCTION_UNSUPPORTED, request.get_instance_proc_addr(instance, "xrLocateSpaces", &locate_spaces));
   EXPECT_XR(XR_SUCCESS, suggest("oculus/touch_controller", "right/input/thumbrest/touch"));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("oculus/touch_controller", "left/input/trigger/proximity"));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("hp/mixed_reality_controller", "left/input/x/click"));
