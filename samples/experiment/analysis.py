@@ -1,4 +1,4 @@
-"""The registered tests of a study, for `analyse` and `power`. Needs python3-pandas, python3-scipy and, for mixed models, r-cran-lmertest."""
+"""The registered tests of a study, for `analyse` and `power`. Needs python3-statsmodels and, for mixed models, r-cran-lmertest."""
 import io
 import json
 import math
@@ -10,8 +10,10 @@ import numpy
 import pandas
 import scipy.optimize
 import scipy.stats
+from statsmodels.stats.oneway import anova_oneway
 
 FLIPS = 20_000  # of signs: all of them for up to 14 people
+LAPSES = 0.02  # of the psychometric function
 
 
 # Columns of text, whatever it looks like.
@@ -24,7 +26,7 @@ def read_study(file):
 
 def read_table(file):
     """A table of hrt-experiment export. Names such as "NA", "null", "0" and "True" are text; what is not known is nan."""
-    names = NAMES + (["answer"] if file.name == "trials.csv" else [])
+    names = NAMES + (["answer"] if file.name in ("trials.csv", "questionnaires.csv") else [])
     return pandas.read_csv(file, encoding="utf-8", dtype={name: str for name in names}, keep_default_na=False, na_values=[""])
 
 
@@ -166,15 +168,55 @@ def registered_p(plan):
     return plan["test"] if plan.get("hypothesis", "difference") == "difference" else "equivalence"
 
 
+def contrasts(means, plan):
+    """What is tested of each condition, by participant: its difference from the reference, or the outcome that is to be below the margin."""
+    if plan.get("hypothesis") == "below_margin":
+        return {condition: means[condition].dropna() for condition in means}
+    return {condition: (means[condition] - means[plan["reference"]]).dropna() for condition in means.columns.drop(plan["reference"])}
+
+
+def by_level(trials, plan):
+    """Of each contrast, and of the mean of all conditions: the mean at each level between participants, and p of equal means (Welch's test)."""
+    means, levels = outcomes(trials, plan), trials.groupby("participant")["level"].first()
+    rows = {}
+    for name, values in {"mean of all": means.mean(axis=1, skipna=False).dropna(), **contrasts(means, plan)}.items():
+        of = levels[values.index]
+        enough = of.nunique() > 1 and of.value_counts().min() > 1
+        rows[name] = {**values.groupby(of).mean(), "p": anova_oneway(values, of, use_var="unequal").pvalue if enough else math.nan}
+    rows = pandas.DataFrame(rows).T
+    return rows.assign(holm=pandas.Series(holm(rows.p.to_dict()), dtype=float))
+
+
+def excluded(study, trials):
+    """Whom the design's rules leave out of the analysis: the reason, by participant."""
+    rules = {"max_missing_share": 0.2, "max_false_alarms": 1.0, **study.get("exclusions", {})}
+    reaches = trials[trials.kind == "reaches"]
+    asked = reaches[(reaches.is_catch == 1) & reaches.answer.notna()]
+    shares = {"max_missing_share": (reaches.end != "counted").groupby(reaches.participant).mean(),
+              "max_false_alarms": (asked.answer == registered(study)["noticed"]).groupby(asked.participant).mean()}
+    return pandas.concat([of[of > rules[rule]].map(lambda share, rule=rule: f"{share:.0%}, above {rule}") for rule, of in shares.items()]
+                         ).groupby(level=0).agg("; ".join)
+
+
+def psychometric(trials):
+    """Threshold (the Weibull's scale) and slope of right answers by the delivered bend, of all participants together, by maximum likelihood, and p of
+    the fit: Pearson's chi-squared over sixths of the bends."""
+    asked = trials[trials.is_right.notna() & (trials.bend_deg > 0)]
+    share = lambda x, bend: 0.5 + (0.5 - LAPSES) * (1 - numpy.exp(-((bend / numpy.exp(x[0])) ** numpy.exp(x[1]))))
+    loss = lambda x: -scipy.stats.bernoulli.logpmf(asked.is_right, share(x, asked.bend_deg)).sum()
+    x = scipy.optimize.minimize(loss, (math.log(asked.bend_deg.median()), math.log(2)), method="Nelder-Mead").x
+    groups = asked.assign(expected=share(x, asked.bend_deg)).groupby(pandas.qcut(asked.bend_deg, 6, duplicates="drop"))
+    table = groups.agg(bend_deg=("bend_deg", "mean"), right=("is_right", "mean"), expected=("expected", "mean"), answers=("is_right", "size"))
+    spread = table.expected * (1 - table.expected) / table.answers
+    fit = scipy.stats.chi2.sf(((table.right - table.expected) ** 2 / spread).sum(), len(table) - 2) if len(table) > 2 else math.nan
+    return numpy.exp(x), fit, table, lambda bend: share(x, bend)
+
+
 def compare(trials, plan, seed):
     """A row of each condition against the reference, or against 0 if its outcome is to be below the margin: people, estimate, interval, p of
     Student's t, of the sign flip, of equivalence (a difference beyond the margin) and of the mixed model if it is registered, and Holm's p of
     the registered one. The interval is that of the test at alpha / comparisons: 1 - alpha / comparisons, or of equivalence 1 - 2 alpha / comparisons."""
-    means = outcomes(trials, plan)
-    if plan.get("hypothesis") == "below_margin":
-        differences = {condition: means[condition].dropna() for condition in means}
-    else:
-        differences = {condition: (means[condition] - means[plan["reference"]]).dropna() for condition in means.columns.drop(plan["reference"])}
+    differences = contrasts(outcomes(trials, plan), plan)
     level = 1 - (2 if registered_p(plan) == "equivalence" else 1) * plan["alpha"] / max(1, len(differences))
     rows = pandas.DataFrame({condition: dict(zip(
         ("people", "estimate", "low", "high", "t", "sign_flip", "equivalence"),

@@ -129,7 +129,7 @@ void add_commands(CLI::App& app, Options& options) {
   CLI::App* run = add("run", "Run or resume the session of a participant", true, run_one);
   CLI::App* all = add("simulate", "Run sessions of simulated people, all of the design", true, simulate);
   CLI::App* tables = add("export", "Write the journals as tables, with their dictionary", false, write_tables);
-  run->add_option("--participant", options.participant, "From 1")->required();
+  run->add_option("--participant", options.participant, "From 1; N + participants replaces participant N")->required();
   run->add_option("--session", options.session, "From 1 [1]")->check(CLI::Range(1, 99));
   run->add_option("--simulated", options.reach.seed, "Seed of a simulated participant: without a scene in this process")
       ->each([&options](const std::string&) { options.simulated = true; });

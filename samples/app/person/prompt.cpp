@@ -32,8 +32,9 @@ const char* const keys_in_words =
     "Keys: r repeats the instruction, w says where the finger is, n goes to the next target, b back to the "
     "last one, q stops, h lists the keys.";
 
-Prompt::Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print)
-    : before_print_(std::move(before_print)) {
+Prompt::Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print,
+               std::map<std::string, std::string> texts)
+    : before_print_(std::move(before_print)), texts_(std::move(texts)) {
   if (!speak_with.empty()) speech_ = std::make_unique<Speech>(speak_with);
 }
 
@@ -44,7 +45,9 @@ void Prompt::ask(const std::string& text) {
 
 void Prompt::repeat() { say(asked_); }
 
-void Prompt::say(const std::string& text) {
+void Prompt::say(const std::string& given) {
+  const auto other = texts_.find(given);
+  const std::string& text = other == texts_.end() ? given : other->second;
   before_print_(text);
   std::cerr << (isatty(STDERR_FILENO) == 1 ? wrapped(text, columns()) : text) << "\n";
   speak(text);

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,8 +18,9 @@ namespace hrt::app {
 class Prompt {
  public:
   /// `speak_with`: the program that speaks and its arguments; empty: nobody speaks. `before_print` gets the
-  /// text, and makes room on the terminal. Throws as Speech.
-  Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print);
+  /// text, and makes room on the terminal. `texts`: what is said instead of a text. Throws as Speech.
+  Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print,
+         std::map<std::string, std::string> texts = {});
 
   /// Asks for something: repeat() says it again.
   void ask(const std::string& text);
@@ -45,6 +47,7 @@ class Prompt {
   std::unique_ptr<Speech> speech_;
   std::unique_ptr<Keyboard> keyboard_;
   std::function<void(const std::string&)> before_print_;
+  std::map<std::string, std::string> texts_;
   std::string asked_;
   std::chrono::steady_clock::time_point hinted_at_;
   bool failure_reported_ = false;

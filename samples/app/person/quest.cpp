@@ -58,9 +58,9 @@ QuestPlus::QuestPlus(const Grid& grid)
 
 // The expected decrease of the belief's entropy is what is not known of the answer, less what would not be
 // known of it if the person were.
-double QuestPlus::next_gap_deg() const {
+double QuestPlus::next_gap_deg(double max_gap_deg) const {
   double best = -1.0, best_gap = gaps_.front();
-  for (std::size_t g = 0; g < gaps_.size(); ++g) {
+  for (std::size_t g = 0; g < gaps_.size() && gaps_[g] <= max_gap_deg; ++g) {
     double right = 0.0, left_unknown = 0.0;
     for (std::size_t p = 0; p < people_.size(); ++p) {
       right += belief_[p] * right_[g * people_.size() + p];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace hrt::app {
@@ -25,7 +26,8 @@ class QuestPlus {
   /// deviation.
   QuestPlus(double min_gap_deg, double max_gap_deg, double guess = 0.5);
 
-  double next_gap_deg() const;
+  /// Of the gaps up to `max_gap_deg`, or the smallest gap if there are none.
+  double next_gap_deg(double max_gap_deg = std::numeric_limits<double>::infinity()) const;
   void update(double gap_deg, bool is_right);
 
   /// With the ends of its 95 % interval: the mean of its logarithm, and its quantiles.

@@ -1,7 +1,10 @@
 #include "samples/experiment/design/design.h"
 
+#include <haptic_retargeting/haptic_retargeting.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -13,6 +16,8 @@
 
 namespace hrt::experiment {
 namespace {
+
+#include "samples/experiment/config_fields.h"
 
 unsigned index_of(const std::vector<Condition>& conditions, const std::string& where, const std::string& name) {
   std::vector<std::string> names;
@@ -31,7 +36,23 @@ void read_conditions(const Json& file, const std::string& name, Design& design) 
     for (const Condition& other : design.conditions)
       if (other.name == c["name"].get<std::string>())
         refuse(name + format(".conditions[%zu].name", design.conditions.size()), "is another condition's");
-    design.conditions.push_back({c["name"], meaning(c["controller"], controllers), c["plate_deg"]});
+    Condition condition{c["name"], meaning(c["controller"], controllers), c["plate_deg"], c["gap_share"], {}};
+    const std::string where = name + format(".conditions[%zu].config", design.conditions.size());
+    for (const Json& each : c["config"]) {
+      condition.config.emplace_back(each["field"].get<std::string>(), each["value"].get<double>());
+      if (condition.config.back().first.starts_with("person.") && file["set_up"] != "none")
+        refuse(where, "needs set_up none: a profile sets " + condition.config.back().first);
+    }
+    hrt_session_config config{};
+    try {
+      config = config_of(condition);
+    } catch (const Refusal& unknown) {
+      refuse(where, unknown.what());
+    }
+    hrt_session session{};
+    if (hrt_session_create(HRT_VERSION, &config, &session) != HRT_OK) refuse(where, hrt_last_error());
+    hrt_session_destroy(session);
+    design.conditions.push_back(condition);
   }
 }
 
@@ -105,7 +126,7 @@ void read_noticeability(const Json& n, const std::string& where, Design& design)
 
 void read_questionnaires(const Json& file, const std::string& name, Design& design) {
   for (const Json& q : file.value("questionnaires", Json::array())) {
-    const Questionnaire paper{q["name"], q["when"] != "after", q["when"] != "before", q["low"], q["high"], q["items"]};
+    const Questionnaire paper{q["name"], q["when"], q["answers"] == "text", q["low"], q["high"], q["items"]};
     if (paper.high <= paper.low)
       refuse(name + format(".questionnaires[%zu].high", design.questionnaires.size()), "must be above low");
     design.questionnaires.push_back(paper);
@@ -115,6 +136,7 @@ void read_questionnaires(const Json& file, const std::string& name, Design& desi
 void read_analysis(const Json& a, const std::string& where, Design& design) {
   design.measure = a["measure"];
   design.test = a["test"];
+  design.hypothesis = a["hypothesis"];
   design.reference = static_cast<unsigned>(design.conditions.size()) - 1;
   if (a.contains("reference")) design.reference = index_of(design.conditions, where + ".reference", a["reference"]);
   design.alpha = a["alpha"];
@@ -126,7 +148,7 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
   const bool is_of_trials = design.measure.ends_with("miss_deg") || design.measure == "miss_mm";
   if (design.test == "mixed_model" && !is_of_trials)
     refuse(where + ".test", "must be t or sign_flip with " + design.measure + ", which single trials do not have");
-  if (design.test != "t" && a["hypothesis"] != "difference")
+  if (design.test != "t" && design.hypothesis != "difference")
     refuse(where + ".test", "must be t: equivalence and below_margin are two one-sided t tests");
   // The smallest p of a sign flip is 2 / 2^n, and Holm's first step needs alpha / comparisons.
   const double level = design.alpha / std::max(1.0, static_cast<double>(design.conditions.size()) - 1.0);
@@ -167,6 +189,10 @@ Design parse_design(const std::string& text, const std::string& name) {
   if (file.contains("noticeability")) read_noticeability(file["noticeability"], name + ".noticeability", design);
   read_questionnaires(file, name, design);
   read_analysis(file["analysis"], name + ".analysis", design);
+  design.start_text = file["instructions"].value("start", "");
+  design.block_text = file["instructions"].value("block", "");
+  for (const Json& text : file.value("texts", Json::array()))
+    design.texts[text["text"].get<std::string>()] = text["instead"];
   const Json& simulated = file["simulated"];
   design.simulated = {simulated["invalid_share"], simulated["lapse_share"], simulated["weights"]};
   check_whole(name, design);
@@ -179,6 +205,23 @@ Design read_design(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream || !std::filesystem::is_regular_file(file)) throw Refusal(file.string() + ": cannot be read");
   return parse_design({std::istreambuf_iterator<char>(stream), {}}, file.filename().string());
+}
+
+hrt_session_config config_of(const Condition& condition) {
+  hrt_session_config config = hrt_session_config_init();
+  const bool learns = condition.controller == Controller::people;
+  config.adaptation = learns ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
+  if (condition.controller == Controller::paper) config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
+  if (condition.controller == Controller::fixed || condition.controller == Controller::none) {
+    config.control = HRT_CONTROL_FIXED_PLATE;
+    config.fixed_plate_orientation_deg = condition.controller == Controller::fixed ? condition.plate_deg : 0.0;
+  }
+  for (const auto& [name, value] : condition.config) {
+    const auto field = config_fields.find(name);
+    if (field == config_fields.end()) throw Refusal("\"" + name + "\" is no number of hrt_session_config");
+    std::memcpy(reinterpret_cast<char*>(&config) + field->second, &value, sizeof value);
+  }
+  return config;
 }
 
 const Json& design_schema() {

@@ -1,7 +1,10 @@
 // The design of a study: study.json, checked as a whole.
 #pragma once
 
+#include <haptic_retargeting/session.h>
+
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -16,7 +19,9 @@ enum class Controller { people, paper, fixed, none };
 struct Condition {
   std::string name;
   Controller controller;
-  double plate_deg;  ///< under `fixed`
+  double plate_deg = 0.0;                                   ///< under `fixed`
+  double gap_share = 1.0;                                   ///< of the pair's gap
+  std::vector<std::pair<std::string, double>> config = {};  ///< fields of hrt_session_config
 };
 
 /// What is seen and what is touched, from the start.
@@ -50,8 +55,8 @@ struct Noticeability {
 
 struct Questionnaire {
   std::string name;
-  bool before;
-  bool after;
+  std::string when;  ///< before, after, both or block
+  bool is_text;
   unsigned low;
   unsigned high;
   std::vector<std::string> items;
@@ -90,8 +95,11 @@ struct Design {
   double trial_s;
   std::optional<Noticeability> noticeability;
   std::vector<Questionnaire> questionnaires;
-  std::string measure;  ///< column of trials.csv that the analysis is of
+  std::string start_text, block_text;        ///< instructions; empty: none
+  std::map<std::string, std::string> texts;  ///< in other words
+  std::string measure;                       ///< column of trials.csv that the analysis is of
   std::string test;
+  std::string hypothesis;
   unsigned reference;  ///< condition
   double alpha;
   double margin;  ///< of equivalence, in the measure's unit
@@ -103,6 +111,9 @@ struct Design {
 /// Throws Refusal naming the place and what is allowed. `name`: of the file, for messages.
 Design parse_design(const std::string& text, const std::string& name);
 Design read_design(const std::filesystem::path& file);
+
+/// The configuration of a session of the plugin under a condition. Throws Refusal for a field that it does not have.
+hrt_session_config config_of(const Condition& condition);
 
 /// The JSON Schema of a design: study.schema.json.
 const Json& design_schema();

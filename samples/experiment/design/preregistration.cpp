@@ -43,27 +43,41 @@ std::string fields_text(const json& schema, const json& given, const std::string
   return text;
 }
 
+std::string hypothesis_text(const Design& design) {
+  const std::string reference = design.conditions[design.reference].name, measure = "`" + design.measure + "`";
+  if (design.hypothesis == "difference") return measure + " of each condition differs from that of " + reference + ".";
+  return measure + " of each condition is less than " + format("%g from ", design.margin) +
+         (design.hypothesis == "equivalence" ? "that of " + reference : "0") + ", to either side.";
+}
+
 }  // namespace
 
 std::string preregistration_text(const Design& design) {
   return "# " + design.title + "\n\nSHA-256 of study.json: `" + design.sha256 +
          "`. hrt-experiment refuses another design from the first participant on.\n"
          "What stands in brackets is the authors'; delete this line.\n\n"
-         "## Hypotheses\n\n[By how much does each condition change `" +
-         design.measure +
-         "`, and why?]\n\n"
+         "## Hypotheses\n\n" +
+         hypothesis_text(design) +
+         " [Why, in which direction, and which size matters.]\n\n"
          "## Participants\n\n" +
          format("%u. ", design.participants) +
-         "[Why so many: what `samples/experiment/power study.json` prints, whose people are simulated. Who "
-         "may take part; who is replaced.]\n\n"
+         "Participant N who is excluded or withdraws is replaced by participant N" +
+         format(" + %u, with the same level and order. ", design.participants) +
+         "[Why so many: the table of `samples/experiment/power study.json`, whose people are simulated. Who may take "
+         "part.]\n\n"
          "## Design and procedure\n\n" +
          fields_text(design_schema(), json::parse(design.text), "") + "\n```\n" + design_text(design) +
-         "```\n\n## Exclusions\n\nA reach counts as `validity` says, by the program and before its condition "
-         "is "
-         "known. [Whom the authors exclude.]\n\n"
+         "```\n\n## Blinding\n\nThe experimenter sees letters, drawn for each participant; practice and noticeability "
+         "have none. The journal records when the experimenter is unblinded. The design, the motion of the plate and "
+         "the page of `--live look` can reveal a condition. [Who knows the conditions.]\n\n"
+         "## Exclusions and stopping\n\nA reach counts as `validity` says, by the program. The experimenter, who may "
+         "see the plate, can refuse a reach while it lasts; the report has the number of them by condition. The "
+         "analysis leaves out the participants whom `exclusions` names; a session ends as `stop` says. The number of "
+         "participants does not depend on the data. [Other exclusions.]\n\n"
          "## Analysis\n\n`samples/experiment/analyse`, after `hrt-experiment export --unblind`: " +
-         design.test + " of `" + design.measure + "`, each condition against " +
-         design.conditions[design.reference].name + format(", Holm's correction, level %g.", design.alpha) +
+         design.test + " of `" + design.measure +
+         format("`, Holm's correction, level %g; intervals at the corrected level.", design.alpha) +
+         (design.levels.empty() ? "" : " By `" + design.factor + "`: Welch's test of each comparison.") +
          " [What else is looked at, called exploratory.]\n\n"
          "## Data\n\n[Where the data, recordings and this text will be.]\n";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "samples/app/text/format.h"
@@ -58,23 +59,32 @@ std::vector<unsigned> all_conditions(const Design& design) {
   return all;
 }
 
-unsigned order_count(const Design& design) {
-  if (design.order == Order::listed) return static_cast<unsigned>(design.listed.size());
-  if (design.order == Order::random_in_blocks) return 1;
-  return static_cast<unsigned>(williams_orders(static_cast<unsigned>(design.conditions.size())).size());
+std::vector<unsigned> permuted(unsigned count, Use use, const Place& place) {
+  std::vector<unsigned> values(count);
+  std::iota(values.begin(), values.end(), 0U);
+  Stream(use, place).shuffle(values);
+  return values;
 }
 
-// Orders come in sets of all; within each set they are dealt at random.
+unsigned index_in_design(const Design& design, unsigned participant) { return (participant - 1) % design.participants; }
+
+// Levels are drawn in permuted blocks of one participant each, so no level is earlier than another.
+unsigned level_for(const Design& design, unsigned participant) {
+  const auto levels = std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
+  const unsigned index = index_in_design(design, participant);
+  return permuted(levels, Use::orders, {.seed = design.seed, .block = index / levels, .trial = 1})[index % levels];
+}
+
+// The participants of each level have sets of all orders, each set in an order that is drawn.
 std::vector<unsigned> order_for(const Design& design, unsigned participant) {
   if (design.order == Order::random_in_blocks) return {};
   const auto orders =
       design.order == Order::listed ? design.listed : williams_orders(static_cast<unsigned>(design.conditions.size()));
   const auto count = static_cast<unsigned>(orders.size());
-  const unsigned set = (participant - 1) / count;
-  std::vector<unsigned> rows(count);
-  for (unsigned i = 0; i < count; ++i) rows[i] = i;
-  Stream(Use::orders, {.seed = design.seed, .block = set}).shuffle(rows);
-  return orders[rows[(participant - 1) % count]];
+  const auto levels = std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
+  const unsigned of_level = index_in_design(design, participant) / levels, level = level_for(design, participant);
+  const Place place{.seed = design.seed, .participant = level, .block = of_level / count};
+  return orders[permuted(count, Use::orders, place)[of_level % count]];
 }
 
 Block noticeability_block(const Design& design, unsigned participant, unsigned number) {
@@ -129,8 +139,7 @@ std::vector<std::vector<unsigned>> williams_orders(unsigned count) {
 
 Schedule schedule_of(const Design& design, unsigned participant) {
   Schedule schedule{};
-  const auto levels = std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
-  schedule.level = (participant - 1) / order_count(design) % levels;
+  schedule.level = level_for(design, participant);
   schedule.order = order_for(design, participant);
   Block practice{BlockKind::practice, {}};
   for (unsigned i = 0; i < design.practice_trials; ++i)
@@ -157,13 +166,14 @@ std::string plan_text(const Design& design, const Schedule& schedule) {
     text += format("| %.0f | ", now_min) + what + " |\n";
     now_min += minutes;
   };
-  const auto add_questionnaires = [&](bool Questionnaire::* asked) {
+  const auto add_questionnaires = [&](const std::string& when) {
     for (const Questionnaire& paper : design.questionnaires)
-      if (paper.*asked) add("questionnaire " + paper.name, item_min * static_cast<double>(paper.items.size()));
+      if (paper.when == when || (paper.when == "both" && when != "block"))
+        add("questionnaire " + paper.name, item_min * static_cast<double>(paper.items.size()));
   };
   add("information, consent, hand and finger, questions", consent_min);
   if (design.calibrates) add("set-up, 16 to 40 slides straight ahead", calibration_min);
-  add_questionnaires(&Questionnaire::before);
+  add_questionnaires("before");
   bool is_first = true;
   for (std::size_t i = 0; i < schedule.blocks.size(); ++i) {
     const Block& block = schedule.blocks[i];
@@ -172,8 +182,9 @@ std::string plan_text(const Design& design, const Schedule& schedule) {
     const double reaches = block.kind == BlockKind::noticeability ? 2.0 : 1.0;
     add(format("block %zu: %s, %zu trials", i, name_of(block.kind).c_str(), block.trials.size()),
         static_cast<double>(block.trials.size()) * reaches * design.trial_s * min_per_s);
+    if (block.kind == BlockKind::reaches) add_questionnaires("block");
   }
-  add_questionnaires(&Questionnaire::after);
+  add_questionnaires("after");
   add("debriefing, without the conditions' names", 0.0);
   return text;
 }

@@ -79,6 +79,8 @@ const std::vector<Column> trial_columns{
     {"attempt", "integer", "", "number of the attempt, interrupted ones included"},
     {"gap_deg", "number", "deg", "of the retargeted reach of noticeability; 0 in catch trials"},
     {"bent", "integer", "", "which reach of two was retargeted, from 1"},
+    {"bend_deg", "number", "deg",
+     "delivered bend: angle between the ends of both reaches, on which the threshold rests"},
     {"recording", "text", "", "in the session's folder recordings, without ending"},
 };
 
@@ -105,17 +107,19 @@ const Table tables[] = {
       {"tactile_weight_low", "number", "", "lower end of its 95 % interval"},
       {"tactile_weight_high", "number", "", "upper end"},
       {"threshold_deg", "number", "deg",
-       "gap noticed, by QUEST+: posterior mean of the Weibull scale, 1 - 1/e of the way from guessing"},
+       "delivered bend that is noticed, by QUEST+: posterior mean of the Weibull scale, where 82 % of the answers "
+       "are right, lapses aside"},
       {"threshold_low_deg", "number", "deg", "lower end of its 95 % interval"},
       {"threshold_high_deg", "number", "deg", "upper end"},
       {"threshold_answers", "integer", "", "answers that it rests on"}}},
     {"questionnaires.csv",
      "One row an answer",
      {{"questionnaire", "text", "", "its name"},
-      {"when", "text", "", "before or after the reaches"},
+      {"when", "text", "", "before or after the reaches, or block 2"},
+      {"condition", "text", "", "of the block, if it has one condition"},
       {"item", "integer", "", "from 1"},
       {"text", "text", "", "of the item"},
-      {"answer", "integer", "", "from low to high of the design"},
+      {"answer", "integer or text", "", "from low to high of the design, or a text"},
       {"utc", "time", "", "of the last answer"}}},
     {"events.csv",
      "One row an event of the journal beside reaches and answers: starts, notes, stops, breaks, unblinding, ends",
@@ -144,6 +148,7 @@ json trial_row(const Design& design, const State& state, unsigned block, std::si
   const unsigned bent = row.value("bent", 0U);
   if (!record.reach.is_null()) {
     row["reason"] = record.reach["reason"];
+    if (record.reach.contains("bend_deg")) row["bend_deg"] = record.reach["bend_deg"];
     // Of the bent reach of two, else of the only one.
     if (const json& parts = record.reach["parts"]; bent < parts.size()) {
       row.update(parts[bent]);
@@ -197,9 +202,17 @@ void add_events(const Design& design, const State& state, const std::vector<Even
     if (event.name == "questionnaire") {
       const auto asked = std::find_if(design.questionnaires.begin(), design.questionnaires.end(),
                                       [&](const Questionnaire& each) { return each.name == data.at("name"); });
+      const std::string when = data.at("when");
+      std::string condition;
+      if (when.starts_with("block ") && design.order != Order::random_in_blocks) {
+        const auto block = static_cast<unsigned>(std::stoul(when.substr(6)));
+        condition =
+            shown_condition(design, state, block, state.schedule.blocks.at(block).trials.at(0).condition, unblinds);
+      }
       for (std::size_t i = 0; i < data.at("answers").size(); ++i)
         add("questionnaires.csv", {{"questionnaire", data["name"]},
-                                   {"when", data["when"]},
+                                   {"when", when},
+                                   {"condition", condition},
                                    {"item", i + 1},
                                    {"text", asked->items.at(i)},
                                    {"answer", data["answers"][i]},
@@ -220,6 +233,7 @@ void add_events(const Design& design, const State& state, const std::vector<Even
       for (std::size_t i = 0; i < data.at("parts").size(); ++i) {
         json row = attempt;
         row.update(data["parts"][i]);
+        if (data.contains("bend_deg")) row["bend_deg"] = data["bend_deg"];
         row["part"] = i + 1;
         row["abs_miss_deg"] = std::abs(row["miss_deg"].get<double>());
         add("attempts.csv", row);
@@ -270,7 +284,7 @@ Tables export_study(const Design& design, const std::filesystem::path& study, bo
   whose_row = json::object();
   for (const Table& table : tables) add_line(table, json::object(), true);
   constexpr unsigned max_sessions = 99;
-  for (unsigned participant = 1; participant <= design.participants; ++participant)
+  for (unsigned participant = 1; participant <= 2 * design.participants; ++participant)
     for (unsigned session = 1; session <= max_sessions; ++session) {
       const auto file = folder_of({study, participant, session}) / "journal.jsonl";
       if (!std::filesystem::exists(file)) continue;

@@ -54,7 +54,8 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const app::Op
     : design_(design),
       options_(options),
       live_(live),
-      prompt_(options.speak_with, [this](const std::string& text) { show({{"says", text}}); }),
+      prompt_(
+          options.speak_with, [this](const std::string& text) { show({{"says", text}}); }, design.texts),
       plugin_(options.plugin),
       targets_(load_targets(plugin_, options.scene, hrt_session_config_init())),
       runtime_({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, app::local_floor_extension}),
@@ -318,13 +319,17 @@ bool LedSubject::consents() {
   return await_key("yn") == 'y';
 }
 
-std::vector<unsigned> LedSubject::fill_in(const Questionnaire& paper) {
+std::vector<nlohmann::json> LedSubject::fill_in(const Questionnaire& paper) {
   if (stand_in_) return stand_in_->fill_in(paper);
-  std::vector<unsigned> answers;
+  std::vector<nlohmann::json> answers;
   for (const std::string& item : paper.items) {
-    prompt_.ask(paper.name + ": " + item + format(" (%u to %u, and Enter)", paper.low, paper.high));
-    answers.push_back(typed_number(paper.low, paper.high));
-    prompt_.speak(std::to_string(answers.back()));
+    prompt_.ask(paper.name + ": " + item +
+                (paper.is_text ? " (text, and Enter)" : format(" (%u to %u, and Enter)", paper.low, paper.high)));
+    if (paper.is_text)
+      answers.emplace_back(typed(""));
+    else
+      answers.emplace_back(typed_number(paper.low, paper.high));
+    if (!paper.is_text) prompt_.speak(answers.back().dump());
   }
   return answers;
 }
@@ -336,9 +341,9 @@ void LedSubject::rest(double minutes) {
   while (await_key(" ") == ' ' && now().monotonic_ns < until_ns) prompt_.say("Not yet.");
 }
 
-unsigned LedSubject::answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
-                            double gap_deg, unsigned number) {
-  if (stand_in_) return stand_in_->answer(question, answers, right, gap_deg, number);
+unsigned LedSubject::answer(const std::string& question, const std::vector<std::string>& answers,
+                            const std::vector<double>& felt_deg, unsigned number) {
+  if (stand_in_) return stand_in_->answer(question, answers, felt_deg, number);
   std::string text = question, keys;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     keys += static_cast<char>('1' + i);

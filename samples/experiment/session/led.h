@@ -49,11 +49,11 @@ class LedSubject : public Subject {
   bool consents() override;
   void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
              const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) override;
-  std::vector<unsigned> fill_in(const Questionnaire& paper) override;
+  std::vector<nlohmann::json> fill_in(const Questionnaire& paper) override;
   void rest(double minutes) override;
   ReachOutcome reach(const ReachOrder& order) override;
-  unsigned answer(const std::string& question, const std::vector<std::string>& answers, unsigned right, double gap_deg,
-                  unsigned number) override;
+  unsigned answer(const std::string& question, const std::vector<std::string>& answers,
+                  const std::vector<double>& felt_deg, unsigned number) override;
 
  private:
   void take_place();

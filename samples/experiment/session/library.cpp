@@ -52,14 +52,7 @@ hrt_sample sample_of(const json& row) {
 }
 
 LibrarySession::LibrarySession(const Condition& condition, const std::string& profile, const Subject& subject) {
-  hrt_session_config config = hrt_session_config_init();
-  const bool learns = condition.controller == Controller::people;
-  config.adaptation = learns ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
-  if (condition.controller == Controller::paper) config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
-  if (condition.controller == Controller::fixed || condition.controller == Controller::none) {
-    config.control = HRT_CONTROL_FIXED_PLATE;
-    config.fixed_plate_orientation_deg = condition.controller == Controller::fixed ? condition.plate_deg : 0.0;
-  }
+  hrt_session_config config = config_of(condition);
   subject.plan(config);
   check(hrt_session_create(HRT_VERSION, &config, &session_));
   if (profile.empty()) return;

@@ -51,6 +51,9 @@ json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&st
           {"flags", summary.flags}};
 }
 
+// Bearing of the end from the start, as the finger made it.
+double end_deg(const json& part) { return part.at("real_deg").get<double>() + part.at("miss_deg").get<double>(); }
+
 // Why the reach does not count; empty: it does.
 std::string judged(const Validity& rules, const ReachOutcome& outcome) {
   if (!outcome.problem.empty()) return outcome.problem;
@@ -188,7 +191,9 @@ class SessionRun {
   void perform(const Task& task) {
     switch (task.kind) {
       case Task::Kind::consent:
-        return log("consent", {{"given", subject_.consents()}});
+        log("consent", {{"given", subject_.consents()}});
+        if (state_.has_consent && !design_.start_text.empty()) subject_.say(design_.start_text);
+        return;
       case Task::Kind::registration:
         return register_plate();
       case Task::Kind::check:
@@ -197,9 +202,7 @@ class SessionRun {
         return set_up();
       case Task::Kind::questionnaire: {
         const Questionnaire& paper = design_.questionnaires[task.trial];
-        const std::vector<unsigned> answers = subject_.fill_in(paper);
-        return log("questionnaire",
-                   {{"name", paper.name}, {"when", task.after ? "after" : "before"}, {"answers", answers}});
+        return log("questionnaire", {{"name", paper.name}, {"when", task.when}, {"answers", subject_.fill_in(paper)}});
       }
       case Task::Kind::rest:
         subject_.rest(design_.break_minutes);
@@ -291,6 +294,7 @@ class SessionRun {
                    {"tactile_weight", result.tactile_weight.value},
                    {"tactile_weight_low", result.tactile_weight.lower},
                    {"tactile_weight_high", result.tactile_weight.upper},
+                   {"max_gap_deg", result.max_gap_deg.value},
                    {"profile", profile}});
   }
 
@@ -303,7 +307,8 @@ class SessionRun {
     return blinded_name(design_, state_.participant, block.kind, block.trials[task.trial].condition);
   }
 
-  // The reaches of a trial, and for noticeability which gap and which of the two is bent.
+  // The reaches of a trial, and for noticeability which gap and which of the two is bent. No gap is beyond what the
+  // plate can sustain for this participant.
   std::vector<Part> parts_of(const Task& task, json& about) const {
     const Block& block = schedule_.blocks[task.block];
     const PlannedTrial& planned = block.trials[task.trial];
@@ -313,12 +318,13 @@ class SessionRun {
       const Pair& pair = design_.pairs[planned.pair];
       about["pair"] = pair.name;
       if (planned.is_catch) return {{pair.real_deg, pair.real_deg, pair.distance_m, pair.radius_m, at_rest}};
-      return {{pair.real_deg, pair.virtual_deg, pair.distance_m, pair.radius_m, condition}};
+      const double real_deg = pair.virtual_deg + condition.gap_share * (pair.real_deg - pair.virtual_deg);
+      return {{real_deg, pair.virtual_deg, pair.distance_m, pair.radius_m, condition}};
     }
     const Noticeability& notice = *design_.noticeability;
     Stream draw(Use::intervals, {design_.seed, state_.participant, task.block, planned.number, record(task).refused});
     const unsigned bent = draw.below(2);
-    const double gap_deg = planned.is_catch ? 0.0 : state_.quest.next_gap_deg();
+    const double gap_deg = planned.is_catch ? 0.0 : state_.quest.next_gap_deg(state_.max_gap_deg());
     const double sign = draw.below(2) == 0 ? 1.0 : -1.0;
     about["gap_deg"] = gap_deg;
     about["bent"] = bent;
@@ -366,6 +372,7 @@ class SessionRun {
                {"condition", blinded(task)},
                {"is_catch", planned.is_catch}};
     const std::vector<Part> parts = parts_of(task, about);
+    if (!design_.block_text.empty() && std::exchange(told_, task.block) != task.block) subject_.say(design_.block_text);
     unsigned number = 0;
     const std::string stem = new_stem(task, &number);
     about["attempt"] = number;
@@ -376,6 +383,11 @@ class SessionRun {
     for (std::size_t i = 0; i < parts.size() && reach["counts"]; ++i) {
       const std::string file = stem + (parts.size() > 1 ? format("_part-%zu", i + 1) : "") + ".csv";
       make(parts[i], planned.condition, static_cast<unsigned>(i), folder_ / "recordings" / file, reach);
+    }
+    if (about.contains("bent") && reach["counts"]) {
+      const json &bent = reach["parts"][about["bent"].get<std::size_t>()],
+                 &other = reach["parts"][1 - about["bent"].get<std::size_t>()];
+      reach["bend_deg"] = std::abs(end_deg(bent) - end_deg(other));
     }
     log("reach", std::move(reach));
   }
@@ -423,15 +435,14 @@ class SessionRun {
   }
 
   void ask(const Task& task) {
-    const json& about = record(task).attempt;
     const unsigned number = first_reach + state_.reaches;
     unsigned answer = 0;
-    if (schedule_.blocks[task.block].kind == BlockKind::noticeability)
-      answer = subject_.answer("Which reach was bent?", {"the first", "the second"}, about.at("bent"),
-                               about.at("gap_deg"), number);
+    std::vector<double> felt_deg;
+    for (const json& part : record(task).reach.at("parts")) felt_deg.push_back(part.at("peak_felt_error_deg"));
+    if (felt_deg.size() > 1)
+      answer = subject_.answer("Which reach was bent?", {"the first", "the second"}, felt_deg, number);
     else
-      answer = subject_.answer(design_.question, design_.answers, 0,
-                               record(task).reach.at("parts")[0].at("peak_felt_error_deg"), number);
+      answer = subject_.answer(design_.question, design_.answers, felt_deg, number);
     log("answer", {{"answer", answer}});
   }
 
@@ -445,6 +456,7 @@ class SessionRun {
   Journal journal_;
   State state_;
   bool is_open_ = false;
+  std::optional<unsigned> told_;  // block whose instruction was given
 };
 
 }  // namespace
@@ -464,9 +476,11 @@ void freeze(const Design& design, const std::filesystem::path& study, const Disk
 }
 
 std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk) {
-  if (place.participant < 1 || place.participant > design.participants)
-    throw Refusal(
-        format("--participant: %u is not from 1 to %u, the design's number", place.participant, design.participants));
+  if (place.participant < 1 || place.participant > 2 * design.participants)
+    throw Refusal(format(
+        "--participant: %u is not from 1 to %u, the design's number, or up to %u, the replacement of participant "
+        "N - %u",
+        place.participant, design.participants, 2 * design.participants, design.participants));
   freeze(design, place.study, disk);
   return SessionRun(design, place, subject, disk).run();
 }

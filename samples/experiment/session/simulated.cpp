@@ -110,11 +110,13 @@ void SimulatedSubject::slide(hrt_session session, const hrt_setup_step& first, u
   pass(1e-9 * static_cast<double>(time_ns - from_ns));
 }
 
-std::vector<unsigned> SimulatedSubject::fill_in(const Questionnaire& paper) {
+std::vector<nlohmann::json> SimulatedSubject::fill_in(const Questionnaire& paper) {
   Stream draw(Use::answers, {seed_, participant_, static_cast<std::uint32_t>(paper.name.size()), 0, 0});
-  std::vector<unsigned> answers;
-  for (std::size_t i = 0; i < paper.items.size(); ++i)
-    answers.push_back(paper.low + draw.below(paper.high - paper.low + 1));
+  std::vector<nlohmann::json> answers;
+  for (std::size_t i = 0; i < paper.items.size(); ++i) {
+    const unsigned drawn = paper.low + draw.below(paper.high - paper.low + 1);
+    answers.push_back(paper.is_text ? nlohmann::json("simulated") : nlohmann::json(drawn));
+  }
   pass(8.0 * static_cast<double>(answers.size()));
   return answers;
 }
@@ -157,18 +159,18 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
   return outcome;
 }
 
-// A choice between intervals is right by the psychometric function; "did something bend it" is the first
-// answer if what was felt was beyond the threshold.
-unsigned SimulatedSubject::answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
-                                  double gap_deg, unsigned number) {
+// A perceived-direction error is noticed by a psychometric function of it. Of two reaches the one with the larger error
+// is chosen, of the answers to the question the first one.
+unsigned SimulatedSubject::answer(const std::string&, const std::vector<std::string>& answers,
+                                  const std::vector<double>& felt_deg, unsigned number) {
   Stream draw(Use::answers, place(number));
   const auto count = static_cast<unsigned>(answers.size());
   pass(2.0);
   if (draw.uniform() < design_.simulated.lapse_share) return draw.below(count);
-  const double noticed = 1.0 - std::exp(-std::pow(gap_deg / threshold_deg_, notice_slope));
-  const bool notices = draw.uniform() < noticed;
-  if (notices) return right;
-  return question == design_.question ? count - 1 : draw.below(count);
+  const auto largest = std::max_element(felt_deg.begin(), felt_deg.end());
+  const bool notices = draw.uniform() < 1.0 - std::exp(-std::pow(*largest / threshold_deg_, notice_slope));
+  if (notices) return static_cast<unsigned>(largest - felt_deg.begin());
+  return felt_deg.size() == 1 ? count - 1 : draw.below(count);
 }
 
 }  // namespace hrt::experiment

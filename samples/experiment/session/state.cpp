@@ -1,6 +1,7 @@
 #include "samples/experiment/session/state.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "samples/experiment/design/draws.h"
 
@@ -68,7 +69,8 @@ void State::apply_answer(unsigned answer) {
   record.answer = answer;
   const bool is_catch = schedule.blocks[block].trials[pending.front()].is_catch;
   if (schedule.blocks[block].kind == BlockKind::noticeability && !is_catch)
-    quest.update(record.attempt.at("gap_deg"), answer == record.attempt.at("bent").get<unsigned>());
+    quest.update(record.reach.value("bend_deg", record.attempt.at("gap_deg").get<double>()),
+                 answer == record.attempt.at("bent").get<unsigned>());
   end_trial(TrialRecord::End::counted);
 }
 
@@ -132,6 +134,12 @@ void State::apply(const Event& event) {
   }
 }
 
+double State::max_gap_deg() const {
+  const bool is_known = set_up && set_up->at("is_known").get<bool>();
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  return is_known ? set_up->value("max_gap_deg", unlimited) : unlimited;
+}
+
 Task State::next() const {
   if (!end.empty()) return {Task::Kind::end};
   if (!has_consent) return {Task::Kind::consent};
@@ -139,11 +147,19 @@ Task State::next() const {
   if (registers && !is_placed) return {Task::Kind::check};
   if (design.calibrates && !set_up) return {Task::Kind::set_up};
   const bool after = block == schedule.blocks.size();
-  for (unsigned i = 0; i < design.questionnaires.size(); ++i) {
-    const Questionnaire& paper = design.questionnaires[i];
-    if ((after ? paper.after : paper.before) && !questionnaires.contains((after ? "after " : "before ") + paper.name))
-      return {Task::Kind::questionnaire, block, i, after};
-  }
+  const auto asked = [&](const std::string& when, const std::string& now) -> std::optional<Task> {
+    for (unsigned i = 0; i < design.questionnaires.size(); ++i) {
+      const Questionnaire& paper = design.questionnaires[i];
+      if ((paper.when == when || (paper.when == "both" && when != "block")) &&
+          !questionnaires.contains(now + " " + paper.name))
+        return Task{Task::Kind::questionnaire, block, i, now};
+    }
+    return std::nullopt;
+  };
+  if (block > 0 && schedule.blocks[block - 1].kind == BlockKind::reaches)
+    if (const std::optional<Task> task = asked("block", "block " + std::to_string(block - 1))) return *task;
+  const std::string when = after ? "after" : "before";
+  if (const std::optional<Task> task = asked(when, when)) return *task;
   if (after) return {Task::Kind::end};
   if (awaits_answer) return {Task::Kind::answer, block, pending.front()};
   if (rest_due) return {Task::Kind::rest, block};

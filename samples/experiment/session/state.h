@@ -28,8 +28,8 @@ struct TrialRecord {
 struct Task {
   enum class Kind { consent, registration, check, set_up, questionnaire, rest, trial, answer, end } kind;
   unsigned block = 0;
-  unsigned trial = 0;  ///< index in the block; of a questionnaire: its index in the design
-  bool after = false;  ///< of a questionnaire: at the end
+  unsigned trial = 0;     ///< index in the block; of a questionnaire: its index in the design
+  std::string when = {};  ///< of a questionnaire: before, after, or "block 2"
 };
 
 struct State {
@@ -37,6 +37,8 @@ struct State {
 
   void apply(const Event& event);
   Task next() const;
+  /// Largest gap that the plate can sustain for this participant, by the set-up; infinite if it is unknown.
+  double max_gap_deg() const;
   /// Time since the last event; by the calendar if the machine was started again, when it may be negative.
   std::int64_t since_last_ns(const Now& now, const std::string& boot_now) const;
 

@@ -86,14 +86,15 @@ class Subject {
   /// sample.
   virtual void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
                      const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) = 0;
-  virtual std::vector<unsigned> fill_in(const Questionnaire& paper) = 0;
+  /// Whole numbers or texts.
+  virtual std::vector<nlohmann::json> fill_in(const Questionnaire& paper) = 0;
   virtual void rest(double minutes) = 0;
   /// The plate is at its home, the finger comes to the start, and reaches.
   virtual ReachOutcome reach(const ReachOrder& order) = 0;
-  /// Index of the answer. `right`: that of a choice between intervals, which a simulated person may find;
-  /// `gap_deg`: of the trial. `place`: of the trial, for draws.
-  virtual unsigned answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
-                          double gap_deg, unsigned number) = 0;
+  /// Index of the answer. `felt_deg`: largest perceived-direction error of each reach that the question is about, by
+  /// which a simulated participant answers. `number`: of the reach, for draws.
+  virtual unsigned answer(const std::string& question, const std::vector<std::string>& answers,
+                          const std::vector<double>& felt_deg, unsigned number) = 0;
 };
 
 }  // namespace hrt::experiment

@@ -6,6 +6,7 @@ Then a study of two simulated people, from its design to the report.
 import hashlib
 import importlib.machinery
 import importlib.util
+import io
 import json
 import os
 import pathlib
@@ -92,6 +93,32 @@ def test_outcomes():
     assert list(same.index) == ["a"] and same.holm.a < 0.05, same
 
 
+def test_participants():
+    """By hand: whom the rules exclude, and Welch's test of two levels, which scipy has too."""
+    study = {"conditions": [{"name": "a"}, {"name": "none"}], "question": "Bent?", "exclusions": {"max_missing_share": 0.25, "max_false_alarms": 0.5}}
+    row = lambda person, is_catch, end, answer: {"participant": person, "kind": "reaches", "is_catch": is_catch, "end": end, "answer": answer}
+    trials = pandas.DataFrame([row(1, 0, "counted", "no")] * 3 + [row(1, 0, "missing", None), row(1, 1, "counted", "no")]
+                              + [row(2, 0, "open", None), row(2, 1, "counted", "no")] + [row(3, 1, "counted", "yes"), row(3, 0, "counted", "yes")])
+    assert dict(analysis.excluded(study, trials)) == {2: "50%, above max_missing_share", 3: "100%, above max_false_alarms"}
+    draw = numpy.random.default_rng(3)
+    trials = pandas.DataFrame([(i, "lr"[i % 2], condition, draw.normal(i % 2, 1 + i % 2)) for i in range(12) for condition in ("a", "none")],
+                              columns=["participant", "level", "condition", "miss_deg"])
+    found = analysis.by_level(trials, {"measure": "miss_deg", "reference": "none"})
+    wide = trials.pivot(index="participant", columns="condition", values="miss_deg")
+    gap = wide.a - wide.none
+    assert abs(found.p.a - scipy.stats.ttest_ind(gap[::2], gap[1::2], equal_var=False).pvalue) < 1e-9 and abs(found.l.a - gap[::2].mean()) < 1e-12, found
+
+
+def test_psychometric():
+    """Answers of an observer whose threshold is 8 and slope 2, which the fit finds; those of one who never finds anything do not fit."""
+    draw = numpy.random.default_rng(1)
+    bends = draw.uniform(1, 20, 4000)
+    answers = lambda right: pandas.DataFrame({"bend_deg": bends, "is_right": (draw.uniform(size=4000) < right).astype(float)})
+    (threshold, slope), fit, _, _ = analysis.psychometric(answers(0.5 + 0.48 * (1 - numpy.exp(-((bends / 8) ** 2)))))
+    assert abs(threshold - 8) < 0.5 and abs(slope - 2) < 0.3 and fit > 0.01, (threshold, slope, fit)
+    assert analysis.psychometric(answers(0.5 + 0.4 * (numpy.abs(bends - 10) < 3)))[1] < 1e-6
+
+
 def few_trials(every):
     """8 people, 3 conditions of different scatter, 2 pairs, 3 repeats; without each trial whose number is divisible by `every`."""
     draw = numpy.random.RandomState(5)
@@ -127,9 +154,10 @@ def test_mixed_model():
 
 
 def test_own_data():
-    """Studies of people who are drawn from simulated ones: misses of one condition scatter ten times as much as the other's."""
+    """Studies of people who are drawn from simulated ones: misses of one condition scatter ten times as much as the other's. Each outcome and
+    hypothesis that can be registered has its level, and its intervals have the effect."""
     reach = {"virtual_deg": 6, "real_deg": 0}
-    design = {"title": "own data", "participants": 12, "practice_trials": 0, "repeats": 2, "set_up": "none",
+    design = {"title": "own data", "participants": 12, "question": "Bent?", "catch_share": 0.5, "practice_trials": 0, "repeats": 2, "set_up": "none",
               "pairs": [{"name": "left", **reach}, {"name": "right", **reach, "virtual_deg": -6}],
               "conditions": [{"name": name, "controller": name} for name in ("people", "none")]}
     trials, _ = power.simulated(sys.argv[2], design, 36, 1)
@@ -144,6 +172,17 @@ def test_own_data():
           + ", ".join(f"{test} {share:.1f} %" for test, share in found.items()))
     slack = 3 * 100 * (0.05 * 0.95 / STUDIES) ** 0.5
     assert all(5 - slack < share < 5 + slack for share in found.values()), found
+    for measure in ("abs_miss_deg", "miss_deg", "miss_mm", "variable_error_deg", "percent_within", "d_prime", "criterion"):
+        means = analysis.outcomes(trials, {**plan, "measure": measure, "within_deg": 5, "noticed": "yes"})
+        values, margin = (means.people - means.none).dropna(), (means.people - means.none).std()
+        columns = power.drawn(values, 0.0, 12, 50 * STUDIES, 1)
+        low, high = scipy.stats.ttest_1samp(columns, 0).confidence_interval(0.95)
+        same = 100 * numpy.mean(analysis.equivalence(columns + margin, margin) < 0.05)
+        level, covered = 100 * numpy.mean(scipy.stats.ttest_1samp(columns, 0).pvalue < 0.05), 100 * numpy.mean((low <= 0) & (0 <= high))
+        print(f"own data, {50 * STUDIES} studies of 12: {measure} found without an effect {level:.1f} %, equivalent at the margin {same:.1f} %, covered {covered:.1f} %")
+        # Shares near their ceiling are not normal: of those the t test's level is higher, and the sign flip's is not.
+        most = 9 if measure == "percent_within" else 6.5
+        assert 4 < level < most and 99 - most < covered < 97 and same < 8.5, (measure, level, same, covered)
 
 
 # Of mean 0 and standard deviation 1.
@@ -278,6 +317,50 @@ def test_text():
         assert broken.returncode == 1 and broken.stderr.startswith("analyse: ") and broken.stderr.count("\n") == 1, broken.stderr
 
 
+def test_a_whole_study():
+    """Three conditions, two levels, eight participants, non-ASCII names, a byte order mark and CRLF, from the design to the report. The results
+    are those of scipy and of lme4, called here on the exported table."""
+    names = ["geführt", "papier 論文", "ohne"]
+    study = {"title": "Führung", "participants": 8, "practice_trials": 2, "repeats": 4, "max_run": 9, "set_up": "none", "order": "random_in_blocks", "rounds": 2,
+             "conditions": [{"name": name, "controller": kind} for name, kind in zip(names, ("people", "paper", "none"))],
+             "pairs": [{"name": "links", "virtual_deg": 6, "real_deg": 0}], "between": {"factor": "Hand", "levels": ["rechts", "links"]},
+             "catch_share": 0.2, "question": "Wurde etwas umgelenkt?", "answers": ["ja", "nein"], "noticeability": {"trials": 10, "condition": "geführt"},
+             "questionnaires": [{"name": "Person", "when": "before", "answers": "text", "items": ["Alter", "Händigkeit"]},
+                                {"name": "Anstrengung", "when": "block", "high": 20, "items": ["Mühe"]}],
+             "exclusions": {"max_false_alarms": 0.9}, "analysis": {"measure": "abs_miss_deg", "reference": "ohne"}}
+    with tempfile.TemporaryDirectory() as folder:
+        data, design = pathlib.Path(folder, "dätä"), pathlib.Path(folder, "study.json")
+        design.write_bytes(b"\xef\xbb\xbf" + json.dumps(study, ensure_ascii=False, indent=1).replace("\n", "\r\n").encode())
+        run = lambda *words: subprocess.run(words, check=True, capture_output=True, text=True, encoding="utf-8").stdout
+        assert "abs_miss_deg` of each condition differs from that of ohne." in run(sys.argv[2], "preregister", design)
+        for words in ([sys.argv[2], "simulate", design, "--data", data], [sys.argv[2], "export", "--data", data, "--unblind"],
+                      [sys.argv[1] + "/analyse", data], [sys.argv[1] + "/bids", data]):
+            run(*words)
+        report = (data / "export/report.html").read_text(encoding="utf-8")
+        answers = pandas.read_csv(data / "export/questionnaires.csv")
+        assert len(answers) == 8 * (2 + 2) and set(answers.when) == {"before", "block 1", "block 2"} and "By Hand" in report, answers
+        every = analysis.read_table(data / "export/trials.csv")
+        trials = every[(every.kind == "reaches") & (every.is_catch == 0) & (every.end == "counted")]
+        plan = analysis.registered(study)
+        found = analysis.compare(every, plan, 1)
+        mixed = analysis.compare(every, {**plan, "test": "mixed_model"}, 1)
+        means = trials.groupby(["condition", "participant"]).abs_miss_deg.mean()
+        script = ("suppressMessages(library(lmerTest)); d <- read.csv(file('stdin')); d$condition <- factor(d$condition);"
+                  "m <- lmer(value ~ condition + (condition | participant), d, weights = weight);"
+                  "write.csv(coef(summary(m))[2:3, c(1, 2, 5)])")
+        spread = 1 / trials.abs_miss_deg.groupby([trials.condition, trials.participant]).var().groupby("condition").mean()
+        table = pandas.DataFrame({"condition": trials.condition.map([names[2], *names[:2]].index), "participant": trials.participant, "value": trials.abs_miss_deg,
+                                  "weight": trials.condition.map(spread)})
+        fitted = subprocess.run(["Rscript", "-e", script], input=table.to_csv(index=False), capture_output=True, text=True, check=True).stdout
+        fitted = pandas.read_csv(io.StringIO(fitted), index_col=0).values
+        for i, name in enumerate(names[:2]):
+            p = scipy.stats.ttest_rel(means[name], means["ohne"]).pvalue
+            assert abs(found.t[name] / p - 1) < 1e-3 and f"<td>{found.estimate[name]:.3g}</td>" in report, (found, p)
+            assert abs(mixed.estimate[name] / fitted[i][0] - 1) < 1e-3 and abs(mixed.mixed_model[name] / fitted[i][2] - 1) < 2e-2, (mixed, fitted)
+        if os.environ.get("HRT_EXPERIMENT_REPORT"):  # to look at
+            shutil.copy(data / "export/report.html", os.environ["HRT_EXPERIMENT_REPORT"])
+
+
 def bids_validator():
     """The command of npm's bids-validator, from the registry, once: its package is one script. None without npm or registry."""
     cache = pathlib.Path.home() / ".cache/haptic_retargeting/bids-validator"
@@ -315,6 +398,8 @@ def test_bids(data, conditions):
 
 
 test_by_hand()
+test_participants()
+test_psychometric()
 test_outcomes()
 test_level_and_coverage()
 test_mixed_model()
@@ -323,4 +408,5 @@ test_population()
 test_whole_studies()
 test_power()
 test_text()
+test_a_whole_study()
 test_report()

@@ -28,7 +28,7 @@ TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
            "- `rounds` (Blocks per condition; of random_in_blocks: blocks): 1, by default\n",
            "  - `max_s` (Longest duration, seconds): 8, by default\n",
            "- `listed_orders` (Orders of the conditions, by name, assigned to the participants in turn): none\n",
-           "  - number 2\n    - `controller` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
+           "  - number 2\n    - `config` (", "SHA-256 of study.json: `" + design.sha256 + "`"})
     EXPECT_NE(text.find(line), std::string::npos) << line << text;
   for (const auto& [name, field] : design_schema()["properties"].items())
     EXPECT_NE(text.find("- `" + name + "` ("), std::string::npos) << name;
@@ -88,7 +88,8 @@ TEST(ExperimentDesign, TenThousandSeedsHaveLegalSequences) {
   }
 }
 
-// People of a set of orders have all of them, and each level has whole sets.
+// Each level has each order equally often, and no level is earlier than the other. A replacement has both of whom it
+// replaces.
 TEST(ExperimentDesign, LevelsAreCrossedWithOrders) {
   const Design design = small_design(2, [](json& study) {
     study["participants"] = 8;
@@ -96,8 +97,13 @@ TEST(ExperimentDesign, LevelsAreCrossedWithOrders) {
   });
   std::map<std::pair<unsigned, std::vector<unsigned>>, unsigned> cells;
   for (unsigned p = 1; p <= 8; ++p) {
-    const Schedule schedule = schedule_of(design, p);
+    const Schedule schedule = schedule_of(design, p), replacement = schedule_of(design, p + 8);
     ++cells[{schedule.level, schedule.order}];
+    EXPECT_EQ(replacement.level, schedule.level);
+    EXPECT_EQ(replacement.order, schedule.order);
+    if (p % 2 == 0) {
+      EXPECT_NE(schedule.level, schedule_of(design, p - 1).level) << p;
+    }
   }
   EXPECT_EQ(cells.size(), 4U);
   for (const auto& [cell, times] : cells) EXPECT_EQ(times, 2U);
@@ -145,6 +151,15 @@ TEST(ExperimentDesign, RefusalsNameThePlace) {
       {".analysis.test must be t: equivalence",
        [](json& s) { s["analysis"] = {{"test", "sign_flip"}, {"hypothesis", "equivalence"}}; }},
       {".analysis.measure needs question and catch_share", [](json& s) { s["analysis"] = {{"measure", "criterion"}}; }},
+      {".conditions[0].config \"person.weight\" is no number of hrt_session_config",
+       [](json& s) { s["conditions"][0]["config"] = {{{"field", "person.weight"}, {"value", 0.3}}}; }},
+      {".conditions[0].config hrt_session_create",
+       [](json& s) { s["conditions"][0]["config"] = {{{"field", "person.tactile_weight"}, {"value", 3}}}; }},
+      {".conditions[0].config needs set_up none",
+       [](json& s) {
+         s["set_up"] = "calibration";
+         s["conditions"][0]["config"] = {{{"field", "person.tactile_weight"}, {"value", 0.3}}};
+       }},
       {".analysis.measure must be one of", [](json& s) { s["analysis"] = {{"measure", "peak_felt_error_deg"}}; }},
       {".analysis.reference must be a condition", [](json& s) { s["analysis"] = {{"reference", "x"}}; }}};
   for (const Wrong& wrong : wrongs) {

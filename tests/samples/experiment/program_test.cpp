@@ -72,9 +72,9 @@ TEST(ExperimentProgram, RefusesInOneLine) {
   EXPECT_EQ(nobody.exit_code, 1);
   EXPECT_TRUE(has(nobody.err, "--scene: is missing")) << nobody.err;
   const Outcome third =
-      Program({"run", folder / "good.json", "--participant", "3", "--simulated", "1", "--data", folder / "data"})
+      Program({"run", folder / "good.json", "--participant", "5", "--simulated", "1", "--data", folder / "data"})
           .wait();
-  EXPECT_TRUE(has(third.err, "--participant: 3 is not from 1 to 2")) << third.err;
+  EXPECT_TRUE(has(third.err, "--participant: 5 is not from 1 to 2")) << third.err;
   const Outcome ignored =
       Program({"run", folder / "good.json", "--participant", "1", "--simulated", "1", "--plate", "servo"}).wait();
   EXPECT_TRUE(has(ignored.err, "--plate requires --scene")) << ignored.err;
@@ -297,6 +297,8 @@ TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
                        {{"name", "hidden paper"}, {"controller", "paper"}}};
     s["pairs"] = {{{"name", "left"}, {"virtual_deg", 6}, {"real_deg", 0}, {"radius_mm", 5}}};
     s["practice_trials"] = 0;
+    s["texts"] = {{{"text", "Bent? 1 yes, 2 no."}, {"instead", "Umgelenkt? 1 ja, 2 nein."}}};
+    s["instructions"] = {{"block", "Greifen Sie nach dem Ziel."}};
     s["breaks"] = {{"minutes", 0}};
     s["questionnaires"] = {{{"name", "SSQ"}, {"when", "before"}, {"low", 0}, {"high", 3}, {"items", {"Nausea"}}}};
   };
@@ -316,7 +318,7 @@ TEST(ExperimentProgram, ByVoiceAndATerminalOf80x24) {
   person.stop("Put your index finger on the start.");
   person.leave();
   person.come(Path().hold(marks[0]).reach());
-  person.stop("Bent? 1 yes, 2 no.");
+  person.stop("Umgelenkt? 1 ja, 2 nein.");
   person.type("2");
   person.stop("A break of 0 minutes. Space continues after it.");
   // All keys but Escape are of the note, at once; what was typed is kept.

@@ -366,7 +366,8 @@ TEST(ExperimentSession, EverythingLeavesTheJournal) {
   const Design design = small_design(2, [](json& study) {
     study["participants"] = 4;
     study["between"] = {{"factor", "hand"}, {"levels", {"left", "right"}}};
-    study["questionnaires"] = {{{"name", "Fragen, é"}, {"items", {"Übelkeit", "b"}}}};
+    study["questionnaires"] = {{{"name", "Fragen, é"}, {"items", {"Übelkeit", "b"}}},
+                               {{"name", "effort"}, {"when", "block"}, {"answers", "text"}, {"items", {"How?"}}}};
   });
   const TemporaryFolder folder;
   Unplugged unplugged(design, 1, 7);
@@ -379,6 +380,9 @@ TEST(ExperimentSession, EverythingLeavesTheJournal) {
             std::string::npos);
   EXPECT_EQ(occurrences(files["questionnaires.csv"], "\"Fragen, é\",after,"), 2U);
   EXPECT_NE(files["questionnaires.csv"].find(",1,Übelkeit,"), std::string::npos);
+  for (const char* block : {",effort,block 1,", ",effort,block 2,"})
+    EXPECT_EQ(occurrences(files["questionnaires.csv"], block), 1U) << files["questionnaires.csv"];
+  EXPECT_EQ(occurrences(files["questionnaires.csv"], ",simulated,"), 2U);
   EXPECT_NE(files["events.csv"].find(",closed,"), std::string::npos);
   const std::string journal = content_of(folder.path / session_name / "journal.jsonl");
   EXPECT_EQ(occurrences(files["attempts.csv"], "\n"), 1 + occurrences(journal, "\"event\":\"attempt\""));
@@ -389,6 +393,48 @@ TEST(ExperimentSession, EverythingLeavesTheJournal) {
     for (std::string column; std::getline(header, column, ',');)
       EXPECT_NE(files["dictionary.md"].find("| `" + column + "` | "), std::string::npos) << name << column;
   }
+}
+
+// The stimulus is the bend that the plate delivered, which is less than a gap that no plate sustains; no larger one is
+// chosen than the set-up says that it can sustain.
+TEST(ExperimentSession, NoticeabilityIsOfTheDeliveredBend) {
+  const Design design = small_design(1, [](json& study) {
+    study["participants"] = 2;
+    study["set_up"] = "calibration";
+    study["simulated"]["invalid_share"] = 0;
+    study["noticeability"] = {{"trials", 10}, {"condition", "secret people"}, {"max_gap_deg", 45}};
+  });
+  const TemporaryFolder folder;
+  run_simulated(design, folder.path);
+  const std::string journal = content_of(folder.path / session_name / "journal.jsonl");
+  double max_gap_deg = 0.0, gap_deg = 0.0;
+  unsigned bends = 0;
+  for (const Event& event : read_journal(journal, "journal")) {
+    if (event.name == "set_up") max_gap_deg = event.data["max_gap_deg"];
+    if (event.name == "attempt") gap_deg = event.data.value("gap_deg", 0.0);
+    if (event.name != "reach" || !event.data.contains("bend_deg")) continue;
+    EXPECT_LE(gap_deg, max_gap_deg);
+    EXPECT_NEAR(event.data["bend_deg"].get<double>(), gap_deg, 6.0);
+    ++bends;
+  }
+  EXPECT_EQ(bends, 10U);
+  EXPECT_LT(max_gap_deg, 30.0);
+}
+
+// Fields of the library's configuration, and the gap, are factors.
+TEST(ExperimentSession, ConditionsSetTheConfigurationAndTheGap) {
+  const Design design = small_design(1, [](json& study) {
+    study["simulated"]["invalid_share"] = 0;
+    study["conditions"] = {
+        {{"name", "a"}, {"controller", "people"}, {"config", {{{"field", "person.tactile_weight"}, {"value", 0.35}}}}},
+        {{"name", "b"}, {"controller", "people"}, {"gap_share", 0.5}}};
+  });
+  EXPECT_EQ(config_of(design.conditions[0]).person.tactile_weight, 0.35);
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_simulated(design, folder.path), "done");
+  const std::string trials = export_study(design, folder.path, true).files.at("trials.csv");
+  EXPECT_EQ(occurrences(trials, ",b,0,left,,1,"), 1U) << trials;
+  EXPECT_EQ(occurrences(trials, ",6.0,3.0,"), 1U) << trials;
 }
 
 // Beside each recording is whose it is.
