@@ -91,10 +91,9 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
 
 // The finger before a slide.
 std::vector<TimedPoint> rest_of(const CalibrationTrial& trial, const SlideTrack& track) {
-  const auto& samples = trial.samples;
-  return {samples.begin(), std::find_if(samples.begin(), samples.end(), [&](const TimedPoint& p) {
-            return p.time_s > track.onset_s - before_onset_s;
-          })};
+  std::vector<TimedPoint> samples = measurements_of(trial.samples);
+  std::erase_if(samples, [&](const TimedPoint& p) { return p.time_s > track.onset_s - before_onset_s; });
+  return samples;
 }
 
 void widen(double half, Interval* interval) {

@@ -9,6 +9,7 @@
 #include "core/math/trigonometry.h"
 #include "core/plate/plate_limits.h"
 #include "core/tracker/finger_phase.h"
+#include "core/tracker/repeated_position.h"
 
 namespace hrt {
 namespace {
@@ -171,11 +172,21 @@ bool set_directions(const std::vector<Place>& places, double length_mm, SlideTra
 
 }  // namespace
 
+std::vector<TimedPoint> measurements_of(const std::vector<TimedPoint>& samples) {
+  RepeatedPosition<PlatePoint> repeated;
+  std::vector<TimedPoint> measured;
+  for (const TimedPoint& sample : samples)
+    if (!repeated.is_copy(std::llround(1e9 * (sample.time_s - samples.front().time_s)), sample.position))
+      measured.push_back(sample);
+  return measured;
+}
+
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg) {
-  const std::vector<bool> keep = plausible(trial.samples);
+  const std::vector<TimedPoint> measured = measurements_of(trial.samples);
+  const std::vector<bool> keep = plausible(measured);
   std::vector<TimedPoint> samples;
-  for (std::size_t i = 0; i < trial.samples.size(); ++i)
-    if (keep[i]) samples.push_back(trial.samples[i]);
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    if (keep[i]) samples.push_back(measured[i]);
   const std::optional<TimedPoint> onset = find_onset(samples);
   if (!onset) return std::nullopt;
   const std::vector<Place> places = places_of(samples, *onset, goal_direction_deg);

@@ -45,6 +45,9 @@ struct SlideTrack {
 /// The direction of the second half of a path.
 inline double settled_direction_deg(const SlideDirections& directions) { return 0.5 * (directions(2) + directions(3)); }
 
+/// Without copies of a measurement: see core/tracker/repeated_position.h.
+std::vector<TimedPoint> measurements_of(const std::vector<TimedPoint>& samples);
+
 inline constexpr double min_slide_mm = 30.0;
 
 /// None without a motion of `min_slide_mm` towards the goal that was seen in all of its parts. Positions

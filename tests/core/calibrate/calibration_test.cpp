@@ -47,6 +47,25 @@ TEST(Calibration, StraightPathsByHand) {
     EXPECT_NEAR(settled_direction_deg(slide.fitted_deg), settled_direction_deg(slide.parts_deg), 0.1);
 }
 
+// A tracker of 30 Hz under an application of 90 Hz, which repeats each position twice.
+TEST(Calibration, CopiesOfAPositionAreNoMeasurements) {
+  PersonCondition condition;
+  condition.tracker.white_mm = 1.0;
+  std::vector<CalibrationTrial> seldom = slides(condition, 0, grid(2)), copied = seldom;
+  for (std::size_t i = 0; i < seldom.size(); ++i) {
+    std::vector<TimedPoint>& samples = copied[i].samples;
+    seldom[i].samples.clear();
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (k % 3 == 0) seldom[i].samples.push_back(samples[k]);
+      samples[k].position = samples[k - k % 3].position;
+    }
+  }
+  const Calibration expected = calibrated(seldom), found = calibrated(copied);
+  EXPECT_EQ(found.tactile_weight.value, expected.tactile_weight.value);
+  EXPECT_EQ(found.noise.white_mm.value, expected.noise.white_mm.value);
+  EXPECT_GT(found.noise.white_mm.value, 0.5);
+}
+
 // Straight paths with slopes that no w_T has, and so scattered that the interval reaches those of some.
 TEST(Calibration, RefusesSlopesBeyondAnyWeight) {
   std::vector<CalibrationTrial> trials;
