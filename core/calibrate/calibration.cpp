@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/math/decimal.h"
 #include "core/paper/estimator.h"
 
 namespace hrt {
@@ -23,6 +24,9 @@ constexpr double peak_share = 0.25;
 constexpr double uneven_share = 0.2;
 // A slow start is no noise of a finger at rest.
 constexpr double before_onset_s = 0.05;
+
+// One takes 0.1 ms on a core of 3 GHz.
+constexpr int tracks_per_step = 3;
 
 std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
   if (!std::isfinite(goal_direction_deg)) return CalibrationRefusal{"the goal direction is not a finite number"};
@@ -46,11 +50,6 @@ std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& tri
     }
   }
   return std::nullopt;
-}
-
-std::string three_digits(double value) {
-  std::string text = std::to_string(value);
-  return text.substr(0, text.find('.') + 4);
 }
 
 // The controller's curve, the nearest of its kind.
@@ -87,6 +86,17 @@ std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::si
   return CalibrationRefusal{
       "the plate stood at " + std::to_string(angles) +
       " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
+}
+
+void add_slide(const CalibrationTrial& trial, std::size_t index, double goal_direction_deg, CalibrationSlides* slides) {
+  std::optional<SlideTrack> track = track_slide(trial, goal_direction_deg);
+  if (!track) return;
+  if (plate_turned(trial, *track)) {
+    ++slides->turned;
+    return;
+  }
+  slides->resting.push_back(*std::move(track));
+  slides->order.push_back(static_cast<double>(index));
 }
 
 // The finger before a slide.
@@ -171,52 +181,78 @@ std::vector<std::string> Calibration::advice() const {
 
 CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
   CalibrationSlides slides;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const auto track = track_slide(trials[i], goal_direction_deg);
-    if (!track) continue;
-    if (plate_turned(trials[i], *track)) {
-      ++slides.turned;
-      continue;
-    }
-    slides.resting.push_back(*track);
-    slides.order.push_back(static_cast<double>(i));
-  }
+  for (std::size_t i = 0; i < trials.size(); ++i) add_slide(trials[i], i, goal_direction_deg, &slides);
   return slides;
+}
+
+CalibrationFit::CalibrationFit(std::vector<CalibrationTrial> trials, double goal_direction_deg)
+    : trials_(std::move(trials)), goal_direction_deg_(goal_direction_deg) {}
+
+bool CalibrationFit::step() {
+  if (noise_) {
+    if (!noise_->step()) return false;
+    std::get<Calibration>(result_).noise = noise_->noise();
+    return true;
+  }
+  if (person_) return person_->step() && !describe();
+  return !begin();
+}
+
+bool CalibrationFit::refuse(std::string reason) {
+  result_ = CalibrationRefusal{std::move(reason)};
+  return false;
+}
+
+// Some of the slides, and at last which of them are fitted. False if the calibration is refused.
+bool CalibrationFit::begin() {
+  if (trial_ == 0)
+    if (auto refusal = check(trials_, goal_direction_deg_)) return refuse(refusal->reason);
+  for (int i = 0; i < tracks_per_step && trial_ < trials_.size(); ++i, ++trial_)
+    add_slide(trials_[trial_], trial_, goal_direction_deg_, &slides_);
+  if (trial_ < trials_.size()) return true;
+  if (auto refusal = check(slides_, trials_.size())) return refuse(refusal->reason);
+  person_.emplace(slides_.resting, slides_.order);
+  const std::size_t used = person_->result().used.size();
+  return used >= static_cast<std::size_t>(min_fitted_slides) ||
+         refuse(std::to_string(used) + " of " + std::to_string(slides_.resting.size()) +
+                " slides are like one another; at least " + std::to_string(min_fitted_slides) +
+                " are needed: check the tracker");
+}
+
+// False if the calibration is refused.
+bool CalibrationFit::describe() {
+  Calibration calibration = described(person_->result());
+  const Interval& w = calibration.tactile_weight;
+  if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight))
+    return refuse("w_T is " + decimal(w.value, 3) + " with a 95 % interval of " + decimal(w.lower, 3) + " to " +
+                  decimal(w.upper, 3) +
+                  "; within 0.02 to 0.48 is needed: more trials, or this hand does not feel the ridges");
+  std::vector<std::vector<TimedPoint>> rests;
+  for (std::size_t i = 0; i < slides_.resting.size(); ++i) {
+    const SlideTrack& track = slides_.resting[i];
+    const auto trial = static_cast<std::size_t>(slides_.order[i]);
+    const SlideVerdict verdict = person_->result().verdicts[i];
+    calibration.slides.push_back({.trial = trial,
+                                  .plate_deg = track.plate_deg,
+                                  .parts_deg = track.direction_deg,
+                                  .fitted_deg = predicted_directions(track, person_->result().fit.person),
+                                  .verdict = verdict});
+    if (verdict != SlideVerdict::used) continue;
+    rests.push_back(rest_of(trials_[trial], track));
+    calibration.max_plate_deg = std::max(calibration.max_plate_deg, std::abs(track.plate_deg));
+  }
+  calibration.slides_turned = slides_.turned;
+  result_ = std::move(calibration);
+  noise_.emplace(rests);
+  return true;
 }
 
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         double goal_direction_deg) {
-  if (auto refusal = check(trials, goal_direction_deg)) return *refusal;
-  const CalibrationSlides slides = slides_of(trials, goal_direction_deg);
-  if (auto refusal = check(slides, trials.size())) return *refusal;
-  const PersonFit person = fit_person(slides.resting, slides.order);
-  if (person.used.size() < static_cast<std::size_t>(min_fitted_slides))
-    return CalibrationRefusal{std::to_string(person.used.size()) + " of " + std::to_string(slides.resting.size()) +
-                              " slides are like one another; at least " + std::to_string(min_fitted_slides) +
-                              " are needed: check the tracker"};
-  Calibration calibration = described(person);
-  const Interval& w = calibration.tactile_weight;
-  if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight)) {
-    return CalibrationRefusal{"w_T is " + three_digits(w.value) + " with a 95 % interval of " + three_digits(w.lower) +
-                              " to " + three_digits(w.upper) +
-                              "; within 0.02 to 0.48 is needed: more trials, or this hand does not feel the ridges"};
+  CalibrationFit fit(trials, goal_direction_deg);
+  while (!fit.step()) {
   }
-  std::vector<std::vector<TimedPoint>> rests;
-  for (std::size_t i = 0; i < slides.resting.size(); ++i) {
-    const SlideTrack& track = slides.resting[i];
-    const auto trial = static_cast<std::size_t>(slides.order[i]);
-    calibration.slides.push_back({.trial = trial,
-                                  .plate_deg = track.plate_deg,
-                                  .parts_deg = track.direction_deg,
-                                  .fitted_deg = predicted_directions(track, person.fit.person),
-                                  .verdict = person.verdicts[i]});
-    if (person.verdicts[i] != SlideVerdict::used) continue;
-    rests.push_back(rest_of(trials[trial], track));
-    calibration.max_plate_deg = std::max(calibration.max_plate_deg, std::abs(track.plate_deg));
-  }
-  calibration.noise = fit_rest_noise(rests);
-  calibration.slides_turned = slides.turned;
-  return calibration;
+  return fit.result();
 }
 
 }  // namespace hrt

@@ -2,9 +2,10 @@
 // plate that stands still (paper section V, "calibration"; the method is ours, derived in
 // core/calibrate/README.md), and whether that account fits the slides at all.
 //
-// Off-line work: it allocates and takes as long as it needs. Any thread.
+// It allocates. Any thread.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -74,6 +75,32 @@ struct CalibrationRefusal {
 /// Needs at least `min_trials` slides of at least 30 mm that count, at three plate angles or more that span
 /// 40 degrees: one angle alone cannot separate w_T from a bias. Refuses a w_T whose interval is not within the usable
 /// range (0.02, 0.48).
+///
+/// In steps of bounded time.
+class CalibrationFit {
+ public:
+  CalibrationFit(std::vector<CalibrationTrial> trials, double goal_direction_deg);
+  CalibrationFit(const CalibrationFit&) = delete;
+  CalibrationFit& operator=(const CalibrationFit&) = delete;
+  /// Returns true at the end; no calls after that.
+  bool step();
+  const std::variant<Calibration, CalibrationRefusal>& result() const { return result_; }
+
+ private:
+  bool refuse(std::string reason);
+  bool begin();
+  bool describe();
+
+  std::vector<CalibrationTrial> trials_;
+  double goal_direction_deg_;
+  std::size_t trial_ = 0;  // whose slide is reduced next
+  CalibrationSlides slides_;
+  std::optional<PersonFitting> person_;
+  std::optional<RestNoiseFit> noise_;
+  std::variant<Calibration, CalibrationRefusal> result_;
+};
+
+/// All steps of it.
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         double goal_direction_deg = 0.0);
 

@@ -5,10 +5,12 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/calibrate/slide_model.h"
+#include "core/math/least_squares.h"
 #include "core/math/linear_algebra.h"
 
 namespace hrt {
@@ -39,8 +41,33 @@ SlidingPersonModel fitted_person(const FitVector& parameters);
 /// How far the steering law may be wrong about a part in all slides alike, degrees.
 double common_deviation_deg(int part);
 
-/// `parts_covariance`: of one slide's directions about the fit, positive definite.
-CurveFit fit_curve(std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance);
+/// The fit of a person to slides, in steps of bounded time.
+class CurveFitting {
+ public:
+  /// The slides must outlive the fit. `parts_covariance`: of one slide's directions about the fit, positive definite.
+  CurveFitting(std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance);
+  CurveFitting(const CurveFitting&) = delete;
+  CurveFitting& operator=(const CurveFitting&) = delete;
+  /// Returns true at the end; no calls after that.
+  bool step();
+  const CurveFit& fit() const { return fit_; }
+
+ private:
+  enum class Stage { wide_prior, narrow_prior, derivatives };
+
+  void narrow_prior();
+  void take_parameters();
+  void add_derivatives();
+  void find_covariance();
+
+  Stage stage_ = Stage::wide_prior;
+  std::span<const SlideTrack> slides_;
+  PartsMatrix weight_;
+  Eigen::MatrixXd root_;  // weight_ = root_' root_
+  LeastSquares problem_;
+  std::optional<Descent> descent_;
+  CurveFit fit_;
+};
 
 /// The step of a numerical derivative by a parameter.
 double fit_step(int parameter);

@@ -10,41 +10,18 @@ namespace {
 
 constexpr double rank_threshold = 1e-5;
 
-// Residuals and derivatives of all slides, in units in which residuals are independent with one variance, and below
-// them what the parameters' prior expects.
-struct Whitened {
-  Eigen::VectorXd residuals;
-  Eigen::MatrixXd derivatives;
-  double degrees;  ///< of freedom that the fit leaves
-};
-
-// The probability of the share that `patterns` explain beyond the fit's own derivatives, and beyond what the
-// steering law may be wrong by: `allowed_deg`, the standard deviation of each pattern's size.
-double pattern_p(const Whitened& whitened, const Eigen::MatrixXd& patterns, const Eigen::VectorXd& allowed_deg) {
-  const LinearFit without = linear_fit(whitened.derivatives, whitened.residuals, rank_threshold);
-  Eigen::MatrixXd both(whitened.residuals.size(), whitened.derivatives.cols() + patterns.cols());
-  both << whitened.derivatives, patterns;
-  const LinearFit with = linear_fit(both, whitened.residuals, rank_threshold);
-  const auto gained = static_cast<double>(with.rank - without.rank);
-  const double degrees = whitened.degrees - gained;
-  if (gained < 1.0 || degrees < 4.0) return 1.0;
-  double allowed = 0.0;
-  for (Eigen::Index i = 0; i < patterns.cols(); ++i)
-    allowed += allowed_deg(i) * allowed_deg(i) * linear_fit(whitened.derivatives, patterns.col(i), rank_threshold).left;
-  return f_tail((without.left - with.left) / (gained * with.left / degrees + allowed), gained, degrees);
-}
-
 }  // namespace
 
-LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, std::span<const double> order,
-                      const PartsMatrix& parts_covariance, int degree) {
+LackOfFitTests::LackOfFitTests(const CurveFit& fit, std::span<const SlideTrack> slides, std::span<const double> order,
+                               const PartsMatrix& parts_covariance, int degree) {
   const auto count = static_cast<Eigen::Index>(slides.size());
   const PartsMatrix whitening = whitening_of(parts_covariance);
   const Eigen::Index rows = count * slide_parts + fit_parameters;
-  Whitened whitened{Eigen::VectorXd(rows), Eigen::MatrixXd::Zero(rows, fit_parameters),
-                    static_cast<double>(count * slide_parts) - fit.effective};
-  whitened.residuals.tail(fit_parameters) = fit.prior_off;
-  whitened.derivatives.bottomRows(fit_parameters).diagonal() = fit.prior_deviation.cwiseInverse();
+  residuals_.resize(rows);
+  residuals_.tail(fit_parameters) = fit.prior_off;
+  derivatives_ = Eigen::MatrixXd::Zero(rows, fit_parameters);
+  derivatives_.bottomRows(fit_parameters).diagonal() = fit.prior_deviation.cwiseInverse();
+  degrees_ = static_cast<double>(count * slide_parts) - fit.effective;
   Eigen::MatrixXd angle = Eigen::MatrixXd::Zero(rows, degree - 1);
   Eigen::MatrixXd trend = Eigen::MatrixXd::Zero(rows, 2);
   Eigen::MatrixXd path = Eigen::MatrixXd::Zero(rows, Eigen::Index{2} * slide_parts);
@@ -52,8 +29,8 @@ LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, s
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Eigen::Index row = i * slide_parts;
-    whitened.residuals.segment<slide_parts>(row) = whitening * fit.residuals[k];
-    whitened.derivatives.middleRows<slide_parts>(row) = product(whitening, fit.jacobians[k]);
+    residuals_.segment<slide_parts>(row) = whitening * fit.residuals[k];
+    derivatives_.middleRows<slide_parts>(row) = product(whitening, fit.jacobians[k]);
     const Eigen::VectorXd powers = plate_powers(slides[k].plate_deg, degree);
     // The settled parts follow the curve; the first one is on its way.
     const SlideDirections settled = whitening * SlideDirections(0.5, 1.0, 1.0, 1.0);
@@ -68,9 +45,34 @@ LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, s
   Eigen::VectorXd path_deg(2 * slide_parts);
   for (int part = 0; part < slide_parts; ++part)
     path_deg(part) = path_deg(slide_parts + part) = common_deviation_deg(part);
-  return {.angle_p = degree > 1 ? pattern_p(whitened, angle, Eigen::VectorXd::Constant(degree - 1, settled_deg)) : 1.0,
-          .order_p = pattern_p(whitened, trend, Eigen::VectorXd::Zero(2)),
-          .path_p = pattern_p(whitened, path, path_deg)};
+  patterns_[0] = {angle, Eigen::VectorXd::Constant(degree - 1, settled_deg)};
+  patterns_[1] = {trend, Eigen::VectorXd::Zero(2)};
+  patterns_[2] = {path, path_deg};
+}
+
+bool LackOfFitTests::step() {
+  Pattern& pattern = patterns_[pattern_];
+  if (column_ < pattern.columns.cols()) {
+    const double left = linear_fit(derivatives_, pattern.columns.col(column_), rank_threshold).left;
+    pattern.allowed += pattern.allowed_deg(column_) * pattern.allowed_deg(column_) * left;
+    ++column_;
+    return false;
+  }
+  pattern.p = pattern_p(pattern);
+  column_ = 0;
+  return ++pattern_ == patterns_.size();
+}
+
+// The probability of the share that the pattern explains beyond the fit's own derivatives and `allowed`.
+double LackOfFitTests::pattern_p(const Pattern& pattern) const {
+  const LinearFit without = linear_fit(derivatives_, residuals_, rank_threshold);
+  Eigen::MatrixXd both(residuals_.size(), derivatives_.cols() + pattern.columns.cols());
+  both << derivatives_, pattern.columns;
+  const LinearFit with = linear_fit(both, residuals_, rank_threshold);
+  const auto gained = static_cast<double>(with.rank - without.rank);
+  const double degrees = degrees_ - gained;
+  if (gained < 1.0 || degrees < 4.0) return 1.0;
+  return f_tail((without.left - with.left) / (gained * with.left / degrees + pattern.allowed), gained, degrees);
 }
 
 }  // namespace hrt

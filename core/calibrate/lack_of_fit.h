@@ -2,6 +2,7 @@
 // along their paths.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,34 @@ struct LackOfFit {
 /// Below this a pattern is held to be there; of people without one, 1 in 100 have a test that says so.
 inline constexpr double min_fit_p = 0.01;
 
-/// `order`: the number of each slide in the session. `degree`: of the polynomials.
-LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, std::span<const double> order,
-                      const PartsMatrix& parts_covariance, int degree);
+/// The tests in steps of bounded time, for curve fits of at least two slides.
+class LackOfFitTests {
+ public:
+  /// `order`: the number of each slide in the session. `degree`: of the polynomials.
+  LackOfFitTests(const CurveFit& fit, std::span<const SlideTrack> slides, std::span<const double> order,
+                 const PartsMatrix& parts_covariance, int degree);
+  /// Returns true at the end; no calls after that.
+  bool step();
+  LackOfFit result() const { return {patterns_[0].p, patterns_[1].p, patterns_[2].p}; }
+
+ private:
+  struct Pattern {
+    Eigen::MatrixXd columns;
+    Eigen::VectorXd allowed_deg;  // the standard deviation of each column's size by which the steering law may be wrong
+    double allowed = 0.0;         // the same as a sum of squares
+    double p = 1.0;
+  };
+
+  double pattern_p(const Pattern& pattern) const;
+
+  // Residuals and derivatives of all slides, in units in which residuals are independent with one variance, and below
+  // them what the parameters' prior expects.
+  Eigen::VectorXd residuals_;
+  Eigen::MatrixXd derivatives_;
+  double degrees_;  // of freedom that the fit leaves
+  std::array<Pattern, 3> patterns_;
+  std::size_t pattern_ = 0;
+  Eigen::Index column_ = 0;  // whose `allowed` is added next
+};
 
 }  // namespace hrt

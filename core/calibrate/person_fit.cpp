@@ -48,36 +48,43 @@ std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides) {
   return verdicts;
 }
 
-PersonFit fit_person(std::span<const SlideTrack> slides, std::span<const double> order) {
-  PersonFit person;
-  person.verdicts = slide_verdicts(slides);
+PersonFitting::PersonFitting(std::span<const SlideTrack> slides, std::span<const double> order) {
+  person_.verdicts = slide_verdicts(slides);
   std::vector<std::size_t> counting;
   std::vector<SlideTrack> tracks;
   for (std::size_t i = 0; i < slides.size(); ++i) {
-    if (person.verdicts[i] != SlideVerdict::used) continue;
+    if (person_.verdicts[i] != SlideVerdict::used) continue;
     counting.push_back(i);
     tracks.push_back(slides[i]);
   }
-  person.scatter = slide_scatter(tracks);
-  std::vector<SlideTrack> fitted;
-  std::vector<double> fitted_order;
+  person_.scatter = slide_scatter(tracks);
   for (std::size_t i = 0; i < counting.size(); ++i) {
-    if (person.scatter.outlying[i]) {
-      person.verdicts[counting[i]] = SlideVerdict::outlying;
+    if (person_.scatter.outlying[i]) {
+      person_.verdicts[counting[i]] = SlideVerdict::outlying;
       continue;
     }
-    person.used.push_back(counting[i]);
-    fitted.push_back(tracks[i]);
-    fitted_order.push_back(order[counting[i]]);
+    person_.used.push_back(counting[i]);
+    fitted_.push_back(tracks[i]);
+    fitted_order_.push_back(order[counting[i]]);
     const double offset_deg = tracks[i].plate_deg - settled_direction_deg(tracks[i].direction_deg);
-    person.max_left_deg = std::max(person.max_left_deg, offset_deg);
-    person.max_right_deg = std::max(person.max_right_deg, -offset_deg);
+    person_.max_left_deg = std::max(person_.max_left_deg, offset_deg);
+    person_.max_right_deg = std::max(person_.max_right_deg, -offset_deg);
   }
+}
 
-  person.fit = fit_curve(fitted, person.scatter.covariance);
-  person.lack_of_fit =
-      lack_of_fit(person.fit, fitted, fitted_order, person.scatter.covariance, polynomial_degree(fitted));
-  return person;
+bool PersonFitting::step() {
+  const PartsMatrix& covariance = person_.scatter.covariance;
+  if (!curve_) {
+    curve_.emplace(fitted_, covariance);
+  } else if (!lack_of_fit_) {
+    if (!curve_->step()) return false;
+    person_.fit = curve_->fit();
+    lack_of_fit_.emplace(person_.fit, fitted_, fitted_order_, covariance, polynomial_degree(fitted_));
+  } else if (lack_of_fit_->step()) {
+    person_.lack_of_fit = lack_of_fit_->result();
+    return true;
+  }
+  return false;
 }
 
 }  // namespace hrt

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,7 +45,24 @@ std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides);
 /// Fewest slides that count of which a person is fitted.
 inline constexpr int min_fitted_slides = 8;
 
-/// At least min_fitted_slides that count. `order`: as in lack_of_fit().
-PersonFit fit_person(std::span<const SlideTrack> slides, std::span<const double> order);
+/// The fit in steps of bounded time.
+class PersonFitting {
+ public:
+  /// Selects the slides to fit. `order`: as in LackOfFitTests.
+  PersonFitting(std::span<const SlideTrack> slides, std::span<const double> order);
+  PersonFitting(const PersonFitting&) = delete;
+  PersonFitting& operator=(const PersonFitting&) = delete;
+  /// Requires min_fitted_slides that are used. Returns true at the end; no calls after that.
+  bool step();
+  /// Before the end: which slides are used, and their scatter.
+  const PersonFit& result() const { return person_; }
+
+ private:
+  PersonFit person_;
+  std::vector<SlideTrack> fitted_;
+  std::vector<double> fitted_order_;
+  std::optional<CurveFitting> curve_;
+  std::optional<LackOfFitTests> lack_of_fit_;
+};
 
 }  // namespace hrt

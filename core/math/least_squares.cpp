@@ -1,6 +1,7 @@
 #include "core/math/least_squares.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/math/linear_algebra.h"
 
@@ -13,51 +14,61 @@ constexpr double min_improvement = 1e-5;
 // A residual grows by this factor at most when its group is left out: a group that alone shows a parameter
 // leaves nothing to predict it from.
 constexpr double max_growth = 5.0;
-
-double misfit_of(const std::vector<Eigen::VectorXd>& residuals) {
-  double sum = 0.0;
-  for (const Eigen::VectorXd& group : residuals) sum += group.squaredNorm();
-  return sum;
-}
-
-double penalty_of(const LeastSquares& problem, const Eigen::VectorXd& parameters) {
-  return (parameters - problem.prior_mean).cwiseQuotient(problem.prior_deviation).squaredNorm();
-}
+// A group of four residuals and 28 parameters takes 0.1 ms on a core of 3 GHz.
+constexpr std::size_t groups_per_step = 3;
 
 Eigen::VectorXd precision_of(const Eigen::VectorXd& deviation) { return deviation.cwiseAbs2().cwiseInverse(); }
 
 }  // namespace
 
-LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& first) {
-  LeastSquaresFit fit{.parameters = first};
-  std::vector<Eigen::VectorXd> residuals = problem.residuals(first);
-  fit.misfit = misfit_of(residuals);
-  fit.penalty = penalty_of(problem, first);
-  double damping = 1e-3;
-  for (int pass = 0; pass < max_passes; ++pass) {
-    const std::vector<Eigen::MatrixXd> derivatives = problem.derivatives(fit.parameters);
-    Eigen::MatrixXd damped = information_of(derivatives, problem.prior_deviation);
-    const Eigen::VectorXd diagonal = damped.diagonal();
-    Eigen::VectorXd gradient = precision_of(problem.prior_deviation).cwiseProduct(problem.prior_mean - fit.parameters);
-    for (std::size_t i = 0; i < derivatives.size(); ++i) gradient += product(derivatives[i].transpose(), residuals[i]);
-    double gained = 0.0;
-    for (int attempt = 0; attempt < max_attempts && !(gained > 0.0); ++attempt) {
-      damped.diagonal() = (1.0 + damping) * diagonal;
-      const Eigen::VectorXd next = problem.clamped(fit.parameters + solve_symmetric(damped, gradient));
-      std::vector<Eigen::VectorXd> then = problem.residuals(next);
-      const LeastSquaresFit tried{next, misfit_of(then), penalty_of(problem, next)};
-      gained = fit.misfit + fit.penalty - tried.misfit - tried.penalty;
-      if (gained > 0.0) {
-        fit = tried;
-        residuals.swap(then);
-        damping = std::max(0.1 * damping, 1e-9);
-      } else {
-        damping *= 10.0;
-      }
-    }
-    if (!(gained > min_improvement)) break;
+Descent::Descent(const LeastSquares& problem, Eigen::VectorXd first) : problem_(problem) {
+  fit_ = measured(std::move(first), &residuals_);
+  begin_pass();
+}
+
+LeastSquaresFit Descent::measured(Eigen::VectorXd parameters, std::vector<Eigen::VectorXd>* residuals) const {
+  LeastSquaresFit fit{.parameters = std::move(parameters)};
+  for (std::size_t i = 0; i < problem_.groups; ++i) {
+    residuals->push_back(problem_.residuals(i, fit.parameters));
+    fit.misfit += residuals->back().squaredNorm();
   }
+  fit.penalty = (fit.parameters - problem_.prior_mean).cwiseQuotient(problem_.prior_deviation).squaredNorm();
   return fit;
+}
+
+void Descent::begin_pass() {
+  const Eigen::VectorXd precision = precision_of(problem_.prior_deviation);
+  information_ = precision.asDiagonal();
+  gradient_ = precision.cwiseProduct(problem_.prior_mean - fit_.parameters);
+  group_ = 0;
+  attempt_ = 0;
+}
+
+bool Descent::step() {
+  if (group_ < problem_.groups) {
+    for (const std::size_t end = std::min(group_ + groups_per_step, problem_.groups); group_ < end; ++group_) {
+      const Eigen::MatrixXd derivatives = problem_.derivatives(group_, fit_.parameters);
+      information_ += product(derivatives.transpose(), derivatives);
+      gradient_ += product(derivatives.transpose(), residuals_[group_]);
+    }
+    return false;
+  }
+  Eigen::MatrixXd damped = information_;
+  damped.diagonal() = (1.0 + damping_) * information_.diagonal();
+  std::vector<Eigen::VectorXd> residuals;
+  const LeastSquaresFit tried =
+      measured(problem_.clamped(fit_.parameters + solve_symmetric(damped, gradient_)), &residuals);
+  const double gained = fit_.misfit + fit_.penalty - tried.misfit - tried.penalty;
+  if (!(gained > 0.0)) {
+    damping_ *= 10.0;
+    return ++attempt_ == max_attempts;
+  }
+  fit_ = tried;
+  residuals_.swap(residuals);
+  damping_ = std::max(0.1 * damping_, 1e-9);
+  if (!(gained > min_improvement) || ++pass_ == max_passes) return true;
+  begin_pass();
+  return false;
 }
 
 Eigen::MatrixXd information_of(const std::vector<Eigen::MatrixXd>& derivatives,

@@ -3,17 +3,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 namespace hrt {
 
-/// Residuals are what is observed less what is predicted, derivatives those of what is predicted. Both come
-/// in independent groups, in units of the residuals' deviations.
+/// Residuals are observed less predicted values, derivatives are those of the predicted values. Both come in
+/// independent groups, in units of the residuals' standard deviations.
 struct LeastSquares {
-  std::function<std::vector<Eigen::VectorXd>(const Eigen::VectorXd& parameters)> residuals;
-  /// On the way, where one-sided differences will do.
-  std::function<std::vector<Eigen::MatrixXd>(const Eigen::VectorXd& parameters)> derivatives;
+  std::size_t groups = 0;
+  std::function<Eigen::VectorXd(std::size_t group, const Eigen::VectorXd& parameters)> residuals;
+  /// One-sided differences are sufficient: they only direct the descent.
+  std::function<Eigen::MatrixXd(std::size_t group, const Eigen::VectorXd& parameters)> derivatives;
   std::function<Eigen::VectorXd(Eigen::VectorXd parameters)> clamped;  ///< to their ranges
   Eigen::VectorXd prior_mean;
   Eigen::VectorXd prior_deviation;
@@ -25,7 +27,30 @@ struct LeastSquaresFit {
   double penalty = 0.0;  ///< of the prior
 };
 
-LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& first);
+/// The descent in steps of bounded time, which a frame loop can spread over frames.
+class Descent {
+ public:
+  /// `problem` must outlive the descent and must not change.
+  Descent(const LeastSquares& problem, Eigen::VectorXd first);
+  /// Adds the derivatives of some groups, or tries one change of the parameters. Returns true at the end; no calls
+  /// after that.
+  bool step();
+  const LeastSquaresFit& fit() const { return fit_; }
+
+ private:
+  LeastSquaresFit measured(Eigen::VectorXd parameters, std::vector<Eigen::VectorXd>* residuals) const;
+  void begin_pass();
+
+  const LeastSquares& problem_;
+  LeastSquaresFit fit_;
+  std::vector<Eigen::VectorXd> residuals_;
+  Eigen::MatrixXd information_;
+  Eigen::VectorXd gradient_;
+  std::size_t group_ = 0;  // whose derivatives are added next
+  int pass_ = 0;
+  int attempt_ = 0;
+  double damping_ = 1e-3;
+};
 
 /// The information of residuals and prior, if the residuals' deviations are right.
 Eigen::MatrixXd information_of(const std::vector<Eigen::MatrixXd>& derivatives, const Eigen::VectorXd& prior_deviation);

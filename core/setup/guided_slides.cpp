@@ -31,12 +31,13 @@ GuidedSlides::GuidedSlides(const PlatePoint& start, const std::array<PlatePoint,
     : start_(start), ends_(ends), count_(count) {}
 
 void GuidedSlides::restart() {
-  object_ = 0;
+  object_ = failed_ = 0;
   again(SetupProblem::none);
 }
 
 void GuidedSlides::again(SetupProblem problem) {
   problem_ = problem;
+  if (problem != SetupProblem::none) ++failed_;
   rests_ = 0;
   finger_.lift();
 }
@@ -73,7 +74,7 @@ void GuidedSlides::come_to_rest(const PlatePoint& place, bool long_since) {
   problem_ = SetupProblem::none;
   seen_[static_cast<std::size_t>(object_)][static_cast<std::size_t>(rests_++)] = place;
   if (rests_ < rests_an_object) return;
-  rests_ = 0;
+  rests_ = failed_ = 0;
   ++object_;
 }
 

@@ -30,6 +30,8 @@ class GuidedSlides {
   int done() const { return object_ * slides_an_object + std::max(0, rests_ - 1); }
   int of() const { return count_ * slides_an_object; }
   int object() const { return object_; }
+  /// Slides to the object that did not count.
+  int failed() const { return failed_; }
   bool has_begun() const { return rests_ > 0; }
   /// Where the finger is to rest next.
   const PlatePoint& next() const;
@@ -55,6 +57,7 @@ class GuidedSlides {
   std::array<Rests, max_objects> seen_{};
   int object_ = 0;
   int rests_ = 0;  // of this object
+  int failed_ = 0;
   SetupProblem problem_ = SetupProblem::none;
   FingerPhase finger_;
   std::int64_t seen_ns_ = 0;

@@ -7,6 +7,7 @@ namespace {
 
 constexpr std::uint32_t slide_parts_of_setup = setup_calibration | setup_retest;
 constexpr std::uint32_t touch_parts = setup_fingertip | setup_registration | setup_check;
+constexpr std::uint32_t need_plate = setup_guides | slide_parts_of_setup;
 // Four seconds at 250 Hz, on average.
 constexpr std::size_t samples_a_slide = 1000;
 // Beyond 0.8 a person with a usual weight comes to move along the ridges.
@@ -65,13 +66,35 @@ bool Setup::finish_is_due() const {
 void Setup::close() {
   left_ &= ~part();
   problem_ = SetupProblem::none;
+  reason_ = "";
+  rejected_ = 0;
   wanted_slides_ = first_slides;
   begin_part();
 }
 
-void Setup::repeat(SetupProblem problem) {
+void Setup::drop(SetupProblem problem, std::string_view reason) {
+  last_drop_ = {.part = part(), .problem = problem, .observed = observed(), .reason = {}};
+  last_drop_.reason = reason;
+  // Slides and guides on a plate at an unknown position show nothing.
+  std::uint32_t need_it = 0;
+  if (has_part(setup_registration)) need_it = need_plate;
+  if (has_part(setup_check)) need_it = setup_guides;
+  const std::uint32_t gone = part() | (left_ & need_it);
+  dropped_ |= gone;
+  left_ &= ~gone | part();
+  close();
+}
+
+SetupDrop Setup::last_drop() const {
+  return {last_drop_.part, last_drop_.problem, last_drop_.observed, last_drop_.reason};
+}
+
+void Setup::repeat(SetupProblem problem, std::string_view reason) {
+  const bool wants_slides = has_part(slide_parts_of_setup);
+  if (!wants_slides && ++rejected_ == max_rejected_fits) return drop(problem, reason);
   problem_ = problem;
-  if (has_part(slide_parts_of_setup)) wanted_slides_ = std::min(wanted_slides_ + more_slides, config_.max_slides);
+  reason_ = reason;
+  if (wants_slides) wanted_slides_ = std::min(wanted_slides_ + more_slides, config_.max_slides);
   begin_part();
 }
 
@@ -82,18 +105,23 @@ bool Setup::can_show(const SetupSample& sample) const {
 }
 
 void Setup::update(const SetupSample& sample) {
-  while (config_.only_possible && left_ != 0 && sample.tracked_mm && !can_show(sample)) close();
   if (finish_is_due()) return;
+  while (config_.only_possible && left_ != 0 && sample.tracked_mm && !can_show(sample)) close();
+  if (left_ == 0) return;
+  const SetupPart current = part();
+  const int before = done();
+  progress_.observe(sample);
   if (has_part(touch_parts)) {
-    const int before = touches_.count();
     touches_.observe(sample);
     if (touches_.count() > before && !touches_.complete()) problem_ = SetupProblem::none;
   } else if (has_part(setup_guides)) {
     guided_.observe(sample);
     if (guided_.has_begun() || guided_.problem() != SetupProblem::none) problem_ = guided_.problem();
+    if (guided_.failed() == max_failed_slides) drop(guided_.problem(), "");
   } else {
     slide(sample);
   }
+  if (part() != current || done() != before) progress_.restart();
 }
 
 void Setup::slide(const SetupSample& sample) {
@@ -103,14 +131,19 @@ void Setup::slide(const SetupSample& sample) {
   if (kept) slides_->add(sample.on_plate);
   if (!watch_.has_left()) slides_->shorten_rest();
   if (sliding || watch_.problem() != SetupProblem::none) problem_ = watch_.problem();
+  if (watch_.failed() == max_failed_slides || watch_.plate_is_stuck()) return drop(watch_.problem(), "");
   if (watch_.phase() != SlideWatch::Phase::done) return;
   slides_->end();
   problem_ = SetupProblem::none;
   if (!finish_is_due()) next_slide();
 }
 
+int Setup::done() const {
+  if (has_part(slide_parts_of_setup)) return slides_->count();
+  return has_part(setup_guides) ? guided_.done() : touches_.count();
+}
+
 void Setup::describe_slide(SetupStep* step) const {
-  step->done = slides_->count();
   step->of = wanted_slides_;
   step->place_mm = place_of(config_.start);
   if (watch_.phase() == SlideWatch::Phase::rest_at_start) {
@@ -123,10 +156,20 @@ void Setup::describe_slide(SetupStep* step) const {
 
 void Setup::describe_guide(SetupStep* step) const {
   step->number = guided_.object();
-  step->done = guided_.done();
   step->of = guided_.of();
   step->place_mm = place_of(guided_.next());
   step->instruction = guided_.has_begun() ? Instruction::slide : Instruction::rest_at_start;
+}
+
+Observed Setup::observed() const {
+  if (!watch_.wrong_way_deg() && !progress_.may_be_stuck()) return {};
+  if (left_ == 0 || finish_is_due()) return {};
+  if (has_part(touch_parts)) return progress_.observed({}, {});
+  if (has_part(setup_guides)) return progress_.observed(guided_.next(), {});
+  if (watch_.wrong_way_deg()) return {Observed::Kind::wrong_way, *watch_.wrong_way_deg(), 0.0};
+  if (watch_.phase() == SlideWatch::Phase::plate_turns) return progress_.observed({}, plate_orientation_deg_);
+  return watch_.phase() == SlideWatch::Phase::slide ? progress_.observed({}, {})
+                                                    : progress_.observed(config_.start, {});
 }
 
 SetupStep Setup::step() const {
@@ -134,10 +177,12 @@ SetupStep Setup::step() const {
                  .instruction = Instruction::wait,
                  .problem = problem_,
                  .number = touches_.count(),
-                 .done = touches_.count(),
+                 .done = done(),
                  .of = touches_.wanted(),
                  .place_mm = Eigen::Vector3d::Zero(),
-                 .plate_orientation_deg = plate_orientation_deg_};
+                 .plate_orientation_deg = plate_orientation_deg_,
+                 .observed = observed(),
+                 .reason = reason_};
   if (has_part(slide_parts_of_setup)) {
     describe_slide(&step);
   } else if (has_part(setup_guides)) {

@@ -7,6 +7,7 @@
 #include "core/plate/registration.h"
 #include "core/setup/guided_slides.h"
 #include "core/setup/mark_touches.h"
+#include "core/setup/setup_progress.h"
 #include "core/setup/slide_store.h"
 #include "core/setup/slide_watch.h"
 
@@ -39,6 +40,10 @@ struct SetupConfig {
 inline constexpr int first_slides = 16;
 inline constexpr int more_slides = 8;
 
+/// A part is dropped after so many rejected fits, or so many slides in a row that do not count.
+inline constexpr int max_rejected_fits = 3;
+inline constexpr int max_failed_slides = 6;
+
 /// Its memory is taken at construction; update() takes none, and is bounded in time.
 class Setup {
  public:
@@ -57,11 +62,15 @@ class Setup {
   /// Whether the sample has what the part under way needs.
   bool can_show(const SetupSample& sample) const;
 
-  /// After the fit of the part under way: it is done with, or it is to be repeated, for more slides.
+  /// After the fit of the current part: the set-up continues with the next one.
   void close();
-  /// Parts that can show nothing any more.
-  void leave_out(std::uint32_t parts) { left_ &= ~parts; }
-  void repeat(SetupProblem problem);
+  /// As close(), of a part without a result, and of those that need it.
+  void drop(SetupProblem problem, std::string_view reason);
+  /// Repeats the current part, or asks for more slides; drops it if this is the last of max_rejected_fits.
+  void repeat(SetupProblem problem, std::string_view reason);
+  std::uint32_t dropped() const { return dropped_; }
+  /// The last one. Requires dropped().
+  SetupDrop last_drop() const;
   /// No more slides can be asked for.
   bool slides_are_full() const;
 
@@ -70,9 +79,22 @@ class Setup {
   const SlideStore& slides() const { return *slides_; }
 
  private:
+  /// A text that takes no memory, cut to its room.
+  class Reason {
+   public:
+    void operator=(std::string_view text) { size_ = text.copy(text_.data(), text_.size()); }
+    operator std::string_view() const { return {text_.data(), size_}; }
+
+   private:
+    std::array<char, 160> text_{};
+    std::size_t size_ = 0;
+  };
+
   void begin_part();
   void next_slide();
   void slide(const SetupSample& sample);
+  Observed observed() const;
+  int done() const;
   bool has_part(std::uint32_t parts) const { return (part() & parts) != 0; }
   void describe_slide(SetupStep* step) const;
   void describe_guide(SetupStep* step) const;
@@ -84,6 +106,17 @@ class Setup {
   GuidedSlides guided_;
   SlideWatch watch_;
   std::optional<SlideStore> slides_;
+  SetupProgress progress_;
+  int rejected_ = 0;  // fits of the current part
+  Reason reason_;     // of the last one
+  std::uint32_t dropped_ = 0;
+  struct Dropped {
+    SetupPart part = setup_calibration;
+    SetupProblem problem = SetupProblem::none;
+    Observed observed;
+    Reason reason;
+  };
+  Dropped last_drop_;
   int wanted_slides_ = first_slides;
   double plate_orientation_deg_;
 };

@@ -1,11 +1,22 @@
 #include "core/setup/setup_fit.h"
 
+#include <cmath>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "core/math/decimal.h"
+
 namespace hrt {
 namespace {
+
+// Touches are further apart than marks by less than this, or nearer: beyond, the unit of length is another one.
+constexpr double max_unit_ratio = 3.0;
+
+void reject(SetupProblem problem, std::string reason, SetupFit* fit) {
+  fit->problem = problem;
+  fit->reason = std::move(reason);
+}
 
 // Of touches of marks that go round.
 std::vector<MarkTouch> mark_touches(const Setup& setup) {
@@ -16,78 +27,129 @@ std::vector<MarkTouch> mark_touches(const Setup& setup) {
   return touches;
 }
 
-SetupProblem fit_fingertip_of(const Setup& setup, SetupFit* fit) {
+void fit_fingertip_of(const Setup& setup, SetupFit* fit) {
   std::vector<TurnedTouch> touches;
   for (int i = 0; i < setup.touches().count(); ++i)
     touches.push_back({setup.touches()[i].joint_rotation, setup.touches()[i].touched_mm});
   const FingertipOffset found = fit_fingertip(setup.config().registration, touches);
-  if (!found.known) return SetupProblem::undetermined;
-  fit->fingertip = found;
-  return SetupProblem::none;
+  if (found.known)
+    fit->fingertip = found;
+  else
+    reject(SetupProblem::undetermined,
+           "the finger was held too much alike: its offset is known to " + decimal(found.sd_mm.maxCoeff(), 0) +
+               " mm, less than 5 is needed",
+           fit);
 }
 
-SetupProblem fit_registration_of(const Setup& setup, SetupFit* fit) {
-  const Registration found = fit_registration(setup.config().registration, mark_touches(setup));
-  if (found.verdict == RegistrationVerdict::upside_down) return SetupProblem::upside_down;
-  if (found.verdict != RegistrationVerdict::holds) return SetupProblem::disagrees;
-  fit->registration = found;
-  return SetupProblem::none;
+// Root mean square distance from the mean.
+double spread_mm(const std::vector<MarkTouch>& touches, Eigen::Vector3d MarkTouch::* point) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const MarkTouch& touch : touches) mean += touch.*point / static_cast<double>(touches.size());
+  double square_mm2 = 0.0;
+  for (const MarkTouch& touch : touches) square_mm2 += (touch.*point - mean).squaredNorm();
+  return std::sqrt(square_mm2 / static_cast<double>(touches.size()));
+}
+
+void fit_registration_of(const Setup& setup, SetupFit* fit) {
+  std::vector<MarkTouch> touches = mark_touches(setup);
+  const RegistrationConfig& config = setup.config().registration;
+  const Registration found = fit_registration(config, touches);
+  if (found.verdict == RegistrationVerdict::holds) {
+    fit->registration = found;
+    return;
+  }
+  const double scale = spread_mm(touches, &MarkTouch::touched_mm) / spread_mm(touches, &MarkTouch::mark_mm);
+  for (MarkTouch& touch : touches) touch.touched_mm.x() = -touch.touched_mm.x();
+  const RegistrationVerdict mirrored = fit_registration(config, touches).verdict;
+  if (found.verdict == RegistrationVerdict::upside_down || mirrored == RegistrationVerdict::holds ||
+      mirrored == RegistrationVerdict::upside_down)
+    reject(SetupProblem::upside_down,
+           "marks were confused, or an axis is mirrored: x is to the right, y up and z towards the user", fit);
+  else if (!(scale > 1.0 / max_unit_ratio && scale < max_unit_ratio))
+    reject(SetupProblem::disagrees,
+           "the touches are " + decimal(scale, 3) + " times as far apart as their marks: positions are in metres", fit);
+  else
+    reject(SetupProblem::disagrees,
+           "the touches are " + decimal(found.residual_mm, 0) + " mm from their marks (root mean square)", fit);
 }
 
 // One touch that disagrees may be a bad one: the second decides.
-SetupProblem check_of(const Setup& setup, const Registration& registered, SetupFit* fit) {
+void check_of(const Setup& setup, const Registration& registered, SetupFit* fit) {
   const SetupConfig& config = setup.config();
   const RegistrationCheck found = check_registration(
       registered, {config.marks_mm[static_cast<std::size_t>(config.check_mark)], setup.touches()[0].touched_mm});
-  if (!found.holds && setup.step().problem != SetupProblem::disagrees) return SetupProblem::disagrees;
+  const std::string reason = "the touch is " + decimal(found.distance_mm, 1) +
+                             " mm from where the mark should be; up to " + decimal(found.allowed_mm, 1) +
+                             " mm is allowed";
+  if (!found.holds && setup.step().problem != SetupProblem::disagrees)
+    return reject(SetupProblem::disagrees, reason, fit);
   fit->check = found;
-  return SetupProblem::none;
+  fit->reason = reason;
 }
 
-SetupProblem calibrate_of(const Setup& setup, SetupFit* fit) {
-  auto found = calibrate(setup.slides().trials());
-  if (auto* calibration = std::get_if<Calibration>(&found)) {
-    const Interval& weight = calibration->tactile_weight;
-    const bool enough = weight.known && weight.upper - weight.lower <= setup.config().enough_weight_width;
-    if (enough || setup.slides_are_full()) fit->calibration = std::move(*calibration);
+void take_calibration(const Setup& setup, std::variant<Calibration, CalibrationRefusal> found, SetupFit* fit) {
+  bool enough = false;
+  if (const auto* refusal = std::get_if<CalibrationRefusal>(&found)) {
+    fit->reason = refusal->reason;
+  } else {
+    auto& calibration = std::get<Calibration>(found);
+    const Interval& weight = calibration.tactile_weight;
+    const double needed = setup.config().enough_weight_width;
+    enough = weight.known && weight.upper - weight.lower <= needed;
+    const std::vector<std::string> advice = calibration.advice();
+    fit->reason = !advice.empty()
+                      ? advice.front()
+                      : "the 95 % interval of the tactile weight is " + decimal(weight.upper - weight.lower, 3) +
+                            " wide; up to " + decimal(needed, 3) + " is enough";
+    if (enough || setup.slides_are_full()) fit->calibration = std::move(calibration);
   }
-  return fit->calibration || setup.slides_are_full() ? SetupProblem::none : SetupProblem::undetermined;
+  if (!enough && !setup.slides_are_full()) fit->problem = SetupProblem::undetermined;
 }
 
 }  // namespace
 
-SetupFit finish_part(Setup* setup, const Registration& registered) {
-  SetupFit fit;
-  fit.part = setup->part();
-  const MarkTouches& touches = setup->touches();
-  if (touches.count() > 0) fit.touched_ns = touches[touches.count() - 1].time_ns;
-  switch (fit.part) {
+PartFit::PartFit(const Setup& setup, const Registration& registered) : setup_(setup), registered_(registered) {
+  fit_.part = setup.part();
+  const MarkTouches& touches = setup.touches();
+  if (touches.count() > 0) fit_.touched_ns = touches[touches.count() - 1].time_ns;
+}
+
+bool PartFit::step() {
+  switch (fit_.part) {
     case setup_fingertip:
-      fit.problem = fit_fingertip_of(*setup, &fit);
-      break;
+      fit_fingertip_of(setup_, &fit_);
+      return true;
     case setup_registration:
-      fit.problem = fit_registration_of(*setup, &fit);
-      break;
+      fit_registration_of(setup_, &fit_);
+      return true;
     case setup_check:
-      fit.problem = check_of(*setup, registered, &fit);
-      break;
+      check_of(setup_, registered_, &fit_);
+      return true;
     case setup_guides:
-      fit.guided = setup->guided().fit();
-      if (!fit.guided) fit.problem = SetupProblem::disagrees;
-      break;
+      fit_.guided = setup_.guided().fit();
+      if (!fit_.guided) reject(SetupProblem::disagrees, "slides along a guide end at different places", &fit_);
+      return true;
     case setup_calibration:
     case setup_retest:
-      fit.slides = setup->slides().count();
-      fit.problem = calibrate_of(*setup, &fit);
       break;
   }
-  // Along guides of a plate that is elsewhere there is nothing to be seen.
-  if (fit.check && !fit.check->holds) setup->leave_out(setup_guides);
-  if (fit.problem == SetupProblem::none)
+  if (!calibration_) {
+    fit_.slides = setup_.slides().count();
+    calibration_.emplace(setup_.slides().trials(), 0.0);
+    return false;
+  }
+  if (!calibration_->step()) return false;
+  take_calibration(setup_, calibration_->result(), &fit_);
+  return true;
+}
+
+void move_on(const SetupFit& fit, bool found, Setup* setup) {
+  if (fit.problem != SetupProblem::none)
+    setup->repeat(fit.problem, fit.reason);
+  else if (found)
     setup->close();
   else
-    setup->repeat(fit.problem);
-  return fit;
+    setup->drop(fit.check ? SetupProblem::disagrees : SetupProblem::undetermined, fit.reason);
 }
 
 }  // namespace hrt

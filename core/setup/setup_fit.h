@@ -2,16 +2,18 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/calibrate/calibration.h"
 #include "core/setup/setup.h"
 
 namespace hrt {
 
-/// Of one part: what is not of it is none.
+/// The fit of one part; results of other parts are empty.
 struct SetupFit {
   SetupPart part = setup_calibration;
   SetupProblem problem = SetupProblem::none;  ///< why the part is repeated
+  std::string reason;                         ///< of the problem, or of a result that is not known
   std::optional<FingertipOffset> fingertip;   ///< known
   std::optional<Registration> registration;   ///< that holds
   std::optional<RegistrationCheck> check;
@@ -21,8 +23,24 @@ struct SetupFit {
   std::int64_t touched_ns = 0;  ///< when the last touch was made
 };
 
-/// Fits the part under way, for which finish_is_due() and something is left, and moves the set-up on: to the
-/// next part, or to a repetition. `registered`: what a check is of. Allocates, and takes up to a second.
-SetupFit finish_part(Setup* setup, const Registration& registered);
+/// The fit of the current part in steps, each of less than 1 ms, which a frame loop spreads over frames. It allocates.
+class PartFit {
+ public:
+  /// Requires finish_is_due(), and a part that is left. `setup` must outlive the fit and must not change. `registered`:
+  /// the registration that a check is compared with.
+  PartFit(const Setup& setup, const Registration& registered);
+  /// Returns true at the end; no calls after that.
+  bool step();
+  SetupFit& result() { return fit_; }
+
+ private:
+  const Setup& setup_;
+  Registration registered_;
+  std::optional<CalibrationFit> calibration_;
+  SetupFit fit_;
+};
+
+/// Moves the set-up on after the fit of a part: to the next part, or to a repetition. `found`: its result is known.
+void move_on(const SetupFit& fit, bool found, Setup* setup);
 
 }  // namespace hrt

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "core/reach/finger_sample.h"
 
@@ -39,7 +40,7 @@ enum class SetupProblem : std::uint32_t {
   moved,         ///< the plate turned within the slide
   plate,         ///< the plate has not turned to where it was asked within 5 s
   disagrees,     ///< touches do not fit their marks, or slides each other
-  upside_down,   ///< by the touches the plate lies upside down
+  upside_down,   ///< the touches fit a plate that is upside down or mirrored
   undetermined,  ///< the fit does not know enough: more is needed
 };
 
@@ -54,6 +55,23 @@ struct SetupSample {
   bool off_plate = false;
 };
 
+/// What the samples show while nothing is completed.
+struct Observed {
+  enum class Kind : std::uint32_t {
+    none,
+    no_finger,
+    lifted,     ///< in every sample
+    time,       ///< advances by `first` ns per sample
+    far_away,   ///< the finger is `first` mm from the place to go to: hardly in metres
+    plate,      ///< reports `first` degrees although `second` were commanded
+    elsewhere,  ///< the finger is `first` mm from the place to go to
+    wrong_way,  ///< the finger slid towards `first` degrees, where 0 is straight ahead
+    no_rest,    ///< the finger has not come and rested
+  };
+  Kind kind = Kind::none;
+  double first = 0.0, second = 0.0;
+};
+
 struct SetupStep {
   SetupPart part;
   Instruction instruction;
@@ -63,6 +81,16 @@ struct SetupStep {
   int of;
   Eigen::Vector3d place_mm;  ///< where the finger is to go, in plate coordinates
   double plate_orientation_deg;
+  Observed observed;        ///< none within 20 s
+  std::string_view reason;  ///< of a fit that was rejected; valid until the set-up changes
+};
+
+/// Why a part was dropped: the reason of its last fit, or what went wrong in its last slides.
+struct SetupDrop {
+  SetupPart part;
+  SetupProblem problem;
+  Observed observed;
+  std::string_view reason;
 };
 
 }  // namespace hrt

@@ -14,8 +14,10 @@ constexpr double start_radius_mm = 15.0;
 constexpr double near_start_mm = 25.0;  // of a single position, with the tracker's noise
 constexpr double leaving_mm = 10.0;     // from where the finger rested: it slides
 constexpr double max_bearing_deg = 60.0;
+constexpr double behind_deg = 90.0;
 constexpr double plate_tolerance_deg = 2.0;
 constexpr double plate_limit_s = 5.0;
+constexpr double stuck_s = 60.0;
 constexpr double unreported_turn_s = 1.0;
 constexpr double max_turn_within_deg = 5.0;
 constexpr double max_lost_s = 0.5;
@@ -29,16 +31,27 @@ void SlideWatch::begin(const PlatePoint& start, double distance_mm, double plate
   start_ = start;
   distance_mm_ = distance_mm;
   plate_orientation_deg_ = plate_orientation_deg;
+  failed_ = 0;
+  wrong_way_deg_.reset();
   again(SetupProblem::none);
 }
 
 void SlideWatch::again(SetupProblem problem) {
   problem_ = problem;
   phase_ = Phase::plate_turns;
+  plate_is_stuck_ = false;
   resting_ = false;
   asked_ns_.reset();
   left_ns_.reset();
   finger_.lift();
+}
+
+void SlideWatch::fail(SetupProblem problem) {
+  ++failed_;
+  wrong_way_deg_.reset();
+  const double bearing = bearing_deg(rest_, finger_.smoothed());
+  if (left_ns_ && std::abs(bearing) > behind_deg) wrong_way_deg_ = bearing;
+  again(problem);
 }
 
 bool SlideWatch::plate_is_off(const SetupSample& sample, double tolerance_deg) const {
@@ -61,6 +74,7 @@ void SlideWatch::await_plate(const SetupSample& sample) {
     phase_ = Phase::rest_at_start;
   else if (reported && waited_s >= plate_limit_s)
     problem_ = SetupProblem::plate;
+  plate_is_stuck_ = phase_ == Phase::plate_turns && reported && waited_s >= stuck_s;
 }
 
 bool SlideWatch::await_rest(const SetupSample& sample) {
@@ -89,13 +103,15 @@ bool SlideWatch::await_rest(const SetupSample& sample) {
 bool SlideWatch::follow(const SetupSample& sample) {
   const bool seen = sample.on_plate.observation == Observation::position && !sample.off_plate;
   if (plate_is_off(sample, max_turn_within_deg)) {
-    again(SetupProblem::moved);
+    fail(SetupProblem::moved);
   } else if (!seen) {
     const bool lost = sample.on_plate.observation == Observation::none;
     if (elapsed_s(seen_ns_, sample.time_ns) <= (lost ? max_lost_s : max_lifted_s)) return false;
     // A finger that goes before it has slid is no failure: it may come again.
-    const bool began = left_ns_.has_value();
-    again(!began ? SetupProblem::none : lost ? SetupProblem::lost : SetupProblem::left_plate);
+    if (left_ns_)
+      fail(lost ? SetupProblem::lost : SetupProblem::left_plate);
+    else
+      again(SetupProblem::none);
   } else {
     seen_ns_ = sample.time_ns;
     finger_.observe(sample.time_ns, sample.on_plate.position);
@@ -111,15 +127,15 @@ void SlideWatch::come_to(std::int64_t time_ns) {
     return;
   }
   const double moved_s = elapsed_s(*left_ns_, time_ns);
-  if (moved_s > max_slide_s) return again(SetupProblem::too_slow);
+  if (moved_s > max_slide_s) return fail(SetupProblem::too_slow);
   if (finger_.rest_s() < arrival_s) return;
   const PlatePoint& end = finger_.rest_place();
   const bool ahead =
       distance_mm(end, rest_) >= 0.5 * distance_mm_ && std::abs(bearing_deg(rest_, end)) <= max_bearing_deg;
   if (!ahead) {
-    if (finger_.rest_s() >= stop_s) again(SetupProblem::stopped);
+    if (finger_.rest_s() >= stop_s) fail(SetupProblem::stopped);
   } else if (moved_s - finger_.rest_s() < min_slide_s) {
-    again(SetupProblem::too_fast);
+    fail(SetupProblem::too_fast);
   } else {
     phase_ = Phase::done;
   }

@@ -22,10 +22,16 @@ class SlideWatch {
   bool is_first() const { return first_; }
   bool has_left() const { return left_ns_.has_value(); }
   SetupProblem problem() const { return problem_; }
-  /// Asks for the same again.
-  void again(SetupProblem problem);
+  /// Slides since begin() that did not count.
+  int failed() const { return failed_; }
+  /// Bearing of the last slide, if it did not count since it was more than 90 degrees from straight ahead.
+  const std::optional<double>& wrong_way_deg() const { return wrong_way_deg_; }
+  /// The plate reports for a minute that it is elsewhere.
+  bool plate_is_stuck() const { return plate_is_stuck_; }
 
  private:
+  void again(SetupProblem problem);
+  void fail(SetupProblem problem);
   void await_plate(const SetupSample& sample);
   bool await_rest(const SetupSample& sample);
   bool follow(const SetupSample& sample);
@@ -37,6 +43,9 @@ class SlideWatch {
   double plate_orientation_deg_ = 0.0;
   Phase phase_ = Phase::done;
   SetupProblem problem_ = SetupProblem::none;
+  int failed_ = 0;
+  std::optional<double> wrong_way_deg_;
+  bool plate_is_stuck_ = false;
   bool first_ = false;
   bool resting_ = false;  // within reach of the start: its samples are kept
   FingerPhase finger_;

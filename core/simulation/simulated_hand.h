@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/plate/plate_model.h"
-#include "core/simulation/people.h"
+#include "core/simulation/guided_hand.h"
 
 namespace hrt {
 
@@ -24,6 +24,14 @@ class SimulatedHand {
   /// True if `time_ns` is before the last move() of this reach.
   bool is_past(std::int64_t time_ns) const { return moved_ && time_ns < now_ns_; }
 
+  /// Rests, and will do what the steps of a set-up ask for.
+  void begin_setup();
+  /// As move(), of the skin in plate coordinates. None: the person stays where they are. Requires is_guided().
+  Eigen::Vector3d follow(std::int64_t time_ns, double plate_orientation_deg, const std::optional<SetupStep>& step);
+  bool is_guided() const { return guided_.has_value(); }
+  /// Of the tracked joint, in the plate's axes. Requires is_guided().
+  const Eigen::Quaterniond& attitude() const { return guided_->attitude(); }
+
   /// Commands the plate, which is where the first call of a reach says, and lets time pass. Returns where the
   /// tracker sees the finger. Requires has_begun().
   PlatePoint move(std::int64_t time_ns, double plate_orientation_deg);
@@ -32,11 +40,17 @@ class SimulatedHand {
   double plate_orientation_deg() const { return plate_.orientation_deg(); }
 
  private:
+  template <class Advance>
+  void pass(std::int64_t time_ns, double plate_orientation_deg, const Advance& advance);
+  void restart();
+  double noise_mm() { return condition_.tracker.white_mm * tracking_->normal(); }
+
   PersonCondition condition_;
   double start_share_;  // of the virtual direction, in which they set out
   std::uint64_t seed_;
   std::uint32_t reach_ = 0;
   std::optional<SlidingPerson> finger_;
+  std::optional<GuidedHand> guided_;
   std::optional<Draws> tracking_;
   PlateModel plate_{PlateDynamics{}, 0.0};
   double commanded_deg_ = 0.0;  // of the orientations that feel the same the nearest to the last

@@ -31,6 +31,9 @@ constexpr double max_misfit_share = 0.1;
 // Coordinates nearer to each other than this are the same.
 constexpr double same_coordinate_mm = 1e-6;
 
+// A block that is left out takes 10 us on a core of 3 GHz.
+constexpr int blocks_per_step = 25;
+
 using Rests = std::vector<std::vector<TimedPoint>>;
 
 // Without the positions that are grossly off.
@@ -77,21 +80,6 @@ std::vector<StructureFunction> blocks_of(const Rests& rests) {
   return blocks;
 }
 
-struct NoiseFit {
-  NoiseParts parts;
-  double correlation_s;
-};
-
-NoiseFit fit(const StructureFunction& differences, double min_s) {
-  NoiseFit best{{0.0, 0.0, HUGE_VAL}, min_s};
-  for (int i = 0; i < times; ++i) {
-    const double correlation_s = min_s * exponential(logarithm(max_correlation_s / min_s) * i / (times - 1));
-    const NoiseParts parts = separate(differences, correlation_s);
-    if (parts.cost < best.parts.cost) best = {parts, correlation_s};
-  }
-  return best;
-}
-
 // Standard deviation of a statistic of all blocks by those of all but one.
 double jackknifed(const std::vector<double>& without_one) {
   double mean = 0.0, squares = 0.0;
@@ -123,55 +111,90 @@ double quantum_mm(const Rests& rests) {
 
 }  // namespace
 
-RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
-  RestNoise noise{
-      {0.0, 0.0, 0.0, false}, {0.0, 0.0, 0.0, false}, {min_correlation_s, min_correlation_s, max_correlation_s, false}};
-  const Rests kept = screened(rests);
-  const std::vector<StructureFunction> blocks = blocks_of(kept);
-  if (blocks.size() < min_blocks) return noise;
-  StructureFunction all;
-  for (const StructureFunction& block : blocks) all.add(block, 1.0);
-  const double period_s = all.sums[0].mean_s();
-  const double min_s = std::max(min_correlation_s, min_periods * period_s);
-  const double quantum = quantum_mm(kept);
-  if (!(all.sums[0].square_mm2 > 0.0) || min_s >= max_correlation_s || std::isinf(quantum)) return noise;
+RestNoiseFit::RestNoiseFit(std::span<const std::vector<TimedPoint>> rests)
+    : rests_(screened(rests)),
+      noise_{{0.0, 0.0, 0.0, false},
+             {0.0, 0.0, 0.0, false},
+             {min_correlation_s, min_correlation_s, max_correlation_s, false}} {}
 
-  const NoiseFit best = fit(all, min_s);
+bool RestNoiseFit::step() {
+  if (blocks_.empty()) return !begin();
+  for (int i = 0; i < blocks_per_step && without_.size() < blocks_.size(); ++i)
+    without_.push_back(fit(all_but(blocks_[without_.size()])));
+  if (without_.size() < blocks_.size()) return false;
+  describe();
+  return true;
+}
+
+// False if nothing can be known.
+bool RestNoiseFit::begin() {
+  blocks_ = blocks_of(rests_);
+  if (blocks_.size() < min_blocks) return false;
+  for (const StructureFunction& block : blocks_) all_.add(block, 1.0);
+  min_s_ = std::max(min_correlation_s, min_periods * all_.sums[0].mean_s());
+  if (!(all_.sums[0].square_mm2 > 0.0) || min_s_ >= max_correlation_s || std::isinf(quantum_mm(rests_))) return false;
+  best_ = fit(all_);
+  return true;
+}
+
+RestNoiseFit::Parts RestNoiseFit::fit(const StructureFunction& differences) const {
+  Parts best{{0.0, 0.0, HUGE_VAL}, min_s_};
+  for (int i = 0; i < times; ++i) {
+    const double correlation_s = min_s_ * exponential(logarithm(max_correlation_s / min_s_) * i / (times - 1));
+    const NoiseParts parts = separate(differences, correlation_s);
+    if (parts.cost < best.parts.cost) best = {parts, correlation_s};
+  }
+  return best;
+}
+
+StructureFunction RestNoiseFit::all_but(const StructureFunction& block) const {
+  StructureFunction others = all_;
+  others.add(block, -1.0);
+  return others;
+}
+
+void RestNoiseFit::describe() {
   std::vector<double> white, correlated, log_time;
-  std::array<std::vector<double>, StructureFunction::lags> means;
-  for (const StructureFunction& block : blocks) {
-    StructureFunction others = all;
-    others.add(block, -1.0);
-    const NoiseFit without = fit(others, min_s);
+  for (const Parts& without : without_) {
     white.push_back(without.parts.white_mm2);
     correlated.push_back(without.parts.correlated_mm2);
     log_time.push_back(logarithm(without.correlation_s));
-    for (std::size_t lag = 0; lag < means.size(); ++lag)
-      if (others.sums[lag].count > 0.5) means[lag].push_back(others.sums[lag].mean_mm2());
   }
-  const double total_mm2 = best.parts.white_mm2 + best.parts.correlated_mm2;
+  const double total_mm2 = best_.parts.white_mm2 + best_.parts.correlated_mm2;
   const double total_mm = std::sqrt(total_mm2);
-  noise.white_mm = deviation_interval(best.parts.white_mm2, jackknifed(white), total_mm);
-  noise.correlated_mm = deviation_interval(best.parts.correlated_mm2, jackknifed(correlated), total_mm);
+  noise_.white_mm = deviation_interval(best_.parts.white_mm2, jackknifed(white), total_mm);
+  noise_.correlated_mm = deviation_interval(best_.parts.correlated_mm2, jackknifed(correlated), total_mm);
   const double factor = exponential(quantile * jackknifed(log_time));
-  noise.correlation_s = {best.correlation_s, best.correlation_s / factor, best.correlation_s * factor, false};
+  noise_.correlation_s = {best_.correlation_s, best_.correlation_s / factor, best_.correlation_s * factor, false};
 
-  bool fits = quantum <= total_mm;
-  for (std::size_t lag = 0; lag < means.size(); ++lag) {
-    if (!(all.sums[lag].count > 0.5)) continue;
+  bool fits = quantum_mm(rests_) <= total_mm;
+  for (std::size_t lag = 0; lag < all_.sums.size(); ++lag) {
+    const StructureFunction::Sum& sum = all_.sums[lag];
+    if (!(sum.count > 0.5)) continue;
+    std::vector<double> means;
+    for (const StructureFunction& block : blocks_) {
+      const StructureFunction::Sum others = all_but(block).sums[lag];
+      if (others.count > 0.5) means.push_back(others.mean_mm2());
+    }
     const double expected_mm2 =
-        best.parts.white_mm2 +
-        best.parts.correlated_mm2 * (1.0 - exponential(-all.sums[lag].mean_s() / best.correlation_s));
-    const double off_mm2 = std::abs(all.sums[lag].mean_mm2() - expected_mm2);
-    if (off_mm2 > max_misfit_share * total_mm2 + max_misfit_deviations * jackknifed(means[lag])) fits = false;
+        best_.parts.white_mm2 + best_.parts.correlated_mm2 * (1.0 - exponential(-sum.mean_s() / best_.correlation_s));
+    const double off_mm2 = std::abs(sum.mean_mm2() - expected_mm2);
+    if (off_mm2 > max_misfit_share * total_mm2 + max_misfit_deviations * jackknifed(means)) fits = false;
   }
-  const bool is_correlated = noise.correlated_mm.lower > 0.0;
-  const bool within = noise.correlation_s.lower > min_s && noise.correlation_s.upper < max_correlation_s;
-  noise.correlation_s.known = is_correlated && within;
-  if (is_correlated && !noise.correlation_s.known) noise.correlated_mm.known = false;
-  const bool separable = !is_correlated || noise.correlation_s.lower >= min_separate_periods * period_s;
-  if (!fits || !separable) noise.white_mm.known = noise.correlated_mm.known = noise.correlation_s.known = false;
-  return noise;
+  const bool is_correlated = noise_.correlated_mm.lower > 0.0;
+  const bool within = noise_.correlation_s.lower > min_s_ && noise_.correlation_s.upper < max_correlation_s;
+  noise_.correlation_s.known = is_correlated && within;
+  if (is_correlated && !noise_.correlation_s.known) noise_.correlated_mm.known = false;
+  const double min_separate_s = min_separate_periods * all_.sums[0].mean_s();
+  const bool separable = !is_correlated || noise_.correlation_s.lower >= min_separate_s;
+  if (!fits || !separable) noise_.white_mm.known = noise_.correlated_mm.known = noise_.correlation_s.known = false;
+}
+
+RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
+  RestNoiseFit fit(rests);
+  while (!fit.step()) {
+  }
+  return fit.noise();
 }
 
 std::optional<TrackerNoise> known_noise(const RestNoise& noise) {

@@ -2,7 +2,7 @@
 //
 // The structure function of all rests (noise_learner.h) gives the white part, the correlated part and, on a grid, the
 // correlation time. Intervals are of the jackknife (Efron, 1982) over blocks of half a second, which holds for noise of
-// any distribution and for blocks that are correlated within themselves. Off-line work: it allocates. Any thread.
+// any distribution and for blocks that are correlated within themselves. It allocates. Any thread.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,36 @@ struct RestNoise {
   Interval correlation_s;  ///< searched from 0.7 sample periods, at least 10 ms, to 2 s
 };
 
-/// The noise of all rests, each at a place of its own. Positions that are grossly off are left out. Times increase
-/// within a rest; positions are finite.
+/// The noise of all rests, each at a place of its own, in steps of bounded time. Positions that are grossly off are
+/// left out. Times increase within a rest; positions are finite.
+class RestNoiseFit {
+ public:
+  explicit RestNoiseFit(std::span<const std::vector<TimedPoint>> rests);
+  /// Returns true at the end; no calls after that.
+  bool step();
+  const RestNoise& noise() const { return noise_; }
+
+ private:
+  struct Parts {
+    NoiseParts parts;
+    double correlation_s;
+  };
+
+  bool begin();
+  Parts fit(const StructureFunction& differences) const;
+  StructureFunction all_but(const StructureFunction& block) const;
+  void describe();
+
+  std::vector<std::vector<TimedPoint>> rests_;
+  std::vector<StructureFunction> blocks_;
+  StructureFunction all_;
+  double min_s_ = 0.0;          // the shortest correlation time to be found
+  Parts best_{};                // of all blocks
+  std::vector<Parts> without_;  // of all blocks but one: of the first one, the second one, ...
+  RestNoise noise_;
+};
+
+/// All steps of it.
 RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
 
 /// What a controller takes of it; correlated_mm is 0 unless there is certainly such noise and its time is known, and

@@ -133,7 +133,6 @@ func _begin_set_up(what: int) -> void:
 
 func _on_setup_step(step: Dictionary) -> void:
 	if step.instruction == HapticRetargeting.STEP_FINISH:
-		_plate.finish_setup()
 		return
 	_wearer.say(step.text)
 	_desk.show_hint(step.place_m)

@@ -65,7 +65,8 @@ class Refusals {
         }
       }
     } else if constexpr (Handle<T>) {
-      for (const std::uint64_t value : {std::uint64_t{0}, ~std::uint64_t{0}, std::uint64_t{1} << 56})
+      if (!optional_.contains(names_[i])) with<i>(T{0}, HRT_ERROR_INVALID_HANDLE, "0");
+      for (const std::uint64_t value : {~std::uint64_t{0}, std::uint64_t{1} << 56})
         with<i>(T{value}, HRT_ERROR_INVALID_HANDLE, std::to_string(value));
     }
   }
@@ -181,7 +182,7 @@ void ArgumentsTest::try_people() {
   auto state = output<hrt_person_state>();
   REFUSES_BUT(({"config"}), hrt_person_create, &config, 1, &person);
   ASSERT_OK(hrt_person_create(&config, 1, &person));
-  REFUSES(hrt_person_begin, person, session, seen);
+  REFUSES_BUT({"virtual_target"}, hrt_person_begin, person, session, seen);
   ASSERT_OK(hrt_person_begin(person, session, seen));
   REFUSES(hrt_person_move, person, 0, 0.0, &sample);
   REFUSES(hrt_person_get_state, person, &state);

@@ -219,8 +219,8 @@ TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
       continue;
     }
     auto result = output<hrt_setup_result>();
-    ASSERT_OK(hrt_setup_finish(session, &result));
-    EXPECT_EQ(result.left, 0u);
+    do ASSERT_OK(hrt_setup_finish(session, &result));
+    while (result.left != 0);
     fitted += result.slides_used > 0;
     for (const hrt_interval& interval : {result.tactile_weight, result.bias_deg, result.max_gap_deg}) {
       EXPECT_TRUE(std::isfinite(interval.lower) && std::isfinite(interval.upper));

@@ -9,7 +9,7 @@
 
 #include "core/math/trigonometry.h"
 #include "core/plate/plate_model.h"
-#include "core/simulation/people.h"
+#include "core/simulation/guided_hand.h"
 #include "tests/plugin/fixture.h"
 
 namespace hrt::test {
@@ -36,13 +36,23 @@ class GuidedPerson {
 
   /// What tracker and servo report a frame after the last one.
   hrt_sample follow(const hrt_setup_step& step) {
-    if (step.part != last_.part || step.done != last_.done || step.instruction != last_.instruction) turn_to(step);
-    last_ = step;
+    if (!hand_) hand_.emplace(condition.person, mm_per_m * touch_sd_m, 78, index_);
+    hand_->set_person(condition.person);
+    hand_->ask({.part = static_cast<SetupPart>(step.part),
+                .instruction = static_cast<Instruction>(step.instruction),
+                .problem = SetupProblem::none,
+                .number = static_cast<int>(step.number),
+                .done = static_cast<int>(step.done),
+                .of = static_cast<int>(step.of),
+                .place_mm = mm_per_m * Eigen::Vector3d::Map(step.place_m),
+                .plate_orientation_deg = step.plate_orientation_deg,
+                .observed = {},
+                .reason = {}});
     plate_.command(step.plate_orientation_deg);
     for (const std::int64_t until = time_ms_ + 11; time_ms_ < until;) {
       plate_.advance(++time_ms_ * 1'000'000);
-      advance();
-      seen_.push_back({skin_m_, attitude_});
+      hand_->advance(plate_.orientation_deg());
+      seen_.push_back({hand_->skin_mm() / mm_per_m, hand_->attitude()});
     }
     return sample();
   }
@@ -54,56 +64,11 @@ class GuidedPerson {
  private:
   struct Held {
     Eigen::Vector3d skin_m;
-    Eigen::Matrix3d attitude;
+    Eigen::Quaterniond attitude;
   };
 
   Eigen::Vector3d error_m(double sd_m) {
     return {sd_m * draws_.normal(), sd_m * draws_.normal(), sd_m * draws_.normal()};
-  }
-
-  static Eigen::Matrix3d attitude(std::uint32_t number) {
-    const double lean[] = {0.0, 0.0, 0.6, -0.6, 0.0, 0.0}, steep[] = {0.1, 0.9, 0.3, 0.3, 0.2, 0.2},
-                 turn[] = {0.0, 0.0, 0.0, 0.0, 0.7, -0.7};
-    return (Eigen::AngleAxisd(turn[number % 6], Eigen::Vector3d::UnitY()) *
-            Eigen::AngleAxisd(lean[number % 6], Eigen::Vector3d::UnitZ()) *
-            Eigen::AngleAxisd(-steep[number % 6], Eigen::Vector3d::UnitX()))
-        .toRotationMatrix();
-  }
-
-  void turn_to(const hrt_setup_step& step) {
-    const Eigen::Vector3d place_m(step.place_m[0], step.place_m[1], step.place_m[2]);
-    const bool was_touching = last_.instruction == HRT_STEP_TOUCH_MARK || last_.instruction == HRT_STEP_HOLD_STILL;
-    const bool is_new = step.part != last_.part || step.done != last_.done || !was_touching;
-    if (step.instruction == HRT_STEP_SLIDE) {
-      Person sliding = condition.person;
-      sliding.start_direction_deg += 2.0 * draws_.normal();
-      slide_.emplace(sliding, PlatePoint{mm_per_m * skin_m_.x(), -mm_per_m * skin_m_.z()}, 0.0, 100.0,
-                     Draws(79, PersonStream::steering, index_, slides_++));
-      moves_ms_ = time_ms_ + 300;
-    } else if (step.instruction == HRT_STEP_WAIT) {
-      goal_m_ = {0.0, 0.05, 0.06};
-      slide_.reset();
-      moves_ms_ = time_ms_ + 200;
-    } else if (step.instruction == HRT_STEP_TOUCH_MARK && is_new) {
-      goal_m_ = place_m + error_m(touch_sd_m);
-      attitude_ = attitude(step.part == HRT_SETUP_FINGERTIP ? step.number : 0);
-      skin_m_.y() = 0.05;
-      slide_.reset();
-      moves_ms_ = time_ms_ + 300;
-    } else if (step.instruction == HRT_STEP_REST_AT_START) {
-      goal_m_ = place_m + Eigen::Vector3d(touch_sd_m * draws_.normal(), 0.0, touch_sd_m * draws_.normal());
-      slide_.reset();
-      moves_ms_ = time_ms_ + 300;
-    }
-  }
-
-  void advance() {
-    if (slide_) {
-      if (time_ms_ > moves_ms_ && !slide_->done()) slide_->advance(plate_.orientation_deg());
-      skin_m_ = {slide_->position().right_mm / mm_per_m, 0.0, -slide_->position().away_mm / mm_per_m};
-    } else if (time_ms_ >= moves_ms_) {
-      skin_m_ = goal_m_;
-    }
   }
 
   hrt_sample sample() {
@@ -119,11 +84,10 @@ class GuidedPerson {
     if (in_plate) {
       sample.flags |= HRT_SAMPLE_PLATE_POSITION;
     } else {
-      const Eigen::Matrix3d joint = rotation * held.attitude;
-      const Eigen::Quaterniond q(joint);
+      const Eigen::Quaterniond joint = Eigen::Quaterniond(rotation) * held.attitude;
       seen_m = scale * (rotation * seen_m + position_m - joint * offset_m);
       sample.flags |= HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_JOINT_ROTATION;
-      for (int i = 0; i < 4; ++i) sample.joint_rotation[i] = q.coeffs()(i);
+      Eigen::Vector4d::Map(sample.joint_rotation) = joint.coeffs();
     }
     for (int i = 0; i < 3; ++i) sample.finger_position_m[i] = seen_m(i);
     return sample;
@@ -131,16 +95,10 @@ class GuidedPerson {
 
   Draws draws_;
   std::uint32_t index_;
-  std::uint32_t slides_ = 0;
   PlateModel plate_{PlateDynamics{.max_speed_deg_s = 400.0, .latency_ns = 30'000'000}, 0.0};
-  hrt_setup_step last_{};
+  std::optional<GuidedHand> hand_;
   std::int64_t time_ms_ = 0;
-  std::int64_t moves_ms_ = 0;
   std::int64_t lifted_until_ms_ = 0;
-  Eigen::Vector3d skin_m_{0.0, 0.1, 0.2};
-  Eigen::Vector3d goal_m_{0.0, 0.1, 0.2};
-  Eigen::Matrix3d attitude_ = attitude(0);
-  std::optional<SlidingPerson> slide_;
   std::vector<Held> seen_;
 };
 

@@ -58,6 +58,26 @@ TEST_F(PlausibilityTest, MistakesOfUnitsAndAxesAreFlaggedAndLogged) {
   }
 }
 
+TEST_F(PlausibilityTest, DirectionsInRadiansAreFlaggedAndLogged) {
+  for (const bool is_mistake : {false, true}) {
+    const double unit = is_mistake ? one_degree : 1.0;
+    Log log;
+    create(session_config());
+    const hrt_target real = add(HRT_TARGET_REAL, 0.0), seen = add(HRT_TARGET_VIRTUAL, 5.0 * unit);
+    const auto is_flagged = [&] {
+      EXPECT_OK(begin(real, seen));
+      const bool in_command = (update(position_sample(0, 0.0, -0.05)).flags & HRT_COMMAND_IMPLAUSIBLE) != 0;
+      EXPECT_EQ((end().flags & HRT_COMMAND_IMPLAUSIBLE) != 0, in_command);
+      return in_command;
+    };
+    EXPECT_FALSE(is_flagged()) << "one may be a small angle";
+    add(HRT_TARGET_VIRTUAL, -10.0 * unit);
+    EXPECT_EQ(is_flagged(), is_mistake);
+    destroy();
+    EXPECT_EQ(log.text.find("these may be radians") != std::string::npos, is_mistake) << log.text;
+  }
+}
+
 TEST_F(PlausibilityTest, AProperReachIsNotFlagged) {
   for (const double bend_deg : {-8.0, 0.0, 8.0}) {
     create(session_config());

@@ -105,9 +105,14 @@ TEST_F(SessionTest, RangesOfASetup) {
     const hrt_result result = hrt_setup_begin(session, HRT_SETUP_CALIBRATION, &config);
     return result == HRT_OK ? hrt_setup_cancel(session) : result;
   };
+  const auto prepare = [](const std::string& field) {
+    hrt_setup_config config = hrt_setup_config_init();
+    // At least three marks are the corners of a triangle.
+    if (field == "mark_count") config.marks_m[0] = config.marks_m[5] = 0.05;
+    return config;
+  };
   // The upper end is at least 40 degrees above the lower one.
-  EXPECT_EQ(try_ranges<hrt_setup_config>([](const std::string&) { return hrt_setup_config_init(); }, take),
-            (Names{"lower_plate_deg", "upper_plate_deg"}));
+  EXPECT_EQ(try_ranges<hrt_setup_config>(prepare, take), (Names{"lower_plate_deg", "upper_plate_deg"}));
 }
 
 TEST(Ranges, OfAPerson) {

@@ -115,7 +115,6 @@ class PlateNode {
   hrt_target find_target(std::string name);
   hrt_target get_served_by(hrt_target virtual_target);
   Error begin_setup(int64_t what);
-  Record finish_setup();
   Error cancel_setup();
   bool is_setting_up() { return setting_up_; }
   Error new_person();
@@ -154,6 +153,7 @@ class PlateNode {
   Error send_finger(const Pose& finger, uint32_t flags, Time time_ns);
   Error send(const hrt_sample& sample);
   Error guide(const hrt_sample& sample);
+  Error continue_fit();
   Vector3 move_person(Time time_ns, hrt_sample& out_sample);
   hrt_plate_report read_device() const;
   Error after_device(hrt_result result);
@@ -173,6 +173,7 @@ class PlateNode {
   hrt_command command_{};            ///< struct_size 0: none yet in this reach
   hrt_reach_summary summary_{};      ///< struct_size 0: no reach has ended
   hrt_setup_step step_{};            ///< struct_size 0: none yet in this set-up
+  hrt_setup_result found_{};         ///< by this set-up so far
   hrt_result result_ = HRT_OK;       ///< of the last call of the plugin
   bool reaching_ = false;
   bool setting_up_ = false;

@@ -147,6 +147,7 @@ Vector3 PlateNode::move_person(Time time_ns, hrt_sample& out) {
   const double plate_deg = setting_up_ ? step_.plate_orientation_deg : command_.plate_orientation_deg;
   out = hrt_sample_init();
   if (!ok(hrt_person_move(person_, time_ns.ns, plate_deg, &out))) return failure<Vector3>();
+  if (out.flags & HRT_SAMPLE_WORLD_POSITION) return Vector3(out.finger_position_m);  // in a set-up: a joint
   const Pose plate = engine_.node_pose();
   return plate.origin + plate.basis * Vector3(out.finger_position_m);
 }

@@ -10,6 +10,7 @@ Error PlateNode::begin_setup(int64_t what) {
   if (configure() && ok(hrt_setup_begin(session_, parts, &properties_.setup))) {
     setting_up_ = true;
     step_ = {};
+    found_ = {};
     refused_.reset();
   }
   return error();
@@ -26,16 +27,18 @@ Error PlateNode::guide(const hrt_sample& sample) {
   step_ = step;
   if (turns) engine_.emit(kPlateCommanded, step.plate_orientation_deg);
   if (std::memcmp(&last, &step, sizeof step) != 0) engine_.emit(kSetupStep, to_record(step));
-  return Error::kOk;
+  return setting_up_ && step.instruction == HRT_STEP_FINISH ? continue_fit() : Error::kOk;
 }
 
-Record PlateNode::finish_setup() {
+/** Once a frame, until the part is fitted. */
+Error PlateNode::continue_fit() {
   hrt_setup_result found = hrt_setup_result_init();
-  if (!ok(hrt_setup_finish(session_, &found))) return {};
+  if (!ok(hrt_setup_finish(session_, &found))) return error();
   setting_up_ = found.left != 0;
-  take_changes();
+  if (found.done != found_.done || !setting_up_) take_changes();
+  found_ = found;
   if (!setting_up_) engine_.emit(kSetupFinished, to_record(found));
-  return to_record(found);
+  return Error::kOk;
 }
 
 Error PlateNode::cancel_setup() {

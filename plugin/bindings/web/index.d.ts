@@ -132,8 +132,8 @@ export interface Session {
   beginSetup(what?: number, config?: Input<hrt_setup_config>): void;
   /** Reads `sample`; what to do now: show `text` and `place_m`, send `plate_orientation_deg` to the plate. Once a frame. */
   updateSetup(): Output<hrt_setup_step>;
-  /** Fits and applies what was done, once a step says HRT_STEP_FINISH; updates continue unless `left` is 0. After slides up to
-   *  a second of work: not between two frames. */
+  /** Continues the fit of a part for less than 1 ms, in each frame whose step says HRT_STEP_FINISH, and applies the result of a
+   *  complete fit. The set-up is over when `left` is 0. */
   finishSetup(): Output<hrt_setup_result>;
   /** What was found before stays. */
   cancelSetup(): void;
@@ -150,8 +150,9 @@ export interface Session {
 
 /** A finger for first programs and tests. No measurement of people. */
 export interface Person {
-  /** At rest at the session's start, for 0.6 s; then they slide to the virtual target. */
-  begin(session: Session, virtualTarget: TargetId): void;
+  /** At rest at the session's start, for 0.6 s; then they slide to the virtual target. Without one they do what the session's
+   *  set-up asks for. */
+  begin(session: Session, virtualTarget?: TargetId): void;
   /** Commands the plate's servo, lets time pass until `time_ns`, and writes what tracker and servo report to `sample`, which
    *  is Session.sample. */
   move(sample: Session["sample"], time_ns: number, plateOrientationDeg: number): void;

@@ -274,7 +274,9 @@ class Person {
   destroy() { this.#native.destroy(); }
   [dispose]() { this.destroy(); }
 
-  begin(session, virtualTarget) { this.#native.call("hrt_person_begin", session.handle, idOf(virtualTarget, "virtualTarget")); }
+  begin(session, virtualTarget = 0) {
+    this.#native.call("hrt_person_begin", session.handle, idOf(virtualTarget, "virtualTarget"));
+  }
   move(sample, time_ns, plateOrientationDeg) {
     const out = this.#native.at("hrt_sample");
     this.#native.call("hrt_person_move", checked("time_ns", "i64", Math.round(time_ns)),

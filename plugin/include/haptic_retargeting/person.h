@@ -70,27 +70,32 @@ HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 /** Puts the finger at rest at the session's start. After a rest of 0.6 s, the person intends to slide to the present
  *  position of a virtual target. Each call is a further reach, with its own noise.
  *
- *  @param session         Session of the target.
- *  @param virtual_target  Target of the person.
- *  @return INVALID_HANDLE; OUT_OF_RANGE naming the target.
+ *  With virtual_target {0} the person follows the session's set-up. The plate is then at (0.3, 0.75, -0.4) m, rotated
+ * by 20 degrees about y, and the skin at (2, -8, -12) mm from the joint, in its axes. Samples are in the world until
+ * the plate is found, and if it is registered.
+ *
+ *  @param session         Session of the target, or of the set-up.
+ *  @param virtual_target  Target of the person; {0}: the set-up in progress.
+ *  @return INVALID_HANDLE; OUT_OF_RANGE naming the target; WRONG_STATE for {0} if no set-up is in progress.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session session,
                                                   hrt_target virtual_target) HRT_NOEXCEPT;
 
 /** Commands the servo, advances the simulation, and returns the report of tracker and servo: a sample with
- *  PLATE_POSITION and PLATE_ORIENTATION. The first call after hrt_person_begin() starts the rest and places the plate
- *  at the given orientation.
+ *  PLATE_ORIENTATION and PLATE_POSITION, or in a set-up as in hrt_person_begin(). The first call after
+ * hrt_person_begin() starts the rest and places the plate at the given orientation.
  *
  *  @param time_ns                Time to which the simulation advances.
  *  @param plate_orientation_deg  Command: this orientation, or the nearest one with the same ridges. @ccw
- *  @return OUT_OF_RANGE naming plate_orientation_deg; TIME_REVERSED; WRONG_STATE before hrt_person_begin().
+ *  @return OUT_OF_RANGE naming plate_orientation_deg; TIME_REVERSED; WRONG_STATE before hrt_person_begin();
+ *          INVALID_HANDLE if the session of the set-up was destroyed.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orientation_deg,
                                                  hrt_sample* out_sample) HRT_NOEXCEPT;
 
 /** Returns the state of the person.
  *
- *  @return WRONG_STATE before hrt_person_begin().
+ *  @return WRONG_STATE before hrt_person_begin(), and in a set-up.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_get_state(hrt_person person, hrt_person_state* out_state) HRT_NOEXCEPT;
 

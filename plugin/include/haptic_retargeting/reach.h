@@ -118,8 +118,9 @@ typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_MISS_UNKNOWN UINT32_C(65536)
 /** Times, units or axes are probably wrong: times that do not advance in nanoseconds, a finger
  *  faster than 5 m/s, further than three plate radii away or moving away from the virtual target, a start or target
- *  beyond the plate's edge by more than a radius, or a hand that turns with the plate instead of against it. The log
- *  says which, when it reports REGISTRATION. The estimate of the person does not change. */
+ *  beyond the plate's edge by more than a radius, directions of all targets that may be in radians, or a hand that
+ * turns with the plate instead of against it. The log says which, when it reports REGISTRATION. The estimate of the
+ * person does not change. */
 #define HRT_COMMAND_IMPLAUSIBLE UINT32_C(131072)
 
 /** hrt_command::time_to_go_s: the finger rests before or within the motion; or, under FIXED_DIRECTION, the time is

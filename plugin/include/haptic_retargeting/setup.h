@@ -7,12 +7,12 @@
  *
  *   hrt_setup_begin(session, HRT_SETUP_ALL_MISSING, NULL);
  *   do {
- *     do { hrt_setup_update(session, &sample, &step); } while (step.instruction != HRT_STEP_FINISH);
- *     hrt_setup_finish(session, &result);
- *   } while (result.left);
+ *     hrt_setup_update(session, &sample, &step);
+ *     if (step.instruction == HRT_STEP_FINISH) hrt_setup_finish(session, &result);
+ *   } while (step.instruction != HRT_STEP_FINISH || result.left);
  *
- * where each frame displays step.text and step.place_m and sends step.plate_orientation_deg to the plate. Tested
- * with simulated people only.
+ * where each pass is a frame, which displays step.text and step.place_m and sends step.plate_orientation_deg to the
+ * plate. No call of this loop takes more than 1 ms. Tested with simulated people only.
  */
 #ifndef HAPTIC_RETARGETING_SETUP_H
 #define HAPTIC_RETARGETING_SETUP_H
@@ -103,7 +103,8 @@ typedef uint32_t hrt_setup_instruction;
 #define HRT_STEP_SLIDE UINT32_C(4)         /**< slide towards place_m, and rest there */
 #define HRT_STEP_FINISH UINT32_C(5)        /**< nothing for the user: call hrt_setup_finish() */
 
-/** @enumeration HRT_PROBLEM Problem of the last attempt, which is repeated. */
+/** @enumeration HRT_PROBLEM Problem of the last attempt, which is repeated. The text of DISAGREES, UPSIDE_DOWN and
+ *  UNDETERMINED has the reason. */
 typedef uint32_t hrt_setup_problem;
 #define HRT_PROBLEM_NONE UINT32_C(0)          /**< no problem */
 #define HRT_PROBLEM_TOO_FAST UINT32_C(1)      /**< the slide took less than about 0.4 s */
@@ -114,8 +115,21 @@ typedef uint32_t hrt_setup_problem;
 #define HRT_PROBLEM_MOVED UINT32_C(6)         /**< the plate turned during the slide */
 #define HRT_PROBLEM_PLATE UINT32_C(7)         /**< the plate has not followed its command for 5 s */
 #define HRT_PROBLEM_DISAGREES UINT32_C(8)     /**< touches or guided slides do not fit the marks or each other */
-#define HRT_PROBLEM_UPSIDE_DOWN UINT32_C(9)   /**< the touches fit a plate upside down: marks were confused */
+#define HRT_PROBLEM_UPSIDE_DOWN UINT32_C(9)   /**< the touches fit a plate upside down or mirrored: marks or axes */
 #define HRT_PROBLEM_UNDETERMINED UINT32_C(10) /**< the data do not determine the result: more are needed */
+
+/** @enumeration HRT_OBSERVED What the samples show while nothing is completed: reported after 20 s, TIME and WRONG_WAY
+ *  earlier. It names the likely mistake of the application; `text` has the numbers. */
+typedef uint32_t hrt_setup_observed;
+#define HRT_OBSERVED_NONE UINT32_C(0)      /**< progress, or too little time */
+#define HRT_OBSERVED_NO_FINGER UINT32_C(1) /**< no sample has the finger */
+#define HRT_OBSERVED_LIFTED UINT32_C(2)    /**< the finger is above the plate in every sample */
+#define HRT_OBSERVED_TIME UINT32_C(3)      /**< time_ns advances too slowly to be in nanoseconds */
+#define HRT_OBSERVED_FAR UINT32_C(4)       /**< the finger is more than 1 m from place_m: unit of length, or pose */
+#define HRT_OBSERVED_PLATE UINT32_C(5)     /**< the plate reports another orientation than the commanded one */
+#define HRT_OBSERVED_ELSEWHERE UINT32_C(6) /**< the finger is not at place_m */
+#define HRT_OBSERVED_WRONG_WAY UINT32_C(7) /**< the last slide went backwards: axes are swapped or mirrored */
+#define HRT_OBSERVED_NO_REST UINT32_C(8)   /**< the finger has not moved to the requested position and rested */
 
 /** The next action. */
 typedef struct hrt_setup_step {
@@ -132,7 +146,8 @@ typedef struct hrt_setup_step {
   uint32_t of;
   /** Index of the mark, of the way to hold the finger, or of the guide. */
   uint32_t number;
-  uint32_t reserved;
+  /** What the samples show, if nothing is completed for 20 s. */
+  hrt_setup_observed observed;
   /** Position to which the finger is to move, in plate coordinates. */
   double place_m[3];
   /** Plate orientation to turn to now. @ccw */
@@ -185,7 +200,10 @@ typedef struct hrt_setup_result {
   uint32_t slides;
   /** Slides that are part of the fit. */
   uint32_t slides_used;
-  uint32_t reserved;
+  /** Parts that ended without a result and are not repeated: after three rejected fits, six slides in a row that do
+   *  not count, a plate that does not turn for a minute, or max_slides. Parts that need such a part are dropped with
+   *  it. */
+  hrt_setup_parts dropped;
   /** Root mean square distance of the touches from their marks. */
   double registration_residual_m;
   /** SD of the plate's rotation about its normal. An error of this rotation rotates every reach. */
@@ -201,6 +219,8 @@ typedef struct hrt_setup_result {
   hrt_interval bias_deg;
   /** Largest gap between real and virtual direction that the plate can sustain, on the weaker side. */
   hrt_interval max_gap_deg;
+  /** Why the last dropped part was dropped, in one line of UTF-8; empty if none was. */
+  char reason[HRT_TEXT_SIZE];
 } hrt_setup_result;
 
 /** Begins a set-up. Until it is over, no reach can begin, and only the set-up changes the configuration. Slides take
@@ -226,10 +246,10 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_begin(hrt_session session, hrt_setup_
 HRT_NODISCARD HRT_API hrt_result hrt_setup_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_setup_step* out_step) HRT_NOEXCEPT;
 
-/** Fits the data after a step with HRT_STEP_FINISH and applies the result to the configuration; then the set-up
- *  continues with the remaining parts. A part whose fit is rejected remains and is repeated. A calibration that
- *  max_slides do not determine, or that has lack of fit, is neither `done` nor repeated. Takes about 25 microseconds
- *  for a sample of slides, up to a second: do not call it on a thread that renders.
+/** Continues the fit of a part for less than 1 ms. Call it in each frame whose step has HRT_STEP_FINISH: touches are
+ *  fitted in one call, 16 slides in about 150. Once the fit is complete, applies the result to the configuration, and
+ *  the set-up continues with the remaining parts. A part whose fit is rejected remains and is repeated, at most twice;
+ *  see hrt_setup_result::dropped.
  *
  *  @return WRONG_STATE without a set-up, or before HRT_STEP_FINISH; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */

@@ -40,7 +40,9 @@ typedef struct hrt_target_config {
   /** Fields that give the position. @default HRT_PLACE_DIRECTION */
   hrt_target_place place;
   uint32_t reserved;
-  /** Direction from the start. @range -180 to 180 @default 0 @ccw */
+  /** Direction from the start. If all targets are within 1.6 degrees, as if these were radians, reaches are
+   * IMPLAUSIBLE.
+   *  @range -180 to 180 @default 0 @ccw */
   double direction_deg;
   /** Distance from the start along the plate. @range 0.001 to 10 @default 0.1 */
   double distance_m;

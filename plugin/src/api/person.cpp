@@ -1,5 +1,8 @@
 #include "haptic_retargeting/person.h"
 
+#include <Eigen/Geometry>
+
+#include "core/math/trigonometry.h"
 #include "core/simulation/simulated_hand.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
@@ -9,20 +12,30 @@
 namespace hrt::plugin {
 namespace {
 
-using People = HandleTable<SimulatedHand, HRT_PEOPLE_MAX, 0x9e>;
+struct SimulatedUser {
+  SimulatedHand hand;
+  std::uint64_t session = 0;  // whose set-up the person follows
+};
+
+using People = HandleTable<SimulatedUser, HRT_PEOPLE_MAX, 0x9e>;
 constinit People people;
 
 constexpr double default_duration_s = 1.5;
+// Where the plate of a set-up is, which is turned by 20 degrees about y, and the skin beside the tracked joint.
+constexpr double user_plate_m[] = {0.3, 0.75, -0.4};
+constexpr double user_turn_deg = 20.0;
+constexpr double user_skin_m[] = {0.002, -0.008, -0.012};
 
-std::unique_ptr<SimulatedHand> made(const hrt_person_config& config, std::uint64_t seed) {
-  auto hand = std::make_unique<SimulatedHand>(config.duration_s != 0.0 ? config.duration_s : default_duration_s, seed);
-  PersonCondition& condition = hand->condition();
+std::unique_ptr<SimulatedUser> made(const hrt_person_config& config, std::uint64_t seed) {
+  auto user = std::make_unique<SimulatedUser>(
+      SimulatedUser{SimulatedHand(config.duration_s != 0.0 ? config.duration_s : default_duration_s, seed)});
+  PersonCondition& condition = user->hand.condition();
   if (config.tactile_weight != 0.0) condition.person.illusion.tactile_weight = config.tactile_weight;
   condition.person.bias_deg = config.bias_deg;
   if (config.tracker_noise_m != 0.0) condition.tracker.white_mm = mm_per_m * config.tracker_noise_m;
   if (config.plate_max_speed_deg_s != 0.0) condition.plate.max_speed_deg_s = config.plate_max_speed_deg_s;
   if (config.plate_latency_ns != 0) condition.plate.latency_ns = config.plate_latency_ns;
-  return hand;
+  return user;
 }
 
 template <class Body>
@@ -32,7 +45,31 @@ hrt_result with_person(const char* call, hrt_person handle, Body&& body) noexcep
 
 hrt_result check_begun(const SimulatedHand& hand) {
   if (hand.has_begun()) return HRT_OK;
-  return fail(HRT_ERROR_WRONG_STATE, "the person has begun no reach: call hrt_person_begin() first");
+  return fail(HRT_ERROR_WRONG_STATE,
+              "the person has begun no reach: call hrt_person_begin() with a virtual target first");
+}
+
+// The person does what the current step of the session's set-up asks for.
+hrt_result follow(SimulatedUser& user, std::int64_t time_ns, double plate_orientation_deg, hrt_sample* sample) {
+  return with_session("hrt_person_move", hrt_session{user.session}, [&](RecordedSession& s) -> hrt_result {
+    const Session& session = s.session();
+    std::optional<SetupStep> step;
+    if (session.is_setting_up()) step = session.setup_step();
+    const Eigen::Vector3d seen_m = user.hand.follow(time_ns, plate_orientation_deg, step) / mm_per_m;
+    const bool finds_plate = step && (step->part & (setup_fingertip | setup_registration | setup_check)) != 0;
+    Eigen::Vector3d at_m = seen_m;
+    if (finds_plate || session.model().registration.made) {
+      sample->flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_JOINT_ROTATION;
+      Eigen::Quaterniond turned(cos_deg(0.5 * user_turn_deg), 0.0, sin_deg(0.5 * user_turn_deg), 0.0);
+      const Eigen::Quaterniond joint = turned * user.hand.attitude();
+      at_m = turned * seen_m + Eigen::Vector3d::Map(user_plate_m) - joint * Eigen::Vector3d::Map(user_skin_m);
+      Eigen::Vector4d::Map(sample->joint_rotation) = joint.coeffs();
+    } else {
+      sample->flags = HRT_SAMPLE_PLATE_POSITION;
+    }
+    Eigen::Vector3d::Map(sample->finger_position_m) = at_m;
+    return HRT_OK;
+  });
 }
 
 }  // namespace
@@ -59,14 +96,20 @@ hrt_result hrt_person_destroy(hrt_person person) noexcept {
 }
 
 hrt_result hrt_person_begin(hrt_person person, hrt_session session, hrt_target virtual_target) noexcept {
-  return with_person("hrt_person_begin", person, [&](SimulatedHand& hand) -> hrt_result {
+  return with_person("hrt_person_begin", person, [&](SimulatedUser& user) -> hrt_result {
     return with_session("hrt_person_begin", session, [&](RecordedSession& s) -> hrt_result {
+      if (virtual_target.value == 0) {
+        HRT_RETURN_IF_FAILED(s.session().check_setting_up());
+        user.hand.begin_setup();
+        user.session = session.value;
+        return HRT_OK;
+      }
       const SessionModel& model = s.session().model();
       const Target* target = nullptr;
       HRT_RETURN_IF_FAILED(
           s.session().targets.find("virtual_target", virtual_target.value, TargetRole::virtual_target, &target));
       const TargetView seen = view(model, target->place);
-      hand.begin(start_of(model), seen.direction_deg, seen.distance_mm);
+      user.hand.begin(start_of(model), seen.direction_deg, seen.distance_mm);
       return HRT_OK;
     });
   });
@@ -74,16 +117,22 @@ hrt_result hrt_person_begin(hrt_person person, hrt_session session, hrt_target v
 
 hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orientation_deg,
                            hrt_sample* out_sample) noexcept {
-  return with_person("hrt_person_move", person, [&](SimulatedHand& hand) -> hrt_result {
+  return with_person("hrt_person_move", person, [&](SimulatedUser& user) -> hrt_result {
+    SimulatedHand& hand = user.hand;
     HRT_RETURN_IF_FAILED(check_output("out_sample", out_sample));
-    HRT_RETURN_IF_FAILED(check_begun(hand));
+    if (!hand.is_guided()) HRT_RETURN_IF_FAILED(check_begun(hand));
     hrt_sample sample{};
     sample.plate_orientation_deg = plate_orientation_deg;
     HRT_RETURN_IF_FAILED(check_field(sample, Fields<hrt_sample>::plate_orientation_deg));
     if (hand.is_past(time_ns)) return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", time_ns, ", before the last call's");
-    sample.flags = HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION;
     sample.time_ns = time_ns;
-    write_point(hand.move(time_ns, plate_orientation_deg), sample.finger_position_m);
+    if (hand.is_guided()) {
+      HRT_RETURN_IF_FAILED(follow(user, time_ns, plate_orientation_deg, &sample));
+    } else {
+      sample.flags = HRT_SAMPLE_PLATE_POSITION;
+      write_point(hand.move(time_ns, plate_orientation_deg), sample.finger_position_m);
+    }
+    sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
     sample.plate_orientation_deg = hand.plate_orientation_deg();
     write_struct(sample, out_sample);
     return HRT_OK;
@@ -91,7 +140,8 @@ hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orie
 }
 
 hrt_result hrt_person_get_state(hrt_person person, hrt_person_state* out_state) noexcept {
-  return with_person("hrt_person_get_state", person, [&](SimulatedHand& hand) -> hrt_result {
+  return with_person("hrt_person_get_state", person, [&](SimulatedUser& user) -> hrt_result {
+    const SimulatedHand& hand = user.hand;
     HRT_RETURN_IF_FAILED(check_output("out_state", out_state));
     HRT_RETURN_IF_FAILED(check_begun(hand));
     hrt_person_state state{};

@@ -1,4 +1,5 @@
 // The sentences of a set-up.
+#include <cmath>
 #include <cstring>
 
 #include "plugin/src/abi/text.h"
@@ -26,11 +27,72 @@ const char* problem_text(SetupProblem problem) {
     case SetupProblem::plate:
       return "The plate does not turn as it should. ";
     case SetupProblem::disagrees:
-      return "That does not fit together: once more, each in its turn, with the plate still. ";
+      return "The measurements do not agree. ";
     case SetupProblem::upside_down:
-      return "By the touches the plate lies upside down: left and right were confused. ";
+      return "The touches fit a plate that is upside down or mirrored. ";
     case SetupProblem::undetermined:
-      return "That does not show enough yet. ";
+      return "The measurements do not determine the result. ";
+  }
+  return "";
+}
+
+/// Numbers of sentences have one decimal.
+double rounded(double value) { return std::round(10.0 * value) / 10.0; }
+
+void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
+  using Kind = Observed::Kind;
+  switch (observed.kind) {
+    case Kind::none:
+      break;
+    case Kind::no_finger:
+      text << "No sample has the finger: is it tracked? ";
+      break;
+    case Kind::lifted:
+      text << "The finger is above the plate in every sample: check the plate's height. ";
+      break;
+    case Kind::time:
+      text << "Times advance by " << rounded(observed.first) << " ns per sample: time_ns is in nanoseconds. ";
+      break;
+    case Kind::far_away:
+      text << "The finger is " << rounded(observed.first / mm_per_m) << " m from the plate: positions are in metres. ";
+      break;
+    case Kind::plate:
+      text << "The plate reports " << rounded(observed.first) << " degrees although " << rounded(observed.second)
+           << " were commanded. ";
+      break;
+    case Kind::elsewhere:
+      text << "The finger is " << std::round(observed.first) << " mm from there. ";
+      break;
+    case Kind::wrong_way:
+      text << "The finger slid towards " << std::round(observed.first)
+           << " degrees, where 0 is straight ahead: axes may be swapped or mirrored. ";
+      break;
+    case Kind::no_rest:
+      text << "The finger has not come to the place and rested yet. ";
+      break;
+  }
+}
+
+void write_problem(SetupProblem problem, std::string_view reason, const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
+  text << problem_text(problem);
+  if (!reason.empty()) text << "(" << reason << ") ";
+  write_observed(observed, text);
+}
+
+const char* part_text(SetupPart part) {
+  switch (part) {
+    case setup_fingertip:
+      return "fingertip: ";
+    case setup_registration:
+      return "registration: ";
+    case setup_check:
+      return "check: ";
+    case setup_guides:
+      return "guides: ";
+    case setup_calibration:
+      return "calibration: ";
+    case setup_retest:
+      return "retest: ";
   }
   return "";
 }
@@ -61,7 +123,7 @@ void write_touch(const SetupStep& step, Text<HRT_TEXT_SIZE>& text) {
 
 void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]) {
   Text<HRT_TEXT_SIZE> text;
-  text << problem_text(step.problem);
+  write_problem(step.problem, step.reason, step.observed, text);
   switch (step.instruction) {
     case Instruction::wait:
       text << "Lift your finger: the plate turns.";
@@ -86,6 +148,13 @@ void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]) {
       text << "One moment.";
       break;
   }
+  std::memcpy(out, text.c_str(), text.view().size() + 1);
+}
+
+void write_drop_text(const SetupReport& report, char (&out)[HRT_TEXT_SIZE]) {
+  Text<HRT_TEXT_SIZE> text;
+  text << part_text(report.drop.part);
+  write_problem(report.drop.problem, report.drop_reason, report.drop.observed, text);
   std::memcpy(out, text.c_str(), text.view().size() + 1);
 }
 

@@ -14,7 +14,9 @@ namespace {
 static_assert(static_cast<std::uint32_t>(Instruction::finish) == HRT_STEP_FINISH &&
               static_cast<std::uint32_t>(Instruction::slide) == HRT_STEP_SLIDE &&
               static_cast<std::uint32_t>(SetupProblem::undetermined) == HRT_PROBLEM_UNDETERMINED &&
-              static_cast<std::uint32_t>(SetupProblem::left_plate) == HRT_PROBLEM_LEFT_PLATE);
+              static_cast<std::uint32_t>(SetupProblem::left_plate) == HRT_PROBLEM_LEFT_PLATE &&
+              static_cast<std::uint32_t>(Observed::Kind::no_rest) == HRT_OBSERVED_NO_REST &&
+              static_cast<std::uint32_t>(Observed::Kind::far_away) == HRT_OBSERVED_FAR);
 static_assert(static_cast<std::uint32_t>(SlideVerdict::along_ridges) == HRT_SLIDE_ALONG_RIDGES);
 
 // The members of commands and summaries behind HRT_COMMAND_*; null: the outcome does not have the flag.
@@ -170,7 +172,7 @@ hrt_setup_step to_c(const SetupStep& step) {
       .done = static_cast<std::uint32_t>(step.done),
       .of = static_cast<std::uint32_t>(step.of),
       .number = static_cast<std::uint32_t>(step.number),
-      .reserved = 0,
+      .observed = static_cast<std::uint32_t>(step.observed.kind),
       .place_m = {step.place_mm.x() / mm_per_m, step.place_mm.y() / mm_per_m, step.place_mm.z() / mm_per_m},
       .plate_orientation_deg = step.plate_orientation_deg,
       .text = {}};
@@ -186,6 +188,8 @@ hrt_setup_result to_c(const SetupReport& report) {
   out.differing = flag_if(report.differing.tactile_weight, HRT_RETEST_TACTILE_WEIGHT) |
                   flag_if(report.differing.bias, HRT_RETEST_BIAS) | flag_if(report.differing.habit, HRT_RETEST_HABIT);
   out.slides = static_cast<std::uint32_t>(report.slides);
+  out.dropped = report.dropped;
+  if (report.dropped != 0) write_drop_text(report, out.reason);
   if (report.registration) {
     constexpr double deg_per_radian = 57.29577951308232;
     const Registration& registration = *report.registration;

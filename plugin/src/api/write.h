@@ -24,5 +24,7 @@ void write_point(const PlatePoint& point, double (&out_m)[3]);
 
 /// Problem and instruction of a step as a sentence for the user.
 void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]);
+/// Why a set-up dropped a part.
+void write_drop_text(const SetupReport& report, char (&out)[HRT_TEXT_SIZE]);
 
 }  // namespace hrt::plugin

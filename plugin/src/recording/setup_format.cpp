@@ -26,7 +26,7 @@ void write_value(const char (&)[HRT_TEXT_SIZE], SetupCell&) {}  // determined by
 template <class Struct>
 void put_setup(const Struct& values, Row& row, SetupCell& cell) {
   for_each_field<Struct>([&](const auto& field) {
-    if (std::string_view(field.name) == "text") return;
+    if (std::string_view(field.name) == "text" || std::string_view(field.name) == "reason") return;
     cell << (cell.view().empty() ? "" : " ") << field.name << "=";
     write_value(field.of(values), cell);
   });

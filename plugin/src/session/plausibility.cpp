@@ -28,7 +28,9 @@ double from_centre_mm(const PlatePoint& place) { return std::hypot(place.right_m
 
 }  // namespace
 
-Plausibility::Plausibility(double plate_radius_mm, const Reach& reach) : radius_mm_(plate_radius_mm), reach_(reach) {
+Plausibility::Plausibility(double plate_radius_mm, const Reach& reach, bool may_be_in_radians)
+    : radius_mm_(plate_radius_mm), reach_(reach) {
+  if (may_be_in_radians) find(Kind::radians, 0.0, 0.0);
   const PlatePoint target = point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_mm);
   const double farthest_mm = std::max(from_centre_mm(reach.start), from_centre_mm(target));
   if (farthest_mm > max_target_radii * radius_mm_) find(Kind::place_off_plate, farthest_mm, radius_mm_);
@@ -99,6 +101,9 @@ void Plausibility::judge_direction(const PlatePoint& place) {
 void write_implausible(const Implausible& found, Text<320>& text) {
   switch (found.kind) {
     case Kind::none:
+      break;
+    case Kind::radians:
+      text << "the directions of all targets are within 1.6 degrees: direction_deg is in degrees, these may be radians";
       break;
     case Kind::place_off_plate:
       text << "the start or the real target is " << found.first << " mm from the centre of a plate of radius "

@@ -15,6 +15,7 @@ namespace hrt::plugin {
 struct Implausible {
   enum class Kind : std::uint8_t {
     none,
+    radians,           ///< the directions of all targets are within a right angle in radians
     place_off_plate,   ///< first: distance of the start or a target from the plate's centre in mm; second: the radius
     time_stands,       ///< first: number of samples; second: nanoseconds between two of them
     too_fast,          ///< first: speed in m/s; second: nanoseconds between two samples
@@ -33,7 +34,7 @@ void write_implausible(const Implausible& found, Text<320>& text);
 class Plausibility {
  public:
   Plausibility() = default;
-  Plausibility(double plate_radius_mm, const Reach& reach);
+  Plausibility(double plate_radius_mm, const Reach& reach, bool may_be_in_radians);
 
   /// The targets are elsewhere from now on: only times and places are judged from now on.
   void retarget() { retargeted_ = true; }

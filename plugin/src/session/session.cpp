@@ -93,7 +93,7 @@ hrt_result Session::begin(const ReachRequest& request) {
 
 // Where a felt start is, is not known in the tracker's frame: directions from it are not either.
 Plausibility Session::plausibility_of(const Reach& reach) const {
-  Plausibility plausibility(mm_per_m * model_.mount.surface.radius_m, reach);
+  Plausibility plausibility(mm_per_m * model_.mount.surface.radius_m, reach, targets.may_be_in_radians());
   if (model_.control.start_is_felt) plausibility.retarget();
   return plausibility;
 }
@@ -251,7 +251,7 @@ bool Session::is_too_old(std::int64_t time_ns) const {
 
 hrt_result Session::begin_setup(std::uint32_t parts, const SetupConfig& asked) {
   HRT_RETURN_IF_FAILED(check_idle());
-  HRT_RETURN_IF_FAILED(SessionSetup::check(model_, targets, parts));
+  HRT_RETURN_IF_FAILED(SessionSetup::check(model_, targets, parts, asked));
   auto report = std::make_unique<SetupReport>();
   state_ = std::make_unique<SessionSetup>(model_, targets, parts, asked, plate_orientation_deg_);
   if (report_ && report_->calibration) former_slides_ = std::move(report_->calibration->slides);

@@ -70,6 +70,7 @@ class Session {
   hrt_result cancel_setup();
   /// The part under way, while setting up.
   SetupPart setup_part() const { return std::get<SettingUp>(state_)->part(); }
+  SetupStep setup_step() const { return std::get<SettingUp>(state_)->step(); }
   /// Of the set-up that was begun last.
   const SetupReport& setup_report() const { return *report_; }
   /// Of the last calibration; empty before.

@@ -84,7 +84,8 @@ SetupConfig completed(SetupConfig config, const SessionModel& model, const Targe
 
 }  // namespace
 
-hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets, std::uint32_t parts) {
+hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets, std::uint32_t parts,
+                               const SetupConfig& asked) {
   constexpr std::uint32_t either[] = {slide_parts, setup_registration | setup_check, setup_registration | setup_guides};
   const bool both =
       std::any_of(std::begin(either), std::end(either), [&](std::uint32_t pair) { return (parts & pair) == pair; });
@@ -98,6 +99,13 @@ hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets
     SetupConfig guides;
     HRT_RETURN_IF_FAILED(find_guides(model, targets, &guides));
   }
+  std::vector<MarkTouch> marks;
+  for (int i = 0; i < asked.mark_count; ++i)
+    marks.push_back({asked.marks_mm[static_cast<std::size_t>(i)], asked.marks_mm[static_cast<std::size_t>(i)]});
+  if (!marks.empty() && fit_registration({}, marks).verdict == RegistrationVerdict::degenerate)
+    return fail(HRT_ERROR_OUT_OF_RANGE,
+                "marks_m has marks within 10 mm of a line or of one place; the plate's rotation "
+                "needs three that are the corners of a triangle");
   if ((parts & slide_parts) != 0 && room_ahead_mm(model) < min_slide_room_mm)
     return fail(HRT_ERROR_OUT_OF_RANGE, "start_position_m leaves ", room_ahead_mm(model) / mm_per_m,
                 " m for a slide straight ahead; allowed: at least ", min_slide_room_mm / mm_per_m);
@@ -134,21 +142,35 @@ hrt_result SessionSetup::finish(SessionModel* model, SetupReport* report) {
     return fail(HRT_ERROR_WRONG_STATE, step.done, " of ", step.of,
                 " are done; allowed once a step says HRT_STEP_FINISH");
   if (!is_over()) {
-    SetupFit fit = finish_part(&setup_, registration_of(*model, setup_.config().registration.touch_sd_mm));
+    // After an exception fit_ is empty: the next call begins again.
+    std::unique_ptr<PartFit> fitting = std::move(fit_);
+    if (!fitting)
+      fitting = std::make_unique<PartFit>(setup_, registration_of(*model, setup_.config().registration.touch_sd_mm));
+    if (!fitting->step()) {
+      fit_ = std::move(fitting);
+      report->left = setup_.left();
+      return HRT_OK;
+    }
+    SetupFit& fit = fitting->result();
     if (fit.slides > 0) report->slides = fit.slides;
     if (fit.part == setup_retest && fit.calibration) report->differing = difference(*model, *fit.calibration);
     SessionModel next = *model;
-    const bool found = apply(fit, setup_.config(), &next);
-    if (is_valid(next)) {  // otherwise it is of no possible person, and nothing was found
-      *model = next;
-      if (found) report->done |= fit.part;
-    }
+    const bool is_known = apply(fit, setup_.config(), &next);
+    const bool found = is_known && is_valid(next);
+    if (is_known && !found) fit.reason = "the values are those of no possible person";
+    if (is_valid(next)) *model = next;
+    if (found) report->done |= fit.part;
+    move_on(fit, found, &setup_);
     if (fit.fingertip) report->fingertip = fit.fingertip;
     if (fit.registration) report->registration = fit.registration;
     if (fit.check) report->check = fit.check;
     if (fit.calibration) report->calibration = std::move(fit.calibration);
   }
   report->left = setup_.left();
+  report->dropped = setup_.dropped();
+  if (report->dropped == 0) return HRT_OK;
+  report->drop = setup_.last_drop();
+  report->drop_reason = report->drop.reason;
   return HRT_OK;
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "core/setup/setup.h"
+#include "core/setup/setup_fit.h"
 #include "core/tracker/repeated_position.h"
 #include "plugin/src/session/found_model.h"
 #include "plugin/src/session/targets.h"
@@ -19,6 +21,9 @@ inline constexpr std::uint32_t setup_all_missing = 64;
 struct SetupReport {
   std::uint32_t done = 0;  ///< parts that were found and applied
   std::uint32_t left = 0;
+  std::uint32_t dropped = 0;  ///< without a result, and not repeated
+  SetupDrop drop;             ///< the last one; its reason is a text of the set-up, and here:
+  std::string drop_reason;
   int slides = 0;  ///< that were made
   std::optional<FingertipOffset> fingertip;
   std::optional<Registration> registration;
@@ -31,7 +36,8 @@ struct SetupReport {
 class SessionSetup {
  public:
   /// Fails unless a set-up of these parts can be made.
-  static hrt_result check(const SessionModel& model, const Targets& targets, std::uint32_t parts);
+  static hrt_result check(const SessionModel& model, const Targets& targets, std::uint32_t parts,
+                          const SetupConfig& asked);
 
   /// `asked` has what a caller may choose: marks, of which there may be none, their touches, slides and the plate's
   /// range.
@@ -39,9 +45,11 @@ class SessionSetup {
                double plate_orientation_deg);
 
   SetupPart part() const { return setup_.part(); }
+  SetupStep step() const { return setup_.step(); }
   /// Real-time.
   hrt_result update(const SessionModel& model, const SetupSample& sample, SetupStep* out);
-  /// Fits the part under way, applies the result to the model and adds it to the report.
+  /// Continues the fit of the current part by one step, of less than 1 ms. Once it is complete, applies the result to
+  /// the model and adds it to the report.
   hrt_result finish(SessionModel* model, SetupReport* report);
   bool is_over() const { return setup_.left() == 0; }
 
@@ -52,6 +60,7 @@ class SessionSetup {
   double plate_orientation_deg_;  // of the last step
   std::optional<std::int64_t> last_time_ns_;
   RepeatedPosition<Eigen::Vector3d> repeated_;
+  std::unique_ptr<PartFit> fit_;  // of the current part, in progress
 };
 
 }  // namespace hrt::plugin

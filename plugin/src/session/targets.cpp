@@ -1,6 +1,7 @@
 #include "plugin/src/session/targets.h"
 
 #include <atomic>
+#include <cmath>
 
 #include "plugin/src/abi/error.h"
 
@@ -74,6 +75,17 @@ hrt_result Targets::set(std::uint64_t id, const Target& target) {
   real_count_ -= found->second.role == TargetRole::real;
   found->second = target;
   return HRT_OK;
+}
+
+bool Targets::may_be_in_radians() const {
+  constexpr double right_angle = 1.6;
+  int directed = 0;
+  for (const auto& [id, target] : by_id_) {
+    const double direction_deg = target.place.direction_deg;
+    if (target.place.kind != TargetPlace::Kind::direction || std::abs(direction_deg) > right_angle) return false;
+    directed += direction_deg != 0.0 ? 1 : 0;
+  }
+  return has_both_roles() && directed >= 2;
 }
 
 hrt_result Targets::remove(std::uint64_t id) {

@@ -72,6 +72,9 @@ class Targets {
   const std::map<std::uint64_t, Target>& all() const { return by_id_; }
   /// A reach needs one of each role.
   bool has_both_roles() const { return real_count_ > 0 && by_id_.size() > real_count_; }
+  /// There are both roles, all given by directions within a right angle in radians, and two are not 0. In degrees such
+  /// targets lie within 3 mm at 100 mm: no other use is known than a mistake.
+  bool may_be_in_radians() const;
 
   /// A number that stands for a target in recordings: from 1 in a process of one session; 0 if there is no such target.
   std::uint64_t number(std::uint64_t id) const { return by_id_.contains(id) ? id - before_first_ : 0; }

@@ -1,9 +1,7 @@
 #include "samples/app/run/set_up.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <future>
 #include <utility>
 
 #include "samples/app/base/at_end.h"
@@ -14,8 +12,6 @@ namespace hrt::app {
 namespace {
 
 constexpr std::uint32_t world_parts = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION | HRT_SETUP_CHECK;
-constexpr int failures_allowed = 5;  // slides in a row that do not count
-constexpr int max_refused = 3;
 constexpr std::uint32_t nothing = UINT32_MAX;  // has been asked for
 // Of a simulated person who is to stay at the start: the mock knows no shorter way.
 constexpr double no_way_m = 1e-6;
@@ -61,19 +57,18 @@ SetUp::~SetUp() {
   if (result_.left != 0) static_cast<void>(plugin_.hrt_setup_cancel(session_));
 }
 
-void SetUp::count_failure(const hrt_setup_step& step) {
-  if (step.problem == HRT_PROBLEM_NONE) return;
-  if (step.problem == HRT_PROBLEM_PLATE) throw Failure(ExitCode::plate, step.text);
-  if ((step.part & (world_parts | HRT_SETUP_GUIDES)) != 0 && asked_.instruction == HRT_STEP_FINISH &&
-      ++refused_ == max_refused)
-    throw Failure(ExitCode::registration, format("three times: %s", step.text));
-  if (step.instruction == HRT_STEP_WAIT && ++failed_ > failures_allowed)
-    throw Failure(ExitCode::no_hand, format("%d slides in a row did not count; the last one: %s", failed_, step.text));
+// A check that fails is a result, and so is a calibration that its slides do not determine.
+void SetUp::check_dropped() const {
+  const std::uint32_t touched = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION;
+  const bool moved = (result_.dropped & HRT_SETUP_CHECK) != 0;
+  if ((result_.dropped & touched) != 0 || (!moved && (result_.dropped & HRT_SETUP_GUIDES) != 0))
+    throw Failure(ExitCode::registration, result_.reason);
+  if ((result_.dropped & HRT_SETUP_CALIBRATION) != 0 && result_.slides == 0)
+    throw Failure(ExitCode::no_hand, result_.reason);
 }
 
 void SetUp::ask(Stage& stage, const hrt_setup_step& step) {
-  if (step.done > asked_.done) failed_ = 0;
-  count_failure(step);
+  if (step.problem == HRT_PROBLEM_PLATE) throw Failure(ExitCode::plate, step.text);
   request_ = request_of(step, mark_names_);
   stage.tell_user(request_);
   if (stage.simulation != nullptr && step.instruction == HRT_STEP_REST_AT_START)
@@ -89,7 +84,8 @@ hrt_setup_step SetUp::update(Stage& stage, XrTime time) {
   for (const Hand seen : {Hand::left, Hand::right}) sightings_->see(seen, locate(stage, seen, time));
   // In the parts that find where the plate and the skin are: the joint, in the world.
   const bool in_world = (asked_.part & world_parts) != 0;
-  const Fingertip tip = in_world ? stage.session.locate(hand, time) : locate(stage, hand, time);
+  Fingertip tip = in_world ? stage.session.locate(hand, time) : locate(stage, hand, time);
+  if ((asked_.part & HRT_SETUP_FINGERTIP) != 0 && !tip.rotation) tip.tracked = false;
   last_ = time + later_by_;
   const std::optional<double> plate_deg = stage.plate.orientation_deg(time);
   hrt_sample sample = in_world ? world_sample_of(last_, tip, plate_deg) : sample_of(last_, tip, plate_deg);
@@ -128,21 +124,6 @@ void SetUp::lead(Stage& stage, XrTime* now, std::ostream* slides) {
   }
 }
 
-// A fit of slides takes too long for a frame: the plate is served meanwhile. It is waited for even if the
-// runtime is lost.
-void SetUp::finish(Stage& stage, XrTime* now) {
-  if ((asked_.part & world_parts) != 0) return plugin_.check(plugin_.hrt_setup_finish(session_, &result_));
-  std::string reason;
-  auto finished = std::async(std::launch::async, [&] {
-    const hrt_result code = plugin_.hrt_setup_finish(session_, &result_);
-    if (code != HRT_OK) reason = plugin_.hrt_last_error();
-    return code;
-  });
-  do *now = next_frame(stage);
-  while (finished.wait_for(std::chrono::seconds(0)) != std::future_status::ready);
-  if (finished.get() != HRT_OK) throw Failure(ExitCode::plugin, reason);
-}
-
 hrt_setup_result SetUp::run(Stage& stage, std::ostream* slides) {
   XrTime now = next_frame(stage);
   later_by_ = std::max<XrTime>(0, last_ - now);
@@ -158,7 +139,9 @@ hrt_setup_result SetUp::run(Stage& stage, std::ostream* slides) {
   });
   while (result_.left != 0) {
     lead(stage, &now, slides);
-    finish(stage, &now);
+    plugin_.check(plugin_.hrt_setup_finish(session_, &result_));  // a part of a fit: each frame continues it
+    check_dropped();
+    if (result_.left != 0) now = next_frame(stage);
   }
   return result_;
 }

@@ -30,7 +30,7 @@ class SetUp {
   SetUp& operator=(const SetUp&) = delete;
 
   /// Continues until all is found, or cannot be; a line a slide on `slides`. Throws as run_reach(), and can
-  /// then be called again; Failure: no_hand if nothing happens in time or too many slides in a row do not
+  /// then be called again; Failure: no_hand if nothing happens in time or six slides in a row do not
   /// count, registration if touches are refused three times, plate if it does not turn.
   hrt_setup_result run(Stage& stage, std::ostream* slides = nullptr);
 
@@ -40,8 +40,7 @@ class SetUp {
   void lead(Stage& stage, XrTime* now, std::ostream* slides);
   hrt_setup_step update(Stage& stage, XrTime time);
   void ask(Stage& stage, const hrt_setup_step& step);
-  void count_failure(const hrt_setup_step& step);
-  void finish(Stage& stage, XrTime* now);
+  void check_dropped() const;
 
   const Plugin& plugin_;
   hrt_session session_;
@@ -52,8 +51,6 @@ class SetUp {
   XrTime asked_at_ = 0;
   std::optional<Sightings> sightings_;  // since then
   std::optional<double> commanded_deg_;
-  int failed_ = 0;       // slides in a row that did not count
-  int refused_ = 0;      // touches of all marks
   XrTime later_by_ = 0;  // the set-up's time than the runtime's, whose clock may begin anew with a session
   XrTime last_ = 0;      // of the set-up
 };

@@ -259,9 +259,9 @@ class SessionRun {
     hrt_setup_step step = hrt_setup_step_init();
     step.part = what;
     hrt_setup_result result = hrt_setup_result_init();
-    std::int64_t last_ns = 0;
+    hrt_sample last = hrt_sample_init();
     const auto use = [&](const hrt_sample& sample) {
-      last_ns = sample.time_ns;
+      last = sample;
       check(hrt_setup_update(session.handle(), &sample, &step));
     };
     for (std::size_t done = 0;; ++done) {
@@ -270,18 +270,21 @@ class SessionRun {
       } else {
         json samples = json::array();
         unsigned before = step.done;
-        subject_.slide(session.handle(), step, static_cast<unsigned>(done), last_ns, [&](const hrt_sample& sample) {
-          samples.push_back(row_of(sample));
-          use(sample);
-          const bool ends = step.done > before || step.instruction == HRT_STEP_FINISH;
-          before = std::min(before, step.done);  // all of it begins anew after a fit that was refused
-          return ends ? std::nullopt : std::optional(step);
-        });
+        subject_.slide(session.handle(), step, static_cast<unsigned>(done), last.time_ns,
+                       [&](const hrt_sample& sample) {
+                         samples.push_back(row_of(sample));
+                         use(sample);
+                         const bool ends = step.done > before || step.instruction == HRT_STEP_FINISH;
+                         before = std::min(before, step.done);  // all of it begins anew after a fit that was refused
+                         return ends ? std::nullopt : std::optional(step);
+                       });
         log(event, {{"number", done}, {"samples", std::move(samples)}});
       }
-      if (step.instruction != HRT_STEP_FINISH) continue;
-      check(hrt_setup_finish(session.handle(), &result));
-      if (result.left == 0) return result;
+      // Each call continues the fit. No frame waits for it here.
+      for (; step.instruction == HRT_STEP_FINISH; use(last)) {
+        check(hrt_setup_finish(session.handle(), &result));
+        if (result.left == 0) return result;
+      }
     }
   }
 

@@ -204,7 +204,7 @@ def test_a_reach_is_retargeted_and_cancelled(session: hrt.Session, straight: np.
 def test_a_simulated_person_is_led() -> None:
     with hrt.Session() as session, hrt.Person(7, tactile_weight=0.2) as person:
         real, virtual = session.add_real(direction_deg=-5), session.add_virtual(direction_deg=5)
-        with pytest.raises(hrt.Error, match=r"Person.move: .* call Person.begin\(\) first"):
+        with pytest.raises(hrt.Error, match=r"Person.move: .* call Person.begin\(\) with a virtual target first"):
             person.move(0, 0.0)
         with pytest.raises(TypeError, match="virtual is 5: a Target"):
             person.begin(session, 5)

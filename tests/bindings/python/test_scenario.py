@@ -23,12 +23,27 @@ def calls_of(session: hrt.Session) -> dict[str, Callable[..., Any]]:
         add = session.add_real if role == "real" else session.add_virtual
         targets[name] = add(name, direction_deg=float(direction_deg), distance_m=float(distance_m))
 
-    def slide(to: str, frames: str) -> None:
-        places = np.linspace([0, 0, 0.05], numbers(to), int(frames))
-        kept["reach"].run(hrt.samples(np.arange(int(frames)) * 11_111_111, position_m=places))
+    def slide(**a: str) -> hrt.Command:
+        reach, frames = kept["reach"], int(a["frames"])
+        places = np.linspace(numbers(a.get("from", "0,0,0.05")), numbers(a["to"]), frames)
+        for i in range(frames):
+            if "real" in a:
+                reach.retarget(targets[a["real"]], targets[a["virtual"]])
+            time_ns = int(a.get("begin_ns", 0)) + i * int(a.get("every_ns", 11_111_111))
+            command = reach.update(time_ns, position_m=places[i - i % int(a.get("copies", 1))])
+        return command
+
+    def set_up(what: str, frames: str) -> hrt.SetupResult:
+        plate_deg = 0.0
+        with session.set_up(hrt.SetupFlag(int(what))) as setup, hrt.Person(seed=1) as person:
+            person.begin(session)
+            for frame in range(int(frames)):
+                if not setup.over:
+                    plate_deg = setup.update(person.move(frame * 11_111_111, plate_deg)).plate_orientation_deg
+            return setup.result
 
     return {
-        "target": target, "slide": slide,
+        "target": target, "slide": slide, "set_up": set_up,
         "configure": lambda tactile_weight: session.configure(tactile_weight=float(tactile_weight)),
         "remove": lambda name: targets[name].remove(),
         "gap": lambda real, virtual: session.gap(targets[real], targets[virtual]),

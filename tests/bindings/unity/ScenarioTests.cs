@@ -67,7 +67,8 @@ namespace Hrt.HostTests
             { "end", () => values["samples"] = session.EndReach().samples },
             { "update", () => Update(SampleFlags.PlatePosition, (long)Number("time_ns"), Place("at")) },
             { "lost", () => Update(SampleFlags.None, (long)Number("time_ns"), new Double3()) },
-            { "slide", () => Slide(Place("to"), (int)Number("frames")) },
+            { "slide", Slide },
+            { "set_up", SetUp },
             { "save_profile", () => saved = session.SaveProfile() },
             { "load_profile", () => session.LoadProfile(arguments.ContainsKey("text") ? arguments["text"] : saved) }
         };
@@ -89,19 +90,46 @@ namespace Hrt.HostTests
         void Update(SampleFlags flags, long timeNs, Double3 fingerM) => values["flags"] =
             (double)session.Update(new Sample { flags = flags, timeNs = timeNs, fingerPositionM = fingerM }).flags;
 
-        void Slide(Double3 to, int frames)
+        void Slide()
         {
+            int frames = (int)Number("frames"), copies = (int)Number("copies", 1);
+            long begin = (long)Number("begin_ns", 0), every = (long)Number("every_ns", 11111111);
+            Double3 to = Place("to"), from = arguments.ContainsKey("from") ? Place("from") : new Double3(0, 0, 0.05);
             for (int i = 0; i < frames; ++i)
             {
-                double share = i / (frames - 1.0);
-                Update(SampleFlags.PlatePosition, 11111111L * i,
-                       new Double3(share * to.x, share * to.y, 0.05 + share * (to.z - 0.05)));
+                if (arguments.ContainsKey("real")) session.RetargetReach(Target("real"), Target("virtual"));
+                double share = (i - i % copies) / (frames - 1.0);
+                Update(SampleFlags.PlatePosition, begin + every * i,
+                       new Double3(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
+                                   from.z + share * (to.z - from.z)));
+            }
+        }
+
+        void SetUp()
+        {
+            session.BeginSetup((SetupFlags)Number("what"), SetupConfig.Default);
+            using (var person = new HapticRetargetingPerson(1))
+            {
+                person.Begin(session, default(TargetId));
+                var result = new SetupResult { left = (SetupFlags)Number("what") };
+                double plateDeg = 0;
+                for (long i = 0; i < Number("frames") && result.left != 0; ++i)
+                {
+                    SetupStep step = session.UpdateSetup(person.Move(i * 11111111, plateDeg));
+                    plateDeg = step.plateOrientationDeg;
+                    if (step.instruction == Step.Finish) result = session.FinishSetup();
+                }
+                values["done"] = (double)result.done;
+                values["left"] = (double)result.left;
+                values["dropped"] = (double)result.dropped;
             }
         }
 
         TargetId Target(string key) => targets[arguments[key]];
 
         double Number(string key) => Parse(arguments[key]);
+
+        double Number(string key, double otherwise) => arguments.ContainsKey(key) ? Number(key) : otherwise;
 
         Double3 Place(string key)
         {

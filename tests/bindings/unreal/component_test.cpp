@@ -345,15 +345,12 @@ TEST_F(Component, IsMovedByASetupToWhereItIsTouched) {
   EXPECT_FALSE(component_.BeginSetup(0));
   ASSERT_TRUE(component_.BeginSetup(both)) << last_log();
   FHapticSetupResult result;
-  EXPECT_FALSE(component_.FinishSetup(result));
+  component_.OnSetupFinished.Add([&](const FHapticSetupResult& found) { result = found; });
   for (int frame = 0; component_.IsSettingUp() && frame < 3000; ++frame) {
     const FQuat way = step.Part == static_cast<int32>(HRT_SETUP_FINGERTIP) ? ways[step.Number % 6] : FQuat();
     const FVector skin = at.TransformPosition(step.Place) + FVector(0, 0, --lifted > 0 ? 5 : 0);
     const FVector joint = FTransform(way, skin).TransformPosition(offset * -1.0);
     ASSERT_TRUE(component_.UpdateJoint(FTransform(way, joint), frame / 90.0)) << last_log();
-    if (step.Instruction == EHapticStep::Finish) {
-      ASSERT_TRUE(component_.FinishSetup(result)) << last_log();
-    }
   }
   EXPECT_EQ(result.Done, both);
   EXPECT_LT(steps, 100);

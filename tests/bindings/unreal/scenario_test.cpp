@@ -68,10 +68,28 @@ class UnrealScenario : public testing::Test {
   }
 
   bool slide(Words& a) {
-    const FVector from(-5, 0, 0), to = place(a["to"]);
-    const double frames = number(a["frames"]);
-    for (int i = 0; i < frames; ++i)
-      if (!component_.UpdateFinger(from + (to + from * -1.0) * (i / (frames - 1)), 0.011111111 * i)) return false;
+    const Words usual{{"from", "0,0,0.05"}, {"begin_ns", "0"}, {"every_ns", "11111111"}, {"copies", "1"}};
+    a.insert(usual.begin(), usual.end());
+    const FVector from = place(a["from"]), to = place(a["to"]);
+    const int frames = std::stoi(a["frames"]), copies = std::stoi(a["copies"]);
+    for (int i = 0; i < frames; ++i) {
+      const FVector at = from + (to + from * -1.0) * ((i - i % copies) / (frames - 1.0));
+      const double time_s = 1e-9 * (number(a["begin_ns"]) + i * number(a["every_ns"]));
+      if (a.contains("real") && !component_.RetargetReach(targets_[a["real"]], targets_[a["virtual"]])) return false;
+      if (!component_.UpdateFinger(at, time_s)) return false;
+    }
+    values_["flags"] = component_.GetCommand().Flags;
+    return true;
+  }
+
+  bool set_up(Words& a) {
+    if (!component_.BeginSetup(std::stoi(a["what"])) || !component_.BeginSimulatedFinger({}, 1)) return false;
+    component_.OnSetupFinished.Add([&](const FHapticSetupResult& found) {
+      values_ = {{"done", found.Done}, {"left", found.Left}, {"dropped", found.Dropped}};
+    });
+    FVector finger;
+    for (int i = 0; component_.IsSettingUp() && i < std::stoi(a["frames"]); ++i)
+      if (!component_.UpdateSimulatedFinger(0.011111111 * i, finger)) return false;
     return true;
   }
 
@@ -96,6 +114,7 @@ class UnrealScenario : public testing::Test {
         {"update", [&](Words& a) { return c.UpdateFinger(place(a["at"]), 1e-9 * number(a["time_ns"])); }},
         {"lost", [&](Words& a) { return lost(a); }},
         {"slide", [&](Words& a) { return slide(a); }},
+        {"set_up", [&](Words& a) { return set_up(a); }},
         {"end", [&](Words& a) { return end(a); }},
         {"save_profile", [&](Words&) { return c.SaveProfile(profile_); }},
         {"load_profile",

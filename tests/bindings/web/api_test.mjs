@@ -395,11 +395,27 @@ test("the scenario of all hosts is played", async () => {
     update: (a) => update(hrt.HRT_SAMPLE_PLATE_POSITION, Number(a.time_ns), place(a.at)),
     lost: (a) => update(0, Number(a.time_ns), [0, 0, 0]),
     slide: (a) => {
-      const [x, y, z] = place(a.to), frames = Number(a.frames);
+      const { from = "0,0,0.05", begin_ns = 0, every_ns = 11_111_111, copies = 1 } = a, frames = Number(a.frames), to = place(a.to);
       for (let i = 0; i < frames; ++i) {
-        const share = i / (frames - 1);
-        update(hrt.HRT_SAMPLE_PLATE_POSITION, i * 11_111_111, [share * x, share * y, 0.05 + share * (z - 0.05)]);
+        if (a.real) session.retargetReach(targets[a.real], targets[a.virtual]);
+        const at = place(from).map((x, axis) => x + ((i - i % copies) / (frames - 1)) * (to[axis] - x));
+        update(hrt.HRT_SAMPLE_PLATE_POSITION, Number(begin_ns) + i * every_ns, at);
       }
+      return session.command;
+    },
+    set_up: (a) => {
+      session.beginSetup(Number(a.what));
+      const person = library.createPerson(1);
+      person.begin(session);
+      let result = {}, plateDeg = 0;
+      for (let i = 0; i < a.frames && result.left !== 0; ++i) {
+        person.move(sample, i * 11_111_111, plateDeg);
+        const step = session.updateSetup();
+        plateDeg = step.plate_orientation_deg;
+        if (step.instruction === hrt.HRT_STEP_FINISH) result = session.finishSetup();
+      }
+      person.destroy();
+      return result;
     },
     touched: (a) => session.reachTouched({ flags: hrt.HRT_CONTACT_PLATE_POSITION, position_m: place(a.at), sd_m: Number(a.sd_m) }),
     cancel: () => session.cancelReach(),

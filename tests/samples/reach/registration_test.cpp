@@ -106,7 +106,7 @@ TEST_F(ReachRegistration, AFingerThatIsHeldAlikeDoesNotShowItsSkin) {
   Path path;
   for (int touch = 0; touch < 18; ++touch) path.touch({marks[0]});
   const Outcome outcome = expect_exit(12, run(path, {"--register", file, "--fingertip"}));
-  expect_said(outcome, {"That does not show enough yet.", "three times: "});
+  expect_said(outcome, {"fingertip: The measurements do not determine the result.", "held too much alike"});
 }
 
 TEST_F(ReachRegistration, IsCheckedBeforeEachReach) {
@@ -130,9 +130,9 @@ TEST_F(ReachRegistration, AsksAgainIfTheTouchesDoNotFit) {
   std::swap(confused[2], confused[5]);
   std::swap(confused[3], confused[4]);
   const Outcome second = expect_exit(0, run(Path().touch(confused).touch(marks).reach(), {"--register", file}));
-  expect_said(second, "left and right were confused");
+  expect_said(second, "marks were confused");
   expect_said(expect_exit(12, run(Path().touch(confused).touch(confused).touch(confused), {"--register", file + "2"})),
-              "three times: By the touches the plate lies upside down");
+              "registration: The touches fit a plate that is upside down or mirrored.");
   EXPECT_EQ(read_file(file + "2"), "");
 }
 

@@ -30,9 +30,11 @@ class Person(PersonKeywords, Closing):
         check(library().hrt_person_create(byref(PersonConfig(**fields)), seed, byref(self.handle)))
         self._own(self.handle, library().hrt_person_destroy)
 
-    def begin(self, session: Session, virtual: Target) -> None:
-        """Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target."""
-        check(library().hrt_person_begin(self.handle, session.handle, handle_of(virtual, "virtual")))
+    def begin(self, session: Session, virtual: Target | None = None) -> None:
+        """Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target. Without one,
+        the person does what the session's set-up asks for."""
+        target = _abi.TargetHandle() if virtual is None else handle_of(virtual, "virtual")
+        check(library().hrt_person_begin(self.handle, session.handle, target))
 
     def move(self, time_ns: int, plate_orientation_deg: float) -> Sample:
         """Commands the servo of the plate, advances to `time_ns`, and returns the report of tracker and servo."""

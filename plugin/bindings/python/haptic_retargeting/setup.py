@@ -33,8 +33,8 @@ class SetUp:
         check(library().hrt_setup_begin(self._session, what, byref(SetupConfig(**fields))))
 
     def update(self, sample: Sample) -> SetupStep:
-        """Takes one sample and returns what to do now. Fits what was done as soon as it is enough, which takes up to a
-        second."""
+        """Takes one sample and returns what to do now. At Step.FINISH the user waits for a fit, of which each update does less
+        than 1 ms."""
         step = output(SetupStep, library().hrt_setup_update, self._session, byref(known_sample(sample)))
         if step.instruction == Step.FINISH:
             self.result = output(SetupResult, library().hrt_setup_finish, self._session)

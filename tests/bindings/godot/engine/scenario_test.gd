@@ -47,7 +47,8 @@ func make(name_of_call: String, a: Dictionary) -> Variant:
 		"begin", "retarget": return plate.call(name_of_call, targets[a.real], targets[a.virtual])
 		"update": return plate.update(place(a.at), int(a.time_ns))
 		"lost": return plate.get_command() if plate.update_lost(int(a.time_ns)) == OK else {}
-		"slide": return slide(place(a.to), int(a.frames))
+		"slide": return slide(a)
+		"set_up": return set_up(int(a.what), int(a.frames))
 		"touched": return plate.touched(place(a.at), float(a.sd_m))
 		"cancel": return plate.cancel()
 		"end": return plate.get_summary() if plate.end() == OK else {}
@@ -58,11 +59,27 @@ func make(name_of_call: String, a: Dictionary) -> Variant:
 	check(false, "a call of the scenario: " + name_of_call)
 	return FAILED
 
-func slide(to: Vector3, frames: int) -> Error:
+func slide(a: Dictionary) -> Dictionary:
+	var from := place(a.get("from", "0,0,0.05"))
+	var copies := int(a.get("copies", "1"))
+	for i in int(a.frames):
+		if "real" in a and plate.retarget(targets[a.real], targets[a.virtual]) != OK:
+			return {}
+		var at := from.lerp(place(a.to), (i - i % copies) / (int(a.frames) - 1.0))
+		if plate.update(at, int(a.get("begin_ns", "0")) + i * int(a.get("every_ns", "11111111"))) != OK:
+			return {}
+	return plate.get_command()
+
+func set_up(what: int, frames: int) -> Dictionary:
+	var results: Array[Dictionary] = []
+	var take := func(result: Dictionary) -> void: results.append(result)
+	plate.setup_finished.connect(take, CONNECT_ONE_SHOT)
+	if plate.begin_setup(what) != OK or plate.begin_simulated_finger(0, 1) != OK:
+		return {}
 	for i in frames:
-		if plate.update(Vector3(0, 0, 0.05).lerp(to, i / (frames - 1.0)), i * 11111111) != OK:
-			return FAILED
-	return OK
+		if plate.is_setting_up() and not plate.update_simulated_finger(i * 11111111).is_finite():
+			return {}
+	return results[0] if results else {}
 
 func pairs(words: String) -> Dictionary:
 	var found := {}

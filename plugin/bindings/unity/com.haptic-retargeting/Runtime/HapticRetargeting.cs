@@ -64,8 +64,11 @@ namespace Hrt
         public event Action<ReachSummary> ReachEnded;
 
         /// <summary>The next instruction to the user in a set-up, when it changes: show its text, and its place with
-        /// <see cref="PlaceOf"/>. At Step.Finish call <see cref="FinishSetup"/>.</summary>
+        /// <see cref="PlaceOf"/>. At Step.Finish the user waits for a fit, which takes at most 1 ms of each frame.</summary>
         public event Action<SetupStep> SetupStepped;
+
+        /// <summary>The set-up is over, and its results are applied.</summary>
+        public event Action<SetupResult> SetupFinished;
 
         // Ids of the session's targets. A Transform may be in both: a cylinder that is also its own virtual target.
         readonly Dictionary<Transform, TargetId> realIds = new Dictionary<Transform, TargetId>();
@@ -73,6 +76,7 @@ namespace Hrt
 
         SessionConfig settings; // as they were last applied
         SetupStep setupStep;
+        SetupFlags setupDone;
         bool commanded;
         bool refused;
 
@@ -152,23 +156,9 @@ namespace Hrt
             Configure(session);
             session.BeginSetup(what, SetupConfig.Default);
             IsSettingUp = true;
+            setupDone = 0;
             commanded = false;
             refused = false;
-        }
-
-        /// <summary>At Step.Finish: applies the results, and moves the plate to its registered pose. Takes up to a second. The
-        /// set-up is over if nothing is left.</summary>
-        public SetupResult FinishSetup()
-        {
-            SetupResult result = EnabledSession().FinishSetup();
-            IsSettingUp = result.left != 0;
-            if ((result.done & SetupFlags.Registration) != 0)
-            {
-                SessionConfig found = Session.Config;
-                plate.position = Axes.ToUnity(found.platePositionM);
-                plate.rotation = Axes.ToUnity(found.plateRotation);
-            }
-            return result;
         }
 
         /// <summary>Ends the set-up. Results of finished parts are kept.</summary>
@@ -247,9 +237,13 @@ namespace Hrt
         internal void Guide(Sample sample)
         {
             SetupStep last = setupStep;
+            SetupResult result = default(SetupResult);
+            bool fits = false;
             try
             {
                 setupStep = Session.UpdateSetup(sample);
+                fits = setupStep.instruction == Hrt.Step.Finish;
+                if (fits) result = Session.FinishSetup();
             }
             catch (HapticRetargetingException e)
             {
@@ -262,6 +256,21 @@ namespace Hrt
             if (first || setupStep.instruction != last.instruction || setupStep.part != last.part ||
                 setupStep.problem != last.problem || setupStep.done != last.done || setupStep.number != last.number)
                 SetupStepped?.Invoke(setupStep);
+            if (fits && IsSettingUp) TakeResult(result);
+        }
+
+        // A registration moves the plate to where it was touched.
+        void TakeResult(SetupResult result)
+        {
+            IsSettingUp = result.left != 0;
+            if ((result.done & ~setupDone & SetupFlags.Registration) != 0)
+            {
+                SessionConfig found = Session.Config;
+                plate.position = Axes.ToUnity(found.platePositionM);
+                plate.rotation = Axes.ToUnity(found.plateRotation);
+            }
+            setupDone = result.done;
+            if (!IsSettingUp) SetupFinished?.Invoke(result);
         }
 
         void Turn(double orientationDeg)

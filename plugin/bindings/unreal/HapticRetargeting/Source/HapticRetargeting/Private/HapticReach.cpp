@@ -169,6 +169,8 @@ bool UHapticRetargetingComponent::UpdateSimulatedFinger(double Time, FVector& Ou
 	{
 		return false;
 	}
-	OutLocation = GetComponentTransform().TransformPosition(FromMetres(Sample.finger_position_m));
+	const FVector Position = FromMetres(Sample.finger_position_m);
+	const bool bInWorld = (Sample.flags & HRT_SAMPLE_WORLD_POSITION) != 0;  // in a set-up: a joint
+	OutLocation = bInWorld ? Position : GetComponentTransform().TransformPosition(Position);
 	return true;
 }

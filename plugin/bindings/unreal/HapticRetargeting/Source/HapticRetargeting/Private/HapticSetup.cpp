@@ -15,6 +15,7 @@ bool UHapticRetargetingComponent::BeginSetup(int32 What)
 		return false;
 	}
 	Step = {};
+	SetupDone = 0;
 	bSettingUp = true;
 	return true;
 }
@@ -40,10 +41,11 @@ bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 	{
 		OnSetupStepped.Broadcast(FromSetupStep(Now));
 	}
-	return true;
+	return !bSettingUp || Now.instruction != HRT_STEP_FINISH || ContinueFit();
 }
 
-bool UHapticRetargetingComponent::FinishSetup(FHapticSetupResult& OutResult)
+/** Once a frame, until the part is fitted. */
+bool UHapticRetargetingComponent::ContinueFit()
 {
 	hrt_setup_result Result = hrt_setup_result_init();
 	if (!HAPTIC_CALL(hrt_setup_finish(Session, &Result)))
@@ -51,8 +53,15 @@ bool UHapticRetargetingComponent::FinishSetup(FHapticSetupResult& OutResult)
 		return false;
 	}
 	bSettingUp = Result.left != 0;
-	TakeFromSession();
-	OutResult = FromSetupResult(Result);
+	if (Result.done != SetupDone || !bSettingUp)
+	{
+		TakeFromSession();
+	}
+	SetupDone = Result.done;
+	if (!bSettingUp)
+	{
+		OnSetupFinished.Broadcast(FromSetupResult(Result));
+	}
 	return true;
 }
 

@@ -21,6 +21,7 @@ DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticPlateCommanded, double, Plate
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticFlagsChanged, int32, Flags);
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticReachEnded, const FHapticSummary&, Summary);
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupStepped, const FHapticSetupStep&, Step);
+DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupFinished, const FHapticSetupResult&, Result);
 
 /**
  * Put it where the plate is: its transform is the plate's, X away from the user, Y right, Z up, and it may move. Do not
@@ -55,10 +56,13 @@ public:
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticReachEnded OnReachEnded;
 
-	/** In a set-up the user is to do something else now: show the text, and Place, which is in the component's axes. At
-	 *  Finish, call FinishSetup. */
+	/** In a set-up the user is to do something else now: show the text, and Place, which is in the component's axes. */
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticSetupStepped OnSetupStepped;
+
+	/** The set-up is over. What it found is applied. */
+	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
+	FHapticSetupFinished OnSetupFinished;
 
 	/** Adds a target by its direction and distance in cm from the start. Names are unique, or empty. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
@@ -128,14 +132,10 @@ public:
 	FHapticCommand GetCommand() const;
 
 	/** Begins a set-up of What: where the plate is, the skin beside a joint, the user. Until it is over,
-	 *  updates are its samples, and OnPlateCommanded turns the plate for it. */
+	 *  updates are its samples, and OnPlateCommanded turns the plate for it. A registration moves the component to the touched
+	 *  plate. At the step Finish the user waits for a fit, which takes at most 1 ms of each update. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool BeginSetup(UPARAM(meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticSetupFlags")) int32 What);
-
-	/** At the step Finish: applies what was found, and moves the component to where the plate was touched. Takes up to a second.
-	 *  The set-up is over if nothing is left. */
-	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
-	bool FinishSetup(FHapticSetupResult& OutResult);
 
 	/** Ends the set-up. What was finished before stays. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
@@ -149,7 +149,8 @@ public:
 	bool IsSettingUp() const { return bSettingUp; }
 
 	/** A simulated person takes the finger's place, and the servo's: they mean to go to the virtual target, feel the plate and
-	 *  are bent by it. A model, and no measurement of people; the same seed is the same person. */
+	 *  are bent by it. With a target whose Id is 0 they do what the set-up asks for. A model, and no measurement of people; the
+	 *  same seed is the same person. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool BeginSimulatedFinger(const FHapticTarget& Virtual, int64 Seed);
 
@@ -214,6 +215,7 @@ private:
 	void TurnPlate(double OrientationDeg);
 	void RefusePlate(const char* Reason);
 	bool Guide(const hrt_sample& Sample);
+	bool ContinueFit();
 	bool TakeContact(const hrt_contact* Contact);
 	void CloseSession();
 
@@ -229,6 +231,7 @@ private:
 	hrt_session_config Configured{};
 	hrt_command Command{};
 	hrt_setup_step Step{};
+	uint32_t SetupDone = 0;
 	bool bReaching = false;
 	bool bSettingUp = false;
 	mutable bool bSaidMissing = false;

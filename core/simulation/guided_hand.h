@@ -1,0 +1,52 @@
+// A simulated person who does what a set-up asks for: touches marks, rests, slides straight ahead and along guides.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+
+#include "core/setup/setup_step.h"
+#include "core/simulation/people.h"
+
+namespace hrt {
+
+class GuidedHand {
+ public:
+  /// `touch_sd_mm`: of a coordinate of each touch and rest.
+  GuidedHand(const Person& person, double touch_sd_mm, std::uint64_t seed, std::uint32_t index);
+
+  /// Slides from now on are this person's.
+  void set_person(const Person& person) { person_ = person; }
+  /// The person does this from now on. A step that asks for the same as the last one changes nothing.
+  void ask(const SetupStep& step);
+  /// One millisecond, with the plate at `plate_orientation_deg` at its end.
+  void advance(double plate_orientation_deg);
+
+  /// The skin, in plate coordinates.
+  const Eigen::Vector3d& skin_mm() const { return skin_mm_; }
+  /// The tracked joint, in the plate's axes.
+  const Eigen::Quaterniond& attitude() const { return attitude_; }
+
+ private:
+  Eigen::Vector3d near(const Eigen::Vector3d& place_mm, bool on_plate);
+
+  Person person_;
+  double touch_sd_mm_;
+  std::uint64_t seed_;
+  std::uint32_t index_;
+  Draws draws_;
+  std::uint32_t slides_ = 0;
+  std::optional<SetupStep> asked_;
+  int wait_ms_ = 0;  // until the person moves
+  Eigen::Vector3d skin_mm_{0.0, 100.0, 200.0};
+  Eigen::Vector3d goal_mm_ = skin_mm_;
+  Eigen::Quaterniond attitude_;
+  std::optional<SlidingPerson> slide_;
+  struct AlongGuide {
+    Eigen::Vector3d from_mm;
+    int elapsed_ms;
+  };
+  std::optional<AlongGuide> guide_;
+};
+
+}  // namespace hrt
