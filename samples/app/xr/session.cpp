@@ -3,12 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <thread>
 
 #include "samples/app/base/exit_code.h"
 #include "samples/app/base/interrupt.h"
+#include "samples/app/base/say.h"
 #include "samples/app/text/format.h"
 
 namespace hrt::app {
@@ -18,6 +18,9 @@ using namespace std::chrono_literals;
 
 constexpr auto poll_period = 2ms;                // while there are no frames to wait for
 constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames have no times: 90 Hz
+constexpr int frames_of_a_second = 90;           // at most so many odd frames in a row are left out
+constexpr XrDuration max_step_ns = 5'000'000'000, max_refused_ns = 1'000'000'000;
+constexpr float max_position_m = 100.0f;  // from the plate
 
 // A final failure: the runtime violates the specification, or takes too long.
 [[noreturn]] void fail(const std::string& sentence) { throw Failure(ExitCode::runtime_failed, sentence); }
@@ -28,9 +31,7 @@ std::string within(std::chrono::milliseconds limit) {
 
 bool can_be_observed(const XrHandJointLocationEXT& joint) {
   constexpr XrSpaceLocationFlags needed = XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-  const XrVector3f& position = joint.pose.position;
-  return (joint.locationFlags & needed) == needed && std::isfinite(position.x) && std::isfinite(position.y) &&
-         std::isfinite(position.z);
+  return (joint.locationFlags & needed) == needed;
 }
 
 constexpr XrEnvironmentBlendMode blend_mode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
@@ -181,6 +182,11 @@ void XrHeadlessSession::follow_spaces(XrTime time) {
 
 // Handles of a lost session or instance are destroyed too; the results of those calls are ignored.
 XrHeadlessSession::~XrHeadlessSession() {
+  if (left_out_.untimed + left_out_.stepped + left_out_.refused + left_out_.impossible > 0)
+    say(format(
+        "The OpenXR runtime gave %d frames without a time, %d frames whose time steps by more than 5 s, %d times at "
+        "which it refused to locate a hand, and %d impossible poses of a fingertip: these were left out.\n",
+        left_out_.untimed, left_out_.stepped, left_out_.refused, left_out_.impossible));
   for (const XrHandTrackerEXT tracker : trackers_)
     if (tracker != XR_NULL_HANDLE) CALL_XR_NAMED("xrDestroyHandTrackerEXT", destroy_hand_tracker_(tracker));
   if (plate_space_ != XR_NULL_HANDLE) CALL_XR(xrDestroySpace(plate_space_));
@@ -193,13 +199,27 @@ XrTime XrHeadlessSession::next_frame() {
     poll_events();
     if (!running_) wait_until_running();
     const std::optional<XrTime> time = frame_of_runtime();
-    if (time && *time > last_frame_) {
+    if (time && *time > last_frame_ && !steps(*time)) {
+      frame_began_ = Clock::now();
       follow_spaces(*time);
       return last_frame_ = *time;
     }
     if (Clock::now() > give_up) fail("the OpenXR runtime's time stands still");
     if (!time) std::this_thread::sleep_for(poll_period);
   }
+}
+
+// The runtime's time advanced by 5 s more than ours since the last frame. If that lasts, its clock was set.
+bool XrHeadlessSession::steps(XrTime time) {
+  const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - frame_began_).count();
+  const bool is_step =
+      last_frame_ != 0 && time - last_frame_ > max_step_ns && time - last_frame_ - passed > max_step_ns;
+  stepped_ = is_step ? stepped_ + 1 : 0;
+  left_out_.stepped += is_step ? 1 : 0;
+  if (stepped_ > frames_of_a_second)
+    throw XrLost(XR_ERROR_TIME_INVALID, format("the runtime's time stepped by %.0f s between two frames",
+                                               1e-9 * static_cast<double>(time - last_frame_)));
+  return is_step;
 }
 
 // A frame of the runtime's loop. If its frames have no time (a headless session needs no frame loop), a frame
@@ -215,14 +235,21 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   if (waited == XR_ERROR_SESSION_NOT_RUNNING) return std::nullopt;  // an event is on its way
   const bool has_loop = waited != XR_ERROR_FUNCTION_UNSUPPORTED;
   if (has_loop) CHECK_XR_RESULT("xrWaitFrame", waited);
-  if (!has_loop || frame.predictedDisplayTime <= 0) {
+  const bool has_time = has_loop && frame.predictedDisplayTime > 0;
+  untimed_ = has_time ? 0 : untimed_ + 1;
+  // Some runtimes never give a headless session's frames a time. One frame without is the runtime's mistake.
+  if (!has_loop || (!has_time && (last_frame_ == 0 || untimed_ > frames_of_a_second))) {
     frames_have_times_ = false;
     return time_now();
   }
   CHECK_XR(xrBeginFrame(session_, nullptr));
-  const XrFrameEndInfo end_info{XR_TYPE_FRAME_END_INFO, nullptr, frame.predictedDisplayTime, blend_mode, 0, nullptr};
-  CHECK_XR(xrEndFrame(session_, &end_info));
-  return frame.predictedDisplayTime;
+  const XrTime shown = has_time ? frame.predictedDisplayTime : last_frame_ + own_frame_period.count();
+  const XrFrameEndInfo end_info{XR_TYPE_FRAME_END_INFO, nullptr, shown, blend_mode, 0, nullptr};
+  const XrResult ended = CALL_XR(xrEndFrame(session_, &end_info));
+  if (has_time || ended != XR_ERROR_TIME_INVALID) CHECK_XR_RESULT("xrEndFrame", ended);
+  if (has_time) return frame.predictedDisplayTime;
+  ++left_out_.untimed;
+  return std::nullopt;
 }
 
 XrTime XrHeadlessSession::time_now() const {
@@ -294,18 +321,31 @@ Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
   XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
                                     joints.data()};
   const XrHandJointsLocateInfoEXT locate_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, plate_space_, time};
-  CHECK_XR_NAMED("xrLocateHandJointsEXT",
-                 locate_hand_joints_(trackers_[static_cast<std::size_t>(hand)], &locate_info, &locations));
+  const XrResult located =
+      CALL_XR_NAMED("xrLocateHandJointsEXT",
+                    locate_hand_joints_(trackers_[static_cast<std::size_t>(hand)], &locate_info, &locations));
+  if (located != XR_ERROR_TIME_INVALID) {
+    refused_since_.reset();
+  } else if (time - refused_since_.value_or(time) <= max_refused_ns) {
+    if (!refused_since_) refused_since_ = time;
+    ++left_out_.refused;
+    return {};
+  }
+  CHECK_XR_RESULT("xrLocateHandJointsEXT", located);
   const XrHandJointLocationEXT& tip = joints[XR_HAND_JOINT_INDEX_TIP_EXT];
   if (locations.isActive != XR_TRUE || !can_be_observed(tip)) return {};
   const auto d = [](float value) { return static_cast<double>(value); };
   const XrVector3f& position = tip.pose.position;
   const XrQuaternionf& turn = tip.pose.orientation;
+  const Eigen::Vector3f at(position.x, position.y, position.z);
+  const bool has_rotation = (tip.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) != 0;
+  const float square = Eigen::Vector4f(turn.x, turn.y, turn.z, turn.w).squaredNorm();
+  if (!at.allFinite() || at.norm() > max_position_m || (has_rotation && !(std::abs(square - 1.0f) < 0.001f))) {
+    ++left_out_.impossible;
+    return {};
+  }
   Fingertip seen{.tracked = true, .position_m = {d(position.x), d(position.y), d(position.z)}, .rotation = {}};
-  const std::array<double, 4> rotation = {d(turn.x), d(turn.y), d(turn.z), d(turn.w)};
-  const double square = std::inner_product(rotation.begin(), rotation.end(), rotation.begin(), 0.0);
-  if ((tip.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) && std::abs(square - 1.0) < 0.001)
-    seen.rotation = rotation;
+  if (has_rotation) seen.rotation = {d(turn.x), d(turn.y), d(turn.z), d(turn.w)};
   return seen;
 }
 

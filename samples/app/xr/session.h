@@ -59,8 +59,9 @@ class XrHeadlessSession {
   XrHeadlessSession(const XrHeadlessSession&) = delete;
   XrHeadlessSession& operator=(const XrHeadlessSession&) = delete;
 
-  /// Waits for the next frame and returns its time, later than any before. Throws XrLost if the session must
-  /// be created again; Failure (ExitCode::runtime_failed) if the runtime ended it or a wait exceeded its
+  /// Waits for the next frame and returns its time, later than any before. A frame without a time, or whose time
+  /// steps by more than 5 s, is left out. Throws XrLost if the session must be created again, also after a second of
+  /// such steps; Failure (ExitCode::runtime_failed) if the runtime ended it or a wait exceeded its
   /// limit; Failure (ExitCode::registration) if the runtime moved the plate's space by an unknown amount;
   /// Interrupted.
   XrTime next_frame();
@@ -83,7 +84,8 @@ class XrHeadlessSession {
   /// How often the runtime has moved the space in which the plate is placed.
   int recentrings() const { return recentrings_; }
 
-  /// The fingertip at a time that next_frame() returned.
+  /// The fingertip at a time that next_frame() returned. Not tracked if its pose is impossible, or, for up to a second,
+  /// if the runtime refuses the time.
   Fingertip locate(Hand hand, XrTime time);
 
   /// Asks the runtime to end the session, and waits until it has.
@@ -107,6 +109,7 @@ class XrHeadlessSession {
   void wait_until_running();
   std::optional<XrTime> frame_of_runtime();
   XrTime time_now() const;
+  bool steps(XrTime time);
 
   XrRuntime& runtime_;
   std::chrono::milliseconds limit_;
@@ -122,8 +125,15 @@ class XrHeadlessSession {
   std::array<XrHandTrackerEXT, 2> trackers_{};
   bool running_ = false;
   bool ending_ = false;            // because we asked for it
-  bool frames_have_times_ = true;  // until a frame has none
-  Clock::time_point own_frame_;    // the last one that began, if they have none
+  bool frames_have_times_ = true;  // until a second of frames has none
+  Clock::time_point frame_began_;  // that returned last_frame_
+  std::optional<XrTime> refused_since_;
+  int untimed_ = 0, stepped_ = 0;  // frames in a row
+  struct LeftOut {
+    int untimed = 0, stepped = 0, refused = 0, impossible = 0;
+  };
+  LeftOut left_out_;
+  Clock::time_point own_frame_;  // the last one that began, if they have none
   XrTime last_frame_ = 0;
 
   PFN_xrCreateHandTrackerEXT create_hand_tracker_ = nullptr;

@@ -1,6 +1,6 @@
 // An API layer that injects faults which a script of the mock runtime cannot: with HRT_FAULT="FUNCTION CALL WHAT", call
-// number CALL of xrWaitFrame or xrCreateReferenceSpace locks a stream and blocks (WHAT is stdout or stderr), or refuses
-// a type as unknown.
+// number CALL of a function locks a stream and blocks (WHAT is stdout or stderr), refuses a type as unknown, or gives
+// an impossible time or pose.
 #include <unistd.h>
 
 #include <cstdio>
@@ -31,16 +31,16 @@ PFN_xrGetInstanceProcAddr next_get = nullptr;
   for (;;) pause();
 }
 
-// True if the call is to fail.
-bool is_at_fault(const char* function) {
+// What is wrong with this call; empty: nothing.
+std::string fault_of(const char* function) {
   static const Fault fault;
   static int calls = 0;
-  if (fault.function != function || ++calls != fault.call) return false;
+  if (fault.function != function || ++calls != fault.call) return "";
   if (fault.what == "stdout" || fault.what == "stderr") {
     flockfile(fault.what == "stdout" ? stdout : stderr);
     block();
   }
-  return fault.what == "unknown";
+  return fault.what;
 }
 
 template <class Function>
@@ -53,13 +53,34 @@ Function next(XrInstance instance, const char* name) {
 XrInstance the_instance = XR_NULL_HANDLE;
 
 XRAPI_ATTR XrResult XRAPI_CALL wait_frame(XrSession session, const XrFrameWaitInfo* info, XrFrameState* state) {
-  is_at_fault("xrWaitFrame");
-  return next<PFN_xrWaitFrame>(the_instance, "xrWaitFrame")(session, info, state);
+  const std::string fault = fault_of("xrWaitFrame");
+  const XrResult result = next<PFN_xrWaitFrame>(the_instance, "xrWaitFrame")(session, info, state);
+  if (fault == "no_time") state->predictedDisplayTime = 0;
+  if (fault == "later") state->predictedDisplayTime += 27LL * 86'400 * 1'000'000'000;
+  return result;
+}
+
+// The runtime knows its own times only.
+XRAPI_ATTR XrResult XRAPI_CALL end_frame(XrSession session, const XrFrameEndInfo* info) {
+  const XrResult result = next<PFN_xrEndFrame>(the_instance, "xrEndFrame")(session, info);
+  return result == XR_ERROR_TIME_INVALID ? XR_SUCCESS : result;
+}
+
+XRAPI_ATTR XrResult XRAPI_CALL locate_joints(XrHandTrackerEXT tracker, const XrHandJointsLocateInfoEXT* info,
+                                             XrHandJointLocationsEXT* locations) {
+  const std::string fault = fault_of("xrLocateHandJointsEXT");
+  if (fault == "time_invalid") return XR_ERROR_TIME_INVALID;
+  const XrResult result =
+      next<PFN_xrLocateHandJointsEXT>(the_instance, "xrLocateHandJointsEXT")(tracker, info, locations);
+  XrPosef& tip = locations->jointLocations[XR_HAND_JOINT_INDEX_TIP_EXT].pose;
+  if (fault == "far_away") tip.position.x = 1e6f;
+  if (fault == "no_rotation") tip.orientation = {0.0f, 0.0f, 0.0f, 0.0f};
+  return result;
 }
 
 XRAPI_ATTR XrResult XRAPI_CALL create_reference_space(XrSession session, const XrReferenceSpaceCreateInfo* info,
                                                       XrSpace* space) {
-  if (is_at_fault("xrCreateReferenceSpace")) return XR_ERROR_VALIDATION_FAILURE;
+  if (fault_of("xrCreateReferenceSpace") == "unknown") return XR_ERROR_VALIDATION_FAILURE;
   return next<PFN_xrCreateReferenceSpace>(the_instance, "xrCreateReferenceSpace")(session, info, space);
 }
 
@@ -68,6 +89,8 @@ XRAPI_ATTR XrResult XRAPI_CALL get_instance_proc_addr(XrInstance instance, const
   const XrResult result = next_get(instance, name, function);
   if (XR_FAILED(result)) return result;
   if (std::strcmp(name, "xrWaitFrame") == 0) *function = reinterpret_cast<PFN_xrVoidFunction>(&wait_frame);
+  if (std::strcmp(name, "xrEndFrame") == 0) *function = reinterpret_cast<PFN_xrVoidFunction>(&end_frame);
+  if (std::strcmp(name, "xrLocateHandJointsEXT") == 0) *function = reinterpret_cast<PFN_xrVoidFunction>(&locate_joints);
   if (std::strcmp(name, "xrCreateReferenceSpace") == 0)
     *function = reinterpret_cast<PFN_xrVoidFunction>(&create_reference_space);
   return result;

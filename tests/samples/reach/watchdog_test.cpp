@@ -74,5 +74,21 @@ TEST(ReachWatchdog, WithoutAFloorThePlateIsPlacedInLocal) {
   EXPECT_EQ(rows_of(whole).size(), 3U) << whole.out;
 }
 
+// One of them in the first reach; the summary counts it.
+TEST(ReachWatchdog, ImpossibleTimesAndPosesAreLeftOut) {
+  const std::pair<const char*, const char*> faults[] = {
+      {"xrWaitFrame 60 no_time", "1 frames without a time"},
+      {"xrWaitFrame 60 later", "1 frames whose time steps"},
+      {"xrLocateHandJointsEXT 60 time_invalid", "1 times at which it refused"},
+      {"xrLocateHandJointsEXT 60 far_away", "1 impossible poses"},
+      {"xrLocateHandJointsEXT 60 no_rotation", "1 impossible poses"},
+  };
+  for (const auto& [fault, said] : faults) {
+    const Outcome outcome = expect_exit(0, run_program({desk}, faulty(fault)));
+    EXPECT_EQ(rows_of(outcome).size(), 3U) << fault << outcome.out;
+    EXPECT_TRUE(has(outcome.err, said)) << fault << ": " << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace hrt::reach
