@@ -43,6 +43,7 @@ PersonReachConfig person_config(const RetargeterConfig& config) {
           .plate = config.plate,
           .noise = noise_of(config.estimator, config.tuning),
           .tracker_latency_ns = config.tracker_latency_ns,
+          .tracker_bearing_sd_deg = config.tracker_bearing_sd_deg,
           .plate_waits = config.plate_waits,
           .start_is_felt = config.start_is_felt,
           .frame = config.frame,
@@ -58,7 +59,8 @@ bool is_valid(const RetargeterConfig& config) {
          config.step_period_ns <= 10'000'000'000 && config.plate.latency_ns <= max_lead * config.step_period_ns &&
          is_valid(config.person) && config.reach.bound_deg > 0.0 && config.reach.bound_deg < 90.0 &&
          config.reach.max_felt_error_deg > 0.0 && config.tracker_latency_ns >= 0 &&
-         config.tracker_latency_ns <= 500'000'000 && is_frame_covariance(config.frame) && is_valid(config.touched);
+         config.tracker_latency_ns <= 500'000'000 && config.tracker_bearing_sd_deg >= 0.0 &&
+         config.tracker_bearing_sd_deg <= 45.0 && is_frame_covariance(config.frame) && is_valid(config.touched);
 }
 
 Retargeter::Retargeter(RetargeterConfig config) : config_(std::move(config)) {}

@@ -35,6 +35,8 @@ struct RetargeterConfig {
   ReachControlConfig reach;
   /// From a motion to its sample's time, 0 to 0.5 s; of ControlMode::reach.
   std::int64_t tracker_latency_ns = 0;
+  double tracker_bearing_sd_deg =
+      0.0;                     ///< SD of the bearing of a reach as it is tracked, 0 to 45; of ControlMode::reach
   bool plate_waits = false;    ///< do not turn the plate before the finger moves; of ControlMode::reach
   bool start_is_felt = false;  ///< where the finger is seen to rest is the start; of ControlMode::reach
   FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; of ControlMode::reach

@@ -26,6 +26,7 @@ ReachGoal goal_of(const PersonReachConfig& config, const Reach& reach) {
           .target = target,
           .aimed_from = std::nullopt,
           .aimed_direction_deg = reach.real_direction_deg,
+          .tracker_sd_deg = config.tracker_bearing_sd_deg,
           .frame_sd_deg = bearing_sd_deg(config.touched, config.frame, reach.start, target)};
 }
 
@@ -215,7 +216,7 @@ ReachSummary PersonReach::summary() const {
       felt_samples_ > 0 ? std::sqrt(square_felt_sum_deg2_ / static_cast<double>(felt_samples_)) : 0.0;
   summary.miss_unknown = !begun;
   summary.unreachable = command_.unreachable;
-  summary.off_target = begun && std::abs(summary.bearing_error_deg) > near_deg;
+  summary.off_target = begun && std::abs(summary.bearing_error_deg) > goal_.near_deg();
   summary.estimate.tactile_weight = command_.tactile_weight;
   summary.estimate.tactile_weight_sd = command_.tactile_weight_sd;
   summary.estimate.tracker_noise_mm = std::sqrt(estimator_.noise().variance_mm2());

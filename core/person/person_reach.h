@@ -23,6 +23,7 @@ struct PersonReachConfig {
   PlateDynamics plate;
   std::optional<TrackerNoise> noise;    ///< of the tracker; none: it is learnt while the finger rests
   std::int64_t tracker_latency_ns = 0;  ///< from a motion to the time of its sample, 0 to 0.5 s
+  double tracker_bearing_sd_deg = 0.0;  ///< SD of the bearing of a reach as it is tracked, 0 to 45
   std::int64_t step_period_ns = 100'000'000;
   bool plate_waits = false;                         ///< the plate does not turn until the finger moves
   bool start_is_felt = false;                       ///< where the finger is seen to rest is the start

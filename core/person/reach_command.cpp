@@ -25,12 +25,13 @@ bool gap_is_feasible(const ReachControlConfig& config, const ReachGoal& goal, co
          tuning.min_margin_deg - tuning.margin_deviations * std::sqrt(std::max(0.0, variance_deg2));
 }
 
-// SD of the finger's position across the line to the target, as an angle: uncertainty of the filter and of the frame.
+// SD of the finger's position across the line to the target, as an angle: uncertainty of the filter, of
+// the frame and of the tracker's bearing.
 double bearing_error_sd_deg(const ReachGoal& goal, const PersonFilter& filter) {
   const SinCos ahead = sin_cos_deg(goal.reach.real_direction_deg);
   const double variance_mm2 = filter.position_variance_mm2(-ahead.cosine, -ahead.sine);
   const double place_sd_deg = atan2_deg(std::sqrt(std::max(0.0, variance_mm2)), goal.reach.real_distance_mm);
-  return std::sqrt(square(goal.frame_sd_deg) + square(place_sd_deg));
+  return std::sqrt(square(goal.frame_sd_deg) + square(goal.tracker_sd_deg) + square(place_sd_deg));
 }
 
 }  // namespace
@@ -89,7 +90,7 @@ PlateCommand reach_command(const ReachControlConfig& config, std::int64_t step_p
   command.predicted = moment.predicted;
   command.unreachable = !gap_is_feasible(config, goal, filter);
   command.misfit = !estimator.model_fits();
-  command.off_target |= phase > tuning.first_judged_phase && std::abs(command.predicted_miss_deg) > near_deg;
+  command.off_target |= phase > tuning.first_judged_phase && std::abs(command.predicted_miss_deg) > goal.near_deg();
   command.resting = !moving;
   return command;
 }

@@ -1,6 +1,8 @@
 // The command for the plate, as a function of the state of a reach.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -18,7 +20,17 @@ struct ReachGoal {
   /// position the targets have not moved, and the direction is that from the start.
   std::optional<PlatePoint> aimed_from;
   double aimed_direction_deg;
-  double frame_sd_deg;  ///< SD of the target's bearing from the start, by the frame's uncertainty
+  double tracker_sd_deg;  ///< SD of the bearing at which the tracker sees a finger, anew in each reach
+  double frame_sd_deg;    ///< SD of the target's bearing from the start, by the frame's uncertainty
+
+  /// A reach that is seen to end further off the target's bearing is more likely off target than not: the median size
+  /// of the true miss is beyond hrt::near_deg. With x the seen miss and sigma both SDs together, the square of that
+  /// median is about x^2 + 0.455 sigma^2.
+  double near_deg() const {
+    constexpr double median_square = 0.455;  // of a standard normal variable
+    const double variance_deg2 = tracker_sd_deg * tracker_sd_deg + frame_sd_deg * frame_sd_deg;
+    return std::sqrt(std::max(0.0, hrt::near_deg * hrt::near_deg - median_square * variance_deg2));
+  }
 };
 
 /// The orientation that the last plan has given the plate.

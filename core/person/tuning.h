@@ -85,7 +85,7 @@ struct Tuning {
   double fit_sample_weight = 0.05;  ///< [s] of one position in the running means
   /// [s] one position, or outlier, counts no more. Kept for PersonTest.MotionThatIsNoReachIsAMisfitAndTeachesNothing.
   double max_counted_nis = 9.0;
-  double misfit_nis = 4.5;           ///< [s] mean above which the model does not fit
+  double misfit_nis = 6.0;           ///< [s] mean above which the model does not fit
   double misfit_correlation = 0.75;  ///< [s] correlation above which the model does not fit
   /// [s] unless the mean NIS is below this. Kept for PersonReach.BringsPeopleToTheRealTarget, with a tracker without
   /// noise.

@@ -25,6 +25,7 @@ RetargeterConfig people_controller(const Tuning& tuning) {
 RetargeterConfig people_controller(const PersonCondition& condition, const Tuning& tuning) {
   RetargeterConfig config = people_controller(tuning);
   config.tracker_latency_ns = std::llround(1e9 * condition.tracker.declared_latency_s);
+  config.tracker_bearing_sd_deg = condition.tracker.declared_bearing_sd_deg;
   return config;
 }
 
@@ -34,6 +35,7 @@ RetargeterConfig informed_controller(const PersonCondition& condition, std::span
   RetargeterConfig config = people_controller(tuning);
   config.plate = condition.plate;
   config.tracker_latency_ns = std::llround(1e9 * condition.tracker.latency_s);
+  config.tracker_bearing_sd_deg = condition.tracker.declared_bearing_sd_deg;
   const Person& person = condition.person;
   const auto know_if = [&](T::Index trait, double mean, double sd) {
     if (std::find(traits.begin(), traits.end(), trait) != traits.end()) know(config.person, trait, mean, sd);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "core/math/exponential.h"
 #include "core/simulation/minimum_jerk.h"
@@ -45,6 +47,28 @@ OwnPath draw_own_path(double size, Draws& draws) {
     path.mean_deg[i] = size * cell_sd_deg[i] * draws.normal();
     path.sd_deg[i] = size * within * within_sd_deg[i];
   }
+  return path;
+}
+
+// The habit is the part along 1 - 2 s, whose square has a mean of 1/3; the wander, as wander_sd_deg() has it, all that
+// differs from the mean of the reaches.
+OwnPath own_path_of(std::vector<RecordedReach> reaches) {
+  constexpr std::size_t nodes = std::tuple_size_v<decltype(RecordedReach::direction_deg)>;
+  const auto count = static_cast<double>(reaches.size());
+  OwnPath path{.log_duration_sd = 0.15};
+  double habit_deg = 0.0, variance_deg2 = 0.0, shape_square = 0.0;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    double mean_deg = 0.0;
+    for (const RecordedReach& reach : reaches) mean_deg += reach.direction_deg[i] / count;
+    for (const RecordedReach& reach : reaches)
+      variance_deg2 += square(reach.direction_deg[i] - mean_deg) / (count * nodes);
+    const double shape = 1.0 - 2.0 * static_cast<double>(i) / (nodes - 1);
+    habit_deg += shape * mean_deg;
+    shape_square += square(shape);
+  }
+  path.mean_deg[0] = habit_deg / shape_square;
+  path.sd_deg[0] = std::sqrt(3.0 * variance_deg2);
+  path.recorded = std::make_shared<const std::vector<RecordedReach>>(std::move(reaches));
   return path;
 }
 

@@ -7,7 +7,10 @@
 // has the sources.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <memory>
+#include <vector>
 
 #include "core/simulation/random.h"
 
@@ -16,18 +19,39 @@ namespace hrt {
 /// a0 to a3, deg.
 using PathShape = std::array<double, 4>;
 
+/// One recorded reach, from start to stop.
+struct RecordedReach {
+  std::array<double, 21> direction_deg{};   ///< of motion less that of the chord, at equal steps of the path
+  std::array<double, 101> path_fraction{};  ///< at equal steps of the time
+};
+
 struct OwnPath {
   PathShape mean_deg{};          ///< of this person and target
   PathShape sd_deg{};            ///< SDs from reach to reach, independent of one another
   bool returns = true;           ///< false: o(s) fades to 0 before half of the path, and the deflection stays
   bool lags = false;             ///< false: the hand follows o(s) without lag; true: o(s) is part of the goal
   double log_duration_sd = 0.0;  ///< of a reach's duration
+  /// Each reach takes the path and the pace of one of these; null: none. The means and SDs above then say what an
+  /// informed controller knows.
+  std::shared_ptr<const std::vector<RecordedReach>> recorded;
 
-  bool any() const { return mean_deg != PathShape{} || sd_deg != PathShape{}; }
+  bool any() const { return recorded || mean_deg != PathShape{} || sd_deg != PathShape{}; }
 };
 
 /// The own path of a person and target as recorded, with all angles times `size`.
 OwnPath draw_own_path(double size, Draws& draws);
+
+/// The own path of a person and target of whom these reaches were recorded; at least one.
+OwnPath own_path_of(std::vector<RecordedReach> reaches);
+
+/// The value at `fraction`, clamped to [0, 1], between values at equal steps.
+template <std::size_t size>
+double interpolated(const std::array<double, size>& values, double fraction) {
+  const double at = std::clamp(fraction, 0.0, 1.0) * (size - 1);
+  const std::size_t before = std::min(static_cast<std::size_t>(at), size - 2);
+  const double share = at - static_cast<double>(before);
+  return (1.0 - share) * values[before] + share * values[before + 1];
+}
 
 /// SD of o(s) from reach to reach, root mean square over the path.
 double wander_sd_deg(const OwnPath& path);

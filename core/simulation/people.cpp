@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
@@ -53,16 +54,37 @@ void turned_and_touched(PersonCondition& condition, Draws& draws, double contact
   condition.contact_sd_mm = contact_sd_mm;
 }
 
-// A marker system sees them: 0.2 mm, 100 Hz. Motor noise is part of the recorded paths.
 void recorded(PersonCondition& condition, Draws& draws, double size) {
-  condition.tracker.rate_hz = 100.0;
-  condition.tracker.white_mm = 0.2;
-  Person& person = condition.person;
-  person.pace = Pace::recorded;
-  person.noise_deg2_per_s = 0.0;
-  person.scatter_deg = 0.9;
-  person.start_direction_deg = condition.virtual_direction_deg;
-  person.own_path = draw_own_path(size, draws);
+  move_as_recorded(condition, draw_own_path(size, draws));
+}
+
+// An infrared touch frame: 0.5 mm at 100 Hz, 15 ms late.
+void on_touch_frame(PersonCondition& condition) {
+  TrackerModel& tracker = condition.tracker;
+  tracker.white_mm = 0.5;
+  tracker.latency_s = tracker.declared_latency_s = 0.015;
+  tracker.bearing_sd_deg = tracker.declared_bearing_sd_deg = 0.2;
+}
+
+// A headset of 2021, as measured against a marker on the fingertip: smooth noise whose size differs threefold, a
+// bearing that is off by 5 mm over the path in each reach, a frame that is turned, creep after the stop, losses near
+// the end.
+void by_headset(PersonCondition& condition, Draws& draws) {
+  TrackerModel& tracker = condition.tracker;
+  tracker.rate_hz = 71.0;
+  tracker.jitter_share = 0.2;
+  tracker.white_mm = 0.06;
+  tracker.correlated_mm = 1.3;
+  tracker.correlation_s = 0.131;
+  tracker.smoothing_s = 0.022;
+  tracker.correlated_log_sd = 0.77;
+  tracker.latency_s = tracker.declared_latency_s = 0.048;
+  tracker.bearing_sd_deg = atan2_deg(5.0, condition.distance_mm);
+  tracker.turned_deg = 1.7 * draws.normal();
+  tracker.declared_bearing_sd_deg = 3.6;  // of all this
+  tracker.creep_mm = 6.0;
+  tracker.end_loss_share = 0.14;
+  tracker.excursions_hz = 1.0 / 12.0;
 }
 
 constexpr PeopleFamily all_families[] = {
@@ -186,6 +208,12 @@ constexpr PeopleFamily all_families[] = {
      FamilyKind::recorded},
     {"recorded-50", "recorded, half as curved", false, [](PersonCondition& c, Draws& d) { recorded(c, d, 0.5); },
      FamilyKind::recorded},
+    {"recorded-ir", "recorded, on an infrared touch frame: 0.5 mm, 0.2° a reach", false,
+     [](PersonCondition& c, Draws& d) {
+       recorded(c, d, 1.0);
+       on_touch_frame(c);
+     },
+     FamilyKind::recorded},
     {"recorded-25", "recorded, a quarter as curved", false, [](PersonCondition& c, Draws& d) { recorded(c, d, 0.25); },
      FamilyKind::recorded},
     {"recorded-side", "recorded, the gap to a random side", false,
@@ -224,6 +252,19 @@ constexpr PeopleFamily all_families[] = {
     {"sheared-2", "mid-line of the tracker frame off by ±2°, its right is not", false,
      [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, FamilyKind::misplaced},
     {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false, headset, FamilyKind::misplaced},
+    {"quest", "recorded, by a headset of 2021 as it was measured", false,
+     [](PersonCondition& c, Draws& d) {
+       recorded(c, d, 1.0);
+       by_headset(c, d);
+     },
+     FamilyKind::misplaced},
+    {"half-quest", "recorded-50 by the same headset", false,
+     [](PersonCondition& c, Draws& d) {
+       recorded(c, d, 0.5);
+       by_headset(c, d);
+     },
+     FamilyKind::misplaced},
+    {"linear-quest", "linear by the same headset", false, by_headset, FamilyKind::misplaced},
     {"marks", "turned by 1.2° (SD), as six touches of 3 mm leave a frame", false,
      [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = 1.2 * d.normal(); }, FamilyKind::misplaced},
     {"marks-touch3", "marks, and a contact known to 3 mm after each reach", false,
@@ -249,6 +290,18 @@ constexpr PeopleFamily all_families[] = {
 };
 
 }  // namespace
+
+// Motor noise is part of the recorded paths.
+void move_as_recorded(PersonCondition& condition, OwnPath path) {
+  condition.tracker.rate_hz = 100.0;
+  condition.tracker.white_mm = 0.2;
+  Person& person = condition.person;
+  person.pace = Pace::recorded;
+  person.noise_deg2_per_s = 0.0;
+  person.scatter_deg = 0.9;
+  person.start_direction_deg = condition.virtual_direction_deg;
+  person.own_path = std::move(path);
+}
 
 std::span<const PeopleFamily> people_families() { return all_families; }
 

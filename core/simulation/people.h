@@ -60,6 +60,9 @@ const PeopleFamily* people_family(const char* name);
 /// 120 ms, a first direction between the mid-line and the virtual target; gap 10 degrees to either side.
 PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed, std::uint32_t index);
 
+/// The person moves along `path`, at the pace of recorded reaches, tracked by a marker system of 0.2 mm at 100 Hz.
+void move_as_recorded(PersonCondition& condition, OwnPath path);
+
 /// Gives tracker or plate what one of the families of such faults has, or nothing: each as likely.
 void draw_fault(PersonCondition& condition, Draws& draws);
 

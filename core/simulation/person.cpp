@@ -104,7 +104,10 @@ void SlidingPerson::draw_reach() {
     goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg;
   }
   if (person_.own_path.any()) {
-    shape_ = draw_shape(person_.own_path, draws_);
+    if (const auto& reaches = person_.own_path.recorded)
+      recorded_ = (*reaches)[static_cast<std::size_t>(draws_.uniform() * static_cast<double>(reaches->size()))];
+    else
+      shape_ = draw_shape(person_.own_path, draws_);
     own_deg_ = own_direction_deg(0.0);
     direction_deg_ += own_deg_;
     felt_deg_ += own_deg_;
@@ -112,7 +115,7 @@ void SlidingPerson::draw_reach() {
   }
   if (person_.pace == Pace::recorded) {
     pace_ = draw_pace(person_.own_path.log_duration_sd, draws_);
-    total_s_ = person_.duration_s * recorded_tail_scale * pace_.time_scale;
+    total_s_ = person_.duration_s * pace_.time_scale * (recorded_ ? 1.0 : recorded_tail_scale);
   }
   if (person_.pace != Pace::submovements) return;
   const double first = 0.5 + 0.35 * draws_.uniform();
@@ -122,6 +125,7 @@ void SlidingPerson::draw_reach() {
 }
 
 double SlidingPerson::own_direction_deg(double path_fraction) const {
+  if (recorded_) return interpolated(recorded_->direction_deg, path_fraction);
   return person_.own_path.any() ? hrt::own_direction_deg(person_.own_path, shape_, path_fraction) : 0.0;
 }
 
@@ -152,7 +156,8 @@ double SlidingPerson::progress(double time_s) const {
       return share;
     }
     case Pace::recorded:
-      return pace_.path_fraction(time_s / total_s_);
+      return recorded_ ? interpolated(recorded_->path_fraction, time_s / total_s_)
+                       : pace_.path_fraction(time_s / total_s_);
     case Pace::reversal:
       return 1.1 * minimum_jerk(time_s / d) - 0.1 * minimum_jerk((time_s - d) / (0.4 * d));
   }

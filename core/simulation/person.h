@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/plate/plate_frame.h"
 #include "core/simulation/own_path.h"
@@ -59,7 +60,7 @@ enum class Pace {
   two_parts,     ///< minimum jerk to 60 % of the path, then again to the end
   reversal,      ///< overshoots by a tenth of the path and comes back
   submovements,  ///< three minimum jerks, one after the other, of shares and times drawn at each reach
-  recorded,      ///< statistics of recorded reaches, drawn at each reach: draw_pace()
+  recorded,      ///< statistics of recorded reaches, drawn at each reach: draw_pace(), or a reach of OwnPath::recorded
 };
 
 struct Person {
@@ -162,7 +163,8 @@ class SlidingPerson {
   std::array<Part, 3> parts_{};
   RecordedPace pace_;
   PathShape shape_{};
-  double own_deg_ = 0.0;  // direction of the own path
+  std::optional<RecordedReach> recorded_;  // that this reach takes
+  double own_deg_ = 0.0;                   // direction of the own path
   int millisecond_ = 0;
   bool done_ = false;
   // What the person answers, a millisecond each; until the last one at rest it was all alike.

@@ -17,6 +17,8 @@ struct TrackerModel {
   double white_mm = 1.2;       ///< SD of the noise of a coordinate, independent for each sample
   double correlated_mm = 0.0;  ///< and decaying within correlation_s
   double correlation_s = 0.1;
+  double smoothing_s = 0.0;         ///< a low-pass with this time constant smooths the correlated noise; 0: none
+  double correlated_log_sd = 0.0;   ///< the noise of a reach is e^x times as large, with this SD of x
   double latency_s = 0.0;           ///< from a motion to its sample
   double declared_latency_s = 0.0;  ///< of it, what the controller is given
   double late_s = 0.0;              ///< samples come up to this later still, each anew; less than between samples
@@ -24,11 +26,40 @@ struct TrackerModel {
   double wild_mm = 0.0;             ///< wild_samples from wild_at_s on are off by this
   double wild_at_s = 0.0;
   int wild_samples = 0;
-  double dropout_share = 0.0;  ///< of samples at which tracking is lost, for some ten samples
-  double jitter_share = 0.0;   ///< of the time between samples
-  double turned_deg = 0.0;     ///< of its frame about the start
-  double scale = 1.0;          ///< of its frame about the start
-  double shear = 0.0;          ///< seen to the right by this for each millimetre away from the start
+  double dropout_share = 0.0;            ///< of samples at which tracking is lost, for some ten samples
+  double jitter_share = 0.0;             ///< of the time between samples
+  double turned_deg = 0.0;               ///< of its frame about the start
+  double scale = 1.0;                    ///< of its frame about the start
+  double shear = 0.0;                    ///< seen to the right by this for each millimetre away from the start
+  double bearing_sd_deg = 0.0;           ///< SD by which its frame turns about the start, anew in each reach
+  double declared_bearing_sd_deg = 0.0;  ///< of this and turned_deg, what the controller is given
+  double creep_mm = 0.0;                 ///< a moving finger is seen off by this; it decays within 0.2 s of the stop
+  double end_loss_share = 0.0;           ///< of reaches, those in which the hand is lost as the finger brakes
+  double excursions_hz = 0.0;            ///< at rest: 10 to 16 mm off for 50 to 100 ms
+};
+
+/// Errors that depend on what the finger does: creep after a stop, losses at the end, excursions at rest.
+class MotionErrors {
+ public:
+  MotionErrors(const TrackerModel& model, Draws& draws);
+  /// How far from the finger it is seen. Times increase.
+  PlatePoint off(double time_s, const PlatePoint& finger, Draws& draws);
+
+ private:
+  // Seen off by `by_mm` in a direction: rises within `rise_s`, and falls as fast before it ends.
+  struct Glide {
+    double from_s, to_s, rise_s, by_mm, towards_deg;
+    PlatePoint at(double time_s) const;
+  };
+
+  TrackerModel model_;
+  double creeps_towards_deg_ = 0.0;
+  double creep_mm_ = 0.0;
+  bool loses_end_ = false;
+  std::optional<PlatePoint> last_;
+  double last_s_ = 0.0;
+  double peak_mm_s_ = 0.0;
+  Glide glide_{};
 };
 
 /// A tracker in use.
@@ -48,12 +79,14 @@ class Tracker {
  private:
   void see(double time_s, const PlatePoint& finger);
 
-  TrackerModel model_;
   PlatePoint about_;
   Draws draws_;
-  double kept_;  // of the correlated noise from sample to sample
+  TrackerModel model_;
+  double kept_, smoothed_;  // shares of the correlated noise, and of its low-pass, from sample to sample
+  double input_mm_;         // SD of what the low-pass smooths
+  PlatePoint input_, noise_;
+  MotionErrors motion_errors_;
   double next_s_ = 0.0;
-  double right_mm_, away_mm_;  // correlated noise
   bool lost_ = false;
   int wild_ = 0;  // positions so far
   std::deque<FingerSample> under_way_;

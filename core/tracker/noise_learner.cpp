@@ -11,6 +11,9 @@ namespace {
 // Differences of neighbours that the assumed noise is worth: a rest of few correlation times shows its white part only.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
+// A tracker that is seen to be better than assumed is assumed to have less correlated noise, but no less than this
+// share.
+constexpr double min_assumed_share = 0.6;
 // Before so many differences the assumed noise is used as it is; after that every fourth one renews the estimate.
 constexpr int min_steps = 8;
 constexpr int steps_per_estimate = 4;
@@ -101,7 +104,10 @@ void NoiseLearner<Point>::update() {
   };
   constexpr TrackerNoise assumed;
   noise_.white_mm = blended_mm(assumed.white_mm, seen.white_mm2, assumed_white_differences);
-  noise_.correlated_mm = blended_mm(assumed.correlated_mm, seen.correlated_mm2, assumed_correlated_differences);
+  const double seen_share = std::sqrt((seen.white_mm2 + seen.correlated_mm2) / assumed.variance_mm2());
+  const double assumed_share = std::clamp(seen_share, min_assumed_share, 1.0);
+  noise_.correlated_mm =
+      blended_mm(assumed_share * assumed.correlated_mm, seen.correlated_mm2, assumed_correlated_differences);
 }
 
 template class NoiseLearner<PlatePoint>;

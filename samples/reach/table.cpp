@@ -123,7 +123,7 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
 }
 
 void Table::print_legend(std::ostream& out) const {
-  out << R"(final: direction of the finger at the end. peak: largest felt less virtual direction while the finger
+  out << R"(final: bearing of the finger at the end. peak: largest felt less virtual direction while the finger
 moves. miss: bearing of the fingertip's end, seen from the start, minus the real target's, and the
 distance along the plate between the two. touch: share of touch in what the user feels; assumed: the
 controller's estimate of touch. holds: largest gap, in degrees, that a plate can hold for this user.

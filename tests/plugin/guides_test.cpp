@@ -159,7 +159,7 @@ TEST_F(GuidesTest, BearingsAreGoodAndCovered) {
         for (std::size_t j = 0; j < reals.size(); ++j) {
           const double off_deg = error_deg(tracked, directions_deg[j]);
           square_deg2 += off_deg * off_deg;
-          covered += std::abs(off_deg) < 1.96 * gap_of(reals[j], felt).registration_sd_deg;
+          covered += std::abs(off_deg) < 1.96 * gap_of(reals[j], felt).bearing_sd_deg;
           ++count;
         }
       }

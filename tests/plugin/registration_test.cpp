@@ -13,20 +13,23 @@ class RegistrationTest : public SessionTest {};
 
 // The target is 10 cm ahead of the start, 5 cm beyond the plate's centre, about which a turn of 2 degrees moves it by 1
 // degree of bearing: 2 Phi(-1.5) of reaches end more than 1.5 degrees off. A shift to the right is seen from the start.
-TEST_F(RegistrationTest, AGapHasWhatTheRegistrationAloneCosts) {
+TEST_F(RegistrationTest, AGapHasWhatRegistrationAndTrackerAloneCost) {
   const hrt_target real = add(HRT_TARGET_REAL, 0.0), felt = add(HRT_TARGET_VIRTUAL, 5.0);
-  const auto gap_with = [&](double turn_deg, double shift_m) {
+  const auto gap_with = [&](double turn_deg, double shift_m, double tracker_deg = 0.0) {
     hrt_session_config config = session_config();
+    config.tracker.bearing_sd_deg = tracker_deg;
     config.plate.covariance[0] = std::pow(turn_deg * std::numbers::pi / 180.0, 2);
     config.plate.covariance[2] = shift_m * shift_m;
     EXPECT_OK(hrt_session_set(session, &config));
     return gap_of(real, felt);
   };
-  EXPECT_EQ(gap_with(0.0, 0.0).registration_sd_deg, 0.0);
-  EXPECT_EQ(gap_with(0.0, 0.0).registration_miss_share, 0.0);
-  EXPECT_NEAR(gap_with(2.0, 0.0).registration_sd_deg, 1.0, 1e-9);
-  EXPECT_NEAR(gap_with(2.0, 0.0).registration_miss_share, 0.133614, 1e-6);
-  EXPECT_NEAR(gap_with(0.0, 0.002).registration_sd_deg, 0.002 / 0.1 * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_EQ(gap_with(0.0, 0.0).bearing_sd_deg, 0.0);
+  EXPECT_EQ(gap_with(0.0, 0.0).miss_share, 0.0);
+  EXPECT_NEAR(gap_with(2.0, 0.0).bearing_sd_deg, 1.0, 1e-9);
+  EXPECT_NEAR(gap_with(2.0, 0.0).miss_share, 0.133614, 1e-6);
+  EXPECT_NEAR(gap_with(0.0, 0.002).bearing_sd_deg, 0.002 / 0.1 * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_NEAR(gap_with(0.0, 0.0, 2.9).miss_share, 0.604988, 1e-6);  // 40 % end within 1.5 degrees
+  EXPECT_NEAR(gap_with(6.0, 0.0, 4.0).bearing_sd_deg, 5.0, 1e-9);
 }
 
 // One sample of a reach to a target 100 mm from the start, which is the centre here.

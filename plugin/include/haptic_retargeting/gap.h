@@ -35,12 +35,13 @@ typedef struct hrt_gap {
   double settling_direction_deg;
   /** max_gap_deg of the paper's model, from tactile_weight and plate_bound_deg. */
   double paper_max_gap_deg;
-  /** SD of the bearings at which reaches end, relative to the real target, due to the registration of the plate alone
-   *  (hrt_session_config::plate.covariance) or, after contacts, to their covariance. */
-  double registration_sd_deg;
+  /** SD of the bearings at which reaches end, relative to the real target, due to the apparatus alone: the
+   *  registration of the plate (hrt_session_config::plate.covariance) or, after contacts, their covariance, and
+   *  tracker.bearing_sd_deg. */
+  double bearing_sd_deg;
   /** Fraction of reaches that end off the target (HRT_COMMAND_OFF_TARGET) for this reason alone, for any user.
-   *  Register again if it is too large. @range 0 to 1 @unit 1 */
-  double registration_miss_share;
+   *  Register again or use another tracker if it is too large. @range 0 to 1 @unit 1 */
+  double miss_share;
 } hrt_gap;
 
 /** Returns the gap of a pair, before a reach.

@@ -147,6 +147,10 @@ typedef struct hrt_session_tracker {
   /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. SETUP.md lists typical devices.
    *  @range 0 to 0.5 s @default 0 */
   int64_t latency_ns;
+  /** SD of the bearing of a reach as the tracker sees it, relative to the true one, from reach to reach. No estimate
+   *  within a reach shows this error. It contributes to miss_sd_deg, OFF_TARGET and the gap's miss_share, and does not
+   *  change commands. SETUP.md says how to measure it. @range 0 to 45 @default 0 */
+  double bearing_sd_deg;
 } hrt_session_tracker;
 
 /** Part of hrt_session_config: the user. Reaches update the estimates with HRT_ADAPTATION_CARRIED. */

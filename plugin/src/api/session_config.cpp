@@ -69,6 +69,7 @@ void visit_pairs(Config& config, Model& model, Visit&& visit) {
   visit(config.plate.scale, mount.scale);
   visit(config.tracker.correlation_s, control.estimator.correlation_s);
   visit(config.tracker.latency_ns, control.tracker_latency_ns);
+  visit(config.tracker.bearing_sd_deg, control.tracker_bearing_sd_deg);
   visit(config.registration.time_ns, model.registration.time_ns);
   visit(config.registration.max_age_ns, model.registration.max_age_ns);
   visit(config.registration.max_sd_deg, model.registration.max_sd_deg);

@@ -224,7 +224,7 @@ hrt_setup_residual to_c(const CalibratedSlide& slide) {
 }
 
 hrt_gap to_c(const Gap& gap, hrt_target real_target, hrt_target virtual_target) {
-  const double sd_deg = gap.registration_sd_deg;
+  const double sd_deg = gap.bearing_sd_deg;
   return {
       .struct_size = sizeof(hrt_gap),
       .reachable = gap.authority.reachable ? 1u : 0u,
@@ -236,8 +236,8 @@ hrt_gap to_c(const Gap& gap, hrt_target real_target, hrt_target virtual_target) 
       .plate_orientation_deg = gap.authority.plate_orientation_deg,
       .settling_direction_deg = gap.authority.settling_direction_deg,
       .paper_max_gap_deg = gap.paper_max_gap_deg,
-      .registration_sd_deg = sd_deg,
-      .registration_miss_share = sd_deg > 0.0 ? 2.0 * normal_cdf(-near_deg / sd_deg) : 0.0,
+      .bearing_sd_deg = sd_deg,
+      .miss_share = sd_deg > 0.0 ? 2.0 * normal_cdf(-near_deg / sd_deg) : 0.0,
   };
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/assignment.h"
+#include "core/math/distributions.h"
 #include "core/math/trigonometry.h"
 #include "core/person/illusion.h"
 
@@ -21,7 +22,8 @@ double needed_share(const Authority& authority) {
 Gaps::Real Gaps::real(const TargetPlace& place) const {
   const TargetView seen = view(model_, place);
   return {seen.direction_deg,
-          bearing_sd_deg(model_.control.touched, model_.control.frame, start_of(model_), seen.point),
+          in_quadrature(bearing_sd_deg(model_.control.touched, model_.control.frame, start_of(model_), seen.point),
+                        model_.control.tracker_bearing_sd_deg),
           illusion_of(model_, seen.distance_mm)};
 }
 
@@ -40,7 +42,7 @@ Gap Gaps::gap(const Real& real, double goal_deg) const {
                            ? authority_about_motion(real_deg, goal_deg, real.illusion, control.reach.bound_deg)
                            : paper,
           .paper_max_gap_deg = paper.max_gap_deg,
-          .registration_sd_deg = real.registration_sd_deg};
+          .bearing_sd_deg = real.bearing_sd_deg};
 }
 
 std::vector<Served> assign(const SessionModel& model, std::span<const Target* const> virtuals,

@@ -10,8 +10,8 @@ namespace hrt::plugin {
 
 struct Gap {
   Authority authority;
-  double paper_max_gap_deg;    ///< of the paper's model
-  double registration_sd_deg;  ///< of the bearing where reaches end, by the plate's registration alone
+  double paper_max_gap_deg;  ///< of the paper's model
+  double bearing_sd_deg;     ///< of the bearing where reaches end, by registration and tracker alone
 };
 
 /// The gaps of one session. What depends on one target alone is derived once for that target.
@@ -19,7 +19,7 @@ class Gaps {
  public:
   struct Real {
     double direction_deg;
-    double registration_sd_deg;
+    double bearing_sd_deg;
     Illusion illusion;
   };
 

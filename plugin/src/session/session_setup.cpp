@@ -102,7 +102,8 @@ hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets
   std::vector<MarkTouch> marks;
   for (int i = 0; i < asked.mark_count; ++i)
     marks.push_back({asked.marks_mm[static_cast<std::size_t>(i)], asked.marks_mm[static_cast<std::size_t>(i)]});
-  if (!marks.empty() && fit_registration({}, marks).verdict == RegistrationVerdict::degenerate)
+  const bool registers = parts == setup_all_missing || (parts & setup_registration) != 0;
+  if (registers && !marks.empty() && fit_registration({}, marks).verdict == RegistrationVerdict::degenerate)
     return fail(HRT_ERROR_OUT_OF_RANGE,
                 "marks_m has marks within 10 mm of a line or of one place; the plate's rotation "
                 "needs three that are the corners of a triangle");

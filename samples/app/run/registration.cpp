@@ -31,11 +31,11 @@ std::string worth_of(const Stage& stage) {
   for (const TargetPair& pair : stage.targets.pairs) {
     hrt_gap gap = hrt_gap_init();
     stage.plugin.check(stage.plugin.hrt_gap_query(stage.targets.session, pair.real_target, pair.virtual_target, &gap));
-    if (gap.registration_sd_deg >= worst.registration_sd_deg) worst = gap;
+    if (gap.bearing_sd_deg >= worst.bearing_sd_deg) worst = gap;
   }
   return format("For that alone reaches end %.2f degrees (SD) beside the target, and %.1f of 100 miss it.",
-                worst.registration_sd_deg, 100.0 * worst.registration_miss_share) +
-         (worst.registration_miss_share > 0.05 ? " Registering once more is worth it." : "");
+                worst.bearing_sd_deg, 100.0 * worst.miss_share) +
+         (worst.miss_share > 0.05 ? " Registering once more is worth it." : "");
 }
 
 constexpr int version = 2;

@@ -12,6 +12,7 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/numbers/results.h"
+#include "samples/study/people/own_recordings.h"
 #include "samples/study/people/person_file.h"
 #include "samples/study/people/replay.h"
 
@@ -25,6 +26,7 @@ struct Options {
   std::vector<double> durations_s;            // empty: not given
   std::vector<const PeopleFamily*> families;  // empty: not given
   std::string person;
+  std::string recorded;
   std::string replay;
   std::string csv;
   Writing writing;
@@ -74,6 +76,7 @@ RobustnessStudy simulated(const Options& options) {
   study.options.part = options.writing.part;
   check_durations(study.options);
   if (!options.person.empty()) study.people.push_back(take_person(options, study));
+  if (!options.recorded.empty()) study.people.push_back(people_of_recordings("--recorded", options.recorded));
   for (const PeopleFamily* family : options.families) study.people.push_back(people_of(*family));
   if (study.people.empty())
     for (const PeopleFamily& family : people_families()) study.people.push_back(people_of(family));
@@ -128,6 +131,7 @@ Examples:
   hrt-study robustness --people 1000 --format csv > robustness.csv
   hrt-study robustness --csv robustness.csv
   hrt-study robustness --people 1000 --format csv --part 2/40 --out part02.csv
+  hrt-study robustness --recorded my_lab --durations 1.5 --people 300
   hrt-study robustness --person me.json --people 1000
   hrt-study robustness --replay recordings --format csv
 
@@ -135,6 +139,12 @@ Examples:
 recorded path through our controller and prints what the controller would have believed and commanded.
 That is an open loop: the finger could not answer, so it shows neither misses nor felt errors under
 our commands. Beside it there are --format and --out.
+
+--recorded takes the path and the pace of recorded reaches in place of their statistics in the families
+"recorded". A file .csv of the folder has the reaches of one person to one target, in the columns reach,
+time_s, right_mm and away_mm: the fingertip from rest to rest, at 40 Hz or more, in any fixed frame. Each
+reach of a simulated person takes one of the file's, stretched to --durations and turned to the target. The
+answer to touch, and how the ends scatter (0.9 deg), are simulated as in the other families.
 
 --person simulates a person of your own: JSON, {"tactile_weight": 0.18, "illusion": "sine"}. --people is
 then the number of times that the person does it all, each time as a stranger. Parameters (those left out
@@ -164,12 +174,14 @@ void add_robustness(CLI::App& app) {
   show_default(add_numbers(command, "--durations", &options->durations_s, {0.3, 20.0},
                            "Durations of a reach without its pauses, s."),
                "0.8,1,1.5,2,3, or that of --person");
-  add_families(command, &options->families, "all, or none with --person", "People to simulate.");
+  add_families(command, &options->families, "all, or none with --person or --recorded", "People to simulate.");
   add_path(command, "--person", &options->person, "a file that can be read",
            "A person of your own to simulate, beside the families of --family.");
   add_traits(command, "--informed-of", &robustness.informed_of, "weight,curve,bias,habit,scatter,log_wander,log_rate",
              "Traits of the person that the informed controller knows.");
   add_tuning(command, &robustness.tuning);
+  add_path(command, "--recorded", &options->recorded, "a folder with recorded reaches, .csv",
+           "People with the paths and paces of these recordings, beside those of --family.");
   CLI::Option* replay =
       add_path(command, "--replay", &options->replay, "a folder with recordings or calibration data, .csv",
                "Recorded paths to pass through our controller, in place of simulated people.");
@@ -178,8 +190,8 @@ void add_robustness(CLI::App& app) {
   add_path(command, "--csv", &options->csv, "a file in a folder that can be written",
            "All numbers there as well, in one run.");
   options->writing.add_part_option(command);
-  replay->excludes("--people", "--reaches", "--within", "--durations", "--family", "--person", "--informed-of",
-                   "--tune", "--seed", "--threads", "--csv", "--part");
+  replay->excludes("--people", "--reaches", "--within", "--durations", "--family", "--person", "--recorded",
+                   "--informed-of", "--tune", "--seed", "--threads", "--csv", "--part");
   options->writing.add_options(command);
 }
 

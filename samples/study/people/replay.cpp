@@ -12,6 +12,7 @@
 #include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/people/own_recordings.h"
 
 namespace hrt::study {
 namespace {
@@ -104,22 +105,9 @@ std::vector<ReplayedPath> replay(const RecordedPaths& recorded) {
 }
 
 Replayed replay_folder(const std::string& argument, const std::string& folder) {
-  namespace fs = std::filesystem;
-  const auto refuse = [&](const std::string& why) {
-    return UsageError(
-        not_allowed(argument, folder, "a folder with recordings or calibration data, .csv (" + why + ")"));
-  };
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == ".csv") files.push_back(entry->path());
-  if (error) throw refuse(error.message());
-  if (files.empty()) throw refuse("it has no file of that ending");
-  std::sort(files.begin(), files.end());
   Replayed all;
-  for (const fs::path& file : files) {
-    const RecordedPaths recorded =
-        parse_recorded_paths(file.string(), read_input(argument, file.string(), max_recording_bytes));
+  for (const std::string& file : csv_files(argument, folder, "recordings or calibration data")) {
+    const RecordedPaths recorded = parse_recorded_paths(file, read_input(argument, file, max_recording_bytes));
     for (ReplayedPath& path : replay(recorded)) all.paths.push_back(std::move(path));
     all.left_out.insert(all.left_out.end(), recorded.left_out.begin(), recorded.left_out.end());
   }

@@ -33,7 +33,10 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
           .misfit = summary.misfit,
           .off_target = summary.off_target,
           .weight_estimated = summary.person.has_value() && weight_sd > 0.0,
-          .weight_covered = std::abs(weight_error) <= normal_975 * weight_sd};
+          .weight_covered = std::abs(weight_error) <= normal_975 * weight_sd,
+          .miss_known = summary.person.has_value() && !summary.miss_unknown,
+          .miss_covered = std::abs(summary.bearing_error_deg - outcome.bearing_error_deg) <=
+                          normal_975 * summary.bearing_error_sd_deg};
 }
 
 // All reaches up to the one that is asked for.
@@ -98,6 +101,7 @@ RobustnessCell summarise(std::span<const ReachResult> results) {
     cell.misfit.count(reach.misfit);
     cell.off_target.count(reach.off_target);
     if (reach.weight_estimated) cell.weight_covered.count(reach.weight_covered);
+    if (reach.miss_known) cell.miss_covered.count(reach.miss_covered);
   }
   return cell;
 }

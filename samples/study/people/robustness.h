@@ -44,6 +44,8 @@ struct ReachResult {
   bool off_target = false;
   bool weight_estimated = false;  ///< w_T was estimated, with a standard deviation
   bool weight_covered = false;    ///< the person's w_T is in the estimate's 95 % interval
+  bool miss_known = false;        ///< the controller says how far the reach ended off the target, with an SD
+  bool miss_covered = false;      ///< the true error of the bearing is in the 95 % interval of that
 
   bool near() const;         ///< ends within near_deg of the real target's bearing
   bool silent() const;       ///< misses, and no flag is raised
@@ -70,6 +72,7 @@ struct RobustnessCell {
   Share misfit;
   Share off_target;
   Share weight_covered;  ///< of those whose w_T was estimated
+  Share miss_covered;    ///< of those whose miss is known
 
   std::uint64_t people() const { return can_hold.near.of + cannot_hold.near.of; }
   /// Of people who can hold the gap, or of those who cannot.

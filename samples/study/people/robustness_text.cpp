@@ -169,6 +169,7 @@ void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
   put_flag("misfit", cell.misfit);
   put_flag("off_target", cell.off_target);
   put_flag("weight_covered", cell.weight_covered);
+  put_flag("miss_covered", cell.miss_covered);
 }
 
 // The condition common to all reaches.

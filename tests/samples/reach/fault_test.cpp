@@ -133,8 +133,8 @@ TEST(ReachFault, ALossChangesNoReach) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(lost[i].touch, whole[i].touch);
     EXPECT_EQ(lost[i].final_direction_deg, whole[i].final_direction_deg);
-    EXPECT_NEAR(lost[i].miss_deg, whole[i].miss_deg, 0.3);
-    EXPECT_NEAR(lost[i].miss_mm, whole[i].miss_mm, 0.6);
+    EXPECT_NEAR(lost[i].miss_deg, whole[i].miss_deg, 0.5);
+    EXPECT_NEAR(lost[i].miss_mm, whole[i].miss_mm, 0.9);
   }
 }
 

@@ -41,14 +41,17 @@ TEST(StudyRobustness, CountsByHand) {
        .peak_felt_error_deg = 5.0,
        .unreachable = true,
        .weight_estimated = true,
-       .weight_covered = true},
+       .weight_covered = true,
+       .miss_known = true,
+       .miss_covered = true},
       {.can_hold = true,
        .bearing_error_deg = -1.4,
        .miss_mm = 4.0,
        .peak_felt_error_deg = 7.0,
        .off_target = true,
        .weight_estimated = true,
-       .weight_covered = false},
+       .weight_covered = false,
+       .miss_known = true},
       {.can_hold = true, .bearing_error_deg = 1.6, .miss_mm = 9.0, .peak_felt_error_deg = 6.0},
       {.can_hold = false,
        .bearing_error_deg = -4.0,
@@ -75,6 +78,7 @@ TEST(StudyRobustness, CountsByHand) {
   expect(cell.misfit, 1, 7);
   expect(cell.off_target, 1, 7);
   expect(cell.weight_covered, 1, 2);
+  expect(cell.miss_covered, 1, 2);
   EXPECT_EQ(cell.can_hold.miss_median_mm.value, 4.0);
   EXPECT_TRUE(std::isnan(cell.can_hold.miss_median_mm.low));  // three reaches do not bound it
   EXPECT_DOUBLE_EQ(cell.can_hold.miss_95_mm.value, 4.0 + 0.9 * 5.0);
@@ -173,9 +177,7 @@ TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
       "family,tuned,misplaced,duration_s,controller,reach,people,seed,can_hold,cannot_hold,near_percent,"
       "near_low_percent,near_high_percent,miss_median_mm,miss_median_low_mm,miss_median_high_mm,miss_95_mm,"))
       << rows[0];
-  EXPECT_TRUE(
-      rows[0].ends_with(",weight_covered_percent,weight_covered_low_percent,weight_covered_high_percent,"
-                        "description"))
+  EXPECT_TRUE(rows[0].ends_with(",miss_covered_percent,miss_covered_low_percent,miss_covered_high_percent,description"))
       << rows[0];
   const auto value = [&](std::size_t row, const char* name) { return field(rows[0], rows[row], name); };
   EXPECT_EQ(value(1, "family"), "place");

@@ -1,0 +1,31 @@
+// Recorded reaches of a lab's own people, whose paths and paces simulated people take.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/simulation/own_path.h"
+#include "samples/study/people/robustness.h"
+
+namespace hrt::study {
+
+/// Files .csv of a folder, in the order of their names. `what` is what they should be. Throws UsageError if there is
+/// none.
+std::vector<std::string> csv_files(const std::string& argument, const std::string& folder, const std::string& what);
+
+/// Reads the reaches of one person to one target. Columns, in any order:
+///
+///   reach     whole number; rows with the same number, one after another, are a reach
+///   time_s    increases within a reach
+///   right_mm, away_mm   position of the fingertip, in any fixed frame of the plane
+///
+/// A reach lasts from the first to the last time at which the finger is faster than 5 % of its largest speed. `name` is
+/// the file's name in errors. Throws UsageError naming the line or reach and what is allowed.
+std::vector<RecordedReach> parse_reaches(const std::string& name, std::string_view text);
+
+/// People with the paths and paces of the files of `folder`, one file a person: person i takes the reaches of file
+/// i modulo their number, in random order. Their answer to touch is drawn as of the family "linear".
+SimulatedPeople people_of_recordings(const std::string& argument, const std::string& folder);
+
+}  // namespace hrt::study
