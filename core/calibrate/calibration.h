@@ -82,6 +82,7 @@ class CalibrationFit {
   CalibrationFit(std::vector<CalibrationTrial> trials, double goal_direction_deg);
   CalibrationFit(const CalibrationFit&) = delete;
   CalibrationFit& operator=(const CalibrationFit&) = delete;
+  ~CalibrationFit() = default;
   /// Returns true at the end; no calls after that.
   bool step();
   const std::variant<Calibration, CalibrationRefusal>& result() const { return result_; }

@@ -48,6 +48,7 @@ class CurveFitting {
   CurveFitting(std::span<const SlideTrack> slides, const PartsMatrix& parts_covariance);
   CurveFitting(const CurveFitting&) = delete;
   CurveFitting& operator=(const CurveFitting&) = delete;
+  ~CurveFitting() = default;
   /// Returns true at the end; no calls after that.
   bool step();
   const CurveFit& fit() const { return fit_; }

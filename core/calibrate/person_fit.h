@@ -52,6 +52,7 @@ class PersonFitting {
   PersonFitting(std::span<const SlideTrack> slides, std::span<const double> order);
   PersonFitting(const PersonFitting&) = delete;
   PersonFitting& operator=(const PersonFitting&) = delete;
+  ~PersonFitting() = default;
   /// Requires min_fitted_slides that are used. Returns true at the end; no calls after that.
   bool step();
   /// Before the end: which slides are used, and their scatter.

@@ -66,7 +66,7 @@ bool Setup::finish_is_due() const {
 void Setup::close() {
   left_ &= ~part();
   problem_ = SetupProblem::none;
-  reason_ = "";
+  reason_.set("");
   rejected_ = 0;
   wanted_slides_ = first_slides;
   begin_part();
@@ -74,7 +74,7 @@ void Setup::close() {
 
 void Setup::drop(SetupProblem problem, std::string_view reason) {
   last_drop_ = {.part = part(), .problem = problem, .observed = observed(), .reason = {}};
-  last_drop_.reason = reason;
+  last_drop_.reason.set(reason);
   // Slides and guides on a plate at an unknown position show nothing.
   std::uint32_t need_it = 0;
   if (has_part(setup_registration)) need_it = need_plate;
@@ -86,14 +86,14 @@ void Setup::drop(SetupProblem problem, std::string_view reason) {
 }
 
 SetupDrop Setup::last_drop() const {
-  return {last_drop_.part, last_drop_.problem, last_drop_.observed, last_drop_.reason};
+  return {last_drop_.part, last_drop_.problem, last_drop_.observed, last_drop_.reason.view()};
 }
 
 void Setup::repeat(SetupProblem problem, std::string_view reason) {
   const bool wants_slides = has_part(slide_parts_of_setup);
   if (!wants_slides && ++rejected_ == max_rejected_fits) return drop(problem, reason);
   problem_ = problem;
-  reason_ = reason;
+  reason_.set(reason);
   if (wants_slides) wanted_slides_ = std::min(wanted_slides_ + more_slides, config_.max_slides);
   begin_part();
 }
@@ -182,7 +182,7 @@ SetupStep Setup::step() const {
                  .place_mm = Eigen::Vector3d::Zero(),
                  .plate_orientation_deg = plate_orientation_deg_,
                  .observed = observed(),
-                 .reason = reason_};
+                 .reason = reason_.view()};
   if (has_part(slide_parts_of_setup)) {
     describe_slide(&step);
   } else if (has_part(setup_guides)) {

@@ -82,8 +82,8 @@ class Setup {
   /// A text that takes no memory, cut to its room.
   class Reason {
    public:
-    void operator=(std::string_view text) { size_ = text.copy(text_.data(), text_.size()); }
-    operator std::string_view() const { return {text_.data(), size_}; }
+    void set(std::string_view text) { size_ = text.copy(text_.data(), text_.size()); }
+    std::string_view view() const { return {text_.data(), size_}; }
 
    private:
     std::array<char, 160> text_{};

@@ -108,7 +108,7 @@ void take_calibration(const Setup& setup, std::variant<Calibration, CalibrationR
 
 }  // namespace
 
-PartFit::PartFit(const Setup& setup, const Registration& registered) : setup_(setup), registered_(registered) {
+PartFit::PartFit(const Setup& setup, Registration registered) : setup_(setup), registered_(std::move(registered)) {
   fit_.part = setup.part();
   const MarkTouches& touches = setup.touches();
   if (touches.count() > 0) fit_.touched_ns = touches[touches.count() - 1].time_ns;

@@ -28,7 +28,7 @@ class PartFit {
  public:
   /// Requires finish_is_due(), and a part that is left. `setup` must outlive the fit and must not change. `registered`:
   /// the registration that a check is compared with.
-  PartFit(const Setup& setup, const Registration& registered);
+  PartFit(const Setup& setup, Registration registered);
   /// Returns true at the end; no calls after that.
   bool step();
   SetupFit& result() { return fit_; }

@@ -1,6 +1,7 @@
 #include "core/simulation/guided_hand.h"
 
 #include <array>
+#include <utility>
 
 #include "core/math/trigonometry.h"
 #include "core/setup/setup.h"
@@ -43,8 +44,8 @@ bool is_touch(Instruction instruction) {
 
 }  // namespace
 
-GuidedHand::GuidedHand(const Person& person, double touch_sd_mm, std::uint64_t seed, std::uint32_t index)
-    : person_(person),
+GuidedHand::GuidedHand(Person person, double touch_sd_mm, std::uint64_t seed, std::uint32_t index)
+    : person_(std::move(person)),
       touch_sd_mm_(touch_sd_mm),
       seed_(seed),
       index_(index),

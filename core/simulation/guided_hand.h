@@ -13,7 +13,7 @@ namespace hrt {
 class GuidedHand {
  public:
   /// `touch_sd_mm`: of a coordinate of each touch and rest.
-  GuidedHand(const Person& person, double touch_sd_mm, std::uint64_t seed, std::uint32_t index);
+  GuidedHand(Person person, double touch_sd_mm, std::uint64_t seed, std::uint32_t index);
 
   /// Slides from now on are this person's.
   void set_person(const Person& person) { person_ = person; }

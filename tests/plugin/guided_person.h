@@ -32,9 +32,10 @@ class GuidedPerson {
   double noise_m = 0.001;
   double scale = 1.0;  ///< of the tracker's unit of length
   int latency_ms = 40;
+  int frame_ms = 11;
   bool in_plate = false;  ///< the tracker has plate coordinates, and no joint
 
-  /// What tracker and servo report a frame after the last one.
+  /// What tracker and servo report one frame after the last one.
   hrt_sample follow(const hrt_setup_step& step) {
     if (!hand_) hand_.emplace(condition.person, mm_per_m * touch_sd_m, 78, index_);
     hand_->set_person(condition.person);
@@ -49,7 +50,7 @@ class GuidedPerson {
                 .observed = {},
                 .reason = {}});
     plate_.command(step.plate_orientation_deg);
-    for (const std::int64_t until = time_ms_ + 11; time_ms_ < until;) {
+    for (const std::int64_t until = time_ms_ + frame_ms; time_ms_ < until;) {
       plate_.advance(++time_ms_ * 1'000'000);
       hand_->advance(plate_.orientation_deg());
       seen_.push_back({hand_->skin_mm() / mm_per_m, hand_->attitude()});

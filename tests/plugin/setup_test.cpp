@@ -158,6 +158,18 @@ TEST_F(SetupTest, NoCallOfTheLoopTakesMoreThanAMillisecond) {
 #endif
 
 // What samples cannot show is left out; what is there is not missing.
+class SetupFrameRate : public SetupTest, public testing::WithParamInterface<int> {};
+
+TEST_P(SetupFrameRate, FindsAllThatIsMissing) {
+  GuidedPerson person(3);
+  person.frame_ms = GetParam();
+  person.noise_m = 0.0012;
+  begin_setup(HRT_SETUP_ALL_MISSING);
+  const hrt_setup_result result = run(person);
+  EXPECT_EQ(result.done, everything) << "dropped " << result.dropped;
+}
+INSTANTIATE_TEST_SUITE_P(Milliseconds, SetupFrameRate, testing::Values(4, 11, 17, 33));
+
 TEST_F(SetupTest, LeavesOutWhatIsThereOrCannotBeShown) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <optional>
+#include <utility>
 
 #include "plugin/include/plate_driver/device.h"
 #include "plugin/include/plate_driver/plate_file.h"
@@ -14,7 +15,7 @@ class FileWatch {
  public:
   using Time = Line::Time;
 
-  explicit FileWatch(const PlateFile& file) : file_(file) {}
+  explicit FileWatch(PlateFile file) : file_(std::move(file)) {}
 
   /// Call after each Device::wait(). `command_deg`: nothing while the plate is not commanded.
   void look(Time now, const Device& device, std::optional<double> command_deg);

@@ -42,14 +42,16 @@ Block made(BlockKind kind, std::vector<PlannedTrial> trials, const Design& desig
   return {kind, std::move(trials)};
 }
 
-std::vector<PlannedTrial> trials_of(const Design& design, const std::vector<unsigned>& conditions) {
+// Catch trials go to the conditions in turn, from number `first` on: over blocks and people each has as many.
+std::vector<PlannedTrial> trials_of(const Design& design, const std::vector<unsigned>& conditions, unsigned first) {
   std::vector<PlannedTrial> trials;
   for (const unsigned condition : conditions)
     for (unsigned pair = 0; pair < design.pairs.size(); ++pair)
       for (unsigned i = 0; i < design.repeats; ++i) trials.push_back({0, condition, pair, false});
   const auto catches = std::lround(design.catch_share * static_cast<double>(trials.size()));
   for (unsigned i = 0; i < catches; ++i)
-    trials.push_back({0, conditions[i % conditions.size()], i % static_cast<unsigned>(design.pairs.size()), true});
+    trials.push_back(
+        {0, conditions[(first + i) % conditions.size()], i % static_cast<unsigned>(design.pairs.size()), true});
   return trials;
 }
 
@@ -150,8 +152,8 @@ Schedule schedule_of(const Design& design, unsigned participant) {
     for (const unsigned condition : schedule.order) sets.push_back({condition});
     if (schedule.order.empty()) sets.push_back(all_conditions(design));
     for (const std::vector<unsigned>& set : sets)
-      schedule.blocks.push_back(made(BlockKind::reaches, trials_of(design, set), design, participant,
-                                     static_cast<unsigned>(schedule.blocks.size())));
+      schedule.blocks.push_back(made(BlockKind::reaches, trials_of(design, set, participant + round), design,
+                                     participant, static_cast<unsigned>(schedule.blocks.size())));
   }
   if (design.noticeability)
     schedule.blocks.push_back(noticeability_block(design, participant, static_cast<unsigned>(schedule.blocks.size())));

@@ -200,8 +200,9 @@ void add_events(const Design& design, const State& state, const std::vector<Even
     const json& data = event.data;
     const std::string utc = utc_text(event.utc_ms);
     if (event.name == "questionnaire") {
-      const auto asked = std::find_if(design.questionnaires.begin(), design.questionnaires.end(),
-                                      [&](const Questionnaire& each) { return each.name == data.at("name"); });
+      const auto asked =
+          std::find_if(design.questionnaires.begin(), design.questionnaires.end(),
+                       [&](const Questionnaire& each) { return each.name == data.at("name").get<std::string>(); });
       const std::string when = data.at("when");
       std::string condition;
       if (when.starts_with("block ") && design.order != Order::random_in_blocks) {

@@ -33,18 +33,17 @@ RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base, c
   const XrSpaceLocationFlags position_tracked =
       base.is_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   const Velocities kind = world.velocities();
-  for (std::size_t i = 0; i < joints.size(); ++i) {
+  for (const auto& joint : joints) {
     given.locations.push_back({XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
                                    XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
-                               to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)});
+                               to_xr(from_world * joint.pose), static_cast<float>(joint.radius_m)});
     if (kind == Velocities::none) continue;
     XrHandJointVelocityEXT& velocity = given.velocities.emplace_back();
     velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
     if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
     if (kind == Velocities::zero) continue;
-    const Eigen::Vector3d linear =
-        hand->index_tip_velocity_m_per_s +
-        hand->angular_velocity_rad_per_s.cross(joints[i].pose.position_m - hand->index_tip_m);
+    const Eigen::Vector3d linear = hand->index_tip_velocity_m_per_s +
+                                   hand->angular_velocity_rad_per_s.cross(joint.pose.position_m - hand->index_tip_m);
     velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
     if (kind == Velocities::full)
       velocity.angularVelocity = to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));

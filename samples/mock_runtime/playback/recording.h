@@ -24,7 +24,7 @@
 
 #include <openxr/openxr.h>
 
-#include <cstring>
+#include <array>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -48,9 +48,12 @@ struct SpaceName {
   XrReferenceSpaceType reference = of_action;
   XrPosef pose{};  ///< in the reference space or the action's
 
-  /// To the last bit.
   bool operator==(const SpaceName& other) const {
-    return reference == other.reference && std::memcmp(&pose, &other.pose, sizeof pose) == 0;
+    const auto numbers = [](const XrPosef& p) {
+      return std::array{p.orientation.x, p.orientation.y, p.orientation.z, p.orientation.w,
+                        p.position.x,    p.position.y,    p.position.z};
+    };
+    return reference == other.reference && numbers(pose) == numbers(other.pose);
   }
 };
 

@@ -14,7 +14,9 @@ export interface RecordedReach {
 
 /** A position in plate coordinates, for a plate in the world with the rotation x, y, z, w. */
 function onPlate(world_m: Vector3, position_m: readonly number[], rotation: readonly number[]): Vector3 {
-  return world_m.sub(new Vector3().fromArray(position_m)).applyQuaternion(new Quaternion().fromArray(rotation).invert());
+  return world_m
+    .sub(new Vector3().fromArray(position_m))
+    .applyQuaternion(new Quaternion().fromArray(rotation).invert());
 }
 
 /** The first reach of a recording that replays. Throws if it has no positions. */
