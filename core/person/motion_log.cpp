@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math/exponential.h"
+#include "core/reach/finger_sample.h"
 
 namespace hrt {
 
@@ -33,7 +34,7 @@ double MotionLog::log_likelihood(PersonFilter& filter) const {
   double felt_deg = positions_[0].felt_plate_deg;
   for (int i = 0; i < count_; ++i) {
     const Position& next = positions_[i];
-    const double seconds = next.time_s - time_s;
+    const double seconds = std::min(next.time_s - time_s, max_gap_s);
     const int steps = static_cast<int>(std::ceil(seconds / PersonFilter::max_step_s));
     for (int n = 0; n < steps; ++n)
       filter.move(seconds / steps, felt_deg + (n + 0.5) / steps * (next.felt_plate_deg - felt_deg));
