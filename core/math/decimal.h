@@ -1,4 +1,4 @@
-// A number in a sentence, whatever the locale.
+// Writes a number for a sentence, independent of the host's locale.
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace hrt {
 
-/// Rounded to so many decimals, 0 to 3.
+/// Returns `value` rounded to `decimals` places, 0 to 3.
 inline std::string decimal(double value, int decimals) {
   constexpr long units[] = {1, 10, 100, 1000};
   const long unit = units[decimals];

@@ -34,8 +34,8 @@ class MotionLog {
   void close() { closed_ = true; }
 
   int count() const { return count_; }
-  /// What the motion shows of the person. `learnt`: by the filter of the whole reach, which determines the traits
-  /// other than log_wander if the motion was interrupted.
+  /// Returns the belief about the person after the motion. `learnt` is the belief of the filter that ran during the
+  /// reach; if the motion was interrupted, it determines all traits but log_wander.
   PersonBelief belief(const PersonBelief& learnt) const;
 
  private:
@@ -50,7 +50,7 @@ class MotionLog {
   std::optional<PersonFilter> filter_;  // at the onset
   double onset_s_ = 0.0;
   int count_ = 0;
-  int stride_ = 1;   // every so many positions one is taken
+  int stride_ = 1;   // one of this many positions is taken
   int skipped_ = 0;  // since the last one
   bool closed_ = true;
 };

@@ -102,7 +102,7 @@ class PersonEstimator {
   /// True if the model describes the motion so far.
   bool model_fits() const { return fit_.holds(tuning()); }
   double onset_s() const { return onset_s_; }
-  /// What the reach shows of the person.
+  /// Returns the belief about the person after the reach.
   PersonBelief learnt() const;
 
  private:

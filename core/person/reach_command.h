@@ -20,7 +20,7 @@ struct ReachGoal {
   /// position the targets have not moved, and the direction is that from the start.
   std::optional<PlatePoint> aimed_from;
   double aimed_direction_deg;
-  double tracker_sd_deg;  ///< SD of the bearing at which the tracker sees a finger, anew in each reach
+  double tracker_sd_deg;  ///< SD, from reach to reach, of the bearing at which the tracker sees the finger
   double frame_sd_deg;    ///< SD of the target's bearing from the start, by the frame's uncertainty
 
   /// A reach that is seen to end further off the target's bearing is more likely off target than not: the median size

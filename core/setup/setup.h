@@ -40,7 +40,7 @@ struct SetupConfig {
 inline constexpr int first_slides = 16;
 inline constexpr int more_slides = 8;
 
-/// A part is dropped after so many rejected fits, or so many slides in a row that do not count.
+/// A part is dropped after this number of rejected fits, or of slides in a row that do not count.
 inline constexpr int max_rejected_fits = 3;
 inline constexpr int max_failed_slides = 6;
 
@@ -64,7 +64,7 @@ class Setup {
 
   /// After the fit of the current part: the set-up continues with the next one.
   void close();
-  /// As close(), of a part without a result, and of those that need it.
+  /// Closes the present part without a result, and the parts that need its result.
   void drop(SetupProblem problem, std::string_view reason);
   /// Repeats the current part, or asks for more slides; drops it if this is the last of max_rejected_fits.
   void repeat(SetupProblem problem, std::string_view reason);

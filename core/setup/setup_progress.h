@@ -1,5 +1,5 @@
-// Whether a set-up progresses, and if not, what its samples show: a mistake of the host looks to the user like a
-// request that is repeated for ever.
+// Detects a set-up that does not progress and diagnoses it from its samples. Without a diagnosis, a mistake of the host
+// looks to the user like a request that is repeated for ever.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class SetupProgress {
   /// Something was completed: counts from the next sample on.
   void restart() { *this = {}; }
   void observe(const SetupSample& sample);
-  /// Otherwise observed() is none. Unsigned: times may be far apart.
+  /// False means that observed() finds nothing yet. Times may be far apart, so their difference is unsigned.
   bool may_be_stuck() const {
     const auto passed_ns =
         static_cast<std::uint64_t>(now_ns_) - static_cast<std::uint64_t>(since_ns_.value_or(now_ns_));
@@ -28,7 +28,7 @@ class SetupProgress {
  private:
   static constexpr std::uint64_t patience_ns = 20'000'000'000;
   static constexpr int min_samples = 100;  // otherwise the application paused
-  // So many samples at 90 Hz take 11 s.
+  // At 90 Hz this takes 11 s.
   static constexpr int many_samples = 1000;
 
   std::optional<std::int64_t> since_ns_;

@@ -55,7 +55,7 @@ struct SetupSample {
   bool off_plate = false;
 };
 
-/// What the samples show while nothing is completed.
+/// The diagnosis of a set-up that does not progress.
 struct Observed {
   enum class Kind : std::uint32_t {
     none,

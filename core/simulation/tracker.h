@@ -31,8 +31,8 @@ struct TrackerModel {
   double turned_deg = 0.0;               ///< of its frame about the start
   double scale = 1.0;                    ///< of its frame about the start
   double shear = 0.0;                    ///< seen to the right by this for each millimetre away from the start
-  double bearing_sd_deg = 0.0;           ///< SD by which its frame turns about the start, anew in each reach
-  double declared_bearing_sd_deg = 0.0;  ///< of this and turned_deg, what the controller is given
+  double bearing_sd_deg = 0.0;           ///< SD of the rotation of its frame about the start, drawn for each reach
+  double declared_bearing_sd_deg = 0.0;  ///< SD of the bearing that the controller is given
   double creep_mm = 0.0;                 ///< a moving finger is seen off by this; it decays within 0.2 s of the stop
   double end_loss_share = 0.0;           ///< of reaches, those in which the hand is lost as the finger brakes
   double excursions_hz = 0.0;            ///< at rest: 10 to 16 mm off for 50 to 100 ms

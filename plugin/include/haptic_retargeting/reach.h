@@ -186,7 +186,7 @@ typedef struct hrt_command {
   /** SD of tactile_weight; 0: taken as exact. @unit 1 */
   double tactile_weight_sd;
   /** Normalised innovation squared (NIS) of the last positions, mean over about twenty: their deviation from the
-   *  model. About 2 if the model fits; MISFIT from 4.5. 0 under FIXED_DIRECTION. @unit 1 */
+   *  model. About 2 if the model fits; MISFIT from 6. 0 under FIXED_DIRECTION. @unit 1 */
   double misfit;
   hrt_command_paper paper; /**< values of the controller of the paper @flatten paper_* */
 } hrt_command;
