@@ -60,10 +60,8 @@ if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
   install(TARGETS hrt-reach hrt-study hrt-plate RUNTIME COMPONENT tools EXCLUDE_FROM_ALL)
   install(FILES samples/scenes/desk.gltf samples/scenes/table1.gltf DESTINATION ${CMAKE_INSTALL_DATADIR}/haptic-retargeting/scenes
           COMPONENT tools EXCLUDE_FROM_ALL)
-  install(TARGETS hrtx_mock_runtime hrtx_capture LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
+  install(TARGETS hrtx_mock_runtime LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_mock_runtime.json DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
-  install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/api_layers/hrtx_capture.json DESTINATION ${CMAKE_INSTALL_LIBDIR}/api_layers
-          COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/hrtx-run TYPE BIN COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_script.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/hrtx COMPONENT mock_runtime EXCLUDE_FROM_ALL)

@@ -122,22 +122,14 @@ class Checker {
 
 }  // namespace
 
-Json parse_json(std::string_view text, const std::string& name,
-                const std::function<bool(const KeysAround&, Json::parse_event_t, const Json&)>& keep) {
-  KeysAround latest;
-  std::vector<std::set<std::string>> keys;  // of the same objects
+Json parse_json(std::string_view text, const std::string& name) {
+  std::vector<std::set<std::string>> keys;  // of the objects around the parser's position
   const auto see = [&](int, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) {
-      keys.emplace_back();
-      latest.emplace_back();
-    } else if (event == Json::parse_event_t::object_end) {
-      keys.pop_back();
-      latest.pop_back();
-    } else if (event == Json::parse_event_t::key) {
-      latest.back() = parsed.get<std::string>();
-      if (!keys.back().insert(latest.back()).second) refuse(parsed.dump(), "occurs twice in one object");
-    }
-    return !keep || keep(latest, event, parsed);
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
+      refuse(parsed.dump(), "occurs twice in one object");
+    return true;
   };
   try {
     return Json::parse(text, see);

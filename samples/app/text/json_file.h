@@ -1,7 +1,6 @@
 // JSON that people and programs write, checked against a JSON Schema.
 #pragma once
 
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -20,13 +19,8 @@ struct Refusal : std::runtime_error {
 
 [[noreturn]] inline void refuse(const std::string& where, const std::string& why) { throw Refusal(where + " " + why); }
 
-/// The latest keys of the objects around the parser's position: {"playback", "records"}.
-using KeysAround = std::vector<std::string>;
-
-/// Parses `text`. Throws Refusal for a syntax error, or a key that occurs twice in one object. A value that is complete
-/// at `keep(keys, value)` is left out of the result if that returns false.
-Json parse_json(std::string_view text, const std::string& name,
-                const std::function<bool(const KeysAround&, Json::parse_event_t, const Json&)>& keep = {});
+/// Parses `text`. Throws Refusal for a syntax error, or a key that occurs twice in one object.
+Json parse_json(std::string_view text, const std::string& name);
 
 /// Checks `value` against `schema`, or against `definition` of its $defs, and inserts the defaults of missing members.
 /// Throws Refusal with the place, as in "script.events[0].hand", and what is allowed there. A text must be one line of

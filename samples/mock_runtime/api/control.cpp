@@ -41,8 +41,6 @@ void convert_timespec_time_to_time(Instance&, const struct timespec* from, XrTim
                      from->tv_nsec < second_ns && (from->tv_sec > 0 || from->tv_nsec > 0);
   require(valid, XR_ERROR_TIME_INVALID, "no valid timespec");
   *time = static_cast<XrTime>(from->tv_sec) * second_ns + from->tv_nsec;
-  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
-    if (session->player) *time = session->player->next_converted().value_or(*time);
 }
 
 void convert_time_to_timespec_time(Instance&, XrTime from, struct timespec* time) {

@@ -27,17 +27,6 @@ void wait_until(XrSession handle, XrTime time) {
   }
 }
 
-void play_frame(Session& session, XrFrameState& state) {
-  ++session.frame_number;
-  const RecordedFrame frame = session.player->next_frame();
-  session.fire_due_events();
-  session.frames.waited = true;
-  session.frames.waited_number = session.frame_number;
-  state.predictedDisplayTime = frame.time;
-  state.predictedDisplayPeriod = frame.period;
-  state.shouldRender = frame.should_render ? XR_TRUE : XR_FALSE;
-}
-
 }  // namespace
 
 void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* state) {
@@ -47,11 +36,6 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
   // "A subsequent xrWaitFrame call must block until the previous frame has been begun with xrBeginFrame".
   // Meanwhile the session may end, be lost or be destroyed, hence the new look-up.
   while (running_session(handle).frames.waited) runtime().frame_begun.wait(runtime().mutex);
-  std::optional<Player>& player = running_session(handle).player;
-  if (const auto start = player ? player->next_frame_start(runtime().now()) : std::nullopt) {
-    wait_until(handle, *start);
-    return play_frame(running_session(handle), *state);
-  }
   wait_until(handle, running_session(handle).frames.next_start);
 
   ++running_session(handle).frame_number;

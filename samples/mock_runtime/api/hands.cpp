@@ -6,49 +6,27 @@
 namespace hrt::mock {
 namespace {
 
-// Joints that are not given have no valid bit.
-void write_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& locations,
-                  XrHandJointVelocitiesEXT* velocities) {
-  locations.isActive = joints.active ? XR_TRUE : XR_FALSE;
-  for (std::size_t i = 0; i < XR_HAND_JOINT_COUNT_EXT; ++i) {
-    locations.jointLocations[i] =
-        i < joints.locations.size() ? joints.locations[i] : XrHandJointLocationEXT{0, to_xr(Pose{}), 0.0F};
-    if (velocities != nullptr)
-      velocities->jointVelocities[i] = i < joints.velocities.size() ? joints.velocities[i] : XrHandJointVelocityEXT{};
-  }
+void write_inactive(XrHandJointLocationsEXT& locations, XrHandJointVelocitiesEXT* velocities) {
+  locations.isActive = XR_FALSE;
+  std::fill_n(locations.jointLocations, XR_HAND_JOINT_COUNT_EXT, XrHandJointLocationEXT{0, to_xr(Pose{}), 0.0F});
+  if (velocities != nullptr)
+    std::fill_n(velocities->jointVelocities, XR_HAND_JOINT_COUNT_EXT, XrHandJointVelocityEXT{});
 }
 
-RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base, const XrHandJointsLocateInfoEXT& info) {
-  Session& session = tracker.session();
-  World& world = session.world();
-  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
-  // input focus."
-  const bool focused = session.state() == XR_SESSION_STATE_FOCUSED;
-  const auto hand = world.hand(tracker.hand, info.time);
-  const auto base_in_world = base.in_world(info.time);
-  RecordedJoints given{focused && hand && base_in_world, {}, {}};
-  if (!given.active) return given;
-  const Pose from_world = inverse(*base_in_world);
-  const HandJoints joints = place_hand(tracker.hand, hand->index_tip_m, hand->orientation);
-  const XrSpaceLocationFlags position_tracked =
-      base.is_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-  const Velocities kind = world.velocities();
-  for (const auto& joint : joints) {
-    given.locations.push_back({XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
-                                   XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
-                               to_xr(from_world * joint.pose), static_cast<float>(joint.radius_m)});
-    if (kind == Velocities::none) continue;
-    XrHandJointVelocityEXT& velocity = given.velocities.emplace_back();
-    velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
-    if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
-    if (kind == Velocities::zero) continue;
-    const Eigen::Vector3d linear = hand->index_tip_velocity_m_per_s +
-                                   hand->angular_velocity_rad_per_s.cross(joint.pose.position_m - hand->index_tip_m);
-    velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
-    if (kind == Velocities::full)
-      velocity.angularVelocity = to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
-  }
-  return given;
+// Of a joint at a position in the world, seen along axes.
+XrHandJointVelocityEXT velocity_at(const Eigen::Vector3d& position_m, const HandState& hand,
+                                   const Eigen::Quaterniond& from_world, Velocities kind) {
+  XrHandJointVelocityEXT velocity{};
+  if (kind == Velocities::none) return velocity;
+  velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+  if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
+  if (kind == Velocities::zero) return velocity;
+  const Eigen::Vector3d linear =
+      hand.index_tip_velocity_m_per_s + hand.angular_velocity_rad_per_s.cross(position_m - hand.index_tip_m);
+  velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world * linear));
+  if (kind == Velocities::full)
+    velocity.angularVelocity = to_xr(Eigen::Vector3d(from_world * hand.angular_velocity_rad_per_s));
+  return velocity;
 }
 
 }  // namespace
@@ -79,10 +57,26 @@ void locate_hand_joints(HandTracker& tracker, const XrHandJointsLocateInfoEXT* i
     require_pointer(velocities->jointVelocities, "jointVelocities");
   }
 
-  Session& session = tracker.session();
-  const RecordedJoints joints = session.player ? session.player->joints(tracker.hand, base.name, info->time)
-                                               : simulated_joints(tracker, base, *info);
-  write_joints(joints, *locations, velocities);
+  World& world = tracker.session().world();
+  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
+  // input focus."
+  const bool focused = tracker.session().state() == XR_SESSION_STATE_FOCUSED;
+  const auto hand = world.hand(tracker.hand, info->time);
+  const auto base_in_world = base.in_world(info->time);
+  if (!focused || !hand || !base_in_world) return write_inactive(*locations, velocities);
+  locations->isActive = XR_TRUE;
+  const Pose from_world = inverse(*base_in_world);
+  const XrSpaceLocationFlags position_tracked =
+      base.is_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  const HandJoints joints = place_hand(tracker.hand, hand->index_tip_m, hand->orientation);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    locations->jointLocations[i] = {XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
+                                        XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
+                                    to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)};
+    if (velocities != nullptr)
+      velocities->jointVelocities[i] =
+          velocity_at(joints[i].pose.position_m, *hand, from_world.orientation, world.velocities());
+  }
 }
 
 }  // namespace hrt::mock

@@ -65,11 +65,8 @@ void destroy_instance(XrInstance handle) {
 }
 
 void get_instance_properties(Instance&, XrInstanceProperties* properties) {
-  const Recording* played = runtime().script.playback.get();
-  properties->runtimeVersion =
-      played != nullptr ? played->version : XR_MAKE_VERSION(HRT_VERSION_MAJOR, HRT_VERSION_MINOR, HRT_VERSION_PATCH);
-  std::snprintf(properties->runtimeName, sizeof(properties->runtimeName), "%s",
-                played != nullptr ? played->runtime.c_str() : "HRTX mock runtime");
+  properties->runtimeVersion = XR_MAKE_VERSION(HRT_VERSION_MAJOR, HRT_VERSION_MINOR, HRT_VERSION_PATCH);
+  std::snprintf(properties->runtimeName, sizeof(properties->runtimeName), "HRTX mock runtime");
 }
 
 XrResult poll_event(Instance& instance, XrEventDataBuffer* buffer) {

@@ -16,22 +16,6 @@ void require_hand(XrHandEXT hand) {
   require(hand == XR_HAND_LEFT_EXT || hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE, "no such hand");
 }
 
-// In what is played back or in the simulation.
-RecordedTruth truth_of(Session& session, XrHandEXT hand) {
-  if (session.player) {
-    const auto played = session.player->truth(hand);
-    require(played.has_value(), XR_ERROR_CALL_ORDER_INVALID, "this hand was not instructed");
-    return *played;
-  }
-  World& world = session.world();
-  const Reach* reach = world.reach(hand);
-  require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");
-  return {{reach->true_direction_deg(), reach->perceived_direction_deg(), reach->peak_felt_error_deg(),
-           reach->outermost_direction_deg(1.0), reach->outermost_direction_deg(-1.0), reach->tactile_weight()},
-          to_xr(world.true_index_tip_m(hand)),
-          reach->done()};
-}
-
 }  // namespace
 
 void place_plate(Session& session, const XrPlatePlacementHRTX* placement) {
@@ -40,7 +24,7 @@ void place_plate(Session& session, const XrPlatePlacementHRTX* placement) {
   require_length(placement->radius, "radius must be in (0, 10] m");
   const auto in_world = space.in_world(session.instance().clock.now());
   require(in_world.has_value(), XR_ERROR_VALIDATION_FAILURE, "the space is not tracked now");
-  if (!session.player) session.world().place_plate(*in_world * pose);
+  session.world().place_plate(*in_world * pose);
 }
 
 void set_simulation_seed(Session& session, std::uint64_t seed, std::uint32_t next_reach) {
@@ -49,15 +33,12 @@ void set_simulation_seed(Session& session, std::uint64_t seed, std::uint32_t nex
 
 void set_plate_orientation(Session& session, double orientation_deg) {
   require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE, "orientation must be within 360 degrees");
-  if (!session.player) session.world().command_plate(orientation_deg);
+  session.world().command_plate(orientation_deg);
 }
 
 void get_plate_orientation(Session& session, XrTime time, double* orientation_deg) {
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  if (session.player)
-    *orientation_deg = session.player->plate_deg(time).value_or(0.0);
-  else
-    *orientation_deg = session.world().plate_orientation_deg(time);
+  *orientation_deg = session.world().plate_orientation_deg(time);
 }
 
 void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction) {
@@ -68,7 +49,6 @@ void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction)
   require(std::abs(instruction->goalDirection) <= 180.0, XR_ERROR_VALIDATION_FAILURE,
           "goalDirection must be within 180 degrees");
   require_length(instruction->pathLength, "pathLength must be in (0, 10] m");
-  if (session.player) return;  // what the person did then is played back
   World& world = session.world();
   require(world.plate_is_placed(), XR_ERROR_CALL_ORDER_INVALID, "the plate has not been placed");
   world.instruct(instruction->hand, {{start_m.x(), start_m.z()}, instruction->goalDirection, instruction->pathLength},
@@ -77,9 +57,19 @@ void instruct_reach(Session& session, const XrReachInstructionHRTX* instruction)
 
 void get_reach_truth(Session& session, XrHandEXT hand, XrReachTruthHRTX* truth) {
   require_hand(hand);
-  const auto& [numbers, index_tip, done] = truth_of(session, hand);
-  const auto& [is, felt, peak, leftmost, rightmost, weight] = numbers;
-  *truth = {truth->type, truth->next, is, felt, peak, leftmost, rightmost, weight, index_tip, XrBool32{done}};
+  World& world = session.world();
+  const Reach* reach = world.reach(hand);
+  require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");
+  *truth = {truth->type,
+            truth->next,
+            reach->true_direction_deg(),
+            reach->perceived_direction_deg(),
+            reach->peak_felt_error_deg(),
+            reach->outermost_direction_deg(1.0),
+            reach->outermost_direction_deg(-1.0),
+            reach->tactile_weight(),
+            to_xr(world.true_index_tip_m(hand)),
+            XrBool32{reach->done()}};
 }
 
 }  // namespace hrt::mock

@@ -14,7 +14,6 @@ Session::Session(Instance* instance, const Script& script, std::shared_ptr<Graph
   const std::uint64_t number = runtime().session_of_call();  // of this session: no other exists
   std::copy_if(script.events.begin(), script.events.end(), std::back_inserter(events_),
                [&](const ScriptEvent& event) { return event.session == 0 || event.session == number; });
-  if (script.playback != nullptr) player.emplace(script.playback, number);
   if (!script.world.plate || script.world.plate->terminal.empty()) return;
   plate_.emplace(script.world.plate->terminal, script.world.servo, created_);
   // The thread that destroys the session holds the lock and waits for this one, which therefore only tries it.
@@ -63,16 +62,7 @@ void Session::go_to(XrSessionState state) {
   enter(state);
 }
 
-void Session::play_due_events() {
-  for (const XrEventDataBuffer& event : player->take_events(handle_of<XrSession>(*this))) {
-    if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED)
-      state_ = reinterpret_cast<const XrEventDataSessionStateChanged&>(event).state;
-    instance().push_event(event);
-  }
-}
-
 void Session::fire_due_events() {
-  if (player) return play_due_events();
   const XrTime elapsed = instance().clock.now() - created_;
   const auto is_due = [&](const ScriptEvent& event) {
     return event.frame > 0 ? frame_number >= event.frame : elapsed >= event.time_ns;
@@ -139,10 +129,8 @@ void create_session(Instance& instance, const XrSessionCreateInfo* info, XrSessi
   auto device = device_of_session(instance, *info);
   auto& session = runtime().registry.create<Session>(&instance, runtime().script, std::move(device));
   ++runtime().sessions;
-  if (!session.player || !session.player->has_states()) {
-    session.enter(XR_SESSION_STATE_IDLE);
-    session.enter(XR_SESSION_STATE_READY);
-  }
+  session.enter(XR_SESSION_STATE_IDLE);
+  session.enter(XR_SESSION_STATE_READY);
   session.fire_due_events();
   *session_handle = handle_of<XrSession>(session);
 }
@@ -169,7 +157,6 @@ void begin_session(Session& session, const XrSessionBeginInfo* info) {
   // "A transition to session running resets the frame function call order"; times keep increasing.
   session.frames.waited = session.frames.begun = false;
   session.frames.since_begin = 0;
-  if (session.player && session.player->follow(StateCall::begin)) return;
   if (session.graphics != nullptr) return;  // the states follow frames
   session.enter(XR_SESSION_STATE_SYNCHRONIZED);
   session.go_to(XR_SESSION_STATE_FOCUSED);
@@ -178,7 +165,6 @@ void begin_session(Session& session, const XrSessionBeginInfo* info) {
 void request_exit_session(Session& session) {
   require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
   session.exit_requested = true;
-  if (session.player && session.player->follow(StateCall::exit)) return;
   session.go_to(XR_SESSION_STATE_STOPPING);
 }
 
@@ -186,10 +172,8 @@ void end_session(Session& session) {
   require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
   require(session.state() == XR_SESSION_STATE_STOPPING, XR_ERROR_SESSION_NOT_STOPPING, "the session is not stopping");
   session.running = false;
-  if (!session.player || !session.player->follow(StateCall::end)) {
-    session.enter(XR_SESSION_STATE_IDLE);
-    session.enter(session.exit_requested ? XR_SESSION_STATE_EXITING : XR_SESSION_STATE_READY);
-  }
+  session.enter(XR_SESSION_STATE_IDLE);
+  session.enter(session.exit_requested ? XR_SESSION_STATE_EXITING : XR_SESSION_STATE_READY);
   runtime().frame_begun.notify_all();
 }
 

@@ -9,7 +9,6 @@
 #include "samples/mock_runtime/api/actions.h"
 #include "samples/mock_runtime/graphics/device.h"
 #include "samples/mock_runtime/live/plate_terminal.h"
-#include "samples/mock_runtime/playback/player.h"
 #include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {
@@ -55,7 +54,6 @@ class Session : public Object {
   std::int64_t picture_from = 0;  ///< the next picture is of this frame or a later one; 0: none is ordered
   /// Ids of the action sets that are attached; none before xrAttachSessionActionSets.
   std::optional<std::set<std::uint64_t>> action_sets;
-  std::optional<Player> player;  ///< of a script that plays a recording back
 
  private:
   void happen(const Happening& what);
@@ -63,7 +61,6 @@ class Session : public Object {
   void happen(const HandEvent& event);
   void serve_plate();
   void report_state();
-  void play_due_events();
 
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   XrTime created_;

@@ -13,7 +13,6 @@ constexpr XrSpaceLocationFlags all_location_flags =
     XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
 std::vector<XrReferenceSpaceType> reference_spaces(const Session& session) {
-  if (session.player && session.player->spaces()) return *session.player->spaces();
   std::vector types{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
   if (runtime().script.stage) types.push_back(XR_REFERENCE_SPACE_TYPE_STAGE);
   if (session.instance().version_1_1() || session.instance().enabled(Extension::local_floor))
@@ -32,10 +31,16 @@ XrSpaceLocationFlags flags_of(const Space& space, const Space& base) {
   return seen ? all_location_flags : all_location_flags & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 }
 
-// Where a space is, in what is played back or in the simulation.
-RecordedLocation location_of(const Space& space, const Space& base, XrTime time) {
-  if (auto& player = space.session().player) return player->location(space.name, base.name, time);
-  RecordedLocation location{};
+struct Location {
+  XrSpaceLocationFlags flags;
+  XrPosef pose;
+  XrSpaceVelocityFlags velocity_flags;
+  XrVector3f linear;
+  XrVector3f angular;
+};
+
+Location location_of(const Space& space, const Space& base, XrTime time) {
+  Location location{};
   location.pose = to_xr(Pose{});
   const auto of = space.motion(time), in = base.motion(time);
   if (!of || !in) return location;
@@ -46,8 +51,8 @@ RecordedLocation location_of(const Space& space, const Space& base, XrTime time)
 }
 
 // As far as it is asked for.
-template <typename Location, typename Velocity>
-void write_location(const RecordedLocation& from, Location& location, Velocity* velocity) {
+template <typename Output, typename Velocity>
+void write_location(const Location& from, Output& location, Velocity* velocity) {
   location.locationFlags = from.flags;
   location.pose = from.pose;
   if (velocity == nullptr) return;
@@ -63,26 +68,6 @@ Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
          Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};
 }
 
-// The two views, in what is played back or in the simulation.
-RecordedViews views_of(const Space& space, XrTime time) {
-  Session& session = space.session();
-  if (session.player) return session.player->views(space.name, time);
-  const auto in_world = space.in_world(time);
-  RecordedViews result{};
-  for (const std::uint32_t number : {0U, 1U}) {
-    const Pose eye = eye_in_world(session, number, time);
-    XrView view{XR_TYPE_VIEW};
-    view.pose = to_xr(in_world ? inverse(*in_world) * eye : Pose{});
-    view.fov = field_of_view;
-    result.views.push_back(view);
-  }
-  if (!in_world) return result;
-  result.flags =
-      XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
-  if (!space.is_in_room() || space.can_see_room()) result.flags |= XR_VIEW_STATE_POSITION_TRACKED_BIT;
-  return result;
-}
-
 }  // namespace
 
 Space& space_of(const Session& session, XrSpace handle) {
@@ -92,15 +77,12 @@ Space& space_of(const Session& session, XrSpace handle) {
 }
 
 std::optional<Motion> Space::motion(XrTime time) const {
-  if (name.reference == SpaceName::of_action) return std::nullopt;
-  const Pose offset = checked_pose(name.pose);
-  if (name.reference == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset;
-  return Motion{session().world().origins.in_world(name.reference, time) * offset};
+  if (!reference_) return std::nullopt;
+  if (*reference_ == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset_;
+  return Motion{session().world().origins.in_world(*reference_, time) * offset_};
 }
 
-bool Space::is_in_room() const {
-  return name.reference != SpaceName::of_action && name.reference != XR_REFERENCE_SPACE_TYPE_VIEW;
-}
+bool Space::is_in_room() const { return reference_ && *reference_ != XR_REFERENCE_SPACE_TYPE_VIEW; }
 
 bool Space::can_see_room() const { return !session().world().head_is_lost(); }
 
@@ -116,9 +98,8 @@ void enumerate_reference_spaces(Session& session, std::uint32_t capacity, std::u
 
 void create_reference_space(Session& session, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
   require_reference_space(session, info->referenceSpaceType);
-  checked_pose(info->poseInReferenceSpace);
-  const SpaceName name{info->referenceSpaceType, info->poseInReferenceSpace};
-  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name));
+  const Pose pose = checked_pose(info->poseInReferenceSpace);
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, info->referenceSpaceType, pose));
 }
 
 void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, XrSpace* space) {
@@ -129,9 +110,8 @@ void create_action_space(Session& session, const XrActionSpaceCreateInfo* info, 
     require(action.has_subaction(info->subactionPath), XR_ERROR_PATH_UNSUPPORTED,
             "the action has no such subaction path");
   }
-  checked_pose(info->poseInActionSpace);
-  const SpaceName name{.pose = info->poseInActionSpace};
-  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, name));
+  const Pose pose = checked_pose(info->poseInActionSpace);
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, std::nullopt, pose));
 }
 
 XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType type, XrExtent2Df* bounds) {
@@ -175,15 +155,16 @@ void locate_views(Session& session, const XrViewLocateInfo* info, XrViewState* s
   const Space& space = space_of(session, info->space);
   require_view_configuration(info->viewConfigurationType);
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  // The count alone is no sample of a recording.
-  const bool counts = session.player && capacity == 0;
-  const RecordedViews given = counts ? RecordedViews{} : views_of(space, info->displayTime);
-  two_call(std::array{std::size_t{0}, std::size_t{1}}, capacity, count, views, [&](XrView& view, std::size_t eye) {
-    const bool has_eye = eye < given.views.size();
-    view.pose = has_eye ? given.views[eye].pose : to_xr(Pose{});
-    view.fov = has_eye ? given.views[eye].fov : field_of_view;
+  const auto in_world = space.in_world(info->displayTime);
+  two_call(std::array{0U, 1U}, capacity, count, views, [&](XrView& view, std::uint32_t eye) {
+    view.pose = to_xr(in_world ? inverse(*in_world) * eye_in_world(session, eye, info->displayTime) : Pose{});
+    view.fov = field_of_view;
   });
-  state->viewStateFlags = given.flags;
+  state->viewStateFlags = 0;
+  if (!in_world) return;
+  state->viewStateFlags =
+      XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
+  if (!space.is_in_room() || space.can_see_room()) state->viewStateFlags |= XR_VIEW_STATE_POSITION_TRACKED_BIT;
 }
 
 }  // namespace hrt::mock

@@ -13,7 +13,9 @@ class Space : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SPACE;
 
-  Space(Session* session, const SpaceName& of) : Object(object_type, session), name(of) {}
+  /// `of`: none for the space of an action.
+  Space(Session* session, std::optional<XrReferenceSpaceType> of, const Pose& at)
+      : Object(object_type, session), reference_(of), offset_(at) {}
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
@@ -25,7 +27,9 @@ class Space : public Object {
   bool is_in_room() const;
   bool can_see_room() const;
 
-  SpaceName name;  ///< as a recording has it
+ private:
+  std::optional<XrReferenceSpaceType> reference_;
+  Pose offset_;
 };
 
 /// The space of a handle. Throws XR_ERROR_VALIDATION_FAILURE if it is of another session.

@@ -22,8 +22,7 @@ void get_system_properties(Instance& instance, XrSystemId system, XrSystemProper
   require_system(system);
   properties->systemId = system;
   properties->vendorId = 0;
-  std::snprintf(properties->systemName, sizeof(properties->systemName), "%s",
-                runtime().script.playback ? runtime().script.playback->system.c_str() : "HRTX ridged plate, simulated");
+  std::snprintf(properties->systemName, sizeof(properties->systemName), "HRTX ridged plate, simulated");
   properties->graphicsProperties = {max_image_size, max_image_size, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
   properties->trackingProperties = {XR_TRUE, XR_TRUE};
   if (auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next);

@@ -8,34 +8,8 @@
 #include "samples/mock_runtime/script_schema.h"
 
 namespace hrt::mock {
-namespace {
-
-// The records of a playback, which may be many, go to `recording` one by one and are no part of the result.
-Json parse(std::string_view text, Recording& recording) {
-  static const KeysAround records{"playback", "records"};
-  int depth = 0;  // of arrays in the records: 1 in their array, 2 in a record
-  return parse_json(text, "script", [&](const KeysAround& keys, Json::parse_event_t event, const Json& parsed) {
-    if (keys != records) return true;
-    if (event == Json::parse_event_t::array_start) ++depth;
-    if (event != Json::parse_event_t::array_end || depth-- != 2) return true;
-    recording.add(parsed);
-    return false;
-  });
-}
-
-// What is played back takes the place of everything else that a script simulates.
-void check_playback(const Json& script) {
-  static const std::vector<std::string> besides{
-      "clock", "calls", "picture_every_frames", "playback", "withhold_extensions", "$schema"};
-  for (const auto& [key, value] : script.items())
-    if (std::find(besides.begin(), besides.end(), key) == besides.end())
-      refuse("script.playback", "takes the place of " + key + ", which has no effect beside it");
-}
-
-}  // namespace
 
 bool Script::hides(std::size_t extension) const {
-  if (playback != nullptr) return withheld[extension] || !playback->extensions.contains(extensions[extension].name);
   return withheld[extension] ||
          (clock == Clock::Kind::manual && extension == static_cast<std::size_t>(Extension::timespec));
 }
@@ -74,7 +48,7 @@ WorldSettings read_world(const Json& json) {
   return world;
 }
 
-Script read_script(const Json& json, Recording& recording) {
+Script read_script(const Json& json) {
   Script script;
   if (json.value("clock", "manual") == "real-time") script.clock = Clock::Kind::real_time;
   if (json.contains("frame_rate_hz")) script.frame_period = std::llround(1e9 / json["frame_rate_hz"].get<double>());
@@ -94,23 +68,16 @@ Script read_script(const Json& json, Recording& recording) {
            [&](const Json& event, const std::string& where) { script.events.push_back(read_event(event, where)); });
   for_each(json, "calls",
            [&](const Json& call, const std::string& where) { script.calls.push_back(read_call(call, where)); });
-  if (json.contains("playback")) {
-    script.hand_tracking = recording.hand_tracking;
-    script.calls.insert(script.calls.end(), recording.failures.begin(), recording.failures.end());
-    script.playback = std::make_shared<const Recording>(std::move(recording));
-  }
   return script;
 }
 
 }  // namespace
 
 Script parse_script(std::string_view text) try {
-  Recording recording;
-  Json json = parse(text, recording);
-  if (json.contains("playback")) check_playback(json);
+  Json json = parse_json(text, "script");
   static const Json schema = Json::parse(script_schema_text);
   check_json(json, schema, "script");
-  return read_script(json, recording);
+  return read_script(json);
 } catch (const Refusal& refusal) {
   throw Error{XR_ERROR_VALIDATION_FAILURE, refusal.what()};
 }

@@ -3,13 +3,11 @@
 
 #include <openxr/openxr.h>
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "samples/mock_runtime/extensions.h"
-#include "samples/mock_runtime/playback/recording.h"
 #include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/clock.h"
 #include "samples/mock_runtime/world/settings.h"
@@ -27,12 +25,10 @@ struct Script {
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;
-  std::shared_ptr<const Recording> playback;  ///< in place of the simulation; may be null
 
   bool has_picture_events() const;
 
-  /// By Extension: withheld, not enabled in what is played back, or without a meaning: under the manual clock
-  /// no time of the machine is an XrTime.
+  /// By Extension: withheld, or without a meaning: under the manual clock no time of the machine is an XrTime.
   bool hides(std::size_t extension) const;
 };
 

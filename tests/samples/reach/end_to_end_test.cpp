@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "tests/samples/reach/hand_path.h"
 #include "tests/samples/reach/program.h"
 
 namespace hrt::reach {
@@ -111,6 +112,37 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
 TEST(ReachCommandLine, ExplainsItself) {
   const Outcome help = expect_exit(0, run_program({"--help"}));
   EXPECT_TRUE(has(help.out, {"scene", "--plugin", "--target", "--seed", "--hand", "Exit codes", "XR_RUNTIME_JSON"}));
+}
+
+// LunarG's layer, as Debian packages it, reports every mistake of an application and of a runtime that it finds, and
+// changes nothing.
+TEST(ReachLayers, CoreValidationHasNothingToSay) {
+  const std::string recentred = R"("events": [{"frame": 90, "do": "recenter", "space": "STAGE",
+      "position_m": [0.1, 0, 0.2], "yaw_deg": 15}], )";
+  struct Case {
+    std::string script;
+    std::vector<std::string> arguments;
+  };
+  for (const auto& [script, arguments] :
+       {Case{"{}", {}},
+        Case{"{" + calm + R"(, "events": [{"session": 1, "frame": 60, "do": "lose_session"}]})",
+             {"--target", "bottle"}},
+        Case{R"({"events": [{"frame": 400, "do": "session_state", "state": "LOSS_PENDING"}]})", {}},
+        Case{Path(plate_of_desk).reach().rest(2000).script(recentred),
+             {"--target", "bottle", "--person", "--plate", "servo"}}}) {
+    const std::string report = scratch_folder() + "/report.txt";
+    auto environment = scripted_environment(script);
+    environment["XR_ENABLE_API_LAYERS"] = "XR_APILAYER_LUNARG_core_validation";
+    environment["XR_CORE_VALIDATION_EXPORT_TYPE"] = "text";
+    environment["XR_CORE_VALIDATION_FILE_NAME"] = report;
+    environment["ASAN_OPTIONS"] = "detect_leaks=0";  // Debian 13's layers leak
+    std::vector<std::string> whole = arguments;
+    whole.insert(whole.begin(), desk);
+    const Outcome outcome = expect_exit(0, run_program(whole, environment));
+    EXPECT_TRUE(has(outcome.err, "Core Validation output type")) << "the layer is not there";
+    EXPECT_EQ(validation_findings(report), "") << script;
+    EXPECT_EQ(outcome.out, run_scripted(script, whole).out) << script;
+  }
 }
 
 }  // namespace
