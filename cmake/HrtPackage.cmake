@@ -52,6 +52,7 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPO
 install(FILES plugin/THIRD_PARTY_NOTICES.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 install(FILES scene/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME scene.md COMPONENT development)
+install(DIRECTORY samples/hello DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 foreach(page SETUP PROCESS README)  # the last refers to the others
   hrt_install_readme(${CMAKE_CURRENT_SOURCE_DIR}/plugin/${page}.md ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 endforeach()
@@ -63,6 +64,8 @@ if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
   install(TARGETS hrtx_mock_runtime LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_mock_runtime.json DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/hrtx-run TYPE BIN COMPONENT mock_runtime EXCLUDE_FROM_ALL)
+  install(FILES samples/app/xr/openxr_hrtx_ridged_plate.h samples/mock_runtime/openxr_hrtx_mock_control.h
+          TYPE INCLUDE COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_script.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/hrtx COMPONENT mock_runtime EXCLUDE_FROM_ALL)
 elseif(TARGET hrt-plate)  # Windows
