@@ -30,7 +30,10 @@ void MarkTouches::observe(const SetupSample& sample) {
   }
   if (!from_mm_) from_mm_ = sample.tracked_mm;
   finger_.observe(sample.time_ns, *sample.tracked_mm);
-  moved_ = moved_ || (finger_.smoothed() - *from_mm_).norm() > min_moved_mm;
+  if (!moved_ && (finger_.smoothed() - *from_mm_).norm() > min_moved_mm) {
+    moved_ = true;
+    finger_.lift();  // if it comes back soon, the rest before does not continue
+  }
   if (!moved_ || finger_.rest_s() < touch_s) return;
   touches_[static_cast<std::size_t>(count_++)] = {sample.time_ns, finger_.rest_place(),
                                                   sample.joint_rotation.value_or(Eigen::Matrix3d::Identity())};

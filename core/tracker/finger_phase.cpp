@@ -10,7 +10,7 @@
 namespace hrt {
 namespace {
 
-// Ends of a window this many limits apart are not those of a rest.
+// A window whose ends are this many limits apart, or whose middle is this far from its ends, is not that of a rest.
 constexpr double clearly_moving_limits = 4.0;
 
 }  // namespace
@@ -128,16 +128,26 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   if (limit_mm <= 0.0 ||
       square_distance_mm2(places_[0].position, places_[count - 1].position) > square(clearly_moving_limits * limit_mm))
     return false;
-  // Least squares: the slope is the moment about the middle over the spread.
-  Point moment = 0.0 * places_[0].position;
+  // Least squares of a parabola in orthogonal parts: slope and curvature are the moments of their weights over the
+  // spreads of these.
+  const Point zero = 0.0 * places_[0].position;
+  Point moment = zero;
+  Point bend = zero;
   double spread = 0.0;
+  double bend_spread = 0.0;
+  const double mean_square = (square(count) - 1.0) / 12.0;
   for (int i = 0; i < count; ++i) {
     const double centred = 0.5 * (count - 1) - i;
+    const double curved = square(centred) - mean_square;
     moment = moment + centred * places_[i].position;
-    spread += centred * centred;
+    bend = bend + curved * places_[i].position;
+    spread += square(centred);
+    bend_spread += square(curved);
   }
-  const double displacement_mm = (count - 1) / spread * std::sqrt(square_distance_mm2(moment, 0.0 * moment));
+  const double displacement_mm = (count - 1) / spread * std::sqrt(square_distance_mm2(moment, zero));
   if (displacement_mm > limit_mm) return false;
+  const double sagitta_mm = square(0.5 * (count - 1)) / bend_spread * std::sqrt(square_distance_mm2(bend, zero));
+  if (sagitta_mm > clearly_moving_limits * limit_mm) return false;
   const Rest before = rest_;
   const double begun_s = places_[count - 1].time_s;
   // In the first half of a long window the finger may still come to rest.

@@ -10,11 +10,11 @@
 //           come off by so much. While few steps have been seen, sigma is at least the deviation of the steps with a
 //           factor 1 + 2 / steps.
 //   still   Over the last T seconds and 10 places at least, all since it left, the displacement d along the
-//   least-squares
-//           line is small. A line through n places of white noise has d = sigma sqrt(12 / n), correlated noise up to
-//           sqrt(2) sigma. If the caller knows the motion's speed v: T = 0.11 s, d < 2.5 sigma and d + sigma < v T.
-//           Else T = 0.11 s + 2.5 sigma / (15 mm/s), so that a slow motion does not pass for a rest, and
-//           d < max(2.5 sigma, 8.6 mm/s T), since a resting hand creeps.
+//           least-squares line is small, and the sagitta of the least-squares parabola is at most four times as large:
+//           a finger that turns back has no displacement. A line through n places of white noise has d = sigma sqrt(12
+//           / n), correlated noise up to sqrt(2) sigma. If the caller knows the motion's speed v: T = 0.11 s, d < 2.5
+//           sigma and d + sigma < v T. Else T = 0.11 s + 2.5 sigma / (15 mm/s), so that a slow motion does not pass for
+//           a rest, and d < max(2.5 sigma, 8.6 mm/s T), since a resting hand creeps.
 //   wild    At rest, a position further from the last place than 600 mm/s * elapsed + 5.7 sigma (4 sigma of a
 //           difference) is ignored, twice in a row at most. The third is believed: the finger rests there.
 //   rest    Its place is the running mean of places within 3 sigma, with a memory of 1 s. It lasts while the finger has

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/setup/setup.h"
+#include "core/simulation/random.h"
 #include "tests/times.h"
 
 namespace hrt {
@@ -40,6 +41,28 @@ TEST(MarkTouches, TakeAFingerThatCameAndStayed) {
   for (; t <= 2800; t += 10) touches.observe(lost(t));
   for (; t <= 3600; t += 10) touches.observe(at(t, 20.0, 0.0));
   EXPECT_TRUE(touches.complete()) << "it was away, and may have come back";
+}
+
+// Touches of one mark, 40 mm up and down at 0.4 m/s between them, as often as asked: each takes a rest of its own, and
+// no turn at the top is one.
+TEST(MarkTouches, ABriefLiftIsNoTouchAndEndsTheLastOne) {
+  for (const int period_ms : {4, 11, 17, 33}) {
+    Draws draws(6, 0, 0, 0);
+    MarkTouches touches;
+    touches.begin(MarkTouches::max_touches);
+    int held = 0, t = 0;
+    for (; t < 10 * 1600; t += period_ms) {  // 0.2 s of motion, 1.4 s of rest
+      const double height_mm = std::max(0.0, 40.0 - 0.4 * std::abs(t % 1600 - 100));
+      SetupSample sample = at(t, 1.2 * draws.normal(), 1.2 * draws.normal());
+      sample.tracked_mm->y() = height_mm + 1.2 * draws.normal();
+      const int before = touches.count();
+      touches.observe(sample);
+      EXPECT_TRUE(touches.count() == before || t % 1600 > 800) << period_ms;
+      held += touches.holding() && t % 1600 < 200;
+    }
+    EXPECT_EQ(touches.count(), 10) << period_ms;
+    EXPECT_EQ(held, 0) << period_ms;
+  }
 }
 
 class SlideWatchTest : public ::testing::Test {

@@ -108,6 +108,16 @@ TEST(FingerPhase, AFingerThatIsSoonBackHasNotLeft) {
   EXPECT_NEAR(watch.finger.rest_s(), 0.84, 1e-9);
 }
 
+// 60 mm up and down at 0.4 m/s: the line through a window about the turn is level.
+TEST(FingerPhase, AFingerThatTurnsBackDoesNotPause) {
+  FingerWatch watch;
+  watch.until(0.5);
+  for (int n = 0; n < 30; ++n) {
+    watch.see({10.0, 10.0 - std::abs(60.0 - 4.0 * n)});
+    EXPECT_NE(watch.finger.phase(), Phase::paused) << n;
+  }
+}
+
 TEST(FingerPhase, AGapRestartsTheDurationOfARest) {
   FingerWatch watch;
   watch.until(0.4);
