@@ -4,32 +4,6 @@
 #include "samples/mock_runtime/world/hand_model.h"
 
 namespace hrt::mock {
-namespace {
-
-void write_inactive(XrHandJointLocationsEXT& locations, XrHandJointVelocitiesEXT* velocities) {
-  locations.isActive = XR_FALSE;
-  std::fill_n(locations.jointLocations, XR_HAND_JOINT_COUNT_EXT, XrHandJointLocationEXT{0, to_xr(Pose{}), 0.0F});
-  if (velocities != nullptr)
-    std::fill_n(velocities->jointVelocities, XR_HAND_JOINT_COUNT_EXT, XrHandJointVelocityEXT{});
-}
-
-// Of a joint at a position in the world, seen along axes.
-XrHandJointVelocityEXT velocity_at(const Eigen::Vector3d& position_m, const HandState& hand,
-                                   const Eigen::Quaterniond& from_world, Velocities kind) {
-  XrHandJointVelocityEXT velocity{};
-  if (kind == Velocities::none) return velocity;
-  velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
-  if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
-  if (kind == Velocities::zero) return velocity;
-  const Eigen::Vector3d linear =
-      hand.index_tip_velocity_m_per_s + hand.angular_velocity_rad_per_s.cross(position_m - hand.index_tip_m);
-  velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world * linear));
-  if (kind == Velocities::full)
-    velocity.angularVelocity = to_xr(Eigen::Vector3d(from_world * hand.angular_velocity_rad_per_s));
-  return velocity;
-}
-
-}  // namespace
 
 void create_hand_tracker(Session& session, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* tracker) {
   require(info->hand == XR_HAND_LEFT_EXT || info->hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE,
@@ -55,6 +29,7 @@ void locate_hand_joints(HandTracker& tracker, const XrHandJointsLocateInfoEXT* i
     require(velocities->jointCount == XR_HAND_JOINT_COUNT_EXT, XR_ERROR_VALIDATION_FAILURE,
             "jointCount of the default set is 26");
     require_pointer(velocities->jointVelocities, "jointVelocities");
+    std::fill_n(velocities->jointVelocities, velocities->jointCount, XrHandJointVelocityEXT{});
   }
 
   World& world = tracker.session().world();
@@ -63,20 +38,15 @@ void locate_hand_joints(HandTracker& tracker, const XrHandJointsLocateInfoEXT* i
   const bool focused = tracker.session().state() == XR_SESSION_STATE_FOCUSED;
   const auto hand = world.hand(tracker.hand, info->time);
   const auto base_in_world = base.in_world(info->time);
-  if (!focused || !hand || !base_in_world) return write_inactive(*locations, velocities);
-  locations->isActive = XR_TRUE;
+  locations->isActive = XrBool32{focused && hand && base_in_world};
+  std::fill_n(locations->jointLocations, locations->jointCount, XrHandJointLocationEXT{0, to_xr(Pose{}), 0.0F});
+  if (locations->isActive == XR_FALSE) return;
   const Pose from_world = inverse(*base_in_world);
-  const XrSpaceLocationFlags position_tracked =
-      base.is_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  const XrSpaceLocationFlags flags = base.is_in_room() && !base.can_see_room() ? position_inferred : all_location_flags;
   const HandJoints joints = place_hand(tracker.hand, hand->index_tip_m, hand->orientation);
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    locations->jointLocations[i] = {XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
-                                        XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
-                                    to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)};
-    if (velocities != nullptr)
-      velocities->jointVelocities[i] =
-          velocity_at(joints[i].pose.position_m, *hand, from_world.orientation, world.velocities());
-  }
+  std::transform(joints.begin(), joints.end(), locations->jointLocations, [&](const HandJoint& joint) {
+    return XrHandJointLocationEXT{flags, to_xr(from_world * joint.pose), static_cast<float>(joint.radius_m)};
+  });
 }
 
 }  // namespace hrt::mock

@@ -8,10 +8,6 @@ namespace {
 // Within a seated user's reach.
 constexpr XrExtent2Df stage_bounds_m{2.0F, 2.0F};
 
-constexpr XrSpaceLocationFlags all_location_flags =
-    XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
-    XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-
 std::vector<XrReferenceSpaceType> reference_spaces(const Session& session) {
   std::vector types{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
   if (runtime().script.stage) types.push_back(XR_REFERENCE_SPACE_TYPE_STAGE);
@@ -26,46 +22,19 @@ void require_reference_space(const Session& session, XrReferenceSpaceType type) 
           "reference spaces are VIEW, LOCAL, STAGE and, of OpenXR 1.1 or XR_EXT_local_floor, LOCAL_FLOOR");
 }
 
-XrSpaceLocationFlags flags_of(const Space& space, const Space& base) {
+// Velocities, which may follow, have no valid bit.
+template <typename Location>
+void write_location(const Space& space, const Space& base, XrTime time, Location& location) {
+  const auto of = space.in_world(time), in = base.in_world(time);
   const bool seen = space.is_in_room() == base.is_in_room() || base.can_see_room();
-  return seen ? all_location_flags : all_location_flags & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-}
-
-struct Location {
-  XrSpaceLocationFlags flags;
-  XrPosef pose;
-  XrSpaceVelocityFlags velocity_flags;
-  XrVector3f linear;
-  XrVector3f angular;
-};
-
-Location location_of(const Space& space, const Space& base, XrTime time) {
-  Location location{};
-  location.pose = to_xr(Pose{});
-  const auto of = space.motion(time), in = base.motion(time);
-  if (!of || !in) return location;
-  const Motion motion = relative(*of, *in);
-  return {flags_of(space, base), to_xr(motion.pose),
-          XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT, to_xr(motion.velocity_m_per_s),
-          to_xr(motion.angular_velocity_rad_per_s)};
-}
-
-// As far as it is asked for.
-template <typename Output, typename Velocity>
-void write_location(const Location& from, Output& location, Velocity* velocity) {
-  location.locationFlags = from.flags;
-  location.pose = from.pose;
-  if (velocity == nullptr) return;
-  velocity->velocityFlags = from.velocity_flags;
-  velocity->linearVelocity = from.linear;
-  velocity->angularVelocity = from.angular;
+  location.locationFlags = !of || !in ? 0 : seen ? all_location_flags : position_inferred;
+  location.pose = to_xr(of && in ? inverse(*in) * *of : Pose{});
 }
 
 // 0: the left eye; 1: the right eye.
 Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
   constexpr double half_distance_m = 0.0315;
-  return session.world().head(time).pose *
-         Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};
+  return session.world().head(time) * Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};
 }
 
 }  // namespace
@@ -76,20 +45,16 @@ Space& space_of(const Session& session, XrSpace handle) {
   return space;
 }
 
-std::optional<Motion> Space::motion(XrTime time) const {
+std::optional<Pose> Space::in_world(XrTime time) const {
   if (!reference_) return std::nullopt;
-  if (*reference_ == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset_;
-  return Motion{session().world().origins.in_world(*reference_, time) * offset_};
+  World& world = session().world();
+  const bool is_view = *reference_ == XR_REFERENCE_SPACE_TYPE_VIEW;
+  return (is_view ? world.head(time) : world.origins.in_world(*reference_, time)) * offset_;
 }
 
 bool Space::is_in_room() const { return reference_ && *reference_ != XR_REFERENCE_SPACE_TYPE_VIEW; }
 
 bool Space::can_see_room() const { return !session().world().head_is_lost(); }
-
-std::optional<Pose> Space::in_world(XrTime time) const {
-  const auto moving = motion(time);
-  return moving ? std::optional(moving->pose) : std::nullopt;
-}
 
 void enumerate_reference_spaces(Session& session, std::uint32_t capacity, std::uint32_t* count,
                                 XrReferenceSpaceType* types) {
@@ -124,8 +89,9 @@ XrResult get_reference_space_bounds_rect(Session& session, XrReferenceSpaceType 
 void locate_space(Space& space, Space& base, XrTime time, XrSpaceLocation* location) {
   require(space.parent() == base.parent(), XR_ERROR_VALIDATION_FAILURE, "the spaces are of different sessions");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  auto* velocity = chained<XrSpaceVelocity>(location->next);
-  write_location(location_of(space, base, time), *location, velocity);
+  if (auto* velocity = chained<XrSpaceVelocity>(location->next))
+    *velocity = {.type = velocity->type, .next = velocity->next};
+  write_location(space, base, time, *location);
 }
 
 void locate_spaces(Session& session, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
@@ -138,14 +104,14 @@ void locate_spaces(Session& session, const XrSpacesLocateInfo* info, XrSpaceLoca
     require(velocities->velocityCount == info->spaceCount, XR_ERROR_VALIDATION_FAILURE,
             "velocityCount is not spaceCount");
     require_pointer(velocities->velocities, "velocities");
+    std::fill_n(velocities->velocities, velocities->velocityCount, XrSpaceVelocityData{});
   }
   const Space& base = space_of(session, info->baseSpace);
   require(info->time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   std::vector<const Space*> spaces;
   for (std::uint32_t i = 0; i < info->spaceCount; ++i) spaces.push_back(&space_of(session, info->spaces[i]));
   for (std::uint32_t i = 0; i < info->spaceCount; ++i)
-    write_location(location_of(*spaces[i], base, info->time), locations->locations[i],
-                   velocities == nullptr ? nullptr : &velocities->velocities[i]);
+    write_location(*spaces[i], base, info->time, locations->locations[i]);
 }
 
 void destroy_space(XrSpace handle) { runtime().registry.destroy(runtime().registry.get_even_lost<Space>(handle)); }

@@ -9,6 +9,11 @@
 
 namespace hrt::mock {
 
+inline constexpr XrSpaceLocationFlags position_inferred = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT |
+                                                          XR_SPACE_LOCATION_POSITION_VALID_BIT |
+                                                          XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
+inline constexpr XrSpaceLocationFlags all_location_flags = position_inferred | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+
 class Space : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SPACE;
@@ -20,7 +25,6 @@ class Space : public Object {
   Session& session() const { return static_cast<Session&>(*parent()); }
 
   /// In the world at a time; none for the space of an action, since there are no controllers.
-  std::optional<Motion> motion(XrTime time) const;
   std::optional<Pose> in_world(XrTime time) const;
 
   /// A reference space other than VIEW. While the headset has lost track, positions in it are inferred.

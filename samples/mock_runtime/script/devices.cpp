@@ -5,15 +5,10 @@
 namespace hrt::mock {
 
 TrackerSettings read_tracker(const Json& tracker) {
-  static const Names<Velocities> velocities{{"none", Velocities::none},
-                                            {"zero", Velocities::zero},
-                                            {"linear", Velocities::linear},
-                                            {"full", Velocities::full}};
   TrackerSettings settings;
   settings.noise_m = tracker["noise_mm"].get<double>() * 1e-3;
   settings.latency_ns = nanoseconds(tracker["latency_ms"]);
   if (tracker.contains("rate_hz")) settings.period_ns = std::llround(1e9 / tracker["rate_hz"].get<double>());
-  settings.velocities = meaning(tracker["velocities"], velocities);
   return settings;
 }
 

@@ -46,10 +46,10 @@ void Reach::advance(XrTime time, const PlateModel& plate) {
   }
 }
 
-FingerMotion Reach::motion(XrTime time, const PlateModel& plate) const {
+Eigen::Vector2d Reach::position_m(XrTime time, const PlateModel& plate) const {
   const std::size_t made = path_.size() - 1;
   const XrDuration elapsed = time - moves_;
-  if (elapsed < 0) return {path_.front(), Eigen::Vector2d::Zero()};
+  if (elapsed < 0) return path_.front();
   const auto millisecond = static_cast<std::size_t>(elapsed / millisecond_ns);
   Eigen::Vector2d from = path_[std::min(millisecond, made)];
   Eigen::Vector2d to = path_[std::min(millisecond + 1, made)];
@@ -63,8 +63,7 @@ FingerMotion Reach::motion(XrTime time, const PlateModel& plate) const {
     }
   }
   constexpr double millisecond_s = 1e-3;
-  const Eigen::Vector2d velocity_m_per_s = (to - from) / millisecond_s;
-  return {from + static_cast<double>(elapsed % millisecond_ns) * 1e-9 * velocity_m_per_s, velocity_m_per_s};
+  return from + static_cast<double>(elapsed % millisecond_ns) * 1e-9 * ((to - from) / millisecond_s);
 }
 
 }  // namespace hrt::mock

@@ -21,12 +21,6 @@ struct ReachInstruction {
   double path_length_m;
 };
 
-/// The fingertip at a time: x, z.
-struct FingerMotion {
-  Eigen::Vector2d position_m;
-  Eigen::Vector2d velocity_m_per_s;
-};
-
 class Reach {
  public:
   /// Instructed at `start`. `number` counts the reaches of a session and, with the seed, fixes the noise.
@@ -37,8 +31,8 @@ class Reach {
   /// is as of the last call.
   void advance(XrTime time, const PlateModel& plate);
 
-  /// At any time; a future time is predicted without further plate commands.
-  FingerMotion motion(XrTime time, const PlateModel& plate) const;
+  /// The fingertip's x and z at any time; a future time is predicted without further plate commands.
+  Eigen::Vector2d position_m(XrTime time, const PlateModel& plate) const;
 
   double tactile_weight() const { return simulated_.illusion.tactile_weight; }
   /// The outermost direction, to the left (`sign` > 0) or right, on which a plate within 75 degrees of the

@@ -15,15 +15,11 @@
 
 namespace hrt::mock {
 
-/// Content of XrHandJointVelocitiesEXT: nothing valid, valid zeros, valid linear ones only, or all.
-enum class Velocities { none, zero, linear, full };
-
 /// The hand tracker.
 struct TrackerSettings {
   double noise_m = 0.0;         ///< standard deviation of each coordinate, white, >= 0
   std::int64_t latency_ns = 0;  ///< a location at time t is that of t - latency, >= 0
   std::int64_t period_ns = 0;   ///< between samples; 0: a sample for every requested time
-  Velocities velocities = Velocities::full;
 };
 
 /// Slides over the placed plate, one after the other, that nobody instructs; in plate coordinates.

@@ -84,7 +84,7 @@ const Reach* World::reach(XrHandEXT side) const {
 
 Eigen::Vector3d World::true_index_tip_m(XrHandEXT side) const {
   const Hand& hand = at(side);
-  const Eigen::Vector2d tip_m = hand.reach->motion(now_, servo_).position_m;
+  const Eigen::Vector2d tip_m = hand.reach->position_m(now_, servo_);
   return {tip_m.x(), hand.height_m, tip_m.y()};
 }
 
@@ -115,35 +115,31 @@ std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {
   if (settings_.tracker.period_ns > 0) sampled -= sampled % settings_.tracker.period_ns;
   HandState state = hand.reach ? sliding_hand(hand, side, sampled) : hand_on_path(side, sampled);
   state.index_tip_m += tracker_noise_m(side, sampled) + hand.jump_m;
-  if (hand.frozen_at) state.index_tip_velocity_m_per_s = state.angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
   return state;
 }
 
 HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
   const HandSettings& settings = settings_of(side);
   if (settings.path.empty()) return resting_hand(side);
-  const Motion motion = motion_at(settings.path, time - start_);
-  return {local_space_in_world() * motion.pose.position_m, motion.pose.orientation, motion.velocity_m_per_s,
-          motion.angular_velocity_rad_per_s};
+  const Pose pose = pose_at(settings.path, time - start_);
+  return {local_space_in_world() * pose.position_m, pose.orientation};
 }
 
-Motion World::head(XrTime time) const {
-  if (settings_.head.empty()) return {local_space_in_world()};
-  Motion head = motion_at(settings_.head, head_lost_at_.value_or(time) - start_);
-  head.pose.position_m = local_space_in_world() * head.pose.position_m;  // LOCAL is not turned
-  return head_lost_at_ ? Motion{head.pose} : head;
+Pose World::head(XrTime time) const {
+  if (settings_.head.empty()) return local_space_in_world();
+  Pose head = pose_at(settings_.head, head_lost_at_.value_or(time) - start_);
+  head.position_m = local_space_in_world() * head.position_m;  // LOCAL is not turned
+  return head;
 }
 
 HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const {
-  const auto [tip_m, velocity] = hand.reach->motion(time, servo_);
+  const Eigen::Vector2d tip_m = hand.reach->position_m(time, servo_);
   // The forearm turns about the elbow: the hand's yaw is the direction from elbow to fingertip.
   const Eigen::Vector2d elbow_m(side == XR_HAND_LEFT_EXT ? -elbow_right_m : elbow_right_m, elbow_behind_m);
   const Eigen::Vector2d arm_m = tip_m - elbow_m;
   const double yaw_deg = atan2_deg(-arm_m.x(), -arm_m.y());
-  const double yaw_rad_per_s = (arm_m.y() * velocity.x() - arm_m.x() * velocity.y()) / arm_m.squaredNorm();
-  const Eigen::Quaterniond& plate = plate_->orientation;
-  return {*plate_ * Eigen::Vector3d(tip_m.x(), hand.height_m, tip_m.y()), plate * hand_orientation(yaw_deg),
-          plate * Eigen::Vector3d(velocity.x(), 0.0, velocity.y()), plate * Eigen::Vector3d(0.0, yaw_rad_per_s, 0.0)};
+  return {*plate_ * Eigen::Vector3d(tip_m.x(), hand.height_m, tip_m.y()),
+          plate_->orientation * hand_orientation(yaw_deg)};
 }
 
 Eigen::Vector3d World::tracker_noise_m(XrHandEXT side, XrTime time) const {

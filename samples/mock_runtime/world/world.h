@@ -20,8 +20,6 @@ Eigen::Quaterniond resting_hand_orientation();
 struct HandState {
   Eigen::Vector3d index_tip_m;
   Eigen::Quaterniond orientation;  ///< of the wrist
-  Eigen::Vector3d index_tip_velocity_m_per_s = Eigen::Vector3d::Zero();
-  Eigen::Vector3d angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
 };
 
 /// The head of the seated user, and LOCAL space, when the session is created.
@@ -81,12 +79,10 @@ class World {
   void lose_head(bool lost) { head_lost_at_ = lost ? std::optional(head_lost_at_.value_or(now_)) : std::nullopt; }
   bool head_is_lost() const { return head_lost_at_.has_value(); }
 
-  Motion head(XrTime time) const;
+  Pose head(XrTime time) const;
 
   /// The origins of the reference spaces.
   Origins origins;
-
-  Velocities velocities() const { return settings_.tracker.velocities; }
 
   /// Lets time pass up to `now`. Commands given before now have been given before.
   void advance(XrTime now);
