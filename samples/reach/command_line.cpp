@@ -111,10 +111,6 @@ void add_place(CLI::App& app, Options& options) {
                "When registering, find first where the skin of the --hand touches, from the joint that is\n"
                "tracked, for a hand that does not keep one attitude; the file keeps it")
       ->needs(anew);
-  app.add_flag("--guides", options.guides,
-               "When registering, ask after it for slides along a guide to each real target, such as the plate's\n"
-               "printed strip: half the error or less; the file keeps it")
-      ->needs(anew);
   app.add_flag("--check-each", options.check_each,
                "Ask for the touch that checks a registered plate before every reach, not only the first");
   app.add_option("--marks", options.marks,

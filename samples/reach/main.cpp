@@ -223,7 +223,6 @@ class Run {
                     "without one");
     if (registered_) return void(check_plate(stage, *registered_));
     registered_ = register_plate(stage, marks_, options_.fingertip);
-    if (options_.guides) slide_along_guides(stage, &*registered_);
     write_registration(options_.register_to, registration_text(*registered_, stage.session));
   }
 

@@ -41,7 +41,6 @@ struct Options {
   double motor_variance_deg2 = 0.5;
   std::filesystem::path register_to;   ///< registers the plate and keeps it here; empty: does not
   std::filesystem::path registered;    ///< takes the plate from here; empty: from the scene
-  bool guides = false;                 ///< registering asks for slides along guides, too
   bool fingertip = false;              ///< registering finds where the hand's skin is, from its joint
   bool check_each = false;             ///< a touch checks the plate before every reach
   std::filesystem::path marks;         ///< that registering asks for; empty: the scene's start and rim

@@ -52,10 +52,6 @@ std::vector<Numbers> numbers_of(RegisteredPlate& plate) {
                               {"covariance", plate.found.plate.covariance},
                               {"check_m", plate.check.position_m}};
   if (plate.hand) all.push_back({"skin_m", plate.found.fingertip_offset_m});
-  if (plate.found.flags & HRT_SESSION_START_FELT) {
-    all.push_back({"contact_correction", plate.found.registration.contact_correction});
-    all.push_back({"contact_covariance", plate.found.registration.contact_covariance});
-  }
   return all;
 }
 
@@ -86,7 +82,6 @@ RegisteredPlate plate_of(const Json& json) {
     if (hand == std::end(hand_names)) throw std::invalid_argument("hand must be left or right");
     plate.hand = static_cast<Hand>(hand - std::begin(hand_names));
   }
-  if (json.contains("contact_correction")) plate.found.flags |= HRT_SESSION_START_FELT;
   take_numbers(numbers_of(plate), json);
   return plate;
 }
@@ -111,9 +106,7 @@ void put_registration(const RegisteredPlate& plate, hrt_session_config& config) 
   std::copy_n(plate.found.plate.rotation, 4, config.plate.rotation);
   std::copy_n(plate.found.plate.covariance, 6, config.plate.covariance);
   std::copy_n(plate.found.fingertip_offset_m, 3, config.fingertip_offset_m);
-  std::copy_n(plate.found.registration.contact_correction, 4, config.registration.contact_correction);
-  std::copy_n(plate.found.registration.contact_covariance, 10, config.registration.contact_covariance);
-  config.flags |= HRT_SESSION_REGISTERED | (plate.found.flags & HRT_SESSION_START_FELT);
+  config.flags |= HRT_SESSION_REGISTERED;
 }
 
 RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertip) {
@@ -132,12 +125,6 @@ RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool f
   place_plate(stage, plate);
   stage.tell_user(worth_of(stage));
   return plate;
-}
-
-void slide_along_guides(Stage& stage, RegisteredPlate* plate) {
-  SetUp(stage.plugin, stage.targets.session, HRT_SETUP_GUIDES, hrt_setup_config_init(), {}).run(stage);
-  plate->found = config_of(stage);
-  stage.tell_user("The guides are found. " + worth_of(stage));
 }
 
 double check_plate(Stage& stage, const RegisteredPlate& plate) {

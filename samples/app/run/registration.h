@@ -16,7 +16,7 @@ namespace hrt::app {
 struct RegisteredPlate {
   XrReferenceSpaceType space;
   Mark check;                  ///< touched before the reaches, to see whether the plate is where it was
-  hrt_session_config found{};  ///< pose, covariance, and if they were found the skin and what guides showed
+  hrt_session_config found{};  ///< pose, covariance, and the skin if it was found
   std::optional<Hand> hand;    ///< whose skin the touches were of, if that was found; else they were of the joint
 };
 
@@ -30,10 +30,6 @@ void place_plate(Stage& stage, const RegisteredPlate& plate);
 /// space there. With `fingertip`, asks before for touches of the first mark in different attitudes, and from
 /// then on locates the skin. Throws as SetUp::run().
 RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertip);
-
-/// Asks for slides along a guide to each real target, and adds what they show of the tracker's frame. Throws as
-/// SetUp::run().
-void slide_along_guides(Stage& stage, RegisteredPlate* plate);
 
 /// Places the session's plate space where the plate was registered, locates the skin of its hand, and asks
 /// for a touch that checks it. Throws as SetUp::run(); Failure (ExitCode::registration) if the plate is

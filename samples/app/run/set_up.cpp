@@ -60,9 +60,7 @@ SetUp::~SetUp() {
 // A check that fails is a result, and so is a calibration that its slides do not determine.
 void SetUp::check_dropped() const {
   const std::uint32_t touched = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION;
-  const bool moved = (result_.dropped & HRT_SETUP_CHECK) != 0;
-  if ((result_.dropped & touched) != 0 || (!moved && (result_.dropped & HRT_SETUP_GUIDES) != 0))
-    throw Failure(ExitCode::registration, result_.reason);
+  if ((result_.dropped & touched) != 0) throw Failure(ExitCode::registration, result_.reason);
   if ((result_.dropped & HRT_SETUP_CALIBRATION) != 0 && result_.slides == 0)
     throw Failure(ExitCode::no_hand, result_.reason);
 }

@@ -41,19 +41,6 @@ TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
   EXPECT_NEAR(kept["position_m"][2], PlatePose{}.z_m, 1e-4);
 }
 
-// The strip ends at the cylinder's nearer side. The file has what they showed for the next run.
-TEST_F(ReachRegistration, GoesOnWithGuides) {
-  constexpr int long_ms = 15'000;  // the busier the machine, the more of the hand's time passes while the fit is made
-  Path path = Path().touch(marks).hold(marks[0], 1000);
-  for (int there = 0; there < 3; ++there)
-    path.rest(1700).slide({0.0, -0.045}, 1000).rest(1700).slide({0.0, 0.05}, 1000);
-  expect_said(
-      expect_exit(0, run(path.rest(1700).lift().hold(marks[0], long_ms).reach(), {"--register", file, "--guides"})),
-      {"Slide along guide 1 to the object, without a lift", "back to the start", "The guides are found. For that"});
-  EXPECT_EQ(nlohmann::json::parse(read_file(file))["contact_covariance"].size(), 10U);
-  expect_exit(0, run(Path().hold(marks[0]).reach(), {"--registered", file}));
-}
-
 // The finger has met the cylinder, which shows where it is: of a plate that is registered.
 TEST_F(ReachRegistration, ReachesEndWithAContact) {
   const std::string recording = scratch_folder() + "/contact.csv";
