@@ -1,7 +1,6 @@
 // Pictures of 8 bits a channel, as a display shows them: sRGB.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,15 +14,8 @@ struct Picture {
 
   Picture() = default;
   Picture(std::uint32_t w, std::uint32_t h) : width(w), height(h), rgba(std::size_t{4} * w * h) {}
-  std::uint8_t* at(std::uint32_t x, std::uint32_t y) { return &rgba[4 * (std::size_t{y} * width + x)]; }
   const std::uint8_t* at(std::uint32_t x, std::uint32_t y) const { return &rgba[4 * (std::size_t{y} * width + x)]; }
 };
-
-/// How a swapchain's format stores a pixel.
-enum class PixelKind { rgba_srgb, bgra_srgb, rgba_linear, bgra_linear, half_linear };
-std::uint32_t bytes_of(PixelKind kind);
-/// From pixels in a row to those of a picture.
-void convert_pixels(PixelKind kind, const std::uint8_t* from, std::size_t count, std::uint8_t* rgba);
 
 /// FNV-1a of size and pixels, in 16 hexadecimal digits.
 std::string hash_of(const Picture& picture);

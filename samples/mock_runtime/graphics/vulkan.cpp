@@ -1,5 +1,6 @@
 // Swapchains of the application's own Vulkan device.
 #include <array>
+#include <cstring>
 
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/graphics/device.h"
@@ -32,24 +33,9 @@ void check_vulkan(VkResult result, const char* what) {
               std::string(what) + " returns VkResult " + std::to_string(result)};
 }
 
-struct VulkanFormat {
-  VkFormat format;
-  PixelKind kind;
-};
 constexpr VkImageLayout attachment_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-constexpr std::array vulkan_formats{
-    VulkanFormat{VK_FORMAT_R8G8B8A8_SRGB, PixelKind::rgba_srgb},
-    VulkanFormat{VK_FORMAT_B8G8R8A8_SRGB, PixelKind::bgra_srgb},
-    VulkanFormat{VK_FORMAT_R16G16B16A16_SFLOAT, PixelKind::half_linear},
-    VulkanFormat{VK_FORMAT_R8G8B8A8_UNORM, PixelKind::rgba_linear},
-    VulkanFormat{VK_FORMAT_B8G8R8A8_UNORM, PixelKind::bgra_linear},
-};
-
-PixelKind kind_of(std::int64_t format) {
-  return std::find_if(vulkan_formats.begin(), vulkan_formats.end(),
-                      [&](const VulkanFormat& each) { return each.format == format; })
-      ->kind;
-}
+// Of four bytes a pixel.
+constexpr std::array vulkan_formats{VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_B8G8R8A8_SRGB};
 
 VkImageUsageFlags usage_of(XrSwapchainUsageFlags flags) {
   VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;  // to read it back
@@ -91,11 +77,10 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
 
   std::vector<std::int64_t> formats() const override {
     std::vector<std::int64_t> found;
-    for (const VulkanFormat& each : vulkan_formats) {
+    for (const VkFormat format : vulkan_formats) {
       VkFormatProperties properties{};
-      vk.vkGetPhysicalDeviceFormatProperties(physical_, each.format, &properties);
-      if ((properties.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) != 0)
-        found.push_back(each.format);
+      vk.vkGetPhysicalDeviceFormatProperties(physical_, format, &properties);
+      if ((properties.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) != 0) found.push_back(format);
     }
     return found;
   }
@@ -189,7 +174,7 @@ using DeviceBuffer = Resource<VkBuffer, VkBufferCreateInfo, &VulkanFunctions::vk
 class VulkanImages : public SwapchainImages {
  public:
   VulkanImages(std::shared_ptr<const VulkanDevice> device, const VkImageCreateInfo& info, std::uint32_t count)
-      : device_(std::move(device)), info_(info), kind_(kind_of(info.format)) {
+      : device_(std::move(device)), info_(info) {
     for (std::uint32_t i = 0; i < count; ++i) images_.push_back(std::make_unique<DeviceImage>(device_, info_, 0));
   }
   ~VulkanImages() override { device_->vk.vkDeviceWaitIdle(device_->handle()); }
@@ -210,9 +195,8 @@ class VulkanImages : public SwapchainImages {
 
   Picture read(std::uint32_t index, const XrRect2Di& part, std::uint32_t layer) override {
     Picture picture(static_cast<std::uint32_t>(part.extent.width), static_cast<std::uint32_t>(part.extent.height));
-    const std::size_t pixels = std::size_t{picture.width} * picture.height;
     VkBufferCreateInfo needed{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
-    needed.size = pixels * bytes_of(kind_);
+    needed.size = picture.rgba.size();
     needed.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     const DeviceBuffer buffer(device_, needed,
                               VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
@@ -230,14 +214,15 @@ class VulkanImages : public SwapchainImages {
     });
     void* read = nullptr;
     check_vulkan(device_->vk.vkMapMemory(device_->handle(), buffer.memory, 0, VK_WHOLE_SIZE, 0, &read), "vkMapMemory");
-    convert_pixels(kind_, static_cast<const std::uint8_t*>(read), pixels, picture.rgba.data());
+    std::memcpy(picture.rgba.data(), read, picture.rgba.size());
+    for (std::size_t i = 0; info_.format == VK_FORMAT_B8G8R8A8_SRGB && i < picture.rgba.size(); i += 4)
+      std::swap(picture.rgba[i], picture.rgba[i + 2]);
     return picture;
   }
 
  private:
   std::shared_ptr<const VulkanDevice> device_;
   VkImageCreateInfo info_;
-  PixelKind kind_;
   std::vector<std::unique_ptr<DeviceImage>> images_;
 };
 
