@@ -76,6 +76,7 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
           log(the, record);
         }
         lock.unlock();
+        if (fault->held != nullptr) flockfile(fault->held);
         do std::this_thread::sleep_for(fault->blocks ? std::chrono::hours(1) : fault->delay);
         while (fault->blocks);
         lock.lock();

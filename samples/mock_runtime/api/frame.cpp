@@ -55,7 +55,8 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
   frames.waited = true;
   frames.waited_number = session.frame_number;
   frames.last_display = std::max(frames.last_display + 1, frames.next_start);
-  state->predictedDisplayTime = runtime().script.frame_times ? frames.last_display : 0;
+  const XrTime predicted = runtime().script.frame_times ? frames.last_display : 0;
+  state->predictedDisplayTime = std::exchange(frames.ordered_display, std::nullopt).value_or(predicted);
   state->predictedDisplayPeriod = frame_period;
   state->shouldRender =
       draws && session.state() >= XR_SESSION_STATE_VISIBLE && session.state() <= XR_SESSION_STATE_FOCUSED ? XR_TRUE

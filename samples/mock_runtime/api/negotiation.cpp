@@ -28,7 +28,7 @@ void load_script() {
 }
 
 XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* request) {
-  if (!agrees(loader, request, runtime_request_type) || loader->min_api_version > max_api_version ||
+  if (!agrees(loader, request) || loader->min_api_version > max_api_version ||
       loader->max_api_version < min_api_version)
     return XR_ERROR_INITIALIZATION_FAILED;
   load_script();

@@ -86,6 +86,7 @@ void Session::happen(const Happening& what) {
     go_to(ends ? XR_SESSION_STATE_STOPPING : state->state);
   }
   if (std::holds_alternative<TakePicture>(what)) picture_from = std::max<std::int64_t>(1, frame_number);
+  if (const auto* frame = std::get_if<FrameTime>(&what)) frames.ordered_display = frame->time;
   if (const auto* recenter = std::get_if<Recenter>(&what)) happen(*recenter);
   if (std::holds_alternative<RepeatState>(what)) report_state();
   if (std::holds_alternative<LoseSession>(what)) lost = XR_ERROR_SESSION_LOST;
@@ -101,6 +102,7 @@ void Session::happen(const Happening& what) {
 void Session::happen(const HandEvent& event) {
   if (event.fault == HandFault::lost) world().lose_tracking(event.hand, event.begins);
   if (event.fault == HandFault::frozen) world().freeze(event.hand, event.begins);
+  if (event.fault == HandFault::unturned) world().lose_rotation(event.hand, event.begins);
   if (event.fault == HandFault::jump) world().jump(event.hand, event.jump_m);
 }
 

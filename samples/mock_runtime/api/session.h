@@ -19,9 +19,10 @@ struct FrameLoop {
   bool begun = false;              ///< a frame has been begun and not ended
   std::int64_t waited_number = 0;  ///< of that frame, over all runs
   std::int64_t begun_number = 0;
-  std::int64_t since_begin = 0;  ///< frames waited for since xrBeginSession
-  XrTime next_start = 0;         ///< of the next frame interval
-  XrTime last_display = 0;       ///< predicted for the latest frame
+  std::int64_t since_begin = 0;           ///< frames waited for since xrBeginSession
+  XrTime next_start = 0;                  ///< of the next frame interval
+  XrTime last_display = 0;                ///< predicted for the latest frame
+  std::optional<XrTime> ordered_display;  ///< by the script, for the next frame that is waited for
 };
 
 /// A session; at most one exists.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdio>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct CallFault {
   std::uint64_t count;             ///< affected calls in a row
   std::chrono::nanoseconds delay;  ///< in real time, before the call
   bool blocks;                     ///< the call never returns
+  std::FILE* held;                 ///< by a call that blocks: the lock of stdout or stderr; null: none
   std::optional<XrResult> result;  ///< the error; none: the call proceeds
 };
 

@@ -17,7 +17,7 @@
 
 namespace hrt::mock {
 
-enum class HandFault { lost, frozen, jump };
+enum class HandFault { lost, frozen, unturned, jump };
 struct HandEvent {
   HandFault fault;
   bool begins = true;  ///< or ends
@@ -38,6 +38,10 @@ struct Recenter {
   Pose pose;                                                   ///< of the new origin in the old space
   bool pose_valid = true;                                      ///< the application is given the pose
 };
+/// The frame that is waited for then is predicted for this time; 0: for none.
+struct FrameTime {
+  XrTime time = 0;
+};
 /// Of the next frame that the application ends.
 struct TakePicture {};
 struct RepeatState {};
@@ -45,8 +49,8 @@ struct LoseSession {};
 struct LoseInstance {};
 struct InstanceLossPending {};
 
-using Happening = std::variant<HandEvent, HeadEvent, StateEvent, Recenter, TakePicture, RepeatState, LoseSession,
-                               LoseInstance, InstanceLossPending>;
+using Happening = std::variant<HandEvent, HeadEvent, StateEvent, Recenter, FrameTime, TakePicture, RepeatState,
+                               LoseSession, LoseInstance, InstanceLossPending>;
 
 /// An event in a session.
 struct ScriptEvent {

@@ -24,7 +24,10 @@ const Names<Happening>& event_kinds() {
                                       {"regain_tracking", HandEvent{HandFault::lost, false}},
                                       {"freeze", HandEvent{HandFault::frozen}},
                                       {"unfreeze", HandEvent{HandFault::frozen, false}},
+                                      {"lose_rotation", HandEvent{HandFault::unturned}},
+                                      {"regain_rotation", HandEvent{HandFault::unturned, false}},
                                       {"jump", HandEvent{HandFault::jump}},
+                                      {"frame_time", FrameTime{}},
                                       {"session_state", StateEvent{}},
                                       {"recenter", Recenter{}},
                                       {"take_picture", TakePicture{}},
@@ -43,6 +46,7 @@ Happening read_happening(const Json& object) {
   Happening what = meaning(object["do"], event_kinds());
   if (auto* state = std::get_if<StateEvent>(&what)) state->state = meaning(object["state"], states);
   if (auto* recenter = std::get_if<Recenter>(&what)) *recenter = read_recenter(object);
+  if (auto* frame = std::get_if<FrameTime>(&what)) frame->time = nanoseconds(object["at_ms"]);
   auto* hand = std::get_if<HandEvent>(&what);
   if (hand == nullptr) return what;
   if (object.contains("of")) return HeadEvent{hand->begins};
@@ -68,7 +72,12 @@ CallFault read_call(const Json& object, const std::string& where) {
                   object["count"],
                   std::chrono::nanoseconds(nanoseconds(object["delay_ms"])),
                   object["block"],
+                  nullptr,
                   std::nullopt};
+  if (object.contains("holds")) {
+    if (!fault.blocks) refuse(where + ".holds", "needs a block that is true");
+    fault.held = object["holds"] == "stdout" ? stdout : stderr;
+  }
   const auto function = find_function(object["function"].get<std::string>());
   if (!function) refuse(where + ".function", "must be the name of a function of this runtime");
   fault.function = *function;

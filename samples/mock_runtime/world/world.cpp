@@ -115,6 +115,7 @@ std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {
   if (settings_.tracker.period_ns > 0) sampled -= sampled % settings_.tracker.period_ns;
   HandState state = hand.reach ? sliding_hand(hand, side, sampled) : hand_on_path(side, sampled);
   state.index_tip_m += tracker_noise_m(side, sampled) + hand.jump_m;
+  if (hand.unturned) state.orientation.coeffs().setZero();
   return state;
 }
 

@@ -72,6 +72,7 @@ class World {
   /// Faults of a hand.
   void lose_tracking(XrHandEXT hand, bool lost) { at(hand).lost = lost; }
   void freeze(XrHandEXT hand, bool frozen);
+  void lose_rotation(XrHandEXT hand, bool lost) { at(hand).unturned = lost; }
   void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
 
   /// The headset loses track of the room: it stays where it was for the application, and what it sees is
@@ -95,6 +96,7 @@ class World {
   struct Hand {
     bool tracked = false;
     bool lost = false;
+    bool unturned = false;  // its quaternions are zero
     std::optional<XrTime> frozen_at;
     Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();
     std::optional<Reach> reach;

@@ -1,5 +1,5 @@
-// A runtime that blocks while it holds the lock of a stream, and an error output that is not read. An API layer injects
-// the faults (faulty_layer.cpp).
+// A runtime that blocks while it holds the lock of a stream, an error output that is not read, and impossible times and
+// poses.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -17,24 +17,24 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-std::map<std::string, std::string> faulty(const std::string& fault, const std::string& script = "") {
-  auto environment = scripted_environment("{" + calm + script + "}");
-  environment["XR_API_LAYER_PATH"] = HRT_FAULTY_LAYER;
-  environment["XR_ENABLE_API_LAYERS"] = "XR_APILAYER_HRT_faulty";
-  environment["HRT_FAULT"] = fault;
-  return environment;
+std::map<std::string, std::string> calm_and(const std::string& faults) {
+  return scripted_environment("{" + calm + ", " + faults + "}");
+}
+
+std::map<std::string, std::string> blocked_with(const std::string& stream) {
+  return calm_and(R"("calls": [{"function": "xrWaitFrame", "call": 100, "block": true, "holds": ")" + stream + "\"}]");
 }
 
 // The 100th frame is within the first reach.
 TEST(ReachWatchdog, ABlockedRuntimeMayHoldAStream) {
   for (const std::string stream : {"stdout", "stderr"}) {
     const Files files;
-    const Outcome limited = run_program(files.arguments("1"), faulty("xrWaitFrame 100 " + stream));
+    const Outcome limited = run_program(files.arguments("1"), blocked_with(stream));
     EXPECT_EQ(limited.exit_code, 11) << stream << limited.err;
     EXPECT_TRUE(has(limited.err, "has not returned from xrWaitFrame within 1 s")) << stream;
 
     const Files others;
-    const Program program(others.arguments("60"), faulty("xrWaitFrame 100 " + stream));
+    const Program program(others.arguments("60"), blocked_with(stream));
     std::this_thread::sleep_for(2s);
     const auto began = Clock::now();
     program.send_signal(SIGTERM);
@@ -54,7 +54,7 @@ TEST(ReachWatchdog, AnErrorOutputThatNobodyReadsDelaysNothing) {
   }
   fcntl(ends[1], F_SETFL, 0);
   const Files files;
-  const Program limited(files.arguments("1"), faulty("xrWaitFrame 100 stdout"), ends[1]);
+  const Program limited(files.arguments("1"), blocked_with("stdout"), ends[1]);
   EXPECT_EQ(limited.wait().exit_code, 11);
   // Its own words block as a program's do, until a signal comes.
   const Program verbose({desk, "--verbose"}, mock_environment(), ends[1]);
@@ -65,26 +65,32 @@ TEST(ReachWatchdog, AnErrorOutputThatNobodyReadsDelaysNothing) {
   close(ends[1]);
 }
 
-// The layer refuses LOCAL_FLOOR, the first space that is made, as one does that is older than it.
+// The runtime refuses LOCAL_FLOOR, the first space that is made, as an API layer does that is older than it.
 TEST(ReachWatchdog, WithoutAFloorThePlateIsPlacedInLocal) {
-  const Outcome whole = run_scripted("{" + calm + R"(, "stage": false})", {desk});
-  const Outcome outcome =
-      expect_exit(0, run_program({desk}, faulty("xrCreateReferenceSpace 1 unknown", R"(, "stage": false)")));
-  EXPECT_EQ(rows_of(outcome).size(), 3U) << outcome.out;
-  EXPECT_EQ(rows_of(whole).size(), 3U) << whole.out;
+  const std::string refused =
+      R"(, "calls": [{"function": "xrCreateReferenceSpace", "result": "XR_ERROR_VALIDATION_FAILURE"}])";
+  for (const std::string& calls : {std::string(), refused}) {
+    const Outcome outcome = expect_exit(0, run_program({desk}, calm_and(R"("stage": false)" + calls)));
+    EXPECT_EQ(rows_of(outcome).size(), 3U) << outcome.out;
+  }
 }
 
 // One of them in the first reach; the summary counts it.
 TEST(ReachWatchdog, ImpossibleTimesAndPosesAreLeftOut) {
   const std::pair<const char*, const char*> faults[] = {
-      {"xrWaitFrame 60 no_time", "1 frames without a time"},
-      {"xrWaitFrame 60 later", "1 frames whose time steps"},
-      {"xrLocateHandJointsEXT 60 time_invalid", "1 times at which it refused"},
-      {"xrLocateHandJointsEXT 60 far_away", "1 impossible poses"},
-      {"xrLocateHandJointsEXT 60 no_rotation", "1 impossible poses"},
+      {R"("events": [{"frame": 60, "do": "frame_time", "at_ms": 0}])", "1 frames without a time"},
+      {R"("events": [{"frame": 60, "do": "frame_time", "at_ms": 3600000}])", "1 frames whose time steps"},
+      {R"("calls": [{"function": "xrLocateHandJointsEXT", "call": 60, "result": "XR_ERROR_TIME_INVALID"}])",
+       "1 times at which it refused"},
+      {R"("events": [{"frame": 60, "do": "jump", "hand": "right", "by_mm": [100000, 0, 100000]},
+                     {"frame": 61, "do": "jump", "hand": "right", "by_mm": [-100000, 0, -100000]}])",
+       "1 impossible poses"},
+      {R"("events": [{"frame": 60, "do": "lose_rotation", "hand": "right"},
+                     {"frame": 61, "do": "regain_rotation", "hand": "right"}])",
+       "1 impossible poses"},
   };
   for (const auto& [fault, said] : faults) {
-    const Outcome outcome = expect_exit(0, run_program({desk}, faulty(fault)));
+    const Outcome outcome = expect_exit(0, run_program({desk}, calm_and(fault)));
     EXPECT_EQ(rows_of(outcome).size(), 3U) << fault << outcome.out;
     EXPECT_TRUE(has(outcome.err, said)) << fault << ": " << outcome.err;
   }
