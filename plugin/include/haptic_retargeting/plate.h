@@ -5,7 +5,7 @@
  *
  * A plate is opened by name:
  *
- * - `serial:/dev/ttyACM0`, `serial:COM3`: a plate with the line protocol of samples/plate/protocol.md
+ * - `serial:/dev/ttyACM0`, `serial:COM3`: a plate with the line protocol of plugin/src/plate/protocol.md
  * - `dynamixel:/dev/ttyUSB0?id=1`: an XL330 servo under the plate, by Dynamixel Protocol 2.0
  * - `plate.json`: a file of `hrt-plate commission`, with the name of the device and its measured properties
  *

@@ -1,4 +1,4 @@
-// Lines of the plate's protocol (samples/plate/protocol.md): text to bytes and back.
+// Lines of the plate's protocol (plugin/src/plate/protocol.md): text to bytes and back.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A plate at the end of a serial line: the host's side of samples/plate/protocol.md.
+// A plate at the end of a serial line: the host's side of plugin/src/plate/protocol.md.
 #pragma once
 
 #include <functional>

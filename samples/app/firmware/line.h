@@ -1,4 +1,4 @@
-/* Lines of the plate's protocol (samples/plate/protocol.md): bytes to bodies, bodies to words and numbers,
+/* Lines of the plate's protocol (plugin/src/plate/protocol.md): bytes to bodies, bodies to words and numbers,
  * and back. C11 without a library: the same code runs on the board and in the host's tests. */
 #pragma once
 

@@ -1,5 +1,5 @@
 /* The plate's behaviour: what it does on each line, on each millisecond and on its inputs
- * (samples/plate/protocol.md). C11 without a library or hardware; main.c gives it the board. */
+ * (plugin/src/plate/protocol.md). C11 without a library or hardware; main.c gives it the board. */
 #pragma once
 
 #include <stdbool.h>

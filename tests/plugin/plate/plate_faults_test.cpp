@@ -299,7 +299,7 @@ std::string study() {
 }
 
 TEST(PlateFaults, NoPairOfThemMovesAPlateUncommandedTooFastTooStronglyOrInSilence) {
-  std::ifstream file(HRT_PLATE_SOURCE "/README.md");
+  std::ifstream file(HRT_PLATE_PAGES "/README.md");
   const std::string readme(std::istreambuf_iterator<char>(file), {});
   EXPECT_TRUE(has(readme, study<Hobby>()));
   EXPECT_TRUE(has(readme, study<Xl330>()));

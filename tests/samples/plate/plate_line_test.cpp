@@ -1,4 +1,4 @@
-// The text of the plate's protocol, as samples/plate/protocol.md defines it.
+// The text of the plate's protocol, as plugin/src/plate/protocol.md defines it.
 #include "plugin/src/plate/plate_line.h"
 #include "plugin/include/plate_driver/crc16.h"
 
@@ -33,7 +33,7 @@ TEST(PlateLine, IsRefusedUnlessItIsWhole) {
 
 // The page's examples are what others will build from.
 TEST(PlateLine, OfTheDocumentedExamplesIsValid) {
-  std::ifstream page(HRT_PLATE_SOURCE "/protocol.md");
+  std::ifstream page(HRT_PLATE_PAGES "/protocol.md");
   int lines = 0;
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("    host    ") && !line.starts_with("    plate   ")) continue;

@@ -6,7 +6,7 @@ import { models } from "./models.mjs";
 const { Board, crc16, decodeLine, encodeLine, firmware, LineReader, parseMessage, PlateLink } = models;
 const bytes = (text) => new TextEncoder().encode(text);
 
-// samples/plate/protocol.md
+// plugin/src/plate/protocol.md
 test("sums and lines are the protocol's", () => {
   assert.equal(crc16("123456789"), 0x29b1);
   for (const line of ["HELLO 2*0C18", "SET -034.25 00001*2066", "BEAT 00002*3CC0", "AT -034.25 00002*6A12", "STOPPED host*002D",

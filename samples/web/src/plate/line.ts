@@ -1,4 +1,4 @@
-// Lines of the plate's protocol, version 2 (samples/plate/protocol.md): text to bytes and back. All that comes from a line
+// Lines of the plate's protocol, version 2 (plugin/src/plate/protocol.md): text to bytes and back. All that comes from a line
 // is hostile until it has passed here.
 
 /** With the line's end. */

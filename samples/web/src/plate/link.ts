@@ -1,5 +1,5 @@
 // The host's side of a plate's line: greeting, commands, heartbeats, and the checks of what the plate reports
-// (samples/plate/protocol.md, rules 1 to 6). Knows no clock and no port: both are given.
+// (plugin/src/plate/protocol.md, rules 1 to 6). Knows no clock and no port: both are given.
 import { angleText, decodeLine, encodeLine, LineReader, type PlateMessage, parseMessage } from "./line";
 
 const greetingLimit_ms = 5000; // boards start when their line is opened, and need 2 s
