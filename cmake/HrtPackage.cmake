@@ -57,10 +57,19 @@ foreach(page SETUP PROCESS README)  # the last refers to the others
   hrt_install_readme(${CMAKE_CURRENT_SOURCE_DIR}/plugin/${page}.md ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 endforeach()
 
-if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
-  install(TARGETS hrt-reach hrt-study hrt-plate RUNTIME COMPONENT tools EXCLUDE_FROM_ALL)
-  install(FILES samples/scenes/desk.gltf samples/scenes/table1.gltf DESTINATION ${CMAKE_INSTALL_DATADIR}/haptic-retargeting/scenes
-          COMPONENT tools EXCLUDE_FROM_ALL)
+# Components tools and mock_runtime, of Debian's packages. On Windows hrt-plate is part of the one package.
+set(component tools EXCLUDE_FROM_ALL)
+if(WIN32)
+  set(component runtime)
+endif()
+foreach(program IN ITEMS hrt-reach hrt-study hrt-plate)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME COMPONENT ${component})
+  endif()
+endforeach()
+install(FILES samples/scenes/desk.gltf samples/scenes/table1.gltf DESTINATION ${CMAKE_INSTALL_DATADIR}/haptic-retargeting/scenes
+        COMPONENT tools EXCLUDE_FROM_ALL)
+if(HRT_BUILD_MOCK_RUNTIME)
   install(TARGETS hrtx_mock_runtime LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_mock_runtime.json DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/hrtx-run TYPE BIN COMPONENT mock_runtime EXCLUDE_FROM_ALL)
@@ -68,8 +77,6 @@ if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
           TYPE INCLUDE COMPONENT mock_runtime EXCLUDE_FROM_ALL)
   install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/hrtx_script.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/hrtx COMPONENT mock_runtime EXCLUDE_FROM_ALL)
-elseif(TARGET hrt-plate)  # Windows
-  install(TARGETS hrt-plate RUNTIME COMPONENT runtime)
 endif()
 
 if(NOT PROJECT_IS_TOP_LEVEL)
