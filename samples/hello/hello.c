@@ -28,7 +28,7 @@ int main(void) {
     CHECK(hrt_person_move(person, frame * INT64_C(11111111), command.plate_orientation_deg, &sample));
     CHECK(hrt_reach_update(session, &sample, &command)); /* command.plate_orientation_deg goes to your servo */
   }
-  CHECK(hrt_reach_end(session, &summary)); /* where it ended, and what was learnt of the person */
+  CHECK(hrt_reach_end(session, &summary)); /* where it ended, and what was learnt of the user */
   CHECK(hrt_person_get_state(person, &end));
   printf("The hand ended %.1f mm to the right of where it was felt.\n",
          1000 * (end.position_m[0] - end.felt_position_m[0]));
