@@ -48,10 +48,12 @@ void PersonFilter::begin(double log_rate, double onset_sd_s, double place_sd_mm)
   keep_in_range();
   covariance_(X::phase, X::phase) = square(rate_ * onset_sd_s);
   covariance_(X::right, X::right) = covariance_(X::away, X::away) = square(place_sd_mm);
-  // psi = h V + d at the start.
-  mean_(X::steered) = mean_(X::heading) * virtual_direction_deg_ + mean_(X::bias);
-  covariance_.row(X::steered) = virtual_direction_deg_ * covariance_.row(X::heading) + covariance_.row(X::bias);
-  covariance_.col(X::steered) = virtual_direction_deg_ * covariance_.col(X::heading) + covariance_.col(X::bias);
+  // psi = h V + d at the start, h of this reach.
+  mean_(X::steered) = tuning_.first_direction * virtual_direction_deg_ + mean_(X::bias);
+  covariance_.row(X::steered) = covariance_.row(X::bias);
+  covariance_.col(X::steered) = covariance_.col(X::bias);
+  covariance_(X::steered, X::steered) =
+      covariance_(X::bias, X::bias) + square(tuning_.first_direction_sd * virtual_direction_deg_);
 }
 
 PersonFilter PersonFilter::with_wander(double change) const {

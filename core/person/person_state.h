@@ -12,7 +12,6 @@ struct PersonState {
     bias,         ///< d: goal less virtual direction
     habit,        ///< c: the goal turns from +c to -c along the path
     evenness,     ///< a of the pace
-    heading,      ///< h: fraction of the goal's direction in which the person sets out
     log_rate,     ///< rho: natural logarithm of one over the duration in seconds
     fading,       ///< f of the illusion
     felt_traits,  ///< number of the above: those that move the finger; the next ones are parameters of the filter
@@ -45,7 +44,6 @@ inline constexpr StateVariable person_state[PersonState::count] = {
     {PersonState::bias, "bias", "deg", -90.0, 90.0},
     {PersonState::habit, "habit", "deg", -45.0, 45.0},
     {PersonState::evenness, "evenness", "", 0.0, 1.0},
-    {PersonState::heading, "heading", "", -2.0, 2.0},
     {PersonState::log_rate, "log_rate", "", -3.0, 2.4},
     {PersonState::fading, "fading", "", -0.2, 1.0},
     {PersonState::scatter, "scatter", "deg", 0.0, 10.0},

@@ -18,6 +18,8 @@ std::vector<TuningField> tuning_fields(Tuning& t) {
       {"touch_memory_s", &t.touch_memory_s, 0.01, 10.0},
       {"first_ridge", &t.first_ridge, 0.0, 100.0},
       {"max_slope", &t.max_slope, 0.0, 100.0},
+      {"first_direction", &t.first_direction, -2.0, 2.0},
+      {"first_direction_sd", &t.first_direction_sd, 0.0, 2.0},
       {"direction_density_deg2_s", &t.direction_density_deg2_s, 0.0, 1e4},
       {"log_rate_density_s", &t.log_rate_density_s, 0.0, 100.0},
       {"place_density_mm2_s", &t.place_density_mm2_s, 0.0, 1e3},

@@ -31,7 +31,6 @@ struct Tuning {
       {0.0, 4.0, 0.5},     // bias, deg
       {0.0, 2.0, 0.4},     // habit, deg
       {0.05, 0.35, 0.05},  // evenness
-      {0.2, 0.45, 0.1},    // heading
       {-0.65, 0.55, 0.1},  // log_rate
       {0.05, 0.6, 0.02},   // fading
       {1.2, 0.8, 0.1},     // scatter, deg
@@ -55,6 +54,8 @@ struct Tuning {
   double max_slope = 3.0;       ///< [m] bound on the decay of the felt error, in gains
 
   // Filter. Random walks are per second.
+  double first_direction = 0.2;            ///< [s] h: direction in which people set out, over the virtual direction
+  double first_direction_sd = 0.45;        ///< [s] SD of h from reach to reach
   double direction_density_deg2_s = 14.0;  ///< deg^2/s [s]
   double log_rate_density_s = 0.07;        ///< 1/s [s]
   double place_density_mm2_s = 0.018;      ///< mm^2/s [s]

@@ -56,8 +56,6 @@ RetargeterConfig informed_controller(const PersonCondition& condition, std::span
   know_if(T::log_wander, logarithm(std::max(wander_sd_deg(person.own_path), steady_wander_deg)), 0.2);
   know_if(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
   know_if(T::log_rate, -logarithm(person.duration_s), 0.05);
-  if (condition.virtual_direction_deg != 0.0)  // else a share of it is no direction
-    know_if(T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
   return config;
 }
 

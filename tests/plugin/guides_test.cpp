@@ -176,7 +176,7 @@ TEST_F(GuidesTest, ABiasThatWasTheFramesIsTheFrames) {
   Tracked tracked(Tracked::Frame::turned, 300);
   tracked.stretch = Eigen::Matrix2d{{0.0, -2.0 * radian}, {2.0 * radian, 0.0}};
   hrt_session_config config = config_of(session);
-  constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 2.0, 0.0, 0.1, 0.2, -0.5, 0.0, 1.2, 0.5};
+  constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 2.0, 0.0, 0.1, -0.5, 0.0, 1.2, 0.5};
   std::copy(std::begin(mean), std::end(mean), config.person.mean);
   for (int i = 0, place = 0; i < HRT_PERSON_TRAITS; place += i++ + 2) config.person.covariance[place] = 0.01;
   ASSERT_OK(hrt_session_set(session, &config));

@@ -81,7 +81,7 @@ TEST_F(SessionTest, ANewPersonIsUnknown) {
   known.person.motion_bound_deg = 50.0;
   known.fingertip_offset_m[2] = 0.01;
   for (int i = 0, place = 0; i < HRT_PERSON_TRAITS; place += i++ + 2) known.person.covariance[place] = 0.01;
-  constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 1.0, 0.0, 0.1, 0.2, -0.5, 0.0, 1.2, 0.5};
+  constexpr double mean[HRT_PERSON_TRAITS] = {0.2, 0.0, 14.0, 1.0, 0.0, 0.1, -0.5, 0.0, 1.2, 0.5};
   std::copy(std::begin(mean), std::end(mean), known.person.mean);
   ASSERT_OK(hrt_session_set(session, &known));
   ASSERT_OK(hrt_profile_reset(session));

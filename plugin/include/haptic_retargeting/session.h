@@ -80,22 +80,20 @@ typedef uint32_t hrt_session_flags;
 #define HRT_PERSON_HABIT 4
 /** Evenness of the pace. 0: minimum jerk; 1: constant speed. @range 0 to 1 @unit 1 */
 #define HRT_PERSON_EVENNESS 5
-/** Initial heading as a fraction of the aimed direction. @range -2 to 2 @unit 1 */
-#define HRT_PERSON_HEADING 6
 /** Natural logarithm of one over a reach's duration in seconds. @range -3 to 2.4 @unit 1 */
-#define HRT_PERSON_LOG_RATE 7
+#define HRT_PERSON_LOG_RATE 6
 /** Fraction of the tactile sensation that fades between two ridges. 0: the user always feels all of the ridges; 1: a
  *  ridge is felt when the finger crosses it, and then fades. @range -0.2 to 1 @unit 1 */
-#define HRT_PERSON_FADING 8
+#define HRT_PERSON_FADING 7
 /** SD of the bias from reach to reach: how steadily the user aims. @range 0 to 10 @unit deg */
-#define HRT_PERSON_SCATTER 9
+#define HRT_PERSON_SCATTER 8
 /** Natural logarithm of the SD, in degrees, by which the user strays from the line to the target. @range -1.5 to 3
  *  @unit 1 */
-#define HRT_PERSON_LOG_WANDER 10
+#define HRT_PERSON_LOG_WANDER 9
 /** Number of traits. */
-#define HRT_PERSON_TRAITS 11
+#define HRT_PERSON_TRAITS 10
 /** Number of elements in the lower triangle of their covariance. */
-#define HRT_PERSON_COVARIANCES 66
+#define HRT_PERSON_COVARIANCES 55
 
 /** Part of hrt_session_config: limits of the plate and its servo, and the plate's pose in the world. */
 typedef struct hrt_session_plate {

@@ -94,7 +94,7 @@ test("a module can be loaded from bytes, from a module, and twice", async () => 
 sessionTest("a configuration has its defaults, and changes", ({ session }) => {
   assert.equal(session.config.plate_latency_ns, 30_000_000n);
   assert.equal(session.config.tactile_weight, 0.2);
-  assert.equal(session.config.person_covariance.length, 66);
+  assert.equal(session.config.person_covariance.length, 55);
   session.configure({ tactile_weight: 0.25 });
   assert.equal(session.config.tactile_weight, 0.25);
   assert.deepEqual(session.config.start_position_m, [0, 0, 0.06]);

@@ -44,8 +44,10 @@ double min_eigenvalue(const F::Covariance& covariance) {
 // phi = V (1 - (1 - h) exp(-k t)). After one second of an even pace of 1/s they are at the path's end.
 TEST(PersonFilter, MovesAsTheEquationsSay) {
   PersonBelief belief = unknown_person();
-  belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.4, 0.0, 0.0, 0.0, -1.5;
-  PersonFilter filter(belief, 10.0, 100.0, {});
+  belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.5;
+  Tuning tuning;
+  tuning.first_direction = 0.4;
+  PersonFilter filter(belief, 10.0, 100.0, {}, tuning);
   filter.begin(0.0, 0.0, 0.0);
   EXPECT_DOUBLE_EQ(filter.direction_deg(), 4.0);
   double away_mm = 0.0;
@@ -71,8 +73,8 @@ TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
   const struct {
     X::Index trait;
     double step;
-  } cases[] = {{X::weight, 1e-4}, {X::curve, 1e-4},   {X::gain, 1e-2},  {X::bias, 1e-3},
-               {X::habit, 1e-3},  {X::heading, 1e-4}, {X::fading, 1e-3}};
+  } cases[] = {{X::weight, 1e-4}, {X::curve, 1e-4}, {X::gain, 1e-2},
+               {X::bias, 1e-3},   {X::habit, 1e-3}, {X::fading, 1e-3}};
   constexpr int steps = 30;
   constexpr double step_s = 0.002;
   for (const auto& c : cases) {
