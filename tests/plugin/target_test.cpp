@@ -225,7 +225,7 @@ TEST_F(AssignTest, EachIsServedByTheNearestUnlessRealTargetsServeOneEach) {
 
 // Where touch fades on the way, a gap takes more of the plate the farther off the target is.
 TEST_F(AssignTest, TheSmallestShareServesInAnyOrder) {
-  constexpr double mean[] = {0.25, 0.0, 10.0, 0.0, 0.0, 0.3, 1.0, -0.4, 0.6, 1.0};
+  constexpr double mean[] = {0.25, 0.0, 10.0, 0.0, 0.0, 0.3, -0.4, 0.6, 1.0};
   hrt_session_config config = session_config();
   std::copy(std::begin(mean), std::end(mean), config.person.mean);
   for (int row = 0, at = 0; row < HRT_PERSON_TRAITS; ++row, at += row + 1) config.person.covariance[at] = 1e-4;
