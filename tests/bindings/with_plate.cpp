@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "plugin/include/plate_driver/plate_file.h"
-#include "tests/plugin/plate/pty_device.h"
+#include "samples/app/emulator/pty_device.h"
 #include "tests/samples/plate/board_with_servo.h"
 
 namespace {

@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "plugin/include/plate_driver/device.h"
+#include "plugin/include/plate_driver/dynamixel_packet.h"
 #include "plugin/include/plate_driver/plate_failure.h"
-#include "plugin/src/plate/dynamixel/packet.h"
 #include "plugin/src/plate/plate_line.h"
 #include "samples/app/firmware/plate.h"
 

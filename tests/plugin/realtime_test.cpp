@@ -20,7 +20,8 @@
 
 #include "fixture.h"
 #include "haptic_retargeting/plate.h"
-#include "tests/plugin/plate/pty_device.h"
+#include "samples/app/emulator/pty_device.h"
+#include "tests/plugin/plate/eventually.h"
 
 namespace {
 

@@ -33,6 +33,7 @@ struct Options {
   double angle_deg = 0.0;
   std::string out = "plate.json";
   std::string plot;
+  Emulation emulation;
 };
 
 // Opens what a command names: a device's name, or the path of a plate's serial line.
@@ -204,6 +205,14 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
       command("commission", "Find the plate and all of it, and write the file that hrt-reach --plate takes", false);
   commissioner->add_option("--out", options.out, "The file")->capture_default_str();
   commissioner->add_option("--plot", options.plot, "The sweep's picture [the file's name with .svg]");
+  if (around.emulate) {
+    CLI::App* emulator =
+        app.add_subcommand("emulate", "Simulate a plate at a pseudo-terminal, until Ctrl-C: to rehearse with");
+    emulator->add_option("plate", options.emulation.plate, "hobby-new was not commissioned yet")
+        ->check(CLI::IsMember({"xl330", "hobby", "hobby-new"}))
+        ->capture_default_str();
+    emulator->add_option("--link", options.emulation.link, "A symbolic link to make to the pseudo-terminal");
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -219,6 +228,8 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
     if (*setter) return run_set(options, around);
     if (*turner) return run_turn(options, around);
     if (*commissioner) return run_commission(options, around);
+    around.emulate(options.emulation, around.read, around.out);
+    return success;
   } catch (const PlateFailure& failure) {
     around.err << "hrt-plate: the plate at " << options.device << " " << failure.what() << "\n";
     return plate_failed;
@@ -229,7 +240,6 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
     around.err << "hrt-plate: " << wrong.what() << "\n";
     return usage;
   }
-  return usage;
 }
 
 }  // namespace hrt::plate

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plugin/include/plate_driver/device.h"
+#include "samples/plate/tool/emulate.h"
 #include "samples/plate/tool/person.h"
 
 namespace hrt::plate {
@@ -19,6 +20,8 @@ struct Surroundings {
   std::function<Entry()> read;                        ///< a line of the person, without waiting for one
   std::ostream& out;
   std::ostream& err;
+  /// Runs a simulated plate until it is interrupted; none: this system has no pseudo-terminals.
+  std::function<void(const Emulation&, const std::function<Entry()>&, std::ostream&)> emulate = {};
 };
 
 /// Runs a command line; returns the exit code. Throws std::runtime_error if a file cannot be written.

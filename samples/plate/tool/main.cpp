@@ -73,7 +73,11 @@ int main(int argc, char** argv) {
   constexpr int output_failed = 10;
   static Input& input = *new Input;  // its thread outlives main()
   try {
-    return run_tool(argc, argv, {serial_devices, open_serial_line, [] { return input.read(); }, std::cout, std::cerr});
+    Surroundings around{serial_devices, open_serial_line, [] { return input.read(); }, std::cout, std::cerr};
+#if defined(__linux__)
+    around.emulate = emulate;
+#endif
+    return run_tool(argc, argv, around);
   } catch (const std::exception& error) {
     std::cerr << "hrt-plate: " << error.what() << "\n";
     return output_failed;

@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "../../../plugin/bindings/godot/plate_node.h"
-#include "tests/plugin/plate/pty_device.h"
+#include "samples/app/emulator/pty_device.h"
+#include "tests/plugin/plate/eventually.h"
 
 namespace {
 std::int64_t allocations = 0;

@@ -7,8 +7,9 @@
 #include <random>
 
 #include "plugin/include/plate_driver/device.h"
-#include "plugin/src/plate/dynamixel/packet.h"
-#include "tests/plugin/plate/emulated_dynamixel.h"
+#include "plugin/include/plate_driver/dynamixel_packet.h"
+#include "samples/app/emulator/dynamixel.h"
+#include "tests/plugin/plate/emulated_line.h"
 #include "tests/plugin/plate/failing_test.h"
 
 namespace hrt::plate {
@@ -109,7 +110,7 @@ class DynamixelTest : public FailingTest {
     return device_named("dynamixel:bus" + options)(
         [&](const std::string& path, int) {
           EXPECT_EQ(path, "bus");
-          auto made = std::make_unique<DynamixelLine>(servo);
+          auto made = std::make_unique<EmulatedLine<EmulatedDynamixel>>(servo);
           line = made.get();
           return made;
         },
@@ -125,7 +126,7 @@ class DynamixelTest : public FailingTest {
   }
 
   EmulatedDynamixel servo;
-  DynamixelLine* line = nullptr;
+  EmulatedLine<EmulatedDynamixel>* line = nullptr;
 };
 
 TEST_F(DynamixelTest, IsSetUpAsTheControlTableSays) {
@@ -176,7 +177,7 @@ TEST_F(DynamixelTest, SetsTheNormalDriveMode) {
   EXPECT_EQ(servo.get(10, 1), 0);
   turn(*device, 90.0, 200ms);
   EXPECT_GT(servo.orientation_deg(), 20.0);
-  EXPECT_LT(servo.twin.max_speed_deg_s(), 301.0);
+  EXPECT_LT(servo.motor.max_speed_deg_s(), 301.0);
 }
 
 // What bounds force and speed is read while the plate turns.
@@ -219,7 +220,7 @@ TEST_F(DynamixelTest, ADamagedLengthMakesItDeafForOneAnswer) {
 }
 
 TEST_F(DynamixelTest, NamesTheRemedyForAServoThatWasTurnedByMoreThanATurn) {
-  servo.twin.turn_by_hand(1080.0);
+  servo.motor.turn_by_hand(1080.0);
   EXPECT_EQ(failure_of_opening(),
             "was turned by 1080 degrees, more than the 360 that it counts: switch the servo's supply off and on");
   EXPECT_EQ(fault, Fault::limits);
@@ -372,7 +373,7 @@ TEST_F(DynamixelTest, NamesEveryFault) {
   servo.is_mute = false;
   device.reset();
   device = open();
-  servo.twin.is_jammed = true;
+  servo.motor.is_jammed = true;
   device->turn_to(-45.0);
   EXPECT_NE(failure_of([&] { serve(*device, 2000ms); }).find("is stuck at "), std::string::npos);
   EXPECT_EQ(fault, Fault::stuck);

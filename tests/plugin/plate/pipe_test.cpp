@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "plugin/include/plate_driver/plate_file.h"
-#include "tests/plugin/plate/emulated_dynamixel.h"
+#include "samples/app/emulator/dynamixel.h"
 #include "tests/plugin/plate/eventually.h"
 
 namespace hrt::plate {

@@ -17,7 +17,8 @@
 
 #include "plugin/include/plate_driver/plate_file.h"
 #include "plugin/src/plate/snapshot.h"
-#include "tests/plugin/plate/pty_device.h"
+#include "samples/app/emulator/pty_device.h"
+#include "tests/plugin/plate/eventually.h"
 #include "tests/samples/text.h"
 
 namespace hrt::plate {
@@ -59,7 +60,7 @@ TEST_F(PlateApi, OpensReportsTurnsAndStops) {
   EXPECT_GE(report.latency_ns, 30'000'000 + report.round_trip_ns / 2);
   EXPECT_EQ(report.flags, HRT_PLATE_REPORT_ORIENTATION | HRT_PLATE_REPORT_MEASURED | HRT_PLATE_REPORT_ROUND_TRIP |
                               HRT_PLATE_REPORT_FIRST_MOTION);
-  EXPECT_FALSE(device.with(&TwinBoard::has_pulses));
+  EXPECT_FALSE(device.with(&HobbyPlate::has_pulses));
 
   ASSERT_EQ(hrt_plate_set(plate, 100.0), HRT_OK);  // feels like -80, which is within the stops
   ASSERT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg + 80.0) < 0.5; }));

@@ -19,8 +19,9 @@
 
 #include "plugin/include/plate_driver/device.h"
 #include "plugin/include/plate_driver/plate_failure.h"
-#include "tests/plugin/plate/emulated_dynamixel.h"
-#include "tests/plugin/plate/twin_board.h"
+#include "samples/app/emulator/dynamixel.h"
+#include "samples/app/emulator/hobby_plate.h"
+#include "tests/plugin/plate/emulated_line.h"
 #include "tests/samples/text.h"
 
 namespace hrt::plate {
@@ -53,39 +54,39 @@ void disturb(Emulated& device) {
 
 // The firmware with a hobby servo. The phase "home" is of one without a sensor.
 struct Hobby {
-  using Emulated = TwinBoard;
+  using Emulated = HobbyPlate;
   static constexpr const char *name = "hobby servo", *device = "serial:line";
   static constexpr double speed_limit_deg_s = 200.0;  // the firmware's, which a finger feels
   static constexpr double latency_s = 0.03;           // dead time of 10 ms, and a frame of its pulses
   static constexpr bool homes = true;
 
-  static TwinBoard make(Phase phase) {
-    return TwinBoard({.settings = phase == home ? settings_default() : commissioned(), .place_deg = place_deg});
+  static HobbyPlate make(Phase phase) {
+    return HobbyPlate({.settings = phase == home ? settings_default() : commissioned(), .place_deg = place_deg});
   }
-  static void greet(TwinBoard& board) { board.say("HELLO 2 00042"); }
-  static double force_n(const TwinBoard&) { return 0.0; }  // nothing limits or knows it
-  static bool is_deaf(const TwinBoard&) { return false; }
-  static inline const std::vector<Kind<TwinBoard>> kinds = {
+  static void greet(HobbyPlate& board) { board.say("HELLO 2 00042"); }
+  static double force_n(const HobbyPlate&) { return 0.0; }  // nothing limits or knows it
+  static bool is_deaf(const HobbyPlate&) { return false; }
+  static inline const std::vector<Kind<HobbyPlate>> kinds = {
       {"unplug", {}, {"is unplugged"}},
       {"power loss",
-       [](TwinBoard& board) {
+       [](HobbyPlate& board) {
          board.restart();
          board.servo.supply = 0.0;
        },
        {"has restarted", "is stuck"},
        idle},
-      {"reset", [](TwinBoard& board) { board.restart(); }, {"has restarted"}, idle},
-      {"emergency", [](TwinBoard& board) { board.press(true); }, {"emergency stop"}},
-      {"second host", [](TwinBoard& board) { board.say("SET -040.00 40000"); }, {"another program"}, idle},
-      {"garbage", disturb<TwinBoard>, {}},
-      {"silence", [](TwinBoard& board) { board.fall_silent(); }, {"not answer", "not been heard", "not reported"}},
-      {"stuck", [](TwinBoard& board) { board.servo.is_jammed = true; }, {"is stuck"}},
-      {"stall", [](TwinBoard& board) { board.servo.supply = 0.3; }, {"less than 4 V"}},
+      {"reset", [](HobbyPlate& board) { board.restart(); }, {"has restarted"}, idle},
+      {"emergency", [](HobbyPlate& board) { board.press(true); }, {"emergency stop"}},
+      {"second host", [](HobbyPlate& board) { board.say("SET -040.00 40000"); }, {"another program"}, idle},
+      {"garbage", disturb<HobbyPlate>, {}},
+      {"silence", [](HobbyPlate& board) { board.fall_silent(); }, {"not answer", "not been heard", "not reported"}},
+      {"stuck", [](HobbyPlate& board) { board.servo.is_jammed = true; }, {"is stuck"}},
+      {"stall", [](HobbyPlate& board) { board.servo.supply = 0.3; }, {"less than 4 V"}},
       {"supply loss",
-       [](TwinBoard& board) { board.servo.supply = 0.0; },
+       [](HobbyPlate& board) { board.servo.supply = 0.0; },
        {"less than 4 V"},
        open,
-       [](TwinBoard& board) { board.servo.supply = 1.0; }}};
+       [](HobbyPlate& board) { board.servo.supply = 1.0; }}};
 };
 
 // The stronger one of the two, with all the effort that may be asked of it. It knows its place: no homing.
@@ -99,7 +100,7 @@ struct Xl330 {
 
   static EmulatedDynamixel make(Phase) {
     EmulatedDynamixel servo;
-    servo.twin.turn_by_hand(place_deg);
+    servo.motor.turn_by_hand(place_deg);
     servo.restart();
     return servo;
   }
@@ -129,8 +130,8 @@ struct Xl330 {
        idle},
       {"garbage", disturb<EmulatedDynamixel>, {}},
       {"silence", [](EmulatedDynamixel& servo) { servo.is_mute = true; }, {"not answer", "not been heard"}},
-      {"stuck", [](EmulatedDynamixel& servo) { servo.twin.is_jammed = true; }, {"is stuck"}},
-      {"stall", [](EmulatedDynamixel& servo) { servo.twin.supply = 0.3; }, {}},
+      {"stuck", [](EmulatedDynamixel& servo) { servo.motor.is_jammed = true; }, {"is stuck"}},
+      {"stall", [](EmulatedDynamixel& servo) { servo.motor.supply = 0.3; }, {}},
       {"supply loss",
        lose_power,
        {"has restarted", "not answer", "not been heard"},

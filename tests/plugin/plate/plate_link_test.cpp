@@ -9,8 +9,9 @@
 #include <string>
 
 #include "plugin/src/plate/file_watch.h"
+#include "samples/app/emulator/hobby_plate.h"
+#include "tests/plugin/plate/emulated_line.h"
 #include "tests/plugin/plate/failing_test.h"
-#include "tests/plugin/plate/twin_board.h"
 
 namespace hrt::plate {
 namespace {
@@ -21,10 +22,10 @@ constexpr double sensor_deg = 0.35;  // a step of its converter, and the servo's
 
 class PlateLinkTest : public FailingTest {
  protected:
-  PlateLink& open(const TwinBoard::Traits& traits = {}) {
+  PlateLink& open(const HobbyPlate::Traits& traits = {}) {
     link.reset();
     plate.emplace(traits);
-    auto made = std::make_unique<TwinLine>(*plate);
+    auto made = std::make_unique<EmulatedLine<HobbyPlate>>(*plate);
     line = made.get();
     link = std::make_unique<PlateLink>(std::move(made));
     return *link;
@@ -37,9 +38,9 @@ class PlateLinkTest : public FailingTest {
     return std::count(plate->heard().begin(), plate->heard().end(), body);
   }
 
-  std::optional<TwinBoard> plate;
+  std::optional<HobbyPlate> plate;
   std::unique_ptr<PlateLink> link;
-  TwinLine* line = nullptr;
+  EmulatedLine<HobbyPlate>* line = nullptr;
 };
 
 TEST_F(PlateLinkTest, LearnsLimitsAndOrientation) {
@@ -129,7 +130,7 @@ TEST_F(PlateLinkTest, FailsWhenThePlateAnnouncesItselfAnew) {
 // A servo of 30 ms; then one that is slower than the file says, that rests away from its command, that is late.
 TEST_F(PlateLinkTest, DeviatesFromItsFile) {
   const struct {
-    TwinTraits servo;
+    ServoTraits servo;
     bool deviates;
   } rows[] = {{{.acceleration_deg_s2 = 5000.0, .dead_time = 20ms}, false},
               {{.speed_deg_s = 100.0}, true},
@@ -160,12 +161,12 @@ TEST_F(PlateLinkTest, DeviatesFromItsFile) {
 
 // Another program holds the plate, and is heard.
 TEST_F(PlateLinkTest, DoesNotTakeAPlateFromAnotherHost) {
-  struct Taken : TwinBoard {
+  struct Taken : HobbyPlate {
     void run_until(Time now) {
-      if (now - said_ < 100ms) return TwinBoard::run_until(now);
+      if (now - said_ < 100ms) return HobbyPlate::run_until(now);
       said_ = now;
       say("BEAT 00001 00042");
-      TwinBoard::run_until(now);
+      HobbyPlate::run_until(now);
     }
     Time said_{0};
   } taken;

@@ -6,8 +6,9 @@
 #include <regex>
 #include <sstream>
 
+#include "samples/app/emulator/pty_device.h"
 #include "samples/app/text/text.h"
-#include "tests/plugin/plate/pty_device.h"
+#include "tests/plugin/plate/eventually.h"
 #include "tests/samples/experiment/study.h"
 #include "tests/samples/reach/hand_path.h"
 
@@ -98,13 +99,14 @@ double await_turning(plate::PtyPlate& device) {
 // Within 100 ms of the key, by its own clock, it follows no command, and rests.
 void expect_stopped(plate::PtyPlate& device, const std::function<void()>& press) {
   struct Seen {
-    plate::TwinBoard::Time time;
+    plate::HobbyPlate::Time time;
     double deg;
     bool follows;
   };
   const auto look = [&] {
-    return device.with(
-        [](const plate::TwinBoard& board) { return Seen{board.now(), board.orientation_deg(), board.is_following()}; });
+    return device.with([](const plate::HobbyPlate& board) {
+      return Seen{board.now(), board.orientation_deg(), board.is_following()};
+    });
   };
   const Seen pressed = look();
   press();

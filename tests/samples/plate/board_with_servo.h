@@ -1,11 +1,11 @@
-// The board in simavr with the twin of a hobby servo at its pins.
+// The board in simavr with an emulated hobby servo at its pins.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "tests/plugin/plate/twin_board.h"
+#include "samples/app/emulator/hobby_plate.h"
 #include "tests/samples/plate/emulated_board.h"
 
 namespace hrt::plate {
@@ -18,7 +18,7 @@ inline std::vector<std::uint8_t> eeprom_with(const Settings& settings) {
 }
 
 struct BoardWithServo : EmulatedBoard {
-  explicit BoardWithServo(const TwinTraits& traits = {}, double place_deg = 0.0,
+  explicit BoardWithServo(const ServoTraits& traits = {}, double place_deg = 0.0,
                           const std::vector<std::uint8_t>& eeprom = eeprom_with(commissioned()))
       : EmulatedBoard(eeprom), servo(traits, place_deg) {
     on_pulse = [this](const Pulse& pulse) { servo.take_pulse(pulse.width_us(), pulse.start + pulse.width); };
@@ -29,7 +29,7 @@ struct BoardWithServo : EmulatedBoard {
     };
   }
 
-  HobbyTwin servo;
+  HobbyServo servo;
 };
 
 }  // namespace hrt::plate

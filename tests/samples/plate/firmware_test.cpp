@@ -7,7 +7,8 @@
 #include <random>
 #include <string>
 
-#include "tests/plugin/plate/twin_board.h"
+#include "plugin/src/plate/plate_line.h"
+#include "samples/app/emulator/hobby_plate.h"
 #include "tests/samples/plate/damage.h"
 
 namespace hrt::plate {
@@ -17,7 +18,7 @@ using namespace std::chrono_literals;
 
 class FirmwareLogic : public testing::Test {
  protected:
-  explicit FirmwareLogic(const TwinBoard::Traits& traits = {}) : board_(traits), plate_(board_.plate()) {
+  explicit FirmwareLogic(const HobbyPlate::Traits& traits = {}) : board_(traits), plate_(board_.plate()) {
     board_.say("HELLO 2");
     board_.run_for(std::chrono::milliseconds(20));  // the sensor is read
   }
@@ -53,7 +54,7 @@ class FirmwareLogic : public testing::Test {
     return std::find(lines.begin(), lines.end(), body) != lines.end();
   }
 
-  TwinBoard board_;
+  HobbyPlate board_;
   Plate& plate_;
   std::uint16_t sequence_ = 0;
 };
@@ -85,7 +86,7 @@ TEST_F(FirmwareLogic, StopsWithoutAHeartbeatBeforeThePulsesOf300Milliseconds) {
 TEST(Firmware, AStopEndsTheMotionOfTheServo) {
   for (const double speed_deg_s : {30.0, 60.0, 160.0, 250.0}) {
     for (const std::string stop : {"STOP 00100", "HELLO 2", ""}) {
-      TwinBoard board({.servo = {.speed_deg_s = speed_deg_s}, .place_deg = -80.0});
+      HobbyPlate board({.servo = {.speed_deg_s = speed_deg_s}, .place_deg = -80.0});
       board.say("HELLO 2");
       board.run_for(20ms);
       board.say(set_body(80.0, 1));
@@ -177,7 +178,7 @@ TEST(Firmware, ASensorThatRunsAgainstItsServoNeverThrowsThePlate) {
   Settings exchanged = commissioned();
   std::swap(exchanged.value[SETTING_ADC_LEAST], exchanged.value[SETTING_ADC_MOST]);
   for (const double place_deg : {10.0, 40.0, 70.0, -40.0, -70.0}) {
-    TwinBoard board({.settings = exchanged, .place_deg = place_deg});
+    HobbyPlate board({.settings = exchanged, .place_deg = place_deg});
     board.say("HELLO 2");
     board.run_for(20ms);
     board.say(set_body(place_deg, 1));

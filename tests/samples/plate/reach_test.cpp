@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <regex>
 #include <thread>
 
-#include "tests/plugin/plate/pty_device.h"
+#include "samples/app/emulator/pty_device.h"
+#include "tests/plugin/plate/eventually.h"
 #include "tests/samples/plate/board_with_servo.h"
 #include "tests/samples/reach/program.h"
 
@@ -72,6 +76,57 @@ TEST(ReachWithFirmware, IsEndedByAResetOfTheBoardAndByTheEmergencyStop) {
     const char* const why = reset ? "has restarted" : "was stopped by its emergency stop";
     EXPECT_TRUE(has(outcome.err, why));
     EXPECT_LE(pulses(), before + (reset ? 0 : 2));
+  }
+}
+
+// hrt-plate emulate, with its input and output.
+class EmulatedPlate {
+ public:
+  explicit EmulatedPlate(const std::string& kind)
+      : process_({HRT_PLATE_PROGRAM, "emulate", kind, "--link", link_}, {}, -1, input_.descriptor()) {
+    EXPECT_TRUE(eventually([&] { return process_.out().find("Ctrl-C") != std::string::npos; })) << process_.err();
+  }
+  const std::string& link() const { return link_; }
+  void type(const std::string& line) { input_.type(line + "\n"); }
+  Outcome end() {
+    process_.send_signal(SIGINT);
+    return process_.wait();
+  }
+
+ private:
+  std::string link_ = reach::scratch_folder() + "/plate";
+  Pty input_{80};
+  Process process_;
+};
+
+// The rehearsal on one computer. The person is slow: a busy machine leaves the plate without a command now and then,
+// and the finger must not be far meanwhile.
+TEST(ReachWithEmulatedPlate, ReachesTheTarget) {
+  const std::regex pace("\"duration_ms\": 2400");
+  const std::string unhurried = std::regex_replace(real_time, pace, "\"duration_ms\": 4800");
+  for (const bool hobby : {true, false}) {
+    EmulatedPlate plate(hobby ? "hobby" : "xl330");
+    const std::string name = (hobby ? "serial:" : "dynamixel:") + plate.link();
+    const Outcome outcome =
+        expect_exit(0, reach::run_scripted(unhurried, {desk, "--target", "goblet", "--plate", name}));
+    EXPECT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
+    EXPECT_TRUE(has(outcome.out, hobby ? "firmware 1.1.0-emulated" : "XL330-M077, id 1, firmware 0"));
+    const Outcome ended = expect_exit(0, plate.end());
+    EXPECT_TRUE(has(ended.out, "SIMULATION") && has(ended.out, name));
+    EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(plate.link())));
+  }
+}
+
+TEST(ReachWithEmulatedPlate, IsEndedByItsEmergencyStopAndAJam) {
+  for (const bool pressed : {true, false}) {
+    EmulatedPlate plate("hobby");
+    reach::Program program({desk, "--target", "goblet", "--plate", "serial:" + plate.link()},
+                           reach::scripted_environment(real_time));
+    EXPECT_TRUE(eventually([&] { return program.out().find("Plate at") != std::string::npos; }));
+    plate.type(pressed ? "e" : "j");
+    const Outcome outcome = expect_exit(9, program.wait());
+    EXPECT_TRUE(has(outcome.err, pressed ? "emergency stop" : "stuck"));
+    EXPECT_TRUE(has(plate.end().out, pressed ? "the emergency stop is pressed" : "the servo is jammed"));
   }
 }
 

@@ -5,7 +5,8 @@
 #include <csignal>
 #include <filesystem>
 
-#include "tests/plugin/plate/pty_device.h"
+#include "samples/app/emulator/pty_device.h"
+#include "tests/plugin/plate/eventually.h"
 #include "tests/samples/reach/program.h"
 #include "tests/samples/reach/replay.h"
 

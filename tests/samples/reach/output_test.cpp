@@ -9,7 +9,8 @@
 #include <sstream>
 #include <thread>
 
-#include "tests/plugin/plate/pty_device.h"
+#include "samples/app/emulator/pty_device.h"
+#include "tests/plugin/plate/eventually.h"
 #include "tests/samples/reach/program.h"
 #include "tests/samples/reach/replay.h"
 
@@ -126,7 +127,7 @@ TEST(ReachPlate, IsUnpluggedOrFallsSilentInTheMiddleOfAReach) {
       if (unplugged)
         device.unplug();
       else
-        device.with([](plate::TwinBoard& board) { board.fall_silent(); });
+        device.with([](plate::HobbyPlate& board) { board.fall_silent(); });
     });
     const std::string file = scratch_folder() + "/r.csv";
     const Outcome outcome =

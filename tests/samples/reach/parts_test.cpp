@@ -6,11 +6,11 @@
 #include <unistd.h>
 
 #include "samples/app/base/exit_code.h"
+#include "samples/app/emulator/pty_device.h"
 #include "samples/app/plate/device_plate.h"
 #include "samples/app/plate/simulated_servo.h"
 #include "samples/app/run/options.h"
 #include "samples/reach/files.h"
-#include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/text.h"
 
 namespace hrt::reach {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "samples/app/emulator/pseudo_terminal.h"
 #include "samples/app/text/text.h"
 #include "samples/study/people/robustness.h"
-#include "tests/plugin/plate/pseudo_terminal.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "plugin/include/plate_driver/dynamixel_packet.h"
 #include "plugin/include/plate_driver/line.h"
-#include "plugin/src/plate/dynamixel/packet.h"
 #include "plugin/src/plate/plate_watch.h"
 
 namespace hrt::plate::dynamixel {

@@ -1,4 +1,4 @@
-#include "plugin/src/plate/dynamixel/packet.h"
+#include "plugin/include/plate_driver/dynamixel_packet.h"
 
 #include <algorithm>
 #include <array>

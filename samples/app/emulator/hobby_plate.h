@@ -1,4 +1,4 @@
-// The firmware, compiled for this machine, with the twin of a hobby servo at its pin.
+// A plate with a hobby servo: the firmware, compiled for this machine, with an emulated servo at its pin.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "plugin/src/plate/plate_line.h"
+#include "samples/app/emulator/servo.h"
 #include "samples/app/firmware/plate.h"
-#include "tests/plugin/plate/emulated_line.h"
-#include "tests/plugin/plate/twin.h"
 
 namespace hrt::plate {
 
@@ -30,24 +28,28 @@ inline Settings commissioned() {
                         {SETTING_SERIAL, 7}});
 }
 
-class TwinBoard {
+/// The bytes of a line with this body.
+std::string line_of(const std::string& body);
+
+class HobbyPlate {
  public:
-  using Time = Twin::Time;
+  using Time = EmulatedServo::Time;
   struct Traits {
     Settings settings = commissioned();
-    TwinTraits servo = {};
+    ServoTraits servo = {};
     double place_deg = 0.0;
     std::string noise;                  ///< that comes before the first answer
     bool answers = true;                ///< false: it never says a word
     bool reports = true;                ///< false: it never says where it is
     std::chrono::milliseconds boot{0};  ///< deaf and mute for so long
     std::chrono::nanoseconds byte_time{87'000};
+    std::string firmware = PLATE_FIRMWARE_VERSION;  ///< that it reports
   };
 
-  TwinBoard() : TwinBoard(Traits{}) {}
-  explicit TwinBoard(Traits traits);
+  HobbyPlate() : HobbyPlate(Traits{}) {}
+  explicit HobbyPlate(Traits traits);
 
-  // ---- As EmulatedLine needs it.
+  // ---- As the end of a line.
   void hear(std::string_view bytes, Time now);
   void run_until(Time now);
   std::string take_output() { return std::exchange(output_, {}); }
@@ -56,13 +58,13 @@ class TwinBoard {
   Time now() const { return now_; }
 
   // ---- As tests without a line do.
-  void say(std::string_view body) { hear(encode_line(body), now_); }
+  void say(const std::string& body) { hear(line_of(body), now_); }
   void run_for(Time time) { run_until(now_ + time); }
   /// The bodies of the lines that it has sent since the last call.
   std::vector<std::string> take_lines();
 
   /// Sends this body as a line.
-  void send(const std::string& body) { output_ += encode_line(body); }
+  void send(const std::string& body) { output_ += line_of(body); }
   void fall_silent() { traits_.answers = false; }
   /// Forgets its host and its place.
   void restart();
@@ -77,7 +79,7 @@ class TwinBoard {
   Plate& plate() { return plate_; }
   int saves() const { return saves_; }
 
-  HobbyTwin servo;
+  HobbyServo servo;
   bool has_room = true;    ///< for lines to the host
   bool has_sensor = true;  ///< else its pin is open
   int codes = 1;           ///< of its converter, of which only the first one comes
@@ -90,14 +92,12 @@ class TwinBoard {
   Traits traits_;
   Plate plate_{};
   PlateInputs inputs_{};
-  LineReader reader_;
+  LineBuffer reader_{};
   std::string output_;
   Time now_{0};
   std::vector<std::string> heard_;
   int heartbeat_stops_ = 0, saves_ = 0;
   bool is_saving_ = false;
 };
-
-using TwinLine = EmulatedLine<TwinBoard>;
 
 }  // namespace hrt::plate

@@ -1,4 +1,4 @@
-#include "tests/plugin/plate/twin.h"
+#include "samples/app/emulator/servo.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +13,13 @@ constexpr auto pulse_holds = 24ms;  // a frame, and a bit
 
 }  // namespace
 
-void Twin::set_goal(std::optional<double> goal_deg, Time now) {
+void EmulatedServo::set_goal(std::optional<double> goal_deg, Time now) {
   const std::optional<double> last_deg = coming_.empty() ? goal_deg_ : coming_.back().place_deg;
   if (goal_deg == last_deg) return;
   coming_.push_back({now + traits_.dead_time, goal_deg});
 }
 
-void Twin::run_until(Time now) {
+void EmulatedServo::run_until(Time now) {
   while (now_ < now) {
     const Time step_end = std::min<Time>(now, now_ + max_step);
     const double seconds = std::chrono::duration<double>(step_end - now_).count();
@@ -29,11 +29,11 @@ void Twin::run_until(Time now) {
   }
 }
 
-double Twin::full_speed_deg_s() const {
+double EmulatedServo::full_speed_deg_s() const {
   return std::min(limit_deg_s_, traits_.speed_deg_s * supply * (1.0 - traits_.load));
 }
 
-void Twin::step(double seconds) {
+void EmulatedServo::step(double seconds) {
   const double error_deg = goal_deg_ ? *goal_deg_ - motor_deg_ : 0.0;
   double wanted_deg_s = 0.0;
   if (!is_jammed && std::abs(error_deg) > traits_.dead_band_deg)
@@ -55,25 +55,25 @@ void Twin::step(double seconds) {
   max_turn_deg_ = std::max(max_turn_deg_, std::abs(plate_deg_));
 }
 
-double Twin::reading_deg() {
+double EmulatedServo::reading_deg() {
   const double wave = std::sin((bend_waves * plate_deg_ + bend_phase_deg) * 3.14159265358979 / 180.0);
   const double shown_deg = plate_deg_ + slip_deg + bend_deg * wave;
   if (traits_.noise_deg == 0.0) return shown_deg;
   return shown_deg + std::normal_distribution<double>(0.0, traits_.noise_deg)(random_);
 }
 
-void HobbyTwin::take_pulse(double width_us, Time now) {
+void HobbyServo::take_pulse(double width_us, Time now) {
   pulsed_ = now;
   set_goal((width_us - 1500.0) * 180.0 / span_us, now);
 }
 
-void HobbyTwin::run_until(Time now) {
+void HobbyServo::run_until(Time now) {
   if (pulsed_ && now - *pulsed_ > pulse_holds) {
-    Twin::run_until(*pulsed_ + pulse_holds);
+    EmulatedServo::run_until(*pulsed_ + pulse_holds);
     set_goal(std::nullopt, *pulsed_ + pulse_holds);
     pulsed_.reset();
   }
-  Twin::run_until(now);
+  EmulatedServo::run_until(now);
 }
 
 }  // namespace hrt::plate

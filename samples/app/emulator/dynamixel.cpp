@@ -1,4 +1,4 @@
-#include "tests/plugin/plate/emulated_dynamixel.h"
+#include "samples/app/emulator/dynamixel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ struct Writable {
 
 }  // namespace
 
-EmulatedDynamixel::EmulatedDynamixel(std::uint8_t id, int model, const TwinTraits& traits) : twin(traits), id_(id) {
+EmulatedDynamixel::EmulatedDynamixel(std::uint8_t id, int model, const ServoTraits& traits) : motor(traits), id_(id) {
   set(0, 2, model);
   set(6, 1, 52);
   set(7, 1, id);
@@ -42,10 +42,10 @@ void EmulatedDynamixel::restart() {
   set(144, 2, 50);  // 5 V
   set(146, 1, 31);
   set(goal_current, 2, get(38, 2));
-  turns_ = static_cast<int>(std::floor((twin.plate_deg() + 180.0) / 360.0));
-  twin.set_goal(std::nullopt, now_);
-  set(goal_position, 4, present(twin.plate_deg()));
-  set(present_position, 4, present(twin.plate_deg()));
+  turns_ = static_cast<int>(std::floor((motor.plate_deg() + 180.0) / 360.0));
+  motor.set_goal(std::nullopt, now_);
+  set(goal_position, 4, present(motor.plate_deg()));
+  set(present_position, 4, present(motor.plate_deg()));
 }
 
 // In position mode offsets of more than a quarter turn are ignored.
@@ -138,7 +138,7 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   if (get(bus_watchdog, 1) == -1 && address >= goal_current && address <= goal_position) return StatusError::data_range;
   if (address < eeprom_end) ++writes_to_eeprom_;
   set(address, size, value);
-  if (address == torque_enable && value == 1) set(goal_position, 4, present(twin.plate_deg()));
+  if (address == torque_enable && value == 1) set(goal_position, 4, present(motor.plate_deg()));
   if (address == 11) {
     set(goal_current, 2, max_current);
     set(profile_velocity, 4, 0);
@@ -152,19 +152,21 @@ void EmulatedDynamixel::run_until(Time now) {
     set(bus_watchdog, 1, -1);
     set(profile_velocity, 4, 0);
     set(profile_acceleration, 4, 0);
-    set(goal_position, 4, present(twin.plate_deg()));
+    set(goal_position, 4, present(motor.plate_deg()));
   }
   now_ = now;
   // Drive mode: bit 0 reverses the direction; with bit 2 the profile is the duration of the motion in milliseconds.
   const auto profile = static_cast<double>(get(profile_velocity, 4));
   const double sign = (get(10, 1) & 1) != 0 ? -1.0 : 1.0;
   const auto goal_steps = sign * static_cast<double>(get(goal_position, 4) - homing() + turns_ * 4096 - 2048);
-  const double way_deg = std::abs(goal_steps * 360.0 / 4096.0 - twin.plate_deg());
+  const double way_deg = std::abs(goal_steps * 360.0 / 4096.0 - motor.plate_deg());
   if (get(goal_position, 4) != std::exchange(last_goal_, get(goal_position, 4)) || (get(10, 1) & 4) == 0)
-    twin.limit_speed(profile == 0.0 ? 1e9 : (get(10, 1) & 4) != 0 ? way_deg / profile * 1000.0 : profile * 0.229 * 6.0);
-  twin.set_goal(get(torque_enable, 1) == 1 ? std::optional(goal_steps * 360.0 / 4096.0) : std::nullopt, now);
-  twin.run_until(now);
-  set(present_position, 4, present(twin.reading_deg()));
+    motor.limit_speed(profile == 0.0          ? 1e9
+                      : (get(10, 1) & 4) != 0 ? way_deg / profile * 1000.0
+                                              : profile * 0.229 * 6.0);
+  motor.set_goal(get(torque_enable, 1) == 1 ? std::optional(goal_steps * 360.0 / 4096.0) : std::nullopt, now);
+  motor.run_until(now);
+  set(present_position, 4, present(motor.reading_deg()));
 }
 
 }  // namespace hrt::plate

@@ -8,7 +8,7 @@
 
 namespace hrt::plate {
 
-struct TwinTraits {
+struct ServoTraits {
   double speed_deg_s = 250.0;  ///< without a load
   double acceleration_deg_s2 = 10'000.0;
   std::chrono::microseconds dead_time{10'000};  ///< from a new goal to the motor
@@ -21,11 +21,11 @@ struct TwinTraits {
 };
 
 /// A motor that turns to its goal with a trapezoid of speed, and drags the plate along through its gears.
-class Twin {
+class EmulatedServo {
  public:
   using Time = std::chrono::nanoseconds;
 
-  explicit Twin(const TwinTraits& traits = {}, double place_deg = 0.0)
+  explicit EmulatedServo(const ServoTraits& traits = {}, double place_deg = 0.0)
       : traits_(traits), motor_deg_(place_deg), plate_deg_(place_deg), random_(traits.seed) {}
 
   /// Nothing: no force; it stays, and a hand can turn it.
@@ -36,7 +36,7 @@ class Twin {
   /// Of its own speed, as a profile does.
   void limit_speed(double speed_deg_s) { limit_deg_s_ = speed_deg_s; }
 
-  const TwinTraits& traits() const { return traits_; }
+  const ServoTraits& traits() const { return traits_; }
   double plate_deg() const { return plate_deg_; }
   /// With the sensor's noise.
   double reading_deg();
@@ -61,7 +61,7 @@ class Twin {
   };
   void step(double seconds);
 
-  TwinTraits traits_;
+  ServoTraits traits_;
   double motor_deg_, plate_deg_, speed_deg_s_ = 0.0;
   double limit_deg_s_ = 1e9;
   double max_speed_deg_s_ = 0.0, max_turn_deg_ = 0.0;
@@ -72,9 +72,9 @@ class Twin {
 };
 
 /// A hobby servo, with a sensor of 10 bits at the plate: 1 V at -90, 4 V at 90 degrees, of 5 V.
-class HobbyTwin : public Twin {
+class HobbyServo : public EmulatedServo {
  public:
-  explicit HobbyTwin(const TwinTraits& traits = {}, double place_deg = 0.0) : Twin(traits, place_deg) {}
+  explicit HobbyServo(const ServoTraits& traits = {}, double place_deg = 0.0) : EmulatedServo(traits, place_deg) {}
 
   /// Drives the motor for a frame.
   void take_pulse(double width_us, Time now);

@@ -7,9 +7,8 @@
 #include <cstdint>
 #include <string>
 
-#include "plugin/src/plate/dynamixel/packet.h"
-#include "tests/plugin/plate/emulated_line.h"
-#include "tests/plugin/plate/twin.h"
+#include "plugin/include/plate_driver/dynamixel_packet.h"
+#include "samples/app/emulator/servo.h"
 
 namespace hrt::plate {
 
@@ -18,14 +17,14 @@ class EmulatedDynamixel {
   using Time = std::chrono::nanoseconds;
 
   /// An XL330-M288 at 5 V without a load: 618 degrees a second.
-  static constexpr TwinTraits own = {.speed_deg_s = 618.0,
-                                     .acceleration_deg_s2 = 20'000.0,
-                                     .dead_time = std::chrono::microseconds(2000),
-                                     .dead_band_deg = 0.0,
-                                     .lower_stop_deg = -1e4,
-                                     .upper_stop_deg = 1e4};
+  static constexpr ServoTraits own = {.speed_deg_s = 618.0,
+                                      .acceleration_deg_s2 = 20'000.0,
+                                      .dead_time = std::chrono::microseconds(2000),
+                                      .dead_band_deg = 0.0,
+                                      .lower_stop_deg = -1e4,
+                                      .upper_stop_deg = 1e4};
 
-  explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200, const TwinTraits& traits = own);
+  explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200, const ServoTraits& traits = own);
 
   /// Takes bytes of the bus in.
   void hear(std::string_view bytes, Time now);
@@ -37,7 +36,7 @@ class EmulatedDynamixel {
   void run_until(Time now);
 
   /// Of its shaft, whatever its homing offset.
-  double orientation_deg() const { return twin.plate_deg(); }
+  double orientation_deg() const { return motor.plate_deg(); }
   std::int64_t get(int address, int size) const;
   void set(int address, int size, std::int64_t value);
   /// Power fails and returns: the RAM has its initial values.
@@ -48,7 +47,7 @@ class EmulatedDynamixel {
   Time answer_delay() const { return std::chrono::microseconds(500) + delay; }
   int writes_to_eeprom() const { return writes_to_eeprom_; }
 
-  Twin twin;
+  EmulatedServo motor;
   bool is_mute = false;
   bool echoes = false;                 ///< an adapter that hears what it says
   std::chrono::milliseconds delay{0};  ///< of every answer
@@ -73,7 +72,5 @@ class EmulatedDynamixel {
   std::int64_t last_goal_ = 0;
   dynamixel::PacketReader reader_;
 };
-
-using DynamixelLine = EmulatedLine<EmulatedDynamixel>;
 
 }  // namespace hrt::plate

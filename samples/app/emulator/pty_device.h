@@ -7,10 +7,9 @@
 #include <mutex>
 #include <thread>
 
-#include "tests/plugin/plate/emulated_dynamixel.h"
-#include "tests/plugin/plate/eventually.h"
-#include "tests/plugin/plate/pseudo_terminal.h"
-#include "tests/plugin/plate/twin_board.h"
+#include "samples/app/emulator/dynamixel.h"
+#include "samples/app/emulator/hobby_plate.h"
+#include "samples/app/emulator/pseudo_terminal.h"
 
 namespace hrt::plate {
 
@@ -23,7 +22,7 @@ class PtyDevice {
   }
   ~PtyDevice() {
     ending_ = true;
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
   }
   PtyDevice(const PtyDevice&) = delete;
   PtyDevice& operator=(const PtyDevice&) = delete;
@@ -32,8 +31,9 @@ class PtyDevice {
   const std::string& device() const { return pty_.device(); }
   /// The line is gone.
   void unplug() {
-    unplugged_ = true;
-    eventually([this] { return gone_.load(); });
+    ending_ = true;
+    thread_.join();
+    pty_.unplug();
   }
   /// What `action` returns of the device, between two of its moments.
   template <class Action>
@@ -49,7 +49,7 @@ class PtyDevice {
     using Clock = std::chrono::steady_clock;
     constexpr auto max_slice = std::chrono::milliseconds(20);
     auto began = Clock::now() - emulated_.now();
-    while (!ending_ && !unplugged_) {
+    while (!ending_) {
       const std::string bytes = pty_.take(1);
       const std::lock_guard lock(mutex_);
       const auto behind = Clock::now() - began - emulated_.now();
@@ -59,32 +59,28 @@ class PtyDevice {
       emulated_.run_until(now);
       pty_.type(emulated_.take_output());
     }
-    if (unplugged_) pty_.unplug();
-    gone_ = true;
   }
 
   Device emulated_;
   std::mutex mutex_;  // of emulated_
   Pty pty_;
   std::atomic<bool> ending_ = false;
-  std::atomic<bool> unplugged_ = false;
-  std::atomic<bool> gone_ = false;
   std::thread thread_;
 };
 
 using PtyDynamixel = PtyDevice<EmulatedDynamixel>;
 
-class PtyPlate : public PtyDevice<TwinBoard> {
+class PtyPlate : public PtyDevice<HobbyPlate> {
  public:
-  explicit PtyPlate(const TwinBoard::Traits& traits = {}) : PtyDevice(traits) {}
+  explicit PtyPlate(const HobbyPlate::Traits& traits = {}) : PtyDevice(traits) {}
 
-  /// As of TwinBoard.
+  /// As of HobbyPlate.
   void send(const std::string& body) {
-    with([&](TwinBoard& board) { board.send(body); });
+    with([&](HobbyPlate& board) { board.send(body); });
   }
-  std::vector<std::string> heard() { return with(&TwinBoard::heard); }
-  bool is_following() { return with(&TwinBoard::is_following); }
-  double orientation_deg() { return with(&TwinBoard::orientation_deg); }
+  std::vector<std::string> heard() { return with(&HobbyPlate::heard); }
+  bool is_following() { return with(&HobbyPlate::is_following); }
+  double orientation_deg() { return with(&HobbyPlate::orientation_deg); }
 };
 
 }  // namespace hrt::plate

@@ -1,4 +1,6 @@
-#include "tests/plugin/plate/twin_board.h"
+#include "samples/app/emulator/hobby_plate.h"
+
+#include <array>
 
 namespace hrt::plate {
 namespace {
@@ -7,50 +9,60 @@ using namespace std::chrono_literals;
 
 constexpr auto frame = 20ms;
 
-thread_local TwinBoard* speaking = nullptr;  // its firmware is running
+thread_local HobbyPlate* speaking = nullptr;  // its firmware is running
 
 }  // namespace
 
-bool TwinBoard::send_line(const char* line, std::uint8_t length) {
+std::string line_of(const std::string& body) {
+  std::array<char, LINE_SIZE> line{};
+  return {line.data(), line_seal(line.data(), body.c_str())};
+}
+
+bool HobbyPlate::send_line(const char* line, std::uint8_t length) {
   if (!speaking->has_room) return false;
   const std::string_view text(line, length);
   if (text.starts_with("STOPPED heartbeat")) ++speaking->heartbeat_stops_;
   const Traits& traits = speaking->traits_;
-  if (traits.answers && (traits.reports || !text.starts_with("AT "))) speaking->output_ += text;
+  if (!traits.answers || (!traits.reports && text.starts_with("AT "))) return true;
+  constexpr std::string_view own = "INFO " PLATE_FIRMWARE_VERSION;
+  if (text.starts_with(own)) {
+    speaking->send("INFO " + traits.firmware + std::string(text.substr(own.size(), 7)));  // and the serial number
+  } else {
+    speaking->output_ += text;
+  }
   return true;
 }
 
-void TwinBoard::save(const std::uint8_t*) {
+void HobbyPlate::save(const std::uint8_t*) {
   ++speaking->saves_;
   speaking->is_saving_ = true;
 }
 
-TwinBoard::TwinBoard(Traits traits)
+HobbyPlate::HobbyPlate(Traits traits)
     : servo(traits.servo, traits.place_deg), traits_(std::move(traits)), output_(traits_.noise) {
   restart();
 }
 
-void TwinBoard::restart() {
+void HobbyPlate::restart() {
   static constexpr PlateBoard board{send_line, save};
   plate_start(&plate_, &board, &traits_.settings);
 }
 
-void TwinBoard::hear(std::string_view bytes, Time now) {
+void HobbyPlate::hear(std::string_view bytes, Time now) {
   run_until(now);
   if (now < traits_.boot) return;
   speaking = this;
   for (const char byte : bytes) {
     plate_hear(&plate_, byte);
-    const auto line = reader_.take(byte);
-    const auto body = line ? decode_line(*line) : std::nullopt;
-    if (!body) continue;
-    std::string_view words = *body;  // without sequence number and token
+    LineError error = LINE_OK;
+    if (!line_take(&reader_, byte, &error) || error != LINE_OK) continue;
+    std::string_view words = reader_.text;  // without sequence number and token
     while (words.size() > 9 && words[words.size() - 6] == ' ') words.remove_suffix(6);
     heard_.emplace_back(words);
   }
 }
 
-void TwinBoard::run_until(Time now) {
+void HobbyPlate::run_until(Time now) {
   while (now_ < now) {
     const Time next = (now_ / 1ms + 1) * 1ms;
     const bool ticks = next <= now;
@@ -60,7 +72,7 @@ void TwinBoard::run_until(Time now) {
   }
 }
 
-void TwinBoard::tick() {
+void HobbyPlate::tick() {
   speaking = this;
   const double pin_mv = has_sensor ? servo.sensor_mv() : 0.0;
   inputs_.adc = static_cast<std::int16_t>(std::clamp(std::lround(pin_mv * 1023.0 / 5000.0), 0L, 1023L));
@@ -75,12 +87,12 @@ void TwinBoard::tick() {
   if (now_ % frame == 0ms && ticks != 0) servo.take_pulse(ticks / 2.0, now_);
 }
 
-std::vector<std::string> TwinBoard::take_lines() {
+std::vector<std::string> HobbyPlate::take_lines() {
   std::vector<std::string> lines;
-  LineReader reader;
+  LineBuffer reader{};
+  LineError error = LINE_OK;
   for (const char byte : take_output())
-    if (const auto line = reader.take(byte))
-      if (const auto body = decode_line(*line)) lines.emplace_back(*body);
+    if (line_take(&reader, byte, &error) && error == LINE_OK) lines.emplace_back(reader.text);
   return lines;
 }
 

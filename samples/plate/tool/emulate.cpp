@@ -1,0 +1,92 @@
+#include "samples/plate/tool/emulate.h"
+
+#include <chrono>
+#include <cmath>
+#include <ostream>
+#include <stdexcept>
+#include <thread>
+
+#include "samples/app/base/interrupt.h"
+#include "samples/app/emulator/pty_device.h"
+#include "samples/app/text/format.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Replaces a link that an earlier run has left, and nothing else.
+class Link {
+ public:
+  Link(std::filesystem::path path, const std::string& device) : path_(std::move(path)) {
+    if (path_.empty()) return;
+    std::error_code error;
+    if (std::filesystem::read_symlink(path_, error).parent_path() == "/dev/pts") std::filesystem::remove(path_, error);
+    std::filesystem::create_symlink(device, path_, error);
+    if (error) throw std::invalid_argument("--link " + path_.string() + " cannot be made: " + error.message());
+  }
+  ~Link() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove(path_, ignored);
+  }
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+
+ private:
+  std::filesystem::path path_;
+};
+
+// As wired, the emergency stop cuts the servo's supply, and a hobby servo's board sees it.
+void press(HobbyPlate& plate, bool pressed) {
+  plate.press(pressed);
+  plate.servo.supply = pressed ? 0.0 : 1.0;
+}
+void press(EmulatedDynamixel& servo, bool pressed) {
+  servo.restart();
+  servo.is_mute = pressed;
+}
+void jam(HobbyPlate& plate, bool jammed) { plate.servo.is_jammed = jammed; }
+void jam(EmulatedDynamixel& servo, bool jammed) { servo.motor.is_jammed = jammed; }
+
+template <class Emulated>
+void run(PtyDevice<Emulated>& plate, const char* kind, const char* protocol, const Emulation& emulation,
+         const std::function<Entry()>& read, std::ostream& out) {
+  app::note_interrupts();
+  const Link link(emulation.link, plate.device());
+  out << "SIMULATION of a plate with " << kind << ": no servo and no board is connected. Its name is\n    " << protocol
+      << ":" << (emulation.link.empty() ? plate.device() : emulation.link.string())
+      << "\nEnter alone shows the scale; e and Enter presses or releases the emergency stop, j and Enter jams or frees "
+         "the servo.\nCtrl-C ends it."
+      << std::endl;
+  const auto place_deg = [&] { return plate.with([](Emulated& emulated) { return emulated.orientation_deg(); }); };
+  bool pressed = false, jammed = false;
+  for (bool reads = true; !app::is_interrupted(); std::this_thread::sleep_for(20ms)) {
+    const Entry entry = reads ? read() : Entry{};
+    reads = !entry.ended;
+    if (!entry.line) continue;
+    if (*entry.line == "e") {
+      plate.with([&](Emulated& emulated) { press(emulated, pressed = !pressed); });
+    } else if (*entry.line == "j") {
+      plate.with([&](Emulated& emulated) { jam(emulated, jammed = !jammed); });
+    }
+    out << format("the scale shows %+.0f", place_deg()) << (pressed ? "; the emergency stop is pressed" : "")
+        << (jammed ? "; the servo is jammed" : "") << std::endl;
+  }
+}
+
+}  // namespace
+
+void emulate(const Emulation& emulation, const std::function<Entry()>& read, std::ostream& out) {
+  if (emulation.plate == "xl330") {
+    PtyDevice<EmulatedDynamixel> plate(std::uint8_t{1}, 1190);
+    plate.with([](EmulatedDynamixel& servo) { servo.set(6, 1, 0); });  // firmware 0: no servo has it
+    run(plate, "an XL330-M077", "dynamixel", emulation, read, out);
+    return;
+  }
+  const bool is_new = emulation.plate == "hobby-new";
+  PtyDevice<HobbyPlate> plate(HobbyPlate::Traits{.settings = is_new ? settings_default() : commissioned(),
+                                                 .firmware = PLATE_FIRMWARE_VERSION "-emulated"});
+  run(plate, is_new ? "a hobby servo, not commissioned" : "a hobby servo", "serial", emulation, read, out);
+}
+
+}  // namespace hrt::plate
