@@ -1,4 +1,4 @@
-// Simulated slides of the paper's person over a plate that stands still, as a calibration records them.
+// Simulated slides of the paper's person over a plate at rest, as a calibration records them.
 #pragma once
 
 #include "core/calibrate/slide_track.h"
@@ -7,7 +7,7 @@
 
 namespace hrt {
 
-/// Who slides, and how they are tracked.
+/// The participant of a slide and the tracker.
 struct CalibrationCondition {
   Participant participant;
   double goal_direction_deg = 0.0;  ///< of the target

@@ -14,11 +14,11 @@ inline constexpr int max_trial_steps = 10'000;
 
 /// All that a trial depends on but its random numbers. The defaults are condition 1 of Table I.
 struct Condition {
-  Participant participant;             ///< who reaches
+  Participant participant;             ///< the simulated participant who reaches
   RetargeterConfig controller;         ///< `controller.participant` is the participant that it assumes
   double real_direction_deg = -5.0;    ///< P_R
   double virtual_direction_deg = 5.0;  ///< theta_V, within 90 of the real one
-  double plate_orientation_deg = 0.0;  ///< where the plate stands before the first step
+  double plate_orientation_deg = 0.0;  ///< orientation before the first step
   int steps = 30;                      ///< of a reach, 1 to max_trial_steps
   double tolerance_deg = 1.5;          ///< a trial hits if |P_steps - P_R| is at most this, >= 0
 };

@@ -14,7 +14,7 @@ RetargeterConfig people_controller(const Tuning& tuning = {});
 /// The same, with the tracker's declared latency.
 RetargeterConfig people_controller(const PersonCondition& condition, const Tuning& tuning = {});
 
-/// What of a person is worth knowing. The gain and the fading of touch are of the model's person: knowing
+/// The traits whose knowledge helps the controller. The gain and the fading of touch are of the model's person: knowing
 /// those of a simulated one costs more reaches than it gains.
 inline constexpr PersonState::Index telling_traits[] = {
     PersonState::weight,  PersonState::curve,      PersonState::bias,    PersonState::habit,

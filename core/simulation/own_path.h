@@ -1,5 +1,5 @@
-// The path that a person takes of their own accord, with statistics of recorded reaches: the direction of motion less
-// the direction of the target, over the fraction s of the path, in degrees,
+// The path that a person takes of their own accord, with statistics of recorded reaches. It is the direction of motion
+// less the direction of the target, over the fraction s of the path, in degrees,
 //
 //   o(s) = a0 (1 - 2 s) + a1 (6 s^2 - 6 s + 1) + a2 ((1 - s)^8 - 1/9) + a3 (s^8 - 1/9)
 //

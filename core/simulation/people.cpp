@@ -27,7 +27,7 @@ void headset(PersonCondition& condition, Draws& draws) {
   TrackerModel& tracker = condition.tracker;
   tracker.rate_hz = 72.0;
   tracker.latency_s = 0.045;
-  // Of the target's place, in any direction.
+  // Direction in which the target moves.
   const double towards_deg = 360.0 * draws.uniform();
   const double along = 1.0 + 11.0 / condition.distance_mm * cos_deg(towards_deg);
   const double across = 11.0 / condition.distance_mm * sin_deg(towards_deg);
@@ -188,13 +188,13 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { c.plate.max_speed_deg_s = 250.0; }},
     {"late-plate", "plate 30 ms later than believed", false,
      [](PersonCondition& c, Draws&) { c.plate.latency_ns = 60'000'000; }},
-    {"late-samples", "samples up to 8 ms late, each anew", false,
+    {"late-samples", "samples up to 8 ms late, each independently", false,
      [](PersonCondition& c, Draws&) { c.tracker.late_s = 0.008; }},
     {"latency-100", "tracker 100 ms late, and declared so", false,
      [](PersonCondition& c, Draws&) { c.tracker.latency_s = c.tracker.declared_latency_s = 0.1; }},
     {"latency-45", "tracker 45 ms late, not declared", false,
      [](PersonCondition& c, Draws&) { c.tracker.latency_s = 0.045; }},
-    {"faults", "one of these faults of tracker or plate, or none, anew in each reach", false,
+    {"faults", "one of these faults of tracker or plate, or none, drawn in each reach", false,
      [](PersonCondition& c, Draws&) { c.faulty = true; }},
     {"mixture", "clip-60, bias 2°, habit 3°, noise half correlated", true,
      [](PersonCondition& c, Draws& d) {

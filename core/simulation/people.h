@@ -53,7 +53,7 @@ struct PeopleFamily {
 /// All families; the first is people whose illusion is linear.
 std::span<const PeopleFamily> people_families();
 
-/// The family of that name; null if there is none.
+/// The family of that name; null if no family has it.
 const PeopleFamily* people_family(const char* name);
 
 /// Person `index` of a family, who moves for `duration_s`: w_T in 0.12 to 0.30, gain 5 to 12 /s, delay up to

@@ -55,8 +55,8 @@ enum class Pace {
   minimum_jerk,  ///< 10 u^3 - 15 u^4 + 6 u^5
   even,
   skewed,        ///< minimum jerk that peaks at two fifths of the time
-  stop_and_go,   ///< minimum jerk whose clock stands still for 0.3 s at 35 and at 70 % of it
-  pause,         ///< minimum jerk whose clock stands still for 0.6 s at half of it
+  stop_and_go,   ///< minimum jerk whose clock stops for 0.3 s at 35 and at 70 % of it
+  pause,         ///< minimum jerk whose clock stops for 0.6 s at half of it
   two_parts,     ///< minimum jerk to 60 % of the path, then again to the end
   reversal,      ///< overshoots by a tenth of the path and comes back
   submovements,  ///< three minimum jerks, one after the other, of shares and times drawn at each reach
@@ -88,8 +88,7 @@ struct Person {
 inline constexpr double ridge_spacing_mm = 10.0;
 inline constexpr double touch_memory_s = 0.3;
 
-/// What the person feels of the shift, in the mean of a motion at that speed, which only those who feel ridges as
-/// they cross them depend on.
+/// Mean felt shift in a motion at that speed. Only people who feel ridges as they cross them depend on the speed.
 double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg);
 double max_shift_deg(const Person& person, double speed_mm_s, double bound_deg, double sign);
 
@@ -113,7 +112,7 @@ class SlidingPerson {
 
   bool done() const { return done_ && answers_in_ms_ == 0; }
   const PlatePoint& position() const { return position_; }
-  /// Where they feel that the finger is: the start, and every motion since in the direction that was felt.
+  /// Felt position of the finger: the start plus each motion since, in the direction that was felt.
   const PlatePoint& felt_position() const { return felt_position_; }
   double speed_mm_s() const { return speed_mm_s_; }
   double direction_deg() const { return direction_deg_; }
@@ -156,7 +155,7 @@ class SlidingPerson {
   double crossed_shift_deg_ = 0.0, touched_shift_deg_ = 0.0;
   double ridge_travel_mm_ = 0.0;
   double perceived_variance_deg2_ = 0.0;  // steps
-  // Where one of submovements ends.
+  // The end of one submovement.
   struct Part {
     double time, share;  // of the whole
   };
@@ -167,7 +166,7 @@ class SlidingPerson {
   double own_deg_ = 0.0;                   // direction of the own path
   int millisecond_ = 0;
   bool done_ = false;
-  // What the person answers, a millisecond each; until the last one at rest it was all alike.
+  // Answers of the person, one for each millisecond; all answers before the oldest are equal to it.
   static constexpr int history_size = 256;
   std::array<double, history_size> felt_history_{};
   int rested_ms_ = 0;

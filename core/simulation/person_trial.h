@@ -27,7 +27,7 @@ struct PersonMoment {
   double time_s;      ///< since the reach began; the finger moves later
   PlatePoint finger;  ///< where it is
   PlatePoint felt;    ///< where the person feels that it is
-  double plate_deg;   ///< where the ridge normal stands
+  double plate_deg;   ///< orientation of the ridge normal
   PlateCommand command;
   const PersonFilter* filter;  ///< the controller's; null: it is not the one for people
 };

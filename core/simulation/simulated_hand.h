@@ -29,7 +29,7 @@ class SimulatedHand {
   /// As move(), of the skin in plate coordinates. None: the person stays where they are. Requires is_guided().
   Eigen::Vector3d follow(std::int64_t time_ns, double plate_orientation_deg, const std::optional<SetupStep>& step);
   bool is_guided() const { return guided_.has_value(); }
-  /// Of the tracked joint, in the plate's axes. Requires is_guided().
+  /// Orientation of the tracked joint, in the plate's axes. Requires is_guided().
   const Eigen::Quaterniond& attitude() const { return guided_->attitude(); }
 
   /// Commands the plate, which is where the first call of a reach says, and lets time pass. Returns where the

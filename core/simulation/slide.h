@@ -1,4 +1,4 @@
-// Simulated slides of people (people.h) over a plate that stands still, as a calibration records them.
+// Simulated slides of people (people.h) over a plate at rest, as a calibration records them.
 #pragma once
 
 #include "core/calibrate/slide_track.h"

@@ -21,7 +21,7 @@ struct TrackerModel {
   double correlated_log_sd = 0.0;   ///< the noise of a reach is e^x times as large, with this SD of x
   double latency_s = 0.0;           ///< from a motion to its sample
   double declared_latency_s = 0.0;  ///< of it, what the controller is given
-  double late_s = 0.0;              ///< samples come up to this later still, each anew; less than between samples
+  double late_s = 0.0;              ///< samples come up to this later, each independently; less than the sample period
   double outlier_share = 0.0;       ///< of samples that are off by 30 mm, standard deviation
   double wild_mm = 0.0;             ///< wild_samples from wild_at_s on are off by this
   double wild_at_s = 0.0;
@@ -73,7 +73,7 @@ class Tracker {
     if (time_s >= next_s_) see(time_s, finger);
   }
 
-  /// The next sample that has come by `time_ns`; none if there is none.
+  /// The next sample that has come by `time_ns`, if any.
   std::optional<FingerSample> arrived(std::int64_t time_ns);
 
  private:

@@ -66,7 +66,7 @@ TEST(Learning, AnIllusionThatHasFallenIsUnknownAgain) {
   EXPECT_EQ(carried(unknown, learnt, true, unknown).mean(PersonState::weight), 0.18);
 }
 
-// Of a bias of 0 +- 4 and a scatter of 1.2, a reach that showed 3 +- 0.71 has 3 (16 / 17.44) of the bias, and a
+// With a bias of 0 +- 4 and a scatter of 1.2, a reach that showed 3 +- 0.71 adds 3 (16 / 17.44) to the bias, and has a
 // deviation whose square is expected to be 0.248^2 + 1.3245. A scatter of 1.2 +- 0.8 takes 8 / 17 of that in.
 TEST(Learning, AReachsDeviationIsNotTheirBias) {
   const PersonBelief unknown = unknown_person();

@@ -1,4 +1,4 @@
-// What the uncertainty of the plate's pose does to reaches of people.
+// Effect of the uncertainty of the plate's pose on reaches.
 #include <gtest/gtest.h>
 
 #include <cmath>

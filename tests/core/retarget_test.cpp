@@ -83,7 +83,7 @@ TEST(Retarget, DirectionsAreSeenFromTheFingerAndFromWhereItIsFelt) {
   }
 }
 
-// What nobody can hold is said so from the next command on.
+// A gap that no one can hold is UNREACHABLE from the next command on.
 TEST(Retarget, AGapThatGrowsTooLargeIsUnreachable) {
   for (const ControlMode mode : both_modes) {
     Retargeter retargeter = slid_until(mode, 700 * ms);

@@ -1,4 +1,4 @@
-// What is done at the end of a scope, however it ends.
+// A function that runs at the end of a scope, also after an exception.
 #pragma once
 
 #include <utility>

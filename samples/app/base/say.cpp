@@ -16,7 +16,7 @@ namespace {
 constexpr auto say_limit = std::chrono::milliseconds(100);
 
 // Standard error as a descriptor of our own that does not block; standard error itself where it cannot, and
-// where it never blocks: a file opened anew would be written from its start.
+// where it never blocks: a file opened again would be written from its start.
 int open_without_blocking() {
   struct stat status{};
   if (fstat(STDERR_FILENO, &status) != 0 || S_ISREG(status.st_mode) || S_ISSOCK(status.st_mode)) return STDERR_FILENO;

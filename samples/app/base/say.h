@@ -1,4 +1,4 @@
-// Words on standard error that wait for nobody.
+// Messages on standard error that never block.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace hrt::app {
 /// full pipe or a stopped terminal does not take within 100 ms is dropped. Any thread.
 void say(std::string_view text);
 
-/// Of the terminal on standard error; 80 if it does not say.
+/// Columns of the terminal on standard error; 80 if unknown.
 std::size_t columns();
 
 }  // namespace hrt::app

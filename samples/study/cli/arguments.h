@@ -89,10 +89,10 @@ CLI::Option* add_plot(CLI::App& app, std::string* path, const std::string& help)
 /// Adds --threads; the default is every processor.
 CLI::Option* add_threads(CLI::App& app, std::uint64_t* threads);
 
-/// Adds --seed.
+/// Adds the option --seed.
 CLI::Option* add_seed(CLI::App& app, std::uint64_t* seed);
 
-/// Adds --trials.
+/// Adds the option --trials.
 CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string& help);
 
 /// Adds a list of traits of the controller's model.

@@ -47,7 +47,7 @@ std::runtime_error cannot_write(const std::filesystem::path& path, int error);
 /// write_whole_file() (samples/whole_file.h). Throws std::runtime_error if that fails.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-/// Where a subcommand's result goes: a file, or standard output for an empty path. Made before the work, so
+/// Destination of a subcommand's result: a file, or standard output for an empty path. Made before the work, so
 /// that a place that can't be written is known at once.
 class Output {
  public:

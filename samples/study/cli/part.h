@@ -30,10 +30,10 @@ struct Part {
   }
 };
 
-/// What the help says of parts of such rows.
+/// The paragraph of the help about parts of such rows.
 std::string part_words(const std::string& rows);
 
-/// Adds --part.
+/// Adds the option --part.
 void add_part(CLI::App& command, Part* part);
 
 }  // namespace hrt::study

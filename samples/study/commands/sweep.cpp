@@ -21,7 +21,7 @@ class Grid {
  public:
   std::vector<double> virtual_directions_deg{5.0};
   std::vector<double> gaps_deg{10.0};
-  std::array<std::vector<double>, std::tuple_size_v<ParameterValues>> values;  ///< as `parameters`
+  std::array<std::vector<double>, std::tuple_size_v<ParameterValues>> values;  ///< in the order of `parameters`
 
   Grid() {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = {parameters[i].default_value};

@@ -111,7 +111,7 @@ Examples:
              "Direction of the virtual target, deg; less than 90 from the real one.");
   for (std::size_t i = 0; i < parameters.size(); ++i) add_parameter(command, parameters[i], &options->values[i]);
   add_number(command, "--plate-start", &options->plate_start_deg, direction_range,
-             "Where the plate stands before the first step, deg; matters with a rate bound.");
+             "Orientation of the plate before the first step, deg; matters with a rate bound.");
   show_default(add_number(command, "--fixed-plate", &options->fixed_plate_deg, direction_range,
                           "No controller: the plate stays at this orientation, deg."),
                "");

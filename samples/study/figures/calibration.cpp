@@ -215,7 +215,7 @@ std::string curve_and_directions(const Calibration& calibration) {
          "title 'along ridges'\nunset key\n";
 }
 
-// What is left over the plate's angle, over the order and along the path.
+// Panels of the residuals over the plate's angle, over the order of slides and along the path.
 std::string residual_panels(const LackOfFit& lack) {
   const std::string line = "0 with lines lw 1.5 lc rgb '#08306b' notitle, ";
   const auto residuals = [&](const char* x) {

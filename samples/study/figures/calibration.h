@@ -18,8 +18,8 @@ struct CalibrationReport {
 
 /// A value of a calibration, with how it is written.
 struct EstimatedTrait {
-  const char* name;   ///< in JSON
-  const char* words;  ///< with unit
+  const char* name;   ///< name in JSON
+  const char* words;  ///< label with its unit
   Interval interval;
   int decimals;
 };

@@ -12,8 +12,8 @@ namespace hrt::study {
 
 struct Figure {
   std::string name;     ///< of its files, without ending
-  std::string title;    ///< plain text
-  std::string caption;  ///< plain text
+  std::string title;    ///< plain text, escaped on output
+  std::string caption;  ///< plain text, escaped on output
   int width_px;
   int height_px;
   std::string script;  ///< without terminal and output
@@ -25,7 +25,7 @@ std::vector<Figure> path_figures(std::uint64_t seed);
 /// Table I, paper and model side by side.
 Figure table1_figure(const Table1& table);
 
-/// Of a label: numbers with minus signs for hyphens.
+/// Returns a label with minus signs in place of hyphens before numbers.
 std::string with_minus_signs(std::string text);
 
 /// The whole script, which writes NAME.svg.

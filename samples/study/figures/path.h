@@ -21,7 +21,7 @@ PathPoint ahead(PathPoint from, double direction_deg, double distance_mm);
 /// Equal distances along the direction of each step, path_length_mm in all.
 Path path_of(const std::vector<TrialStep>& steps, double TrialStep::* direction_deg);
 
-/// Of paths of the same steps, step by step.
+/// The median of paths with the same steps, step by step.
 Path median_path(const std::vector<Path>& paths);
 
 /// A block of data with that name; a blank line between paths breaks the curve.

@@ -89,7 +89,7 @@ double enlargement(const LateralRange& range) {
   return panel_width_px / (range.last_mm - range.first_mm) / (panel_height_px / forward_range_mm);
 }
 
-// What the trials of a figure show.
+// The trials that a figure shows.
 struct PaperTrials {
   std::vector<Path> true_paths;
   std::vector<Path> perceived_paths;

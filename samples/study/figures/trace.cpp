@@ -12,7 +12,7 @@ constexpr int columns = 4;
 constexpr double plate_radius_mm = 75.0;
 constexpr double start_away_mm = -50.0;  // as seen from the plate's centre
 constexpr double ridge_mm = 10.0;
-constexpr double still_s = 1.2;    // at the end, before it begins anew
+constexpr double still_s = 1.2;    // at the end, before it begins again
 constexpr double before_s = 0.25;  // of the motion
 constexpr int frames_a_second = 25;
 

@@ -41,7 +41,7 @@ class CsvReader {
 
   /// `text`, of `what` in this line, is not allowed.
   UsageError wrong(const std::string& what, std::string_view text, const std::string& allowed) const;
-  /// What this row has under the column is not allowed.
+  /// The error that this row's value in a column is not allowed.
   UsageError wrong(std::string_view column, const std::string& allowed) const;
 
  private:
@@ -57,7 +57,7 @@ class CsvReader {
 /// "FILE, line 3".
 std::string line_of_file(const std::string& name, std::size_t line);
 
-/// What an error quotes of a text: its first 40 characters.
+/// The first 40 characters of a text, as an error quotes them.
 std::string shown(std::string_view text);
 
 }  // namespace hrt::study

@@ -15,7 +15,7 @@ class App;
 
 namespace hrt::study {
 
-/// In the order in which its values are put. A number that is none becomes null, and an empty field of CSV.
+/// Values in their order. A number that is not finite becomes null, and an empty field of CSV.
 using Row = nlohmann::ordered_json;
 
 struct Results {
@@ -33,7 +33,7 @@ std::string csv_of(const Results& results, const Part& part = {});
 /// `about`, then "rows". Text that is not UTF-8 is replaced.
 std::string json_of(const Results& results);
 
-/// Where and as what a command writes its results: --format and --out, and --part for those that have parts.
+/// Destination and format of a command's results: --format and --out, and --part for those that have parts.
 struct Writing {
   std::string format = "text";
   std::string out;
@@ -44,7 +44,7 @@ struct Writing {
   /// Throws UsageError for parts in a format that `cat` does not join.
   void check_part() const;
 
-  /// What `make` returns, as `results_of` or `text_of` it. Throws as Output, before the work, if --out cannot
+  /// Writes the result of `make`, as `results_of` or `text_of` it. Throws as Output, before the work, if --out cannot
   /// be written.
   void write(auto&& make, auto&& results_of, auto&& text_of) const {
     check_part();

@@ -16,7 +16,7 @@ std::string columns(std::optional<double> paper_percent, std::optional<PercentIn
 
 std::string yes_or_no(bool yes) { return yes ? "     yes" : "      NO"; }
 
-// Of a sample of six from a normal distribution, the ends of 95 % of its standard deviation over the true
+// Ends of the 95 % interval of the standard deviation of a sample of six from a normal distribution, over the true
 // one.
 constexpr double low_sd_of_six = 0.408;
 constexpr double high_sd_of_six = 1.602;

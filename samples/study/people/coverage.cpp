@@ -14,7 +14,7 @@ namespace hrt::study {
 namespace {
 
 constexpr std::uint32_t session_stream = 18;
-// Of a minimum jerk: the speed in the mean over the path, over that in the mean over time.
+// A minimum-jerk motion's mean speed over the path, over that in the mean over time.
 constexpr double speed_over_path = 10.0 / 7.0;
 
 template <int min, int max>

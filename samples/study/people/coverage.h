@@ -66,7 +66,7 @@ struct Tally {
   std::string covered_text(std::size_t columns) const;
 };
 
-/// Of people of one kind.
+/// Coverage for people of one kind.
 struct Coverage {
   Share refused;
   Share angle, order, path;  ///< with lack of fit of each sort

@@ -10,8 +10,8 @@
 
 namespace hrt::study {
 
-/// Files .csv of a folder, in the order of their names. `what` is what they should be. Throws UsageError if there is
-/// none.
+/// Files .csv of a folder, in the order of their names. `what` is what they should be. Throws UsageError if the folder
+/// has no such file.
 std::vector<std::string> csv_files(const std::string& argument, const std::string& folder, const std::string& what);
 
 /// Reads the reaches of one person to one target. Columns, in any order:

@@ -16,7 +16,7 @@ constexpr std::string_view recording_start = "# haptic retargeting recording, ve
 constexpr std::string_view readable_version = "4";
 constexpr std::string_view config_start = "# config ";
 
-// Of a sample's flags: plugin/include/haptic_retargeting/reach.h.
+// Flags of a sample: plugin/include/haptic_retargeting/reach.h.
 constexpr unsigned direction_flag = 1;
 constexpr unsigned plate_position_flag = 2;
 constexpr unsigned measured_plate_flag = 4;
@@ -90,7 +90,7 @@ class PathsReader {
     measured_ = 0;
   }
 
-  // Of a row that begins a reach, or in which one starts where the finger is seen.
+  // Reads the aim of a row that begins a reach, or of one in which a reach starts at the finger.
   void aim() {
     Reach& reach = path_->reach;
     reach.real_direction_deg = number_in("real_direction_deg", direction_range);

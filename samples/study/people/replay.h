@@ -29,8 +29,8 @@ struct Replayed {
   std::vector<std::string> left_out;  ///< a sentence each
 };
 
-/// All .csv files of a folder, in the order of their names. Throws UsageError naming `argument` if there is
-/// none, or one cannot be read.
+/// All .csv files of a folder, in the order of their names. Throws UsageError naming `argument` if the folder
+/// has no such file, or one cannot be read.
 Replayed replay_folder(const std::string& argument, const std::string& folder);
 
 std::string replay_text(const Replayed& replayed);

@@ -27,7 +27,7 @@ enum class Leading {
 };
 inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::last, Leading::informed};
 
-/// Of each, in CSV and JSON, and in text.
+/// Name of each, in CSV and JSON, and in text.
 inline constexpr const char* leading_names[] = {"none", "paper", "first", "last", "informed"};
 inline constexpr const char* leading_titles[] = {"no controller", "the paper's", "ours, first reach",
                                                  "ours, last reach", "ours, informed"};
@@ -37,7 +37,7 @@ struct ReachResult {
   bool can_hold;               ///< as can_hold() of the person
   double bearing_error_deg;    ///< true, of the end
   double miss_mm;              ///< true, across the real direction; >= 0
-  double peak_felt_error_deg;  ///< true
+  double peak_felt_error_deg;  ///< the simulated person's
   bool unreachable = false;    ///< flags of the reach's summary
   bool found = false;          ///< unreachable in this reach or an earlier one of the person
   bool misfit = false;
@@ -68,24 +68,24 @@ struct ReachGroup {
 struct RobustnessCell {
   ReachGroup can_hold;     ///< of people who can hold the gap
   ReachGroup cannot_hold;  ///< of those who cannot
-  // Of all.
+  // Shares of all people.
   Share misfit;
   Share off_target;
   Share weight_covered;  ///< of those whose w_T was estimated
   Share miss_covered;    ///< of those whose miss is known
 
   std::uint64_t people() const { return can_hold.near.of + cannot_hold.near.of; }
-  /// Of people who can hold the gap, or of those who cannot.
+  /// The people who can hold the gap, or those who cannot.
   const ReachGroup& group(bool holds) const { return holds ? can_hold : cannot_hold; }
 };
 
 RobustnessCell summarise(std::span<const ReachResult> results);
 
-/// Where people of a row come from.
+/// The source of the people of a row.
 struct SimulatedPeople {
   std::string name;
   std::string says;
-  bool tuned = false;  ///< as PeopleFamily
+  bool tuned = false;  ///< as in PeopleFamily
   FamilyKind kind = FamilyKind::invented;
   std::function<PersonCondition(double duration_s, std::uint64_t seed, std::uint32_t index)> draw;
 };
@@ -106,13 +106,13 @@ double half_interval(const Share& share);
 
 struct RobustnessOptions {
   std::uint64_t people = 100;  ///< of each sort at each duration, at most
-  std::uint64_t reaches = 5;   ///< of ours, one after another: 2 or more
+  std::uint64_t reaches = 5;   ///< of the controller for people, one after another: 2 or more
   double points = 4.0;         ///< a cell whose share within near_deg has such a half_interval() takes no more people
   std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
   std::vector<PersonState::Index> informed_of{std::begin(telling_traits), std::end(telling_traits)};
-  Tuning tuning;  ///< of ours
+  Tuning tuning;  ///< of the controller for people
   Part part;      ///< of the rows
 };
 

@@ -219,7 +219,7 @@ std::string robustness_text(const RobustnessStudy& study) {
           std::to_string(study.options.reaches) +
           ": ours on a person's reach of that number, with what it has learnt; inf: ours, informed of the person's " +
           informed_of(study) +
-          "; -: nobody can hold the gap; *: kept apart from "
+          "; -: no one can hold the gap; *: kept apart from "
           "the search for our controller's numbers; +: tracker or plate is off, which no controller sees; ~: paths and "
           "pace of "
           "recorded reaches.") +

@@ -1,4 +1,4 @@
-// What tests of calibrations share.
+// Fixtures that tests of calibrations share.
 #pragma once
 
 #include <gtest/gtest.h>

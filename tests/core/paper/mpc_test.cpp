@@ -38,7 +38,7 @@ TEST(Mpc, UnconstrainedGains) {
 
 // N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85: e_0 = 12 / 2 = 6, so t_0 = 6 / (0.85 * 0.1) = 70.59.
 //
-// N = 3: the free optimum's second step would need t_1 = 93, so t_1 stands at the bound and
+// N = 3: the free optimum's second step would need t_1 = 93, so t_1 is at the bound and
 // e_1 = 0.85 (0.1 * 84.5 - 0.9 e_0) = 7.1825 - 0.765 e_0, x_1 = 12 - e_0, x_2 = 4.8175 - 0.235 e_0, e_2 = 0.
 // d/de_0 of e_0^2 + e_1^2 + x_1^2 + x_2^2 vanishes at e_0 = (12 + 0.765 * 7.1825 + 0.235 * 4.8175) / 2.64045.
 TEST(Mpc, SaturatedSecondStepByHand) {
@@ -63,7 +63,7 @@ TEST(Mpc, SaturatedFirstStepByHand) {
 }
 
 // N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85, q = 1: the second step costs nothing but its miss, so it
-// stands where e_1 = 0, and only t_0 matters: it wants 6 / 0.085 = 70.59, and from 20 it gets to 20 + 40.
+// is where e_1 = 0, and only t_0 matters: it wants 6 / 0.085 = 70.59, and from 20 it gets to 20 + 40.
 // Then p_1 = -0.085 * 60 = -5.1, and e_1 = 0 where t_1 = 0.9 * 5.1 / 0.1 = 45.9, within 40 of 60.
 TEST(Mpc, RateBoundOnTheFirstStepByHand) {
   const MpcProblem problem{0.0, -12.0, 0.1, 20.0, gains.data()};
@@ -106,7 +106,7 @@ TEST(Mpc, RateBoundCouplesTwoFreeStepsByHand) {
 }
 
 // N = 3 with a gain of 0 at the second step, p_k = 0, p_R = -12, w = 0.1, from 0 with R = 40. The first step
-// wants more than 40 and gets 40: p = -0.085 * 40 = -3.4. The last one stands where e = 0: 0.9 * 3.4 / 0.1
+// wants more than 40 and gets 40: p = -0.085 * 40 = -3.4. The last one is where e = 0: 0.9 * 3.4 / 0.1
 // = 30.6.
 TEST(Mpc, TurnsThroughAStepThatIsNotFeltByHand) {
   const std::array<double, 3> gap_gains{0.85, 0.0, 0.85};

@@ -153,8 +153,8 @@ TEST(PaperReach, PredictedStepsPublishThePredictedFinger) {
   EXPECT_NEAR(finger_deg, 4.65, 0.005);
 }
 
-// A finger at 33 mm/s that is lost at 35 mm of 100: the distance falls with the predicted finger, and stands
-// still while the finger is lifted.
+// A finger at 33 mm/s that is lost at 35 mm of 100: the distance falls with the predicted finger, and is
+// constant while the finger is lifted.
 TEST(PaperReach, TheDistanceToGoFollowsThePredictedFinger) {
   PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 0});
   int t = 0;
@@ -240,7 +240,7 @@ TEST(PaperReach, ALiftBeforeTheMotionDoesNotDelayTheSteps) {
   EXPECT_EQ(steps[0], steps[1]);
 }
 
-// 33 mm/s for two seconds; not for all of the ten that nobody sees.
+// 33 mm/s for two seconds; not for all ten seconds without a position.
 TEST(PaperReach, PredictionEndsAfterTwoSeconds) {
   PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5, .real_distance_mm = 1000.0});
   int i = 0;

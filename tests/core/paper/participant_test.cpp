@@ -127,7 +127,7 @@ TEST(Authority, ExactlyAtTheLargestGapTheBoundHolds) {
 constexpr double directions_deg[] = {-40.0, -7.5, -5.0, 0.0, 4.0, 5.0, 12.0, 33.0};
 constexpr double tactile_weights[] = {0.02, 0.05, 0.1, 0.15, 0.3, 0.49};
 
-// The person of paper section II-A without noise, over a plate that stands where authority says: the finger
+// The person of paper section II-A without noise, over a plate at the orientation that authority returns: the finger
 // settles where authority says, and the person feels the virtual direction there.
 TEST(Authority, ThePlateItNamesHoldsTheFingerWhereItSays) {
   for (const double w : tactile_weights) {

@@ -42,7 +42,7 @@ TEST(PlateLimits, TheShortWayRound) {
   }
 }
 
-// From 30 to 80, between stops at +-90: only as it is, wherever the plate stands. Between stops at +-360 also
+// From 30 to 80, between stops at +-90: only as it is, whatever the plate's orientation. Between stops at +-360 also
 // at 210 to 260, and from -330 to -100: the nearest, unless a stop cuts into it.
 TEST(PlateLimits, HalfTurnsThatTheStopsLeaveRoomFor) {
   const PlateStops half{.lower_deg = -90.0, .upper_deg = 90.0};

@@ -51,7 +51,7 @@ TEST(Registration, DeviationOfTheTurnByHand) {
   EXPECT_NEAR(found.covariance(1, 1), variance_mm2 / spread_mm2, 1e-12);
 }
 
-// Of 3,000 fits each, binomial bounds of four deviations about 95 %.
+// 3,000 fits each: the bounds are four binomial deviations about 95 %.
 TEST(Registration, IntervalsCoverTheTruth) {
   for (const double assumed_mm : {2.0, 3.0, 4.0}) {
     int turn_covered = 0, place_covered = 0, fitted = 0;
@@ -104,7 +104,7 @@ TEST(Registration, RefusesWhatNoPoseExplains) {
   touches[3].touched_mm.z() += 50.0;
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::inconsistent);
 
-  // Of four touches a bad one can be seen, not found.
+  // Four touches show that one is bad, but not which.
   touches = exact_touches(some_rotation(), {0.0, 0.0, 0.0});
   touches.resize(4);
   touches[0].touched_mm.x() += 50.0;
@@ -128,7 +128,7 @@ TEST(Registration, OppositeMarksConfusedAreAPlateUpsideDown) {
   std::swap(touches[2].touched_mm, touches[4].touched_mm);
   EXPECT_EQ(fit_registration({}, touches).verdict, RegistrationVerdict::holds);
   EXPECT_EQ(fit_registration({.up = up}, touches).verdict, RegistrationVerdict::upside_down);
-  // A plate that leans by 50 degrees is none; one by 70 is.
+  // A plate that leans by 50 degrees is accepted, by 70 it is refused.
   const auto leaning = [&](double by_deg) {
     const Matrix3d lean = AngleAxisd(by_deg * rad_per_deg, Vector3d::UnitX()).toRotationMatrix();
     return fit_registration({.up = up}, exact_touches(lean, position)).verdict;
@@ -151,7 +151,7 @@ TEST(Registration, ResidualsNameTheTouchesThatDoNotFit) {
   EXPECT_GT(residual_mm(found, touches[4]), found.residual_mm);
 }
 
-// Of touches that are all the same place no scale can be found, and no pose explains them.
+// Touches in one place determine no scale, and no pose explains them.
 TEST(Registration, OnePlaceForAllMarksIsRefused) {
   std::vector<MarkTouch> touches = exact_touches(some_rotation(), {100.0, 700.0, -300.0});
   for (MarkTouch& touch : touches) touch.touched_mm = {1000.0, 2000.0, 3000.0};
@@ -186,7 +186,7 @@ TEST(Registration, ScaleIsFoundOnRequest) {
   EXPECT_EQ(fit_registration({.touch_sd_mm = 1.0}, touches).verdict, RegistrationVerdict::inconsistent);
 }
 
-// What a check of the start shows of a plate that has moved, with touches of 3 mm.
+// A check of the start after the plate has moved, with touches of 3 mm.
 TEST(Registration, CheckFindsAPlateThatHasMovedByCentimetres) {
   const auto share_found = [](double moved_mm) {
     int found = 0, held = 0;

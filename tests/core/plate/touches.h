@@ -1,4 +1,4 @@
-// What tests of registrations share: touches of a plate's marks.
+// Touches of a plate's marks, for tests of registrations.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-// What a set-up recognises: rests, touches, slides, and what is wrong with them.
+// Recognition of rests, touches and slides in a set-up, and of their mistakes.
 #include <gtest/gtest.h>
 
 #include <cmath>

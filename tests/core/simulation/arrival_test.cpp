@@ -1,4 +1,4 @@
-// What the controller says of the phases of a reach, compared with the truth, on motions with the statistics of
+// The controller's account of the phases of a reach, compared with the truth, on motions with the statistics of
 // recorded reaches: onset, rests, arrival and time to go.
 #include <gtest/gtest.h>
 

@@ -155,7 +155,7 @@ TEST(SimulationPeople, AnOutcomeIsAFunctionOfItsArguments) {
   EXPECT_NE(five[0].miss_mm, five[1].miss_mm);
 }
 
-// Who feels nothing goes to the virtual target, 10 deg from the real one, whatever the plate does.
+// A person who feels nothing goes to the virtual target, 10 deg from the real one, whatever the plate does.
 TEST(SimulationPeople, WithoutIllusionNobodyIsLed) {
   const RetargeterConfig controller = people_controller();
   for (const double side : {1.0, -1.0}) {
@@ -246,7 +246,7 @@ TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
   EXPECT_NEAR(turned.bearing_error_deg, turned_deg - 5.0, 0.05);
   const ReachSummary sheared = seen(draw("sheared-2"));
   EXPECT_NEAR(std::abs(sheared.bearing_error_deg + 5.0), 2.0, 0.05);
-  // Of 100 mm and 105 mm, 5 degrees apart.
+  // The third side of a triangle with sides of 100 mm and 105 mm, 5 degrees apart.
   const double scale = draw("scaled-5").tracker.scale;
   const double across_mm = 100.0 * std::sin(5.0 * 3.14159265358979 / 180.0);
   const double along_mm = 100.0 * std::cos(5.0 * 3.14159265358979 / 180.0) - 100.0 * scale;
@@ -259,7 +259,7 @@ TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
   }
 }
 
-// The plate stands 5 degrees from where it is believed: of a felt shift w t, 5 w.
+// The plate is 5 degrees from its assumed orientation, which changes a felt shift w t by 5 w.
 TEST(SimulationPeople, AFixedPlateThatIsOffBendsThePathByItsShare) {
   PersonCondition condition = draw("linear");
   condition.person.noise_deg2_per_s = 0.0;

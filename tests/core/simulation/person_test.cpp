@@ -21,7 +21,7 @@ SimulatedIllusion illusion(IllusionFamily family, double scale_deg = 45.0, doubl
   return {.family = family, .tactile_weight = weight, .scale_deg = scale_deg};
 }
 
-// Who feels nothing of ridges, sets out for the virtual target and has no noise.
+// A person who does not feel the ridges, sets out for the virtual target and has no noise.
 Person numb() {
   Person person;
   person.illusion = illusion(IllusionFamily::dead_band, 90.0);
@@ -30,7 +30,7 @@ Person numb() {
   return person;
 }
 
-// Who feels them in proportion, without noise.
+// A person with a linear illusion, without noise.
 Person linear() {
   Person person = numb();
   person.illusion = illusion(IllusionFamily::linear);

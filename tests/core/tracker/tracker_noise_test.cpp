@@ -142,7 +142,7 @@ TEST(TrackerNoise, IsAsSureOfWhiteNoiseAsItsVarianceAllows) {
 
 class TrackerNoiseCoverage : public testing::TestWithParam<SimulatedTracker> {};
 
-// Of how many people a value is known, and of how many of these its interval covers the truth.
+// The number of people for whom a value is known, and of those whose interval covers the truth.
 struct Coverage {
   double truth;
   int known = 0;

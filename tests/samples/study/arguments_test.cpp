@@ -1,4 +1,4 @@
-// What a wrong argument gets: one line that names it and what is allowed, exit code 2, and no file.
+// A wrong argument is answered by one line that names it and what is allowed, exit code 2, and no file.
 #include <gtest/gtest.h>
 
 #include "tests/samples/study/process.h"

@@ -1,4 +1,4 @@
-// What the output of every command has.
+// Properties of the output of every command.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -100,7 +100,7 @@ TEST(StudyRobustness, MeansWeighFamiliesAndPooledSharesWeighPeople) {
   std::vector<RobustnessRow> rows(3);
   const auto near = [&](std::size_t row) -> Share& { return rows[row].cells[0].can_hold.near; };
   near(0) = {.hits = 1, .of = 1};
-  near(1) = {.hits = 0, .of = 3};  // the third has nobody
+  near(1) = {.hits = 0, .of = 3};  // the third has no people
   rows[0].cells[0].cannot_hold.near = {.hits = 0, .of = 2};
   EXPECT_EQ(mean_near_percent(rows, Leading::none), 50.0);
   const auto all_near = [&] {
@@ -122,7 +122,7 @@ TEST(StudyRobustness, HalfIntervalsByHand) {
   EXPECT_TRUE(std::isnan(half_interval({})));
 }
 
-// Without a controller nobody arrives, and 0 of 100 is narrow; the paper's brings about a third, which 200 are not.
+// Without a controller no one arrives, and 0 of 100 is narrow; the paper's brings about a third, which 200 are not.
 TEST(StudyRobustness, ACellTakesTheFirstPeopleUntilItIsNarrow) {
   const auto row_of = [](std::uint64_t people, double points) {
     return rows_of({"linear"}, {.people = people, .points = points, .durations_s = {1.0}, .threads = 2}).front();
@@ -140,7 +140,7 @@ TEST(StudyRobustness, ACellTakesTheFirstPeopleUntilItIsNarrow) {
   }
 }
 
-// What the controller for people is for, over those whom it is made for.
+// The controller for people, over people of its own model.
 TEST(StudyRobustness, LinearPeopleArriveAndAreKnown) {
   const RobustnessRow row = rows_of({"linear"}, {.people = 100, .durations_s = {1.5}, .threads = 2}).front();
   EXPECT_EQ(row.cell(Leading::none).can_hold.near.percent(), 0.0);
@@ -154,7 +154,7 @@ TEST(StudyRobustness, LinearPeopleArriveAndAreKnown) {
   EXPECT_EQ(row.cell(Leading::paper).weight_covered.of, 0U);  // it does not estimate w_T
 }
 
-// Nobody with 45 sin 2t holds 10 degrees below w_T = 10 / 45; the fifth reach knows it of most.
+// No one with 45 sin 2t holds 10 degrees below w_T = 10 / 45; the fifth reach knows it of most.
 TEST(StudyRobustness, PeopleWhoCannotHoldAreCountedApartAndFound) {
   const std::uint64_t people = 60;
   const RobustnessRow row = rows_of({"sine-45"}, {.people = people, .durations_s = {2.0}}).front();

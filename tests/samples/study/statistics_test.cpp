@@ -35,7 +35,7 @@ TEST(StudyStatistics, ShareByHand) {
   EXPECT_EQ(share.interval().low, wilson_interval(40.0, 5.0).low);
 }
 
-// What defines the interval: at each end the seen proportion is 1.96 standard deviations away.
+// The interval's definition: at each end the seen proportion is 1.96 standard deviations away.
 TEST(StudyStatistics, WilsonEndsAreWhereTheTestTurns) {
   for (const double percent : {94.0, 72.0, 40.0, 79.0}) {
     const PercentInterval interval = wilson_interval(percent, 50);

@@ -49,7 +49,7 @@ void expect_the_papers_cells(const json& table) {
   }
 }
 
-// What the fixed model gives in each condition, to one percentage point in every cell.
+// The shares of the fixed model in each condition, to one percentage point in every cell.
 void expect_the_models_numbers(const json& table) {
   const double model_percent[] = {92.8, 86.6, 81.1, 77.2};
   for (std::size_t i = 0; i < 24; ++i)
@@ -117,7 +117,7 @@ void expect_amplitudes(const json& table) {
   EXPECT_LT(table["conditions"][1]["best_amplitude_deg"], 10.0);
 }
 
-// Of six cells of 50 trials, binomial: sqrt(0.928 * 0.072 / 50) is 3.7 %.
+// The binomial deviation of six cells of 50 trials: sqrt(0.928 * 0.072 / 50) is 3.7 %.
 void expect_deviations(const json& table) {
   const double sd_percent[] = {3.7, 4.8, 5.6, 6.0};
   const double paper_percent[] = {3.3, 3.0, 3.0, 3.5};  // as its text has them
