@@ -1,29 +1,43 @@
 /*
- * Results, error texts, version; and the contract of every call in these headers.
+ * Results, error texts and version, and the contract of all calls in these headers.
+ *
+ * Example: a refused call reports what is wrong.
+ *
+ *   #include <haptic_retargeting/haptic_retargeting.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     hrt_session session;
+ *     hrt_session_config config = hrt_session_config_init();
+ *     config.plate.radius_m = 75; // millimetres by mistake
+ *     hrt_result result = hrt_session_create(HRT_VERSION, &config, &session);
+ *     printf("%s: %s\n", hrt_result_string(result), hrt_last_error());
+ *     return result != HRT_ERROR_OUT_OF_RANGE;
+ *   }
  *
  * Calls
  *  - Every call returns hrt_result. HRT_OK is 0; every error is negative. On an error, the session and the
  *    outputs are unchanged, and hrt_last_error() names the call, the field, its value and what is allowed.
  *  - No call throws, aborts or terminates, including when memory is exhausted; hrt_scene_load() is an exception.
- *  - NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE and BUSY are possible wherever they apply. The comment of a
- *    call lists its other errors.
+ *  - Every call may return NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE or BUSY. The comment of a call lists its
+ *    other errors.
  *  - Thread tags:
  *      [any-thread]  any thread, at any time.
  *      [one-thread]  any thread, but only one at a time for a session. A second thread gets HRT_ERROR_BUSY.
- *      [real-time]   as [one-thread]; without lock, allocation, system call or I/O, and in bounded time, on
- *                    error paths too. On Windows, the first call of a thread allocates memory for its error
- *                    text.
+ *      [real-time]   as [one-thread]; and takes no lock, allocates nothing, makes no system call and needs bounded
+ *                    time, also when it fails. On Windows, the first call of a thread allocates memory for its
+ *                    error text.
  *
  * Structs
- *  - Set `struct_size` to sizeof the struct before each call, also in structs that the call fills.
- *    hrt_session_config_init() and the like set it together with the defaults. A null configuration
+ *  - Set `struct_size` to sizeof the struct before each call, also in structs that the call fills. The function of
+ *    the struct, such as hrt_session_config_init(), sets it together with the defaults. A null configuration
  *    means the defaults. Bytes beyond the size that the library knows must be zero.
  *  - Fields named `reserved` must be zero. Integers have a fixed width. Fields have the alignment of C.
- *  - A value of a type such as hrt_guidance is one of the constants below that type, or several of them if the type is
- *    one of flags.
+ *  - A type such as hrt_guidance takes one of the constants below it; a type of flags takes any combination of them,
+ *    joined by |.
  *  - Texts and paths are UTF-8, on Windows too.
  *
- * In your process (plugin/README.md has numbers and details)
+ * In your process (PROCESS.md has numbers and details)
  *  - Calls round to nearest and, on x86, mask floating-point exceptions; they restore the host's mode.
  *    Flush-to-zero and the locale have no effect.
  *  - The library sends and handles no signals. Its only threads are one for each recording; they block
@@ -32,17 +46,17 @@
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.
  *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 17 kB a session, 9 MB a recording.
  *
- * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds. Comments give
- * other units, ranges, defaults and references as tags. Each number of an array has the range of the array:
- *   @unit U           unit of a value whose name does not end in it; 1: none
+ * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds. Tags in comments give other
+ * units, ranges, defaults and references. The range of an array is that of each of its numbers:
+ *   @unit U           unit of a value whose name does not end in it; 1: a pure number
  *   @range A to B     allowed values; "0 or A to B" allows 0 as well
  *   @default V        value that hrt_..._init() sets
  *   @norm A to B      allowed length of a vector
  *   @elements HRT_X   array whose elements the constants HRT_X_* index
  *   @bool             0 or 1
  *   @ccw              angle that is positive counter-clockwise, seen from above
- *   @profile FIELD    stored in profiles (profile.h), and if FIELD is given, only if that is not 0
- *   @flatten NAME     name in other languages, profiles and recordings: of the field, or with * of all fields of a part
+ *   @profile FIELD    stored in profiles (profile.h); if FIELD is given, only while that field is not 0
+ *   @flatten NAME     name of the field in other languages, profiles and recordings; with *, of all fields of a part
  *
  * Plate coordinates are right-handed: x to the user's right, y up from the plate's face, z towards the user.
  * The origin is the plate's centre. The mid-line is -z: straight away from the user.
@@ -83,7 +97,7 @@
 #define HRT_API
 #endif
 
-/* The result must not be ignored. Every call has it except those that destroy. */
+/* Compilers warn if the result of a call is ignored. Calls that destroy an object lack this attribute. */
 #if defined(__cplusplus) && __cplusplus >= 201703L
 #define HRT_NODISCARD [[nodiscard]]
 #elif defined(__GNUC__)
@@ -103,7 +117,8 @@ extern "C" {
 #define HRT_VERSION_MAJOR 0
 #define HRT_VERSION_MINOR 5
 #define HRT_VERSION_PATCH 0
-/** Version to pass to hrt_session_create(). The library accepts the same major and, before 1.0, minor number. */
+/** Version to pass to hrt_session_create(). The library accepts headers of its own major version; before 1.0, also the
+ *  minor version must be equal. */
 #define HRT_VERSION (HRT_VERSION_MAJOR * 10000 + HRT_VERSION_MINOR * 100 + HRT_VERSION_PATCH)
 
 /** Result of a call: HRT_OK or one of HRT_ERROR_*. */
@@ -115,8 +130,8 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_NULL_ARGUMENT (-1)
 /** The handle or id is null, stale, of another session, or was never given out. */
 #define HRT_ERROR_INVALID_HANDLE (-2)
-/** `struct_size` is below the size that this library knows, not a multiple of 8, or above 4096; or bytes that this
- *  library does not know are not zero. */
+/** `struct_size` is smaller than the size that this library knows, not a multiple of 8, or larger than 4096; or bytes
+ *  beyond the known size are not zero. */
 #define HRT_ERROR_STRUCT_SIZE (-3)
 /** A value is outside its documented range, not a number, or infinite. */
 #define HRT_ERROR_OUT_OF_RANGE (-4)
@@ -156,10 +171,10 @@ HRT_API const char* hrt_result_string(hrt_result result) HRT_NOEXCEPT;
  *  @threadsafety [any-thread] */
 HRT_API const char* hrt_last_error(void) HRT_NOEXCEPT;
 
-/** Returns the library's version. From 1.0 on, a major version only grows by additions; before, the changelog names
- *  what a minor version changes.
+/** Returns the library's version. From version 1.0, all versions with the same major number are compatible. Before, a
+ *  minor version may change the interface; the changelog names the changes.
  *
- *  @param out_major  Null is allowed for each of the three.
+ *  @param out_major  Receives the major version. Null is allowed for each of the three outputs.
  *  @threadsafety [any-thread] */
 HRT_API void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t* out_patch) HRT_NOEXCEPT;
 

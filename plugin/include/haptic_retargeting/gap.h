@@ -1,6 +1,27 @@
 /*
  * Gaps: the shift that a pair of a real and a virtual target requires, and the largest shift that the plate can
  * sustain; and the assignment of real targets to virtual ones.
+ *
+ * Example: may a target 6 degrees to the right stand in for one 5 degrees to the left?
+ *
+ *   #include <haptic_retargeting/gap.h>
+ *   #include <haptic_retargeting/haptic_retargeting.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     hrt_session session;
+ *     hrt_target real, virtual_cup;
+ *     hrt_gap gap = hrt_gap_init();
+ *     hrt_target_config config = hrt_target_config_init(); // a real target
+ *     config.direction_deg = -6;
+ *     int failed = hrt_session_create(HRT_VERSION, NULL, &session) || hrt_target_add(session, &config, &real);
+ *     config.role = HRT_TARGET_VIRTUAL, config.direction_deg = 5;
+ *     failed = failed || hrt_target_add(session, &config, &virtual_cup) ||
+ *              hrt_gap_query(session, real, virtual_cup, &gap);
+ *     if (failed) puts(hrt_last_error());
+ *     else printf("A gap of %.1f of at most %.1f degrees.\n", gap.gap_deg, gap.max_gap_deg);
+ *     return failed;
+ *   }
  */
 #ifndef HAPTIC_RETARGETING_GAP_H
 #define HAPTIC_RETARGETING_GAP_H
@@ -11,12 +32,12 @@
 extern "C" {
 #endif
 
-/** The gap between a real and a virtual target. In the steady state, the user perceives the direction of the finger
- *  plus the perceived shift that the ridges cause, and this is the virtual direction. The largest gap is therefore
- *  the largest perceived shift within the bound of the plate. Under GUIDANCE_ARRIVAL, the bound is relative to the
- *  motion, and the shift follows the user's illusion curve: 11.25 degrees for a linear illusion of weight 0.15 within
- *  75 degrees. Under FIXED_DIRECTION, as in the paper, the bound is relative to the virtual direction: 14.9 degrees
- *  for the same weight within 84.5. Published human data cover plate angles up to 60. */
+/** Gap between a real and a virtual target. In the steady state, the user perceives the direction of the finger plus
+ *  the shift that the ridges cause, and the sum is the virtual direction. The largest gap is therefore the largest
+ *  shift within the bound of the plate. Under GUIDANCE_ARRIVAL, the bound is relative to the motion, and the shift
+ *  follows the user's illusion curve: 11.25 degrees for a linear illusion of weight 0.15 within 75 degrees. Under
+ *  FIXED_DIRECTION, as in the paper, the bound is relative to the virtual direction: 14.9 degrees for the same weight
+ *  within 84.5. Published human data cover plate angles up to 60. */
 typedef struct hrt_gap {
   uint32_t struct_size;
   /** 1 if the plate can keep the finger on the direction of the real target. @bool */
@@ -27,52 +48,52 @@ typedef struct hrt_gap {
   double gap_deg;
   /** Largest gap, to either side, that the plate can sustain for the user and the guidance of the session. */
   double max_gap_deg;
-  /** max_gap_deg minus the absolute gap. Negative: unreachable. */
+  /** max_gap_deg minus the absolute value of gap_deg. Negative: unreachable. */
   double margin_deg;
   /** Plate orientation that sustains the gap; at the bound if the gap is unreachable. @ccw */
   double plate_orientation_deg;
   /** Direction in which the finger settles: that of the real target if the gap is reachable. @ccw */
   double settling_direction_deg;
-  /** max_gap_deg of the paper's model, from tactile_weight and plate_bound_deg. */
+  /** Largest gap in the model of the paper, from person.tactile_weight and paper.plate_bound_deg. */
   double paper_max_gap_deg;
-  /** SD of the bearings at which reaches end, relative to the real target, due to the apparatus alone: the
-   *  registration of the plate (hrt_session_config::plate.covariance) or, after contacts, their covariance, and
+  /** SD of the bearings at which reaches end, relative to the real target, due to the apparatus alone: the registration
+   *  of the plate (hrt_session_config::plate.covariance) or, after contacts, their covariance, and
    *  tracker.bearing_sd_deg. */
   double bearing_sd_deg;
-  /** Fraction of reaches that end off the target (HRT_COMMAND_OFF_TARGET) for this reason alone, for any user.
-   *  Register again or use another tracker if it is too large. @range 0 to 1 @unit 1 */
+  /** Fraction of reaches that end off the target (HRT_COMMAND_OFF_TARGET) because of bearing_sd_deg alone. If it is too
+   *  large, register with more touches or use another tracker. @range 0 to 1 @unit 1 */
   double miss_share;
 } hrt_gap;
 
-/** Returns the gap of a pair, before a reach.
+/** Returns the gap of a pair, for example before a reach.
  *
- *  @param real_target     Target of the hand.
+ *  @param real_target     Target to which the hand would be steered.
  *  @param virtual_target  Target that the user sees.
+ *  @param out_gap         Gap of the pair.
+ *  @return INVALID_HANDLE naming the target.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target real_target, hrt_target virtual_target,
                                                hrt_gap* out_gap) HRT_NOEXCEPT;
 
 /** @flags HRT_ASSIGN Flags of hrt_gap_assign(). */
 typedef uint32_t hrt_assign_flags;
-/** A real target serves at most one virtual target. Otherwise, it may serve any number. */
+/** A real target stands in for at most one virtual target. Otherwise, for any number. */
 #define HRT_ASSIGN_EXCLUSIVE UINT32_C(1)
 
 /** Maximum number of virtual targets, and of real targets, in hrt_gap_assign(). */
 #define HRT_ASSIGN_TARGETS_MAX 1000
 
-/** Assigns a real target to each virtual one: as many as possible are served, and among these assignments, the
- *  largest ratio of gap_deg to max_gap_deg is minimal. The result is exact. Takes up to a second for 1000 of each
- *  with EXCLUSIVE.
+/** Assigns a real target to each virtual one: to as many of them as possible, and such that the largest ratio of
+ *  gap_deg to max_gap_deg is minimal. The result is exact. With EXCLUSIVE, 1000 of each take up to a second.
  *
- *  @param virtual_targets  Targets to serve.
- *  @param real_targets     Targets that may serve them.
+ *  @param virtual_targets  Targets that need a real one.
+ *  @param real_targets     Targets to choose from.
  *  @param flags            Options.
  *  @param capacity         Elements of `out_gaps`.
- *  @param out_gaps         The gap of each virtual target. `out_gaps[0].struct_size` is the size of each. A target
- *                          that cannot be served has `reachable` 0, a null real_target, and the numbers of the
- *                          nearest real target.
- *  @return BUFFER_TOO_SMALL if `capacity` is below `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the
- *          argument and the index of a wrong or repeated id; OUT_OF_MEMORY.
+ *  @param out_gaps         Gap of each virtual target. `out_gaps[0].struct_size` is the size of each. A target without
+ *                          a real one has `reachable` 0, a null real_target, and the numbers of the nearest one.
+ *  @return BUFFER_TOO_SMALL if `capacity` is below `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the argument
+ *          and the index of a wrong or repeated id; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_gap_assign(hrt_session session, const hrt_target* virtual_targets,
                                                 uint64_t virtual_count, const hrt_target* real_targets,

@@ -1,5 +1,21 @@
 /*
- * Functions that the host lends to the library: its allocator and its log.
+ * Functions of the host that the library calls: allocator and log.
+ *
+ * Example: log messages on the standard error output.
+ *
+ *   #include <haptic_retargeting/host.h>
+ *   #include <stdio.h>
+ *
+ *   static void log_line(void* context, hrt_log_level level, const char* text) {
+ *     fprintf((FILE*)context, "%s: %s\n", level == HRT_LOG_ERROR ? "error" : "warning", text);
+ *   }
+ *
+ *   int main(void) {
+ *     hrt_host host = hrt_host_init(); // with the allocator of the C library
+ *     host.context = stderr;
+ *     host.log = log_line;
+ *     return hrt_host_set(&host);
+ *   }
  */
 #ifndef HAPTIC_RETARGETING_HOST_H
 #define HAPTIC_RETARGETING_HOST_H
@@ -12,33 +28,33 @@ extern "C" {
 
 /** @enumeration HRT_LOG Level of a log message. */
 typedef uint32_t hrt_log_level;
-#define HRT_LOG_WARNING 1
-#define HRT_LOG_ERROR 2
+#define HRT_LOG_WARNING 1 /**< the library continues, with a loss that the text names */
+#define HRT_LOG_ERROR 2   /**< an operation has failed, or the library has a defect */
 
-/** Functions that the host lends to the library, for the whole process. All zero except `struct_size`: memory of the
- *  C library, and no log. These functions must not call this library or throw. Each may be called on any thread. */
+/** Functions of the host, for the whole process. All zero except `struct_size`: memory of the C library, and no log.
+ *  The functions must not call this library or throw. Each may be called on any thread. */
 typedef struct hrt_host {
   uint32_t struct_size;
   uint32_t reserved;
-  /** Passed to all functions. The library does not read it. */
+  /** Pointer that is passed to all functions. The library does not read it. */
   void* context;
-  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. Called
-   *  concurrently. Null, then `release` must be null too: the allocator of the C library. */
+  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. Set it to
+   *  keep the library's memory in a budget of the engine. Called concurrently. Null: the allocator of the C library;
+   *  `release` must then be null too. */
   void* (*allocate)(void* context, size_t size, size_t alignment);
-  /** Releases memory that allocate() returned. Like free(), it is not given the size: an allocator that needs the
-   *  size must store it next to the memory. Called concurrently. */
+  /** Releases memory that allocate() returned. Like free(), it is not given the size: an allocator that needs the size
+   *  must store it next to the memory. Called concurrently. */
   void (*release)(void* context, void* memory);
   /** Receives events that no call can return, for example that the disk of a recording is full. `level` is one of
-   *  HRT_LOG_*. `text` is one line that names the session and, for a recording, the file; it is valid during the
-   *  call. Called within calls that are not real-time or on a thread of the library, one call at a time. Null: no
-   *  log. */
+   *  HRT_LOG_*. `text` is one line that names the session and, for a recording, the file; it is valid during the call.
+   *  Called within calls that are not real-time or on a thread of the library, one call at a time. Null: no log, and
+   *  these events are lost. */
   void (*log)(void* context, hrt_log_level level, const char* text);
 } hrt_host;
 
-/** Sets allocator and log. Waits for a running call of the former log; the former log is not called after this
- *  returns.
+/** Sets allocator and log. Waits for a running call of the former log; the former log is not called after this returns.
  *
- *  @param host  Copied. Null: the defaults.
+ *  @param host  Functions, copied. Null: the defaults.
  *  @return WRONG_STATE if the allocator changes while a session, person or scene exists; NULL_ARGUMENT if only one of
  *          allocate and release is given.
  *  @threadsafety [any-thread], but while the allocator changes no other thread may be in a call of this library. */

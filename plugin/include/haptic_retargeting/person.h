@@ -2,6 +2,29 @@
  * A simulated person: a finger that slides over the plate, perceives its ridges and is deflected by them. It replaces a
  * tracked finger and the plate's servo in a first program, a demo or an engine's test. It is a model, not a measurement
  * of people: its parameters follow from a seed, and its illusion is linear in the plate angle.
+ *
+ * Example: a plate that is held at 45 degrees deflects the finger. haptic_retargeting.h has a controlled reach.
+ *
+ *   #include <haptic_retargeting/haptic_retargeting.h>
+ *   #include <haptic_retargeting/person.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     hrt_session session;
+ *     hrt_person person;
+ *     hrt_target cup;
+ *     hrt_target_config config = hrt_target_config_init();
+ *     hrt_sample sample = hrt_sample_init();
+ *     hrt_person_state state = hrt_person_state_init();
+ *     config.role = HRT_TARGET_VIRTUAL; // straight ahead, at 100 mm
+ *     int failed = hrt_session_create(HRT_VERSION, NULL, &session) || hrt_target_add(session, &config, &cup) ||
+ *                  hrt_person_create(NULL, 1, &person) || hrt_person_begin(person, session, cup);
+ *     for (int64_t time_ns = 0; !failed && !state.done; time_ns += 10000000)
+ *       failed = hrt_person_move(person, time_ns, 45, &sample) || hrt_person_get_state(person, &state);
+ *     if (failed) puts(hrt_last_error());
+ *     else printf("The finger is %.0f mm to the right.\n", 1000 * state.position_m[0]);
+ *     return failed;
+ *   }
  */
 #ifndef HAPTIC_RETARGETING_PERSON_H
 #define HAPTIC_RETARGETING_PERSON_H
@@ -24,15 +47,20 @@ typedef struct hrt_person {
 typedef struct hrt_person_config {
   uint32_t struct_size;
   uint32_t reserved;
-  /** Tactile weight; 0: drawn from the seed between 0.12 and 0.3. @range 0 or 0.01 to 0.49 @unit 1 @default 0 */
+  /** Tactile weight: a person with a higher one is deflected further. 0: drawn from the seed between 0.12 and 0.3.
+   *  @range 0 or 0.01 to 0.49 @unit 1 @default 0 */
   double tactile_weight;
-  /** Direction in which the person sees a virtual target, minus its own. @range -45 to 45 @default 0 @ccw */
+  /** Perceptual bias: direction in which the person sees a virtual target minus its true direction. The controller has
+   *  to estimate it. @range -45 to 45 @default 0 @ccw */
   double bias_deg;
-  /** Duration of the motion; 0: 1.5 s. @range 0 or 0.3 to 20 @default 0 */
+  /** Duration of the motion. A shorter one leaves the controller less time to correct. 0: 1.5 s. @range 0 or 0.3 to 20
+   *  @default 0 */
   double duration_s;
-  /** SD of the tracker's white noise in each coordinate; 0: 1.2 mm. @range 0 to 0.1 @default 0 */
+  /** SD of the tracker's white noise in each coordinate. Raise it to test an application with a poor tracker. 0: 1.2
+   *  mm. @range 0 to 0.1 @default 0 */
   double tracker_noise_m;
-  /** Maximum speed of the plate's servo; 0: 400. @range 0 to 1e6 @default 0 */
+  /** Maximum speed of the simulated servo; 0: 400. Set it and plate_latency_ns to those of your device. @range 0 to 1e6
+   *  @default 0 */
   double plate_max_speed_deg_s;
   /** Time from a command to the servo's first motion; 0: 30 ms. @range 0 to 1 s @default 0 */
   int64_t plate_latency_ns;
@@ -53,16 +81,17 @@ typedef struct hrt_person_state {
   double felt_error_deg;
 } hrt_person_state;
 
-/** Creates a person. The same configuration and seed are the same person on every host, bit for bit.
+/** Creates a simulated person. The same configuration and seed give the same motions on every host, bit for bit.
  *
- *  @param config  Null: the defaults.
- *  @param seed    Any number.
+ *  @param config      Configuration, copied. Null: the defaults.
+ *  @param seed        Seed of parameters and noise; any number.
+ *  @param out_person  Handle of the person.
  *  @return OUT_OF_RANGE naming the field; LIMIT_REACHED; OUT_OF_MEMORY.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed,
                                                    hrt_person* out_person) HRT_NOEXCEPT;
 
-/** Destroys the person.
+/** Destroys a simulated person.
  *
  *  @threadsafety [one-thread] */
 HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
@@ -70,31 +99,32 @@ HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 /** Puts the finger at rest at the session's start. After a rest of 0.6 s, the person intends to slide to the present
  *  position of a virtual target. Each call is a further reach, with its own noise.
  *
- *  With virtual_target {0} the person follows the session's set-up. The plate is then at (0.3, 0.75, -0.4) m, rotated
- * by 20 degrees about y, and the skin at (2, -8, -12) mm from the joint, in its axes. Samples are in the world until
- * the plate is found, and if it is registered.
+ *  With virtual_target {0}, the person follows the session's set-up. The plate is then at (0.3, 0.75, -0.4) m, rotated
+ *  by 20 degrees about y, and the skin at (2, -8, -12) mm from the joint, in the axes of the joint. Samples are in
+ *  world coordinates until a registration has found the plate, and if the session is registered.
  *
- *  @param session         Session of the target, or of the set-up.
- *  @param virtual_target  Target of the person; {0}: the set-up in progress.
+ *  @param session         Session of the target or of the set-up.
+ *  @param virtual_target  Target that the person reaches for; {0}: follow the set-up in progress.
  *  @return INVALID_HANDLE; OUT_OF_RANGE naming the target; WRONG_STATE for {0} if no set-up is in progress.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session session,
                                                   hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** Commands the servo, advances the simulation, and returns the report of tracker and servo: a sample with
- *  PLATE_ORIENTATION and PLATE_POSITION, or in a set-up as in hrt_person_begin(). The first call after
- * hrt_person_begin() starts the rest and places the plate at the given orientation.
+/** Commands the servo, advances the simulation, and returns the sample that tracker and servo report, with
+ *  PLATE_ORIENTATION and PLATE_POSITION or, in a set-up, as hrt_person_begin() says. The first call after
+ *  hrt_person_begin() starts the rest with the plate at the given orientation.
  *
  *  @param time_ns                Time to which the simulation advances.
- *  @param plate_orientation_deg  Command: this orientation, or the nearest one with the same ridges. @ccw
+ *  @param plate_orientation_deg  Command to the servo, which turns to this orientation or the nearest one with the same
+ *                                ridges. @ccw
+ *  @param out_sample             Sample for hrt_reach_update() or hrt_setup_update().
  *  @return OUT_OF_RANGE naming plate_orientation_deg; TIME_REVERSED; WRONG_STATE before hrt_person_begin();
  *          INVALID_HANDLE if the session of the set-up was destroyed.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orientation_deg,
                                                  hrt_sample* out_sample) HRT_NOEXCEPT;
 
-/** Returns the state of the person.
- *
+/** Returns the true state of the person, which a tracker does not see.
  *  @return WRONG_STATE before hrt_person_begin(), and in a set-up.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_get_state(hrt_person person, hrt_person_state* out_state) HRT_NOEXCEPT;

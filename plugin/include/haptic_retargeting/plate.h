@@ -1,7 +1,32 @@
 /*
  * The device that turns the plate, without serial code in the engine: libhrt_plate, a separate library that is
- * installed with the plugin. Contract, results, structs and thread tags are those of base.h; errors of these calls
- * have their text in hrt_plate_last_error().
+ * installed with the plugin. Contract, results, structs and thread tags are those of base.h; hrt_plate_last_error()
+ * has the text of an error.
+ *
+ * Example: turns a plate to 30 degrees.
+ *
+ *   #include <haptic_retargeting/plate.h>
+ *   #include <stdio.h>
+ *
+ *   int main(int argc, char** argv) {
+ *     hrt_plate plate = {0};
+ *     hrt_plate_report report = {0};
+ *     report.struct_size = sizeof report;
+ *     if (hrt_plate_open(argc > 1 ? argv[1] : "serial:/dev/ttyACM0", NULL, &plate)) {
+ *       puts(hrt_plate_last_error());
+ *       return 1;
+ *     }
+ *     int failed = 0, arrived = 0;
+ *     while (!failed && !arrived) { // your frame loop
+ *       failed = hrt_plate_get(plate, &report) || report.state == HRT_PLATE_STATE_FAILED;
+ *       if (failed || report.state != HRT_PLATE_STATE_READY) continue;
+ *       failed = hrt_plate_set(plate, 30.0); // hrt_command::plate_orientation_deg
+ *       arrived = report.orientation_deg > 29.5 && report.orientation_deg < 30.5;
+ *     }
+ *     if (failed) puts(report.fault != HRT_PLATE_FAULT_NONE ? report.message : hrt_plate_last_error());
+ *     hrt_plate_close(plate);
+ *     return failed;
+ *   }
  *
  * A plate is opened by name:
  *
@@ -11,13 +36,14 @@
  *
  * Options of a servo, separated by '&': id (0 to 252, default 1), baud (57600, 115200 or 1000000, default
  * 57600), speed (degrees a second, 10 to 1000, default 300), effort (percent of the servo's stall current of
- * 1.47 A, 5 to 100, default 50; at most 4 N at the plate's rim, 75 mm from its axis, by the maker's stall torque).
+ * 1.47 A, 5 to 100, default 50). The force at the plate's rim, 75 mm from its axis, is limited to 4 N, calculated
+ * from the maker's stall torque.
  *
- * Each plate has one thread for its communication. No call waits for a device, except hrt_plate_close(), for at
- * most 0.5 s. A plate stops when the host is silent (hrt_plate_options::host_timeout_ns), when it is closed, and
- * when it fails. A failure is permanent: close the plate and open it again. In the child of a fork, the calls of a
- * plate fail with WRONG_STATE; closing it there only releases its handle. The end of the process closes all plates. On
- * Windows, close them before the library is unloaded.
+ * Each plate has one thread for its communication. Only hrt_plate_close() waits for a device, for at most 0.5 s. A
+ * plate stops when the host is silent (hrt_plate_options::host_timeout_ns), when it is closed, and when it fails. A
+ * failure is permanent: close the plate and open it again. In the child of a fork, the calls of a plate fail with
+ * WRONG_STATE; closing it there only releases its handle. The end of the process closes all plates. On Windows, close
+ * them before the library is unloaded.
  */
 #ifndef HAPTIC_RETARGETING_PLATE_H
 #define HAPTIC_RETARGETING_PLATE_H
@@ -44,46 +70,48 @@ typedef struct hrt_plate {
   uint64_t value;
 } hrt_plate;
 
-/** @enumeration HRT_PLATE_HOMING Effect of hrt_plate_set() while HRT_PLATE_REPORT_UNHOMED is set. */
+/** @enumeration HRT_PLATE_HOMING Effect of hrt_plate_set() while the plate orientation is unknown
+ *  (HRT_PLATE_REPORT_UNHOMED). */
 typedef uint32_t hrt_plate_homing;
-#define HRT_PLATE_HOMING_REFUSED 0u /**< it fails with WRONG_STATE */
-/** The plate moves to the orientation of the first call slowly, in about 8 s. Keep fingers off: many servos turn
- *  slowly then, but a digital servo may move at its full speed. */
+#define HRT_PLATE_HOMING_REFUSED 0u /**< hrt_plate_set() fails with WRONG_STATE */
+/** The plate moves to the orientation of the first call slowly, in about 8 s. Keep fingers off: many servos turn slowly
+ *  then, but a digital servo may move at its full speed. */
 #define HRT_PLATE_HOMING_SLOW 1u
 
-/** Options of a plate. */
+/** Options of hrt_plate_open(). */
 typedef struct hrt_plate_options {
   uint32_t struct_size;
-  /** Effect of hrt_plate_set() while the orientation is unknown.
-   *  @default HRT_PLATE_HOMING_REFUSED */
+  /** Effect of hrt_plate_set() while the orientation is unknown. HOMING_SLOW operates a plate without a sensor, which
+   *  moves on its first command. @default HRT_PLATE_HOMING_REFUSED */
   hrt_plate_homing homing;
-  /** Time without hrt_plate_set(), hrt_plate_stop() or hrt_plate_get() after which the plate stops where it is, so
-   *  that an application that hangs does not leave a moving plate. The next hrt_plate_set() moves it again.
+  /** Time without hrt_plate_set(), hrt_plate_stop() or hrt_plate_get() after which the plate stops at its present
+   *  orientation, so that an application that hangs does not leave a moving plate. The next hrt_plate_set() moves it
+   *  again. Raise it for an application whose frames may take longer; the plate then moves longer after a crash.
    *  @range 50 ms to 10 s @default 300 ms */
   int64_t host_timeout_ns;
 } hrt_plate_options;
 
 /** @enumeration HRT_PLATE_STATE State of a plate. */
 typedef uint32_t hrt_plate_state;
-#define HRT_PLATE_STATE_OPENING 1u /**< connecting: up to 6 s, because boards restart when their line is opened */
+#define HRT_PLATE_STATE_OPENING 1u /**< connecting, up to 6 s: boards restart when their line is opened */
 #define HRT_PLATE_STATE_READY 2u   /**< accepts commands */
 #define HRT_PLATE_STATE_FAILED 3u  /**< stopped if it was still connected; hrt_plate_report::message has the reason */
 
 /** @enumeration HRT_PLATE_FAULT Cause of a plate's failure. */
 typedef uint32_t hrt_plate_fault;
-#define HRT_PLATE_FAULT_NONE 0u      /**< it has not failed */
+#define HRT_PLATE_FAULT_NONE 0u      /**< no failure */
 #define HRT_PLATE_FAULT_LINE 1u      /**< the line cannot be opened or set up, or is in use */
 #define HRT_PLATE_FAULT_NO_ANSWER 2u /**< no device answers as such a plate */
-#define HRT_PLATE_FAULT_UNPLUGGED 3u /**< the line is gone, or accepts no data */
-#define HRT_PLATE_FAULT_SILENT 4u    /**< it has sent nothing for half a second */
-#define HRT_PLATE_FAULT_NO_REPORT 5u /**< it does not report its orientation */
-#define HRT_PLATE_FAULT_LIMITS 6u    /**< it reports an angle beyond its limits, or refused one */
-#define HRT_PLATE_FAULT_STUCK 7u     /**< it was commanded, and does not move */
-#define HRT_PLATE_FAULT_RESTARTED 8u /**< it restarted, or announced itself again */
-#define HRT_PLATE_FAULT_EMERGENCY 9u /**< its emergency stop is open */
-#define HRT_PLATE_FAULT_DEVICE 10u   /**< it reports a fault, such as voltage, temperature or overload */
-#define HRT_PLATE_FAULT_PROTOCOL 11u /**< it sends messages that the protocol does not allow */
-#define HRT_PLATE_FAULT_INTERNAL 12u /**< out of memory, or a defect of this library */
+#define HRT_PLATE_FAULT_UNPLUGGED 3u /**< the line has disappeared, or accepts no data */
+#define HRT_PLATE_FAULT_SILENT 4u    /**< the device has sent nothing for half a second */
+#define HRT_PLATE_FAULT_NO_REPORT 5u /**< the device does not report its orientation */
+#define HRT_PLATE_FAULT_LIMITS 6u    /**< the device reports an angle beyond its limits, or refused one */
+#define HRT_PLATE_FAULT_STUCK 7u     /**< the plate does not move although it was commanded */
+#define HRT_PLATE_FAULT_RESTARTED 8u /**< the device restarted, or announced itself again */
+#define HRT_PLATE_FAULT_EMERGENCY 9u /**< the emergency stop is open */
+#define HRT_PLATE_FAULT_DEVICE 10u   /**< the device reports a fault, such as voltage, temperature or overload */
+#define HRT_PLATE_FAULT_PROTOCOL 11u /**< the device sends messages that the protocol does not allow */
+#define HRT_PLATE_FAULT_INTERNAL 12u /**< memory is exhausted, or this library has a defect */
 
 /** @flags HRT_PLATE_REPORT Content of a report, and warnings. */
 typedef uint32_t hrt_plate_report_flags;
@@ -92,13 +120,13 @@ typedef uint32_t hrt_plate_report_flags;
 #define HRT_PLATE_REPORT_ROUND_TRIP 4u   /**< the round trip of the line was measured */
 #define HRT_PLATE_REPORT_COMMANDED 8u    /**< a command is in force; else the plate remains where it is */
 #define HRT_PLATE_REPORT_HOST_SILENT 16u /**< stopped by hrt_plate_options::host_timeout_ns */
-/** The plate orientation is unknown (not homed): the plate has no sensor, and was switched on, reset, or stopped by
- *  its emergency stop since the orientation was last known. */
+/** The plate orientation is unknown (not homed): the plate has no sensor, and was switched on, reset, or stopped by its
+ *  emergency stop since the orientation was last known. */
 #define HRT_PLATE_REPORT_UNHOMED 32u
-#define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< no command was reached since the plate was opened: keep fingers off */
-#define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are those of the file */
-/** The plate turned slower than 80 % of the speed in the file, or rested for a second farther from its command than its
- *  error and three SD, or follows its commands 40 ms later than the file says: commission it again. */
+#define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< no command was reached yet since opening: keep fingers off */
+#define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are from the plate's file */
+/** The plate turned slower than 80 % of the speed in the file, or rested for a second away from its command by more
+ *  than its error and three SD, or follows its commands 40 ms later than the file says: commission it again. */
 #define HRT_PLATE_REPORT_DEVIATES 256u
 
 /** State and properties of a plate. All numbers are finite, and 0 while they are unknown. */
@@ -106,22 +134,22 @@ typedef struct hrt_plate_report {
   uint32_t struct_size;
   /** State of the plate. */
   hrt_plate_state state;
-  /** Cause of its failure. */
+  /** Cause of the failure. */
   hrt_plate_fault fault;
   /** Content of the report, and warnings. */
   hrt_plate_report_flags flags;
-  /** Last reported plate orientation, -360 to 360. For hrt_sample::plate_orientation_deg. @ccw */
+  /** Last reported plate orientation, from -360 to 360. For hrt_sample::plate_orientation_deg. @ccw */
   double orientation_deg;
-  /** Orientation that was last sent, within the stops. @ccw */
+  /** Last command that was sent, within the stops. @ccw */
   double command_deg;
   /** Time since the report of the orientation arrived. */
   int64_t age_ns;
-  /** Time from a command to the plate's motion: the plate's own latency and half of the round trip. For
+  /** Time from a command to the plate's motion: latency of the plate plus half of the round trip. For
    *  hrt_session_config::plate.latency_ns, if it is not 0. */
   int64_t latency_ns;
   /** Median time from a message to its answer on the line. */
   int64_t round_trip_ns;
-  /** The plate's own maximum speed, or less if it was observed to turn slower. For
+  /** Maximum speed of the plate: the specified one, or the observed one if that is lower. For
    *  hrt_session_config::plate.max_speed_deg_s. */
   double max_speed_deg_s;
   /** Maximum acceleration measured by `hrt-plate commission`; 0 without its file. For
@@ -132,29 +160,30 @@ typedef struct hrt_plate_report {
   double lower_stop_deg;
   /** Upper stop. @ccw */
   double upper_stop_deg;
-  /** Messages that the plate refused, or that were damaged in transmission. */
+  /** Number of messages that the plate refused or that were damaged in transmission. */
   uint64_t refused_messages;
-  /** The device, in one line of UTF-8: "protocol 2, firmware 1.1.0, serial number 000042". */
+  /** Name of the device in one line of UTF-8: "protocol 2, firmware 1.1.0, serial number 000042". */
   char description[128];
   /** Reason of a failure, in one line of UTF-8: "the plate at /dev/ttyACM0 is unplugged". */
   char message[256];
 } hrt_plate_report;
 
-/** Starts to open a plate, and returns immediately: hrt_plate_get() has the state, and whether it failed. Opening
+/** Starts to open a plate and returns immediately; hrt_plate_get() reports when it is ready, or why it failed. Opening
  *  does not move the plate: until the first hrt_plate_set(), a hobby servo gets no pulse and exerts no force, and a
  *  Dynamixel holds its position.
  *
- *  @param device   Name of the plate.
- *  @param options  Null: the defaults.
- *  @return OUT_OF_RANGE for a malformed name or file, with what is allowed; LIMIT_REACHED for more than 16 plates;
- *          OUT_OF_MEMORY; SYSTEM if the file cannot be read or no thread can be started.
+ *  @param device     Name of the plate, as above.
+ *  @param options    Options, copied. Null: the defaults.
+ *  @param out_plate  Handle of the plate.
+ *  @return OUT_OF_RANGE for a malformed name or file; LIMIT_REACHED for more than 16 plates; OUT_OF_MEMORY; SYSTEM if
+ *          the file cannot be read or no thread can be started.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
                                                       hrt_plate* out_plate) HRT_NOEXCEPT;
 
-/** Turns the plate to an orientation, or to one with the same ridges, which repeat every 180 degrees: the nearest
- *  within the stops; if there is none, the nearest stop. It is held until the next command or hrt_plate_stop(). The
- *  command is sent within 5 ms, unless the computer is busy.
+/** Turns the plate to an orientation, or to the nearest one with the same ridges, which repeat every 180 degrees. If
+ *  the stops allow no such orientation, turns it to the nearest stop. The plate holds it until the next command or
+ *  hrt_plate_stop(). The command is sent within 5 ms, unless the computer is busy.
  *
  *  @param orientation_deg  Plate orientation. @range -1e6 to 1e6 @ccw
  *  @return WRONG_STATE unless the plate is READY, and while it is UNHOMED, unless hrt_plate_options::homing is
@@ -162,20 +191,20 @@ HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const 
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) HRT_NOEXCEPT;
 
-/** Stops the plate where it is, and holds it there.
+/** Stops the plate and holds its present orientation.
  *
  *  @return As hrt_plate_set().
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_stop(hrt_plate plate) HRT_NOEXCEPT;
 
-/** Returns the state of the plate. Reads the monotonic clock.
+/** Returns the state of the plate. Call it every frame. It reads the monotonic clock.
  *
- *  @threadsafety [real-time] */
+ *  @param out_report  State and properties.  @threadsafety [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_report* out_report) HRT_NOEXCEPT;
 
 /** Stops the plate, restores the settings of its line, and ends its thread within 0.5 s.
  *
- *  @param plate  Null is allowed.
+ *  @param plate  Plate. Null is allowed.
  *  @threadsafety [one-thread] */
 HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;
 
@@ -186,8 +215,8 @@ HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;
  *  @threadsafety [any-thread] */
 HRT_PLATE_API const char* hrt_plate_last_error(void) HRT_NOEXCEPT;
 
-/** Copies speed, acceleration, latency and stops of a READY plate into a configuration; stops that are less than
- *  180 degrees apart are not copied.
+/** Copies speed, acceleration, latency and stops of a READY plate into a configuration; stops that are less than 180
+ *  degrees apart are not copied.
  *
  *  @threadsafety [any-thread] */
 static inline void hrt_session_config_from_plate(hrt_session_config* config, const hrt_plate_report* report) {

@@ -1,15 +1,32 @@
 /*
- * Profiles: a participant's parameters as JSON, to be stored and loaded later:
+ * Profiles: a user's parameters as JSON, to be stored and loaded later.
+ *
+ * Example: copies the user of one session to another.
+ *
+ *   #include <haptic_retargeting/haptic_retargeting.h>
+ *   #include <haptic_retargeting/profile.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     hrt_session before, after;
+ *     char text[4096];
+ *     uint64_t length = 0;
+ *     int failed = hrt_session_create(HRT_VERSION, NULL, &before) || hrt_session_create(HRT_VERSION, NULL, &after) ||
+ *                  hrt_profile_save(before, sizeof text, text, &length) || hrt_profile_load(after, text, length);
+ *     puts(failed ? hrt_last_error() : text);
+ *     return failed;
+ *   }
+ *
+ * The text is
  *
  *   {"format":"haptic retargeting profile","version":1,"tracker_noise_m":0,"tactile_weight":0.2,
  *    "tactile_weight_sd":0.05,"bias_deg":0,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,
  *    "sensory_variance_deg2":0.1,"initial_variance_deg2":0}
  *
- * and "person_mean":[...],"person_covariance":[...] after a reach has estimated the user's traits.
+ * with "person_mean":[...],"person_covariance":[...] once a reach has estimated the user's traits, and, if the host
+ * names them, with the conditions under which the user was measured:
  *
- * If the host names them, it also has the conditions under which the person was measured:
- *
- *    "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
+ *   "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
  * Fields and ranges are those of hrt_session_config with the tag @profile. Contacts are stored together with the
  * pose of the plate under which they were made. A session with another pose ignores them; a session with the
@@ -32,18 +49,21 @@ typedef uint32_t hrt_condition_flags;
 /** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. */
 typedef struct hrt_conditions {
   uint32_t struct_size;
-  /** Output: conditions that both the profile and the host name, and that differ. Input: not read. */
+  /** Output: conditions that both the profile and the host name and that differ. Not read as input. */
   hrt_condition_flags differing;
-  /** Seconds since 1970, UTC, until the end of the year 9999; 0: unknown. @range 0 to 253402300799 */
+  /** Time of the measurement in seconds since 1970, UTC, until the end of the year 9999; 0: unknown.
+   *  @range 0 to 253402300799 */
   int64_t time_s;
-  /** Name of the plate; empty: unknown. UTF-8 without control characters, terminated by a zero. */
+  /** Name of the plate, always the same for the same device; empty: unknown, and not compared. UTF-8 without control
+   *  characters, terminated by a zero. */
   char plate[HRT_NAME_SIZE];
-  /** Name of the tracker; empty: unknown. UTF-8 without control characters, terminated by a zero. */
+  /** Name of the tracker, always the same for the same device; empty: unknown, and not compared. UTF-8 without control
+   *  characters, terminated by a zero. */
   char tracker[HRT_NAME_SIZE];
 } hrt_conditions;
 
-/** Sets the session's present conditions: those under which a set-up calibrates, and with which profiles are
- *  compared. If those of the profile differ, the log has a warning, in this call or when the profile is loaded.
+/** Sets the session's present conditions. A set-up that calibrates stores them, and profiles are compared with them: if
+ *  the conditions of the profile differ, the log has a warning, in this call or when the profile is loaded.
  *
  *  @param conditions  The present conditions.
  *  @return OUT_OF_RANGE naming the field; WRONG_STATE during a reach or a set-up.
@@ -51,10 +71,10 @@ typedef struct hrt_conditions {
 HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
                                                             const hrt_conditions* conditions) HRT_NOEXCEPT;
 
-/** Returns the conditions under which the person was measured: of the loaded profile, or the present ones if a set-up
- *  has calibrated since; unknown without both.
+/** Returns the conditions under which the user was measured: those of the loaded profile or, if a set-up has calibrated
+ *  since, the present ones; without both, all are unknown.
  *
- *  @param out_conditions  The conditions. `differing` compares them with the present ones.
+ *  @param out_conditions  Conditions of the measurement. `differing` compares them with the present ones.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
                                                             hrt_conditions* out_conditions) HRT_NOEXCEPT;
@@ -62,25 +82,26 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
 /** Writes the session's profile as UTF-8 with a terminating zero.
  *
  *  @param capacity    Bytes of `out_text`. 0: only the length is returned.
- *  @param out_text    The profile. May be null if `capacity` is 0.
- *  @param out_length  Its length without the zero.
+ *  @param out_text    Profile. May be null if `capacity` is 0.
+ *  @param out_length  Length of the profile without the zero.
  *  @return BUFFER_TOO_SMALL unless `capacity` exceeds the length.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                                                   uint64_t* out_length) HRT_NOEXCEPT;
 
-/** Copies a profile into the session's configuration. Fields of the person and of correlated noise that the profile
- *  does not have are reset to the default; other missing fields keep their values. Unknown fields are refused.
+/** Copies a profile into the session's configuration. Where the profile has no field, fields of the user and of
+ *  correlated noise are reset to the default and all others keep their values. Unknown fields are refused.
  *
- *  @param text    The profile in UTF-8.
- *  @param length  Its bytes.
- *  @return BAD_FORMAT; OUT_OF_RANGE naming the field; WRONG_STATE during a reach or a set-up.
+ *  @param text    Profile in UTF-8.
+ *  @param length  Bytes of the profile.
+ *  @return BAD_FORMAT naming the position in the text; OUT_OF_RANGE naming the field; WRONG_STATE during a reach or a
+ *          set-up.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
 
-/** Resets the fields of the user for a new user: the part person, the fields of the part paper that profiles contain,
- *  motion_bound_deg and fingertip_offset_m. Plate, tracker, registration and targets are kept, so that
- *  HRT_SETUP_ALL_MISSING asks for the user only.
+/** Prepares the session for another user: resets the part person except max_felt_error_deg, the fields of the part
+ *  paper that profiles contain, and fingertip_offset_m. Plate, tracker, registration and targets are kept, so that
+ *  HRT_SETUP_ALL_MISSING measures only the user.
  *
  *  @return WRONG_STATE during a reach or a set-up.
  *  @threadsafety [one-thread] */

@@ -1,6 +1,25 @@
 /*
- * A reach: the finger moves from the start to a real target while the user perceives that it moves to a
- * virtual one. Each call takes a sample of the finger and returns a command for the plate.
+ * A reach: the finger moves from the start to a real target while the user perceives that it moves to a virtual
+ * one. Each call takes a sample of the finger and returns a command for the plate.
+ *
+ * Example: one frame of an engine whose tracker reports positions in the world. haptic_retargeting.h has a complete
+ * reach.
+ *
+ *   #include <haptic_retargeting/haptic_retargeting.h>
+ *
+ *   // `finger_m` is null while the tracker has lost the finger. Returns HRT_COMMAND_ARRIVED at the end.
+ *   hrt_command_flags frame(hrt_session session, int64_t now_ns, const double* finger_m, double* plate_deg) {
+ *     hrt_sample sample = hrt_sample_init();
+ *     hrt_command command = hrt_command_init();
+ *     sample.time_ns = now_ns;
+ *     for (int i = 0; finger_m && i < 3; ++i) {
+ *       sample.flags = HRT_SAMPLE_WORLD_POSITION;
+ *       sample.finger_position_m[i] = finger_m[i];
+ *     }
+ *     if (hrt_reach_update(session, &sample, &command) != HRT_OK) return 0; // hrt_last_error() has the reason
+ *     *plate_deg = command.plate_orientation_deg;
+ *     return command.flags & HRT_COMMAND_ARRIVED;
+ *   }
  */
 #ifndef HAPTIC_RETARGETING_REACH_H
 #define HAPTIC_RETARGETING_REACH_H
@@ -13,11 +32,11 @@ extern "C" {
 
 /** @flags HRT_REACH Options of a reach: hrt_reach_config::flags. */
 typedef uint32_t hrt_reach_flags;
-/** `plate_orientation_deg` is given. Otherwise, the plate is at the session's last command, initially 0. */
+/** `plate_orientation_deg` is given. Otherwise, the plate is assumed at the session's last command, initially at 0. */
 #define HRT_REACH_PLATE_ORIENTATION UINT32_C(1)
-/** The reach starts at the first position of the finger instead of hrt_session_config::start_position_m; directions
- *  and distances are measured from there. Until then, the plate is prepared for the configured start. Earlier samples
- *  are not counted. No effect in a reach with directions only. */
+/** The reach starts at the first position of the finger instead of hrt_session_config::start_position_m; directions and
+ *  distances are measured from there. Until then, the plate is prepared for the configured start. Earlier samples are
+ *  not counted. Has no effect in a reach with directions only. */
 #define HRT_REACH_START_AT_FINGER UINT32_C(2)
 
 /** Configuration of a reach. */
@@ -25,20 +44,22 @@ typedef struct hrt_reach_config {
   uint32_t struct_size;
   /** Options. @default 0 */
   hrt_reach_flags flags;
-  /** Target of the hand, less than 90 degrees from the virtual direction plus hrt_session_config::person.bias_deg.
-   *  Null by default: must be set. */
+  /** Target to which the hand is steered, less than 90 degrees from the virtual direction plus
+   *  hrt_session_config::person.bias_deg. Null by default: must be set. */
   hrt_target real_target;
   /** Target that the user reaches for. Null by default: must be set. */
   hrt_target virtual_target;
-  /** Plate orientation before the reach, clamped to the stops. @range -1e6 to 1e6 @default 0 @ccw */
+  /** Plate orientation before the reach, clamped to the stops. Set it if something other than this session has turned
+   *  the plate: the controller plans from it. @range -1e6 to 1e6 @default 0 @ccw */
   double plate_orientation_deg;
-  /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the host knows it; 0: unknown, and estimated from the
-   *  progress of the finger. @range 0 or 0.1 to 20 @default 0 */
+  /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the task dictates it. It makes the first corrections
+   *  better, or worse if it is wrong; 0: unknown, and estimated from the progress of the finger. @range 0 or 0.1 to 20
+   *  @default 0 */
   double duration_s;
 } hrt_reach_config;
 
 /** @flags HRT_SAMPLE hrt_sample::flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and
- *  WORLD_POSITION. A sample with none of these and without LIFTED is a dropout: the plate is held, and the model
+ *  WORLD_POSITION is allowed. A sample without these and without LIFTED is a dropout: the plate is held, and the model
  *  predicts. */
 typedef uint32_t hrt_sample_flags;
 #define HRT_SAMPLE_DIRECTION UINT32_C(1)         /**< finger_direction_deg */
@@ -46,8 +67,8 @@ typedef uint32_t hrt_sample_flags;
 #define HRT_SAMPLE_PLATE_ORIENTATION UINT32_C(4) /**< plate_orientation_deg, as measured */
 #define HRT_SAMPLE_LIFTED UINT32_C(8)            /**< the finger does not touch the plate: the model waits */
 #define HRT_SAMPLE_WORLD_POSITION UINT32_C(16)   /**< finger_position_m, in the engine's world */
-/** plate_position_m and plate_rotation, for WORLD_POSITION. Otherwise, the pose in the session's configuration is
- *  used. */
+/** plate_position_m and plate_rotation, for WORLD_POSITION: for a plate that is tracked too. Otherwise, the pose in the
+ *  session's configuration is used. */
 #define HRT_SAMPLE_PLATE_POSE UINT32_C(32)
 /** joint_rotation, with WORLD_POSITION: finger_position_m is the position of a joint, and the point of contact on the
  *  skin is hrt_session_config::fingertip_offset_m from it. */
@@ -59,14 +80,17 @@ typedef struct hrt_sample {
   uint32_t struct_size;
   /** Fields that are set. */
   hrt_sample_flags flags;
-  /** Time of the caller's monotonic clock, with any origin; never less than that of the last sample. @range any */
+  /** Time of the sample on the caller's monotonic clock, with any origin; never less than that of the last sample.
+   *  @range any */
   int64_t time_ns;
-  /** Direction of the finger's motion, taken as exact. @range -180 to 180 @ccw */
+  /** Direction of the finger's motion, taken as exact. Set a position instead if it is known: ARRIVAL needs it.
+   *  @range -180 to 180 @ccw */
   double finger_direction_deg;
   /** Position of the fingertip. @range -1000 to 1000 */
   double finger_position_m[3];
-  /** Measured plate orientation. With stops, it is taken as measured. Without stops, half turns do not count: the
-   *  model takes the orientation with the same ridges that is nearest to the expected one. @range -1e6 to 1e6 @ccw */
+  /** Measured plate orientation, which lets the model follow a plate that lags behind its commands. With stops, it is
+   *  taken as measured. Without stops, half turns do not count: the model takes the orientation with the same ridges
+   *  that is nearest to the expected one. @range -1e6 to 1e6 @ccw */
   double plate_orientation_deg;
   /** Position of the plate in the world; see hrt_session_config. @range -1000 to 1000 */
   double plate_position_m[3];
@@ -86,89 +110,89 @@ typedef uint32_t hrt_command_flags;
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see hrt_gap */
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the model waits */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
-/** The motion differs from the model by more than its noise explains. Do not rely on the estimates and UNREACHABLE. */
+/** The motion differs from the model by more than its noise explains: estimates and UNREACHABLE are unreliable. */
 #define HRT_COMMAND_MISFIT UINT32_C(128)
-/** The finger is predicted to end, or has ended, more than 1.5 degrees of bearing from the real target; or it moves
- *  away from the target: more than 60 degrees off, beyond three tenths of the path. */
+/** The finger is predicted to end, or has ended, more than 1.5 degrees of bearing from the real target; or, after three
+ *  tenths of the path, it moves in a direction more than 60 degrees from the target. */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
 #define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the plate is held */
 /** The solver stopped before the optimum; the command keeps its bounds. */
 #define HRT_COMMAND_APPROXIMATE UINT32_C(1024)
-/** A defect in this library: a value was not a finite number. The plate is held, and the value is 0. The log reports
- *  it once a session, when the session is next configured or destroyed. */
+/** A defect in this library: a value was not a finite number. The plate is held, and the value is 0. The log reports it
+ *  once a session, when the session is next configured or destroyed. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 /** The plate's registration is older or less accurate than the configuration allows, or missing:
  *  registration.max_age_ns, registration.max_sd_deg. Set up again (setup.h). The log reports it at the next call of
  *  hrt_session_set(), hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load() or hrt_scene_register(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
-/** The reach is over, until hrt_reach_retarget(). The finger was at the start or has moved, and now rests: for 0.4 s
- *  within a quarter of the path's length of the real target, after nine tenths of the way; or for 2 s elsewhere, after
- *  three tenths of the way and within 60 degrees of the target's bearing, then with OFF_TARGET. A lift, a dropout of
- *  0.2 s or a retarget by 2 mm and more restarts this time. Never set in a reach with directions only: use a time
- *  limit. */
+/** The reach is over, until hrt_reach_retarget(): the finger was at the start or has moved, and has now rested long
+ *  enough. That is 0.4 s at the target, which means after nine tenths of the path and within a quarter of its length of
+ *  the real target; or 2 s elsewhere, after three tenths of the path and within 60 degrees of the target's bearing,
+ *  then with OFF_TARGET. A lift, a dropout of 0.2 s or a retarget by 2 mm and more restarts the time. Never set in a
+ *  reach with directions only: use a time limit there. */
 #define HRT_COMMAND_ARRIVED UINT32_C(8192)
 /** Contacts (hrt_reach_touched()) move the real target by more than the registration explains with a probability of
  *  99.9 %: the plate or the tracker's frame has moved, or another object was touched. Set up again (setup.h). */
 #define HRT_COMMAND_CONTACTS UINT32_C(16384)
-/** The finger rests more than 15 mm from the start, and has not been there: ask the user to go to the start. The reach
+/** The finger rests more than 15 mm from the start and has not been there: ask the user to move to the start. The reach
  *  begins when the finger rests there, or moves from where it is. */
 #define HRT_COMMAND_NOT_AT_START UINT32_C(32768)
-/** The miss is not known: the finger was not seen to move, or FIXED_DIRECTION does not predict it. predicted_miss_deg
- *  and miss_deg are 0, miss_sd_deg is 180. */
+/** The miss is unknown: no sample shows a motion, or FIXED_DIRECTION, which does not predict it, is the controller.
+ *  predicted_miss_deg and miss_deg are 0, miss_sd_deg is 180. */
 #define HRT_COMMAND_MISS_UNKNOWN UINT32_C(65536)
-/** Times, units or axes are probably wrong: times that do not advance in nanoseconds, a finger
- *  faster than 5 m/s, further than three plate radii away or moving away from the virtual target, a start or target
- *  beyond the plate's edge by more than a radius, directions of all targets that may be in radians, or a hand that
- * turns with the plate instead of against it. The log says which, when it reports REGISTRATION. The estimate of the
- * person does not change. */
+/** Times, units or axes are probably wrong: times do not advance in nanoseconds; the finger is faster than 5 m/s,
+ *  further than three plate radii away or moving away from the virtual target; a start or target is beyond the plate's
+ *  edge by more than a radius; the directions of all targets may be in radians; or the hand turns with the plate
+ *  instead of against it. The log names the cause at the calls listed under REGISTRATION. The estimate of the person
+ *  does not change. */
 #define HRT_COMMAND_IMPLAUSIBLE UINT32_C(131072)
 
-/** hrt_command::time_to_go_s: the finger rests before or within the motion; or, under FIXED_DIRECTION, the time is
- *  unknown. */
+/** Value of hrt_command::time_to_go_s while the finger rests before or within the motion, or, under FIXED_DIRECTION,
+ *  while the time is unknown. */
 #define HRT_NOT_MOVING (-1)
-/** hrt_command::time_to_go_s: the motion has ended, or should have ended by now. */
+/** Value of hrt_command::time_to_go_s once the motion has ended, or should have ended. */
 #define HRT_ARRIVED 0
 
-/** Writes flags of a command or summary as words: "unreachable, off target". Empty text without flags.
+/** Writes flags of a command or summary as words, such as "unreachable, off target"; empty without flags.
  *
  *  @param flags       Flags of hrt_command or hrt_reach_summary.
  *  @param capacity    Bytes of `out_text`. 0: only the length is returned.
- *  @param out_text    The words in UTF-8 with a terminating zero. May be null if `capacity` is 0.
- *  @param out_length  Their length without the zero.
- *  @return OUT_OF_RANGE for bits that are no flags; BUFFER_TOO_SMALL unless `capacity` exceeds the length.
+ *  @param out_text    Words in UTF-8 with a terminating zero. May be null if `capacity` is 0.
+ *  @param out_length  Length of the words without the zero.
+ *  @return OUT_OF_RANGE for unknown flags; BUFFER_TOO_SMALL unless `capacity` exceeds the length.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_flags_text(hrt_command_flags flags, uint64_t capacity, char* out_text,
                                                 uint64_t* out_length) HRT_NOEXCEPT;
 
 /** Part of hrt_command: values of the controller of the paper. Under GUIDANCE_ARRIVAL, step is -1 and the directions
- * are 0. */
+ *  are 0. */
 typedef struct hrt_command_paper {
-  /** Model step, from 0; -1 before the finger moves. */
+  /** Index of the model's step, from 0; -1 before the finger moves. */
   int64_t step;
   /** Direction of the finger's motion in the last step, observed or predicted. @ccw */
   double finger_direction_deg;
-  /** Direction to which the finger is steered: that of the real target, or the nearest one that the plate can
-   *  sustain. @ccw */
+  /** Direction to which the finger is steered: that of the real target, or the nearest one that the plate can sustain.
+   *  @ccw */
   double aimed_direction_deg;
 } hrt_command_paper;
 
 /** Command for the plate, and its reasons. */
 typedef struct hrt_command {
   uint32_t struct_size;
-  /** Reasons and warnings. */
+  /** Reasons and warnings, HRT_COMMAND_*. */
   hrt_command_flags flags;
   /** Plate orientation to turn to now. If speed and acceleration are unlimited, the nearest of the orientations with
-   *  the same ridges between the stops. Otherwise, the plate stays within one half turn for the whole reach, limited
-   *  by the stops. Without stops, successive reaches may wind it up: the device must count turns, or omit whole ones.
+   *  the same ridges between the stops. Otherwise, the plate stays within one half turn for the whole reach, limited by
+   *  the stops. Without stops, successive reaches may wind it up: the device must count turns, or omit whole ones.
    *  @ccw */
   double plate_orientation_deg;
   /** Bearing of the finger, seen from the start of the reach; 0 until the finger moves. In a reach with directions
    *  only, the direction of the last step. @ccw */
   double bearing_deg;
-  /** Perceived direction under this command, as the model predicts it. @ccw */
+  /** Direction that the user perceives under this command, predicted by the model. @ccw */
   double perceived_direction_deg;
-  /** Estimated perceived minus intended direction now: the error that the user could notice. Users notice about
-   *  4.5 degrees of visual redirection; no threshold is published for touch. 0 under FIXED_DIRECTION. @ccw */
+  /** Estimated perceived minus intended direction now: the error that the user could notice. Users notice about 4.5
+   *  degrees of visual redirection; no threshold is published for touch. 0 under FIXED_DIRECTION. @ccw */
   double felt_error_deg;
   /** Predicted bearing of the position of arrival minus that of the real target; 0 with HRT_COMMAND_MISS_UNKNOWN.
    *  @ccw */
@@ -177,7 +201,7 @@ typedef struct hrt_command {
    *  and of plate.covariance or, after contacts, of their covariance. At the end, the SD of
    *  hrt_reach_summary::miss_deg. 180 with HRT_COMMAND_MISS_UNKNOWN. */
   double miss_sd_deg;
-  /** Distance along the plate to the real target; from the start until the first position. */
+  /** Distance along the plate to the real target, from the finger or, until its first position, from the start. */
   double distance_to_go_m;
   /** Predicted time until the motion ends, or HRT_NOT_MOVING, or HRT_ARRIVED. */
   double time_to_go_s;
@@ -185,8 +209,8 @@ typedef struct hrt_command {
   double tactile_weight;
   /** SD of tactile_weight; 0: taken as exact. @unit 1 */
   double tactile_weight_sd;
-  /** Normalised innovation squared (NIS) of the last positions, mean over about twenty: their deviation from the
-   *  model. About 2 if the model fits; MISFIT from 6. 0 under FIXED_DIRECTION. @unit 1 */
+  /** Normalised innovation squared (NIS) of the last positions, mean over about twenty: their deviation from the model.
+   *  About 2 if the model fits; from 6, MISFIT is set. 0 under FIXED_DIRECTION. @unit 1 */
   double misfit;
   hrt_command_paper paper; /**< values of the controller of the paper @flatten paper_* */
 } hrt_command;
@@ -194,26 +218,27 @@ typedef struct hrt_command {
 /** Part of hrt_reach_summary: numbers of samples and steps. A step lasts 0.1 s; under FIXED_DIRECTION,
  *  paper.step_period_ns. */
 typedef struct hrt_reach_counts {
-  int64_t samples;         /**< samples */
+  int64_t samples;         /**< samples of the reach */
   int64_t dropped_samples; /**< samples that were dropouts or rejected as outliers */
   int64_t steps;           /**< steps with samples */
   int64_t saturated_steps; /**< steps with samples in which the plate's bound or a stop limited the command */
 } hrt_reach_counts;
 
-/** Part of hrt_reach_summary: estimates of the user and the tracker at the end of the reach. hrt_reach_end() then
- *  filters the motion once more, with the wander that it shows, for hrt_session_config::person, which has all traits
- *  with HRT_ADAPTATION_CARRIED: its means differ a little from these. Under FIXED_DIRECTION, curve and bias are 0. */
+/** Part of hrt_reach_summary: estimates of the user and the tracker at the end of the reach. With
+ *  HRT_ADAPTATION_CARRIED, hrt_session_config::person receives all traits, from a second pass of the filter over the
+ *  motion with the user's observed wander: its means differ a little from these. Under FIXED_DIRECTION, curve and bias
+ *  are 0. */
 typedef struct hrt_reach_learnt {
   double tactile_weight;    /**< tactile weight at the end; see hrt_command @unit 1 */
   double tactile_weight_sd; /**< SD of tactile_weight; see hrt_command @unit 1 */
-  /** Curvature of the illusion: HRT_PERSON_CURVE. More than 2 SD: the illusion is not linear, and tactile_weight is
+  /** Curvature of the illusion: HRT_PERSON_CURVE. If it exceeds 2 SD, the illusion is not linear, and tactile_weight is
    *  valid at 60 degrees only. @unit 1 */
   double illusion_curve;
   double illusion_curve_sd; /**< SD of illusion_curve @unit 1 */
   double bias_deg;          /**< bias: HRT_PERSON_BIAS @ccw */
   double bias_sd_deg;       /**< SD of bias_deg */
-  /** SD of the noise in each tracked coordinate, estimated or configured: of white noise; under ARRIVAL of all noise.
-   */
+  /** SD of the noise in each tracked coordinate, estimated or configured: of the white noise or, under ARRIVAL, of all
+   *  noise. */
   double tracker_noise_m;
 } hrt_reach_learnt;
 
@@ -240,8 +265,8 @@ typedef struct hrt_reach_paper {
 /** Result of a reach. */
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
-  /** UNREACHABLE, CONTACTS and NOT_AT_START at the end, MISFIT, REGISTRATION and IMPLAUSIBLE at any time, OFF_TARGET
-   *  and MISS_UNKNOWN for the end of the motion, FAULT. */
+  /** Warnings: UNREACHABLE, CONTACTS and NOT_AT_START as at the end of the reach; MISFIT, REGISTRATION, IMPLAUSIBLE and
+   *  FAULT if any command had them; OFF_TARGET and MISS_UNKNOWN for the end of the motion. */
   hrt_command_flags flags;
   /** Bearing of the last position; 0 with HRT_COMMAND_MISS_UNKNOWN. In a reach with directions only, the direction of
    *  the last step. @ccw */
@@ -251,7 +276,7 @@ typedef struct hrt_reach_summary {
   /** SD of miss_deg: the last hrt_command::miss_sd_deg. 180 under FIXED_DIRECTION, where the fields from
    *  peak_felt_error_deg to duration_s are 0. */
   double miss_sd_deg;
-  /** Distance along the plate from the last position to the real target; from the start without positions. */
+  /** Distance along the plate to the real target, from the last position or, without positions, from the start. */
   double distance_to_target_m;
   /** Largest absolute hrt_command::felt_error_deg. */
   double peak_felt_error_deg;
@@ -266,80 +291,84 @@ typedef struct hrt_reach_summary {
   hrt_reach_paper paper;   /**< results of the controller of the paper @flatten paper_* */
 } hrt_reach_summary;
 
-/** @flags HRT_CONTACT hrt_contact::flags: coordinates of the position, at most one. Without both, the finger is at
- *  the near side of the reach's real target: its position, less its radius towards the start. */
+/** @flags HRT_CONTACT hrt_contact::flags: coordinates of the position; at most one. Without both, the finger is at the
+ *  near side of the reach's real target, one radius before its centre. */
 typedef uint32_t hrt_contact_flags;
 #define HRT_CONTACT_PLATE_POSITION UINT32_C(1) /**< position_m, in plate coordinates */
 #define HRT_CONTACT_WORLD_POSITION UINT32_C(2) /**< position_m, in the engine's world, by the session's pose */
 
-/** Position of the finger, known because it touches a real object. The default is all zero except `struct_size`. */
+/** Position of the finger while it touches a real object. The default is all zero except `struct_size`. */
 typedef struct hrt_contact {
   uint32_t struct_size;
   /** Coordinates of the position. @default 0 */
   hrt_contact_flags flags;
   /** Position of the fingertip; the height above the plate has no effect. @range -1000 to 1000 @default 0 */
   double position_m[3];
-  /** SD of the position in each coordinate; 0: the radius of the real target, or 10 mm if it is unknown.
-   *  @range 0 or 0.0001 to 1 @default 0 */
+  /** SD of the position in each coordinate. A smaller SD makes the contact correct more. 0: the radius of the real
+   *  target, or 10 mm if that is unknown. @range 0 or 0.0001 to 1 @default 0 */
   double sd_m;
 } hrt_contact;
 
-/** Begins a reach. The targets are copied. Directions are measured from hrt_session_config::start_position_m,
- *  wherever the finger is, unless HRT_REACH_START_AT_FINGER is set.
+/** Begins a reach. The targets are copied. Directions are measured from hrt_session_config::start_position_m, even if
+ *  the finger is elsewhere, unless HRT_REACH_START_AT_FINGER is set.
  *
  *  @param config  Targets and options.
  *  @return INVALID_HANDLE or OUT_OF_RANGE naming the target; WRONG_STATE during a reach.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
-/** Processes one sample and returns the command. Samples may come at any rate. A position that repeats the last one in
- *  all bits within 50 ms is a dropout: the tracker is slower than the application, and the copy measures nothing. A
- * direction changes the command once in a step period, a position at every sample: each one refines the estimate. Under
- * GUIDANCE_ARRIVAL, also pass the samples before the motion: they determine the start and the noise of the tracker.
- * Steps without samples are predicted, under FIXED_DIRECTION at most 64 in a call.
+/** Processes one sample and returns the command for the plate. Call it every frame, at any rate, also before the
+ *  motion: these samples determine the start and the noise of the tracker under GUIDANCE_ARRIVAL. A position changes
+ *  the command at every sample, a direction once in a step period. A position that equals the last one in all bits
+ *  within 50 ms counts as a dropout: the tracker is slower than the application. Steps without samples are predicted,
+ *  under FIXED_DIRECTION at most 64 in a call.
  *
- *  @param sample  The finger, and the plate if it is measured.
- *  @return WRONG_STATE without a reach; OUT_OF_RANGE naming the field, or the target if HRT_REACH_START_AT_FINGER
- *          finds it within 1 mm of the finger or the pair 90 degrees apart; TIME_REVERSED.
+ *  @param sample       Finger, and plate if its orientation is measured.
+ *  @param out_command  Command for the plate.
+ *  @return WRONG_STATE without a reach; OUT_OF_RANGE naming the field, or naming the target if
+ *          HRT_REACH_START_AT_FINGER puts it within 1 mm of the finger or the pair 90 degrees apart; TIME_REVERSED.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 
-/** Redirects the reach to other targets, or to the same ones after hrt_target_set() has moved them: in every frame if
- *  they move. The plan continues from the position of the finger. Directions are then seen from the finger, that of the
- *  virtual target from the perceived position; in a reach with directions only, from the start. The next command has
- *  UNREACHABLE if the plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too short. Targets
- *  that move by 2 mm or more restart the rest that HRT_COMMAND_ARRIVED needs. On an error, the reach is unchanged.
+/** Redirects the reach to other targets, or to the same ones after hrt_target_set() has moved them; call it every frame
+ *  while they move. The plan continues from the position of the finger. Directions are then seen from the finger, that
+ *  of the virtual target from the perceived position; in a reach with directions only, from the start. The next command
+ *  has UNREACHABLE if the plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too short.
+ *  Targets that move by 2 mm or more restart the rest that HRT_COMMAND_ARRIVED needs. On an error, the reach is
+ *  unchanged.
  *
- *  @param real_target     Target of the hand.
+ *  @param real_target     Target to which the hand is steered.
  *  @param virtual_target  Target that the user reaches for.
- *  @return INVALID_HANDLE or OUT_OF_RANGE naming the target, also for a pair 90 degrees apart; WRONG_STATE.
+ *  @return INVALID_HANDLE or OUT_OF_RANGE naming the target, also for a pair 90 degrees apart; WRONG_STATE without a
+ *          reach.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** Reports that the finger has met the real object: at most once a reach, until the next reach begins. The contact
- *  shows the error of the tracker's frame: from the next reach on,
+/** Reports that the finger has met the real object. Call it at most once for each reach, before the next one begins.
+ *  The contact shows the error of the tracker's frame: from the next reach on,
  *  hrt_session_config::registration.contact_correction corrects the finger's positions, and the estimated bias of the
  *  user decreases by the same amount.
  *
- *  @param contact  Null: the default.
+ *  @param contact  Position of contact. Null: the default.
  *  @return OUT_OF_RANGE naming the field, or the position if it is within 10 mm of the start or too far from the
  *          tracked position; WRONG_STATE without a reach, without HRT_SESSION_REGISTERED, or after a contact;
  *          INSUFFICIENT_DATA if the finger did not move.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_touched(hrt_session session, const hrt_contact* contact) HRT_NOEXCEPT;
 
-/** Ends the reach without a summary and discards its estimates and its contact. The plate remains where the last
- *  command moved it.
+/** Ends the reach without a summary and discards its estimates and its contact. The session assumes that the plate
+ *  stays at the last command.
  *
  *  @return WRONG_STATE without a reach.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_cancel(hrt_session session) HRT_NOEXCEPT;
 
-/** Ends the reach.
+/** Ends the reach and returns its result. With HRT_ADAPTATION_CARRIED, updates the estimates in the configuration.
  *
- *  @return WRONG_STATE without a reach; INSUFFICIENT_DATA if it has had no sample: it remains in progress, and
+ *  @param out_summary  Result of the reach.
+ *  @return WRONG_STATE without a reach; INSUFFICIENT_DATA if the reach has had no sample. It then remains in progress;
  *          hrt_reach_cancel() ends it.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_end(hrt_session session, hrt_reach_summary* out_summary) HRT_NOEXCEPT;

@@ -1,11 +1,27 @@
 /*
  * Recordings of a session, and their replay.
  *
+ * Example: records a session that does nothing, and replays the file.
+ *
+ *   #include <haptic_retargeting/haptic_retargeting.h>
+ *   #include <haptic_retargeting/recording.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     hrt_session session;
+ *     hrt_recording_status status = hrt_recording_status_init();
+ *     hrt_replay_report report = hrt_replay_report_init();
+ *     int failed = hrt_session_create(HRT_VERSION, NULL, &session) || hrt_recording_start(session, "session.csv") ||
+ *                  hrt_recording_stop(session, &status) || hrt_recording_replay("session.csv", NULL, 0, &report);
+ *     if (failed) puts(hrt_last_error());
+ *     return failed || status.rows_lost || !report.complete || report.first_different_line;
+ *   }
+ *
  * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. It has a row for each
- * begin, update, retarget, touched, cancel and end of a reach, and for each update, finish and cancel of a
- * set-up, including refused calls, except those of a set-up whose structs cannot be read. Comments hold
- * configurations, targets, beginnings of set-ups and the plate orientation. Numbers have full precision. A thread
- * of the library writes the file: a slow or full disk never delays a call; rows are dropped and counted.
+ * begin, update, retarget, touched, cancel and end of a reach, and for each update, finish and cancel of a set-up.
+ * Refused calls have rows too, except those of a set-up whose structs cannot be read. Comments hold configurations,
+ * targets, beginnings of set-ups and the plate orientation. Numbers have full precision. A thread of the library
+ * writes the file: a slow or full disk never delays a call; rows are dropped and counted.
  */
 #ifndef HAPTIC_RETARGETING_RECORDING_H
 #define HAPTIC_RETARGETING_RECORDING_H
@@ -21,9 +37,9 @@ typedef struct hrt_recording_status {
   uint32_t struct_size;
   /** errno of the first failed write, after which nothing is written; 0: no write failed. */
   int32_t system_error;
-  /** Rows that the operating system has accepted for writing: after stopping, hrt_replay_report::rows of a replay. */
+  /** Rows that the operating system has accepted for writing: after stopping, equal to hrt_replay_report::rows. */
   uint64_t rows_written;
-  /** Calls dropped because the disk was too slow or failed. 0 after stopping: the file is complete. */
+  /** Calls that were dropped because the disk was too slow or failed. If 0 after stopping, the file is complete. */
   uint64_t rows_lost;
 } hrt_recording_status;
 
@@ -31,22 +47,23 @@ typedef struct hrt_recording_status {
  *  parent's sessions but not its recordings, calls of these sessions are not recorded, hrt_recording_get_status() and
  *  hrt_recording_stop() return WRONG_STATE, and this call may start a recording of the child.
  *
- *  @return SYSTEM if the file cannot be created, is not a regular file, or another recording is written to it, in
- *          this process or another; WRONG_STATE during a reach or a set-up, or while recording; OUT_OF_MEMORY.
+ *  @param path  Name of the file, in UTF-8.
+ *  @return SYSTEM if the file cannot be created, is not a regular file, or another recording is written to it, in this
+ *          process or another; WRONG_STATE during a reach or a set-up, or while recording; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;
 
 /** Returns the state of the recording.
  *
- *  @return WRONG_STATE without a recording.
+ *  @param out_status  State of the recording.  @return WRONG_STATE without a recording.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_get_status(hrt_session session,
                                                           hrt_recording_status* out_status) HRT_NOEXCEPT;
 
 /** Waits until the operating system has accepted all rows so far, so that they survive a crash of the process. The file
- *  stays open.
+ *  stays open. The call may wait for the disk.
  *
- *  @return WRONG_STATE without a recording.
+ *  @param out_status  State of the recording.  @return WRONG_STATE without a recording.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_flush(hrt_session session,
                                                      hrt_recording_status* out_status) HRT_NOEXCEPT;
@@ -54,16 +71,16 @@ HRT_NODISCARD HRT_API hrt_result hrt_recording_flush(hrt_session session,
 /** Writes the remaining rows, closes the file and returns the final state. The call may wait for the disk. Destroying
  *  the session also stops its recording.
  *
- *  @return WRONG_STATE without a recording.
+ *  @param out_status  Final state of the recording.  @return WRONG_STATE without a recording.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) HRT_NOEXCEPT;
 
 /** @enumeration HRT_ENDING End of a recording. */
 typedef uint32_t hrt_recording_ending;
-#define HRT_ENDING_COMPLETE 0  /**< an end line, and nothing was altered or lost */
-#define HRT_ENDING_CUT 1       /**< no end line: cut off, or the process ended while recording */
-#define HRT_ENDING_LOST_ROWS 2 /**< rows that a slow disk has lost: only the rows before them were replayed */
-#define HRT_ENDING_ALTERED 3   /**< an end line whose checksum does not match the text before it */
+#define HRT_ENDING_COMPLETE 0  /**< the end line is present; no row was altered or lost */
+#define HRT_ENDING_CUT 1       /**< the end line is missing: the file was cut, or the process ended while recording */
+#define HRT_ENDING_LOST_ROWS 2 /**< rows are missing because the disk was slow: only those before were replayed */
+#define HRT_ENDING_ALTERED 3   /**< the checksum in the end line does not match the text before it */
 
 /** The fields of hrt_command that hrt_replay_report::hash covers, in this order: WHOLE(name) for each whole number,
  *  NUMBER(name) for each double. A new field of hrt_command changes no hash. */
@@ -89,7 +106,7 @@ typedef struct hrt_replay_report {
   uint32_t struct_size;
   /** 1 if `ending` is HRT_ENDING_COMPLETE. @bool */
   uint32_t complete;
-  /** Rows replayed. */
+  /** Number of rows that were replayed. */
   uint64_t rows;
   /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows are equal,
    *  bit for bit. */
@@ -102,11 +119,12 @@ typedef struct hrt_replay_report {
   uint32_t reserved;
 } hrt_replay_report;
 
-/** Repeats the recorded calls and compares results, commands, summaries, steps and results of set-ups.
+/** Replays a recording: repeats its calls and compares results, commands, summaries, and steps and results of set-ups.
  *
- *  @param path    The file, of at most 1 GiB. Not read if `text` is given.
- *  @param text    Content of a recording, or null.
- *  @param length  Its bytes.
+ *  @param path        Name of the file, of at most 1 GiB. Not read if `text` is given.
+ *  @param text        Content of a recording, or null.
+ *  @param length      Bytes of the content.
+ *  @param out_report  Result of the comparison.
  *  @return BAD_FORMAT naming the line, or a version that is not supported; SYSTEM if the file cannot be read.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_replay(const char* path, const char* text, uint64_t length,

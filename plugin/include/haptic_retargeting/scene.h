@@ -1,6 +1,20 @@
 /*
- * Scenes: plate, start and targets from a glTF file; scene/README.md, installed as scene.md, lists the
- * properties. Load a scene, register it with a session, destroy it.
+ * Scenes: plate, start and targets from a glTF file; scene/README.md, installed as scene.md, lists the properties.
+ *
+ * Example: registers the targets of a file with a session.
+ *
+ *   #include <haptic_retargeting/haptic_retargeting.h>
+ *   #include <haptic_retargeting/scene.h>
+ *
+ *   // Returns the number of targets; -1 if the scene cannot be used, and hrt_last_error() has the reason.
+ *   int use_scene(hrt_session session, const char* path, hrt_target* targets, uint64_t capacity) {
+ *     hrt_scene scene;
+ *     hrt_scene_info info = hrt_scene_info_init();
+ *     if (hrt_scene_load(path, NULL, 0, &scene)) return -1;
+ *     int failed = hrt_scene_register(scene, session, capacity, targets) || hrt_scene_get_info(scene, &info);
+ *     hrt_scene_destroy(scene); // the session keeps the targets
+ *     return failed ? -1 : (int)info.target_count;
+ *   }
  */
 #ifndef HAPTIC_RETARGETING_SCENE_H
 #define HAPTIC_RETARGETING_SCENE_H
@@ -19,7 +33,7 @@ typedef struct hrt_scene {
 /** Maximum number of scenes in a process. */
 #define HRT_SCENES_MAX 64
 
-/** The plate of a scene. */
+/** Plate of a scene, as the file describes it. */
 typedef struct hrt_scene_info {
   uint32_t struct_size;
   /** Number of targets, real and virtual. */
@@ -36,13 +50,13 @@ typedef struct hrt_scene_info {
   double start_position_m[3];
 } hrt_scene_info;
 
-/** A target of a scene. */
+/** Target of a scene, as the file describes it. */
 typedef struct hrt_scene_target {
   uint32_t struct_size;
   /** Role of the target. */
   hrt_target_role role;
-  /** Index of the real target that serves this virtual one: the one that the file names, or else the nearest in
-   *  direction, the first of equally near ones; -1 for a real target. */
+  /** Index of the real target that stands in for this virtual one: the one that the file names, otherwise the nearest
+   *  in direction, the first one if several are equally near; -1 for a real target. */
   int32_t served_by;
   uint32_t reserved;
   /** Position in plate coordinates; y is the height above the plate. */
@@ -59,43 +73,45 @@ typedef struct hrt_scene_target {
   char name[HRT_NAME_SIZE];
 } hrt_scene_target;
 
-/** Loads a scene from a .gltf or .glb file or from memory. The log has a warning if targets are further than ten
- *  plate radii from the plate. If memory runs out while the file is parsed, the process may end (PROCESS.md).
+/** Loads a scene from a .gltf or .glb file or from memory. The log has a warning if targets are further than ten plate
+ *  radii from the plate. If memory runs out while the file is parsed, the process may end (PROCESS.md).
  *
- *  @param path    The file; or, with `bytes`, its name in error texts.
- *  @param bytes   Content of a file, not used after the call. Null: the file is read.
- *  @param length  Its bytes.
- *  @return SYSTEM if the file cannot be read; BAD_FORMAT naming the file, the node and the property; LIMIT_REACHED;
- *          OUT_OF_MEMORY.
+ *  @param path       Name of the file. With `bytes`, it only appears in error texts.
+ *  @param bytes      Content of the file, not used after the call. Null: the file is read.
+ *  @param length     Bytes of the content.
+ *  @param out_scene  Handle of the scene.
+ *  @return SYSTEM if the file cannot be read; BAD_FORMAT naming the file, the node and the property; LIMIT_REACHED for
+ *          more than HRT_SCENES_MAX scenes; OUT_OF_MEMORY.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length,
                                                 hrt_scene* out_scene) HRT_NOEXCEPT;
 
-/** Destroys the scene. Registered targets are kept.
+/** Destroys a scene. Registered targets are kept.
  *
  *  @return INVALID_HANDLE; BUSY if another thread is in a call on this scene, as in the calls below.
  *  @threadsafety [one-thread] */
 HRT_API hrt_result hrt_scene_destroy(hrt_scene scene) HRT_NOEXCEPT;
 
-/** Returns the scene's plate.
+/** Returns the plate of a scene.
  *
- *  @threadsafety [one-thread] */
+ *  @param out_info  Plate, and number of targets.  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_info* out_info) HRT_NOEXCEPT;
 
 /** Returns a target of the scene.
  *
- *  @param index  Below hrt_scene_info::target_count.
- *  @return OUT_OF_RANGE.
+ *  @param index       Index of the target, below hrt_scene_info::target_count.
+ *  @param out_target  Target.
+ *  @return OUT_OF_RANGE naming the index.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index,
                                                       hrt_scene_target* out_target) HRT_NOEXCEPT;
 
-/** Sets the session's plate, start and, if the file has it, servo speed, and adds all targets by their position on
- *  the plate, each virtual one with its hrt_target_config::served_by. A registered pose of the plate is replaced. On
- *  an error, nothing changes.
+/** Copies a scene into a session: sets plate, start and, if the file has it, servo speed, and adds all targets by their
+ *  position on the plate, each virtual one with its hrt_target_config::served_by. A registered pose of the plate is
+ *  replaced. On an error, nothing changes.
  *
  *  @param capacity     Elements of `out_targets`.
- *  @param out_targets  Ids of the targets, in the scene's order. May be null if `capacity` is 0.
+ *  @param out_targets  Ids of the targets in the order of the scene. May be null if `capacity` is 0.
  *  @return BUFFER_TOO_SMALL; NAME_TAKEN; WRONG_STATE during a reach or a set-up.
  *  @threadsafety [one-thread] for both. */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,

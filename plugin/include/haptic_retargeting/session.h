@@ -1,10 +1,24 @@
 /*
- * A session: one user, one plate, and the assumptions of the controller about both.
+ * A session: one user, one plate, and the assumptions of the controller about both. Its life:
  *
  *   create -> add targets -> (begin -> update ... update -> end or cancel) for each reach -> destroy
  *
- * Other languages, profiles and recordings have no parts of the configuration: `plate.scale` is `plate_scale`
- * there.
+ * Example: a session for a plate whose servo and stops were measured.
+ *
+ *   #include <haptic_retargeting/haptic_retargeting.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     hrt_session session;
+ *     hrt_session_config config = hrt_session_config_init(); // the defaults suit a plate of 75 mm radius
+ *     config.plate.max_speed_deg_s = 300;
+ *     config.plate.latency_ns = 30000000;
+ *     config.plate.lower_stop_deg = -135, config.plate.upper_stop_deg = 135;
+ *     config.flags = HRT_SESSION_PLATE_WAITS; // the finger rests on the ridges before a reach
+ *     if (hrt_session_create(HRT_VERSION, &config, &session)) return puts(hrt_last_error()), 1;
+ *     return hrt_session_destroy(session);
+ *   }
+ * Other languages, profiles and recordings have one flat list of fields: `plate.scale` is `plate_scale` there.
  */
 #ifndef HAPTIC_RETARGETING_SESSION_H
 #define HAPTIC_RETARGETING_SESSION_H
@@ -30,19 +44,22 @@ typedef uint32_t hrt_control;
 
 /** @enumeration HRT_GUIDANCE Goal of the controller. It also selects the controller. */
 typedef uint32_t hrt_guidance;
-/** The direction of the real target, seen from the start: the controller of the paper, for the user of its model. */
+/** Steers the finger along the direction of the real target, seen from the start: the controller of the paper. It takes
+ *  the illusion as linear. Choose it to reproduce the paper, or if only directions are tracked. */
 #define HRT_GUIDANCE_FIXED_DIRECTION 0
-/** The position of the real target at arrival: the controller for people. It treats the pace of the motion, the
- *  nonlinear illusion, bias, habits and tracker noise as unknown and estimates them. Requires positions: in a reach
- *  with directions only, FIXED_DIRECTION is used. Tested with simulated people only. */
+/** Steers the finger to the position of the real target at arrival: the controller for people. It estimates the pace of
+ *  the motion, the nonlinear illusion, bias, habits and tracker noise. Requires positions: in a reach with directions
+ *  only, FIXED_DIRECTION is used. Tested with simulated people only. */
 #define HRT_GUIDANCE_ARRIVAL 1
 
 /** @enumeration HRT_ADAPTATION Estimation of the user's parameters: under GUIDANCE_ARRIVAL of all traits in
  *  person.mean, otherwise of the tactile weight and the motor variance. */
 typedef uint32_t hrt_adaptation;
-/** person.tactile_weight and person.bias_deg are taken as exact, and the illusion as linear. */
+/** person.tactile_weight and person.bias_deg are taken as exact, and the illusion as linear. Errors of these values
+ *  remain. */
 #define HRT_ADAPTATION_OFF 0
-/** The parameters are estimated within each reach. Each reach starts from the values in the configuration. */
+/** The parameters are estimated within each reach. Each reach starts from the configured values, so that reaches of a
+ *  study do not depend on their order. */
 #define HRT_ADAPTATION_REACH 1
 /** As REACH; in addition, the end of a reach writes the estimates into the configuration: person.mean,
  *  person.covariance, person.tactile_weight and person.tactile_weight_sd. Their uncertainty is increased, because
@@ -53,12 +70,13 @@ typedef uint32_t hrt_adaptation;
 
 /** @flags HRT_SESSION Options of a session: hrt_session_config::flags. */
 typedef uint32_t hrt_session_flags;
-/** The plate does not move until the finger moves. Otherwise, it turns to the orientation that the start of the
- *  motion requires as soon as a reach begins, so that more fast reaches arrive at the target. Set this flag if the
- *  finger rests on the ridges before a reach, because the user feels a plate that turns under a resting finger. */
+/** The plate does not move until the finger moves. Set this flag if the finger rests on the ridges before a reach,
+ *  because the user feels a plate that turns under a resting finger. The cost is that fewer fast reaches arrive:
+ *  without the flag, the plate turns to the orientation that the start of the motion requires as soon as the reach
+ *  begins. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
-/** The plate's pose is from a registration made at registration.time_ns. A set-up sets this flag;
- *  hrt_scene_register(), which writes the scene's pose, clears it. Both discard contacts. */
+/** The plate's pose is from a registration made at registration.time_ns. A set-up sets this flag; hrt_scene_register(),
+ *  which writes the scene's pose, clears it. Both discard contacts. */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 /** The finger finds start_position_m by touch, as in a dimple. A finger that rests before a reach is then taken to be
  *  at the start, wherever the tracker reports it, and positions are measured relative to it. Another point of contact
@@ -67,9 +85,10 @@ typedef uint32_t hrt_session_flags;
 #define HRT_SESSION_START_FELT UINT32_C(4)
 
 /* Indices of a person's traits in hrt_session_config::person.mean. */
-/** Slope w of the perceived shift w t - b t (t / 75)^2 over the plate angle t in degrees. @range 0.01 to 0.6 @unit 1 */
+/** Slope w of the perceived shift w t - b t (t / 75)^2 at the angle t, in degrees, between ridge normal and motion.
+ *  @range 0.01 to 0.6 @unit 1 */
 #define HRT_PERSON_WEIGHT 0
-/** Curvature b of the illusion; 0: linear. @range -0.1 to 0.5 @unit 1 */
+/** Curvature b of the illusion in the formula of WEIGHT; 0: linear. @range -0.1 to 0.5 @unit 1 */
 #define HRT_PERSON_CURVE 1
 /** Rate at which the user corrects the perceived direction. @range 3 to 20 @unit 1/s */
 #define HRT_PERSON_GAIN 2
@@ -97,66 +116,73 @@ typedef uint32_t hrt_session_flags;
 
 /** Part of hrt_session_config: limits of the plate and its servo, and the plate's pose in the world. */
 typedef struct hrt_session_plate {
-  /** Maximum speed of the plate's servo, within which the controller plans; 0: no limit. @range 0 to 1e6 @default 0 */
+  /** Maximum speed of the plate's servo; 0: no limit. The controller plans within it. Set the measured speed: if it is
+   *  too high, the plate lags behind its commands; if it is too low, the controller uses less of the plate than it
+   *  could. @range 0 to 1e6 @default 0 */
   double max_speed_deg_s;
-  /** Maximum acceleration of the servo, within which the controller plans; 0: no limit. @range 0 to 1e8 @default 0 */
+  /** Maximum acceleration of the servo; 0: no limit. The controller plans within it; the cost of a wrong value is that
+   *  of max_speed_deg_s. @range 0 to 1e8 @default 0 */
   double max_acceleration_deg_s2;
   /** Time from a command to the plate's first motion. The controller plans from the orientation that the plate will
-   *  have by then. At most 8 step periods. @range 0 to 1 s @default 0 */
+   *  have by then. Set the measured time: a value that is too small makes every correction late. At most 8 step
+   *  periods. @range 0 to 1 s @default 0 */
   int64_t latency_ns;
-  /** Lower mechanical stop as a plate orientation: no command lies beyond it. Both stops 0: no stops.
+  /** Lower mechanical stop as a plate orientation: no command lies beyond it. Both stops 0: no stops. Set the stops of
+   *  a plate that cannot turn freely; near a stop, commands are SATURATED and less of the gap is sustained.
    *  @range -3600 to 3600 @default 0 @ccw */
   double lower_stop_deg;
   /** Upper mechanical stop, at least 180 degrees above the lower one. @range -3600 to 3600 @default 0 @ccw */
   double upper_stop_deg;
-  /** Radius of the plate. Positions beyond it get HRT_COMMAND_OFF_PLATE. @range 0.02 to 1 @default 0.075 */
+  /** Radius of the plate. Positions beyond it get HRT_COMMAND_OFF_PLATE, and a set-up places its default marks within
+   *  it. It does not change commands. @range 0.02 to 1 @default 0.075 */
   double radius_m;
-  /** Centre of the plate in the engine's world. @range -1000 to 1000 @default (0, 0, 0)
-   *  @profile registration.contact_covariance */
+  /** Centre of the plate in the engine's world. A set-up writes it and plate.rotation; fixed plates may set them by
+   *  hand. @range -1000 to 1000 @default (0, 0, 0) @profile registration.contact_covariance */
   double position_m[3];
-  /** Rotation of the plate's mount: the unit quaternion x, y, z, w from plate coordinates to the axes of the world.
-   *  It does not turn with the ridges. @norm 0.999 to 1.001 @unit 1 @default (0, 0, 0, 1)
-   *  @profile registration.contact_covariance */
+  /** Rotation of the plate's mount: the unit quaternion x, y, z, w from plate coordinates to the axes of the world. It
+   *  does not turn with the ridges. An error of the rotation about the plate's normal rotates every reach by the same
+   *  angle. @norm 0.999 to 1.001 @unit 1 @default (0, 0, 0, 1) @profile registration.contact_covariance */
   double rotation[4];
-  /** Length in the engine's world of 1 m on the plate. Other than 1 if the tracker's unit of length is wrong.
-   *  Positions and targets in the world are divided by it, relative to the plate's centre. @range 0.5 to 2 @unit 1
-   *  @default 1 @profile registration.contact_covariance */
+  /** Length in the engine's world of 1 m on the plate. Other than 1 if the tracker's unit of length is wrong. Positions
+   *  and targets in the world are divided by it, relative to the plate's centre. @range 0.5 to 2 @unit 1 @default 1
+   *  @profile registration.contact_covariance */
   double scale;
-  /** Covariance of the plate's pose in its plane, whatever the source of the pose: rotation about the normal
-   *  (radians, counter-clockwise) and position of the centre to the right and away (metres). Lower triangle, row by
-   *  row; positive semidefinite. All 0: the pose is exact. Under GUIDANCE_ARRIVAL, it contributes to UNREACHABLE and
-   *  miss_sd_deg; it does not change commands. @unit mixed @range -1 to 1 @default 0 */
+  /** Covariance of the plate's pose in its plane: rotation about the normal (radians, counter-clockwise) and position
+   *  of the centre to the right and away (metres). Lower triangle, row by row; positive semidefinite. All 0: the pose
+   *  is exact. A set-up writes it. Under GUIDANCE_ARRIVAL, it contributes to UNREACHABLE and miss_sd_deg; it does not
+   *  change commands. @unit mixed @range -1 to 1 @default 0 */
   double covariance[6];
 } hrt_session_plate;
 
 /** Part of hrt_session_config: errors of the tracker. */
 typedef struct hrt_session_tracker {
   /** SD of the white noise in each tracked coordinate; under GUIDANCE_ARRIVAL of all noise, unless
-   *  tracker.correlated_noise_m gives the correlated part. Raising it smooths positions more. Values below 1e-9 count
-   *  as 1e-9; 0: estimated from the samples. @range 0 to 0.1 @default 0 @profile */
+   *  tracker.correlated_noise_m gives the correlated part. Raising it smooths positions more and delays corrections. 0:
+   *  estimated from the samples; other values below 1e-9 count as 1e-9. @range 0 to 0.1 @default 0 @profile */
   double noise_m;
   /** SD of the correlated part of the noise in each coordinate, under GUIDANCE_ARRIVAL; tracker.noise_m is then the
-   *  white part only. A set-up measures it. 0: unknown. @range 0 to 0.1 @default 0
-   *  @profile tracker.correlated_noise_m */
+   *  white part only. A set-up measures it. Without it, slow drifts of the tracker are taken for motions of the finger.
+   *  0: unknown. @range 0 to 0.1 @default 0 @profile tracker.correlated_noise_m */
   double correlated_noise_m;
   /** Time in which the correlated part decays to 1/e. Read if tracker.correlated_noise_m is not 0. @range 0.01 to 2
    *  @default 0.1 @profile tracker.correlated_noise_m */
   double correlation_s;
-  /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. SETUP.md lists typical devices.
-   *  @range 0 to 0.5 s @default 0 */
+  /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. Set the value of the device (SETUP.md):
+   *  latency that is not configured makes fast reaches miss. @range 0 to 0.5 s @default 0 */
   int64_t latency_ns;
-  /** SD of the bearing of a reach as the tracker sees it, relative to the true one, from reach to reach. No estimate
-   *  within a reach shows this error. It contributes to miss_sd_deg, OFF_TARGET and the gap's miss_share, and does not
+  /** SD of the bearing of a reach as the tracker sees it, relative to the true one, from reach to reach. The samples of
+   *  a reach do not show this error. It contributes to miss_sd_deg, OFF_TARGET and the gap's miss_share, and does not
    *  change commands. SETUP.md says how to measure it. @range 0 to 45 @default 0 */
   double bearing_sd_deg;
 } hrt_session_tracker;
 
-/** Part of hrt_session_config: the user. Reaches update the estimates with HRT_ADAPTATION_CARRIED. */
+/** Part of hrt_session_config: the user. With HRT_ADAPTATION_CARRIED, reaches update the estimates; set-ups and
+ *  profiles write them too. */
 typedef struct hrt_session_person {
   /** Tactile weight w_T: share of touch in the perceived direction. With a higher weight, the same rotation of the
-   *  plate steers the hand further. Under GUIDANCE_ARRIVAL, the slope of an illusion that is taken as linear, at
-   *  60 degrees; person.mean overrides it. @range 0.001 to 0.499 @unit 1 @default 0.2 @profile
-   *  @flatten tactile_weight */
+   *  plate steers the hand further; a value above the user's own steers too little. Under GUIDANCE_ARRIVAL, the slope
+   *  at 60 degrees of an illusion that is taken as linear; person.mean overrides it. @range 0.001 to 0.499 @unit 1
+   *  @default 0.2 @profile @flatten tactile_weight */
   double tactile_weight;
   /** SD of person.tactile_weight, from which adaptation starts. Raising it makes adaptation faster and less steady;
    *  under GUIDANCE_ARRIVAL, it also raises the uncertainty of the illusion curve in proportion. @range 0.001 to 0.49
@@ -166,17 +192,18 @@ typedef struct hrt_session_person {
    *  this bias. A set-up measures it; GUIDANCE_ARRIVAL estimates the rest. @range -45 to 45 @default 0 @profile @ccw
    *  @flatten bias_deg */
   double bias_deg;
-  /** Maximum perceived-direction error that GUIDANCE_ARRIVAL causes: perceived minus intended direction, as
-   *  predicted. Lowering it makes the illusion less noticeable and loses some targets: among simulated users, 3.5
-   *  costs about 2 reaches in 100. The user adds to it by noise and by differences from the estimate.
-   *  @range 0.1 to 45 @default 5 @flatten max_felt_error_deg */
+  /** Maximum perceived-direction error that GUIDANCE_ARRIVAL causes: perceived minus intended direction, as predicted.
+   *  Lowering it makes the illusion less noticeable and loses some targets: among simulated users, 3.5 costs about 2
+   *  reaches in 100. The actual error is larger, by noise and by errors of the estimates. @range 0.1 to 45 @default 5
+   *  @flatten max_felt_error_deg */
   double max_felt_error_deg;
   /** Maximum angle between the plate orientation and the direction of the finger under GUIDANCE_ARRIVAL. Raising it
    *  allows larger gaps for users whose illusion still increases at that angle; published data reach up to 60. The
    *  controller never exceeds the peak of the user's illusion. @range 1 to 89 @default 75 @flatten motion_bound_deg */
   double motion_bound_deg;
-  /** Mean of the traits HRT_PERSON_*, whose comments have the ranges. Read if person.covariance is not 0.
-   *  @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0 @profile person.covariance */
+  /** Mean of the traits HRT_PERSON_*, whose comments have the ranges. Reaches, set-ups and profiles write it. Read if
+   *  person.covariance is not 0. @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0
+   *  @profile person.covariance */
   double mean[HRT_PERSON_TRAITS];
   /** Covariance of person.mean: lower triangle, row by row; positive definite. All 0: an unknown user, of whom only
    *  person.tactile_weight, person.tactile_weight_sd and person.bias_deg are read. @unit mixed @range -1e4 to 1e4
@@ -190,16 +217,17 @@ typedef struct hrt_session_registration {
    *  @default 0 */
   int64_t time_ns;
   /** Maximum age of the registration at a sample. An older one, and a session without HRT_SESSION_REGISTERED, get
-   *  HRT_COMMAND_REGISTRATION. 0: not checked. @range 0 or more @default 0 */
+   *  HRT_COMMAND_REGISTRATION. Lowering it detects a moved plate earlier and takes more set-ups. 0: not checked.
+   *  @range 0 or more @default 0 */
   int64_t max_age_ns;
   /** Maximum SD of the bearing of the real target that follows from plate.covariance or from contacts. A larger one,
-   *  and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. 0: not checked. @range 0 to 180
-   *  @default 0 */
+   *  and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. Lowering it takes more touches in a
+   *  set-up. 0: not checked. @range 0 to 180 @default 0 */
   double max_sd_deg;
   /** Correction D of the registration by contacts, row by row: a finger that is tracked at r from the start, to the
-   *  right and away, is at r + D r. Read if registration.contact_covariance is not 0 and HRT_SESSION_REGISTERED is
-   *  set. hrt_reach_touched() writes it. When the plate's pose changes, it is reset to 0 unless it changes too.
-   *  @unit 1 @range -0.5 to 0.5 @default 0 @flatten contact_correction @profile registration.contact_covariance */
+   *  right and away, is at r + D r. Read if registration.contact_covariance is not 0 and HRT_SESSION_REGISTERED is set.
+   *  hrt_reach_touched() writes it. When the plate's pose changes, it is reset to 0 unless it changes too. @unit 1
+   *  @range -0.5 to 0.5 @default 0 @flatten contact_correction @profile registration.contact_covariance */
   double contact_correction[4];
   /** Covariance of registration.contact_correction: lower triangle, row by row; positive definite. All 0: no contact
    *  yet. @unit 1 @range -1e4 to 1e4 @default 0 @flatten contact_covariance @profile registration.contact_covariance */
@@ -212,8 +240,8 @@ typedef struct hrt_session_paper {
   /** Steps that the controller plans ahead. With 1, most reaches miss; more than 3 changes little and costs time.
    *  @range 1 to 20 @default 3 */
   uint32_t horizon;
-  /** Duration of one step of the model and of the controller. The variances below are per step: scale them with it.
-   *  @range 1 ms to 10 s @default 100 ms */
+  /** Duration of one step of the model and of the controller. Shorter steps correct more often. The variances below are
+   *  per step: scale them with it. @range 1 ms to 10 s @default 100 ms */
   int64_t step_period_ns;
   /** Cost of the perceived-direction error. Raising it keeps the perceived direction closer to the virtual one and
    *  steers more slowly. @range 1e-6 to 1e6 @unit 1 @default 1 */
@@ -228,8 +256,8 @@ typedef struct hrt_session_paper {
   /** Variance of the user's motor command per step. Raising it makes the estimator follow the samples more closely.
    *  @range 1e-9 to 1e4 @default 0.5 @profile */
   double motor_variance_deg2;
-  /** SD of paper.motor_variance_deg2, from which adaptation starts. Raising it makes adaptation faster and less
-   *  steady. @range 0.001 to 10 @default 0.5 @profile */
+  /** SD of paper.motor_variance_deg2, from which adaptation starts. Raising it makes adaptation faster and less steady.
+   *  @range 0.001 to 10 @default 0.5 @profile */
   double motor_variance_sd_deg2;
   /** Variance of the perceived direction per step. Raising it models a user who reacts to touch more slowly.
    *  @range 1e-9 to 1e4 @default 0.1 @profile */
@@ -244,22 +272,25 @@ typedef struct hrt_session_config {
   uint32_t struct_size;
   /** Source of the plate's commands. @default HRT_CONTROL_MPC */
   hrt_control control;
-  /** Goal of the controller. @default HRT_GUIDANCE_ARRIVAL */
+  /** Goal of the controller, and thereby the controller. @default HRT_GUIDANCE_ARRIVAL */
   hrt_guidance guidance;
-  /** Estimation of the user's parameters. @default HRT_ADAPTATION_CARRIED */
+  /** Estimation of the user's parameters from reaches. @default HRT_ADAPTATION_CARRIED */
   hrt_adaptation adaptation;
   /** Options. @default 0 */
   hrt_session_flags flags;
-  /** Plate orientation under HRT_CONTROL_FIXED_PLATE. With stops, the plate goes to the nearest orientation with the
-   *  same ridges. @range -180 to 180 @default 0 @ccw */
+  /** Plate orientation under HRT_CONTROL_FIXED_PLATE. With stops, the plate turns to the nearest orientation with the
+   *  same ridges that the stops allow. @range -180 to 180 @default 0 @ccw */
   double fixed_plate_orientation_deg;
-  /** Start of reaches in plate coordinates. Directions of targets are measured from here. The default is on the
-   *  mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */
+  /** Start of reaches in plate coordinates. Directions of targets are measured from here: moving it changes the gap of
+   *  every pair. The default is on the mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */
   double start_position_m[3];
-  /** Height above the plate. Positions above it count as lifted. @range 0.0001 to 1 @default 0.015 */
+  /** Height above the plate from which a finger counts as lifted. Raise it for a tracker with a noisy height, which
+   *  otherwise interrupts reaches; a finger that hovers below it then counts as touching. @range 0.0001 to 1
+   *  @default 0.015 */
   double lift_height_m;
   /** Vector from the tracked joint to the point of contact on the skin, in the axes of the joint. Applied to samples
-   *  with HRT_SAMPLE_JOINT_ROTATION. A set-up measures it; each hand has its own. @range -1 to 1 @default 0 */
+   *  with HRT_SAMPLE_JOINT_ROTATION. A set-up measures it, once for each hand; with 0, a hand that rotates shifts the
+   *  positions. @range -1 to 1 @default 0 */
   double fingertip_offset_m[3];
   hrt_session_plate plate;               /**< limits and pose of the plate @flatten plate_* */
   hrt_session_tracker tracker;           /**< errors of the tracker @flatten tracker_* */
@@ -270,14 +301,17 @@ typedef struct hrt_session_config {
 
 /** Creates a session.
  *
- *  @param version  HRT_VERSION. A program built with incompatible headers is refused.
- *  @param config   Null: the defaults.
- *  @return OUT_OF_RANGE naming the field or `version`; LIMIT_REACHED; OUT_OF_MEMORY.
+ *  @param version      HRT_VERSION, by which the library refuses a program that was built with incompatible headers.
+ *  @param config       Configuration, copied. Null: the defaults.
+ *  @param out_session  Handle of the session.
+ *  @return OUT_OF_RANGE naming the field or `version`; LIMIT_REACHED for more than HRT_SESSIONS_MAX sessions;
+ *          OUT_OF_MEMORY.
  *  @threadsafety [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config,
                                                     hrt_session* out_session) HRT_NOEXCEPT;
 
-/** @flags HRT_STATE State of a session, from hrt_session_get(). 0: idle, and no reach can begin. */
+/** @flags HRT_STATE State of a session, from hrt_session_get(). 0: idle, but a target is missing, so that no reach can
+ *  begin. */
 typedef uint32_t hrt_session_state;
 #define HRT_STATE_READY UINT32_C(1)      /**< there is a real and a virtual target, and no reach is in progress */
 #define HRT_STATE_REACHING UINT32_C(2)   /**< a reach is in progress */
@@ -286,21 +320,21 @@ typedef uint32_t hrt_session_state;
 
 /** Returns the configuration and the state of a session.
  *
- *  @param session     INVALID_HANDLE shows that the session does not exist, BUSY that it exists.
- *  @param out_config  Null: skipped.
- *  @param out_state   Null: skipped. Later versions may set further bits.
+ *  @param session     Session to query. INVALID_HANDLE shows that it does not exist, BUSY that it exists.
+ *  @param out_config  Receives the configuration. May be null.
+ *  @param out_state   Receives the state. May be null. Later versions may set further bits.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_get(hrt_session session, hrt_session_config* out_config,
                                                  hrt_session_state* out_state) HRT_NOEXCEPT;
 
-/** Replaces the configuration. Targets are kept.
+/** Replaces the configuration of a session. Targets are kept.
  *
- *  @param config  Null: the defaults.
+ *  @param config  Configuration, copied. Null: the defaults.
  *  @return WRONG_STATE during a reach or a set-up; otherwise as hrt_session_create().
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_set(hrt_session session, const hrt_session_config* config) HRT_NOEXCEPT;
 
-/** Destroys the session and its targets, and ends its reach and its recording.
+/** Destroys a session with its targets, its reach and its set-up, and stops its recording.
  *
  *  @threadsafety [one-thread] */
 HRT_API hrt_result hrt_session_destroy(hrt_session session) HRT_NOEXCEPT;

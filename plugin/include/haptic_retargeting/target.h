@@ -1,5 +1,24 @@
 /*
  * Targets: virtual targets, which the user sees, and real targets, to which the hand is steered.
+ *
+ * Example: a real object 100 mm away, and a virtual one that moves.
+ *
+ *   #include <haptic_retargeting/haptic_retargeting.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     hrt_session session;
+ *     hrt_target cylinder, cup;
+ *     hrt_target_config config = hrt_target_config_init(); // a real target
+ *     config.place = HRT_PLACE_PLATE_POSITION, config.position_m[2] = -0.05, config.radius_m = 0.02;
+ *     int failed = hrt_session_create(HRT_VERSION, NULL, &session) || hrt_target_add(session, &config, &cylinder);
+ *     config.role = HRT_TARGET_VIRTUAL;
+ *     failed = failed || hrt_target_add(session, &config, &cup);
+ *     config.position_m[0] = -0.01;
+ *     failed = failed || hrt_target_set(session, cup, &config); // in a reach, hrt_reach_retarget() follows
+ *     if (failed) puts(hrt_last_error());
+ *     return failed;
+ *   }
  */
 #ifndef HAPTIC_RETARGETING_TARGET_H
 #define HAPTIC_RETARGETING_TARGET_H
@@ -10,8 +29,8 @@
 extern "C" {
 #endif
 
-/** A target's id within its session. Zero is never a target. Ids are never reused, in any session. They are below
- *  2^53: a double represents them exactly. */
+/** A target's id within its session. Zero is never a target. Ids are never reused, in any session. They are below 2^53:
+ *  a double represents them exactly. */
 typedef struct hrt_target {
   uint64_t value;
 } hrt_target;
@@ -40,27 +59,29 @@ typedef struct hrt_target_config {
   /** Fields that give the position. @default HRT_PLACE_DIRECTION */
   hrt_target_place place;
   uint32_t reserved;
-  /** Direction from the start. If all targets are within 1.6 degrees, as if these were radians, reaches are
-   * IMPLAUSIBLE.
-   *  @range -180 to 180 @default 0 @ccw */
+  /** Direction from the start. If the directions of all targets are below 1.6 degrees, they may be in radians, and
+   *  reaches are IMPLAUSIBLE. @range -180 to 180 @default 0 @ccw */
   double direction_deg;
   /** Distance from the start along the plate. @range 0.001 to 10 @default 0.1 */
   double distance_m;
-  /** Position in plate coordinates or in the world, at least 1 mm from the start in the plane of the plate; the
-   *  height y has no effect. @range -1000 to 1000 @default (0, 0, 0) */
+  /** Position in plate coordinates or in the world, at least 1 mm from the start in the plane of the plate; the height
+   *  y has no effect. @range -1000 to 1000 @default (0, 0, 0) */
   double position_m[3];
-  /** Name, unique within the session unless empty. UTF-8, terminated by a zero. */
+  /** Name, unique within the session or empty; error texts and recordings show it. UTF-8, terminated by a zero. */
   char name[HRT_NAME_SIZE];
-  /** Radius of the real object that the finger meets, for hrt_reach_touched(); 0: unknown. @range 0 to 1 @default 0 */
+  /** Radius of the real object that the finger meets. hrt_reach_touched() derives the position of contact from it; 0:
+   *  unknown, and the contact is less accurate. @range 0 to 1 @default 0 */
   double radius_m;
-  /** Real target that serves a virtual one; null, the default: unknown. hrt_scene_register() sets it; the host may
-   *  read or change it. The library does not use it: each reach and hrt_gap_query() name both targets. The target may
-   *  have been removed since. Must be null for a real target. */
+  /** Real target that stands in for this virtual one; null, the default: not chosen. hrt_scene_register() sets it for
+   *  the host; the library does not use it, since each reach and hrt_gap_query() name both targets. It may have been
+   *  removed since. Must be null for a real target. */
   hrt_target served_by;
 } hrt_target_config;
 
-/** Adds a target.
+/** Adds a target to a session.
  *
+ *  @param config      Target, copied.
+ *  @param out_target  Its id.
  *  @return OUT_OF_RANGE naming the field; NAME_TAKEN; LIMIT_REACHED; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
@@ -69,20 +90,19 @@ HRT_NODISCARD HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_t
 /** Replaces a target and keeps its id. A reach in progress keeps the former target until hrt_reach_retarget().
  *  Allocates nothing if the name is unchanged.
  *
- *  @param target  The target to replace.
+ *  @param target  Target to replace.
  *  @param config  Its new fields.
  *  @return As hrt_target_add().
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_set(hrt_session session, hrt_target target,
                                                 const hrt_target_config* config) HRT_NOEXCEPT;
 
-/** Removes a target. A reach in progress keeps it.
+/** Removes a target from its session. A reach in progress keeps its copy.
  *
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_remove(hrt_session session, hrt_target target) HRT_NOEXCEPT;
 
-/** Returns a target.
- *
+/** Returns the present fields of a target.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target target,
                                                 hrt_target_config* out_config) HRT_NOEXCEPT;
@@ -93,7 +113,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target 
  *  @param capacity     Elements of `out_targets`. 0: the targets are only counted.
  *  @param out_targets  Their ids. May be null if `capacity` is 0.
  *  @param out_count    Their number.
- *  @return BUFFER_TOO_SMALL.
+ *  @return BUFFER_TOO_SMALL if there are more than `capacity`.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, hrt_target_role role, uint64_t capacity,
                                                  hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;

@@ -1,4 +1,4 @@
-// A device that turns the plate, whatever its protocol.
+// Interface of a device that turns the plate, for any protocol.
 #pragma once
 
 #include <chrono>
@@ -16,15 +16,15 @@
 
 namespace hrt::plate {
 
-/// What a device says of itself, and what was seen of it.
+/// Properties that a device reports, and observations of it.
 struct DeviceLimits {
   double min_deg;  ///< stops; both 0: it turns freely
   double max_deg;
-  double speed_deg_s;                ///< its own, or less if it was seen to turn slower
-  std::chrono::nanoseconds latency;  ///< from a command to the motion
+  double speed_deg_s;                ///< speed that the device reports, or the observed one if that is lower
+  std::chrono::nanoseconds latency;  ///< time from a command to the motion
 };
 
-/// What a device does when it is opened: hold its place, or nothing, so that it can only be asked.
+/// State of a device after opening: it holds its position, or it does nothing and can only be queried.
 enum class Start { hold, quiet };
 
 /// Settings that a board with the line protocol keeps (samples/plate/firmware/README.md). All calls throw PlateFailure.
@@ -51,14 +51,14 @@ class Device {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  /// In one line: protocol, firmware, serial number.
+  /// Protocol, firmware and serial number in one line.
   virtual std::string description() const = 0;
   virtual DeviceLimits limits() const = 0;
   /// Reports come from a sensor, not from the device's own commands.
   virtual bool is_measured() const = 0;
-  /// Of a message and its answer.
+  /// Time from a message to its answer.
   virtual std::optional<std::chrono::nanoseconds> round_trip() const = 0;
-  /// As last reported, and when.
+  /// Last reported orientation, and the time of the report.
   virtual std::optional<double> orientation_deg() const = 0;
   virtual Line::Time reported() const = 0;
   /// Messages that were refused, or damaged on their way.
@@ -87,7 +87,7 @@ class Device {
   virtual BoardSettings* board_settings() { return nullptr; }
   /// Settings, whose lines begin with "setting ", and the result of a self-test. Moves nothing.
   virtual std::vector<std::string> details() = 0;
-  /// Where 0 is in the device's own scale, counter-clockwise positive.
+  /// Position of 0 in the device's own scale, counter-clockwise positive.
   virtual double zero_deg() = 0;
   /// Puts 0 there; a device that holds 0 turns along. PlateFailure, naming what is allowed, if it cannot.
   virtual void set_zero(double zero_deg) = 0;
@@ -103,7 +103,8 @@ struct DeviceName {
 
   /// Throws std::invalid_argument, naming it, if there is another option, or one twice.
   void allow(std::initializer_list<std::string_view> known) const;
-  /// A whole number; throws std::invalid_argument, naming what is allowed, if it is none or out of range.
+  /// Value of an option that is a whole number. Throws std::invalid_argument naming what is allowed if it is not a
+  /// whole number or out of range.
   int number(std::string_view option, int otherwise, int min, int max) const;
 };
 

@@ -1,4 +1,4 @@
-// What goes wrong with a plate.
+// Failures of a plate.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What `hrt-plate commission` has measured of a plate, in the file that hrt_plate_open() takes.
+// File of `hrt-plate commission` with the measured properties of a plate, which hrt_plate_open() reads.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@ namespace hrt::plate {
 
 struct PlateFile {
   std::string device;                 ///< the name to open
-  std::string description;            ///< of the device that was measured: with firmware and serial number
-  std::vector<std::string> settings;  ///< those of Device::details() that the device keeps
+  std::string description;            ///< description of the measured device, with firmware and serial number
+  std::vector<std::string> settings;  ///< settings of Device::details() that the device stores
   double speed_deg_s = 0.0;
   double acceleration_deg_s2 = 0.0;
   double latency_ms = 0.0;  ///< without the line
-  double error_deg = 0.0;   ///< beyond which a plate at rest does not behave as measured
+  double error_deg = 0.0;   ///< error beyond which a plate at rest does not behave as measured
 };
 
 /// The lines of Device::details() that are settings, which a device keeps.
