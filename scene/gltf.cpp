@@ -43,10 +43,10 @@ void blank(std::string& json, std::size_t begin, std::size_t end) {
     if (json[i] != '\n') json[i] = i == begin ? '0' : ' ';
 }
 
-// One pass over the text before it is parsed. Checks the limits, because the parser would exhaust stack or memory, and
-// repeated keys, of which the parser would take the last. Blanks the sections that are skipped.
+// Makes one pass over the text before it is parsed: checks the limits, because the parser would exhaust stack or
+// memory; refuses repeated keys, of which the parser would take the last; and blanks the sections that are skipped.
 void prepare(std::string& json, const std::string& file) {
-  std::vector<std::set<std::string_view>> keys;  // of each open object; empty for an open array
+  std::vector<std::set<std::string_view>> keys;  // keys of each open object; empty for an open array
   std::string_view string;                       // the last one
   std::string_view section;
   std::size_t section_begin = 0, values = 0, nodes = 0;
@@ -71,9 +71,9 @@ void prepare(std::string& json, const std::string& file) {
       case '{':
       case '[':
         if (keys.size() == gltf_limits::json_depth)
-          refuse(file, "its JSON is nested deeper than {} levels", gltf_limits::json_depth);
+          refuse(file, "its JSON is nested too deeply; allowed: up to {} levels", gltf_limits::json_depth);
         if (keys.size() == 2 && section == "nodes" && ++nodes > gltf_limits::nodes)
-          refuse(file, "has more than {} nodes", gltf_limits::nodes);
+          refuse(file, "the file has too many nodes; allowed: up to {}", gltf_limits::nodes);
         keys.emplace_back();
         break;
       case ',':
@@ -90,7 +90,7 @@ void prepare(std::string& json, const std::string& file) {
         continue;
     }
     if (!is_skipped && ++values > gltf_limits::json_values)
-      refuse(file, "its JSON has more than {} values", gltf_limits::json_values);
+      refuse(file, "its JSON has too many values; allowed: up to {}", gltf_limits::json_values);
   }
 }
 
@@ -108,19 +108,20 @@ JsonExtent find_json(std::string_view header, std::uint64_t file_bytes, const st
   JsonExtent extent{.offset = 0, .size = 0};
   std::uint64_t json_bytes = file_bytes;
   if (header.starts_with("glTF")) {
-    if (header.size() < glb_header_bytes) refuse(file, "the binary glTF header is cut short");
+    if (header.size() < glb_header_bytes) refuse(file, "the binary glTF header is incomplete");
     const std::uint32_t version = little_endian(header.substr(4));
     const std::uint32_t claimed_bytes = little_endian(header.substr(8));
-    if (version != 2) refuse(file, "the binary glTF header has version {}; glTF 2 is read", version);
+    if (version != 2) refuse(file, "the binary glTF header has version {}; allowed: 2", version);
     if (claimed_bytes != file_bytes)
-      refuse(file, "the binary glTF header claims {} bytes, and there are {}", claimed_bytes, file_bytes);
+      refuse(file, "the binary glTF header declares {} bytes, but the file has {}", claimed_bytes, file_bytes);
     if (header.substr(16) != "JSON") refuse(file, "the first chunk of a binary glTF must be JSON");
     json_bytes = little_endian(header.substr(12));
     if (json_bytes > file_bytes - glb_header_bytes)
-      refuse(file, "the JSON chunk claims {} bytes, and {} are left", json_bytes, file_bytes - glb_header_bytes);
+      refuse(file, "the JSON chunk declares {} bytes, but only {} remain", json_bytes, file_bytes - glb_header_bytes);
     extent.offset = glb_header_bytes;
   }
-  if (json_bytes > gltf_limits::json_bytes) refuse(file, "its JSON is larger than {} bytes", gltf_limits::json_bytes);
+  if (json_bytes > gltf_limits::json_bytes)
+    refuse(file, "its JSON is too large; allowed: up to {} bytes", gltf_limits::json_bytes);
   extent.size = static_cast<std::size_t>(json_bytes);
   return extent;
 }
@@ -135,13 +136,14 @@ tinygltf::Model parse_gltf(std::string json, const std::string& file) {
     refuse(file, "not a glTF file: {}", reason(error));
   }
   if (!model.asset.version.starts_with("2."))
-    refuse(file, "asset.version is {}; glTF 2 is read", in_quotes(model.asset.version));
+    refuse(file, "asset.version is {}; allowed: 2.x", in_quotes(model.asset.version));
   if (!model.asset.minVersion.empty() && model.asset.minVersion != "2.0")
-    refuse(file, "asset.minVersion is {}; glTF 2.0 is read", in_quotes(model.asset.minVersion));
+    refuse(file, "asset.minVersion is {}; allowed: 2.0", in_quotes(model.asset.minVersion));
   for (const std::string& name : model.extensionsRequired) {
     if (std::none_of(harmless_extensions.begin(), harmless_extensions.end(),
                      [&](const char* prefix) { return name.starts_with(prefix); }))
-      refuse(file, "extensionsRequired has {}, which may move nodes and is not supported", in_quotes(name));
+      refuse(file, "extensionsRequired has {}, which is not supported because it may move nodes; export without it",
+             in_quotes(name));
   }
   return model;
 }

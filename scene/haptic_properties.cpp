@@ -46,7 +46,7 @@ bool is_haptic(const tinygltf::Value& extras) {
 }
 
 HapticProperties haptic_properties(const tinygltf::Value& extras, const std::string& where) {
-  std::map<std::string, const tinygltf::Value*> values;  // by key, without the prefix of the flat form
+  std::map<std::string, const tinygltf::Value*> values;  // values by key, without the prefix of the flat form
   std::string prefix = "extras.haptic_";
   const auto label = [&](std::string_view key) {
     const std::string quoted = in_quotes(key);
@@ -57,7 +57,7 @@ HapticProperties haptic_properties(const tinygltf::Value& extras, const std::str
   if (extras.Has(nested_key)) {
     if (!values.empty())
       refuse(where, "both extras.haptic and {} are given; keep one form", label(values.begin()->first));
-    if (!extras.Get(nested_key).IsObject()) refuse(where, "extras.haptic is not an object with a role");
+    if (!extras.Get(nested_key).IsObject()) refuse(where, "extras.haptic is not an object; write {{\"role\": ...}}");
     prefix = "extras.haptic.";
     for (const auto& [key, value] : extras.Get(nested_key).Get<tinygltf::Value::Object>()) values.emplace(key, &value);
   }
@@ -69,7 +69,8 @@ HapticProperties haptic_properties(const tinygltf::Value& extras, const std::str
     const auto& value = found->second->Get<std::string>();
     if (value.empty() || value.size() > max_text)
       refuse(where, "{} has {} bytes; allowed: 1 to {}", label(key), value.size(), max_text);
-    if (value != printable(value)) refuse(where, "{} is {}: it has a control character", label(key), in_quotes(value));
+    if (value != printable(value))
+      refuse(where, "{} is {}; control characters are not allowed", label(key), in_quotes(value));
     return value;
   };
   const auto number = [&](const char* key, double max) -> std::optional<double> {

@@ -64,8 +64,8 @@ class SceneReader {
 
   Scene read() {
     visit_all(default_scene().nodes);
-    if (haptic_nodes_ == 0) refuse(file_, "no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
-    if (scene_.plate.node_path.empty()) refuse(file_, "no node has extras.haptic.role \"plate\"");
+    if (haptic_nodes_ == 0) refuse(file_, "no node has a haptic role; set extras.haptic.role or extras.haptic_role");
+    if (scene_.plate.node_path.empty()) refuse(file_, "no node has the role \"plate\"; set extras.haptic.role of one");
     locate_start();
     for (SceneTarget& target : scene_.targets) locate(target);
     for (std::size_t i = 0; i < scene_.targets.size(); ++i)
@@ -79,9 +79,10 @@ class SceneReader {
   const tinygltf::Scene& default_scene() const {
     const std::size_t count = model_.scenes.size();
     if (model_.defaultScene < 0 && count != 1)
-      refuse(file_, "has {} scenes and no default: `scene` must name one", count);
+      refuse(file_, "the file has {} scenes and no default; set `scene` to the index of one", count);
     const int index = std::max(model_.defaultScene, 0);
-    if (static_cast<std::size_t>(index) >= count) refuse(file_, "scene is {}, and there are {} scenes", index, count);
+    if (static_cast<std::size_t>(index) >= count)
+      refuse(file_, "scene is {}; allowed: below {}, the number of scenes", index, count);
     return model_.scenes[static_cast<std::size_t>(index)];
   }
 
@@ -89,13 +90,15 @@ class SceneReader {
   void visit_all(const std::vector<int>& siblings) {
     for (const int index : siblings) {
       if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
-        refuse(path_.empty() ? file_ : where(), "holds node {}, and there are {} nodes", index, model_.nodes.size());
+        refuse(path_.empty() ? file_ : where(), "refers to node {}, but the file has only {} nodes", index,
+               model_.nodes.size());
       const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
       path_.push_back(index);
       if (is_visited_[static_cast<std::size_t>(index)])
-        refuse(where(), "it is in the scene twice: it has two parents, or is below itself");
+        refuse(where(), "the node appears twice in the scene: it has two parents, or is its own descendant");
       is_visited_[static_cast<std::size_t>(index)] = true;
-      if (path_.size() > gltf_limits::node_depth) refuse(where(), "lies deeper than {} nodes", gltf_limits::node_depth);
+      if (path_.size() > gltf_limits::node_depth)
+        refuse(where(), "the node is too deep; allowed: up to {} levels", gltf_limits::node_depth);
       if (is_haptic(node.extras)) take(node, haptic_properties(node.extras, where()));
       visit_all(node.children);
       path_.pop_back();
@@ -108,7 +111,7 @@ class SceneReader {
     for (std::size_t i = 0; i < depth; ++i) {
       const std::string& name = model_.nodes[static_cast<std::size_t>(path_[i])].name;
       if (name.size() > gltf_limits::name_bytes)
-        refuse(file_, "node {}: its name is longer than {} bytes", in_quotes(name), gltf_limits::name_bytes);
+        refuse(file_, "node {}: name is too long; allowed: up to {} bytes", in_quotes(name), gltf_limits::name_bytes);
       result += (i == 0 ? "" : "/") + (name.empty() ? fmt::format("[{}]", path_[i]) : printable(name));
     }
     return result;
@@ -141,7 +144,7 @@ class SceneReader {
       Pose pose;
       if (const std::vector<double>& p = node.translation; !p.empty()) pose.position_m = {p[0], p[1], p[2]};
       if (const std::vector<double>& q = node.rotation; !q.empty()) pose.orientation = {q[0], q[1], q[2], q[3]};
-      if (!is_unit(pose.orientation)) node_is_refused("rotation is not a quaternion of unit length");
+      if (!is_unit(pose.orientation)) node_is_refused("rotation is not a unit quaternion");
       local = transform_of({pose.position_m, normalized(pose.orientation)});
       if (const std::vector<double>& s = node.scale; !s.empty()) {
         local.x = local.x * s[0];
@@ -149,7 +152,7 @@ class SceneReader {
         local.z = local.z * s[2];
       }
     }
-    if (is_degenerate(local)) node_is_refused(node.matrix.empty() ? "scale flattens space" : "matrix flattens space");
+    if (is_degenerate(local)) node_is_refused(node.matrix.empty() ? "scale is 0 in an axis" : "matrix has no inverse");
     return local;
   }
 
@@ -161,9 +164,9 @@ class SceneReader {
 
   void take(const tinygltf::Node& node, const HapticProperties& properties) {
     if (++haptic_nodes_ > gltf_limits::haptic_nodes)
-      refuse(file_, "more than {} nodes have a haptic role", gltf_limits::haptic_nodes);
+      refuse(file_, "too many nodes have a haptic role; allowed: up to {}", gltf_limits::haptic_nodes);
     if (instancing_is_required_ && node.extensions.count(instancing) > 0)
-      refuse(where(), "{} places it more than once", instancing);
+      refuse(where(), "{} repeats a haptic node; remove the extension from it", instancing);
     const Transform world = world_transform();
     check_position(path(), world.origin, "the world's origin");
     switch (properties.role) {
@@ -185,7 +188,7 @@ class SceneReader {
   void check_position(std::string_view node_path, Vec3 p, const char* origin) const {
     for (const double coordinate_m : {p.x, p.y, p.z})
       if (!(std::abs(coordinate_m) < max_plate_coordinate_m))
-        refuse(where(node_path), "it is further than 1000 m from {}", origin);
+        refuse(where(node_path), "its position is 1000 m or more from {}; is the file in metres?", origin);
   }
 
   void check_is_first(const std::string& other_path) const {
@@ -236,7 +239,7 @@ class SceneReader {
     const double from_centre_m = length(scene_.start_m);
     if (from_centre_m > scene_.plate.radius_m) {
       refuse(where(*scene_.start_path),
-             "the start lies off the plate, {:g} m from its centre; the plate's radius_m is {:g}", from_centre_m,
+             "the start is {:g} m from the centre of the plate; allowed: up to its radius_m, {:g}", from_centre_m,
              scene_.plate.radius_m);
     }
   }
@@ -245,7 +248,8 @@ class SceneReader {
     target.position_m = coordinates_in(plate_frame_, target.world_position_m);
     check_position(target.node_path, target.position_m, "the plate");
     const Bearing bearing = bearing_from(scene_.start_m, target.position_m);
-    if (bearing.at_start) refuse(where(target.node_path), "the target lies at the start point, so it has no direction");
+    if (bearing.at_start)
+      refuse(where(target.node_path), "the target is at the start and has no direction; move one of them");
     target.direction_deg = bearing.direction_deg;
     target.distance_m = bearing.distance_m;
   }
@@ -256,11 +260,11 @@ class SceneReader {
     if (const std::optional<std::string>& wanted = served_by_[virtual_index]) {
       const auto found = index_of_.find(*wanted);
       if (found == index_of_.end() || targets[found->second].kind != TargetKind::real_object)
-        refuse(where(target.node_path), "extras.haptic.served_by is {}, which is not the name of a real target",
+        refuse(where(target.node_path), "extras.haptic.served_by is {}; allowed: the name of a real target",
                in_quotes(*wanted));
       return found->second;
     }
-    // Any real target may serve several: the gap is smallest with the one that is nearest in direction.
+    // Any real target may stand in for several virtual ones: the nearest in direction has the smallest gap.
     std::optional<std::size_t> nearest;
     double min_gap_deg = 0.0;
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -271,7 +275,7 @@ class SceneReader {
         min_gap_deg = gap_deg;
       }
     }
-    if (!nearest) refuse(where(target.node_path), "the file has no real target that could serve this virtual one");
+    if (!nearest) refuse(where(target.node_path), "the file has no real target for this virtual one; add one");
     return *nearest;
   }
 
@@ -298,18 +302,19 @@ Scene load_scene(const std::filesystem::path& path) {
   const std::string file = printable(path.string());
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) refuse(file, "no such file");
+  if (!std::filesystem::exists(status)) refuse(file, "the file does not exist");
   // A device or a pipe may have no end.
-  if (!std::filesystem::is_regular_file(status)) refuse(file, "not a regular file");
+  if (!std::filesystem::is_regular_file(status)) refuse(file, "it is not a regular file");
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
-  if (error || !stream) refuse(file, "cannot be read");
+  if (error || !stream) refuse(file, "the file cannot be read; check its permissions");
   std::string json(static_cast<std::size_t>(std::min<std::uintmax_t>(file_bytes, glb_header_bytes)), '\0');
   stream.read(json.data(), static_cast<std::streamsize>(json.size()));
   const JsonExtent extent = find_json(json, file_bytes, file);
   json.resize(extent.size);
   stream.seekg(static_cast<std::streamoff>(extent.offset));
-  if (!stream.read(json.data(), static_cast<std::streamsize>(json.size()))) refuse(file, "ended while it was read");
+  if (!stream.read(json.data(), static_cast<std::streamsize>(json.size())))
+    refuse(file, "the file became shorter while it was read");
   return scene_of(std::move(json), file);
 }
 

@@ -178,9 +178,9 @@ TEST_F(ContactTest, RefusalsNameTheReasonAndChangeNothing) {
   refused(contact, "flags");
   contact.flags = 4;
   refused(contact, "flags");
-  refused(contact_at({0.0, -41.0}, 0.001), "from start_position_m; at least 0.01 is needed");
-  refused(contact_at({0.0, -50.0}, 0.001), "is 0 m from start_position_m");
-  refused(contact_at({35.0, 50.0}, 0.001), "from where the finger was seen; allowed: up to 0.0");
+  refused(contact_at({0.0, -41.0}, 0.001), "start_position_m; allowed: at least 0.01");
+  refused(contact_at({0.0, -50.0}, 0.001), "0 m from start_position_m");
+  refused(contact_at({35.0, 50.0}, 0.001), "allowed: up to 0.0");
   ASSERT_OK(touch(contact_at({25.0, 50.0}, 0.001)));
   expect_error(touch(contact_in(0.0)), HRT_ERROR_WRONG_STATE);
   ASSERT_OK(hrt_reach_cancel(session));

@@ -175,7 +175,7 @@ TEST_F(ConditionsTest, BadOnesAreRefusedAndChangeNothing) {
   EXPECT_STREQ(measured().plate, "desk 1");
   EXPECT_EQ(measured().time_s, 5);
   begin_reach();
-  refused(conditions("desk 2", ""), HRT_ERROR_WRONG_STATE, "under way");
+  refused(conditions("desk 2", ""), HRT_ERROR_WRONG_STATE, "reach");
 }
 
 }  // namespace

@@ -322,7 +322,7 @@ TEST_F(ReachTest, FieldsThatFlagsDoNotNameAreNotRead) {
 
 TEST_F(ReachTest, BadPairsAreRefused) {
   const hrt_target real = add(HRT_TARGET_REAL, -50.0), virtual_target = add(HRT_TARGET_VIRTUAL, 45.0);
-  expect_error(begin(real, virtual_target), HRT_ERROR_OUT_OF_RANGE, "real target is at -50 degrees, the virtual at 45");
+  expect_error(begin(real, virtual_target), HRT_ERROR_OUT_OF_RANGE, "-50 degrees");
   expect_error(begin(virtual_target, real), HRT_ERROR_OUT_OF_RANGE, "real_target");
   expect_error(begin({0}, virtual_target), HRT_ERROR_INVALID_HANDLE, "real_target");
 }

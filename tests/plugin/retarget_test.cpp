@@ -94,8 +94,8 @@ TEST_F(RetargetTest, RefusesWhatBeginRefuses) {
   slide(0, 900);
   expect_error(hrt_reach_retarget(session, {0}, cup), HRT_ERROR_INVALID_HANDLE, "real_target");
   expect_error(hrt_reach_retarget(session, real, {12}), HRT_ERROR_INVALID_HANDLE, "virtual_target");
-  expect_error(hrt_reach_retarget(session, cup, cup), HRT_ERROR_OUT_OF_RANGE, "a real one is needed");
-  expect_error(hrt_reach_retarget(session, real, real), HRT_ERROR_OUT_OF_RANGE, "a virtual one is needed");
+  expect_error(hrt_reach_retarget(session, cup, cup), HRT_ERROR_OUT_OF_RANGE, "real_target");
+  expect_error(hrt_reach_retarget(session, real, real), HRT_ERROR_OUT_OF_RANGE, "virtual_target");
   expect_error(hrt_reach_retarget(session, behind, cup), HRT_ERROR_OUT_OF_RANGE, "90 degrees apart");
   const double to_go_m = slide(900, 910).distance_to_go_m;
   EXPECT_NEAR(to_go_m, slide(910, 920).distance_to_go_m, 0.003) << "the reach continues as before";

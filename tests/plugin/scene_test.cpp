@@ -99,7 +99,7 @@ TEST_F(SceneAbiTest, LoadsFromMemory) {
   ASSERT_OK(hrt_scene_load("desk", text.data(), text.size(), &loaded));
   EXPECT_NE(loaded.value, scene.value);
   ASSERT_OK(hrt_scene_destroy(loaded));
-  expect_error(hrt_scene_destroy(loaded), HRT_ERROR_INVALID_HANDLE, "does not exist");
+  expect_error(hrt_scene_destroy(loaded), HRT_ERROR_INVALID_HANDLE, "scene");
   expect_error(hrt_scene_load("half a desk", text.data(), text.size() / 2, &loaded), HRT_ERROR_BAD_FORMAT,
                "half a desk");
 }

@@ -16,27 +16,32 @@ namespace hrt::plugin {
 /// No version of any struct is larger: a number beyond this is not a size.
 inline constexpr std::uint32_t max_struct_size = 4096;
 
+inline hrt_result fail_of_null(const char* name) {
+  return fail(HRT_ERROR_NULL_ARGUMENT, name, " is null; pass a valid pointer");
+}
+
 template <class Struct>
 hrt_result check_struct_size(const char* name, std::uint32_t size) {
   // Every version ends with a whole field, and so at a multiple of this: 8, or 4 for pointers of 4 bytes.
   constexpr std::uint32_t alignment = alignof(Struct);
   if (size >= sizeof(Struct) && size <= max_struct_size && size % alignment == 0) return HRT_OK;
-  return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; this library's is ", sizeof(Struct),
-              "; allowed: multiples of ", alignment, " from that to ", max_struct_size);
+  return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; allowed: multiples of ", alignment, " from ",
+              sizeof(Struct), ", the size in this library, to ", max_struct_size,
+              ". Set it to sizeof the struct, with the headers of this library");
 }
 
 /// Reads a struct of this version, or of a later one whose further bytes are 0, into `*known`.
 template <class Struct>
 hrt_result read_struct(const char* name, const Struct* given, Struct* known) {
-  if (!given) return fail(HRT_ERROR_NULL_ARGUMENT, name, " is null");
+  if (!given) return fail_of_null(name);
   std::uint32_t size;
   std::memcpy(&size, given, sizeof size);
   HRT_RETURN_IF_FAILED(check_struct_size<Struct>(name, size));
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
   for (std::uint32_t i = sizeof(Struct); i < size; ++i) {
     if (bytes[i] != 0)
-      return fail(HRT_ERROR_STRUCT_SIZE, name, ": byte ", i, " is not 0, and only ", sizeof(Struct),
-                  " bytes are known to this library");
+      return fail(HRT_ERROR_STRUCT_SIZE, name, ": byte ", i, " is not 0, but this library knows only ", sizeof(Struct),
+                  " bytes; set the fields beyond to 0, or update the library");
   }
   std::memcpy(known, given, sizeof(Struct));
   known->struct_size = sizeof(Struct);
@@ -50,10 +55,10 @@ hrt_result read_configuration(const char* name, const Struct* given, Struct* kno
   return given ? read_struct(name, given, known) : HRT_OK;
 }
 
-/// Whether write_struct() can be called.
+/// Checks the struct for write_struct().
 template <class Struct>
 hrt_result check_output(const char* name, const Struct* out) {
-  if (!out) return fail(HRT_ERROR_NULL_ARGUMENT, name, " is null");
+  if (!out) return fail_of_null(name);
   std::uint32_t size;
   std::memcpy(&size, out, sizeof size);
   return check_struct_size<Struct>(name, size);
@@ -82,7 +87,7 @@ void write_struct(const Struct& known, Struct* out) {
 
 template <class Number>
 hrt_result check_range(const char* field, Number value, Number low, Number high, const char* besides = "") {
-  if (value >= low && value <= high) return HRT_OK;  // not a number is neither
+  if (value >= low && value <= high) return HRT_OK;  // false for NaN
   return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; allowed: ", besides, low, " to ", high);
 }
 
@@ -91,15 +96,15 @@ inline hrt_result check_zero(const char* field, std::uint32_t value) {
   return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; it must be 0");
 }
 
-/// Writes a text into a caller's buffer. `what` begins the refusal of one that is too small.
+/// Writes a text into a caller's buffer. The error text of a buffer that is too small names `what`.
 inline hrt_result write_text(const char* what, std::string_view text, std::uint64_t capacity, char* out_text,
                              std::uint64_t* out_length) {
-  if (!out_length) return fail(HRT_ERROR_NULL_ARGUMENT, "out_length is null");
+  if (!out_length) return fail_of_null("out_length");
   if (capacity > 0) {
-    if (!out_text) return fail(HRT_ERROR_NULL_ARGUMENT, "out_text is null");
+    if (!out_text) return fail_of_null("out_text");
     if (capacity <= text.size())
-      return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; ", what, " ", text.size(),
-                  " bytes and a zero");
+      return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: 0, or at least ", text.size() + 1,
+                  ", for ", what, " with its zero");
     std::memcpy(out_text, text.data(), text.size());
     out_text[text.size()] = '\0';
   }
@@ -118,7 +123,7 @@ hrt_result check_value(const char* name, const Field<S, T>& field, const T& valu
   if constexpr (std::is_array_v<T>) {
     if (field.kind == FieldKind::free) return HRT_OK;
     for (std::size_t i = 0; i < std::size(value); ++i) {
-      if (value[i] >= field.low && value[i] <= field.high) continue;  // not a number is neither
+      if (value[i] >= field.low && value[i] <= field.high) continue;  // false for NaN
       return fail(HRT_ERROR_OUT_OF_RANGE, name, "[", i, "] is ", value[i], "; allowed: ", field.low, " to ",
                   field.high);
     }
@@ -152,13 +157,14 @@ hrt_result check_fields(const S& values) {
 /// A name that a host gives; what is behind its zero is cleared.
 inline hrt_result check_name(const char* field, char (&name)[HRT_NAME_SIZE]) {
   const auto* end = static_cast<const char*>(std::memchr(name, '\0', sizeof name));
-  if (!end) return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not ended by a zero within ", sizeof name, " bytes");
+  if (!end)
+    return fail(HRT_ERROR_OUT_OF_RANGE, field, " has no terminating zero; allowed: up to ", sizeof name - 1, " bytes");
   const auto length = static_cast<std::size_t>(end - name);
   std::memset(name + length, 0, sizeof name - length);
-  if (!is_utf8({name, length})) return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not UTF-8");
+  if (!is_utf8({name, length})) return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not UTF-8; convert it to UTF-8");
   for (std::size_t i = 0; i < length; ++i) {
     if (static_cast<unsigned char>(name[i]) < 0x20 || name[i] == 0x7f)
-      return fail(HRT_ERROR_OUT_OF_RANGE, field, " has a control character at byte ", i);
+      return fail(HRT_ERROR_OUT_OF_RANGE, field, " has a control character at byte ", i, "; remove it");
   }
   return HRT_OK;
 }

@@ -1,5 +1,5 @@
-// What went wrong: a code for the caller, and a text for hrt_last_error(). No heap, no lock, no locale:
-// real-time calls report errors too.
+// Errors: a code for the caller, and a text for hrt_last_error(). Uses no heap, lock or locale, because real-time calls
+// report errors too.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct ThreadError {
 
 extern thread_local constinit ThreadError thread_error;
 
-/// Sets the text of hrt_last_error() to the call and `parts`.
+/// Sets the text of hrt_last_error(): the name of the call, then `parts`.
 template <class... Parts>
 void set_error(const Parts&... parts) {
   thread_error.text.clear();
@@ -30,14 +30,14 @@ void set_error(const Parts&... parts) {
   thread_error.text.make_printable();
 }
 
-/// The same, and returns `code`.
+/// As set_error(); returns `code`.
 template <class... Parts>
 hrt_result fail(hrt_result code, const Parts&... parts) {
   set_error(parts...);
   return code;
 }
 
-/// What fail() was last given, without the call.
+/// Text of the last failure without the name of the call.
 inline Text<240> last_failure() {
   const std::string_view text = thread_error.text.view();
   Text<240> parts;
@@ -45,7 +45,7 @@ inline Text<240> last_failure() {
   return parts;
 }
 
-/// Runs the body of an entry point. Nothing it throws gets past here.
+/// Runs the body of an entry point and converts every exception to a result.
 template <class Body>
 hrt_result guarded(const char* call, Body&& body) noexcept {
   thread_error.call = call;
@@ -53,13 +53,13 @@ hrt_result guarded(const char* call, Body&& body) noexcept {
   try {
     return body();
   } catch (const std::bad_alloc&) {
-    return fail(HRT_ERROR_OUT_OF_MEMORY, "out of memory");
+    return fail(HRT_ERROR_OUT_OF_MEMORY, "memory is exhausted; release some and call again");
   } catch (const std::system_error& error) {
     return fail(HRT_ERROR_SYSTEM, error.what());
   } catch (const std::exception& error) {
-    return fail(HRT_ERROR_INTERNAL, error.what());
+    return fail(HRT_ERROR_INTERNAL, error.what(), "; this is a defect of the library: report it");
   } catch (...) {
-    return fail(HRT_ERROR_INTERNAL, "an exception of unknown type");
+    return fail(HRT_ERROR_INTERNAL, "an exception of unknown type; this is a defect of the library: report it");
   }
 }
 

@@ -76,7 +76,7 @@ constexpr int to_write = O_WRONLY | O_CREAT | everywhere;
 int status_of(int descriptor, Status* out) { return fstat(descriptor, out); }
 // Locks belong to what was opened, so they keep apart the recordings of one process too.
 bool lock(int descriptor) {
-  return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // some file systems have none
+  return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // some file systems have no locks
 }
 void unlock(int descriptor) { flock(descriptor, LOCK_UN); }
 int truncate(int descriptor) { return ftruncate(descriptor, 0); }
@@ -86,7 +86,7 @@ std::ptrdiff_t write_some(int descriptor, const char* text, std::size_t size) {
   return ::write(descriptor, text, size);
 }
 void close_descriptor(int descriptor) { ::close(descriptor); }
-// Of a pipe that nobody reads, and of a socket.
+// Opening a pipe without a reader, or a socket, fails with this error.
 bool means_no_file() { return errno == ENXIO; }
 bool means_taken() { return false; }
 
@@ -94,10 +94,13 @@ bool means_taken() { return false; }
 
 constexpr std::size_t max_at_once = INT_MAX;
 
-hrt_result fail_as_not_regular(const char* path) { return fail(HRT_ERROR_SYSTEM, Shown{path}, ": not a regular file"); }
+hrt_result fail_as_not_regular(const char* path) {
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": not a regular file; name another one");
+}
 
 hrt_result fail_as_taken(const char* path) {
-  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": another recording is written to this file");
+  return fail(HRT_ERROR_SYSTEM, Shown{path},
+              ": another recording is written to this file; stop it or name another file");
 }
 
 }  // namespace

@@ -116,8 +116,9 @@ class HandleTable {
 
 /// Why a HandleTable gave no `what`.
 inline hrt_result no_lease(hrt_result reason, const char* what, std::uint64_t handle) {
-  if (reason == HRT_ERROR_BUSY) return fail(reason, "another thread is in a call on this ", what);
-  return fail(reason, what, " ", handle, " does not exist");
+  if (reason == HRT_ERROR_BUSY)
+    return fail(reason, "another thread is in a call on this ", what, "; wait until it returns");
+  return fail(reason, what, " ", handle, " does not exist; it was destroyed or never created");
 }
 
 /// Runs the body of an entry point on the `what` of `table` that the handle stands for.

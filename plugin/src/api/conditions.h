@@ -22,11 +22,11 @@ inline hrt_result check_conditions(hrt_conditions* conditions) {
 class Conditions {
  public:
   void set_now(const hrt_conditions& checked) { now_ = checked; }
-  /// Of a profile; all 0 and empty if it names none.
+  /// Sets the conditions of a profile; all 0 and empty if it has none.
   void set_measured(const hrt_conditions& checked) { measured_ = checked; }
   void measured_now() { measured_ = now_; }
 
-  /// With what differs from now.
+  /// Conditions of the measurement, compared with the present ones.
   hrt_conditions measured() const {
     hrt_conditions measured = measured_;
     measured.struct_size = sizeof measured;

@@ -17,7 +17,7 @@ hrt_result find_targets(const Targets& targets, const char* argument, const hrt_
   if (count == 0 || count > HRT_ASSIGN_TARGETS_MAX)
     return fail(HRT_ERROR_OUT_OF_RANGE, "the count of ", argument, " is ", count, "; allowed: 1 to ",
                 HRT_ASSIGN_TARGETS_MAX);
-  if (!given) return fail(HRT_ERROR_NULL_ARGUMENT, argument, " is null");
+  if (!given) return fail_of_null(argument);
   std::vector<std::uint64_t> ids;
   out->resize(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < count; ++i) {
@@ -29,7 +29,7 @@ hrt_result find_targets(const Targets& targets, const char* argument, const hrt_
   std::sort(ids.begin(), ids.end());
   const auto twice = std::adjacent_find(ids.begin(), ids.end());
   if (twice == ids.end()) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, argument, ": target ", *twice, " is there twice");
+  return fail(HRT_ERROR_OUT_OF_RANGE, argument, ": target ", *twice, " appears twice; name each target once");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What the host lends. All of the library's memory, that of the containers and of nlohmann-json included: the
-// operators below serve this library alone, which exports neither them nor the C++ runtime it is linked with.
+// Allocator and log of the host. All memory of the library, including that of containers and of nlohmann-json, is from
+// the operators below. They serve this library alone, which exports neither them nor the C++ runtime that is linked in.
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>

@@ -21,7 +21,8 @@ using People = HandleTable<SimulatedUser, HRT_PEOPLE_MAX, 0x9e>;
 constinit People people;
 
 constexpr double default_duration_s = 1.5;
-// Where the plate of a set-up is, which is turned by 20 degrees about y, and the skin beside the tracked joint.
+// Position of the plate in a set-up, which is rotated by 20 degrees about y, and offset of the skin from the tracked
+// joint.
 constexpr double user_plate_m[] = {0.3, 0.75, -0.4};
 constexpr double user_turn_deg = 20.0;
 constexpr double user_skin_m[] = {0.002, -0.008, -0.012};
@@ -80,7 +81,7 @@ using namespace hrt::plugin;
 
 hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed, hrt_person* out_person) noexcept {
   return guarded("hrt_person_create", [&]() -> hrt_result {
-    if (!out_person) return fail(HRT_ERROR_NULL_ARGUMENT, "out_person is null");
+    if (!out_person) return fail_of_null("out_person");
     hrt_person_config known{};
     if (config) HRT_RETURN_IF_FAILED(read_struct("config", config, &known));
     HRT_RETURN_IF_FAILED(check_fields(known));
@@ -124,7 +125,9 @@ hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orie
     hrt_sample sample{};
     sample.plate_orientation_deg = plate_orientation_deg;
     HRT_RETURN_IF_FAILED(check_field(sample, Fields<hrt_sample>::plate_orientation_deg));
-    if (hand.is_past(time_ns)) return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", time_ns, ", before the last call's");
+    if (hand.is_past(time_ns))
+      return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", time_ns,
+                  ", earlier than in the last call; times must not decrease");
     sample.time_ns = time_ns;
     if (hand.is_guided()) {
       HRT_RETURN_IF_FAILED(follow(user, time_ns, plate_orientation_deg, &sample));

@@ -34,14 +34,14 @@ hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_te
   return with_session("hrt_profile_save", session, [&](RecordedSession& s) -> hrt_result {
     JsonText text;
     write_profile(to_c(s.session().model()), s.conditions.measured(), text);
-    return write_text("the profile has", text.view(), capacity, out_text, out_length);
+    return write_text("the profile", text.view(), capacity, out_text, out_length);
   });
 }
 
 hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) noexcept {
   return with_session("hrt_profile_load", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.session().check_idle());
-    if (!text) return fail(HRT_ERROR_NULL_ARGUMENT, "text is null");
+    if (!text) return fail_of_null("text");
     const SessionModel& model = s.session().model();
     SessionModel loaded;
     hrt_session_config config = to_c(model);

@@ -56,7 +56,7 @@ hrt_result check_sample(const hrt_sample& sample) {
   return check_rotation("plate_rotation", sample.plate_rotation);
 }
 
-// Where the skin that touches is, in the frame of the sample.
+// Position of the skin that touches, in the frame of the sample.
 Vec3 skin_m(const Vec3& fingertip_offset_m, const hrt_sample& sample) {
   const Vec3 tip_m = to_vec3(sample.finger_position_m);
   if ((sample.flags & HRT_SAMPLE_JOINT_ROTATION) == 0) return tip_m;
@@ -71,7 +71,7 @@ FingerOnPlate locate(const PlateMount& mount, const hrt_sample& sample, Vec3 pos
   return locate(moved, position_m);
 }
 
-// Of a checked sample whose skin is at `position_m`.
+// Converts a checked sample whose skin is at `position_m`.
 FingerSample observe(const PlateMount& mount, const TouchedFrame& touched, const hrt_sample& sample, Vec3 position_m) {
   FingerSample finger{.time_ns = sample.time_ns};
   if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION) finger.plate_orientation_deg = sample.plate_orientation_deg;

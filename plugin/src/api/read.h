@@ -1,5 +1,5 @@
-// From the structs of the C interface to core types. Each reader checks all that it reads: it fails naming the first
-// field that is out of its range.
+// Conversion of the structs of the C interface to core types. Each function checks all fields that it reads, and fails
+// naming the first one that is out of range.
 #pragma once
 
 #include "haptic_retargeting/setup.h"

@@ -223,7 +223,8 @@ void RecordedSession::log_findings(std::uint64_t handle) {
   if (doubted_registration_ && !logged_registration_) {
     Text<240> text;
     text << "session " << handle
-         << ": the registration of the plate was older or worse than allowed in a reach, or missing";
+         << ": in a reach, the registration of the plate was missing, or older or less accurate than allowed; "
+            "run HRT_SETUP_REGISTRATION or HRT_SETUP_CHECK";
     write_log(HRT_LOG_WARNING, text.c_str());
     logged_registration_ = true;
   }
@@ -237,8 +238,8 @@ void RecordedSession::log_findings(std::uint64_t handle) {
   if (!had_fault_ || logged_fault_) return;
   Text<240> text;
   text << "session " << handle
-       << ": a defect of the library made a value of a command or summary not finite; the plate was held, and "
-          "the reach taught nothing";
+       << ": a value of a command or summary was not finite; the plate was held, and nothing was learnt from the "
+          "reach. This is a defect of the library: report it";
   write_log(HRT_LOG_ERROR, text.c_str());
   logged_fault_ = true;
 }
@@ -247,7 +248,7 @@ void RecordedSession::log_conditions(std::uint64_t handle) const {
   const hrt_conditions measured = conditions.measured();
   if (measured.differing == 0) return;
   Text<400> text;
-  text << "session " << handle << ": the person was measured with another";
+  text << "session " << handle << ": the profile was measured with another";
   if (measured.differing & HRT_CONDITION_PLATE) text << " plate, \"" << measured.plate << "\"";
   if (measured.differing == (HRT_CONDITION_PLATE | HRT_CONDITION_TRACKER)) text << ", and";
   if (measured.differing & HRT_CONDITION_TRACKER) text << " tracker, \"" << measured.tracker << "\"";
@@ -265,7 +266,7 @@ std::uint32_t RecordedSession::state() const {
 hrt_result RecordedSession::start_recording(const char* path, std::uint64_t handle) {
   HRT_RETURN_IF_FAILED(session_.check_idle());
   if (recorder_ && !recorder_->is_of_parent())
-    return fail(HRT_ERROR_WRONG_STATE, "the session is being recorded already; stop that first");
+    return fail(HRT_ERROR_WRONG_STATE, "a recording of this session is in progress; stop it first");
   File file;
   HRT_RETURN_IF_FAILED(File::create(path, &file));
   Text<128> name;
@@ -278,10 +279,9 @@ hrt_result RecordedSession::start_recording(const char* path, std::uint64_t hand
 }
 
 hrt_result RecordedSession::check_recording() const {
-  if (!recorder_) return fail(HRT_ERROR_WRONG_STATE, "nothing is being recorded");
+  if (!recorder_) return fail(HRT_ERROR_WRONG_STATE, "no recording of this session is in progress; start one first");
   if (!recorder_->is_of_parent()) return HRT_OK;
-  return fail(HRT_ERROR_WRONG_STATE,
-              "the recording is of the process that this one was forked from; calls here are not recorded");
+  return fail(HRT_ERROR_WRONG_STATE, "the recording belongs to the parent process; start another one in this process");
 }
 
 RecorderStatus RecordedSession::stop_recording() {

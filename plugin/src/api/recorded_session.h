@@ -29,8 +29,8 @@ class RecordedSession {
   hrt_result add_target(const Target& checked_target, std::uint64_t* out_id);
   hrt_result set_target(std::uint64_t id, const Target& checked_target);
   hrt_result remove_target(std::uint64_t id);
-  /// Replaces the model and adds all targets. `served_by` has for each target the index of the real target that serves
-  /// it, if there is one.
+  /// Replaces the model and adds all targets. `served_by` has, for each target, the index of the real target that
+  /// stands in for it, if any.
   hrt_result add_scene(const SessionModel& valid_model, std::span<const Target> checked_targets,
                        std::span<const std::optional<std::size_t>> served_by, std::vector<std::uint64_t>* out_ids);
 

@@ -34,7 +34,8 @@ hrt_result read_file(const char* path, std::string* out) {
     out->resize(size += static_cast<std::size_t>(n));
     if (n == 0 || (size >= recording_begin.size() && !out->starts_with(recording_begin))) return HRT_OK;
   }
-  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": larger than ", max_file, " bytes");  // it grows
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": the file is too large; allowed: up to ", max_file,
+              " bytes");  // the file grew while it was read
 }
 
 }  // namespace
@@ -44,7 +45,7 @@ using namespace hrt::plugin;
 
 hrt_result hrt_recording_start(hrt_session session, const char* path) noexcept {
   return with_session("hrt_recording_start", session, [&](RecordedSession& s) -> hrt_result {
-    if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
+    if (!path) return fail_of_null("path");
     return s.start_recording(path, session.value);
   });
 }

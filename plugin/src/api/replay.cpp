@@ -73,12 +73,12 @@ class Replay {
     std::uint64_t version = 0;
     if (starts_with_and_drops(text, "# haptic retargeting recording, version ") &&
         read_number(text.substr(0, text.find('\n')), &version) && version != 4)
-      return fail(HRT_ERROR_BAD_FORMAT, "version ", version, " is not supported; version 4 is");
-    return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 4 does");
+      return fail(HRT_ERROR_BAD_FORMAT, "version ", version, " is not supported; allowed: version 4");
+    return fail(HRT_ERROR_BAD_FORMAT, "the text is not a recording: it does not begin with the header of version 4");
   }
 
   hrt_result take(std::string_view line) {
-    if (ended_) return fail(HRT_ERROR_BAD_FORMAT, "this comes after the end");
+    if (ended_) return fail(HRT_ERROR_BAD_FORMAT, "this line follows the end line; remove it");
     if (starts_with_and_drops(line, config_comment)) return take_config(line);
     if (starts_with_and_drops(line, target_comment)) return take_target(line);
     if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
@@ -111,7 +111,7 @@ class Replay {
   }
 
   hrt_result check_session() const {
-    return session_ ? HRT_OK : fail(HRT_ERROR_BAD_FORMAT, "this comes before the configuration");
+    return session_ ? HRT_OK : fail(HRT_ERROR_BAD_FORMAT, "this line precedes the line with the configuration");
   }
 
   hrt_result take_target(std::string_view rest) {
@@ -123,7 +123,7 @@ class Replay {
     if (changed.change != TargetChanged::Change::removed) HRT_RETURN_IF_FAILED(read(changed.config, &target));
     std::uint64_t& id = target_ids_[changed.number];
     if ((changed.change == TargetChanged::Change::added) != (id == 0))
-      return fail(HRT_ERROR_BAD_FORMAT, "target ", changed.number, id == 0 ? " is not there" : " is there already");
+      return fail(HRT_ERROR_BAD_FORMAT, "target ", changed.number, id == 0 ? " does not exist" : " exists already");
     switch (changed.change) {
       case TargetChanged::Change::added:
         return session_->add_target(target, &id);

@@ -50,7 +50,7 @@ void log_far_targets(const Scene& scene, std::string_view file) {
 // Runs a loader, whose errors begin with the name of the file.
 template <class Load>
 hrt_result add_scene(hrt_scene* out_scene, std::string_view file, Load&& load) {
-  if (!out_scene) return fail(HRT_ERROR_NULL_ARGUMENT, "out_scene is null");
+  if (!out_scene) return fail_of_null("out_scene");
   try {
     auto scene = std::make_unique<Scene>(load());
     for (const SceneTarget& target : scene->targets) {
@@ -106,10 +106,10 @@ hrt_result read_target(const SceneTarget& target, const SessionModel& model, Tar
 hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uint64_t capacity,
                           hrt_target* out_targets) {
   HRT_RETURN_IF_FAILED(session.session().check_idle());
-  if (capacity > 0 && !out_targets) return fail(HRT_ERROR_NULL_ARGUMENT, "out_targets is null");
+  if (capacity > 0 && !out_targets) return fail_of_null("out_targets");
   if (out_targets && capacity < scene.targets.size())
-    return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; the scene has ", scene.targets.size(),
-                " targets");
+    return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; allowed: 0, or at least ",
+                scene.targets.size(), ", the number of targets in the scene");
   SessionModel model;
   HRT_RETURN_IF_FAILED(with_plate_of(scene, session.session().model(), &model));
   std::vector<Target> targets(scene.targets.size());
@@ -133,7 +133,7 @@ using namespace hrt::plugin;
 
 hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length, hrt_scene* out_scene) noexcept {
   return guarded("hrt_scene_load", [&]() -> hrt_result {
-    if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
+    if (!path) return fail_of_null("path");
     if (!bytes) {
       File readable;  // an error of the operating system, not of the format
       HRT_RETURN_IF_FAILED(File::open(path, std::numeric_limits<std::uint64_t>::max(), &readable));
@@ -167,7 +167,8 @@ hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index, hrt_scene_targe
   return with_scene("hrt_scene_get_target", scene, [&](const hrt::Scene& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_target", out_target));
     if (index >= s.targets.size())
-      return fail(HRT_ERROR_OUT_OF_RANGE, "index is ", index, "; the scene has ", s.targets.size(), " targets");
+      return fail(HRT_ERROR_OUT_OF_RANGE, "index is ", index, "; allowed: below ", s.targets.size(),
+                  ", the number of targets");
     const hrt::SceneTarget& from = s.targets[index];
     hrt_scene_target target{};
     target.role = role_of(from);

@@ -31,7 +31,7 @@ using namespace hrt::plugin;
 hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config, hrt_session* out_session) noexcept {
   return guarded("hrt_session_create", [&]() -> hrt_result {
     HRT_RETURN_IF_FAILED(check_version(version));
-    if (!out_session) return fail(HRT_ERROR_NULL_ARGUMENT, "out_session is null");
+    if (!out_session) return fail_of_null("out_session");
     SessionModel model;
     HRT_RETURN_IF_FAILED(read_or_default(config, &model));
     const std::uint64_t handle = sessions.insert(std::make_unique<RecordedSession>(model));

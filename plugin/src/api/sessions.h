@@ -1,4 +1,4 @@
-// What session handles stand for.
+// Handles of sessions.
 #pragma once
 
 #include "plugin/src/abi/handles.h"

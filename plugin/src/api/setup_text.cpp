@@ -1,4 +1,4 @@
-// The sentences of a set-up.
+// Sentences for the user in a set-up: hrt_setup_step::text.
 #include <cmath>
 #include <cstring>
 
@@ -13,25 +13,25 @@ const char* problem_text(SetupProblem problem) {
     case SetupProblem::none:
       return "";
     case SetupProblem::too_fast:
-      return "That was too fast to count. ";
+      return "The slide was too fast. Please move more slowly. ";
     case SetupProblem::too_slow:
-      return "That was too slow to count. ";
+      return "The slide was too slow. Please move faster. ";
     case SetupProblem::stopped:
-      return "The finger stopped elsewhere: that does not count. ";
+      return "The finger stopped in the wrong place. ";
     case SetupProblem::left_plate:
-      return "The finger left the plate: that does not count. ";
+      return "The finger left the plate. Please keep it on the plate. ";
     case SetupProblem::lost:
-      return "The tracker lost the finger: hold the hand where it is seen. ";
+      return "The tracker lost the finger. Please keep your hand in its view. ";
     case SetupProblem::moved:
-      return "The plate has moved: that does not count. ";
+      return "The plate moved during the slide. ";
     case SetupProblem::plate:
-      return "The plate does not turn as it should. ";
+      return "The plate does not turn as commanded. ";
     case SetupProblem::disagrees:
       return "The measurements do not agree. ";
     case SetupProblem::upside_down:
       return "The touches fit a plate that is upside down or mirrored. ";
     case SetupProblem::undetermined:
-      return "The measurements do not determine the result. ";
+      return "The measurements are not sufficient. ";
   }
   return "";
 }
@@ -45,30 +45,31 @@ void write_observed(const Observed& observed, Text<HRT_TEXT_SIZE>& text) {
     case Kind::none:
       break;
     case Kind::no_finger:
-      text << "No sample has the finger: is it tracked? ";
+      text << "The tracker does not see the finger. ";
       break;
     case Kind::lifted:
       text << "The finger is above the plate in every sample: check the plate's height. ";
       break;
     case Kind::time:
-      text << "Times advance by " << rounded(observed.first) << " ns per sample: time_ns is in nanoseconds. ";
+      text << "Times advance by " << rounded(observed.first) << " ns per sample: time_ns must be in nanoseconds. ";
       break;
     case Kind::far_away:
-      text << "The finger is " << rounded(observed.first / mm_per_m) << " m from the plate: positions are in metres. ";
+      text << "The finger is " << rounded(observed.first / mm_per_m)
+           << " m from the plate: positions must be in metres. ";
       break;
     case Kind::plate:
       text << "The plate reports " << rounded(observed.first) << " degrees although " << rounded(observed.second)
            << " were commanded. ";
       break;
     case Kind::elsewhere:
-      text << "The finger is " << std::round(observed.first) << " mm from there. ";
+      text << "The finger is " << std::round(observed.first) << " mm from the requested position. ";
       break;
     case Kind::wrong_way:
       text << "The finger slid towards " << std::round(observed.first)
            << " degrees, where 0 is straight ahead: axes may be swapped or mirrored. ";
       break;
     case Kind::no_rest:
-      text << "The finger has not come to the place and rested yet. ";
+      text << "The finger has not rested at the requested position yet. ";
       break;
   }
 }
@@ -113,7 +114,7 @@ void write_touch(const SetupStep& step, Text<HRT_TEXT_SIZE>& text) {
     text << "Lift your finger. Then touch mark 1 with the finger held " << attitude_text(step.number)
          << ", and hold still.";
   } else if (step.part == setup_check) {
-    text << "Touch mark " << step.number + 1 << " and hold still: is the plate where it was?";
+    text << "Touch mark " << step.number + 1 << " and hold still, to check the plate's position.";
   } else {
     text << "Lift your finger. Then touch mark " << step.number + 1 << " and hold still.";
   }
@@ -126,7 +127,7 @@ void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]) {
   write_problem(step.problem, step.reason, step.observed, text);
   switch (step.instruction) {
     case Instruction::wait:
-      text << "Lift your finger: the plate turns.";
+      text << "Lift your finger while the plate turns.";
       break;
     case Instruction::touch_mark:
       write_touch(step, text);
@@ -135,17 +136,17 @@ void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]) {
       text << "Hold still.";
       break;
     case Instruction::rest_at_start:
-      text << "Put your finger to the start and let it rest.";
+      text << "Put your finger on the start and let it rest.";
       break;
     case Instruction::slide:
       if (step.part == setup_guides)
         text << "Slide along guide " << step.number + 1
-             << (step.done % 2 == 0 ? " to the object" : " back to the start") << ", without a lift, and rest there.";
+             << (step.done % 2 == 0 ? " to the object" : " back to the start") << ", without lifting, and rest there.";
       else
         text << "Slide evenly towards what feels straight ahead, as far as is comfortable, and rest there.";
       break;
     case Instruction::finish:
-      text << "One moment.";
+      text << "Please wait a moment.";
       break;
   }
   std::memcpy(out, text.c_str(), text.view().size() + 1);

@@ -22,7 +22,7 @@ using namespace hrt::plugin;
 
 hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config, hrt_target* out_target) noexcept {
   return with_session("hrt_target_add", session, [&](RecordedSession& s) -> hrt_result {
-    if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
+    if (!out_target) return fail_of_null("out_target");
     Target checked;
     HRT_RETURN_IF_FAILED(read_target(s.session(), config, &checked));
     return s.add_target(checked, &out_target->value);
@@ -54,14 +54,14 @@ hrt_result hrt_target_remove(hrt_session session, hrt_target target) noexcept {
 hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity, hrt_target* out_targets,
                            uint64_t* out_count) noexcept {
   return with_session("hrt_target_list", session, [&](RecordedSession& s) -> hrt_result {
-    if (!out_count) return fail(HRT_ERROR_NULL_ARGUMENT, "out_count is null");
+    if (!out_count) return fail_of_null("out_count");
     HRT_RETURN_IF_FAILED(check_range<unsigned>("role", role, 0, HRT_TARGET_VIRTUAL));
     const auto wanted = static_cast<TargetRole>(role);
     const auto listed = [&](const auto& entry) { return wanted == TargetRole::any || entry.second.role == wanted; };
     std::uint64_t count = 0;
     for (const auto& entry : s.session().targets.all()) count += listed(entry) ? 1 : 0;
     if (capacity > 0) {
-      if (!out_targets) return fail(HRT_ERROR_NULL_ARGUMENT, "out_targets is null");
+      if (!out_targets) return fail_of_null("out_targets");
       if (capacity < count)
         return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; there are ", count, " targets");
       for (const auto& entry : s.session().targets.all()) {

@@ -1,4 +1,4 @@
-// From core types to the structs of the C interface.
+// Conversion of core types to the structs of the C interface.
 #pragma once
 
 #include "haptic_retargeting/gap.h"

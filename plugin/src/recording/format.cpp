@@ -116,7 +116,7 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
   if (result == HRT_OK) row.put_fields(ended.summary);
 }
 
-// A double has more than one spelling: 1e+05 is 100000.
+// Compares cells; a double has several spellings: 1e+05 equals 100000.
 bool is_same_cell(std::string_view cell, std::string_view other) {
   constexpr std::string_view of_doubles = ".e";
   if (cell == other) return true;
@@ -206,13 +206,13 @@ void write_end(std::uint64_t checksum, RecordText& out) { out << end_comment << 
 hrt_result check_column_names(std::string_view line) {
   if (line == column_names()) return HRT_OK;
   if (!line.starts_with("call,result,"))
-    return fail(HRT_ERROR_BAD_FORMAT, "this comes before the names of the columns");
-  return fail(HRT_ERROR_BAD_FORMAT, "the columns are not those that this version of the library writes");
+    return fail(HRT_ERROR_BAD_FORMAT, "this row precedes the line with the column names");
+  return fail(HRT_ERROR_BAD_FORMAT, "the column names are not those of version 4");
 }
 
 hrt_result read_row(std::string_view line, Record* out) {
   const auto n = static_cast<std::size_t>(1 + std::count(line.begin(), line.end(), ','));
-  if (n != columns) return fail(HRT_ERROR_BAD_FORMAT, "the row has ", n, " columns; ", columns, " are needed");
+  if (n != columns) return fail(HRT_ERROR_BAD_FORMAT, "the row has ", n, " columns; allowed: ", columns);
   Cells cells;
   for (std::string_view& cell : cells) cell = take_cell(&line);
   HRT_RETURN_IF_FAILED(read_cell(cells, column("result"), &out->result));

@@ -159,7 +159,7 @@ hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
   for (const JsonField& field : reader.fields) {
     const auto same = [&](const JsonField& other) { return other.key == field.key; };
     if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is there twice");
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" appears twice; remove one");
   }
   *out = std::move(reader.fields);
   return HRT_OK;
@@ -217,7 +217,7 @@ hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
     if (key == field.key) result = read(field, value);
   });
   if (result) return *result;
-  return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what);
+  return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what, "; remove it");
 }
 
 // Reads a JSON object into `*out`. Members that are absent are unchanged.

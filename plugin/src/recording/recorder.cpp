@@ -89,8 +89,8 @@ void Recorder::abandon() {
   std::construct_at(&writer_);
   const std::uint64_t lost = lost_.load();
   if (lost == 0) return;
-  Text<96> text;
-  text << lost << " calls are not recorded: they are of a child of the process that records";
+  Text<128> text;
+  text << lost << " calls were not recorded: a child process made them; start a recording there";
   report(HRT_LOG_WARNING, text.view());
 }
 
@@ -138,7 +138,7 @@ void Recorder::write(std::string_view text) {
   if (error == 0) return;
   system_error_.store(error);
   Text<240> reason;
-  reason << "the recording ends here, control continues: " << std::strerror(error);
+  reason << "the recording has stopped, control continues: " << std::strerror(error);
   report(HRT_LOG_ERROR, reason.view());
 }
 
@@ -162,7 +162,7 @@ void Recorder::report_lost(std::chrono::seconds after) {
   const auto now = std::chrono::steady_clock::now();
   if (now - reported_ < after) return;
   Text<128> line;
-  line << "lost " << std::exchange(lost_unreported_, 0) << " calls: the disk is too slow";
+  line << "lost " << std::exchange(lost_unreported_, 0) << " calls because the disk is too slow";
   report(HRT_LOG_WARNING, line.view());
   reported_ = now;
 }

@@ -27,14 +27,15 @@ hrt_result check_contact(const SessionModel& model, const ContactReport& report,
   const double sd_mm = report.sd_mm > 0.0 ? report.sd_mm : radius_mm > 0.0 ? radius_mm : unknown_radius_mm;
   const double far_mm = distance_mm(start_of(model), place);
   if (far_mm < min_contact_mm)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "the place of the contact is ", far_mm / mm_per_m,
-                " m from start_position_m; at least ", min_contact_mm / mm_per_m, " is needed");
+    return fail(HRT_ERROR_OUT_OF_RANGE, "the position of contact is ", far_mm / mm_per_m,
+                " m from start_position_m; allowed: at least ", min_contact_mm / mm_per_m);
   *out = {.finger = finger.place, .place = place, .variance_mm2 = sd_mm * sd_mm + finger.variance_mm2};
   const double off_mm = distance_mm(finger.place, place);
   const double max_mm = max_share * far_mm + max_sds * std::sqrt(out->variance_mm2);
   if (off_mm <= max_mm) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, "the place of the contact is ", off_mm / mm_per_m,
-              " m from where the finger was seen; allowed: up to ", max_mm / mm_per_m, ". Was it another object?");
+  return fail(HRT_ERROR_OUT_OF_RANGE, "the position of contact is ", off_mm / mm_per_m,
+              " m from the tracked finger; allowed: up to ", max_mm / mm_per_m,
+              ". Check that the finger touched the real target");
 }
 
 void learn_contact(const Contact& contact, SessionModel* model) {

@@ -18,7 +18,7 @@ constexpr int max_samples_in_window = 50;
 constexpr std::uint64_t min_sample_ns = 100'000;
 constexpr double max_radii = 3.0;
 constexpr double max_target_radii = 2.0;
-constexpr double judged_fraction = 0.5;  // of the path, from which on its direction is judged
+constexpr double judged_fraction = 0.5;  // fraction of the path from which on its direction is judged
 constexpr double max_off_course_deg = 90.0;
 constexpr double ended_fraction = 0.85;
 // A person whom the plate does not move ends near the virtual target, off by their own bias.
@@ -103,11 +103,11 @@ void write_implausible(const Implausible& found, Text<320>& text) {
     case Kind::none:
       break;
     case Kind::radians:
-      text << "the directions of all targets are within 1.6 degrees: direction_deg is in degrees, these may be radians";
+      text << "the directions of all targets are below 1.6 degrees and may be in radians: direction_deg is in degrees";
       break;
     case Kind::place_off_plate:
       text << "the start or the real target is " << found.first << " mm from the centre of a plate of radius "
-           << found.second << " mm: positions are in metres, the start and PLATE positions from the plate's centre";
+           << found.second << " mm: positions are in metres, in plate coordinates from the plate's centre";
       break;
     case Kind::time_stands:
       text << "times advance by " << found.second << " ns per sample: time_ns is in nanoseconds";
@@ -126,7 +126,8 @@ void write_implausible(const Implausible& found, Text<320>& text) {
       break;
     case Kind::turns_with_plate:
       text << "the finger ends " << found.first << " degrees beyond the virtual target, on the side away from the real "
-           << "one: the plate may turn the wrong way (positive is counter-clockwise), or an axis be mirrored";
+           << "one: the plate may turn in the wrong direction (positive is counter-clockwise), or an axis may be "
+              "mirrored";
       break;
   }
 }

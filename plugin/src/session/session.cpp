@@ -16,23 +16,23 @@ PlatePoint real_point(const Reach& reach) {
 }
 
 hrt_result too_near(const char* target, double far_mm) {
-  return fail(HRT_ERROR_OUT_OF_RANGE, target, " is ", far_mm / mm_per_m, " m from the start; at least ", min_distance_m,
-              " is needed");
+  return fail(HRT_ERROR_OUT_OF_RANGE, target, " is ", far_mm / mm_per_m, " m from the start; allowed: at least ",
+              min_distance_m, ". Move the target or the start");
 }
 
 }  // namespace
 
 hrt_result Session::check_idle() const {
-  if (is_setting_up()) return fail(HRT_ERROR_WRONG_STATE, "a set-up is under way; finish or cancel it first");
-  return is_reaching() ? fail(HRT_ERROR_WRONG_STATE, "a reach is under way; end it first") : HRT_OK;
+  if (is_setting_up()) return fail(HRT_ERROR_WRONG_STATE, "a set-up is in progress; finish or cancel it first");
+  return is_reaching() ? fail(HRT_ERROR_WRONG_STATE, "a reach is in progress; end or cancel it first") : HRT_OK;
 }
 
 hrt_result Session::check_reaching() const {
-  return is_reaching() ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "no reach is under way; begin one first");
+  return is_reaching() ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "no reach is in progress; begin one first");
 }
 
 hrt_result Session::check_setting_up() const {
-  return is_setting_up() ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "no set-up is under way; begin one first");
+  return is_setting_up() ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "no set-up is in progress; begin one first");
 }
 
 hrt_result Session::set_model(const SessionModel& model) {
@@ -66,8 +66,9 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* reach)
   aimed.real_distance_mm = real.distance_mm;
   const double goal_deg = goal_direction_deg(model_.control.participant, aimed.virtual_direction_deg);
   if (!is_valid(aimed, goal_deg))
-    return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", aimed.real_direction_deg, " degrees, the virtual at ",
-                goal_deg, model_.control.participant.bias_deg != 0.0 ? " with the user's bias" : "",
+    return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", aimed.real_direction_deg,
+                " degrees, the virtual one at ", goal_deg,
+                model_.control.participant.bias_deg != 0.0 ? " with the user's bias" : "",
                 "; allowed: less than 90 degrees apart");
   *reach = aimed;
   return HRT_OK;
@@ -91,7 +92,7 @@ hrt_result Session::begin(const ReachRequest& request) {
   return HRT_OK;
 }
 
-// Where a felt start is, is not known in the tracker's frame: directions from it are not either.
+// A felt start has no known position in the tracker's frame, and neither have directions from it.
 Plausibility Session::plausibility_of(const Reach& reach) const {
   Plausibility plausibility(mm_per_m * model_.mount.surface.radius_m, reach, targets.may_be_in_radians());
   if (model_.control.start_is_felt) plausibility.retarget();
@@ -162,22 +163,25 @@ hrt_result Session::check_contact_due() const {
   const auto* reaching = std::get_if<Reaching>(&state_);
   const auto* idle = std::get_if<Idle>(&state_);
   if (!reaching && !(idle && idle->last))
-    return fail(HRT_ERROR_WRONG_STATE, "no reach is under way, and none has ended since the configuration was set");
+    return fail(HRT_ERROR_WRONG_STATE,
+                "no reach is in progress or has ended since the configuration was set; begin one first");
   if (reaching ? reaching->contact.has_value() : idle->last->was_touched)
-    return fail(HRT_ERROR_WRONG_STATE, "the contact of this reach is known already");
+    return fail(HRT_ERROR_WRONG_STATE, "this reach already has a contact; report another one in the next reach");
   if (!model_.registration.made)
     return fail(HRT_ERROR_WRONG_STATE,
-                "the plate is not registered (HRT_SESSION_REGISTERED), and contacts are about its registration");
+                "the plate is not registered (HRT_SESSION_REGISTERED); run HRT_SETUP_REGISTRATION first");
   return HRT_OK;
 }
 
-// What the end of a reach teaches of the person comes before its contact.
+// The estimate of the person at the end of a reach precedes its contact.
 hrt_result Session::touched(const ContactReport& report) {
   HRT_RETURN_IF_FAILED(check_contact_due());
   auto* reaching = std::get_if<Reaching>(&state_);
   const Ended reach = reaching ? Ended{reaching->start, reaching->pair.real, reaching->retargeter.finger()}
                                : *std::get<Idle>(state_).last;
-  if (!reach.finger) return fail(HRT_ERROR_INSUFFICIENT_DATA, "the finger was not seen to move in this reach");
+  if (!reach.finger)
+    return fail(HRT_ERROR_INSUFFICIENT_DATA,
+                "no sample of this reach shows a motion; report the contact after the motion");
   Contact contact{};
   HRT_RETURN_IF_FAILED(check_contact(model_, report, reach.start, reach.real, *reach.finger, &contact));
   if (reaching) {

@@ -64,7 +64,7 @@ hrt_result find_guides(const SessionModel& model, const Targets& targets, SetupC
     config->guides[static_cast<std::size_t>(config->guide_count++)] = point_ahead(start, seen.direction_deg, length_mm);
   }
   if (config->guide_count > 0) return HRT_OK;
-  return fail(HRT_ERROR_WRONG_STATE, "the session has no real target to which a guide could lead");
+  return fail(HRT_ERROR_WRONG_STATE, "the session has no real target for a guide; add one first");
 }
 
 SetupConfig completed(SetupConfig config, const SessionModel& model, const Targets& targets, std::uint32_t parts,
@@ -91,10 +91,11 @@ hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets
       std::any_of(std::begin(either), std::end(either), [&](std::uint32_t pair) { return (parts & pair) == pair; });
   if (parts != setup_all_missing && (parts == 0 || (parts & ~all_parts) != 0 || both))
     return fail(HRT_ERROR_OUT_OF_RANGE, "what is ", parts,
-                "; allowed: bits of HRT_SETUP_*, without CALIBRATION and RETEST, or REGISTRATION and CHECK or "
-                "GUIDES, together, or ALL_MISSING");
+                "; allowed: ALL_MISSING alone, or bits of HRT_SETUP_* without CALIBRATION and RETEST together, and "
+                "without REGISTRATION and CHECK or GUIDES together");
   if ((parts & (setup_check | setup_guides)) != 0 && !model.registration.made)
-    return fail(HRT_ERROR_WRONG_STATE, "the plate is not registered, so there is nothing to check or to refine");
+    return fail(HRT_ERROR_WRONG_STATE,
+                "the plate is not registered; run HRT_SETUP_REGISTRATION before CHECK or GUIDES");
   if ((parts & setup_guides) != 0) {
     SetupConfig guides;
     HRT_RETURN_IF_FAILED(find_guides(model, targets, &guides));
@@ -104,12 +105,13 @@ hrt_result SessionSetup::check(const SessionModel& model, const Targets& targets
     marks.push_back({asked.marks_mm[static_cast<std::size_t>(i)], asked.marks_mm[static_cast<std::size_t>(i)]});
   const bool registers = parts == setup_all_missing || (parts & setup_registration) != 0;
   if (registers && !marks.empty() && fit_registration({}, marks).verdict == RegistrationVerdict::degenerate)
-    return fail(HRT_ERROR_OUT_OF_RANGE,
-                "marks_m has marks within 10 mm of a line or of one place; the plate's rotation "
-                "needs three that are the corners of a triangle");
+    return fail(
+        HRT_ERROR_OUT_OF_RANGE,
+        "marks_m: all marks are within 10 mm of one line or point; allowed: at least three that form a triangle");
   if ((parts & slide_parts) != 0 && room_ahead_mm(model) < min_slide_room_mm)
     return fail(HRT_ERROR_OUT_OF_RANGE, "start_position_m leaves ", room_ahead_mm(model) / mm_per_m,
-                " m for a slide straight ahead; allowed: at least ", min_slide_room_mm / mm_per_m);
+                " m for a slide straight ahead; allowed: at least ", min_slide_room_mm / mm_per_m,
+                ". Move the start towards the user");
   return HRT_OK;
 }
 
@@ -120,7 +122,7 @@ SessionSetup::SessionSetup(const SessionModel& model, const Targets& targets, st
 
 hrt_result SessionSetup::check_shown(const SetupSample& sample) const {
   if (setup_.config().only_possible || is_over() || !sample.tracked_mm || setup_.can_show(sample)) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, "flags lacks what this part of the set-up needs: ",
+  return fail(HRT_ERROR_OUT_OF_RANGE, "flags lacks fields that this part of the set-up requires: ",
               part() == setup_fingertip ? "WORLD_POSITION with JOINT_ROTATION" : "WORLD_POSITION");
 }
 
@@ -141,7 +143,7 @@ hrt_result SessionSetup::finish(SessionModel* model, SetupReport* report) {
   const SetupStep step = setup_.step();
   if (!setup_.finish_is_due())
     return fail(HRT_ERROR_WRONG_STATE, step.done, " of ", step.of,
-                " are done; allowed once a step says HRT_STEP_FINISH");
+                " touches or slides are done; call this once the instruction of a step is HRT_STEP_FINISH");
   if (!is_over()) {
     // After an exception fit_ is empty: the next call begins again.
     std::unique_ptr<PartFit> fitting = std::move(fit_);
@@ -158,7 +160,7 @@ hrt_result SessionSetup::finish(SessionModel* model, SetupReport* report) {
     SessionModel next = *model;
     const bool is_known = apply(fit, setup_.config(), &next);
     const bool found = is_known && is_valid(next);
-    if (is_known && !found) fit.reason = "the values are those of no possible person";
+    if (is_known && !found) fit.reason = "the fitted parameters are outside the range of the model";
     if (is_valid(next)) *model = next;
     if (found) report->done |= fit.part;
     move_on(fit, found, &setup_);

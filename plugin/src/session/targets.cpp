@@ -8,16 +8,18 @@
 namespace hrt::plugin {
 namespace {
 
-// Below 2^53, so that a double represents every id. The top byte of a handle is not 0, and an index is smaller: neither
-// is taken for an id.
+// Ids are below 2^53, so that a double represents them. The top byte of a handle is not 0, and an index is smaller, so
+// that neither is accepted as an id.
 std::atomic<std::uint64_t> next_id{(std::uint64_t{0x7a} << 44) + 1};
 
 hrt_result name_taken(const Target& target) {
-  return fail(HRT_ERROR_NAME_TAKEN, "name \"", target.name.data(), "\" is that of another target of this session");
+  return fail(HRT_ERROR_NAME_TAKEN, "name \"", target.name.data(),
+              "\" is taken by another target of this session; choose another name");
 }
 
 hrt_result no_such_target(std::uint64_t id) {
-  return fail(HRT_ERROR_INVALID_HANDLE, "target ", id, " is not one of this session's");
+  return fail(HRT_ERROR_INVALID_HANDLE, "target ", id,
+              " does not exist in this session; it was removed or never added");
 }
 
 }  // namespace
@@ -37,7 +39,7 @@ hrt_result check_target(const SessionModel& model, const Target& target) {
   const TargetView seen = view(model, target.place);
   if (!seen.at_start) return HRT_OK;
   return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", seen.distance_mm / mm_per_m,
-              " m from the start in the plane of the plate; at least ", min_distance_m, " is needed");
+              " m from the start in the plane of the plate; allowed: at least ", min_distance_m);
 }
 
 Targets::Targets() : before_first_(next_id.load() - 1) {}
@@ -105,10 +107,12 @@ const Target* Targets::find(std::uint64_t id) const {
 
 hrt_result Targets::find(const char* argument, std::uint64_t id, TargetRole role, const Target** out) const {
   const Target* found = find(id);
-  if (!found) return fail(HRT_ERROR_INVALID_HANDLE, argument, ": target ", id, " is not one of this session's");
+  if (!found)
+    return fail(HRT_ERROR_INVALID_HANDLE, argument, ": target ", id,
+                " does not exist in this session; it was removed or never added");
   if (role != TargetRole::any && found->role != role)
-    return fail(HRT_ERROR_OUT_OF_RANGE, argument, ": target ", id, " is a ",
-                role == TargetRole::real ? "virtual one; a real one is needed" : "real one; a virtual one is needed");
+    return fail(HRT_ERROR_OUT_OF_RANGE, argument, ": target ", id, " is ",
+                role == TargetRole::real ? "virtual; allowed: a real target" : "real; allowed: a virtual target");
   *out = found;
   return HRT_OK;
 }

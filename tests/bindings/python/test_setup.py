@@ -31,7 +31,7 @@ def test_simulated_person_is_calibrated_by_the_loop(tmp_path: Path) -> None:
         assert setup.over and result.done == hrt.SetupFlag.CALIBRATION and 16 <= result.slides <= 40
         assert result.tactile_weight.lower - 0.01 < 0.2 < result.tactile_weight.upper + 0.01
         assert session.config.tactile_weight == result.tactile_weight.value
-        assert "Put your finger to the start and let it rest." in texts
+        assert "Put your finger on the start and let it rest." in texts
         residual = setup.residual(result.slides_used - 1)
         assert residual.residual_deg == pytest.approx(residual.direction_deg - residual.fitted_deg)
         with pytest.raises(hrt.Error, match="slide is 200"):

@@ -31,7 +31,7 @@ sealed class Scripts : MarshalByRefObject
         }
         if (logged == null) return "nothing was logged of a disk that is full";
         if (!logged.StartsWith("error: Haptic retargeting: session ") ||
-            !logged.Contains(": the recording ends here"))
+            !logged.Contains(": the recording has stopped"))
             return "logged: " + logged;
         if (logThread == Thread.CurrentThread) return "logged on the caller's thread";
         return "";

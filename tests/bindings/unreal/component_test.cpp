@@ -356,7 +356,7 @@ TEST_F(Component, IsMovedByASetupToWhereItIsTouched) {
   EXPECT_LT(steps, 100);
   EXPECT_TRUE(component_.GetComponentTransform().Equals(at, 1e-2));
   EXPECT_TRUE(component_.Settings.bRegistered);
-  EXPECT_EQ(Stub::ToUtf8(*step.Text), "One moment.");
+  EXPECT_EQ(Stub::ToUtf8(*step.Text), "Please wait a moment.");
   ASSERT_TRUE(component_.BeginSetup(static_cast<int32>(HRT_SETUP_CHECK))) << "the session keeps the pose to the last bit";
   ASSERT_TRUE(component_.CancelSetup());
   EXPECT_FALSE(component_.CancelSetup());

@@ -48,7 +48,7 @@ TEST(Memory, EveryRequestMayBeRefused) {
     allocator.requests = 0;
     allocator.fail_at = n;
     session.value = 0;
-    expect_error(live(&session), HRT_ERROR_OUT_OF_MEMORY, "out of memory");
+    expect_error(live(&session), HRT_ERROR_OUT_OF_MEMORY, "memory");
     allocator.fail_at = 0;
     if (session.value != 0) {
       uint64_t count = 0;
@@ -171,7 +171,7 @@ TEST_F(SessionMemory, ARecordingThatFindsNoneLeavesTheFile) {
   const std::string path = testing::TempDir() + "hrt_memory_kept" + std::to_string(getpid()) + ".csv";
   std::ofstream(path) << "kept";
   allocator.budget = allocator.bytes + 1'000'000;
-  expect_error(hrt_recording_start(session, path.c_str()), HRT_ERROR_OUT_OF_MEMORY, "out of memory");
+  expect_error(hrt_recording_start(session, path.c_str()), HRT_ERROR_OUT_OF_MEMORY, "memory");
   std::string text;
   std::ifstream(path) >> text;
   EXPECT_EQ(text, "kept");

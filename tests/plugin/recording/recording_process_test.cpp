@@ -32,8 +32,7 @@ TEST_F(RecordingTest, FileOfAnotherRecordingIsRefused) {
   hrt_session other{};
   ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &other));
   const std::string same = (folder() / "." / "recording.csv").string();
-  expect_error(hrt_recording_start(other, same.c_str()), HRT_ERROR_SYSTEM,
-               ": another recording is written to this file");
+  expect_error(hrt_recording_start(other, same.c_str()), HRT_ERROR_SYSTEM, ": another recording");
   EXPECT_NE(std::string(hrt_last_error()).find(same.substr(0, 64)), std::string::npos) << hrt_last_error();
   ASSERT_OK(hrt_reach_cancel(session));
   stop();
@@ -63,14 +62,13 @@ TEST_F(RecordingTest, WhatIsNoRegularFileIsRefused) {
 TEST_F(RecordingTest, PipesAreRefusedAndNotWaitedFor) {
   ASSERT_EQ(mkfifo(path().c_str(), 0600), 0);
   auto report = output<hrt_replay_report>();
-  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
-  expect_error(hrt_recording_replay(path().c_str(), nullptr, 0, &report), HRT_ERROR_SYSTEM, ": not a regular file");
+  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, path().substr(0, 40));
+  expect_error(hrt_recording_replay(path().c_str(), nullptr, 0, &report), HRT_ERROR_SYSTEM, path().substr(0, 40));
   const int reader = open(path().c_str(), O_RDONLY | O_NONBLOCK);
   ASSERT_GE(reader, 0);
-  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
+  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, path().substr(0, 40));
   close(reader);
-  expect_error(hrt_recording_replay("/dev/zero", nullptr, 0, &report), HRT_ERROR_SYSTEM,
-               "/dev/zero: not a regular file");
+  expect_error(hrt_recording_replay("/dev/zero", nullptr, 0, &report), HRT_ERROR_SYSTEM, "/dev/zero");
 }
 
 /// Files that grow beyond a size are refused by the system while this lives.
@@ -118,7 +116,7 @@ TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
   EXPECT_TRUE(log.text.starts_with(std::to_string(HRT_LOG_ERROR) + " session " + std::to_string(session.value) + ", " +
                                    path().substr(0, 64)))
       << log.text;
-  EXPECT_TRUE(log.text.ends_with(": the recording ends here, control continues: File too large\n")) << log.text;
+  EXPECT_TRUE(log.text.ends_with(": File too large\n")) << log.text;
   EXPECT_EQ(replay(read(path())).complete, 0u);
 }
 
@@ -189,7 +187,7 @@ TEST_F(RecordingTest, LargeFilesAreNotReadInVain) {
     EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::milliseconds(100));
   };
   refused(std::uintmax_t{6} << 30, HRT_ERROR_SYSTEM, "has 6442450944 bytes; allowed: up to 1073741824");
-  refused(std::uintmax_t{1} << 30, HRT_ERROR_BAD_FORMAT, "does not begin as a recording");
+  refused(std::uintmax_t{1} << 30, HRT_ERROR_BAD_FORMAT, "version 4");
 }
 
 /// Runs the body in a child of this process. Returns how it ended, as waitpid() has it.
@@ -227,7 +225,7 @@ TEST_F(RecordingTest, ChildrenAreNotRecordedAndSaySo) {
     expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, "another recording");
     ASSERT_OK(hrt_recording_start(session, of_child.c_str()));
     EXPECT_NE(log.text.find(path().substr(0, 64)), std::string::npos) << log.text;
-    EXPECT_NE(log.text.find(": 10002 calls are not recorded"), std::string::npos) << log.text;
+    EXPECT_NE(log.text.find(": 10002 calls"), std::string::npos) << log.text;
     begin_reach();
     ASSERT_OK(hrt_reach_cancel(session));
     stop();

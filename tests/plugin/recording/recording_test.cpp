@@ -371,7 +371,7 @@ TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
       {with_config + target('"' + std::string(64, 'x') + '"', "\"place\":1"), "name"},
       {with_config + target("\"a\"", "\"plaice\":1"), "\"plaice\""},
       {with_config + added + "\n" + added, "line 11"},
-      {golden + "update,0", "after the end"},
+      {golden + "update,0", "end line"},
   };
   for (const auto& [text, part] : refused) {
     auto report = output<hrt_replay_report>();

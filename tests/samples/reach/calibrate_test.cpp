@@ -85,7 +85,7 @@ TEST(ReachCalibrate, WritesNothingIfTheSlidesDoNotDetermineTheUser) {
 TEST(ReachCalibrate, EndsIfNoSlideCounts) {
   const Outcome outcome = expect_exit(
       8, run_scripted("{" + person_of(0.2, 100) + "}", {desk, "--calibrate", scratch_folder() + "/profile.json"}));
-  EXPECT_TRUE(has(outcome.err, {"That was too fast to count.", "calibration: "}));
+  EXPECT_TRUE(has(outcome.err, {"The slide was too fast.", "calibration: "}));
 }
 
 TEST(ReachCalibrate, AProfileThatCannotBeWrittenHasItsExitCode) {

@@ -51,7 +51,7 @@ TEST_F(ReachRegistration, ReachesEndWithAContact) {
 TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
   ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
   const Outcome next = expect_exit(0, run(Path().hold(marks[0]).reach(), {"--registered", file}));
-  expect_said(next, {"is the plate where it was? Mark 1 is \"start\"", "It is: the touch was 0 mm off."});
+  expect_said(next, {"to check the plate's position. Mark 1 is \"start\"", "It is: the touch was 0 mm off."});
   EXPECT_TRUE(rows_of(next)[0].reached);
   PlatePose moved;
   moved.x_m += 0.03;
@@ -93,7 +93,7 @@ TEST_F(ReachRegistration, AFingerThatIsHeldAlikeDoesNotShowItsSkin) {
   Path path;
   for (int touch = 0; touch < 18; ++touch) path.touch({marks[0]});
   const Outcome outcome = expect_exit(12, run(path, {"--register", file, "--fingertip"}));
-  expect_said(outcome, {"fingertip: The measurements do not determine the result.", "held too much alike"});
+  expect_said(outcome, {"fingertip: The measurements are not sufficient.", "held too much alike"});
 }
 
 TEST_F(ReachRegistration, IsCheckedBeforeEachReach) {
@@ -101,7 +101,7 @@ TEST_F(ReachRegistration, IsCheckedBeforeEachReach) {
   const std::vector<std::string> twice = {"--registered", file, "--check-each", "--repeat", "2"};
   const Outcome same = expect_exit(0, run(Path().hold(marks[0]).reach().lift().touch({marks[0]}).reach(), twice));
   EXPECT_EQ(rows_of(same).size(), 2U);
-  const std::string question = "is the plate where it was? Mark 1 is \"start\"";
+  const std::string question = "to check the plate's position. Mark 1 is \"start\"";
   const std::size_t first = same.err.find(question);
   ASSERT_NE(first, std::string::npos);
   EXPECT_NE(same.err.find(question, first + 1), std::string::npos) << same.err;

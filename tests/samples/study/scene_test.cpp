@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -62,14 +63,14 @@ TEST(StudyScene, ColumnsCountCharactersOfNames) {
 
 TEST(StudyScene, WrongFileIsOneLine) {
   const StudyRun missing = expect_exit(1, run_study({"scene", "no such.gltf"}));
-  EXPECT_EQ(missing.err, "hrt-study: no such.gltf: no such file\n");
+  EXPECT_TRUE(has(missing.err, "hrt-study: no such.gltf: "));
   EXPECT_EQ(missing.out, "");
   const TemporaryFolder folder;
   const std::string file = folder / "bare.gltf";
   std::ofstream(file) << R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"name":"Cube"}]})";
   const StudyRun bare = expect_exit(1, run_study({"scene", file}));
-  EXPECT_EQ(bare.err,
-            "hrt-study: " + file + ": no node has a haptic role (extras.haptic.role, or extras.haptic_role)\n");
+  EXPECT_TRUE(has(bare.err, "hrt-study: " + file + ": no node has a haptic role"));
+  EXPECT_EQ(std::count(bare.err.begin(), bare.err.end(), '\n'), 1);
   EXPECT_EQ(run_study({"scene"}).exit_code, 2);
 }
 

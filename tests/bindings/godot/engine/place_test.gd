@@ -24,7 +24,7 @@ func test_scene() -> void:
 		served += plate.get_assigned(plate.find_target(target)).reachable
 	check_equal(served, 1, "targets that the one real target serves")
 	check_equal(plate.begin(cylinder, bottle), OK, "begin")
-	check_equal(refused("load_scene: a reach is under way", plate.load_scene.bind(desk)), ERR_UNAVAILABLE,
+	check_equal(refused("load_scene: a reach is in progress", plate.load_scene.bind(desk)), ERR_UNAVAILABLE,
 			"a scene during a reach")
 	check_equal(plate.cancel(), OK, "cancel")
 	check_equal(refused("load_scene", plate.load_scene.bind(desk)), ERR_ALREADY_EXISTS, "the same names again")
