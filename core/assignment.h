@@ -1,4 +1,4 @@
-// Who serves whom: rows to columns, so that the costliest pair costs as little as possible.
+// Bottleneck assignment of rows to columns: the largest cost of an assigned pair is minimal.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,13 @@
 
 namespace hrt {
 
-/// Of a row that no column serves.
+/// Value in the result for a row without a column.
 inline constexpr std::size_t unserved = static_cast<std::size_t>(-1);
 
-/// The column that serves each row, each column one row at most. `costs` has a row of `columns` costs for
-/// each row; infinite: this column cannot serve this row. As many rows as possible are served, and of all
-/// such assignments the largest cost is the smallest. Of several such assignments always the same. Uses the
-/// heap; O(E sqrt(V) log E) for E finite costs.
+/// Assigns a column to each row; each column has at most one row. `costs` has a row of `columns` costs for each row; an
+/// infinite cost forbids the pair. As many rows as possible are assigned, and of all such assignments the largest cost
+/// is the smallest. The choice among several such assignments is deterministic. Uses the heap; O(E sqrt(V) log E) for E
+/// finite costs.
 std::vector<std::size_t> assign_exclusively(std::span<const double> costs, std::size_t columns);
 
 }  // namespace hrt

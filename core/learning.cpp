@@ -12,7 +12,7 @@ namespace {
 
 using T = PersonState;
 
-// Of the square of one draw, in squares of its variance.
+// Variance of the square of one draw, in squares of the draw's variance.
 constexpr double square_variance = 2.0;
 
 // A drop of the weight resembles an early peak. The plate then stays within that peak and never tests it, so

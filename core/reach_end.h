@@ -1,4 +1,4 @@
-// When a reach is over, by where its finger has been, whatever controls the plate.
+// Detects the end of a reach, under any controller, from the positions of the finger.
 //
 // A reach can end once the finger was at the start or has moved. It ends
 //   near     after a rest of 0.4 s within a quarter of the path (at least 15 mm) of the real target, if the finger has
@@ -36,7 +36,7 @@ class ReachEnd {
 
   void observe(const FingerSample& sample);
   ReachProgress progress() const;
-  /// The finger, first seen elsewhere, has come to rest at the start with the last sample: the reach begins now.
+  /// True if the finger, first seen elsewhere, came to rest at the start with the last sample: the reach begins now.
   bool came_to_start() const { return came_to_start_; }
 
  private:
@@ -48,7 +48,7 @@ class ReachEnd {
   PlatePoint start_;
   PlatePoint target_;
   PlatePoint way_from_;
-  PlatePoint felt_offset_;  // of the plate from what is seen
+  PlatePoint felt_offset_;  // offset of the perceived from the tracked position
   FingerPhase finger_;
   bool start_is_felt_ = false;
   bool seen_ = false;

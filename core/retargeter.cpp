@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// At the real target its bearing is undefined.
+// Largest gap that is passed to the controller: at the real target itself, its bearing is undefined.
 constexpr double max_seen_gap_deg = 89.0;
 constexpr double min_seen_distance_mm = 1.0;
 
@@ -130,13 +130,14 @@ std::optional<PersonBelief> Retargeter::learnt() const {
   return leads_person() ? std::get_if<PersonReach>(&*leader_)->learnt() : std::nullopt;
 }
 
-// The person feels that they go straight for the virtual target, whatever the plate has made of it.
+// The reach from the present position: the person perceives a motion straight towards the virtual target, whichever way
+// the plate has steered the hand.
 Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place) {
   Reach seen = reach_;
   seen.start = std::visit([](const auto& leader) { return leader.place(); }, *leader_).value_or(reach_.start);
   const double passed_mm = distance_mm(passed_, seen.start);
   const PlatePoint felt = point_ahead(felt_passed_, reach_.virtual_direction_deg, passed_mm);
-  // They turn to the target as they see it once they answer.
+  // The person turns to the visible target after the time of an answer.
   const double speed_mm_s = std::visit([](const auto& leader) { return leader.speed_mm_s(); }, *leader_);
   const PlatePoint answers_from =
       point_ahead(felt, reach_.virtual_direction_deg, config_.tuning.reaction_time_s * speed_mm_s);
@@ -154,7 +155,7 @@ Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtu
   return seen;
 }
 
-// Before a first sample no command has been returned: the plate stands where it stood.
+// Before the first sample no command has been returned, and the plate is unchanged.
 std::optional<PlateHandover> Retargeter::handover() const {
   const PlateHandover handover = std::visit([](const auto& leader) { return leader.handover(); }, *leader_);
   return handover.samples > 0 ? std::optional(handover) : std::nullopt;

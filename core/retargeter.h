@@ -19,11 +19,11 @@ class Retargeter {
   /// Requires is_valid(config).
   explicit Retargeter(RetargeterConfig config);
 
-  /// Starts a reach anew. Requires is_valid(reach) for the goal of config.participant.
+  /// Starts a reach. Requires is_valid(reach) for the goal of config.participant.
   void begin(const Reach& reach);
 
-  /// The reach starts elsewhere, where the finger is seen for the first time: anew, but the plate runs on.
-  /// Requires begin(), and is_valid(reach) as there.
+  /// Restarts the reach from the first position of the finger; the plate continues to move. Requires begin(), and
+  /// is_valid(reach) as there.
   void begin_here(const Reach& reach);
 
   /// Takes one sample in and returns command(). Requires begin(); the sample's time must
@@ -51,7 +51,7 @@ class Retargeter {
   const PersonFilter* person_filter() const {
     return leads_person() ? &std::get<PersonReach>(*leader_).filter() : nullptr;
   }
-  /// Where the finger is; none before it moves, and with directions alone. Requires begin().
+  /// State of the finger; none before it moves, and with directions alone. Requires begin().
   std::optional<SeenFinger> finger() const;
   /// The belief about the person, for carried(); none if the reach ended early, did not fit the model, or had
   /// no positions under ControlMode::reach.
@@ -64,9 +64,9 @@ class Retargeter {
   Reach seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place);
 
   RetargeterConfig config_;
-  Reach reach_{};  // as it was last aimed
+  Reach reach_{};  // the last aim
   ReachEnd end_;
-  // Where the finger was then or later, and where the person felt that it was.
+  // Position of the finger at that time or later, and the position that the person perceived.
   PlatePoint passed_;
   PlatePoint felt_passed_;
   // The paper's controller takes over if directions are streamed. None before begin().

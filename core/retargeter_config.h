@@ -1,4 +1,4 @@
-// What a retargeter is made of: its controller, and who and what it assumes.
+// Configuration of a retargeter: its controller, and its assumptions about user, plate and tracker.
 #pragma once
 
 #include <cstdint>
@@ -28,20 +28,20 @@ struct RetargeterConfig {
   MpcConfig mpc;
   ControlMode mode = ControlMode::mpc;
   double fixed_plate_orientation_deg = 0.0;   ///< finite
-  EstimatorConfig estimator;                  ///< of the paper's person
+  EstimatorConfig estimator;                  ///< of the paper's controller
   PlateDynamics plate;                        ///< its latency at most `max_lead` model steps
   std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
-  PersonBelief person = unknown_person();     ///< as assumed by the controller for people
+  PersonBelief person = unknown_person();     ///< assumptions of the controller for people
   ReachControlConfig reach;
-  /// From a motion to its sample's time, 0 to 0.5 s; of ControlMode::reach.
+  /// Time from a motion to the time of its sample, 0 to 0.5 s. Used by ControlMode::reach.
   std::int64_t tracker_latency_ns = 0;
   double tracker_bearing_sd_deg =
       0.0;                     ///< SD of the bearing of a reach as it is tracked, 0 to 45; of ControlMode::reach
   bool plate_waits = false;    ///< do not turn the plate before the finger moves; of ControlMode::reach
   bool start_is_felt = false;  ///< where the finger is seen to rest is the start; of ControlMode::reach
-  FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; of ControlMode::reach
-  TouchedFrame touched;                             ///< what contacts have shown; samples come corrected
-  Tuning tuning;                                    ///< of ControlMode::reach
+  FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; used by ControlMode::reach
+  TouchedFrame touched;                             ///< correction by contacts, already applied to samples
+  Tuning tuning;                                    ///< used by ControlMode::reach
 };
 
 /// True if every field is in its range.

@@ -1,6 +1,6 @@
-// Where a tracked fingertip is on the plate. Plate coordinates are in metres from the centre of rotation:
-// +X right, +Y up along the plate's normal, +Z towards the user; the mid-line runs along -Z. Directions are
-// in degrees from the mid-line, counter-clockwise positive seen from above, so positive to the left.
+// Position of a tracked fingertip on the plate. Plate coordinates are in metres from the centre of rotation: +X right,
+// +Y up along the plate's normal, +Z towards the user; the mid-line is -Z. Directions are in degrees from the mid-line,
+// counter-clockwise positive seen from above, so positive to the left.
 #pragma once
 
 #include "scene/geometry.h"
@@ -23,7 +23,7 @@ struct Bearing {
   bool at_start;         ///< nearer than min_distance_m: the direction says nothing
 };
 
-/// Of a point from the start, both in plate coordinates. [real-time]
+/// Bearing of a point from the start, both in plate coordinates. [real-time]
 Bearing bearing_from(Vec3 start_m, Vec3 point_m);
 
 struct FingerOnPlate {

@@ -21,13 +21,13 @@ namespace hrt {
 struct ScenePlate {
   Pose pose;  ///< in the world; +Y is the plate's normal, -Z its mid-line away from the user
   double radius_m;
-  std::optional<double> max_speed_deg_s;  ///< of its servo, if the file has it
+  std::optional<double> max_speed_deg_s;  ///< speed of its servo, if the file has it
   std::string node_path;                  ///< names from the root, joined with '/'
 };
 
 enum class TargetKind {
   real_object,     ///< the hand touches it
-  virtual_object,  ///< the user sees it; the hand is steered to the real target that serves it
+  virtual_object,  ///< the user sees it; the hand is steered to the real target that stands in for it
 };
 
 struct SceneTarget {
@@ -35,8 +35,8 @@ struct SceneTarget {
   std::string name;                      ///< unique among the targets
   Vec3 world_position_m;                 ///< origin of the node
   Vec3 position_m;                       ///< the same in plate coordinates; y is the height above the plate
-  double direction_deg;                  ///< from the start, in (-180, 180]
-  double distance_m;                     ///< from the start along the plate, >= min_distance_m
+  double direction_deg;                  ///< direction from the start, in (-180, 180]
+  double distance_m;                     ///< distance from the start along the plate, >= min_distance_m
   std::optional<double> radius_m;        ///< if the file has it
   std::optional<std::size_t> served_by;  ///< index in Scene::targets of the real target; every virtual target has one
   std::string node_path;

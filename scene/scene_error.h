@@ -25,7 +25,7 @@ inline std::string printable(std::string_view text) {
   return result;
 }
 
-/// `text` in double quotes for a message: printable, cut after 80 characters of UTF-8.
+/// `text` in double quotes for a message: printable, truncated after 80 characters of UTF-8.
 inline std::string in_quotes(std::string_view text) {
   const std::string shown = fmt::format("{:.80}", text);
   return fmt::format("\"{}{}\"", printable(shown), shown.size() < text.size() ? "..." : "");

@@ -17,7 +17,7 @@ constexpr double min_offset_deg = 60.0;
 // An interval that is wider says nothing of a person.
 constexpr double max_weight_width = 0.1;
 constexpr double max_angle_width_deg = 10.0;
-constexpr int band_steps = 15;  // to either side, of 5 degrees
+constexpr int band_steps = 15;  // steps of 5 degrees to either side
 // Between two knots a curve may be higher by this share of what it bends there (SD).
 constexpr double peak_share = 0.25;
 // A goal that turns over the path need not turn evenly: a habit may be off by this share (SD).
@@ -25,7 +25,7 @@ constexpr double uneven_share = 0.2;
 // A slow start is no noise of a finger at rest.
 constexpr double before_onset_s = 0.05;
 
-// One takes 0.1 ms on a core of 3 GHz.
+// Each track takes 0.1 ms on a core of 3 GHz.
 constexpr int tracks_per_step = 3;
 
 std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {

@@ -1,8 +1,6 @@
-// Who is this participant? The curve of the illusion, bias, habit and the tracker's noise from slides over a
-// plate that stands still (paper section V, "calibration"; the method is ours, derived in
-// core/calibrate/README.md), and whether that account fits the slides at all.
-//
-// It allocates. Any thread.
+// Calibration: curve of the illusion, bias and habit of a participant, and noise of the tracker, from slides over a
+// plate at rest (paper section V, "calibration"; the method is ours, derived in core/calibrate/README.md), with a test
+// of whether the model fits the slides at all. Allocates. Any thread.
 #pragma once
 
 #include <optional>
@@ -16,10 +14,10 @@
 
 namespace hrt {
 
-/// One slide of the data.
+/// Result for one slide of the data.
 struct CalibratedSlide {
-  std::size_t trial;          ///< its place in the data, from 0
-  double plate_deg;           ///< of the ridge normal, relative to the goal direction
+  std::size_t trial;          ///< index of the slide in the data, from 0
+  double plate_deg;           ///< direction of the ridge normal, relative to the goal direction
   SlideDirections parts_deg;  ///< directions of its parts, relative to the goal direction
   SlideDirections fitted_deg;
   SlideVerdict verdict;
@@ -42,18 +40,18 @@ struct Calibration {
   Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2
   Interval curve;                            ///< b of it
   double slope_curve_correlation = 0.0;
-  RestNoise noise;  ///< of the tracker, from the finger at rest before each slide
+  RestNoise noise;  ///< noise of the tracker, from the finger at rest before each slide
 
-  std::vector<CurvePoint> band;  ///< from -75 to 75 degrees
+  std::vector<CurvePoint> band;  ///< curve with its interval, from -75 to 75 degrees
   LackOfFit lack_of_fit;
   std::vector<CalibratedSlide> slides;  ///< every trial with a slide over a plate at rest
   std::size_t slides_turned = 0;        ///< left out: the plate turned within them
-  double max_plate_deg = 0.0;           ///< of the slides used; published human data cover 60
+  double max_plate_deg = 0.0;           ///< largest plate angle of the slides used; published human data cover 60
 
   /// No pattern is left in the residuals.
   bool fits() const;
   std::size_t count(SlideVerdict verdict) const;
-  /// What to do next, a sentence each: empty if all is well.
+  /// Recommended actions, one sentence each; empty if there are none.
   std::vector<std::string> advice() const;
 };
 

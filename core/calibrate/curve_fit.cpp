@@ -40,10 +40,10 @@ constexpr double first_slope = 0.18;
 // this.
 constexpr double min_steepness = 0.02;
 
-// One-sided differences take smaller steps.
+// Larger step of the one-sided differences.
 constexpr double rough_share = 1e-4;
 
-// One takes 0.2 ms on a core of 3 GHz.
+// Each Jacobian takes 0.2 ms on a core of 3 GHz.
 constexpr std::size_t jacobians_per_step = 2;
 
 enum Parameter { bias, habit, start, log_gain, delay, goal_delay, start_share, drift, slope, bends };
@@ -128,7 +128,7 @@ SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& 
   return jacobian;
 }
 
-// What the steering law gets wrong in all slides alike, in parameters.
+// Covariance of the parameters due to errors of the steering law that are common to all slides.
 FitMatrix common_covariance(const CurveFit& fit, std::span<const SlideTrack> slides, const PartsMatrix& weight) {
   const FitMatrix inverted = inverse(fit.information);
   SlideJacobian tilted = SlideJacobian::Zero(slide_parts, inverted.cols());

@@ -26,11 +26,12 @@ using PartsMatrix = Eigen::Matrix<double, slide_parts, slide_parts>;
 struct CurveFit {
   SlidingPersonModel person;
   double effective = 0.0;     ///< number of parameters that the slides determine, and not the prior
-  FitVector prior_deviation;  ///< of each parameter
+  FitVector prior_deviation;  ///< SD of each parameter before any slide
   FitVector prior_off;        ///< prior mean less parameter, in deviations
-  FitMatrix information;      ///< of the parameters if the given covariance is right
-  FitMatrix covariance;       ///< of the parameters, whatever the covariance is: jackknife over slides, and the law
-  std::vector<SlideDirections> residuals;  ///< one a slide, degrees
+  FitMatrix information;      ///< information of the parameters if the given covariance is right
+  FitMatrix covariance;  ///< covariance of the parameters for any covariance of the slides: jackknife over slides, and
+                         ///< the law
+  std::vector<SlideDirections> residuals;  ///< residuals of each slide, degrees
   std::vector<SlideJacobian> jacobians;
 };
 
@@ -73,7 +74,7 @@ class CurveFitting {
 /// The step of a numerical derivative by a parameter.
 double fit_step(int parameter);
 
-/// The derivative by one parameter of what `function` makes of the person.
+/// Derivative of `function` of a person by one parameter.
 template <class Function>
 auto fit_derivative(const FitVector& middle, int parameter, const Function& function) {
   const double step = fit_step(parameter);

@@ -7,14 +7,14 @@
 
 namespace hrt {
 
-/// Values at knots, with a cubic between each two that has the slopes of the chords over its neighbours (Catmull
-/// and Rom's). 0 at 0: a shift there would look like a bias.
+/// Curve of the illusion: values at knots with a Catmull-Rom spline through them. It is 0 at 0, where a shift could not
+/// be distinguished from a bias.
 struct IllusionCurve {
   static constexpr int knots = 21;
   static constexpr int middle = knots / 2;
   static constexpr double spacing_deg = 7.5;
 
-  std::array<double, knots> shift_deg{};  ///< from -75 to 75 degrees
+  std::array<double, knots> shift_deg{};  ///< shift at each knot, from -75 to 75 degrees
 };
 
 /// The curve by its slope w at 0 (the mean of both sides), and by how its slope changes at each knot between the

@@ -1,5 +1,5 @@
-// Whether what a fit leaves unexplained has a pattern: over the plate's angle, over the order of the slides,
-// along their paths.
+// Lack of fit: patterns in the residuals of a fit over the plate's angle, over the order of the slides, and along their
+// paths.
 #pragma once
 
 #include <array>
@@ -10,7 +10,8 @@
 
 namespace hrt {
 
-/// Probability of residuals with at least as much of the pattern, if there is none: F tests.
+/// Probabilities, by F tests, of residuals with at least as much of the pattern under the hypothesis that the model
+/// fits.
 struct LackOfFit {
   double angle_p = 1.0;  ///< polynomials over the plate's angle
   double order_p = 1.0;  ///< the direction, or the weight, changes evenly from the first slide to the last
@@ -44,7 +45,7 @@ class LackOfFitTests {
   // them what the parameters' prior expects.
   Eigen::VectorXd residuals_;
   Eigen::MatrixXd derivatives_;
-  double degrees_;  // of freedom that the fit leaves
+  double degrees_;  // degrees of freedom of the fit's residuals
   std::array<Pattern, 3> patterns_;
   std::size_t pattern_ = 0;
   Eigen::Index column_ = 0;  // whose `allowed` is added next

@@ -9,7 +9,7 @@ namespace {
 
 // Slides over plates within this of each other are of one angle.
 constexpr double near_angle_deg = 4.0;
-// With so many left within max_offset_deg the others are left out.
+// If at least this many slides are within max_offset_deg, the others are excluded.
 constexpr std::size_t enough_slides = 10;
 constexpr int enough_angles = 5;
 

@@ -1,4 +1,4 @@
-// Who made these slides: the fit of a person to those of them that count.
+// Fit of a person to slides, without the slides that are outliers or too close to the ridges.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,15 @@ namespace hrt {
 
 enum class SlideVerdict {
   used,
-  outlying,      ///< its path is not like those of the other slides
+  outlying,      ///< the path is an outlier among the slides
   along_ridges,  ///< the person came to move within 5 to 12 degrees of along the ridges, where the illusion
                  ///< flips
 };
 
 struct PersonFit {
-  std::vector<SlideVerdict> verdicts;  ///< one a slide
+  std::vector<SlideVerdict> verdicts;  ///< verdict on each slide
   std::vector<std::size_t> used;       ///< which slides are fitted
-  SlideScatter scatter;                ///< of those, and of the outliers among them
+  SlideScatter scatter;                ///< scatter of the slides used, and of the outliers
   CurveFit fit;
   LackOfFit lack_of_fit;
   double max_left_deg = 0.0;  ///< settled offset from motion to ridge normal, over the slides used
@@ -55,7 +55,7 @@ class PersonFitting {
   ~PersonFitting() = default;
   /// Requires min_fitted_slides that are used. Returns true at the end; no calls after that.
   bool step();
-  /// Before the end: which slides are used, and their scatter.
+  /// Before the end, only the slides used and their scatter are valid.
   const PersonFit& result() const { return person_; }
 
  private:

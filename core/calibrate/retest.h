@@ -18,7 +18,7 @@ struct RepeatedValue {
 
 struct RetestDifference {
   Interval difference;  ///< second less first, with its own 95 % interval; known if both values are
-  double p = 1.0;       ///< of a difference as large as this between equal values; 1 if not known
+  double p = 1.0;       ///< probability of a difference at least as large between equal values; 1 if not known
   bool differs = false;
 };
 

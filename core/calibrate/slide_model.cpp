@@ -28,7 +28,7 @@ double share_at(const SlideTrack& track, double step) {
   return (1.0 - rest) * track.steps[below].share + rest * track.steps[above].share;
 }
 
-// What a sliding person felt, one value a step, and what of it they answer now.
+// Delay of the steering law: stores the perceived error of each step, and returns the one that the person answers now.
 class SteeringDelay {
  public:
   // Below it, in the direction of the goal, a finger feels no motion to steer.
@@ -41,7 +41,7 @@ class SteeringDelay {
 
   struct Answer {
     double felt_deg;
-    double share;  // of the step, in which there is an answer: less than 1 at the first moment that is felt
+    double share;  // fraction of the step in which there is an answer: less than 1 at the first moment that is felt
   };
   // The answer in the step in which `felt_deg` is felt; none until the first.
   std::optional<Answer> feel(double felt_deg) {

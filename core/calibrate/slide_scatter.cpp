@@ -17,8 +17,8 @@ constexpr int outlier_passes = 4;
 constexpr double min_residual_deg = 0.05;
 // Next to nothing, and not 0, so that a row keeps its place.
 constexpr double outlier_weight = 1e-9;
-// Of a normal slide, squared and over all parts: far beyond what chi-squared with four degrees exceeds once
-// in 100000 slides (28.5), since the first part of a path has heavier tails.
+// Limit of the squared distance of a slide over all parts. Normal slides exceed it far less often than chi-squared with
+// four degrees of freedom exceeds 28.5 (once in 100000), since the first part of a path has heavier tails.
 constexpr double max_distance = 40.0;
 // A slide's direction is never more certain than this.
 constexpr double min_deviation_deg = 0.02;

@@ -10,9 +10,9 @@
 namespace hrt {
 
 struct SlideScatter {
-  std::vector<bool> outlying;  ///< one a slide
-  PartsMatrix covariance;      ///< of a slide's directions about the polynomials, deg^2, without the outliers
-  int degree = 0;              ///< of the polynomials
+  std::vector<bool> outlying;  ///< for each slide
+  PartsMatrix covariance;  ///< covariance of a slide's directions about the polynomials, deg^2, without the outliers
+  int degree = 0;          ///< degree of the polynomials
 };
 
 /// Different plate angles among the slides: those that lie within 3 degrees of one another count once.
@@ -24,7 +24,7 @@ int polynomial_degree(std::span<const SlideTrack> slides);
 /// Powers of the plate's angle in units of 75 degrees, from 0 to `degree`.
 Eigen::VectorXd plate_powers(double plate_deg, int degree);
 
-/// At least 8 slides.
+/// Scatter of the slides. Requires at least 8 slides.
 SlideScatter slide_scatter(std::span<const SlideTrack> slides);
 
 }  // namespace hrt

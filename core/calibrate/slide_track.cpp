@@ -21,8 +21,8 @@ constexpr double smoothing_s = 0.075;
 constexpr std::array<double, slide_parts + 1> window_edges{0.15, 0.35, 0.55, 0.75, 1.01};
 // The slide is over where the tracker was away for longer.
 constexpr double max_gap_s = 5.0;
-// A position is made up if it is this many deviations from the median of its neighbours, so many to each
-// side, and at least this far.
+// A position is an outlier if it is this many SDs, and at least this far, from the median of its neighbours,
+// `median_reach` on each side.
 constexpr int median_reach = 5;
 constexpr double max_deviations = 6.0;
 constexpr double min_made_up_mm = 1.0;
@@ -42,7 +42,7 @@ struct Place {
   double left_mm;
 };
 
-// True for each sample that lies with its neighbours.
+// True for each sample that is not an outlier among its neighbours.
 std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
   const auto count = static_cast<int>(samples.size());
   std::vector<double> off_mm(samples.size());

@@ -10,12 +10,12 @@
 
 namespace hrt {
 
-/// One slide towards the target with the plate at rest. Positions from before the motion show the
-/// tracker's noise.
+/// Data of one slide towards the target over a plate at rest. Positions before the motion show the noise of the
+/// tracker.
 struct CalibrationTrial {
   double plate_orientation_deg = 0.0;  ///< finite
   std::vector<TimedPoint> samples;     ///< times increase; positions finite
-  /// Where the plate stood when each sample was made, finite, continuous. Empty: it rested.
+  /// Plate orientation at each sample, finite, continuous. Empty: the plate was at rest.
   std::vector<double> plate_deg;
 };
 
@@ -25,20 +25,20 @@ using SlideDirections = Eigen::Matrix<double, slide_parts, 1>;
 
 /// Angles are relative to the goal direction.
 struct SlideTrack {
-  double plate_deg = 0.0;                                   ///< of the ridge normal, within 90 of the goal
-  SlideDirections direction_deg = SlideDirections::Zero();  ///< of each part's chord
+  double plate_deg = 0.0;                                   ///< direction of the ridge normal, within 90 of the goal
+  SlideDirections direction_deg = SlideDirections::Zero();  ///< direction of each part's chord
 
   /// The pace, at steps of `step_s` from the onset.
   struct Step {
     double advance_mm;     ///< along the goal in this step
-    double share;          ///< of the path, at the step's middle
-    int window = -1;       ///< in which the step lies, -1: none
+    double share;          ///< fraction of the path at the step's middle
+    int window = -1;       ///< window of the step; -1: none
     double samples = 0.0;  ///< positions that were seen in it and count to the window
   };
   double onset_s = 0.0;  ///< the finger rested until then
   double step_s = 0.01;
   std::vector<Step> steps;
-  SlideDirections advance_mm = SlideDirections::Zero();  ///< of each part's chord, along the goal
+  SlideDirections advance_mm = SlideDirections::Zero();  ///< length of each part's chord along the goal
   SlideDirections window_samples = SlideDirections::Zero();
 };
 
@@ -54,7 +54,7 @@ inline constexpr double min_slide_mm = 30.0;
 /// that the tracker made up are left out.
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
 
-/// Whether the trial's plate turned by more than `max_turn_deg` while the finger moved along `track`.
+/// True if the trial's plate turned by more than `max_turn_deg` while the finger moved along `track`.
 bool plate_turned(const CalibrationTrial& trial, const SlideTrack& track);
 inline constexpr double max_turn_deg = 5.0;
 

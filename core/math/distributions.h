@@ -24,7 +24,7 @@ inline constexpr double normal_975 = 1.959963984540054;
 /// The standard deviation of which a 95 % interval from `lower` to `upper` is that of a normal estimate.
 inline double deviation_of_interval(double lower, double upper) { return (upper - lower) / (2.0 * normal_975); }
 
-/// Of two independent deviations. Not std::hypot, which would ask for a newer C library.
+/// SD of the sum of two independent deviations. Not std::hypot, which would require a newer C library.
 inline double in_quadrature(double a, double b) { return std::sqrt(a * a + b * b); }
 
 /// P(N(0, 1) <= x); absolute error below 2e-7.
@@ -40,7 +40,7 @@ double student_975(double degrees);
 /// The standard deviation of normal values over the median of their absolute values: 1 / 0.6745.
 inline constexpr double mad_to_deviation = 1.4826;
 
-/// Of an even number of values the upper one in the middle; 0 of none.
+/// Median; the upper middle one of an even number of values; 0 without values.
 inline double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

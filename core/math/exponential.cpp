@@ -35,7 +35,7 @@ double hyperbolic_tangent(double x) {
 
 double logarithm(double x) {
   int exponent = 0;
-  double m = std::frexp(x, &exponent);  // in [0.5, 1)
+  double m = std::frexp(x, &exponent);  // mantissa in [0.5, 1)
   if (m < 0.7071067811865476) {
     m *= 2.0;
     --exponent;

@@ -16,7 +16,7 @@ struct LeastSquares {
   std::function<Eigen::VectorXd(std::size_t group, const Eigen::VectorXd& parameters)> residuals;
   /// One-sided differences are sufficient: they only direct the descent.
   std::function<Eigen::MatrixXd(std::size_t group, const Eigen::VectorXd& parameters)> derivatives;
-  std::function<Eigen::VectorXd(Eigen::VectorXd parameters)> clamped;  ///< to their ranges
+  std::function<Eigen::VectorXd(Eigen::VectorXd parameters)> clamped;  ///< limits the parameters to their ranges
   Eigen::VectorXd prior_mean;
   Eigen::VectorXd prior_deviation;
 };
@@ -24,7 +24,7 @@ struct LeastSquares {
 struct LeastSquaresFit {
   Eigen::VectorXd parameters;
   double misfit = 0.0;   ///< sum of squared residuals
-  double penalty = 0.0;  ///< of the prior
+  double penalty = 0.0;  ///< cost of the prior
 };
 
 /// The descent in steps of bounded time, which a frame loop can spread over frames.
@@ -55,8 +55,8 @@ class Descent {
 /// The information of residuals and prior, if the residuals' deviations are right.
 Eigen::MatrixXd information_of(const std::vector<Eigen::MatrixXd>& derivatives, const Eigen::VectorXd& prior_deviation);
 
-/// Covariance of the parameters whatever the residuals' deviations are: groups left out one at a time, to
-/// first order, and the width of the prior. At least two groups.
+/// Covariance of the parameters for residuals of any distribution: jackknife over groups, to first order, and the width
+/// of the prior. Requires at least two groups.
 Eigen::MatrixXd jackknife_covariance(const std::vector<Eigen::VectorXd>& residuals,
                                      const std::vector<Eigen::MatrixXd>& derivatives,
                                      const Eigen::VectorXd& prior_deviation);

@@ -1,5 +1,5 @@
-// What fits need of products and decompositions of small dense matrices. Compiled here once: wherever Eigen's
-// templates are used, they take the compiler seconds.
+// Products and decompositions of small dense matrices for the fits. They are compiled once, here, because Eigen's
+// templates take seconds to compile in each file that uses them.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ Eigen::MatrixXd product(const MatrixView& left, const MatrixView& right);
 /// J' W J.
 Eigen::MatrixXd congruence(const MatrixView& jacobian, const MatrixView& weight);
 
-/// Of a matrix that has one.
+/// Inverse of a regular matrix.
 Eigen::MatrixXd inverse(const MatrixView& square);
 
 /// The x with square x = right.
@@ -42,7 +42,7 @@ Eigen::MatrixXd whitening_of(const MatrixView& covariance);
 struct LinearFit {
   Eigen::VectorXd coefficients;
   double left = 0.0;      ///< sum of squares of what the columns do not explain
-  Eigen::Index rank = 0;  ///< of the columns, each scaled to length 1
+  Eigen::Index rank = 0;  ///< rank of the matrix whose columns are each scaled to length 1
 };
 
 /// Columns count as dependent if less than `rank_threshold` of one is not in the others.

@@ -1,5 +1,5 @@
-// Sine, cosine and arctangent in degrees, built from the four operations, comparisons and floor alone.
-// The C library's own differ in the last bit between hosts, and a recording must replay to the same bits on all.
+// Sine, cosine and arctangent in degrees, from the four operations, comparisons and floor alone. The last bit of the C
+// library's functions differs between hosts, and a recording must replay to the same bits on all.
 #pragma once
 
 #include <cmath>
@@ -20,11 +20,11 @@ struct SinCos {
   double cosine;
 };
 
-/// Both at once, in the same bits.
+/// Sine and cosine, in the same bits as from the separate functions.
 SinCos sin_cos_deg(double angle_deg);
 
-/// The angle of the point (x, y) in (-180, 180] degrees, with a relative error below 4e-16; 0 at the
-/// origin. Finite arguments whose ratio neither overflows nor underflows.
+/// Angle of the point (x, y) in (-180, 180] degrees, with a relative error below 4e-16; 0 at the origin. Requires
+/// finite arguments whose ratio does not overflow or underflow.
 double atan2_deg(double y, double x);
 
 /// `angle_deg` less the whole turns of `period_deg` that bring it into [-period/2, period/2).

@@ -45,7 +45,7 @@ inline constexpr double assumed_noise_mm = 0.3;
 /// The tracker's noise if it is given.
 std::optional<TrackerNoise> given_noise(const EstimatorConfig& config);
 
-/// One reach. No heap, no lock, no exception. One thread at a time.
+/// Estimator of one reach. Uses no heap, lock or exception. One thread at a time.
 class Estimator {
  public:
   /// About to move from rest at `start` along the mid-line, to go for `goal_direction_deg`. Requires
@@ -107,7 +107,7 @@ class Estimator {
   void correct(Index measured, double value, double noise_variance);
 
   EstimatorConfig config_;
-  double noise_mm2_;  // of a coordinate
+  double noise_mm2_;  // variance of the noise in a coordinate
   double goal_direction_deg_;
   State state_;
   Covariance covariance_;
@@ -118,7 +118,7 @@ class Estimator {
   // At the beginning of the current step, to see how far its samples correct it.
   double step_direction_deg_ = 0.0;
   double step_variance_deg2_ = 0.0;  // 0 before the first step has ended
-  double motor_variance_deg2_;       // as assumed
+  double motor_variance_deg2_;       // assumed variance
   double motor_variance_score_ = 0.0;
   double motor_variance_information_;
 };

@@ -82,8 +82,8 @@ Mpc::Command Mpc::solve_bounded(const MpcProblem& problem, double last_deg, MpcP
   const bool optimal = solve_window(window, path);
   Command first{};
   for (int step = 0, i = 0; step < (plan ? config_.horizon : 1); ++step) {
-    // At an active bound the plate goes as far as the bounds allow, so that rounding cannot carry it past them. Where
-    // it is not perceived it rotates towards the next offset that is.
+    // At an active bound the plate turns as far as the bounds allow, so that rounding cannot carry it past them. In
+    // steps that are not perceived it turns towards the next offset that is.
     const bool perceived = problem.gains[step] >= min_gain;
     const int side = !perceived ? 0 : path.pin[i] ? path.pin[i] : path.link[i];
     const double wanted_deg = side ? side * 2.0 * bound_deg : i < window.steps ? path.plate_deg[i] : last_deg;

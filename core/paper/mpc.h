@@ -30,8 +30,8 @@ struct MpcProblem {
   const double* gains;
 };
 
-/// The plate over the window. Entries past `horizon` are not written, nor any if the plate returns from beyond its
-/// bound.
+/// Plate offsets over the window. Entries past `horizon` are not written; no entry is if the plate returns from beyond
+/// its bound.
 struct MpcPlan {
   std::array<double, max_horizon> plate_offset_deg;  ///< t_k ..
   std::array<ActiveBound, max_horizon> active;       ///< the plate bound, or else the rate bound

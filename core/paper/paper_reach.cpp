@@ -140,7 +140,7 @@ inline PlateOrientation PaperReach::plan(const Aim& aim) {
   return control_.plan(estimator_, aim.direction_deg, limits_.centre_deg(), plate_);
 }
 
-// Of a step only the last decision counts.
+// Only the last decision of a step counts.
 inline void PaperReach::decide(const Decision& decision) {
   if (decision.step != decision_.step) {
     saturated_steps_ += is_saturated(decision_.plate.active);

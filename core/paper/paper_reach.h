@@ -1,4 +1,4 @@
-// One reach under the controller of the paper. A sample passes through
+// A reach under the controller of the paper. A sample passes through
 //   estimate (reach_estimator), aim (authority), plan (paper_control), limit (plate_limits), command.
 #pragma once
 
@@ -19,7 +19,7 @@ struct PaperReachConfig {
   MpcConfig mpc;
   std::optional<double> fixed_plate_orientation_deg;  ///< the plate stays there, uncontrolled (paper Fig. 8)
   EstimatorConfig estimator;
-  PlateDynamics plate;  ///< its latency at most `max_lead` steps
+  PlateDynamics plate;  ///< its latency is at most `max_lead` steps
   std::int64_t step_period_ns = 100'000'000;
 };
 
@@ -27,7 +27,7 @@ struct PaperReachConfig {
 /// estimate. In between the command is held. No heap, no lock, no exception. One thread at a time.
 class PaperReach {
  public:
-  /// `handover`: takes the place of another reach; none: the plate stands. Requires valid arguments.
+  /// `handover`: state of the reach that this one replaces; none: the plate is at rest. Requires valid arguments.
   PaperReach(const PaperReachConfig& config, const Reach& reach,
              const std::optional<PlateHandover>& handover = std::nullopt);
 
@@ -42,14 +42,14 @@ class PaperReach {
   const PlateCommand& step(double finger_direction_deg);
 
   const PlateCommand& command() const { return command_; }
-  /// Where the finger is; none before it moves, and with directions alone.
+  /// Position of the finger; none before it moves, and with directions alone.
   std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
   double speed_mm_s() const { return 0.0; }  ///< not used to aim
   ReachSummary summary() const;
   PlateHandover handover() const;
 
  private:
-  /// Where the finger is wanted.
+  /// Direction to which the finger is steered, and whether it is feasible.
   struct Aim {
     double direction_deg;
     bool unreachable;

@@ -64,7 +64,8 @@ inline ParticipantStep participant_step(const ParticipantInput& input) {
   return {felt_deg, perceived_deg, goal_deg - perceived_deg};
 }
 
-/// The same over a plate that feels as if it stood within 90 of the goal.
+/// As participant_step(), over a plate whose ridges repeat every half turn: the normal within 90 of the goal is
+/// perceived.
 inline ParticipantStep participant_step_on_plate(ParticipantInput input) {
   input.plate_orientation_deg = ridge_normal_deg(input.plate_orientation_deg, input.goal_direction_deg);
   return participant_step(input);
@@ -72,8 +73,8 @@ inline ParticipantStep participant_step_on_plate(ParticipantInput input) {
 
 /// Derivatives of the next step's P.
 struct ParticipantSlopes {
-  double by_direction;  ///< by P: 1 - K (1 - w_T)
-  double by_weight;     ///< by w_T: -K (T - P)
+  double by_direction;  ///< derivative by P: 1 - K (1 - w_T)
+  double by_weight;     ///< derivative by w_T: -K (T - P)
 };
 
 inline ParticipantSlopes participant_slopes(const ParticipantInput& input) {
@@ -96,7 +97,7 @@ Authority steering_authority(double real_direction_deg, double virtual_direction
 /// a controller knows the gains ahead.
 struct FilterGain {
   double gain;           ///< K, in (0, 1] (0 only if both variances before it are 0)
-  double variance_deg2;  ///< of the perceived direction once corrected: (1 - K) var-
+  double variance_deg2;  ///< variance of the corrected perceived direction: (1 - K) var-
 };
 
 /// Gain and variance of the step that follows a perceived direction of variance `variance_deg2`.

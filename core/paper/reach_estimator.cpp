@@ -74,7 +74,7 @@ inline void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
   }
   const auto move_to = [&](std::int64_t until_ns) {
     plate.advance(until_ns);
-    if (place_) {  // of directions alone there is no place to carry
+    if (place_) {  // with directions alone no position is estimated
       const double passed_s = std::min(elapsed_s(now_ns_, until_ns), std::max(max_gap_s - unseen_s_, 0.0));
       estimator_.move(passed_s);
       unseen_s_ += passed_s;
@@ -163,7 +163,7 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
       start(sample.time_ns, sample.position);
     advance(sample.time_ns, plate);
   }
-  if (!place_) estimator_.rest_at(sample.position);  // there were directions before
+  if (!place_) estimator_.rest_at(sample.position);  // earlier samples were directions
   if (!estimator_.observe_position(sample.position)) {
     ++counts_.dropped_samples;
     return Observation::none;

@@ -36,8 +36,8 @@ class ReachEstimator {
   /// decision: none, direction or position.
   Observation observe(const FingerSample& sample, PlateModel& plate);
 
-  /// The paper's loop, without a clock: the next step, with the finger moving along `direction_deg` after
-  /// a step that ended with the plate as it stands. Not to be mixed with observe().
+  /// Advances by one step without a clock: the finger moves along `direction_deg` after a step that ended with the
+  /// present plate orientation. Do not mix with observe().
   void step(double direction_deg, const PlateModel& plate);
 
   /// The participant goes for another direction from now on.
@@ -47,7 +47,7 @@ class ReachEstimator {
   double direction_deg() const { return direction_deg_; }
   double tactile_weight() const { return estimator_.tactile_weight(); }
   double tactile_weight_sd() const { return estimator_.tactile_weight_sd(); }
-  /// Neither this step nor the one before has a sample.
+  /// True if the last two steps have no sample.
   bool predicted() const { return missed_ && !sampled_; }
   /// The step under way; -1 before the finger moves.
   std::int64_t current_step() const { return clock_.step(); }
@@ -56,7 +56,7 @@ class ReachEstimator {
   /// K of this step and of those ahead; valid until the next sample.
   const double* gains() const { return gains_.data(); }
 
-  /// Of the whole reach, the step under way included once it has a sample.
+  /// Counts of the whole reach, with the present step once it has a sample.
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }
   /// Last place seen, or predicted from it; none until a position is seen.
@@ -82,11 +82,11 @@ class ReachEstimator {
   double direction_deg_ = 0.0;
   std::optional<PlatePoint> place_;
   std::optional<std::int64_t> first_ns_;     // time of the first position
-  std::optional<std::int64_t> position_ns_;  // of the last position
-  std::int64_t now_ns_ = 0;                  // of the estimator
+  std::optional<std::int64_t> position_ns_;  // time of the last position
+  std::int64_t now_ns_ = 0;                  // time of the estimator
   double unseen_s_ = 0.0;                    // that it has moved on since the last sample
   bool paused_ = false;                      // the finger rests or is lifted
-  bool sampled_ = false;                     // in the step under way
+  bool sampled_ = false;                     // the present step has a sample
   bool missed_ = false;                      // the step before had no sample
 };
 

@@ -73,7 +73,7 @@ class Chunks {
 
  private:
   std::span<const BatchJob> jobs_;
-  std::vector<std::uint64_t> ends_;  // of each job, the number after its last chunk's
+  std::vector<std::uint64_t> ends_;  // for each job, the number after that of its last chunk
 };
 
 BatchResult run_trials(const BatchJob& job, std::uint64_t seed, const Chunk& chunk) {

@@ -30,9 +30,9 @@ struct BatchOptions {
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// Runs all jobs; results in their order. A cancelled batch has results with fewer trials than were asked
-/// for. Requires is_valid() of every job's condition. Throws std::system_error if threads can't be started,
-/// and whatever `progress` throws.
+/// Runs all jobs and returns their results in the same order. A cancelled batch has results with fewer trials. Requires
+/// is_valid() of every job's condition. Throws std::system_error if threads cannot be started, and any exception of
+/// `progress`.
 std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed,
                                    const BatchOptions& options = {});
 

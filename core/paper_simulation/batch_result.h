@@ -20,8 +20,8 @@ class AngleSums {
   bool operator==(const AngleSums&) const = default;
 
  private:
-  std::int64_t sum_ = 0;           // of units of 2^-20 degrees
-  std::uint64_t squares_low_ = 0;  // of squared units, a 128-bit sum in two halves
+  std::int64_t sum_ = 0;           // sum in units of 2^-20 degrees
+  std::uint64_t squares_low_ = 0;  // sum of squares of these units, 128 bits in two halves
   std::uint64_t squares_high_ = 0;
 };
 
@@ -31,7 +31,7 @@ struct BatchResult {
   std::uint64_t trials = 0;
   std::uint64_t hits = 0;
   std::uint64_t steps = 0;            ///< model steps of all trials
-  std::uint64_t saturated_steps = 0;  ///< of these, steps with the plate held by a bound
+  std::uint64_t saturated_steps = 0;  ///< steps in which a bound held the plate
   AngleSums miss;                     ///< P_steps - P_R of each trial
   AngleSums felt_error;               ///< theta_hat - theta_V in the last step of each trial
 

@@ -7,19 +7,19 @@
 
 namespace hrt {
 
-/// The participant of a slide and the tracker.
+/// Participant and tracker of a simulated slide.
 struct CalibrationCondition {
   Participant participant;
-  double goal_direction_deg = 0.0;  ///< of the target
-  double distance_mm = 100.0;       ///< of the path, > 0
-  double duration_s = 3.0;          ///< of the path, > 0
-  double step_period_s = 0.1;       ///< of the participant's steps, > 0
+  double goal_direction_deg = 0.0;  ///< direction of the target
+  double distance_mm = 100.0;       ///< length of the path, > 0
+  double duration_s = 3.0;          ///< duration of the path, > 0
+  double step_period_s = 0.1;       ///< period of the participant's steps, > 0
   double rest_s = 0.5;              ///< tracked at rest before the path, >= 0
   double tracker_noise_mm = 1.2;    ///< >= 0
   double tracker_rate_hz = 90.0;    ///< > 0
 };
 
-/// One slide with the plate at `plate_orientation_deg`. Any thread.
+/// Simulates one slide with the plate at `plate_orientation_deg`. Any thread.
 CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition, double plate_orientation_deg,
                                             const TrialId& id);
 

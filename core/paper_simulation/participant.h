@@ -8,7 +8,7 @@
 
 namespace hrt {
 
-/// One step of a SimulatedParticipant. Angles in degrees.
+/// Result of one step of a SimulatedParticipant. Angles in degrees.
 struct SimulatedStep {
   double felt_direction_deg;  ///< h_k: of touch and proprioception together
   double gain;                ///< K_k
@@ -54,7 +54,7 @@ class SimulatedParticipant {
  private:
   Participant participant_;
   double goal_direction_deg_;
-  double variance_deg2_;                  // of the perceived direction
+  double variance_deg2_;                  // variance of the perceived direction
   double perceived_direction_deg_ = 0.0;  // theta_hat_0, the mid-line
   double finger_direction_deg_ = 0.0;     // P_0
 };

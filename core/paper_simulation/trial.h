@@ -18,8 +18,8 @@ struct Condition {
   RetargeterConfig controller;         ///< `controller.participant` is the participant that it assumes
   double real_direction_deg = -5.0;    ///< P_R
   double virtual_direction_deg = 5.0;  ///< theta_V, within 90 of the real one
-  double plate_orientation_deg = 0.0;  ///< orientation before the first step
-  int steps = 30;                      ///< of a reach, 1 to max_trial_steps
+  double plate_orientation_deg = 0.0;  ///< plate orientation before the first step
+  int steps = 30;                      ///< steps of a reach, 1 to max_trial_steps
   double tolerance_deg = 1.5;          ///< a trial hits if |P_steps - P_R| is at most this, >= 0
 };
 

@@ -11,7 +11,8 @@ namespace {
 constexpr double scale_deg = 75.0;
 
 constexpr double ridge_spacing_mm = 10.0;
-constexpr double max_newton_error_deg = 1e-6;  // of the step before the last: the last one is exact
+constexpr double max_newton_error_deg =
+    1e-6;  // limit of the error of the last step but one: the last step is then exact
 
 // Share of a fading touch that is lost, and its derivative by the offset.
 struct LostShare {
@@ -68,8 +69,7 @@ MaxShift max_shift(const Illusion& illusion, double bound_deg) {
 double offset_for_shift(const Illusion& illusion, double shift_deg, const MaxShift& max) {
   const double wanted_deg = std::abs(shift_deg);
   if (wanted_deg >= max.felt.shift_deg) return std::copysign(max.offset_deg, shift_deg);
-  // Newton's steps from the chord until they stand, kept between the ends: g is concave for b > 0 and convex
-  // for b < 0.
+  // Newton's method from the chord, within the bracket: g is concave for b > 0 and convex for b < 0.
   double low_deg = 0.0;
   double high_deg = max.offset_deg;
   double offset_deg = max.offset_deg * wanted_deg / max.felt.shift_deg;

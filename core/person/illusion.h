@@ -13,7 +13,7 @@
 
 namespace hrt {
 
-/// What a person feels of ridges.
+/// Illusion of a person: the perceived shift as a function of the angle between ridge normal and motion.
 struct Illusion {
   double weight;          ///< w: slope at 0
   double curve;           ///< b: how much of the slope is gone at 75 degrees, over 3
@@ -34,7 +34,7 @@ struct FeltShift {
   double by_fading;  ///< d g / d f
 };
 
-/// The shift for ridges whose normal stands `offset_deg` (any finite angle) from the motion.
+/// Perceived shift at the angle `offset_deg` (any finite angle) between ridge normal and motion.
 FeltShift felt_shift(const Illusion& illusion, double offset_deg);
 
 /// The largest shift with the ridge normal within `bound_deg` of the motion, and the offset that gives it.

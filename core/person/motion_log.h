@@ -30,7 +30,7 @@ class MotionLog {
   /// Adds a position, relative to where the finger rested, and the ridge normal felt at that time. `time_s`: after the
   /// last one's. Ignored after close().
   void add(double time_s, const PlatePoint& position, double felt_plate_deg);
-  /// The motion is interrupted by a pause, a lift, a jump or another target: what follows is not added.
+  /// Ends the log at a pause, a lift, a jump or another target: later positions are not added.
   void close() { closed_ = true; }
 
   int count() const { return count_; }
@@ -47,10 +47,10 @@ class MotionLog {
   double log_likelihood(PersonFilter& filter) const;
 
   std::array<Position, capacity> positions_;
-  std::optional<PersonFilter> filter_;  // at the onset
+  std::optional<PersonFilter> filter_;  // filter at the onset
   double onset_s_ = 0.0;
   int count_ = 0;
-  int stride_ = 1;   // one of this many positions is taken
+  int stride_ = 1;   // one of this many positions is kept
   int skipped_ = 0;  // since the last one
   bool closed_ = true;
 };

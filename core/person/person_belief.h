@@ -12,7 +12,7 @@ namespace hrt {
 struct PersonBelief {
   using Vector = Eigen::Matrix<double, PersonState::traits, 1>;
   using Matrix = Eigen::Matrix<double, PersonState::traits, PersonState::traits>;
-  Vector mean;        ///< in the order of PersonState, as the covariance is
+  Vector mean;        ///< in the order of PersonState, as the covariance
   Matrix covariance;  ///< positive definite
 };
 
@@ -45,7 +45,7 @@ LinearIllusion linear_illusion(const PersonBelief& belief);
 /// True if each mean is in its range, and the covariance finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);
 
-/// Of the controller's curve, the goal and the paths; all known.
+/// Traits of the controller's curve, the goal and the paths that a calibration determines.
 struct CalibratedTraits {
   Interval weight;
   Interval curve;

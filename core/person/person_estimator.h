@@ -60,7 +60,7 @@ class ModelFit {
   PlatePoint previous_mm_{0.0, 0.0};
 };
 
-/// One reach. No heap, no lock, no exception. One thread at a time.
+/// Estimator of one reach. Uses no heap, lock or exception. One thread at a time.
 class PersonEstimator {
  public:
   /// The finger is about to move over `path_mm` from near `start`, towards `virtual_direction_deg`.
@@ -84,7 +84,7 @@ class PersonEstimator {
 
   /// The motion has begun.
   bool begun() const { return finger_.has_moved(); }
-  /// The finger moves: it is neither at rest nor lifted.
+  /// True if the finger moves, and is not at rest or lifted.
   bool moving() const { return finger_.phase() == Phase::moving; }
   /// The filter has taken in all that was seen.
   bool caught_up() const { return backlog_ == 0; }
@@ -115,7 +115,7 @@ class PersonEstimator {
   bool find_pause(double nis);
 
   struct Retarget {
-    double time_s;  // of the answer
+    double time_s;  // time of the answer
     double virtual_direction_deg;
     double longer_mm;
   };
@@ -132,7 +132,7 @@ class PersonEstimator {
   ModelFit fit_;
   MotionLog log_;
 
-  int backlog_ = 0;  // of the last places, those that the filter has not seen
+  int backlog_ = 0;  // number of the last positions that the filter has not processed
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;
 };

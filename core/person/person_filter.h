@@ -32,10 +32,10 @@ struct PersonNow {
   double speed_mm_s;
   double direction_deg;  ///< phi
   double goal_deg;       ///< G + o: the direction that the person means to move in
-  Illusion illusion;     ///< at this speed
+  Illusion illusion;     ///< illusion at this speed
 };
 
-/// One motion. Positions are relative to where the finger rested. No heap, no lock, no exception.
+/// Filter of one motion. Positions are relative to the rest before it. Uses no heap, lock or exception.
 class PersonFilter {
  public:
   using X = PersonState;
@@ -94,7 +94,7 @@ class PersonFilter {
   double shift_variance_deg2(const FeltShift& slopes, double by_bias) const;
 
   PersonNow now() const;
-  /// At a speed of the finger that has come `travelled_mm`.
+  /// Illusion at a speed of the finger after `travelled_mm`.
   Illusion illusion(double speed_mm_s, double travelled_mm) const;
   /// At the mean speed of the reach, ridges having been crossed.
   Illusion mean_illusion() const { return illusion(mean_speed_mm_s(), path_mm_); }
@@ -115,7 +115,7 @@ class PersonFilter {
   /// The pace, at a phase.
   Progress pace(double phase) const { return progress(mean_(X::evenness), phase, tuning_.pace_skew); }
 
-  /// What this reach says of the person.
+  /// Estimate of the person from this reach.
   PersonBelief belief() const;
   const Tuning& tuning() const { return tuning_; }
 
@@ -129,7 +129,8 @@ class PersonFilter {
 
   Tuning tuning_;
   double virtual_direction_deg_;
-  double unanswered_deg_ = 0.0;  // of the goal, from V, until a moved target is answered
+  double unanswered_deg_ =
+      0.0;  // angle from V to the goal that the person does not answer yet, after the target has moved
   double path_mm_;
   TrackerNoise noise_;
   double wander_deg2_;  // variance of the wander

@@ -61,7 +61,7 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
   command_ = command_at({.finger = reach.start, .plate_deg = plate_.orientation_deg()}, estimator_.filter());
 }
 
-// Where the first moment of the motion wants the plate.
+// Prepares the plate for the first moment of the motion.
 void PersonReach::stand_ready() {
   if (config_.plate_waits) return;
   const double ready_deg = ready_orientation_deg(config_.control, estimator_.filter(), aim());

@@ -1,4 +1,4 @@
-// One reach of a person whose fingertip is tracked. A sample passes through
+// A reach under the controller for people. A sample passes through
 //   estimate (person_estimator), plan (reach_control), limit (plate_limits), command (reach_command).
 #pragma once
 
@@ -21,14 +21,14 @@ struct PersonReachConfig {
   PersonBelief person;  ///< is_valid(person)
   ReachControlConfig control;
   PlateDynamics plate;
-  std::optional<TrackerNoise> noise;    ///< of the tracker; none: it is learnt while the finger rests
-  std::int64_t tracker_latency_ns = 0;  ///< from a motion to the time of its sample, 0 to 0.5 s
+  std::optional<TrackerNoise> noise;    ///< noise of the tracker; none: learnt while the finger rests
+  std::int64_t tracker_latency_ns = 0;  ///< time from a motion to the time of its sample, 0 to 0.5 s
   double tracker_bearing_sd_deg = 0.0;  ///< SD of the bearing of a reach as it is tracked, 0 to 45
   std::int64_t step_period_ns = 100'000'000;
   bool plate_waits = false;                         ///< the plate does not turn until the finger moves
   bool start_is_felt = false;                       ///< where the finger is seen to rest is the start
-  FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; is_frame_covariance()
-  TouchedFrame touched;                             ///< what contacts have shown
+  FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; is_frame_covariance()
+  TouchedFrame touched;                             ///< correction by contacts
   Tuning tuning;
 };
 
@@ -49,7 +49,7 @@ class PersonReach {
 
   /// The last command; the constructor's before the first sample.
   const PlateCommand& command() const { return command_; }
-  /// Where the finger is; none before it moves.
+  /// Position of the finger; none before it moves.
   std::optional<PlatePoint> place() const;
   /// Variance of a coordinate of it, the mean of both.
   double place_variance_mm2() const;
@@ -61,7 +61,7 @@ class PersonReach {
   PlateHandover handover() const;
   const PersonFilter& filter() const { return estimator_.filter(); }
 
-  /// What the reach says of the person; none if it ended early, or did not fit the model.
+  /// Estimate of the person from this reach; none if the reach ended early or did not fit the model.
   std::optional<PersonBelief> learnt() const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 
 using X = PersonState;
 
-constexpr double max_ns = 9e18;  // of an std::int64_t
+constexpr double max_ns = 9e18;  // within the range of std::int64_t
 
 // The largest gap less the one that is to be held, to first order in w, b, f, d and the frame's error. A margin of
 // zero less some SDs: few who can hold the gap are then said not to (hrt-study robustness counts both).

@@ -14,7 +14,7 @@ namespace hrt {
 
 /// The targets of a reach as they are now.
 struct ReachGoal {
-  Reach reach;        ///< as seen from the start
+  Reach reach;        ///< reach as seen from the start
   PlatePoint target;  ///< the real one
   /// Position of the finger when the targets last moved, and the direction of the real target from there. Without a
   /// position the targets have not moved, and the direction is that from the start.
@@ -27,7 +27,7 @@ struct ReachGoal {
   /// of the true miss is beyond hrt::near_deg. With x the seen miss and sigma both SDs together, the square of that
   /// median is about x^2 + 0.455 sigma^2.
   double near_deg() const {
-    constexpr double median_square = 0.455;  // of a standard normal variable
+    constexpr double median_square = 0.455;  // median of the square of a standard normal variable
     const double variance_deg2 = tracker_sd_deg * tracker_sd_deg + frame_sd_deg * frame_sd_deg;
     return std::sqrt(std::max(0.0, hrt::near_deg * hrt::near_deg - median_square * variance_deg2));
   }
@@ -39,7 +39,7 @@ struct PlateDecision {
   double predicted_miss_deg = 0.0;
 };
 
-/// One sample of a reach.
+/// State of a reach at one sample.
 struct ReachMoment {
   double now_s = 0.0;
   PlatePoint finger;       ///< position on the plate, seen or predicted

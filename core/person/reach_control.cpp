@@ -22,7 +22,7 @@ struct Motion {
   double own_deg;
   double phase;
   double lateral_mm;  // from the line to the target once the own path has returned, left positive
-  double turn_kept;   // of the answer to a moved target that is still to come
+  double turn_kept;   // fraction of the answer to a moved target that is still to come
   double shift_deg;   // felt at the end
 };
 
@@ -136,7 +136,7 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
 }
 
 double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const ReachAim& aim) {
-  // It stands where the plan wants it as soon as the plan finds it standing there.
+  // Fixed point: the orientation that the plan requires if the plate is already there.
   double ready_deg = 0.0;
   for (int i = 0; i < 3; ++i) {
     PlateTrace trace;

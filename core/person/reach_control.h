@@ -1,13 +1,13 @@
-// The controller for people: the plate orientation that brings the finger to a place at arrival, without
-// being felt.
+// The controller for people: the plate orientation that steers the finger to a position at arrival, within a limit of
+// the perceived-direction error.
 //
-// A felt shift Gamma that is constant relative to the motion makes the direction relax to G - Gamma at the
-// rate k, whatever the illusion's curve. So the place of arrival is affine in Gamma:
+// If the perceived shift Gamma is constant relative to the motion, the direction relaxes to G - Gamma at the rate k,
+// for any curve of the illusion. The position of arrival is therefore affine in Gamma:
 //
-//   1. carry the motion over the dead time, in which a command given now is not yet felt;
+//   1. predict the motion over the dead time, in which a command given now has no effect yet;
 //   2. integrate the lateral path from there to arrival: miss(Gamma) = m + S Gamma;
-//   3. least squares of the miss, and of the change of Gamma from what it is, which weighs more as S fades;
-//   4. keep the predicted felt error phi + Gamma - G within its limit;
+//   3. minimise the squares of the miss and of the change of Gamma, which weighs more as S decreases;
+//   4. limit the predicted perceived-direction error phi + Gamma - G;
 //   5. invert the illusion on its rising branch, within the bound about the motion.
 #pragma once
 
@@ -30,26 +30,26 @@ struct ReachAim {
   PlatePoint from;
 };
 
-/// What the plate does before a command given now is felt.
+/// Motion of the plate before a new command takes effect.
 struct PlateOutlook {
   const PlateTrace& past;
-  double now_s;              ///< of the command, and of the trace's last entry
-  double latency_s;          ///< until a command moves the plate
-  double after_latency_deg;  ///< where it stands then, under the commands already given
+  double now_s;              ///< time of the command, and of the trace's last entry
+  double latency_s;          ///< time until a command moves the plate
+  double after_latency_deg;  ///< plate orientation at that time, under the commands already given
 };
 
 struct ReachPlan {
   double plate_deg;       ///< wanted orientation of the ridge normal
-  double felt_error_deg;  ///< felt less intended direction once the plate stands there
+  double felt_error_deg;  ///< perceived minus intended direction once the plate has the commanded orientation
   double miss_mm;         ///< across the line to the real target at arrival, left positive, if the plate does so
   bool at_bound;          ///< more shift is wanted than the plate may give
 };
 
-/// Plans from `filter`, which stands at `filter_s` <= outlook.now_s. No heap, no lock, no exception.
+/// Plans from the state of `filter` at `filter_s` <= outlook.now_s. Uses no heap, lock or exception.
 ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s, const ReachAim& aim,
                      const PlateOutlook& outlook);
 
-/// Where the plate should stand before the person moves.
+/// Plate orientation that the start of the motion requires, before the person moves.
 double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting, const ReachAim& aim);
 
 }  // namespace hrt

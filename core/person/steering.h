@@ -16,13 +16,13 @@ namespace hrt {
 
 struct SteeringStep {
   double felt_error_deg;  ///< e at the step's start
-  double decay_s;         ///< of e while the plate rests, 1/s: -d phi' / d phi
-  double turn_deg;        ///< of phi within the step
+  double decay_s;         ///< rate at which e decays while the plate rests, 1/s: -d phi' / d phi
+  double turn_deg;        ///< change of phi within the step
 };
 
-/// A step of `seconds` >= 0 by a person of gain k. Implicit in what the turn does to the felt error: stable
-/// for any length, of second order in time. `max_slope` bounds |1 - g_t|: an illusion that is steeper, such as a touch
-/// that fades as the motion comes to lie along the ridges, is so over less than a degree.
+/// Step of `seconds` >= 0 of a person with gain k. The step is implicit in the effect of the turn on the perceived
+/// error: stable for any length, of second order in time. `max_slope` bounds |1 - g_t|: an illusion is steeper only
+/// over less than a degree, for example when touch fades as the motion approaches the direction of the ridges.
 inline SteeringStep steer(double gain_s, double direction_deg, const FeltShift& felt, double goal_deg, double seconds,
                           double max_slope = Tuning{}.max_slope) {
   const double error_deg = direction_deg + felt.shift_deg - goal_deg;

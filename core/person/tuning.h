@@ -45,7 +45,7 @@ struct Tuning {
   double min_curve_sd = 0.015;          ///< [s] also the cost of a curve that is not a cubic
   double min_bias_sd_deg = 0.5;         ///< deg
   double min_habit_sd_deg = 0.4;        ///< deg
-  double max_correlation = 0.95;        ///< of weight and curve, of calibrated_person()
+  double max_correlation = 0.95;        ///< largest correlation of weight and curve in calibrated_person()
   double given_duration_log_sd = 0.12;  ///< [s] SD of log_rate if the host gives the duration
 
   // Illusion.
@@ -104,14 +104,15 @@ struct Tuning {
   // Plan.
   double change_weight_mm_deg = 0.08;  ///< mm/deg [s] of miss that a degree of change of the felt shift is worth
   double weight_caution = 0.2;         ///< [s] the plan's weight is lower by this many SDs
-  double min_plan_weight = 0.03;       ///< and at least this
+  double min_plan_weight = 0.03;       ///< lower limit of the same
 
   // Flags.
   double last_phase = 0.97;         ///< [m] fraction of the duration after which no plate is answered
   double first_judged_phase = 0.5;  ///< [s] fraction before which OFF_TARGET is not raised
   double min_margin_deg = 0.3;      ///< deg [s] the gap is unreachable if the margin is below this
   double margin_deviations = 0.9;   ///< [s] SDs subtracted from min_margin_deg
-  double min_aim_fraction = 0.1;    ///< of the path left, below which the bearing of the target is not taken again
+  double min_aim_fraction =
+      0.1;  ///< fraction of the path left below which the bearing of the target is no longer updated
 
   // Tracker noise that the host knows.
   double min_known_noise_mm = 0.02;         ///< mm [s] least of each part: without noise every trace is the person's

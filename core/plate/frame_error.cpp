@@ -15,7 +15,7 @@ constexpr double max_deg = 180.0;
 
 bool is_frame_covariance(const FrameCovariance& c) {
   if (!c.allFinite() || c.diagonal().minCoeff() < 0.0) return false;
-  // Of the correlations: each within 1, and their determinant not negative.
+  // Correlations within 1 with a determinant that is not negative.
   const auto correlation = [&](int i, int j) {
     const double scale = std::sqrt(c(i, i)) * std::sqrt(c(j, j));
     return scale > 0.0 ? c(i, j) / scale : c(i, j) == 0.0 ? 0.0 : 2.0;

@@ -1,13 +1,13 @@
-// What an uncertain pose of the plate does to a reach. Nothing within a reach shows it: the finger is led to
-// where the target is believed to be.
+// Effect of an uncertain pose of the plate on a reach. Nothing within a reach reveals it: the finger is steered to the
+// estimated position of the target.
 //
-// A believed frame that is turned by w about the plate's centre and moved by (a, b) from the true one has a
-// finger at (x, z), right and away, where it is not, by
+// If the estimated frame is rotated by w about the plate's centre and shifted by (a, b) from the true one, a finger at
+// (x, z), right and away, has the error
 //
 //   e = w (-z, x) + (a, b)
 //
-// A reach from s that ends where the target p is believed to be ends off it by e(p), and off its bearing by
-// the part of e(p) across the line from s to p, over its length. 1 degree about the start costs 1.7 mm at 100
+// A reach from s that ends at the estimated position of the target p misses it by e(p), and misses its bearing by the
+// component of e(p) across the line from s to p, divided by its length. 1 degree about the start costs 1.7 mm at 100
 // mm.
 #pragma once
 
@@ -18,14 +18,14 @@
 
 namespace hrt {
 
-/// Of a plate's pose in its own plane: covariance of its turn about the normal (radians, counter-clockwise)
-/// and of its centre's place to the right and away (millimetres). Zero: the pose is exact.
+/// Covariance of the plate's pose in its plane: rotation about the normal (radians, counter-clockwise) and position of
+/// the centre to the right and away (millimetres). Zero: the pose is exact.
 using FrameCovariance = Eigen::Matrix3d;
 
 /// True if finite, symmetric and, within rounding, positive semidefinite.
 bool is_frame_covariance(const FrameCovariance& covariance);
 
-/// Of a registration that holds. What its scale adds is left out.
+/// Covariance from an accepted registration, without the contribution of its scale.
 FrameCovariance frame_covariance(const Registration& registration);
 
 /// Standard deviation, degrees, of the bearing of a finger that is believed to be at `target`, as seen from

@@ -20,7 +20,7 @@ struct PlateStops {
 /// True if every field is in its range.
 bool is_valid(const PlateStops& stops);
 
-/// No plate stands beyond its stops.
+/// Limits an orientation to the stops.
 double clamped(double orientation_deg, const PlateStops& stops);
 
 /// The limit that holds an orientation: a bound about the virtual direction, a stop, or the rate bound.
@@ -33,8 +33,8 @@ struct PlateOrientation {
   bool optimal = true;  ///< false: the solver's work was cut short
 };
 
-/// The normal that is felt when the plate stands at `plate_orientation_deg`: of those that repeat every half
-/// turn, the one within 90 of the goal (paper section III).
+/// Direction of the perceived ridge normal at `plate_orientation_deg`: of the normals that repeat every half turn, the
+/// one within 90 of the goal (paper section III).
 inline double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg) {
   const double offset_deg = plate_orientation_deg - goal_direction_deg;
   // A command on a bound of 90 may be a rounding error beyond it; it must not turn into the other bound.
@@ -42,8 +42,7 @@ inline double ridge_normal_deg(double plate_orientation_deg, double goal_directi
   return goal_direction_deg + wrap_deg(offset_deg, 180.0);
 }
 
-/// Of the orientations that feel the same as `orientation_deg` and lie between the stops, the one nearest to
-/// `current_deg`.
+/// Of the orientations with the same ridges as `orientation_deg` within the stops, the one nearest to `current_deg`.
 double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateStops& stops);
 
 /// `orientation_deg` as an encoder counts it that may be any number of half turns off, if the plate turns
@@ -58,7 +57,7 @@ double half_turns_between_stops(double lowest_deg, double highest_deg, double cu
 /// The limits of one reach.
 class PlateLimits {
  public:
-  /// A plate that turns at once: each command is the nearest of the orientations that feel the same.
+  /// Limits of a plate without a bound on its speed: each command is the nearest orientation with the same ridges.
   PlateLimits(const PlateStops& stops, double goal_direction_deg);
 
   /// A plate that takes time to turn keeps to one half turn for the reach, so that no swing is felt on the

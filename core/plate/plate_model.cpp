@@ -8,7 +8,7 @@
 namespace hrt {
 namespace {
 
-// Motion with an acceleration limit is integrated in steps of this; over a long gap in no more than so many.
+// Motion with an acceleration limit is integrated in steps of tick_ns, over a long gap in at most max_ticks.
 constexpr std::int64_t tick_ns = 4'000'000;
 constexpr std::uint64_t max_ticks = 500;
 

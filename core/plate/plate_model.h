@@ -1,4 +1,4 @@
-// The plate's servo: where the ridges stand, and how soon they can stand elsewhere.
+// Model of the plate's servo: its orientation now and in the future.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace hrt {
 
-/// A servo's abilities. The defaults are a plate that follows at once and turns freely.
+/// Dynamics of the servo. By default, a plate that follows immediately and turns freely.
 struct PlateDynamics {
   double max_speed_deg_s = std::numeric_limits<double>::infinity();          ///< > 0
   double max_acceleration_deg_s2 = std::numeric_limits<double>::infinity();  ///< > 0
-  std::int64_t latency_ns = 0;  ///< from a command to the first motion, 0 to 1 s
+  std::int64_t latency_ns = 0;  ///< time from a command to the first motion, 0 to 1 s
   PlateStops stops;
 };
 
@@ -24,7 +24,7 @@ bool is_valid(const PlateDynamics& dynamics);
 /// Follows a plate through its commands and reports. No heap, no lock, no exception. One thread at a time.
 class PlateModel {
  public:
-  /// At rest at `orientation_deg`. Requires is_valid(dynamics).
+  /// A plate at rest at `orientation_deg`. Requires is_valid(dynamics).
   PlateModel(const PlateDynamics& dynamics, double orientation_deg);
 
   /// Lets time pass until `time_ns`; earlier than now does nothing. The motion within a gap of more than two
@@ -39,16 +39,16 @@ class PlateModel {
   /// Commands an orientation as of now.
   void command(double orientation_deg);
 
-  /// The device reports where it stands now; see reported_orientation_deg().
+  /// Takes over the orientation that the device reports; see reported_orientation_deg().
   void report(double orientation_deg);
 
-  /// Puts the plate there at once.
+  /// Sets the orientation without a motion.
   void put(double orientation_deg) { motion_.orientation_deg = motion_.target_deg = orientation_deg; }
 
-  /// Where the plate stands now.
+  /// Present plate orientation.
   double orientation_deg() const { return motion_.orientation_deg; }
 
-  /// Where the plate will stand at `time_ns` with the commands it has, not before now.
+  /// Plate orientation at `time_ns`, which is not in the past, under the commands already given.
   double orientation_at_deg(std::int64_t time_ns) const {
     return stands() ? motion_.orientation_deg : turning_at_deg(time_ns);
   }
@@ -82,16 +82,16 @@ class PlateModel {
   int pending_count_ = 0;
 };
 
-/// Where the plate stood in the last second: a finger feels it later than it stands there, and is seen later
-/// still. No heap, no lock, no exception. One thread at a time.
+/// Plate orientations of the last second: the finger feels them with a delay, and the tracker reports the motion later
+/// still. Uses no heap, lock or exception. One thread at a time.
 class PlateTrace {
  public:
   void clear() { count_ = 0; }
 
-  /// The plate stands at `orientation_deg` at `time_s`, not before the last entry's.
+  /// Adds an orientation at `time_s`, not before the last entry.
   void add(double time_s, double orientation_deg);
 
-  /// Where it stood then: linear between entries, constant beyond. Requires one add().
+  /// Orientation at a time: linear between entries, constant beyond. Requires one add().
   double at(double time_s) const;
 
  private:
@@ -102,7 +102,7 @@ class PlateTrace {
   const Entry& entry(int i) const { return entries_[static_cast<unsigned>(first_ + i) % capacity]; }
 
   static constexpr int capacity = 128;
-  // Of every other entry: together they span a second.
+  // Spacing of every other entry: together they span a second.
   static constexpr double min_spacing_s = 0.016;
   std::array<Entry, capacity> entries_{};
   int first_ = 0;

@@ -12,7 +12,7 @@ using Jacobian = Eigen::Matrix<double, 3, 7>;
 using Information = Eigen::Matrix<double, 7, 7>;
 
 constexpr double min_spread_mm = 10.0;
-// Of the touch's deviation: so many squares is the assumed one worth.
+// Weight of the assumed SD of a touch, in squared residuals.
 constexpr double assumed_squares = 6.0;
 constexpr double max_offset_sd_mm = 5.0;
 // The least eigenvalue of the offset's information, at most 2 a touch: below this the joint was not turned.
@@ -90,7 +90,7 @@ Eigen::Vector3d predicted(const Registration& registration, const Eigen::Vector3
   return registration.scale * (registration.rotation * mark_mm) + registration.position_mm;
 }
 
-// Of predicted(), by the rotation about the plate's axes, the position and the scale.
+// Derivatives of predicted() by the rotation about the plate's axes, the position and the scale.
 Jacobian jacobian(const Registration& registration, const Eigen::Vector3d& mark_mm) {
   Jacobian result;
   for (int axis = 0; axis < 3; ++axis)

@@ -1,11 +1,10 @@
-// Where the plate is: from touches of known marks on it to its pose in the tracker's frame.
+// Registration: pose of the plate in the tracker's frame from touches of known marks.
 //
 //   touched_i = s R mark_i + p + noise,   least squares over R, p and, on request, s
 //
-// The closed form is Umeyama's (IEEE T-PAMI 13, 1991). No heap. A frame that is turned by 1 degree turns
-// every reach by as much, and nothing in a reach shows it. What the tracker calls the fingertip need not be
-// the skin: a constant offset becomes part of the pose, as it should, while the hand keeps its orientation;
-// fit_fingertip() finds the offset of one that does not.
+// The closed form is Umeyama's (IEEE T-PAMI 13, 1991). Uses no heap. A frame that is rotated by 1 degree rotates every
+// reach by 1 degree, and nothing in a reach reveals it. A constant offset between the tracked fingertip and the skin is
+// part of the pose while the hand keeps its orientation; otherwise, fit_fingertip() determines the offset.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +20,7 @@ struct MarkTouch {
 };
 
 struct RegistrationConfig {
-  /// Of a touch, each coordinate, standard deviation as assumed; the residuals correct it. Finite, > 0.
+  /// Assumed SD of each coordinate of a touch; the residuals correct it. Finite, > 0.
   double touch_sd_mm = 3.0;
   /// The tracker's unit of length may be off, by a factor of 0.5 to 2.
   bool fit_scale = false;
@@ -34,7 +33,7 @@ enum class RegistrationVerdict {
   holds,
   too_few,       ///< fewer than 3 touches, or none left over to leave out a bad one
   degenerate,    ///< marks within 1 cm of a line: the plate could turn about it
-  inconsistent,  ///< no pose explains the touches, nor all but one of them
+  inconsistent,  ///< no pose explains the touches, even without one of them
   upside_down,   ///< the face looks away from `up`: marks on opposite sides were confused
 };
 
@@ -43,7 +42,7 @@ enum class RegistrationVerdict {
 struct Registration {
   RegistrationVerdict verdict = RegistrationVerdict::too_few;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from plate coordinates to the tracker's
-  Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();   ///< of the plate's centre
+  Eigen::Vector3d position_mm = Eigen::Vector3d::Zero();   ///< position of the plate's centre
   double scale = 1.0;                                      ///< 1 unless fitted
   /// Covariance of the rotation about the plate's axes (radians), the position (millimetres) and the scale; 0 for a
   /// scale that was not fitted.
@@ -59,9 +58,9 @@ Registration fit_registration(const RegistrationConfig& config, std::span<const 
 /// Distance of a touch from where the registration has its mark.
 double residual_mm(const Registration& registration, const MarkTouch& touch);
 
-/// Whether a later touch of a mark agrees with a registration that holds.
+/// Result of comparing a later touch of a mark with an accepted registration.
 struct RegistrationCheck {
-  double distance_mm;  ///< of the touch from where the mark should be
+  double distance_mm;  ///< distance of the touch from the expected position of the mark
   double allowed_mm;   ///< 99.9 % of touches are nearer while the registration is true
   bool holds;
 };

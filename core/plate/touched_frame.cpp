@@ -29,7 +29,7 @@ Matrix24 by_entries(const Eigen::Vector2d& r) {
   return by;
 }
 
-// Of D r before any contact.
+// Covariance of D r before any contact.
 Eigen::Matrix2d prior_mm2(const FrameCovariance& registered, const PlatePoint& place, double square_mm2) {
   Eigen::Matrix<double, 2, 3> by;
   by << -place.away_mm, 1.0, 0.0, place.right_mm, 0.0, 1.0;
@@ -48,12 +48,12 @@ Eigen::Matrix4d prior(const FrameCovariance& registered, const PlatePoint& place
 
 Eigen::Matrix2d matrix(const TouchedFrame& frame) { return Eigen::Matrix2d::Identity() + frame.stretch; }
 
-// Of the frame's entries before a contact, and of its place.
+// Expected entries of the frame before a contact, and expected position.
 struct Expectation {
   Eigen::Matrix4d entries;
   Matrix24 by;
   Eigen::Vector2d innovation_mm;
-  Eigen::Matrix2d covariance_mm2;  // of the innovation
+  Eigen::Matrix2d covariance_mm2;  // covariance of the innovation
 };
 
 PlatePoint to_place(const TouchedFrame& frame, const Eigen::Vector2d& r) {
@@ -105,7 +105,7 @@ TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& re
   after.stretch.row(0) += change.head<2>().transpose();
   after.stretch.row(1) += change.tail<2>().transpose();
   after.stretch = after.stretch.cwiseMax(-max_entry).cwiseMin(max_entry).eval();
-  // As Joseph has it, which stays positive definite.
+  // Joseph's form, which stays positive definite.
   const Eigen::Matrix4d kept = Eigen::Matrix4d::Identity() - gain * by;
   covariance = (kept * entries * kept.transpose() + contact.variance_mm2 * gain * gain.transpose()).eval();
   covariance = (0.5 * (covariance + covariance.transpose())).eval();

@@ -1,15 +1,13 @@
-// What contacts say of the tracker's frame. A finger that meets a real object is at a known place, whatever
-// the tracker has it:
+// Correction of the tracker's frame by contacts. A finger that meets a real object is at a known position:
 //
 //   true - h = (1 + D) (seen - h),   place - seen = D (seen - h) + noise of place and finger
 //
-// about the home h of reaches. D is the frame's turn, scale and shear, and of a shift what it does to
-// targets. Its four entries are a Gaussian: prior 2 % an entry, and the registration's error at the target as
-// D has to compensate it. Each contact is a Kalman update of D; trackers drift, so D widens by 0.2 % between
-// contacts.
+// with the start h of reaches. D is the rotation, scale and shear of the frame, and the effect of a shift at the
+// targets. Its four entries are Gaussian: the prior is 2 % an entry, plus the error of the registration at the target.
+// Each contact is a Kalman update of D. Because trackers drift, the SD of D grows by 0.2 % between contacts.
 //
-// Reaches show only the sum of a person's bias and the frame's turn, and learn it as the bias. With D the sum
-// stays what reaches have shown: the bias gives up by how much D turns the bearing.
+// Reaches show only the sum of the person's bias and the rotation of the frame, and the estimator takes it as the bias.
+// When D changes, the bias changes by the opposite rotation, so that the sum stays as observed.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +20,7 @@ namespace hrt {
 struct TouchedFrame {
   PlatePoint home;
   Eigen::Matrix2d stretch = Eigen::Matrix2d::Zero();     ///< D: rows and columns right, away
-  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< of D row by row; zero: there was no contact
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< covariance of D row by row; zero: no contact yet
 
   bool known() const { return covariance(0, 0) > 0.0; }
 };
@@ -30,7 +28,7 @@ struct TouchedFrame {
 /// True if its numbers are finite, entries of D within 0.5, and the covariance zero or positive definite.
 bool is_valid(const TouchedFrame& frame);
 
-/// Where a finger is that the tracker sees at `seen`.
+/// Corrects a tracked position.
 PlatePoint corrected(const TouchedFrame& frame, const PlatePoint& seen);
 
 /// A place of the finger as estimated, with the variance of a coordinate.
@@ -41,9 +39,9 @@ struct SeenFinger {
 
 /// A finger on an object.
 struct Contact {
-  PlatePoint finger;    ///< as it is believed to be: corrected
-  PlatePoint place;     ///< as it is known to be
-  double variance_mm2;  ///< of their difference in each coordinate, > 0
+  PlatePoint finger;    ///< corrected position of the finger
+  PlatePoint place;     ///< known position of the contact
+  double variance_mm2;  ///< variance of their difference in each coordinate, > 0
 };
 
 /// The frame after a contact; before the first one it is as `registered` has it at the contact's place, which

@@ -1,4 +1,4 @@
-// One tracked sample.
+// One sample of the tracked finger.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct FingerSample {
   double direction_deg = 0.0;  ///< finite
   PlatePoint position;         ///< finite
   bool off_plate = false;      ///< the position is beyond the plate's rim
-  /// Where the plate stands, if its device reports it.
+  /// Plate orientation, if the device reports it.
   std::optional<double> plate_orientation_deg;
 };
 

@@ -25,9 +25,9 @@ struct Authority {
 struct Reach {
   double real_direction_deg;           ///< P_R, finite; within 90 of the goal: theta_V and the person's bias
   double virtual_direction_deg;        ///< theta_V, finite
-  double plate_orientation_deg = 0.0;  ///< where the plate stands before the reach
+  double plate_orientation_deg = 0.0;  ///< plate orientation before the reach
   PlatePoint start;                    ///< where the finger rests until it moves
-  double real_distance_mm = 100.0;     ///< from the start to the real target, > 0
+  double real_distance_mm = 100.0;     ///< distance from the start to the real target, > 0
   double duration_s = 0.0;             ///< that the motion is expected to take, 0.1 to 20; 0: unknown
 };
 
@@ -40,7 +40,7 @@ inline bool is_valid(const Reach& reach, double goal_direction_deg) {
          (reach.duration_s == 0.0 || (reach.duration_s >= 0.1 && reach.duration_s <= 20.0));
 }
 
-/// What a reach hands on to the one that takes its place: the plate under way, and the samples so far.
+/// State that a reach passes to the reach that replaces it: the moving plate and the samples so far.
 struct PlateHandover {
   PlateModel plate;
   double commanded_deg;
@@ -62,11 +62,11 @@ inline constexpr double unknown_miss_sd_deg = 180.0;
 struct PlateCommand {
   double plate_orientation_deg = 0.0;    ///< T; which of those that feel the same, see plate_limits.h
   double finger_direction_deg = 0.0;     ///< P, estimated or predicted
-  double bearing_deg = 0.0;              ///< of the finger from the start of the reach; 0 until it moves
+  double bearing_deg = 0.0;              ///< bearing of the finger from the start of the reach; 0 until it moves
   double perceived_direction_deg = 0.0;  ///< theta_hat at the end of this step; of a person: felt now
   double aimed_direction_deg = 0.0;      ///< the wanted direction, if it can be held
   double tactile_weight = 0.0;           ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
-  double tactile_weight_sd = 0.0;        ///< its standard deviation; 0 without adaptation
+  double tactile_weight_sd = 0.0;        ///< SD of the tactile weight; 0 without adaptation
   double distance_to_go_mm = 0.0;        ///< to the real target's place; the whole until a position is seen
   double time_to_go_s = -1.0;       ///< until the motion ends, then 0; -1 before it, in a pause and under the paper's
   double felt_error_deg = 0.0;      ///< felt less intended direction, now, as estimated
@@ -77,12 +77,12 @@ struct PlateCommand {
   double nis = 0.0;                        ///< normalised innovation squared of recent positions; 2 is expected
   std::int64_t step = -1;                  ///< model step; -1 before the finger moves
   ActiveBound active = ActiveBound::none;  ///< the bound that holds the command
-  bool for_people = false;                 ///< from the controller for people, not from the paper's
+  bool for_people = false;                 ///< the command is from the controller for people, not from the paper's
   bool held = true;                        ///< no new decision was taken in this call
-  bool predicted = false;     ///< neither this step nor the one before has a sample: the finger is the model's
-  bool unreachable = false;   ///< this participant can't be held on the real direction
-  bool optimal = true;        ///< false: the solver's work was cut short; the command is within its bounds
-  bool misfit = false;        ///< the person does not move as the model does: do not trust the estimates
+  bool predicted = false;                  ///< the last two steps have no samples: the finger is predicted by the model
+  bool unreachable = false;                ///< this participant can't be held on the real direction
+  bool optimal = true;                     ///< false: the solver's work was cut short; the command is within its bounds
+  bool misfit = false;                     ///< the person does not move as the model does: do not trust the estimates
   bool off_target = false;    ///< the finger is going to end beyond `near_deg` of the real target's bearing
   bool resting = false;       ///< the finger rests within the reach
   bool arrived = false;       ///< the reach is over: see reach_end.h
@@ -124,15 +124,15 @@ struct PersonEstimate {
   double bias_sd_deg = 0.0;
   double habit_deg = 0.0;  ///< the goal bends from this to its opposite along the path
   double habit_sd_deg = 0.0;
-  double duration_s = 0.0;  ///< of the motion
+  double duration_s = 0.0;  ///< duration of the motion
 };
 
 /// The outcome of a reach.
 struct ReachSummary {
   std::int64_t steps = 0;               ///< model steps with samples
   std::int64_t predicted_steps = 0;     ///< model steps without
-  std::int64_t saturated_steps = 0;     ///< of steps, those whose command the plate bound or a stop held
-  std::int64_t rate_limited_steps = 0;  ///< of steps, those whose command the rate bound held
+  std::int64_t saturated_steps = 0;     ///< number of steps in which the plate bound or a stop held the command
+  std::int64_t rate_limited_steps = 0;  ///< number of steps in which the rate bound held the command
   std::int64_t samples = 0;
   std::int64_t dropped_samples = 0;      ///< with nothing observed, or left out as outliers or duplicates
   double final_direction_deg = 0.0;      ///< P of the last step, estimated or predicted
@@ -140,21 +140,21 @@ struct ReachSummary {
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
   double perceived_error_deg = 0.0;      ///< perceived_direction_deg less theta_V and the configured bias
   double distance_to_target_mm = 0.0;    ///< from the last position, seen or predicted, to the real target's
-  double bearing_deg = 0.0;              ///< as in the last PlateCommand
+  double bearing_deg = 0.0;              ///< value in the last PlateCommand
   double bearing_error_deg = 0.0;        ///< bearing_deg less that of the real target; 0 if it is unknown
-  double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< as in the last PlateCommand
+  double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< value in the last PlateCommand
   double peak_felt_error_deg = 0.0;                   ///< largest size of PlateCommand::felt_error_deg
   double rms_felt_error_deg = 0.0;
-  double nis = 0.0;                      ///< as in PlateCommand, largest
-  bool unreachable = false;              ///< as in the last PlateCommand
-  bool misfit = false;                   ///< at any time
+  double nis = 0.0;                      ///< largest value in a PlateCommand
+  bool unreachable = false;              ///< value in the last PlateCommand
+  bool misfit = false;                   ///< true if any PlateCommand had it
   bool off_target = false;               ///< the finger ended beyond `near_deg` of the real target's bearing
-  bool registration_doubtful = false;    ///< at any time
+  bool registration_doubtful = false;    ///< true if any PlateCommand had it
   bool contacts_disagree = false;        ///< as in the last PlateCommand, or after the contact of this reach
-  bool not_at_start = false;             ///< as in the last PlateCommand
+  bool not_at_start = false;             ///< value in the last PlateCommand
   bool miss_unknown = false;             ///< the finger was not seen to move
-  bool implausible = false;              ///< at any time
-  FingerEstimate estimate;               ///< of w_T and tracker noise
+  bool implausible = false;              ///< true if any PlateCommand had it
+  FingerEstimate estimate;               ///< estimates of w_T and of the tracker's noise
   std::optional<PersonEstimate> person;  ///< none without positions
 };
 

@@ -15,14 +15,15 @@ constexpr double near_share = 0.3;
 constexpr double max_near_mm = 30.0;
 constexpr double max_unseen_s = 0.5;
 constexpr double max_raised_s = 0.1;
-// Of one slide to an object from the mean of the others: the finger was not at the guide's end.
+// Largest distance of one slide's end from the mean of the others; beyond it, the finger was not at the end of the
+// guide.
 constexpr double max_deviation_mm = 4.8;
-// Scatter of a coordinate that is expected, as good as so many that were seen.
+// Prior SD of the scatter of a coordinate, and the number of observations that it is worth.
 constexpr double expected_sd_mm = 1.0;
 constexpr double expected_count = 6.0;
-// What a tracker that sees a finger at rest may have otherwise in motion, and an end that is not quite met.
+// SD of the difference of the tracker's error between a resting and a moving finger, and of the end of a slide.
 constexpr double hold_sd_mm = 0.8;
-// Of an entry of the frame's stretch.
+// Prior SD of an entry of the frame's stretch.
 constexpr double stretch_sd = 0.05;
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Slides to and fro along guides, from the start to each object, without a lift. Where an object is seen from
-// the start does not depend on which skin touches, nor on a shift of the tracker's frame.
+// Slides back and forth along guides, from the start to each object, without lifting. The vector from the start to an
+// object does not depend on the point of contact on the skin, or on a shift of the tracker's frame.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace hrt {
 class GuidedSlides {
  public:
   static constexpr int max_objects = 8;
-  static constexpr int slides_an_object = 6;  ///< to, fro, to, ...
+  static constexpr int slides_an_object = 6;  ///< alternately to the object and back
 
   /// Awaits slides between `start` and each of the places where guides end, min_guide_mm away at least.
   GuidedSlides(const PlatePoint& start, const std::array<PlatePoint, max_objects>& ends, int count);
@@ -33,7 +33,7 @@ class GuidedSlides {
   /// Slides to the object that did not count.
   int failed() const { return failed_; }
   bool has_begun() const { return rests_ > 0; }
-  /// Where the finger is to rest next.
+  /// Position at which the finger is to rest next.
   const PlatePoint& next() const;
   SetupProblem problem() const { return problem_; }
 
@@ -41,11 +41,11 @@ class GuidedSlides {
   std::optional<TouchedFrame> fit() const;
 
  private:
-  static constexpr int rests_an_object = slides_an_object + 1;  // at the start, at the object, at the start, ...
+  static constexpr int rests_an_object = slides_an_object + 1;  // alternately at the start and at the object
   using Rests = std::array<PlatePoint, rests_an_object>;
   struct Seen {
     Eigen::Vector2d from_start_mm;
-    double square_mm2;  // of the deviations of one coordinate from their mean
+    double square_mm2;  // mean square of the deviations of one coordinate from their mean
   };
   std::optional<Seen> seen(const Rests& rests) const;
   void again(SetupProblem problem);
@@ -56,7 +56,7 @@ class GuidedSlides {
   int count_;
   std::array<Rests, max_objects> seen_{};
   int object_ = 0;
-  int rests_ = 0;  // of this object
+  int rests_ = 0;  // rests of this object
   int failed_ = 0;
   SetupProblem problem_ = SetupProblem::none;
   FingerPhase finger_;

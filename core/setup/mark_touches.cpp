@@ -24,7 +24,7 @@ void MarkTouches::observe(const SetupSample& sample) {
   if (complete()) return;
   if (!sample.tracked_mm) {
     lost_ = lost_ || holding();
-    moved_ = moved_ || from_mm_;  // it may come back anywhere
+    moved_ = moved_ || from_mm_;  // the finger may come down at any position
     finger_.lift();
     return;
   }

@@ -10,7 +10,7 @@ namespace hrt {
 
 struct SetupTouch {
   std::int64_t time_ns;
-  Eigen::Vector3d touched_mm;  ///< in the tracker's frame
+  Eigen::Vector3d touched_mm;  ///< position in the tracker's frame
   Eigen::Matrix3d joint_rotation;
 };
 
@@ -19,7 +19,7 @@ class MarkTouches {
  public:
   static constexpr int max_touches = 40;
 
-  /// Awaits so many touches, from 1 to max_touches, and forgets those before.
+  /// Discards the touches so far and waits for `wanted` touches, from 1 to max_touches.
   void begin(int wanted);
   void observe(const SetupSample& sample);
 

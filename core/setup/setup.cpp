@@ -10,7 +10,7 @@ constexpr std::uint32_t touch_parts = setup_fingertip | setup_registration | set
 constexpr std::uint32_t need_plate = setup_guides | slide_parts_of_setup;
 // Four seconds at 250 Hz, on average.
 constexpr std::size_t samples_a_slide = 1000;
-// Beyond 0.8 a person with a usual weight comes to move along the ridges.
+// Beyond 0.8 a person with a usual weight moves along the ridges in the end.
 constexpr std::array<double, first_slides> shares{-0.4, 0.8,  0.0, -0.8, 0.4, -0.6, 0.2, -0.2,
                                                   0.6,  -0.7, 0.3, -0.3, 0.7, -0.5, 0.5, -0.1};
 

@@ -19,7 +19,7 @@ struct SetupConfig {
   std::uint32_t parts = 0;  ///< SetupPart
   /// Parts that the samples cannot show are left out.
   bool only_possible = false;
-  /// In plate coordinates. The first one is touched for the fingertip.
+  /// Marks in plate coordinates. The fingertip is measured at the first one.
   std::array<Eigen::Vector3d, max_marks> marks_mm;
   int mark_count = 0;  ///< 3 to max_marks
   int touches_per_mark = 1;
@@ -31,7 +31,7 @@ struct SetupConfig {
   double slide_distance_mm = 100.0;  ///< straight ahead
   double lower_plate_deg = -75.0;
   double upper_plate_deg = 75.0;
-  double enough_weight_width = 0.04;  ///< of the 95 % interval of w_T
+  double enough_weight_width = 0.04;  ///< width of the 95 % interval of w_T
   int max_slides = 40;                ///< at least `first_slides`
   double plate_orientation_deg = 0.0;
 };
@@ -59,7 +59,7 @@ class Setup {
   SetupPart part() const;
   /// The part under way has all that it needs, or nothing is left.
   bool finish_is_due() const;
-  /// Whether the sample has what the part under way needs.
+  /// True if the sample has the fields that the present part requires.
   bool can_show(const SetupSample& sample) const;
 
   /// After the fit of the current part: the set-up continues with the next one.
@@ -79,7 +79,7 @@ class Setup {
   const SlideStore& slides() const { return *slides_; }
 
  private:
-  /// A text that takes no memory, cut to its room.
+  /// A text of fixed capacity without allocation; longer texts are truncated.
   class Reason {
    public:
     void set(std::string_view text) { size_ = text.copy(text_.data(), text_.size()); }
@@ -108,7 +108,7 @@ class Setup {
   std::optional<SlideStore> slides_;
   SetupProgress progress_;
   int rejected_ = 0;  // fits of the current part
-  Reason reason_;     // of the last one
+  Reason reason_;     // reason of the last rejected fit
   std::uint32_t dropped_ = 0;
   struct Dropped {
     SetupPart part = setup_calibration;

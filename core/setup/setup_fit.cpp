@@ -18,7 +18,7 @@ void reject(SetupProblem problem, std::string reason, SetupFit* fit) {
   fit->reason = std::move(reason);
 }
 
-// Of touches of marks that go round.
+// Touches of marks that were completed in their order.
 std::vector<MarkTouch> mark_touches(const Setup& setup) {
   std::vector<MarkTouch> touches;
   for (int i = 0; i < setup.touches().count(); ++i)

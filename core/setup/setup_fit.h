@@ -1,4 +1,4 @@
-// What the touches and slides of a set-up say.
+// Fits of the touches and slides of a set-up.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace hrt {
 struct SetupFit {
   SetupPart part = setup_calibration;
   SetupProblem problem = SetupProblem::none;  ///< why the part is repeated
-  std::string reason;                         ///< of the problem, or of a result that is not known
+  std::string reason;                         ///< reason of the problem, or of an unknown result
   std::optional<FingertipOffset> fingertip;   ///< known
   std::optional<Registration> registration;   ///< that holds
   std::optional<RegistrationCheck> check;

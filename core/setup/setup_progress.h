@@ -28,13 +28,13 @@ class SetupProgress {
  private:
   static constexpr std::uint64_t patience_ns = 20'000'000'000;
   static constexpr int min_samples = 100;  // otherwise the application paused
-  // At 90 Hz this takes 11 s.
+  // 11 s at 90 Hz.
   static constexpr int many_samples = 1000;
 
   std::optional<std::int64_t> since_ns_;
   std::int64_t now_ns_ = 0;
   int samples_ = 0;
-  bool seen_ = false;                 // at any time
+  bool seen_ = false;                 // true once any sample had the finger
   bool touched_ = false;              // not above the plate, at any time
   std::optional<PlatePoint> finger_;  // last seen
   std::optional<double> plate_deg_;   // last reported

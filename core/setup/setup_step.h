@@ -1,4 +1,4 @@
-// What a set-up sees of the finger, and what it asks of the person and the plate.
+// Input and output of a set-up: samples of the finger, and instructions to the person and the plate.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,9 +12,9 @@ namespace hrt {
 
 /// The parts of a set-up, as bits. They are done in this order: each uses the results of those before it.
 enum SetupPart : std::uint32_t {
-  setup_fingertip = 1,     ///< the skin beside the tracked joint
+  setup_fingertip = 1,     ///< offset of the skin from the tracked joint
   setup_registration = 2,  ///< the plate's pose, from touches of marks
-  setup_check = 4,         ///< whether that pose is still true
+  setup_check = 4,         ///< check of that pose
   setup_guides = 8,        ///< the tracker's frame about the start, from slides along guides
   setup_calibration = 16,  ///< the person, from slides
   setup_retest = 32,       ///< the same, compared with what was believed of the person
@@ -23,19 +23,19 @@ enum SetupPart : std::uint32_t {
 enum class Instruction : std::uint32_t {
   wait,           ///< the plate turns: lift the finger
   touch_mark,     ///< lift, and touch the mark `SetupStep::number`
-  hold_still,     ///< on the mark
-  rest_at_start,  ///< come to the start and rest
+  hold_still,     ///< hold the finger still on the mark
+  rest_at_start,  ///< move to the start and rest
   slide,          ///< slide to `SetupStep::place_mm`, and rest there
   finish,         ///< nothing: the fit is due
 };
 
-/// What was wrong with the last try.
+/// Problem of the last attempt.
 enum class SetupProblem : std::uint32_t {
   none,
   too_fast,      ///< the slide took less than 0.4 s or so
   too_slow,      ///< the slide took more than 8 s
   stopped,       ///< the finger rested before it was half way, or elsewhere
-  left_plate,    ///< it was lifted, or went over the rim
+  left_plate,    ///< the finger was lifted, or moved over the rim
   lost,          ///< the tracker lost it
   moved,         ///< the plate turned within the slide
   plate,         ///< the plate has not turned to where it was asked within 5 s
@@ -51,7 +51,7 @@ struct SetupSample {
   /// That frame is the plate's: its pose is not needed.
   bool in_plate = false;
   std::optional<Eigen::Matrix3d> joint_rotation;
-  FingerSample on_plate;  ///< by the pose of the plate that is known so far
+  FingerSample on_plate;  ///< sample located by the pose of the plate that is known so far
   bool off_plate = false;
 };
 
@@ -60,7 +60,7 @@ struct Observed {
   enum class Kind : std::uint32_t {
     none,
     no_finger,
-    lifted,     ///< in every sample
+    lifted,     ///< the finger is lifted in every sample
     time,       ///< advances by `first` ns per sample
     far_away,   ///< the finger is `first` mm from the place to go to: hardly in metres
     plate,      ///< reports `first` degrees although `second` were commanded
@@ -76,13 +76,13 @@ struct SetupStep {
   SetupPart part;
   Instruction instruction;
   SetupProblem problem;
-  int number;  ///< of the mark, or of the way to hold the finger, from 0
+  int number;  ///< index of the mark, or of the attitude of the finger, from 0
   int done;    ///< touches or slides
   int of;
   Eigen::Vector3d place_mm;  ///< where the finger is to go, in plate coordinates
   double plate_orientation_deg;
   Observed observed;        ///< none within 20 s
-  std::string_view reason;  ///< of a fit that was rejected; valid until the set-up changes
+  std::string_view reason;  ///< reason of a rejected fit; valid until the set-up changes
 };
 
 /// Why a part was dropped: the reason of its last fit, or what went wrong in its last slides.

@@ -18,7 +18,7 @@ class SlideStore {
 
   /// Begins a slide over a plate at `plate_orientation_deg`.
   void begin(double plate_orientation_deg);
-  /// False if there is no room.
+  /// False if the store is full.
   bool add(const FingerSample& sample);
   /// Forgets the samples of the slide under way.
   void drop();
@@ -29,7 +29,7 @@ class SlideStore {
   /// That have ended.
   int count() const { return static_cast<int>(slides_.size()) - (under_way_ ? 1 : 0); }
   bool full() const { return samples_.size() == samples_.capacity(); }
-  /// Those that have ended. Allocates.
+  /// Slides that have ended. Allocates.
   std::vector<CalibrationTrial> trials() const;
 
  private:

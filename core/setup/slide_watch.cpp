@@ -11,8 +11,8 @@ constexpr double rest_s = 0.5;
 constexpr double arrival_s = 0.5;
 constexpr double stop_s = 1.5;
 constexpr double start_radius_mm = 15.0;
-constexpr double near_start_mm = 25.0;  // of a single position, with the tracker's noise
-constexpr double leaving_mm = 10.0;     // from where the finger rested: it slides
+constexpr double near_start_mm = 25.0;  // limit for a single position, including the tracker's noise
+constexpr double leaving_mm = 10.0;     // distance from the rest at which a slide has begun
 constexpr double max_bearing_deg = 60.0;
 constexpr double behind_deg = 90.0;
 constexpr double plate_tolerance_deg = 2.0;
@@ -22,7 +22,7 @@ constexpr double unreported_turn_s = 1.0;
 constexpr double max_turn_within_deg = 5.0;
 constexpr double max_lost_s = 0.5;
 constexpr double max_lifted_s = 0.1;
-constexpr double min_slide_s = 0.25;  // from where it has left, without the rest in the end
+constexpr double min_slide_s = 0.25;  // duration from leaving the rest, without the rest at the end
 constexpr double max_slide_s = 8.0;
 
 }  // namespace

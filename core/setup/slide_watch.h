@@ -49,7 +49,7 @@ class SlideWatch {
   bool first_ = false;
   bool resting_ = false;  // within reach of the start: its samples are kept
   FingerPhase finger_;
-  PlatePoint rest_;  // at the start
+  PlatePoint rest_;  // position of the rest at the start
   std::optional<std::int64_t> asked_ns_;
   std::optional<std::int64_t> left_ns_;
   std::int64_t seen_ns_ = 0;

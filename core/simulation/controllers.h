@@ -14,8 +14,8 @@ RetargeterConfig people_controller(const Tuning& tuning = {});
 /// The same, with the tracker's declared latency.
 RetargeterConfig people_controller(const PersonCondition& condition, const Tuning& tuning = {});
 
-/// The traits whose knowledge helps the controller. The gain and the fading of touch are of the model's person: knowing
-/// those of a simulated one costs more reaches than it gains.
+/// Traits that an informed controller is given. The gain and the fading of touch are parameters of the
+/// model: using those of a simulated person costs more reaches than it gains.
 inline constexpr PersonState::Index telling_traits[] = {
     PersonState::weight,  PersonState::curve,      PersonState::bias,    PersonState::habit,
     PersonState::scatter, PersonState::log_wander, PersonState::log_rate};

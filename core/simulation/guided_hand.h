@@ -37,7 +37,7 @@ class GuidedHand {
   Draws draws_;
   std::uint32_t slides_ = 0;
   std::optional<SetupStep> asked_;
-  int wait_ms_ = 0;  // until the person moves
+  int wait_ms_ = 0;  // time until the person moves
   Eigen::Vector3d skin_mm_{0.0, 100.0, 200.0};
   Eigen::Vector3d goal_mm_ = skin_mm_;
   Eigen::Quaterniond attitude_;

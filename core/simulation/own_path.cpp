@@ -12,9 +12,9 @@ namespace hrt {
 namespace {
 
 // SDs of the shapes, deg: fits to the SD of the direction at s = .05, .2, .4, .6, .8, .95 within 0.5 degrees.
-constexpr PathShape cell_sd_deg{8.1, 2.6, 7.3, 10.4};     // of the means of 72 persons and targets
-constexpr PathShape within_sd_deg{9.3, 5.9, 10.1, 18.2};  // of 1683 reaches about those
-// SD of the logarithm of the size of a person's wander: the median is 7.4 of 9.1 degrees.
+constexpr PathShape cell_sd_deg{8.1, 2.6, 7.3, 10.4};     // SD of the means of 72 persons and targets
+constexpr PathShape within_sd_deg{9.3, 5.9, 10.1, 18.2};  // SD of 1683 reaches about those
+// Log SD of the size of a person's wander about its root mean square: the median is 7.4 of 9.1 degrees.
 constexpr double log_size_sd = 0.455;
 
 constexpr double peak_mean = 0.36, peak_sd = 0.09;

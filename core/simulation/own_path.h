@@ -19,18 +19,18 @@ namespace hrt {
 /// a0 to a3, deg.
 using PathShape = std::array<double, 4>;
 
-/// One recorded reach, from start to stop.
+/// A recorded reach, from start to stop.
 struct RecordedReach {
-  std::array<double, 21> direction_deg{};   ///< of motion less that of the chord, at equal steps of the path
-  std::array<double, 101> path_fraction{};  ///< at equal steps of the time
+  std::array<double, 21> direction_deg{};   ///< direction of motion minus that of the chord, at equal steps of the path
+  std::array<double, 101> path_fraction{};  ///< fraction of the path at equal steps of the time
 };
 
 struct OwnPath {
-  PathShape mean_deg{};          ///< of this person and target
+  PathShape mean_deg{};          ///< mean for this person and target
   PathShape sd_deg{};            ///< SDs from reach to reach, independent of one another
   bool returns = true;           ///< false: o(s) fades to 0 before half of the path, and the deflection stays
   bool lags = false;             ///< false: the hand follows o(s) without lag; true: o(s) is part of the goal
-  double log_duration_sd = 0.0;  ///< of a reach's duration
+  double log_duration_sd = 0.0;  ///< log SD of the duration of a reach
   /// Each reach takes the path and the pace of one of these; null: none. The means and SDs above then say what an
   /// informed controller knows.
   std::shared_ptr<const std::vector<RecordedReach>> recorded;

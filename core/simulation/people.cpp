@@ -27,7 +27,7 @@ void headset(PersonCondition& condition, Draws& draws) {
   TrackerModel& tracker = condition.tracker;
   tracker.rate_hz = 72.0;
   tracker.latency_s = 0.045;
-  // Direction in which the target moves.
+  // Direction of the error of the target's position: uniform.
   const double towards_deg = 360.0 * draws.uniform();
   const double along = 1.0 + 11.0 / condition.distance_mm * cos_deg(towards_deg);
   const double across = 11.0 / condition.distance_mm * sin_deg(towards_deg);
@@ -81,7 +81,7 @@ void by_headset(PersonCondition& condition, Draws& draws) {
   tracker.latency_s = tracker.declared_latency_s = 0.048;
   tracker.bearing_sd_deg = atan2_deg(5.0, condition.distance_mm);
   tracker.turned_deg = 1.7 * draws.normal();
-  tracker.declared_bearing_sd_deg = 3.6;  // of all this
+  tracker.declared_bearing_sd_deg = 3.6;  // SD of all these errors together
   tracker.creep_mm = 6.0;
   tracker.end_loss_share = 0.14;
   tracker.excursions_hz = 1.0 / 12.0;

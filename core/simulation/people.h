@@ -1,4 +1,4 @@
-// Families of simulated people, trackers and plates: what the controllers are measured on.
+// Families of simulated people, trackers and plates, with which the controllers are evaluated.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 
 namespace hrt {
 
-/// Both targets are elsewhere from some moment of a reach on.
+/// A move of both targets during a reach.
 struct TargetMove {
-  double at_share = 1.0;  ///< of the distance to the real target, once the finger is as far from the start
+  double at_share = 1.0;  ///< fraction of the distance to the real target at which this happens
   PlatePoint by;
 };
 
-/// One person with an apparatus.
+/// A person with an apparatus.
 struct PersonCondition {
   Person person;
   TrackerModel tracker;
-  PlateDynamics plate{.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};  ///< as it is
-  double plate_offset_deg = 0.0;  ///< of the ridges from where the controller believes that they stand
+  PlateDynamics plate{.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};  ///< true dynamics
+  double plate_offset_deg = 0.0;  ///< rotation of the ridges from the orientation that the controller assumes
   double real_direction_deg = -5.0;
   double virtual_direction_deg = 5.0;
   double distance_mm = 100.0;
@@ -43,7 +43,7 @@ enum class FamilyKind {
 // NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): in the order in which the table reads best
 struct PeopleFamily {
   const char* name;
-  const char* says;  ///< what sets them apart, for tables
+  const char* says;  ///< description for tables
   bool tuned;        ///< the controller's numbers were searched with it; with others only its last settings were
                      ///< compared
   void (*set)(PersonCondition& condition, Draws& draws);
@@ -53,7 +53,7 @@ struct PeopleFamily {
 /// All families; the first is people whose illusion is linear.
 std::span<const PeopleFamily> people_families();
 
-/// The family of that name; null if no family has it.
+/// Returns the family with that name, or null.
 const PeopleFamily* people_family(const char* name);
 
 /// Person `index` of a family, who moves for `duration_s`: w_T in 0.12 to 0.30, gain 5 to 12 /s, delay up to

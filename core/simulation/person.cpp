@@ -15,7 +15,7 @@ constexpr double tick_s = 0.001;
 constexpr double min_felt_speed_mm_s = 0.5;
 constexpr int correction_ms = 250;
 
-// The clock of a person who stops it for `rest_s` at the time `at_s`.
+// Clock of a person who stops it for `rest_s` at `at_s`.
 double with_rest(double time_s, double at_s, double rest_s) {
   return time_s <= at_s ? time_s : std::max(at_s, time_s - rest_s);
 }
@@ -60,7 +60,7 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
 double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg) {
   const double shift_deg = felt_shift_deg(person.illusion, offset_deg);
   if (person.steering != Steering::crossings) return shift_deg;
-  // The sensation is renewed at each ridge and fades until the next one.
+  // Touch is renewed at each ridge and fades until the next one.
   const double between_s = ridge_spacing_mm / (speed_mm_s * std::max(std::abs(cos_deg(offset_deg)), 1e-6));
   return shift_deg * touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));
 }
@@ -249,8 +249,8 @@ double SlidingPerson::felt_shift_deg(double offset_deg, double travel_mm) {
 void SlidingPerson::steer(double motion_deg) {
   const double noise_deg = noise_sd_deg_ * draws_.normal();
   const bool predicts = person_.steering == Steering::predictive;
-  // The part of the felt direction that comes from touch and bias, for a person who knows their own motion without
-  // delay. The path that the hand follows without lag is neither error nor answer.
+  // Error of touch and bias without the direction itself, for a person who knows the own motion without delay. Motion
+  // that the hand follows without lag contributes to neither error nor answer.
   const double followed_deg = person_.own_path.lags ? 0.0 : own_deg_;
   const double answered_deg = (predicts ? felt_deg_ - motion_deg : felt_deg_) - followed_deg;
   // A finger at rest feels no motion to steer.

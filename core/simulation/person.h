@@ -43,12 +43,12 @@ double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double
 enum class Steering {
   steps,        ///< paper section II-A, every 100 ms
   continuous,   ///< dP/dt = -k (felt(time - delay) - goal) + noise
-  predictive,   ///< as continuous, and they know their own P without delay
+  predictive,   ///< as continuous, with knowledge of the own direction without delay
   place,        ///< as continuous, towards the virtual target's place as seen from where they feel the finger is
   heavy_arm,    ///< a mass that slow muscles pull, feedback after the delay
   crossings,    ///< as continuous; ridges are felt only when the finger crosses one, every 10 mm
-  placing_arm,  ///< as heavy_arm, towards the virtual target's place
-  corrections,  ///< as continuous, at once every 250 ms
+  placing_arm,  ///< as heavy_arm, towards the position of the virtual target
+  corrections,  ///< as continuous, in corrections every 250 ms
 };
 
 enum class Pace {
@@ -67,15 +67,15 @@ struct Person {
   SimulatedIllusion illusion;
   Steering steering = Steering::continuous;
   double gain_per_s = 9.0;           ///< k
-  double delay_s = 0.06;             ///< of what is felt
-  double noise_deg2_per_s = 8.0;     ///< of the direction of motion
-  double start_direction_deg = 0.0;  ///< of the first motion
+  double delay_s = 0.06;             ///< delay of perception
+  double noise_deg2_per_s = 8.0;     ///< noise of the direction of motion
+  double start_direction_deg = 0.0;  ///< direction of the first motion
   double bias_deg = 0.0;             ///< goal less virtual direction
   double own_bias_deg = 0.0;         ///< added to what they feel of their own direction
   double habit_deg = 0.0;            ///< goal bends by habit (1 - 2 s) over the path s
-  double scatter_deg = 0.0;          ///< of the bias from reach to reach, standard deviation
-  double touch_s = 0.0;              ///< time constant with which a shift comes to be felt; 0: at once
-  double mass_kg = 1.0;              ///< of a heavy arm
+  double scatter_deg = 0.0;          ///< SD of the bias from reach to reach
+  double touch_s = 0.0;              ///< time constant with which a shift is perceived; 0: immediately
+  double mass_kg = 1.0;              ///< mass of a heavy arm
   double muscle_s = 0.04;            ///< time constant of a heavy arm's force
   double weight_drift = 0.0;         ///< w changes by this from the start of a reach to its end
   Pace pace = Pace::minimum_jerk;
@@ -88,14 +88,15 @@ struct Person {
 inline constexpr double ridge_spacing_mm = 10.0;
 inline constexpr double touch_memory_s = 0.3;
 
-/// Mean felt shift in a motion at that speed. Only people who feel ridges as they cross them depend on the speed.
+/// Mean perceived shift during a motion at that speed. Only people who feel ridges as they cross them depend on the
+/// speed.
 double mean_felt_shift_deg(const Person& person, double speed_mm_s, double offset_deg);
 double max_shift_deg(const Person& person, double speed_mm_s, double bound_deg, double sign);
 
-/// From a target's move to the person's answer.
+/// Time from a target's move to the person's answer.
 inline constexpr double reaction_s = 0.2;
 
-/// One reach of a person. Advances in milliseconds.
+/// A reach of a simulated person. Advances in milliseconds.
 class SlidingPerson {
  public:
   /// At rest at `start`, asked to go `distance_mm` to the virtual target in `virtual_direction_deg`. Without
@@ -112,7 +113,7 @@ class SlidingPerson {
 
   bool done() const { return done_ && answers_in_ms_ == 0; }
   const PlatePoint& position() const { return position_; }
-  /// Felt position of the finger: the start plus each motion since, in the direction that was felt.
+  /// Perceived position of the finger: the start, plus all motion in the perceived direction.
   const PlatePoint& felt_position() const { return felt_position_; }
   double speed_mm_s() const { return speed_mm_s_; }
   double direction_deg() const { return direction_deg_; }
@@ -136,9 +137,9 @@ class SlidingPerson {
   Person person_;
   double virtual_direction_deg_;
   double distance_mm_;
-  double total_s_;  // with pauses
+  double total_s_;  // duration including pauses
   PlatePoint virtual_place_;
-  int answers_in_ms_ = 0;  // to a target that has moved; 0: answered
+  int answers_in_ms_ = 0;  // time until the answer to a target that has moved; 0: answered
   Draws draws_;
   PlatePoint position_;
   PlatePoint felt_position_;
@@ -155,9 +156,9 @@ class SlidingPerson {
   double crossed_shift_deg_ = 0.0, touched_shift_deg_ = 0.0;
   double ridge_travel_mm_ = 0.0;
   double perceived_variance_deg2_ = 0.0;  // steps
-  // The end of one submovement.
+  // End of a submovement.
   struct Part {
-    double time, share;  // of the whole
+    double time, share;  // fraction of the whole
   };
   std::array<Part, 3> parts_{};
   RecordedPace pace_;
@@ -166,7 +167,7 @@ class SlidingPerson {
   double own_deg_ = 0.0;                   // direction of the own path
   int millisecond_ = 0;
   bool done_ = false;
-  // Answers of the person, one for each millisecond; all answers before the oldest are equal to it.
+  // Perceived error of each millisecond, which the person answers after the delay.
   static constexpr int history_size = 256;
   std::array<double, history_size> felt_history_{};
   int rested_ms_ = 0;

@@ -14,20 +14,21 @@ namespace hrt {
 
 /// How a reach ended: truth, not estimate.
 struct PersonOutcome {
-  double bearing_error_deg;            ///< bearing of the end from the start, less the real target's
-  double miss_mm;                      ///< across the real direction, signed as bearing_error_deg
-  PlatePoint finger;                   ///< where it is at the end
-  double peak_felt_error_deg;          ///< largest felt less virtual direction while the finger moves
-  ReachSummary summary;                ///< the controller's own account; zero without a controller
-  std::optional<PersonBelief> learnt;  ///< what the next reach begins from, if this one taught anything
+  double bearing_error_deg;    ///< bearing of the end from the start, less the real target's
+  double miss_mm;              ///< across the real direction, signed as bearing_error_deg
+  PlatePoint finger;           ///< where it is at the end
+  double peak_felt_error_deg;  ///< largest felt less virtual direction while the finger moves
+  ReachSummary summary;        ///< the controller's own account; zero without a controller
+  std::optional<PersonBelief>
+      learnt;  ///< estimate with which the next reach begins; none if this reach changes nothing
 };
 
-/// A sample of a reach, with the truth beside it.
+/// A sample of a reach, with the ground truth.
 struct PersonMoment {
   double time_s;      ///< since the reach began; the finger moves later
   PlatePoint finger;  ///< where it is
   PlatePoint felt;    ///< where the person feels that it is
-  double plate_deg;   ///< orientation of the ridge normal
+  double plate_deg;   ///< direction of the ridge normal
   PlateCommand command;
   const PersonFilter* filter;  ///< the controller's; null: it is not the one for people
 };

@@ -14,8 +14,8 @@ namespace hrt {
 /// square root: the same bits on every compiler that keeps IEEE arithmetic, with any mathematics library.
 std::array<double, 2> normal_pair(std::uint64_t bits);
 
-/// Draws from N(0, 1) for the steps of one trial. Philox of the counter {step / 4, trial, condition, 0} serves four
-/// steps; the last block is kept. One thread at a time.
+/// Draws from N(0, 1) for the steps of one trial. Philox of the counter {step / 4, trial, condition, 0} gives the
+/// numbers of four steps; the last block is kept. One thread at a time.
 class NormalDraws {
  public:
   NormalDraws(std::uint64_t seed, std::uint32_t condition, std::uint32_t trial)
@@ -27,7 +27,7 @@ class NormalDraws {
   std::uint64_t seed_;
   std::uint32_t condition_;
   std::uint32_t trial_;
-  std::uint32_t block_ = ~std::uint32_t{0};  // of no step
+  std::uint32_t block_ = ~std::uint32_t{0};  // index of the last block; initially none
   std::array<double, 4> draws_{};
 };
 
@@ -52,14 +52,14 @@ class Draws {
       : seed_(seed), counter_{0, person, reach, stream + 1} {}
 
   double normal();
-  /// In [0, 1).
+  /// Uniform in [0, 1).
   double uniform();
 
  private:
   std::uint64_t bits();
 
   std::uint64_t seed_;
-  PhiloxBlock counter_;  // of the next block
+  PhiloxBlock counter_;  // counter of the next block
   std::uint64_t late_half_ = 0;
   double spare_ = 0.0;
   bool has_late_half_ = false;

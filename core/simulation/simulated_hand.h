@@ -26,10 +26,11 @@ class SimulatedHand {
 
   /// Rests, and will do what the steps of a set-up ask for.
   void begin_setup();
-  /// As move(), of the skin in plate coordinates. None: the person stays where they are. Requires is_guided().
+  /// As move(), with the position of the skin in plate coordinates. Without a position the person does not move.
+  /// Requires is_guided().
   Eigen::Vector3d follow(std::int64_t time_ns, double plate_orientation_deg, const std::optional<SetupStep>& step);
   bool is_guided() const { return guided_.has_value(); }
-  /// Orientation of the tracked joint, in the plate's axes. Requires is_guided().
+  /// Rotation of the tracked joint in the plate's axes. Requires is_guided().
   const Eigen::Quaterniond& attitude() const { return guided_->attitude(); }
 
   /// Commands the plate, which is where the first call of a reach says, and lets time pass. Returns where the
@@ -46,17 +47,17 @@ class SimulatedHand {
   double noise_mm() { return condition_.tracker.white_mm * tracking_->normal(); }
 
   PersonCondition condition_;
-  double start_share_;  // of the virtual direction, in which they set out
+  double start_share_;  // initial direction as a fraction of the virtual direction
   std::uint64_t seed_;
   std::uint32_t reach_ = 0;
   std::optional<SlidingPerson> finger_;
   std::optional<GuidedHand> guided_;
   std::optional<Draws> tracking_;
   PlateModel plate_{PlateDynamics{}, 0.0};
-  double commanded_deg_ = 0.0;  // of the orientations that feel the same the nearest to the last
+  double commanded_deg_ = 0.0;  // of the orientations with the same ridges, the nearest to the last one
   std::int64_t began_ns_ = 0;
   std::int64_t now_ns_ = 0;
-  std::int64_t ticks_ = 0;  // of a millisecond, of this reach
+  std::int64_t ticks_ = 0;  // milliseconds of this reach
   bool moved_ = false;
 };
 

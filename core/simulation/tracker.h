@@ -15,27 +15,28 @@ namespace hrt {
 struct TrackerModel {
   double rate_hz = 90.0;
   double white_mm = 1.2;       ///< SD of the noise of a coordinate, independent for each sample
-  double correlated_mm = 0.0;  ///< and decaying within correlation_s
+  double correlated_mm = 0.0;  ///< SD of correlated noise, which decays within correlation_s
   double correlation_s = 0.1;
   double smoothing_s = 0.0;         ///< a low-pass with this time constant smooths the correlated noise; 0: none
   double correlated_log_sd = 0.0;   ///< the noise of a reach is e^x times as large, with this SD of x
-  double latency_s = 0.0;           ///< from a motion to its sample
-  double declared_latency_s = 0.0;  ///< of it, what the controller is given
-  double late_s = 0.0;              ///< samples come up to this later, each independently; less than the sample period
-  double outlier_share = 0.0;       ///< of samples that are off by 30 mm, standard deviation
-  double wild_mm = 0.0;             ///< wild_samples from wild_at_s on are off by this
+  double latency_s = 0.0;           ///< time from a motion to its sample
+  double declared_latency_s = 0.0;  ///< part of the latency that the controller knows
+  double late_s =
+      0.0;  ///< further delay of samples, uniform up to this and drawn for each; less than the time between samples
+  double outlier_share = 0.0;  ///< fraction of samples with an error of 30 mm (SD)
+  double wild_mm = 0.0;        ///< wild_samples from wild_at_s on are off by this
   double wild_at_s = 0.0;
   int wild_samples = 0;
-  double dropout_share = 0.0;            ///< of samples at which tracking is lost, for some ten samples
-  double jitter_share = 0.0;             ///< of the time between samples
-  double turned_deg = 0.0;               ///< of its frame about the start
-  double scale = 1.0;                    ///< of its frame about the start
+  double dropout_share = 0.0;            ///< fraction of samples at which tracking is lost, for about ten samples
+  double jitter_share = 0.0;             ///< jitter as a fraction of the time between samples
+  double turned_deg = 0.0;               ///< rotation of its frame about the start
+  double scale = 1.0;                    ///< scale of its frame about the start
   double shear = 0.0;                    ///< seen to the right by this for each millimetre away from the start
   double bearing_sd_deg = 0.0;           ///< SD of the rotation of its frame about the start, drawn for each reach
   double declared_bearing_sd_deg = 0.0;  ///< SD of the bearing that the controller is given
   double creep_mm = 0.0;                 ///< a moving finger is seen off by this; it decays within 0.2 s of the stop
-  double end_loss_share = 0.0;           ///< of reaches, those in which the hand is lost as the finger brakes
-  double excursions_hz = 0.0;            ///< at rest: 10 to 16 mm off for 50 to 100 ms
+  double end_loss_share = 0.0;           ///< fraction of reaches in which the hand is lost as the finger brakes
+  double excursions_hz = 0.0;            ///< rate at rest of excursions of 10 to 16 mm for 50 to 100 ms
 };
 
 /// Errors that depend on what the finger does: creep after a stop, losses at the end, excursions at rest.
@@ -65,7 +66,7 @@ class MotionErrors {
 /// A tracker in use.
 class Tracker {
  public:
-  /// Its frame is turned and scaled about `about`.
+  /// `about`: centre of the frame's rotation and scale.
   Tracker(const TrackerModel& model, const PlatePoint& about, Draws draws);
 
   /// Sees the finger if a sample is due at `time_s`.
@@ -73,7 +74,7 @@ class Tracker {
     if (time_s >= next_s_) see(time_s, finger);
   }
 
-  /// The next sample that has come by `time_ns`, if any.
+  /// Returns the next sample that has arrived by `time_ns`, or none.
   std::optional<FingerSample> arrived(std::int64_t time_ns);
 
  private:

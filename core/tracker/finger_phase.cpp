@@ -36,7 +36,7 @@ template <class Point>
 typename PhaseDetector<Point>::Seen PhaseDetector<Point>::see(double time_s, const Point& position) {
   if (at_rest()) {
     if (is_wild(time_s, position)) return Seen::ignored;
-    if (std::exchange(wild_, 0) > tuning_.max_wild) phase_ = Phase::lifted;  // it is there, however it came
+    if (std::exchange(wild_, 0) > tuning_.max_wild) phase_ = Phase::lifted;  // too many to be outliers
   }
   const double gap_s = places_.count() > 0 ? time_s - places_[0].time_s : 0.0;
   if (!places_.add(time_s, position)) return Seen::merged;
@@ -150,7 +150,7 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   if (sagitta_mm > clearly_moving_limits * limit_mm) return false;
   const Rest before = rest_;
   const double begun_s = places_[count - 1].time_s;
-  // In the first half of a long window the finger may still come to rest.
+  // In the first half of a long window the finger may still decelerate.
   const int counted = expected_mm_s ? count : (count + 1) / 2;
   pause_at(begun_s, places_.mean_of_last(counted));
   rest_.places = counted;

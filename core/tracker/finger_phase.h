@@ -1,25 +1,23 @@
-// What a tracked finger does: it waits at the start, moves, pauses, or is lifted. The only place that decides this.
+// Phase of a tracked finger: it waits at the start, moves, pauses, or is lifted. This is the only detector of them.
 //
 //   waiting --left--> moving --still--> paused --left--> moving
-//   any --lift()--> lifted --next position--> waiting, or paused if it has moved before
+//   any --lift()--> lifted --next position--> waiting, or paused after a motion
 //
 // sigma is the noise of a coordinate: known, or learnt while the finger rests (noise_learner.h). Tests, with the
 // numbers of PhaseTuning:
 //
-//   left    |mean of the last 3 places - rest place| > max(3.3 sigma, 1 mm). Of white noise 1 in 10^7 means of three
-//           come off by so much. While few steps have been seen, sigma is at least the deviation of the steps with a
-//           factor 1 + 2 / steps.
-//   still   Over the last T seconds and 10 places at least, all since it left, the displacement d along the
-//           least-squares line is small, and the sagitta of the least-squares parabola is at most four times as large:
-//           a finger that turns back has no displacement. A line through n places of white noise has d = sigma sqrt(12
-//           / n), correlated noise up to sqrt(2) sigma. If the caller knows the motion's speed v: T = 0.11 s, d < 2.5
-//           sigma and d + sigma < v T. Else T = 0.11 s + 2.5 sigma / (15 mm/s), so that a slow motion does not pass for
-//           a rest, and d < max(2.5 sigma, 8.6 mm/s T), since a resting hand creeps.
-//   wild    At rest, a position further from the last place than 600 mm/s * elapsed + 5.7 sigma (4 sigma of a
-//           difference) is ignored, twice in a row at most. The third is believed: the finger rests there.
-//   rest    Its place is the running mean of places within 3 sigma, with a memory of 1 s. It lasts while the finger has
-//           not left it, or is found there again within 0.5 s; a gap in tracking of more than 0.2 s restarts its
-//           duration.
+//   left     |mean of the last 3 positions - rest position| > max(3.3 sigma, 1 mm). White noise exceeds this in 1 of
+//            10^7 means. After few steps, sigma is at least the SD of the steps times 1 + 2 / steps.
+//   still    Over the last T seconds, at least 10 positions and not before it left, the displacement d along the
+//            least-squares line is small, and the sagitta of the least-squares parabola is at most four times as
+//            large: a finger that turns back has no displacement. A line through n positions of white noise has
+//            d = sigma sqrt(12 / n), correlated noise up to sqrt(2) sigma. If the caller knows the motion's speed v:
+//            T = 0.11 s, d < 2.5 sigma and d + sigma < v T. Otherwise T = 0.11 s + 2.5 sigma / (15 mm/s), so that a
+//            slow motion is not taken for a rest, and d < max(2.5 sigma, 8.6 mm/s T), since a resting hand creeps.
+//   outlier  At rest, a position further from the last one than 600 mm/s * elapsed + 5.7 sigma (4 sigma of a
+//            difference) is ignored, at most twice in a row. The third is accepted as the rest position.
+//   rest     Its position is the running mean of positions within 3 sigma, with a memory of 1 s. It lasts until the
+//            finger leaves it for more than 0.5 s; a gap in tracking of more than 0.2 s restarts its duration.
 #pragma once
 
 #include <Eigen/Core>
@@ -46,7 +44,7 @@ struct PhaseTuning {
   double max_creep_mm_s = 8.6;           ///< mm/s [s] a resting hand drifts by less
   double max_start_speed_mm_s = 600.0;   ///< mm/s [s] no motion from rest is faster within a sample
   double wild_deviations = 5.7;          ///< [m] 4 deviations of the difference of two positions
-  double max_wild = 2;                   ///< [s] wild positions in a row that are ignored
+  double max_wild = 2;                   ///< [s] outliers in a row that are ignored
   double rest_place_deviations = 3.0;    ///< [m] places further away do not count to the rest place
   double place_memory_s = 1.0;           ///< s [s] the rest place is the mean over this
   double start_tolerance_mm = 15.0;      ///< mm [s] a first position further from the start is where the finger is
@@ -57,7 +55,7 @@ struct PhaseTuning {
   double min_place_sd_mm = 0.05;         ///< mm [s] lower bound of the deviation of the rest place
 };
 
-/// What the finger does. A reach has arrived by where and how long the finger rests: see reach_end.h.
+/// Phase of the finger. The end of a reach also depends on position and duration of the rest: see reach_end.h.
 enum class Phase {
   waiting,  ///< at rest, before its first motion
   moving,
@@ -76,7 +74,7 @@ class PhaseDetector {
                          const PhaseTuning& tuning = {});
 
   enum class Seen {
-    ignored,  ///< a wild position at rest
+    ignored,  ///< an outlier at rest
     merged,   ///< averaged into the last place, which leaves the phase as it is
     place,    ///< a new place
     set_down  ///< a new place, the first of another rest
@@ -90,13 +88,13 @@ class PhaseDetector {
   void observe(std::int64_t time_ns, const Point& position);
   /// The finger is off the plate.
   void lift() { phase_ = Phase::lifted; }
-  /// The finger rests at `place` from `time_s` on, whatever it was doing.
+  /// Sets the phase: the finger rests at `place` from `time_s` on.
   void pause_at(double time_s, const Point& place);
 
   Phase phase() const { return phase_; }
   bool at_rest() const { return phase_ == Phase::waiting || phase_ == Phase::paused; }
   bool has_moved() const { return moved_; }
-  /// Where the finger rests, or rested before it moved.
+  /// Position of the present rest, or of the rest before the motion.
   const Point& rest_place() const { return rest_.place; }
   /// Standard deviation of a coordinate of it.
   double rest_place_sd_mm() const;
@@ -129,7 +127,7 @@ class PhaseDetector {
   NoiseLearner<Point> noise_;
   RecentPlaces<Point> places_;
   Rest rest_;
-  std::optional<std::int64_t> origin_ns_;  // of observe()
+  std::optional<std::int64_t> origin_ns_;  // time of the first observe()
   Phase phase_ = Phase::waiting;
   bool start_known_;
   bool moved_ = false;

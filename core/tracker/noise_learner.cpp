@@ -8,13 +8,14 @@
 namespace hrt {
 namespace {
 
-// Differences of neighbours that the assumed noise is worth: a rest of few correlation times shows its white part only.
+// Weight of the assumed noise, in differences of neighbours: a rest of few correlation times shows only the white part.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
 // A tracker that is seen to be better than assumed is assumed to have less correlated noise, but no less than this
 // share.
 constexpr double min_assumed_share = 0.6;
-// Before so many differences the assumed noise is used as it is; after that every fourth one renews the estimate.
+// Number of differences before which the assumed noise is used unchanged; after that every fourth one updates the
+// estimate.
 constexpr int min_steps = 8;
 constexpr int steps_per_estimate = 4;
 // A larger deviation is a finger that moves; within a motion a departure counts for three deviations at most.
@@ -80,7 +81,7 @@ void NoiseLearner<Point>::learn(const RecentPlaces<Point>& places, int rested) {
   update();
 }
 
-// A motion cancels in the distance of a place from the line through its neighbours; white noise stays.
+// Distance of a position from the line through its neighbours: a uniform motion cancels, white noise remains.
 template <class Point>
 void NoiseLearner<Point>::learn_moving(const RecentPlaces<Point>& places) {
   if (known_ || places.count() < 3) return;

@@ -6,8 +6,8 @@
 //
 //   D(t) = E (x(s + t) - x(s))^2 / 2 = w + c (1 - exp(-t / tau))
 //
-// (structure function; Kolmogorov 1941). White noise shows in neighbours, correlated noise in the growth of D. What the
-// finger itself does at rest cannot be separated from noise: tremor and drift count as correlated noise.
+// (structure function; Kolmogorov 1941). White noise shows in neighbours, correlated noise in the growth of D. Tremor
+// and drift of a resting finger cannot be separated from noise and count as correlated noise.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,7 +38,7 @@ struct StructureFunction {
   static constexpr int places(int lag) { return 1 << lag; }
 
   struct Sum {
-    double square_mm2 = 0.0;  ///< of half the square difference of a coordinate
+    double square_mm2 = 0.0;  ///< sum of half the square difference of a coordinate
     double time_s = 0.0;
     double count = 0.0;
 
@@ -83,7 +83,7 @@ class NoiseLearner {
   /// Blend of the assumed and the learnt noise, by the number of differences seen.
   const TrackerNoise& noise() const { return noise_; }
   bool known() const { return known_; }
-  /// Differences of neighbours so far, and D of them.
+  /// Number of differences of neighbours so far, and their D.
   int steps() const { return static_cast<int>(differences_.sums[0].count); }
   double step_variance_mm2() const { return differences_.sums[0].mean_mm2(); }
 

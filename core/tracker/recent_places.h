@@ -33,7 +33,7 @@ class RecentPlaces {
     return true;
   }
 
-  /// From 0 to `capacity`.
+  /// Number of stored places, from 0 to `capacity`.
   int count() const { return count_; }
   /// `back` of 0 is the last place; less than count().
   const Timed<Point>& operator[](int back) const {

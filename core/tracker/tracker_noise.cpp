@@ -12,7 +12,7 @@ constexpr double block_s = 0.5;
 constexpr std::size_t min_blocks = 8;
 constexpr double max_correlation_s = 2.0;
 constexpr double min_correlation_s = 0.01;
-constexpr int times = 48;  // on the grid, each 1.12 of the one before
+constexpr int times = 48;  // points of the grid, each 1.12 of the one before
 // A sample period that shows correlation: e^(-1 / 0.7) is about a quarter.
 constexpr double min_periods = 0.7;
 // The parts of noise that may decay within fewer periods cannot be separated.

@@ -1,4 +1,4 @@
-// A tracker's noise with intervals, from recorded rests: what a calibration reports.
+// Noise of a tracker with intervals, from recorded rests, for a calibration.
 //
 // The structure function of all rests (noise_learner.h) gives the white part, the correlated part and, on a grid, the
 // correlation time. Intervals are of the jackknife (Efron, 1982) over blocks of half a second, which holds for noise of
@@ -48,16 +48,16 @@ class RestNoiseFit {
   std::vector<StructureFunction> blocks_;
   StructureFunction all_;
   double min_s_ = 0.0;          // the shortest correlation time to be found
-  Parts best_{};                // of all blocks
-  std::vector<Parts> without_;  // of all blocks but one: of the first one, the second one, ...
+  Parts best_{};                // fit of all blocks
+  std::vector<Parts> without_;  // fits of all blocks except the first one, the second one, ...
   RestNoise noise_;
 };
 
 /// All steps of it.
 RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
 
-/// What a controller takes of it; correlated_mm is 0 unless there is certainly such noise and its time is known, and
-/// all noise is then white_mm. None if the white part is not known.
+/// Noise for a controller. correlated_mm is 0 unless there is certainly such noise with a known time; white_mm then has
+/// all noise. None if the white part is unknown.
 std::optional<TrackerNoise> known_noise(const RestNoise& noise);
 
 }  // namespace hrt

@@ -22,13 +22,13 @@ enum class StatusError : std::uint8_t {
   data_limit,
   access
 };
-/// What the protocol calls it; "unknown error" of an unknown number.
+/// Name of the error in the protocol; "unknown error" for an unknown number.
 const char* name_of(StatusError error);
 
 struct Packet {
   std::uint8_t id = 0;
   std::uint8_t instruction = 0;
-  std::uint8_t error = 0;  ///< of a status: StatusError, and the alert bit
+  std::uint8_t error = 0;  ///< error of a status packet: StatusError, and the alert bit
   std::string parameters;  ///< without stuffing
 
   static constexpr std::uint8_t alert = 0x80;  ///< the servo has a hardware error
@@ -43,8 +43,8 @@ std::string encode(const Packet& packet);
 std::string little_endian(std::int64_t value, int count);
 std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
 
-/// Cuts a stream of bytes into packets, in bounded memory. What lies between packets is passed over; after a
-/// damaged packet it looks for the next header behind that one's.
+/// Separates a stream of bytes into packets, in bounded memory. Bytes between packets are skipped; after a damaged
+/// packet the search continues behind its header.
 class PacketReader {
  public:
   static constexpr std::size_t max_length = 250;  ///< that the length field may have

@@ -1,5 +1,5 @@
-// Arithmetic as the library is tested with, whatever the host has set for its thread: another rounding would give
-// other bits, and a trap would end the host where a number is infinite for a while.
+// Sets the arithmetic with which the library is tested, and restores that of the host's thread: another rounding would
+// give other bits, and a trap would end the host at an intermediate infinity.
 #pragma once
 
 #if defined(__SSE2__)

@@ -21,10 +21,10 @@ struct Field {
   const char* name;
   std::size_t offset;
   FieldKind kind = FieldKind::free;
-  Number low = 0, high = 0;  ///< of a number, of each in an array; of flags, `high` has all bits
+  Number low = 0, high = 0;  ///< limits of a number, or of each in an array; of flags, `high` has all bits
   bool zero = false;         ///< 0 is allowed besides
   bool (*in_profile)(const S&) = nullptr;
-  bool optional = false;  ///< in some profiles only
+  bool optional = false;  ///< profiles may lack it
 
   T& of(S& values) const { return *reinterpret_cast<T*>(reinterpret_cast<char*>(&values) + offset); }
   const T& of(const S& values) const { return of(const_cast<S&>(values)); }

@@ -37,7 +37,7 @@ class File {
 
   /// Bytes read into the beginning of `out`: 0 at the end, negative on failure, with errno set.
   std::ptrdiff_t read(std::span<char> out);
-  /// What was in a file to write is gone. 0, or errno.
+  /// Discards the content of a file that is open for writing. Returns 0 or errno.
   int clear();
   /// 0, or errno.
   int write(std::string_view text);

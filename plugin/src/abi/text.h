@@ -1,5 +1,5 @@
-// A line of text in a fixed buffer, and numbers as text: no heap, no locale. Characters that do not fit are
-// cut off, and every double reads back to the same bits.
+// A line of text in a fixed buffer, and numbers as text, without heap or locale. Characters that do not fit are
+// dropped; every double reads back to the same bits.
 #pragma once
 
 #include <charconv>
@@ -19,11 +19,11 @@ inline constexpr std::size_t max_number = 32;
 /// Writes the shortest text that reads back as the same finite number. Returns its length.
 std::size_t write_number(double number, char (&out)[max_number]);
 
-/// Whether all of `text` is a number that a double can hold: digits with at most one point, with or without
-/// an exponent; or inf, nan. `*out` changes only then.
+/// Reads `text` as a number: digits with at most one point, with or without an exponent; or inf, nan. Returns false and
+/// does not change `*out` if any of `text` is something else or the number is too large for a double.
 bool read_number(std::string_view text, double* out);
 
-/// Whether all of `text` is a whole number.
+/// As above, for a whole number.
 template <class Integer>
 bool read_number(std::string_view text, Integer* out) {
   Integer number{};
@@ -33,7 +33,7 @@ bool read_number(std::string_view text, Integer* out) {
   return true;
 }
 
-/// A name, key or path in a message: cut after 64 bytes, so that there is room for the rest.
+/// A name, key or path in a message: truncated after 64 bytes, so that the rest of the message fits.
 struct Shown {
   std::string_view text;
 };

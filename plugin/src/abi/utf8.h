@@ -6,8 +6,8 @@
 
 namespace hrt::plugin {
 
-/// Bytes of the character at the beginning of `text`; 0 if that is none. As RFC 3629 has it: shortest forms
-/// only, no surrogates, nothing above U+10FFFF.
+/// Number of bytes of the first character of `text`; 0 if it is invalid. By RFC 3629: shortest forms only, no
+/// surrogates, no code point above U+10FFFF.
 inline std::size_t utf8_character_size(std::string_view text) {
   const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(at < text.size() ? text[at] : 0); };
   if (text.empty()) return 0;

@@ -8,11 +8,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double slow_share = 0.8;   // of the file's speed
-constexpr auto deviates_after = 1s;  // of rest, and of error
+constexpr double slow_share = 0.8;   // fraction of the speed in the file
+constexpr auto deviates_after = 1s;  // duration of rest, and of the error
 constexpr double late_s = 0.04;
 constexpr double min_way_deg = 90.0;  // over which lateness is found
-constexpr auto max_pause = 50ms;      // of the host, which loses the motion in it
+constexpr auto max_pause = 50ms;      // longest pause of the host; motion in a longer one is not observed
 
 }  // namespace
 

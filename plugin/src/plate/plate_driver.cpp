@@ -20,8 +20,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto pickup_period = 5ms;  // in which a command is seen
-constexpr double arrived_deg = 5.0;  // from the command
+constexpr auto pickup_period = 5ms;  // period in which new commands are read
+constexpr double arrived_deg = 5.0;  // largest distance from the command
 constexpr double stay = std::numeric_limits<double>::quiet_NaN();
 
 std::atomic<std::uint32_t> forks{0};

@@ -59,7 +59,7 @@ class PlateDriver {
   std::string path_;
   std::optional<PlateFile> file_;
   hrt_plate_options options_;
-  std::uint32_t forks_;  // of this process and its parents, when the plate was opened
+  std::uint32_t forks_;  // number of forks of this process and its parents when the plate was opened
 
   // From the host: the orientation, or not a number to stay; and that it lives.
   std::atomic<double> wanted_deg_;
@@ -72,7 +72,7 @@ class PlateDriver {
   Time host_heard_;
   bool host_is_silent_ = false;
   bool holds_ = true;
-  bool has_arrived_ = false;  // at a command
+  bool has_arrived_ = false;  // the plate has reached a command
   std::optional<FileWatch> watch_;
 
   Snapshot<Published> published_;

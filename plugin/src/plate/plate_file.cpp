@@ -36,7 +36,7 @@ std::string hash_of(std::string_view text) {
 // Not by a stream of the C++ library, which brings its locales.
 using OpenFile = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
-// Waits for nobody: a pipe is empty, or cannot be read.
+// Opens a file without waiting: a pipe is then empty, or cannot be read.
 std::FILE* open_to_read(const std::string& path) {
 #if defined(_WIN32)
   return _wfopen(plugin::path_of(path.c_str()).c_str(), L"rb");

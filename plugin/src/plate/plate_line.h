@@ -15,12 +15,12 @@ struct PlateGreeting {
   double min_deg;
   double max_deg;
   double speed_deg_s;
-  double latency_ms;  ///< from a line to the servo's motion
+  double latency_ms;  ///< time from a line to the servo's motion
   bool is_measured;   ///< reports come from a sensor, not from the plate's own commands
 };
 struct PlateReport {
   std::optional<double> orientation_deg;  ///< nothing if the plate does not know it
-  std::uint16_t sequence;                 ///< of the last line that was taken in
+  std::uint16_t sequence;                 ///< number of the last line that was received
 };
 enum class StopReason { host, heartbeat, limit, fault, emergency, stuck, sensor, unhomed, supply };
 struct PlateStopped {

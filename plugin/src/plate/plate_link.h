@@ -12,10 +12,10 @@
 
 namespace hrt::plate {
 
-/// The plate's speed is its own, or less if it was seen to turn slower; its latency half of the measured way
-/// there and back, and what the plate says of itself. Every call returns at once, except the constructor,
-/// wait(), ask() and what asks. All throw PlateFailure when the plate has failed; it is then stopped if it
-/// still hears. One thread.
+/// A plate with the line protocol. Its speed is the one that it reports, or the observed one if that is lower; its
+/// latency is the one that it reports plus half of the measured round trip. Calls return immediately, except the
+/// constructor, wait(), ask() and calls that ask. All throw PlateFailure when the plate has failed; it is then stopped
+/// if it is still connected. One thread.
 class PlateLink : public Device, public BoardSettings {
  public:
   /// Greets the plate, for which it has five seconds (boards start when their line is opened), and measures
@@ -32,10 +32,10 @@ class PlateLink : public Device, public BoardSettings {
   DeviceLimits limits() const override;
   bool is_measured() const override { return greeting_->is_measured; }
   const PlateGreeting& greeting() const { return *greeting_; }
-  /// As last reported; nothing before the first report.
+  /// Last reported orientation; none before the first report.
   std::optional<double> orientation_deg() const override { return orientation_deg_; }
   Line::Time reported() const override { return reported_; }
-  /// Of a line and its echo, measured at the start.
+  /// Time from a line to its echo, measured at the start.
   std::optional<std::chrono::nanoseconds> round_trip() const override { return round_trips_.median(); }
   std::uint64_t refusals() const override { return refusals_; }
 
@@ -94,7 +94,7 @@ class PlateLink : public Device, public BoardSettings {
   std::optional<double> command_deg_;
   std::uint16_t sequence_ = 0;
   int unanswered_hellos_ = 0;
-  bool is_taken_ = false;  // by another host
+  bool is_taken_ = false;  // another host uses the plate
   std::uint64_t refusals_ = 0;
   const std::function<bool(const PlateMessage&)>* asked_ = nullptr;
   bool answered_ = false;

@@ -109,7 +109,7 @@ double PlateLink::pulse_setting(const std::string& name) {
 
 double PlateLink::zero_deg() { return pulse_setting("zero") / pulse_setting("span") * 180.0; }
 
-// In steps, so that the servo never jumps.
+// Moves 0 in steps, so that the servo never jumps.
 void PlateLink::set_zero(double zero_deg) {
   double at_us = pulse_setting("zero");
   const double to_us = std::round(zero_deg * pulse_setting("span") / 180.0);

@@ -14,12 +14,12 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto report_limit = 500ms;
-constexpr double limit_slack_deg = 3.0;  // of a sensor
-constexpr double far_deg = 10.0;         // from the command: a plate so far away has to move
+constexpr double limit_slack_deg = 3.0;  // tolerance of a sensor
+constexpr double far_deg = 10.0;         // distance from the command at which a plate has to move
 constexpr auto stuck_limit = 1000ms;
 constexpr double moved_deg = 1.0;  // in that time, or a quarter of what the plate's speed allows
 constexpr auto max_pause = 250ms;
-// Of a motion, to see its speed: this way, or for this time. Its onset must not count.
+// Angle or duration of a motion after which its speed is measured, without its onset.
 constexpr double seen_deg = 20.0;
 constexpr auto min_motion = 60ms, max_motion = 1000ms;
 
@@ -47,7 +47,7 @@ void PlateWatch::stopped() {
 }
 
 void PlateWatch::reported(Time time, std::optional<double> known_deg) {
-  // After a pause of the host, reports of the pause arrive at once: their own times are unknown.
+  // After a pause of the host, the reports of the pause arrive together, and their times are unknown.
   if (time - reported_ > max_pause) {
     motion_.clear();
     moved_.reset();

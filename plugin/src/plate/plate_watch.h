@@ -20,7 +20,7 @@ class PlateWatch {
 
   /// The plate is to turn there.
   void commanded(double orientation_deg);
-  /// It is to stay where it is.
+  /// From now on, the plate must not move.
   void stopped();
   /// `orientation_deg`: nothing if the plate does not know it.
   void reported(Time time, std::optional<double> orientation_deg);
@@ -42,7 +42,7 @@ class PlateWatch {
   Time reported_;
   bool has_reported_ = false;
   std::optional<double> command_deg_;
-  std::deque<Place> motion_;    // one motion towards the command, without a stop
+  std::deque<Place> motion_;    // positions of one motion towards the command, without a stop
   std::optional<Place> moved_;  // where it last was seen to move, while it had to
   std::optional<double> speed_deg_s_;
 };

@@ -6,8 +6,8 @@
 
 namespace hrt::plate {
 
-/// Of the orientations in [min_deg, max_deg] that feel like `orientation_deg` (ridges repeat every 180
-/// degrees), the nearest to `from_deg`; if there is none, the limit nearest to one.
+/// Of the orientations in [min_deg, max_deg] with the same ridges as `orientation_deg` (they repeat every 180 degrees),
+/// the nearest to `from_deg`; if there is none, the limit nearest to such an orientation.
 inline double orientation_within(double min_deg, double max_deg, double orientation_deg, double from_deg) {
   const double turns = std::ceil((min_deg - orientation_deg) / 180.0);
   const double lowest_deg = orientation_deg + 180.0 * turns;  // the first one that is not below the range

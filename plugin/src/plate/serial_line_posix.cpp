@@ -19,7 +19,7 @@ namespace hrt::plate {
 namespace {
 
 constexpr std::size_t max_unsent = 1024;
-constexpr int max_reads = 16;  // at a time, however much the plate sends
+constexpr int max_reads = 16;  // limit of reads in one call, for a plate that sends without end
 
 std::string reason() { return std::strerror(errno); }
 
@@ -66,7 +66,7 @@ class SerialLine : public Line {
     replace(0, line_ + 1);
   }
 
-  // Closing waits, for half a minute in Linux, until all is sent: what a dead line has not taken is dropped
+  // Linux waits up to half a minute on closing until all is sent. Unsent bytes of a dead line are therefore dropped
   // first.
   ~SerialLine() override {
     int unsent = 0;

@@ -9,9 +9,9 @@
 
 namespace hrt::plate {
 
-/// One writer, any readers. A reader copies a value that is whole: a slot that was written over meanwhile is
-/// noticed by its number, and the next one is taken. It only has to if the writer wrote `slots` - 1 values in
-/// the time of one copy.
+/// A value that one thread writes and any threads read. A reader copies a complete value: the number of a slot shows
+/// that the slot was overwritten meanwhile, and the reader takes the next one. This happens only if the writer wrote
+/// `slots` - 1 values during one copy.
 template <class Value>
 class Snapshot {
   static_assert(std::is_trivially_copyable_v<Value>);

@@ -94,10 +94,10 @@ struct SetupCancelled {};
 struct Refused {
   enum class Argument : std::uint8_t { config, sample, out_command, out_summary, contact };
   Argument argument;
-  std::uint32_t struct_size;  ///< as given, unless it was null
+  std::uint32_t struct_size;  ///< given size; without meaning if the struct was null
 };
 
-/// One call of the C interface.
+/// A call of the C interface.
 struct Record {
   hrt_result result = HRT_OK;
   std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, Touched, ReachCancelled,
@@ -139,7 +139,7 @@ hrt_result check_column_names(std::string_view line);
 /// Reads the inputs and the result of a row; outputs are not read.
 hrt_result read_row(std::string_view line, Record* out);
 
-/// Whether all cells of two rows are equal, numbers by their bits.
+/// True if all cells of two rows are equal, numbers by their bits.
 bool is_same_row(std::string_view row, std::string_view other);
 
 /// Read the rest of a comment about a target, the plate or a set-up. They check everything that does not depend on

@@ -20,7 +20,7 @@ namespace hrt::plugin {
 /// State of a recording.
 struct RecorderStatus {
   std::uint64_t written = 0;  ///< rows that have gone to the operating system; records in comments do not count
-  std::uint64_t lost = 0;     ///< records that a slow or broken disk left no room for
+  std::uint64_t lost = 0;     ///< records that were dropped because the disk was slow or failed
   int system_error = 0;       ///< errno of the first failed write; 0: none
 };
 
@@ -68,19 +68,19 @@ class Recorder {
 
   std::unique_ptr<Entry[]> ring_;
   std::atomic<std::uint64_t> pushed_{0};  // records, by the caller
-  std::atomic<std::uint64_t> taken_{0};   // of them, by the thread that writes
+  std::atomic<std::uint64_t> taken_{0};   // of them, read by the writing thread
   std::atomic<std::uint64_t> lost_{0};
   std::atomic<std::uint64_t> written_{0};
-  std::atomic<std::uint64_t> written_rows_{0};  // of them, those that are no comments
+  std::atomic<std::uint64_t> written_rows_{0};  // of them, without comments
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
-  std::atomic<std::uint64_t> lost_unnoted_{0};  // of lost_, those that no entry notes
+  std::atomic<std::uint64_t> lost_unnoted_{0};  // part of lost_ that is not yet noted in an entry
   std::atomic<bool> overrun_{false};            // nothing is taken in until half of the ring is free
   std::uint64_t lost_unreported_ = 0;           // this and the next are the writing thread's
   std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;
   File file_;
-  Hash checksum_;  // of what was written
+  Hash checksum_;  // checksum of the written text
   Text<128> name_;
   std::thread writer_;
 };

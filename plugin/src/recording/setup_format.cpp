@@ -22,7 +22,7 @@ void write_value(const double (&place_m)[3], SetupCell& cell) {
 }
 void write_value(const char (&)[HRT_TEXT_SIZE], SetupCell&) {}  // determined by the numbers
 
-// One cell of name=value pairs.
+// Writes a struct as one cell of name=value pairs.
 template <class Struct>
 void put_setup(const Struct& values, Row& row, SetupCell& cell) {
   for_each_field<Struct>([&](const auto& field) {

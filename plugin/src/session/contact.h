@@ -7,10 +7,10 @@
 
 namespace hrt::plugin {
 
-/// What a host says of a contact.
+/// Report of a contact by the host.
 struct ContactReport {
   std::optional<TargetPlace> place;  ///< none: the near side of the reach's real target
-  double sd_mm = 0.0;                ///< of the place; 0: the radius of the real target
+  double sd_mm = 0.0;                ///< SD of the position; 0: the radius of the real target
 };
 
 /// The contact of a reach from `start` to `real` in which the finger was seen at `finger`. Fails if it cannot be

@@ -1,4 +1,4 @@
-// What a set-up has found, in a session's model.
+// Writes the results of a set-up into a session's model.
 #pragma once
 
 #include "core/setup/setup_fit.h"

@@ -10,11 +10,11 @@ namespace hrt::plugin {
 
 struct Gap {
   Authority authority;
-  double paper_max_gap_deg;  ///< of the paper's model
-  double bearing_sd_deg;     ///< of the bearing where reaches end, by registration and tracker alone
+  double paper_max_gap_deg;  ///< largest gap in the paper's model
+  double bearing_sd_deg;     ///< SD of the bearing at which reaches end, due to registration and tracker alone
 };
 
-/// The gaps of one session. What depends on one target alone is derived once for that target.
+/// Gaps of the targets of one session. Properties of a single target are computed once.
 class Gaps {
  public:
   struct Real {
@@ -33,15 +33,15 @@ class Gaps {
   const SessionModel& model_;
 };
 
-/// The real target, by its index, that serves a virtual one; or the nearest if none can.
+/// A real target, by its index, assigned to a virtual one; the nearest one if the gap cannot be sustained.
 struct Served {
   std::size_t real;
   bool is_served;
   Gap gap;
 };
 
-/// For each virtual target. As many as possible are served, and of all such assignments the largest share of a gap in
-/// the largest possible one is the smallest. `exclusive`: a real target serves one virtual target at most.
+/// Assigns a real target to each virtual one: to as many as possible, and such that the largest ratio of gap to largest
+/// possible gap is minimal. `exclusive`: each real target is assigned at most once.
 std::vector<Served> assign(const SessionModel& model, std::span<const Target* const> virtuals,
                            std::span<const Target* const> reals, bool exclusive);
 

@@ -1,5 +1,5 @@
-// Whether the times, positions and targets of a reach can be those of a person at a plate. Hosts confuse units and
-// axes; the model explains what it is given as well as it can, so that such a reach looks like one without an error.
+// Plausibility of the times, positions and targets of a reach. Hosts confuse units and axes, and the model can fit such
+// data so well that the reach seems to be without an error.
 #pragma once
 
 #include <cstdint>
@@ -27,10 +27,10 @@ struct Implausible {
   double first = 0.0, second = 0.0;
 };
 
-/// What was seen, and the likely mistake, for the log.
+/// Writes the observation and the likely mistake, for the log.
 void write_implausible(const Implausible& found, Text<320>& text);
 
-/// Of one reach. No heap, no lock, no exception.
+/// Checks one reach. Uses no heap, lock or exception.
 class Plausibility {
  public:
   Plausibility() = default;
@@ -40,7 +40,7 @@ class Plausibility {
   void retarget() { retargeted_ = true; }
   /// Every sample in turn, as the host gave it.
   void observe(const FingerSample& sample);
-  /// What was found first; of a finger that is far away, while it is.
+  /// First finding; a finger that is far away only while it is.
   const Implausible& found() const { return found_.kind != Implausible::Kind::none || !is_far() ? found_ : far_; }
 
  private:
@@ -57,14 +57,14 @@ class Plausibility {
   Reach reach_{};
   bool retargeted_ = false;
   Implausible found_, far_;
-  std::optional<FingerSample> last_;  // with a position
+  std::optional<FingerSample> last_;  // last sample with a position
   std::int64_t positions_ = 0;
   std::int64_t far_positions_ = 0;
   int fast_positions_ = 0;                // in a row
   bool came_from_start_ = false;          // otherwise the finger may rest anywhere
   int wrong_positions_ = 0;               // in a row
   int turned_positions_ = 0;              // in a row
-  std::optional<std::int64_t> first_ns_;  // of the samples that are counted
+  std::optional<std::int64_t> first_ns_;  // time of the first counted sample
   int samples_ = 0;                       // within a millisecond of it
 };
 

@@ -1,4 +1,4 @@
-// One user and one plate, in core types. Every call that fails changes nothing. Calls of a reach are real-time.
+// A session: one user and one plate, in core types. A call that fails changes nothing. Calls of a reach are real-time.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace hrt::plugin {
 
-/// What a host asks for when a reach begins.
+/// Parameters of a reach, from the host.
 struct ReachRequest {
   std::uint64_t real_target = 0;
   std::uint64_t virtual_target = 0;
@@ -34,7 +34,7 @@ class Session {
   /// Replaces the model between reaches.
   hrt_result set_model(const SessionModel& model);
 
-  /// Where the last command left the plate.
+  /// Plate orientation of the last command.
   double plate_orientation_deg() const { return plate_orientation_deg_; }
   void set_plate_orientation_deg(double orientation_deg) { plate_orientation_deg_ = orientation_deg; }
 
@@ -71,9 +71,9 @@ class Session {
   /// The part under way, while setting up.
   SetupPart setup_part() const { return std::get<SettingUp>(state_)->part(); }
   SetupStep setup_step() const { return std::get<SettingUp>(state_)->step(); }
-  /// Of the set-up that was begun last.
+  /// Report of the latest set-up.
   const SetupReport& setup_report() const { return *report_; }
-  /// Of the last calibration; empty before.
+  /// Slides of the last calibration; empty before.
   const std::vector<CalibratedSlide>& slides() const {
     return report_ && report_->calibration ? report_->calibration->slides : former_slides_;
   }
@@ -88,7 +88,7 @@ class Session {
   };
   /// The registration as it concerns a reach.
   struct Judgement {
-    bool is_poor = false;  // for any sample
+    bool is_poor = false;  // true if it was poor at any sample
     bool contacts_disagree = false;
   };
   /// A reach that has ended, and whose contact may still be reported.
@@ -106,8 +106,8 @@ class Session {
         : pair(targets), reach(first), start(first.start), retargeter(config) {}
 
     Pair pair;
-    Reach reach;       // as it was last aimed
-    PlatePoint start;  // before it was aimed again
+    Reach reach;       // the present aim
+    PlatePoint start;  // start of the first aim
     Retargeter retargeter;
     Plausibility plausibility;
     RepeatedPosition<PlatePoint> repeated;
@@ -115,7 +115,7 @@ class Session {
     Judgement judgement;
     std::optional<std::int64_t> last_time_ns;
     std::optional<Contact> contact;
-    bool registration_doubtful = false;  // at any time
+    bool registration_doubtful = false;  // true if it was missing, too old or too inaccurate at any time
     bool faulty = false;
   };
   using SettingUp = std::unique_ptr<SessionSetup>;
@@ -133,7 +133,7 @@ class Session {
   double plate_orientation_deg_ = 0.0;
   Implausible implausible_;
   std::unique_ptr<SetupReport> report_;         // null before a set-up
-  std::vector<CalibratedSlide> former_slides_;  // of the last calibration before that of report_
+  std::vector<CalibratedSlide> former_slides_;  // slides of the last calibration before that of report_
 };
 
 }  // namespace hrt::plugin

@@ -1,4 +1,4 @@
-// What a session assumes about the plate, the tracker and the user, in core types.
+// Assumptions of a session about the plate, the tracker and the user, in core types.
 #pragma once
 
 #include <cstdint>
@@ -19,37 +19,38 @@ inline constexpr Range weight_range{0.001, 0.499}, weight_sd_range{0.001, 0.49},
 inline constexpr Range motion_bound_range_deg{1.0, 89.0}, noise_range_mm{0.0, 100.0}, scale_range{0.5, 2.0};
 inline constexpr Range position_range_m{-1000.0, 1000.0}, fingertip_range_m{-1.0, 1.0};
 
-/// What a reach learns of the person.
+/// Use of the estimates from a reach.
 enum class Adaptation : std::uint8_t {
   off,     ///< nothing
-  reach,   ///< for that reach only
-  carried  ///< for the reaches after it too
+  reach,   ///< within that reach
+  carried  ///< carried to the following reaches
 };
 
 /// How a tracked finger is located on the plate. Lengths are in metres, as in scenes.
 struct PlateMount {
-  Pose pose;           ///< of the plate in the engine's world; does not turn with the ridges
+  Pose pose;           ///< pose of the plate in the engine's world; does not turn with the ridges
   double scale = 1.0;  ///< length in the world of 1 m on the plate, 0.5 to 2
   PlateSurface surface;
   Vec3 fingertip_offset_m;  ///< from the tracked joint to the skin, in the joint's axes; 0: unknown
 };
 
-/// Where the plate's pose comes from, and what is required of it.
+/// Source of the plate's pose, and requirements on it.
 struct PlateRegistration {
   bool made = false;  ///< the pose is from a registration, made at `time_ns`
   std::int64_t time_ns = 0;
   std::int64_t max_age_ns = 0;  ///< 0: not checked
-  double max_sd_deg = 0.0;      ///< of the bearing of a real target; 0: not checked
+  double max_sd_deg = 0.0;      ///< largest SD of the bearing of a real target; 0: not checked
 };
 
 struct SessionModel {
-  /// Of each reach. Its person is the prior of an unknown one unless `knows_person`; its touched.home is the start.
+  /// Configuration of each reach. Its person is the prior of an unknown person unless `knows_person`; its touched.home
+  /// is the start.
   RetargeterConfig control;
   bool guides_to_arrival = true;  ///< otherwise in a fixed direction; read if the plate turns
   Adaptation adaptation = Adaptation::carried;
   bool knows_person = false;  ///< control.person is from reaches or a calibration
   PlateMount mount;
-  Vec3 start_m;  ///< of reaches, in plate coordinates
+  Vec3 start_m;  ///< start of reaches, in plate coordinates
   PlateRegistration registration;
 };
 

@@ -17,7 +17,7 @@ namespace hrt::plugin {
 /// Not a part: all parts of which the session has no result, and which the samples can show.
 inline constexpr std::uint32_t setup_all_missing = 64;
 
-/// What a set-up has found since it began.
+/// Results of a set-up since it began.
 struct SetupReport {
   std::uint32_t done = 0;  ///< parts that were found and applied
   std::uint32_t left = 0;
@@ -39,8 +39,7 @@ class SessionSetup {
   static hrt_result check(const SessionModel& model, const Targets& targets, std::uint32_t parts,
                           const SetupConfig& asked);
 
-  /// `asked` has what a caller may choose: marks, of which there may be none, their touches, slides and the plate's
-  /// range.
+  /// `asked`: the caller's choice of marks (none: the default ones), touches, slides and plate range.
   SessionSetup(const SessionModel& model, const Targets& targets, std::uint32_t parts, const SetupConfig& asked,
                double plate_orientation_deg);
 
@@ -57,10 +56,10 @@ class SessionSetup {
   hrt_result check_shown(const SetupSample& sample) const;
 
   Setup setup_;
-  double plate_orientation_deg_;  // of the last step
+  double plate_orientation_deg_;  // plate orientation of the last step
   std::optional<std::int64_t> last_time_ns_;
   RepeatedPosition<Eigen::Vector3d> repeated_;
-  std::unique_ptr<PartFit> fit_;  // of the current part, in progress
+  std::unique_ptr<PartFit> fit_;  // fit of the present part, in progress
 };
 
 }  // namespace hrt::plugin

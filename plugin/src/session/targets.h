@@ -14,21 +14,21 @@ namespace hrt::plugin {
 
 enum class TargetRole : std::uint8_t { any, real, virtual_target };
 
-/// Where a target is, in one of three ways. Lengths are in metres, as in scenes.
+/// Position of a target, in one of three forms. Lengths are in metres, as in scenes.
 struct TargetPlace {
   enum class Kind : std::uint8_t { none, direction, plate_position, world_position };
   Kind kind = Kind::direction;
   double direction_deg = 0.0;  ///< seen from the start, with `distance_m`
   double distance_m = 0.1;
   Vec3 position_m;        ///< in plate coordinates or in the world
-  double radius_m = 0.0;  ///< of a real object; 0: unknown
+  double radius_m = 0.0;  ///< radius of a real object; 0: unknown
 };
 
 struct Target {
   TargetRole role = TargetRole::real;
   TargetPlace place;
   std::array<char, 64> name{};  ///< ended by a zero, followed by zeros
-  std::uint64_t served_by = 0;  ///< id of the real target that serves a virtual one; 0: unknown
+  std::uint64_t served_by = 0;  ///< id of the real target that stands in for a virtual one; 0: unknown
 };
 
 /// A target seen from the start of a reach, in the plane of the plate.
@@ -62,11 +62,11 @@ class Targets {
   void set_served_by(std::uint64_t id, std::uint64_t real_target) { by_id_.at(id).served_by = real_target; }
   hrt_result remove(std::uint64_t id);
 
-  /// Null if there is none.
+  /// Returns the target, or null.
   const Target* find(std::uint64_t id) const;
   /// Finds a target of a role, or fails naming `argument`.
   hrt_result find(const char* argument, std::uint64_t id, TargetRole role, const Target** out) const;
-  /// 0 if there is none.
+  /// Returns the id, or 0.
   std::uint64_t find(std::string_view name) const;
 
   const std::map<std::uint64_t, Target>& all() const { return by_id_; }

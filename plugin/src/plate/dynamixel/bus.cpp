@@ -8,11 +8,11 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto silence_limit = 500ms;
-constexpr auto glance = 5ms;  // at the line, while an answer is awaited
+constexpr auto glance = 5ms;  // wait for bytes between two looks at the line
 constexpr int max_tries = 10;
 constexpr std::size_t max_timed = 4;  // bytes of an answer that takes the time of a command's
 
-// Of its parameters, without an error.
+// Size of the parameters of an answer without an error.
 std::size_t size_of_answer(const Packet& request) {
   constexpr std::size_t model_and_firmware = 3;
   if (request.instruction == Instruction::ping) return model_and_firmware;
@@ -101,7 +101,7 @@ void Bus::check_silence() const {
     throw PlateFailure(Fault::silent, "has not been heard for half a second");
 }
 
-// It would be taken for that of the next request.
+// A late answer would be taken for that of the next request.
 void Bus::pass_over_late_answer() {
   give_up_answer();
   for (const auto end = line_->now() + answer_limit; line_->now() < end;) {

@@ -42,11 +42,11 @@ inline constexpr double max_torque_nm = 4.0 * 0.075;
 inline constexpr int current_based_position_mode = 5;
 inline constexpr int normal_drive_mode = 0;  ///< counter-clockwise is positive; profiles are velocities
 inline constexpr int middle_step = 2048;
-inline constexpr int max_homing_steps = 1024;  ///< to either side; some modes ignore more
+inline constexpr int max_homing_steps = 1024;  ///< limit to either side; some modes ignore more
 inline constexpr double deg_per_step = 360.0 / 4096.0;
-inline constexpr double deg_s_per_unit = 0.229 * 6.0;   ///< of velocity: 0.229 revolutions a minute
+inline constexpr double deg_s_per_unit = 0.229 * 6.0;   ///< unit of velocity: 0.229 revolutions a minute
 inline constexpr int min_supply = 37, max_supply = 60;  ///< input voltage of an XL330, tenths of a volt
-inline constexpr int watchdog_ticks = 15;               ///< of 20 ms
+inline constexpr int watchdog_ticks = 15;               ///< in units of 20 ms
 inline constexpr int watchdog_expired = -1;
 
 /// All calls throw PlateFailure when the line has failed. One thread.
@@ -56,7 +56,7 @@ class Bus {
 
   Line& line() const { return *line_; }
   std::uint8_t id() const { return id_; }
-  /// Of a request and its answer, median.
+  /// Median time from a request to its answer.
   std::optional<std::chrono::nanoseconds> round_trip() const { return round_trips_.median(); }
   /// Packets that were damaged on their way.
   std::uint64_t damaged() const { return refused_ + reader_.damaged(); }
@@ -90,7 +90,7 @@ class Bus {
   void check_silence() const;
   /// The answer says that the request was damaged.
   void count_refusal() { ++refused_; }
-  /// What a servo's error says of the request.
+  /// Describes the error of a servo in an answer to `request`.
   static std::string describe(const Packet& request, StatusError error);
 
  private:

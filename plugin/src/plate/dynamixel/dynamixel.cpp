@@ -16,14 +16,14 @@ namespace {
 using namespace std::chrono_literals;
 using namespace dynamixel;
 
-constexpr double stop_deg = 360.0;  // it counts turns; and this is what a report may hold
-constexpr double slack_deg = 3.0;   // beyond it
+constexpr double stop_deg = 360.0;  // the servo counts turns; 360 is the range of a report
+constexpr double slack_deg = 3.0;   // tolerance beyond the stop
 constexpr auto ping_limit = 3s;     // adapters and servos need a moment after the line is opened
 constexpr int probes = 11;
 // The servo's own: its control loop runs every millisecond.
 constexpr auto servo_latency = 2ms;
 constexpr std::int64_t resting_units = 1;  // velocity before the first command: another program cannot throw the plate
-constexpr int polls_per_check = 8;         // of the torque, which lies apart from the rest
+constexpr int polls_per_check = 8;         // period of reading the torque, which is at a distant address
 
 struct Settings {
   std::uint8_t id;
@@ -141,8 +141,8 @@ class Servo : public Device {
     repeat_goal();
   }
 
-  void keep_zero() override { stop(); }          // it is kept already
-  void hurry() override { poll_period_ = 0ms; }  // its profile is a limit of its own
+  void keep_zero() override { stop(); }          // the servo keeps it without a save
+  void hurry() override { poll_period_ = 0ms; }  // the servo's profile remains its limit
   double report_step_deg() const override { return deg_per_step; }
   std::chrono::nanoseconds sensor_filter() const override { return 0ns; }
 
@@ -329,7 +329,7 @@ class Servo : public Device {
                                           " tenths of a volt; allowed: 37 to 60. Check adapter, fuse and wires");
   }
 
-  // Two do not speak at once on this line.
+  // Only one of two may send on this line at a time.
   void await_answer() {
     while (bus_.awaits_answer() && !bus_.answer()) {
       bus_.line().wait(5ms);
@@ -360,8 +360,8 @@ class Servo : public Device {
   const Model* model_ = nullptr;
   int firmware_ = 0;
   std::int64_t fastest_units_ = 1;
-  std::int64_t effort_ = 0;                     // of the goal current, mA
-  std::int64_t profile_units_ = resting_units;  // of the profile that the servo has
+  std::int64_t effort_ = 0;                     // goal current, mA
+  std::int64_t profile_units_ = resting_units;  // profile that is set in the servo
   bool is_profile_sent_ = true;
   bool has_torque_ = true;
   double speed_seen_deg_s_ = 0.0;  // between the last two reports

@@ -27,7 +27,7 @@ std::string stuffed(std::string_view plain) {
   return bytes;
 }
 
-// Nothing if a header stands in it unstuffed.
+// Removes the byte stuffing. None if the bytes contain a header without stuffing.
 std::optional<std::string> unstuffed(std::string_view bytes) {
   std::string plain;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -39,7 +39,7 @@ std::optional<std::string> unstuffed(std::string_view bytes) {
   return plain;
 }
 
-// From the header to the CRC.
+// Decodes a packet from the header to the CRC.
 std::optional<Packet> decoded(std::string_view bytes) {
   const std::size_t crc_at = bytes.size() - crc_size;
   if (little_endian(crc16_umts(bytes.data(), crc_at), 2) != bytes.substr(crc_at)) return std::nullopt;
@@ -79,7 +79,7 @@ std::string little_endian(std::int64_t value, int count) {
   return bytes;
 }
 
-// With the sign of the highest byte.
+// Number of `count` bytes, with the sign of the highest one.
 std::int64_t number_at(std::string_view bytes, std::size_t at, int count) {
   std::uint64_t value = 0;
   for (int i = count - 1; i >= 0; --i) value = value << 8 | byte_at(bytes, at + static_cast<std::size_t>(i));
@@ -96,7 +96,7 @@ void PacketReader::drop_partial() {
 std::optional<Packet> PacketReader::next() {
   for (;;) {
     const std::size_t at = bytes_.find(header);
-    if (at == std::string::npos) {  // the beginning of a header may stand at the end
+    if (at == std::string::npos) {  // the end of the bytes may be the beginning of a header
       bytes_.erase(0, bytes_.size() - std::min(bytes_.size(), header.size() - 1));
       return std::nullopt;
     }
