@@ -1,11 +1,10 @@
-// The illusion of touch: how far ridges shift the felt direction of motion, as the controller models it.
+// The illusion of touch in the controller's model: shift of the perceived direction of motion by the ridges.
 //
-//   g(t) = (w t - b t (t / 75)^2) (1 - f a / (|cos t| + a))
+//   g(t) = (w t - b t (t / 75)^2) (1 - f A / (|cos t| + A))
 //
-// with t = ridge normal - direction of motion, folded to within 90 degrees. Linear in w and b, and in f, so
-// that they can be learnt. With b > 0 it saturates and falls again. A share f of touch fades from one ridge
-// to the next: the slower the finger crosses ridges (a, their slowness), the less it feels of them, and
-// nothing as it moves along them.
+// with t = ridge normal - direction of motion, folded to within 90 degrees. g is linear in w, b and f, so that they can
+// be estimated. With b > 0 it has a peak. A fraction f of touch fades from one ridge to the next: the slower the finger
+// crosses ridges (A, their slowness), the smaller the shift, and it is 0 for a finger that moves along them.
 #pragma once
 
 #include "core/person/tuning.h"
@@ -16,16 +15,16 @@ namespace hrt {
 /// Illusion of a person: the perceived shift as a function of the angle between ridge normal and motion.
 struct Illusion {
   double weight;          ///< w: slope at 0
-  double curve;           ///< b: how much of the slope is gone at 75 degrees, over 3
-  double fading = 0.0;    ///< f: share of touch that fades between ridges
-  double slowness = 0.0;  ///< a, >= 0; 0 for a finger so fast that nothing fades
+  double curve;           ///< b: a third of the decrease of the slope at 75 degrees
+  double fading = 0.0;    ///< f: fraction of touch that fades between ridges
+  double slowness = 0.0;  ///< A, >= 0; 0 for a finger so fast that nothing fades
 };
 
-/// a of a finger at `speed_mm_s` that has come `travelled_mm`, for ridges 10 mm apart: 1 at 17 mm/s, where
-/// half of what fades is felt across the ridges; large before a first ridge is crossed.
+/// A of a finger at `speed_mm_s` after `travelled_mm`, for ridges 10 mm apart: 1 at 17 mm/s, where half of f is lost
+/// across the ridges; large before a first ridge is crossed.
 double ridge_slowness(double speed_mm_s, double travelled_mm, const Tuning& tuning = {});
 
-/// Felt less true direction, degrees, and its derivatives.
+/// Perceived minus true direction, degrees, and its derivatives.
 struct FeltShift {
   double shift_deg;
   double by_offset;  ///< d g / d t

@@ -1,15 +1,14 @@
-// The positions of one motion, and what they show of the person once it is over.
+// Positions of one motion, and the estimate of the person from them after the motion.
 //
-// How far a person strays from the line to the target is a parameter of the filter, not a state. It is learnt by
-// likelihood: after the reach the motion passes through filters that differ in log_wander alone, by -h, 0 and h. With
-// their log likelihoods
+// The SD of the wander is a parameter of the filter, not a state. It is estimated by likelihood: after the reach the
+// motion passes through filters that differ in log_wander alone, by -eps, 0 and eps. With their log likelihoods
 //
 //   l = beta sum over the positions of -(nis + log det S) / 2
 //
-// the posterior of log_wander is to second order normal, with precision 1 / V - l'' and a mean that lies l' / precision
-// above the prior's. V is the variance of the prior, l' and l'' are differences over h, and beta < 1 accounts for
-// positions that are less independent than the model has them. The motion then passes through a filter with that mean,
-// which determines the other traits.
+// the posterior of log_wander is to second order normal, with precision 1 / var - l'' and a mean that lies
+// l' / precision above the prior's. var is the variance of the prior, l' and l'' are differences over eps, and beta < 1
+// accounts for positions that are less independent than in the model. The motion then passes through a filter with that
+// mean, which determines the other traits.
 #pragma once
 
 #include <array>
@@ -19,8 +18,8 @@
 
 namespace hrt {
 
-/// The positions of one motion, at most `capacity`: when the log is full, every other one is dropped. No heap, no lock,
-/// no exception.
+/// Positions of one motion, at most `capacity`: when the log is full, every other one is dropped. Uses no heap, lock or
+/// exception.
 class MotionLog {
  public:
   static constexpr int capacity = 64;

@@ -48,7 +48,7 @@ void PersonFilter::begin(double log_rate, double onset_sd_s, double place_sd_mm)
   keep_in_range();
   covariance_(X::phase, X::phase) = square(rate_ * onset_sd_s);
   covariance_(X::right, X::right) = covariance_(X::away, X::away) = square(place_sd_mm);
-  // psi = h V + d at the start, h of this reach.
+  // psi = h V + B at the start, with h drawn for this reach.
   mean_(X::steered) = tuning_.first_direction * virtual_direction_deg_ + mean_(X::bias);
   covariance_.row(X::steered) = covariance_.row(X::bias);
   covariance_.col(X::steered) = covariance_.col(X::bias);

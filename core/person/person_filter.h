@@ -1,12 +1,12 @@
 // Extended Kalman filter of a finger that slides over the plate and of the person who moves it.
 //
-// The person moves over a path of length L at the pace of pace.h, feels the motion shifted by the ridges
-// (illusion.h), and steers what is felt towards a goal. Of their own accord they stray from the line to the goal and
-// return to it, without lag:
+// The person moves over a path of length L at the pace of pace.h, perceives the motion shifted by the ridges
+// (illusion.h), and steers the perceived direction towards a goal G, which is the virtual direction V plus the bias B.
+// The own path strays from the line to the goal and returns to it, without lag:
 //
 //   progress    v = L r s'(u),   u' = r = exp(rho)
 //   own path    o = dr + c (1 - 2 s(u)) - y / (L (1 - s)),   y' = v (dr - y / (L (1 - s)))
-//   motion      phi = psi + o,   psi' = -k (psi + g(T(now - 60 ms) - phi) - G),   G = V + d
+//   motion      phi = psi + o,   psi' = -k (psi + g(T(now - 60 ms) - phi) - G),   G = V + B
 //               x' = -v sin phi,   z' = v cos phi
 //   measured    x + nx and z + nz, each with white noise; nx and nz decay within 0.1 s unless known otherwise, dr
 //               within 0.3 s
@@ -60,12 +60,12 @@ class PersonFilter {
   /// `seconds` of rest: the person's clock stops.
   void rest(double seconds);
 
-  /// A measured position less its prediction: y = z - H x, with H x = position + correlated noise.
+  /// A measured position minus its prediction: nu = z - H x, with H x = position + correlated noise.
   struct Innovation {
-    PlatePoint off_mm;                         ///< y
+    PlatePoint off_mm;                         ///< nu
     Eigen::Matrix<double, X::count, 2> cross;  ///< P H'
     Eigen::Matrix2d information;               ///< S^-1, S = H P H' + R
-    double nis;                                ///< y' S^-1 y: chi-squared with 2 degrees of freedom if the model holds
+    double nis;  ///< nu' S^-1 nu: chi-squared with 2 degrees of freedom if the model holds
   };
   Innovation innovation(const PlatePoint& position) const;
 

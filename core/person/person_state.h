@@ -1,5 +1,5 @@
-// The variables of the person filter: one row each. The first ones are the traits that a person brings to every
-// reach; their numbers in the C interface are HRT_PERSON_ and the name.
+// States of the person filter, one row each. The first ones are the traits of a person, which hold for every reach;
+// their indices in the C interface are HRT_PERSON_ and the name.
 #pragma once
 
 namespace hrt {
@@ -8,8 +8,8 @@ struct PersonState {
   enum Index {
     weight,       ///< w of the illusion
     curve,        ///< b of the illusion
-    gain,         ///< k: rate at which the felt error is corrected
-    bias,         ///< d: goal less virtual direction
+    gain,         ///< k: rate at which the perceived error is corrected
+    bias,         ///< B: goal minus virtual direction
     habit,        ///< c: the goal turns from +c to -c along the path
     evenness,     ///< a of the pace
     log_rate,     ///< rho: natural logarithm of one over the duration in seconds
@@ -18,12 +18,12 @@ struct PersonState {
     scatter = felt_traits,  ///< SD of the bias from reach to reach
     log_wander,             ///< natural logarithm of the SD of the wander in degrees
     traits,                 ///< number of the above
-    right = traits,         ///< the finger's position, relative to where it rested
+    right = traits,         ///< position of the finger, relative to its rest
     away,
-    steered,      ///< psi: direction of motion less the own path
+    steered,      ///< psi: direction of motion without the own path
     phase,        ///< u: fraction of the duration
     wander,       ///< dr: fast part of the own path
-    strayed,      ///< y: lateral distance that the wander has led the finger from its line, left positive
+    strayed,      ///< y: lateral distance from the line due to the wander, left positive
     noise_right,  ///< the tracker's correlated noise
     noise_away,
     count

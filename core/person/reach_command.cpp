@@ -13,7 +13,7 @@ using X = PersonState;
 
 constexpr double max_ns = 9e18;  // within the range of std::int64_t
 
-// The largest gap less the one that is to be held, to first order in w, b, f, d and the frame's error. A margin of
+// The largest gap less the one that is to be held, to first order in w, b, f, B and the frame's error. A margin of
 // zero less some SDs: few who can hold the gap are then said not to (hrt-study robustness counts both).
 bool gap_is_feasible(const ReachControlConfig& config, const ReachGoal& goal, const PersonFilter& filter) {
   const MaxShift max = max_shift(filter.mean_illusion(), config.bound_deg);

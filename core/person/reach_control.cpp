@@ -73,7 +73,7 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
   return motion;
 }
 
-// Miss at arrival without a felt shift, and what each degree of it adds.
+// m and M: miss at arrival without a perceived shift, and its derivative by the shift.
 struct Arrival {
   double miss_mm;
   double leverage_mm_deg;
@@ -87,7 +87,7 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
   const double step_turn_kept = exponential(-step_s / filter.tuning().answer_s);
   Arrival arrival{from.lateral_mm, 0.0};
   double steered_deg = from.steered_deg;
-  double unsteered = 1.0;  // share of Gamma that the person has not yet answered
+  double unsteered = 1.0;  // fraction of Gamma that the person has not yet answered
   double turn_kept = from.turn_kept;
   for (int i = 0; i < arrival_nodes; ++i) {
     const Progress p = filter.pace(from.phase + (i + 0.5) * rate * step_s);

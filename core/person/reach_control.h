@@ -5,8 +5,8 @@
 // for any curve of the illusion. The position of arrival is therefore affine in Gamma:
 //
 //   1. predict the motion over the dead time, in which a command given now has no effect yet;
-//   2. integrate the lateral path from there to arrival: miss(Gamma) = m + S Gamma;
-//   3. minimise the squares of the miss and of the change of Gamma, which weighs more as S decreases;
+//   2. integrate the lateral path from there to arrival: miss(Gamma) = m + M Gamma;
+//   3. minimise the squares of the miss and of the change of Gamma, which weighs more as M decreases;
 //   4. limit the predicted perceived-direction error phi + Gamma - G;
 //   5. invert the illusion on its rising branch, within the bound about the motion.
 #pragma once

@@ -66,7 +66,7 @@ struct Tuning {
   /// [s] SD of the habit from reach to reach, over the SD of the wander; recorded reaches have 9.1 over 3.8 degrees
   double habit_scatter = 1.0;
   double min_return_fraction = 0.1;  ///< [m] of the path: the wander is not made good over less
-  double pace_skew = 0.4;            ///< [m] q of the pace; recorded reaches have 0.54 and 0.14, +-0.4
+  double pace_skew = 0.4;            ///< [m] skew of the pace; recorded reaches have 0.54 and 0.14, +-0.4
   double answer_s = 0.3;             ///< s [m] decay of the former goal until a moved target is answered
   double sensory_delay_s = 0.06;     ///< s [m] from plate to felt direction; half of the simulated 0.12
   double turn_sd_fraction = 0.5;     ///< [s] of the turn of a moved target: its SD
@@ -121,7 +121,7 @@ struct Tuning {
   double min_leg_mm = 10.0;  ///< mm [s] distance below which the tracker's noise dominates a bearing of a moved target
 
   // Learning.
-  double wander_step = 0.5;        ///< [s] h of motion_log.h
+  double wander_step = 0.5;        ///< [s] eps of motion_log.h
   double wander_evidence = 0.8;    ///< [s] beta of motion_log.h
   double max_wander_change = 1.0;  ///< [s] of log_wander in one reach: beyond it the likelihood is no parabola
   /// [s] fraction of the duration below which a reach teaches nothing. Kept for hrt_adaptation, which promises it.

@@ -1,13 +1,13 @@
 // Effect of an uncertain pose of the plate on a reach. Nothing within a reach reveals it: the finger is steered to the
 // estimated position of the target.
 //
-// If the estimated frame is rotated by w about the plate's centre and shifted by (a, b) from the true one, a finger at
-// (x, z), right and away, has the error
+// If the estimated frame is rotated by omega about the plate's centre and shifted by (dx, dz) from the true one, a
+// finger at (x, z), right and away, has the error
 //
-//   e = w (-z, x) + (a, b)
+//   E = omega (-z, x) + (dx, dz)
 //
-// A reach from s that ends at the estimated position of the target p misses it by e(p), and misses its bearing by the
-// component of e(p) across the line from s to p, divided by its length. 1 degree about the start costs 1.7 mm at 100
+// A reach from s that ends at the estimated position of the target p misses it by E(p), and misses its bearing by the
+// component of E(p) across the line from s to p, divided by its length. 1 degree about the start costs 1.7 mm at 100
 // mm.
 #pragma once
 

@@ -1,8 +1,8 @@
-// How far and how long a reach still goes: the pace at which people move over a path.
+// Pace of a reach: the path covered as a function of time.
 //
 //   s(u) = (1 - a) (10 w^3 - 15 w^4 + 6 w^5) + a u,   w = u + q u (1 - u),   u' = r
 //
-// with u the share of the time, s the share of the path, a the evenness of the pace (0: the bell-shaped speed
+// with u the fraction of the time, s the fraction of the path, a the evenness of the pace (0: the bell-shaped speed
 // of a minimum-jerk motion, 1: even), q its skew (0: symmetric; 0.5: the peak is at 0.38 of the time) and r one over
 // the duration.
 #pragma once
