@@ -31,7 +31,7 @@ class Matching {
  private:
   bool joins(std::size_t row, std::size_t column) const { return costs_[row * columns_ + column] <= limit_; }
 
-  // How many pairs lie between each row and an unserved one; false if no unserved row leads to a free column.
+  // Finds the number of pairs between each row and an unassigned one; false if no unassigned row reaches a free column.
   bool find_depths() {
     queue_.clear();
     for (std::size_t row = 0; row < column_of_.size(); ++row) {

@@ -38,7 +38,7 @@ struct RetargeterConfig {
   double tracker_bearing_sd_deg =
       0.0;                     ///< SD of the bearing of a reach as it is tracked, 0 to 45; of ControlMode::reach
   bool plate_waits = false;    ///< do not turn the plate before the finger moves; of ControlMode::reach
-  bool start_is_felt = false;  ///< where the finger is seen to rest is the start; of ControlMode::reach
+  bool start_is_felt = false;  ///< the position of a rest is the start; used by ControlMode::reach
   FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; used by ControlMode::reach
   TouchedFrame touched;                             ///< correction by contacts, already applied to samples
   Tuning tuning;                                    ///< used by ControlMode::reach

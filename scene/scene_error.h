@@ -11,7 +11,7 @@
 
 namespace hrt {
 
-/// Why a file is not a usable scene: one line that names the file, the node and the property.
+/// Error of a file that is not a usable scene: one line that names the file, the node and the property.
 class SceneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -34,7 +34,7 @@ struct Calibration {
   Interval tactile_weight;                   ///< felt shift over offset at 60 degrees, mean of both sides, at the
                                              ///< pace of the slides
   Interval bias_deg;                         ///< goal at the middle of the path less target direction, left positive
-  Interval habit_deg;                        ///< how far the goal turns over the path, halved
+  Interval habit_deg;                        ///< half of the rotation of the goal over the path
   Interval max_gap_deg;                      ///< largest felt shift within 75 degrees, on the weaker side
   double peak_offset_deg = curve_bound_deg;  ///< smallest offset that gives it
   Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2
@@ -63,7 +63,7 @@ struct CalibrationSlides {
 };
 CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg);
 
-/// Why there is no calibration: one sentence with the mistake and the requirement.
+/// Refusal of a calibration: one sentence with the mistake and the requirement.
 struct CalibrationRefusal {
   std::string reason;
 };
@@ -92,7 +92,7 @@ class CalibrationFit {
 
   std::vector<CalibrationTrial> trials_;
   double goal_direction_deg_;
-  std::size_t trial_ = 0;  // whose slide is reduced next
+  std::size_t trial_ = 0;  // index of the next slide to reduce
   CalibrationSlides slides_;
   std::optional<PersonFitting> person_;
   std::optional<RestNoiseFit> noise_;

@@ -16,8 +16,8 @@ struct Prior {
   double deviation;
 };
 
-// How far the steering law may be wrong about each part: people set out and settle in ways of their own, and
-// what the curve is shows at the end.
+// SD of the error of the steering law in each part: people differ at the start and while they settle; the end of a
+// slide shows the curve.
 constexpr std::array<double, slide_parts> law_deviation_deg{2.0, 0.7, 0.25, 0.1};
 // The same of all slides of a person, in proportion to the plate's angle, as a share of that.
 constexpr double common_share = 0.45;

@@ -39,7 +39,7 @@ struct CurveFit {
 FitVector fit_vector(const SlidingPersonModel& person);
 SlidingPersonModel fitted_person(const FitVector& parameters);
 
-/// How far the steering law may be wrong about a part in all slides alike, degrees.
+/// SD of the error of the steering law in a part that is common to all slides, degrees.
 double common_deviation_deg(int part);
 
 /// The fit of a person to slides, in steps of bounded time.

@@ -48,7 +48,7 @@ class LackOfFitTests {
   double degrees_;  // degrees of freedom of the fit's residuals
   std::array<Pattern, 3> patterns_;
   std::size_t pattern_ = 0;
-  Eigen::Index column_ = 0;  // whose `allowed` is added next
+  Eigen::Index column_ = 0;  // column whose `allowed` is added next
 };
 
 }  // namespace hrt

@@ -20,7 +20,7 @@ enum class SlideVerdict {
 
 struct PersonFit {
   std::vector<SlideVerdict> verdicts;  ///< verdict on each slide
-  std::vector<std::size_t> used;       ///< which slides are fitted
+  std::vector<std::size_t> used;       ///< slides that are fitted
   SlideScatter scatter;                ///< scatter of the slides used, and of the outliers
   CurveFit fit;
   LackOfFit lack_of_fit;

@@ -1,5 +1,5 @@
-// How slides scatter about a smooth function of the plate's angle, without a model of the person: which of
-// them are outliers, and how the parts of one slide vary together.
+// Scatter of slides about a smooth function of the plate's angle, without a model of the person: the outliers, and the
+// covariance of the parts of a slide.
 #pragma once
 
 #include <span>

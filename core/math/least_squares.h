@@ -46,7 +46,7 @@ class Descent {
   std::vector<Eigen::VectorXd> residuals_;
   Eigen::MatrixXd information_;
   Eigen::VectorXd gradient_;
-  std::size_t group_ = 0;  // whose derivatives are added next
+  std::size_t group_ = 0;  // group whose derivatives are added next
   int pass_ = 0;
   int attempt_ = 0;
   double damping_ = 1e-3;

@@ -1,5 +1,5 @@
-// How a person feels and steers: the participant of paper section II-A. Every equation that moves P
-// or theta_hat is here. No heap, no lock, no exception.
+// Perception and steering of the participant of paper section II-A. All equations that change P or theta_hat are here.
+// Uses no heap, lock or exception.
 #pragma once
 
 #include <array>

@@ -84,7 +84,7 @@ class ReachEstimator {
   std::optional<std::int64_t> first_ns_;     // time of the first position
   std::optional<std::int64_t> position_ns_;  // time of the last position
   std::int64_t now_ns_ = 0;                  // time of the estimator
-  double unseen_s_ = 0.0;                    // that it has moved on since the last sample
+  double unseen_s_ = 0.0;                    // time for which it has moved since the last sample
   bool paused_ = false;                      // the finger rests or is lifted
   bool sampled_ = false;                     // the present step has a sample
   bool missed_ = false;                      // the step before had no sample

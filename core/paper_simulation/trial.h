@@ -14,7 +14,7 @@ inline constexpr int max_trial_steps = 10'000;
 
 /// All that a trial depends on but its random numbers. The defaults are condition 1 of Table I.
 struct Condition {
-  Participant participant;             ///< the simulated participant who reaches
+  Participant participant;             ///< simulated participant
   RetargeterConfig controller;         ///< `controller.participant` is the participant that it assumes
   double real_direction_deg = -5.0;    ///< P_R
   double virtual_direction_deg = 5.0;  ///< theta_V, within 90 of the real one
@@ -26,7 +26,7 @@ struct Condition {
 /// True if every field is in its range.
 bool is_valid(const Condition& condition);
 
-/// Which random numbers a trial takes.
+/// Identifies the random numbers of a trial.
 struct TrialId {
   std::uint64_t seed;
   std::uint32_t condition;

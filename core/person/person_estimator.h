@@ -72,7 +72,7 @@ class PersonEstimator {
   /// last second. False if the position is an outlier.
   bool observe(double time_s, const PlatePoint& position, const PlateTrace& plate);
 
-  /// Nothing was seen, and time passes until `time_s`.
+  /// Advances to `time_s` without a sample.
   void predict(double time_s, const PlateTrace& plate);
 
   /// The finger is off the plate: nothing is felt, and it may come back elsewhere.
@@ -126,7 +126,7 @@ class PersonEstimator {
   FingerPhase finger_;
   PersonFilter filter_;
   std::optional<Retarget> retarget_;  // still to be answered
-  PlatePoint origin_;                 // where the finger rested before it moved
+  PlatePoint origin_;                 // position of the rest before the motion
 
   OutlierGate gate_;
   ModelFit fit_;

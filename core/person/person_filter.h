@@ -110,7 +110,7 @@ class PersonFilter {
   }
   /// o at a fraction of the path, after `wander_kept` of the wander.
   double own_deg(double path_fraction, double wander_kept) const;
-  /// How far the own path still leads to the left until arrival: back to the line.
+  /// Lateral distance, to the left, that the own path adds until arrival: it returns to the line.
   double own_to_come_mm() const;
   /// The pace, at a phase.
   Progress pace(double phase) const { return progress(mean_(X::evenness), phase, tuning_.pace_skew); }

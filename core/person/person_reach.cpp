@@ -170,7 +170,7 @@ PlateDecision PersonReach::decide(const PersonFilter& filter, std::int64_t now_n
   const ActiveBound bound = !plan.at_bound               ? ActiveBound::none
                             : plan.plate_deg < later_deg ? ActiveBound::lower
                                                          : ActiveBound::upper;
-  // How much of a miss across the line from where the reach was aimed shows across the line from the start.
+  // Fraction of a miss across the line from the position of the last aim that remains across the line from the start.
   const double miss_fraction = cos_deg(goal_.aimed_direction_deg - reach.real_direction_deg);
   return {.plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach.virtual_direction_deg, bound},
                                  plate_.orientation_deg()),

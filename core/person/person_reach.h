@@ -26,7 +26,7 @@ struct PersonReachConfig {
   double tracker_bearing_sd_deg = 0.0;  ///< SD of the bearing of a reach as it is tracked, 0 to 45
   std::int64_t step_period_ns = 100'000'000;
   bool plate_waits = false;                         ///< the plate does not turn until the finger moves
-  bool start_is_felt = false;                       ///< where the finger is seen to rest is the start
+  bool start_is_felt = false;                       ///< the position of a rest is the start
   FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; is_frame_covariance()
   TouchedFrame touched;                             ///< correction by contacts
   Tuning tuning;

@@ -42,7 +42,7 @@ struct ReachPlan {
   double plate_deg;       ///< wanted orientation of the ridge normal
   double felt_error_deg;  ///< perceived minus intended direction once the plate has the commanded orientation
   double miss_mm;         ///< across the line to the real target at arrival, left positive, if the plate does so
-  bool at_bound;          ///< more shift is wanted than the plate may give
+  bool at_bound;          ///< the plan requires a larger shift than the plate can give
 };
 
 /// Plans from the state of `filter` at `filter_s` <= outlook.now_s. Uses no heap, lock or exception.

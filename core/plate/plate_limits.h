@@ -1,5 +1,5 @@
-// Which orientations the plate may take: its stops, the half turns by which ridges repeat, and the bound that
-// holds a command. Degrees; no heap, no lock, no exception.
+// Limits of the plate orientation: its stops, the half turns by which ridges repeat, and the bound that holds a
+// command. Degrees. Uses no heap, lock or exception.
 #pragma once
 
 #include <cmath>

@@ -37,7 +37,7 @@ void PlateModel::advance_turning(std::int64_t time_ns) {
   pending_count_ -= due;
 }
 
-// How many of the commands under way have become the target.
+// Advances to `time_ns`, and returns the number of commands that took effect.
 int PlateModel::turn_until(std::int64_t time_ns, Motion& motion) const {
   const std::int64_t step_ns =
       std::max(tick_ns, static_cast<std::int64_t>(elapsed_ns(motion.now_ns, time_ns) / max_ticks));

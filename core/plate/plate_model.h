@@ -53,7 +53,7 @@ class PlateModel {
     return stands() ? motion_.orientation_deg : turning_at_deg(time_ns);
   }
 
-  /// How far the plate can turn in `seconds`, from rest to rest.
+  /// Largest turn of the plate in `seconds`, from rest to rest.
   double reach_deg(double seconds) const;
 
  private:

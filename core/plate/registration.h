@@ -16,7 +16,7 @@ namespace hrt {
 /// A touch of one mark, millimetres.
 struct MarkTouch {
   Eigen::Vector3d mark_mm;     ///< in plate coordinates
-  Eigen::Vector3d touched_mm;  ///< where the tracker saw the fingertip
+  Eigen::Vector3d touched_mm;  ///< tracked position of the fingertip
 };
 
 struct RegistrationConfig {

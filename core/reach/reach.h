@@ -18,7 +18,7 @@ struct Authority {
   double max_gap_deg;             ///< L w_T / (1 - w_T), >= 0
   double margin_deg;              ///< max_gap_deg - |gap_deg|; negative if out of reach
   double plate_orientation_deg;   ///< holds the settling direction; on the bound if out of reach
-  double settling_direction_deg;  ///< where the finger settles: the real direction if reachable
+  double settling_direction_deg;  ///< direction in which the finger settles: the real direction if reachable
 };
 
 /// A pair of targets seen from the start of the reach; directions in degrees from the mid-line.
@@ -26,9 +26,9 @@ struct Reach {
   double real_direction_deg;           ///< P_R, finite; within 90 of the goal: theta_V and the person's bias
   double virtual_direction_deg;        ///< theta_V, finite
   double plate_orientation_deg = 0.0;  ///< plate orientation before the reach
-  PlatePoint start;                    ///< where the finger rests until it moves
+  PlatePoint start;                    ///< position of the finger at rest
   double real_distance_mm = 100.0;     ///< distance from the start to the real target, > 0
-  double duration_s = 0.0;             ///< that the motion is expected to take, 0.1 to 20; 0: unknown
+  double duration_s = 0.0;             ///< expected duration of the motion, 0.1 to 20; 0: unknown
 };
 
 /// True if every field is in its range, for a person with this goal direction.
@@ -48,7 +48,7 @@ struct PlateHandover {
   std::int64_t dropped_samples;
 };
 
-/// How far a reach is, by where its finger has been: reach_end.h.
+/// Progress of a reach, by the positions of its finger: reach_end.h.
 struct ReachProgress {
   bool arrived = false;       ///< the reach is over
   bool off_target = false;    ///< the reach ended away from the target, or the finger moves away from it
@@ -80,7 +80,7 @@ struct PlateCommand {
   bool for_people = false;                 ///< the command is from the controller for people, not from the paper's
   bool held = true;                        ///< no new decision was taken in this call
   bool predicted = false;                  ///< the last two steps have no samples: the finger is predicted by the model
-  bool unreachable = false;                ///< this participant can't be held on the real direction
+  bool unreachable = false;                ///< the real direction is not feasible for this participant
   bool optimal = true;                     ///< false: the solver's work was cut short; the command is within its bounds
   bool misfit = false;                     ///< the person does not move as the model does: do not trust the estimates
   bool off_target = false;    ///< the finger is going to end beyond `near_deg` of the real target's bearing

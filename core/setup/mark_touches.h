@@ -37,7 +37,7 @@ class MarkTouches {
   int count_ = 0;
   int wanted_ = 0;
   PhaseDetector<Eigen::Vector3d> finger_;
-  std::optional<Eigen::Vector3d> from_mm_;  // where it was when it was asked for
+  std::optional<Eigen::Vector3d> from_mm_;  // position of the finger when the touch was requested
   bool moved_ = false;
   bool lost_ = false;
 };

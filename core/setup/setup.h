@@ -26,7 +26,7 @@ struct SetupConfig {
   int check_mark = 0;
   RegistrationConfig registration;
   PlatePoint start;
-  std::array<PlatePoint, GuidedSlides::max_objects> guides;  ///< where they end
+  std::array<PlatePoint, GuidedSlides::max_objects> guides;  ///< ends of the guides
   int guide_count = 0;
   double slide_distance_mm = 100.0;  ///< straight ahead
   double lower_plate_deg = -75.0;

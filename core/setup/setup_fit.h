@@ -12,15 +12,15 @@ namespace hrt {
 /// The fit of one part; results of other parts are empty.
 struct SetupFit {
   SetupPart part = setup_calibration;
-  SetupProblem problem = SetupProblem::none;  ///< why the part is repeated
+  SetupProblem problem = SetupProblem::none;  ///< reason for repeating the part
   std::string reason;                         ///< reason of the problem, or of an unknown result
   std::optional<FingertipOffset> fingertip;   ///< known
-  std::optional<Registration> registration;   ///< that holds
+  std::optional<Registration> registration;   ///< accepted registration
   std::optional<RegistrationCheck> check;
   std::optional<TouchedFrame> guided;
   std::optional<Calibration> calibration;
-  int slides = 0;               ///< that were made
-  std::int64_t touched_ns = 0;  ///< when the last touch was made
+  int slides = 0;               ///< number of slides that were made
+  std::int64_t touched_ns = 0;  ///< time of the last touch
 };
 
 /// The fit of the current part in steps, each of less than 1 ms, which a frame loop spreads over frames. It allocates.

@@ -35,7 +35,7 @@ class SetupProgress {
   std::int64_t now_ns_ = 0;
   int samples_ = 0;
   bool seen_ = false;                 // true once any sample had the finger
-  bool touched_ = false;              // not above the plate, at any time
+  bool touched_ = false;              // true once any sample was not above the plate
   std::optional<PlatePoint> finger_;  // last seen
   std::optional<double> plate_deg_;   // last reported
 };

@@ -79,13 +79,13 @@ struct SetupStep {
   int number;  ///< index of the mark, or of the attitude of the finger, from 0
   int done;    ///< touches or slides
   int of;
-  Eigen::Vector3d place_mm;  ///< where the finger is to go, in plate coordinates
+  Eigen::Vector3d place_mm;  ///< position to which the finger is to move, in plate coordinates
   double plate_orientation_deg;
   Observed observed;        ///< none within 20 s
   std::string_view reason;  ///< reason of a rejected fit; valid until the set-up changes
 };
 
-/// Why a part was dropped: the reason of its last fit, or what went wrong in its last slides.
+/// Reason for dropping a part: that of its last fit, or the problem of its last slides.
 struct SetupDrop {
   SetupPart part;
   SetupProblem problem;

@@ -26,7 +26,7 @@ class SlideStore {
   void shorten_rest();
   void end() { under_way_ = false; }
 
-  /// That have ended.
+  /// Number of slides that have ended.
   int count() const { return static_cast<int>(slides_.size()) - (under_way_ ? 1 : 0); }
   bool full() const { return samples_.size() == samples_.capacity(); }
   /// Slides that have ended. Allocates.

@@ -15,7 +15,7 @@
 
 namespace hrt {
 
-/// How far the ridges shift the felt direction, as a function of t.
+/// Shape of the shift of the perceived direction, as a function of t.
 enum class IllusionFamily {
   linear,      ///< w t
   saturating,  ///< w t within `scale_deg`, constant beyond
@@ -44,7 +44,7 @@ enum class Steering {
   steps,        ///< paper section II-A, every 100 ms
   continuous,   ///< dP/dt = -k (felt(time - delay) - goal) + noise
   predictive,   ///< as continuous, with knowledge of the own direction without delay
-  place,        ///< as continuous, towards the virtual target's place as seen from where they feel the finger is
+  place,        ///< as continuous, towards the position of the virtual target as seen from the perceived position
   heavy_arm,    ///< a mass that slow muscles pull, feedback after the delay
   crossings,    ///< as continuous; ridges are felt only when the finger crosses one, every 10 mm
   placing_arm,  ///< as heavy_arm, towards the position of the virtual target
@@ -163,7 +163,7 @@ class SlidingPerson {
   std::array<Part, 3> parts_{};
   RecordedPace pace_;
   PathShape shape_{};
-  std::optional<RecordedReach> recorded_;  // that this reach takes
+  std::optional<RecordedReach> recorded_;  // recorded reach that this reach follows
   double own_deg_ = 0.0;                   // direction of the own path
   int millisecond_ = 0;
   bool done_ = false;

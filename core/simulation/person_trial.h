@@ -12,11 +12,11 @@
 
 namespace hrt {
 
-/// How a reach ended: truth, not estimate.
+/// End of a reach: ground truth, not an estimate.
 struct PersonOutcome {
   double bearing_error_deg;    ///< bearing of the end from the start, less the real target's
   double miss_mm;              ///< across the real direction, signed as bearing_error_deg
-  PlatePoint finger;           ///< where it is at the end
+  PlatePoint finger;           ///< final position
   double peak_felt_error_deg;  ///< largest felt less virtual direction while the finger moves
   ReachSummary summary;        ///< the controller's own account; zero without a controller
   std::optional<PersonBelief>
@@ -26,8 +26,8 @@ struct PersonOutcome {
 /// A sample of a reach, with the ground truth.
 struct PersonMoment {
   double time_s;      ///< since the reach began; the finger moves later
-  PlatePoint finger;  ///< where it is
-  PlatePoint felt;    ///< where the person feels that it is
+  PlatePoint finger;  ///< position of the finger
+  PlatePoint felt;    ///< perceived position of the finger
   double plate_deg;   ///< direction of the ridge normal
   PlateCommand command;
   const PersonFilter* filter;  ///< the controller's; null: it is not the one for people

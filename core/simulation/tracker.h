@@ -11,7 +11,7 @@
 
 namespace hrt {
 
-/// How good it is.
+/// Quality of a tracker.
 struct TrackerModel {
   double rate_hz = 90.0;
   double white_mm = 1.2;       ///< SD of the noise of a coordinate, independent for each sample
@@ -43,7 +43,7 @@ struct TrackerModel {
 class MotionErrors {
  public:
   MotionErrors(const TrackerModel& model, Draws& draws);
-  /// How far from the finger it is seen. Times increase.
+  /// Error of the tracked position. Times increase.
   PlatePoint off(double time_s, const PlatePoint& finger, Draws& draws);
 
  private:

@@ -100,7 +100,7 @@ class PhaseDetector {
   double rest_place_sd_mm() const;
   /// Mean of the last three places.
   Point smoothed() const { return places_.mean_of_last(std::min(3, places_.count())); }
-  /// How long the finger has rested; 0 unless at_rest().
+  /// Duration of the rest; 0 unless at_rest().
   double rest_s() const { return at_rest() && places_.count() > 0 ? places_[0].time_s - rest_.since_s : 0.0; }
   /// The last time at which the finger was still at rest, as far as the noise shows.
   double left_s() const { return rest_.seen_s; }
@@ -111,7 +111,7 @@ class PhaseDetector {
  private:
   struct Rest {
     Point place;
-    int places = 0;  // that place is the mean of
+    int places = 0;  // number of places in the mean
     int seen = 0;    // places since the rest began
     double since_s = 0.0;
     double seen_s = 0.0;

@@ -47,7 +47,7 @@ std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
 /// packet the search continues behind its header.
 class PacketReader {
  public:
-  static constexpr std::size_t max_length = 250;  ///< that the length field may have
+  static constexpr std::size_t max_length = 250;  ///< limit of the length field
 
   /// Takes bytes in.
   void take(std::string_view bytes) { bytes_ += bytes; }

@@ -4,7 +4,7 @@ namespace hrt::plugin {
 
 thread_local constinit ThreadError thread_error;
 
-// Not inline: nothing is computed ahead of it.
+// Not inline, so that no computation moves before it.
 void OurArithmetic::set(Mode mode) {
 #if defined(__SSE2__)
   _mm_setcsr((_mm_getcsr() & ~mode_bits) | mode);

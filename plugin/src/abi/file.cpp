@@ -58,7 +58,7 @@ bool means_taken() {
 using Status = struct stat;
 int open_descriptor(const char* path, int flags) { return ::open(path, flags, 0666); }
 bool is_regular(const Status& status) { return S_ISREG(status.st_mode); }
-#if defined(__EMSCRIPTEN__)  // one process with files of its own: nothing to wait for, to share or to inherit
+#if defined(__EMSCRIPTEN__)  // the program is one process with its own files: no lock or inheritance is needed
 constexpr int to_read = O_RDONLY;
 constexpr int to_write = O_WRONLY | O_CREAT | O_TRUNC;
 int status_of(int, Status* out) {

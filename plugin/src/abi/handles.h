@@ -114,7 +114,7 @@ class HandleTable {
   std::atomic<std::size_t> count_{0};
 };
 
-/// Why a HandleTable gave no `what`.
+/// Error of a HandleTable that did not grant access to `what`.
 inline hrt_result no_lease(hrt_result reason, const char* what, std::uint64_t handle) {
   if (reason == HRT_ERROR_BUSY)
     return fail(reason, "another thread is in a call on this ", what, "; wait until it returns");

@@ -17,7 +17,7 @@ namespace {
 void* c_allocate(void*, std::size_t size, std::size_t alignment) {
   if (alignment <= alignof(std::max_align_t)) return std::malloc(size);
 #if defined(_WIN32)
-  return nullptr;  // its C library could not release such memory with free(); nothing here asks for it
+  return nullptr;  // free() of its C library could not release such memory; the library does not request it
 #else
   return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 #endif

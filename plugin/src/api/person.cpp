@@ -14,7 +14,7 @@ namespace {
 
 struct SimulatedUser {
   SimulatedHand hand;
-  std::uint64_t session = 0;  // whose set-up the person follows
+  std::uint64_t session = 0;  // session whose set-up the person follows
 };
 
 using People = HandleTable<SimulatedUser, HRT_PEOPLE_MAX, 0x9e>;

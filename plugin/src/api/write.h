@@ -24,7 +24,7 @@ void write_point(const PlatePoint& point, double (&out_m)[3]);
 
 /// Problem and instruction of a step as a sentence for the user.
 void write_step_text(const SetupStep& step, char (&out)[HRT_TEXT_SIZE]);
-/// Why a set-up dropped a part.
+/// Writes the reason for dropping a part of a set-up.
 void write_drop_text(const SetupReport& report, char (&out)[HRT_TEXT_SIZE]);
 
 }  // namespace hrt::plugin

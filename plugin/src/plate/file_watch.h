@@ -32,7 +32,7 @@ class FileWatch {
 
   PlateFile file_;
   std::optional<double> command_deg_;
-  Time commanded_, near_;  // when the command last changed, and the plate last was near it
+  Time commanded_, near_;  // time of the last change of the command, and of the last position near it
   bool deviates_ = false;
   // A plate that follows its commands as the file says, and how late the reported one is.
   std::deque<Command> coming_;

@@ -151,7 +151,7 @@ void PlateDriver::follow_host(Device& device, Time now) {
   } else if (now - host_heard_ > std::chrono::nanoseconds(options_.host_timeout_ns) && !host_is_silent_) {
     host_is_silent_ = true;
     double before = wanted_deg_.load();
-    wanted_deg_.compare_exchange_strong(before, stay);  // unless a command comes at this instant
+    wanted_deg_.compare_exchange_strong(before, stay);  // unless a command arrives at this moment
   }
   const double wanted_deg = wanted_deg_.load(std::memory_order_acquire);
   if (!std::isnan(wanted_deg)) {

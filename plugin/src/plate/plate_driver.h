@@ -42,7 +42,7 @@ class PlateDriver {
  private:
   struct Published {
     hrt_plate_report report;
-    std::int64_t reported_ns;  // when the orientation was, on the monotonic clock
+    std::int64_t reported_ns;  // time of the orientation, on the monotonic clock
   };
   using Time = Line::Time;
 

@@ -33,7 +33,7 @@ std::string hash_of(std::string_view text) {
   throw std::invalid_argument("plate file " + path + " " + why);
 }
 
-// Not by a stream of the C++ library, which brings its locales.
+// A C stream, since those of the C++ library depend on locales.
 using OpenFile = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
 // Opens a file without waiting: a pipe is then empty, or cannot be read.

@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double min_pulse_us = 500.0, max_pulse_us = 2500.0;
-constexpr double max_zero_step_us = 20.0;  // that the firmware takes while the servo holds
+constexpr double max_zero_step_us = 20.0;  // limit of the firmware while the servo holds
 
 std::string shown(double value) {
   std::array<char, 32> text{};

@@ -43,7 +43,7 @@ class PlateWatch {
   bool has_reported_ = false;
   std::optional<double> command_deg_;
   std::deque<Place> motion_;    // positions of one motion towards the command, without a stop
-  std::optional<Place> moved_;  // where it last was seen to move, while it had to
+  std::optional<Place> moved_;  // position of the last observed motion while the plate had to move
   std::optional<double> speed_deg_s_;
 };
 

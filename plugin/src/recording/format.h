@@ -35,7 +35,7 @@ struct TargetChanged {
   enum class Change : std::uint8_t { added, set, removed };
   Change change;
   std::uint64_t number;
-  hrt_target_config config;  ///< unless it was removed
+  hrt_target_config config;  ///< without meaning if it was removed
 };
 
 /// Plate orientation at the start of the recording.
@@ -45,7 +45,7 @@ struct PlateStands {
 
 struct ReachBegun {
   std::uint32_t flags;
-  double plate_orientation_deg;  ///< if flags has HRT_REACH_PLATE_ORIENTATION
+  double plate_orientation_deg;  ///< valid if flags has HRT_REACH_PLATE_ORIENTATION
   std::uint64_t real_number;     ///< 0: not a target of this session
   std::uint64_t virtual_number;
   double duration_s;
@@ -67,7 +67,7 @@ struct ReachCancelled {};
 struct Updated {
   hrt_sample sample;
   hrt_command command;              ///< only if the call succeeded
-  std::optional<AimedReach> reach;  ///< if a reach that waited for the finger started in this call
+  std::optional<AimedReach> reach;  ///< the reach, if it waited for the finger and started in this call
 };
 
 struct ReachEnded {

@@ -76,7 +76,7 @@ class Recorder {
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint64_t> lost_unnoted_{0};  // part of lost_ that is not yet noted in an entry
   std::atomic<bool> overrun_{false};            // nothing is taken in until half of the ring is free
-  std::uint64_t lost_unreported_ = 0;           // this and the next are the writing thread's
+  std::uint64_t lost_unreported_ = 0;           // this and the next one belong to the writing thread
   std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;
   File file_;

@@ -10,7 +10,7 @@ namespace hrt::plugin {
 /// and height: it is taken to be as large as that in the plane.
 Registration registration_of(const SessionModel& model, double touch_sd_mm);
 
-/// Which of the person's values differ from what the model says of them.
+/// The person's values that differ from the model by a retest.
 struct RetestDifference {
   bool tactile_weight = false;
   bool bias = false;

@@ -22,7 +22,7 @@ struct ReachRequest {
   std::uint64_t virtual_target = 0;
   std::optional<double> plate_orientation_deg;  ///< none: where the last command left the plate
   double duration_s = 0.0;                      ///< expected; 0: unknown
-  bool starts_at_finger = false;                ///< where the finger is first seen
+  bool starts_at_finger = false;                ///< the reach starts at the first position of the finger
 };
 
 class Session {
@@ -65,7 +65,7 @@ class Session {
 
   hrt_result begin_setup(std::uint32_t parts, const SetupConfig& asked);
   hrt_result update_setup(const SetupSample& sample, SetupStep* out);
-  /// Not real-time, as begin_setup() and cancel_setup(). Ends a set-up of which nothing is left.
+  /// Ends a set-up without remaining parts. Not real-time, like begin_setup() and cancel_setup().
   hrt_result finish_setup();
   hrt_result cancel_setup();
   /// The part under way, while setting up.

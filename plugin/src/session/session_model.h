@@ -26,7 +26,7 @@ enum class Adaptation : std::uint8_t {
   carried  ///< carried to the following reaches
 };
 
-/// How a tracked finger is located on the plate. Lengths are in metres, as in scenes.
+/// Pose of the plate, and the location of a tracked finger on it. Lengths are in metres, as in scenes.
 struct PlateMount {
   Pose pose;           ///< pose of the plate in the engine's world; does not turn with the ridges
   double scale = 1.0;  ///< length in the world of 1 m on the plate, 0.5 to 2

@@ -14,7 +14,7 @@
 
 namespace hrt::plugin {
 
-/// Not a part: all parts of which the session has no result, and which the samples can show.
+/// Selects all parts for which the session has no result and the samples have the data; not a part itself.
 inline constexpr std::uint32_t setup_all_missing = 64;
 
 /// Results of a set-up since it began.
@@ -24,7 +24,7 @@ struct SetupReport {
   std::uint32_t dropped = 0;  ///< without a result, and not repeated
   SetupDrop drop;             ///< the last one; its reason is a text of the set-up, and here:
   std::string drop_reason;
-  int slides = 0;  ///< that were made
+  int slides = 0;  ///< number of slides that were made
   std::optional<FingertipOffset> fingertip;
   std::optional<Registration> registration;
   std::optional<RegistrationCheck> check;

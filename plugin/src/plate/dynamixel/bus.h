@@ -67,7 +67,7 @@ class Bus {
 
   // ---- With a wait for the answer.
 
-  /// Nothing without an answer; its error is the caller's.
+  /// None without an answer; the caller handles an error in the answer.
   std::optional<Packet> try_once(const Packet& request);
   /// Asks again while the line is disturbed. PlateFailure with the servo's error, or if it is silent.
   Packet transact(const Packet& request);

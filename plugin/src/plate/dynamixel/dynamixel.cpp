@@ -369,7 +369,7 @@ class Servo : public Device {
   std::optional<PlateWatch> watch_;
   std::optional<double> orientation_deg_;
   std::optional<int> goal_step_;
-  std::optional<std::int64_t> known_goal_;  // which the servo has, if none of this program's is under way
+  std::optional<std::int64_t> known_goal_;  // goal of the servo, unless a goal of this program is being sent
   bool is_goal_sent_ = true;
   bool must_stop_ = false;
   bool holds_ = false;
