@@ -32,8 +32,8 @@ void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {
     for (const int j : illusion) belief->covariance(i, j) = unknown.covariance(i, j);
 }
 
-// A reach shows the bias and the habit that it had: theirs and deviations from them. Given how the reach's traits
-// came to be believed, all are normal:
+// A reach shows the bias and the habit of that reach: those of the person plus deviations. With the correction of the
+// filter, all are normal:
 //
 //   deviations = K (learnt - before),   K = D P^-1,   P of the reach's traits before it, D of the deviations
 PersonBelief without_deviation(const PersonBelief& before, const PersonBelief& learnt, const Tuning& tuning) {

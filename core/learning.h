@@ -15,14 +15,14 @@ inline constexpr double max_weight_sd = 0.49;
 /// unchanged.
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt);
 
-/// The configuration after a contact: of the frame, and, if the person `was_learnt` in reaches, of their
-/// bias, which reaches show together with the frame's turn.
+/// The configuration after a contact: correction of the frame, and of the person's bias if it `was_learnt` in reaches,
+/// which show only its sum with the frame's rotation.
 RetargeterConfig carried(const RetargeterConfig& config, const Contact& contact, bool was_learnt);
 
-/// The belief for the next reach after one that began with `before`, ended with `learnt` and, if `missed`,
-/// did not reach its target: without the reach's own deviation from the bias, by which the scatter is learnt;
-/// wider, since people change, yet never wider than `unknown`. After a miss with an illusion far below what
-/// was believed, the illusion is unknown again.
+/// The belief for the next reach after one that began with `before`, ended with `learnt` and, if `missed`, did not
+/// reach its target. The deviation of this reach from the person's bias is removed, and the scatter estimated from it.
+/// The covariance grows, since people change, but never beyond `unknown`. After a miss with an illusion far below the
+/// former estimate, the illusion is unknown again.
 PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed, const PersonBelief& unknown,
                      const Tuning& tuning = {});
 

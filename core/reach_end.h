@@ -26,12 +26,12 @@ inline constexpr double max_target_step_mm = 2.0;
 class ReachEnd {
  public:
   ReachEnd() = default;
-  /// Begins a reach from `start` to a target at `target`, another point. `start_is_felt`: where the finger is first
-  /// seen to rest is the start. `noise`: of the tracker, if it is known.
+  /// Begins a reach from `start` to a different point `target`. `start_is_felt`: the position of the first rest is the
+  /// start. `noise`: noise of the tracker, if it is known.
   ReachEnd(const PlatePoint& start, const PlatePoint& target, bool start_is_felt,
            const std::optional<TrackerNoise>& noise, const PhaseTuning& tuning = {});
 
-  /// The target is at `target` from now on, and the finger at `finger`.
+  /// Changes the target to `target` while the finger is at `finger`.
   void retarget(const PlatePoint& target, const PlatePoint& finger);
 
   void observe(const FingerSample& sample);

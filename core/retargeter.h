@@ -30,10 +30,10 @@ class Retargeter {
   /// not be before the last one's. However long the gap, at most StepClock::max_catch_up_steps are predicted.
   const PlateCommand& update(const FingerSample& sample);
 
-  /// The targets of the reach are elsewhere from now on, at these places; the reach continues from where the
-  /// finger is, and what is known of finger and person stays. Returns the reach as it is seen from there, the
-  /// virtual target from where the person will feel that the finger is once they answer. Requires begin().
-  /// Before the finger moves, and with directions alone, everything is seen from the start.
+  /// Redirects the reach to these positions of its targets. The reach continues from the position of the finger, with
+  /// all estimates. Returns the reach as seen from there; the virtual target is seen from the position that the person
+  /// will perceive at the time of the answer. Before the finger moves, and with directions alone, directions are seen
+  /// from the start. Requires begin().
   Reach retarget(const PlatePoint& real, const PlatePoint& virtual_place);
 
   /// The paper's loop, without a clock: one model step with the finger moving along

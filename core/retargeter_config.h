@@ -35,10 +35,9 @@ struct RetargeterConfig {
   ReachControlConfig reach;
   /// Time from a motion to the time of its sample, 0 to 0.5 s. Used by ControlMode::reach.
   std::int64_t tracker_latency_ns = 0;
-  double tracker_bearing_sd_deg =
-      0.0;                     ///< SD of the bearing of a reach as it is tracked, 0 to 45; of ControlMode::reach
-  bool plate_waits = false;    ///< do not turn the plate before the finger moves; of ControlMode::reach
-  bool start_is_felt = false;  ///< the position of a rest is the start; used by ControlMode::reach
+  double tracker_bearing_sd_deg = 0.0;  ///< SD of the tracked bearing of a reach, 0 to 45; used by ControlMode::reach
+  bool plate_waits = false;             ///< do not turn the plate before the finger moves; of ControlMode::reach
+  bool start_is_felt = false;           ///< the position of a rest is the start; used by ControlMode::reach
   FrameCovariance frame = FrameCovariance::Zero();  ///< covariance of the plate's pose; used by ControlMode::reach
   TouchedFrame touched;                             ///< correction by contacts, already applied to samples
   Tuning tuning;                                    ///< used by ControlMode::reach

@@ -14,7 +14,7 @@ constexpr double min_plate_span_deg = 40.0;
 constexpr int min_plate_angles = 3;
 // The largest gap is extrapolated, and unknown, if the slides end farther from 75 degrees than this.
 constexpr double min_offset_deg = 60.0;
-// An interval that is wider says nothing of a person.
+// A wider interval contains no information on a person.
 constexpr double max_weight_width = 0.1;
 constexpr double max_angle_width_deg = 10.0;
 constexpr int band_steps = 15;  // steps of 5 degrees to either side

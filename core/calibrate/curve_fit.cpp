@@ -34,7 +34,7 @@ constexpr double max_bend_deg = 20.0;
 constexpr double max_drift = 0.6;
 constexpr double min_start_share = -0.5;
 constexpr double max_start_share = 1.5;
-// The slope from which a fit sets out.
+// Slope at which a fit starts.
 constexpr double first_slope = 0.18;
 // Before any slide the slope may change at a knot by as much as it is (SD), as where an illusion saturates: at least by
 // this.

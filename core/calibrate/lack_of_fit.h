@@ -18,7 +18,7 @@ struct LackOfFit {
   double path_p = 1.0;   ///< the parts of the path, at all angles or in proportion to the angle
 };
 
-/// Below this a pattern is held to be there; of people without one, 1 in 100 have a test that says so.
+/// A probability below this reports a pattern; without a pattern, 1 of 100 people get a report.
 inline constexpr double min_fit_p = 0.01;
 
 /// The tests in steps of bounded time, for curve fits of at least two slides.

@@ -142,8 +142,8 @@ double set_pace(const std::vector<Place>& places, SlideTrack* track) {
   return length_mm;
 }
 
-// The chords of the parts, between means of the places in each window: two samples would be noisier. False if
-// a part was not seen, or goes back.
+// The chords of the parts, between means of the places in each window: two samples would be noisier. False if a part
+// has no samples, or goes back.
 bool set_directions(const std::vector<Place>& places, double length_mm, SlideTrack* track) {
   SlideDirections left_mm = SlideDirections::Zero();
   SlideDirections mean_along_mm = SlideDirections::Zero();

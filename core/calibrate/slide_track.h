@@ -33,7 +33,7 @@ struct SlideTrack {
     double advance_mm;     ///< along the goal in this step
     double share;          ///< fraction of the path at the step's middle
     int window = -1;       ///< window of the step; -1: none
-    double samples = 0.0;  ///< positions that were seen in it and count to the window
+    double samples = 0.0;  ///< samples of the window that are used
   };
   double onset_s = 0.0;  ///< the finger rested until then
   double step_s = 0.01;
@@ -45,13 +45,13 @@ struct SlideTrack {
 /// The direction of the second half of a path.
 inline double settled_direction_deg(const SlideDirections& directions) { return 0.5 * (directions(2) + directions(3)); }
 
-/// Without copies of a measurement: see core/tracker/repeated_position.h.
+/// Removes copies of a measurement: see core/tracker/repeated_position.h.
 std::vector<TimedPoint> measurements_of(const std::vector<TimedPoint>& samples);
 
 inline constexpr double min_slide_mm = 30.0;
 
-/// None without a motion of `min_slide_mm` towards the goal that was seen in all of its parts. Positions
-/// that the tracker made up are left out.
+/// Track of a slide without outliers; none without a motion of `min_slide_mm` towards the goal with samples in all
+/// parts.
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
 
 /// True if the trial's plate turned by more than `max_turn_deg` while the finger moved along `track`.

@@ -27,7 +27,7 @@ SinCos sin_cos_deg(double angle_deg);
 /// finite arguments whose ratio does not overflow or underflow.
 double atan2_deg(double y, double x);
 
-/// `angle_deg` less the whole turns of `period_deg` that bring it into [-period/2, period/2).
+/// `angle_deg` minus the whole turns of `period_deg` that bring it into [-period/2, period/2).
 inline double wrap_deg(double angle_deg, double period_deg) {
   return angle_deg - period_deg * std::floor(angle_deg / period_deg + 0.5);
 }

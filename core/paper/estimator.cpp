@@ -13,7 +13,7 @@ namespace {
 // People speed up and slow down within about half a second by some tens of mm/s: a random walk of the
 // speed with this density covers a minimum-jerk slide of 100 mm in 2 to 4 s.
 constexpr double speed_density_mm2_s3 = 300.0;
-// Before anything is seen: a slow slide, along the mid-line or so.
+// Initial estimate: a slow slide along the mid-line.
 constexpr double initial_speed_mm_s = 30.0;
 constexpr double initial_speed_sd_mm_s = 30.0;
 constexpr double initial_direction_sd_deg = 4.0;
@@ -126,7 +126,7 @@ bool Estimator::observe_position(const PlatePoint& position) {
       (a * c - b * b);
   if (normalised_innovation_ > outlier_innovation && ++outliers_ <= max_outliers) return false;
   if (outliers_ > max_outliers) {
-    // The tracker has jumped, or the finger has been moved: the believed place is void.
+    // The tracker has jumped, or the finger was moved: discards the estimated position.
     for (const int index : {right, away}) set_independent(covariance_, index, noise_mm2_);
     state_(right) = position.right_mm;
     state_(away) = position.away_mm;

@@ -74,7 +74,7 @@ class Estimator {
   /// left out (five standard deviations; at most `max_outliers` samples in a row).
   bool observe_position(const PlatePoint& position);
 
-  /// The tracker's white noise, standard deviation of a coordinate, as it is known by now.
+  /// Sets the SD of the tracker's white noise in a coordinate.
   void set_tracker_noise(double white_mm) { noise_mm2_ = white_mm * white_mm; }
 
   PlatePoint position() const { return {state_(right), state_(away)}; }
@@ -115,7 +115,7 @@ class Estimator {
   double normalised_innovation_ = 0.0;
   int outliers_ = 0;
 
-  // At the beginning of the current step, to see how far its samples correct it.
+  // direction at the start of the current step, to measure the correction by its samples
   double step_direction_deg_ = 0.0;
   double step_variance_deg2_ = 0.0;  // 0 before the first step has ended
   double motor_variance_deg2_;       // assumed variance

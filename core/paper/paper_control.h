@@ -20,9 +20,9 @@ class PaperControl {
   PaperControl(const MpcConfig& config, const PlateDynamics& plate, std::int64_t step_period_ns,
                double goal_direction_deg);
 
-  /// The orientation that the finger shall feel at the end of the first step that a command given now can
-  /// change, planned about `centre_deg`, which feels like the goal. Steps before it end with `plate` as it is
-  /// already commanded.
+  /// Plate orientation at the end of the first step that a new command can change, planned about `centre_deg`, an
+  /// orientation with the ridge normal of the goal. Earlier steps end with the orientations of `plate` under the
+  /// commands already given.
   PlateOrientation plan(const ReachEstimator& reach, double aimed_direction_deg, double centre_deg,
                         const PlateModel& plate);
 

@@ -34,7 +34,7 @@ class PaperReach {
   /// Takes one sample in, not before the last one's. `progress`: with this sample.
   const PlateCommand& update(const FingerSample& sample, const ReachProgress& progress = {});
 
-  /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is.
+  /// Changes the real target to `real`. `now`: the reach as seen from the finger.
   void retarget(const PlatePoint& real, const Reach& now);
 
   /// The paper's loop, without a clock: one model step with the finger moving along `finger_direction_deg`
@@ -80,7 +80,7 @@ class PaperReach {
   PlateModel plate_;
   PlateLimits limits_;
   Decision decision_;
-  PlateCommand command_;  // the last one, with the finger as it was last shown
+  PlateCommand command_;  // last command, with the last observed finger
   std::int64_t samples_before_ = 0;
   std::int64_t dropped_before_ = 0;
   std::int64_t saturated_steps_ = 0;  // without the last decision's

@@ -28,7 +28,7 @@ struct Participant {
 /// True if every field is finite and in its range.
 bool is_valid(const Participant& participant);
 
-/// G: where a person goes who sees a target in `virtual_direction_deg`.
+/// G: direction at which a person aims for a target in `virtual_direction_deg`.
 inline double goal_direction_deg(const Participant& participant, double virtual_direction_deg) {
   return virtual_direction_deg + participant.bias_deg;
 }
@@ -38,9 +38,9 @@ inline double felt_direction_deg(double tactile_weight, double plate_orientation
   return tactile_weight * plate_orientation_deg + (1.0 - tactile_weight) * finger_direction_deg;
 }
 
-/// One step: the finger moves along `finger_direction_deg` over ridges at `plate_orientation_deg` while the
-/// person goes for `goal_direction_deg`. Degrees from any direction, the same for all three; the orientation
-/// is the one that is felt, see ridge_normal_deg().
+/// Input of a step: the finger moves along `finger_direction_deg` over ridges at `plate_orientation_deg` while the
+/// person aims at `goal_direction_deg`. The three angles are in degrees from the same direction; the orientation is
+/// that of the perceived normal, see ridge_normal_deg().
 struct ParticipantInput {
   double tactile_weight;         ///< w_T
   double gain;                   ///< K, of the perception filter

@@ -59,7 +59,7 @@ class ReachEstimator {
   /// Counts of the whole reach, with the present step once it has a sample.
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }
-  /// Last place seen, or predicted from it; none until a position is seen.
+  /// Last position, observed or predicted; none until a position is observed.
   const std::optional<PlatePoint>& place() const { return place_; }
 
  private:

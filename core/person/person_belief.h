@@ -1,4 +1,4 @@
-// What is believed of a person before a reach.
+// Belief about a person before a reach: mean and covariance of the traits.
 #pragma once
 
 #include <Eigen/Core>

@@ -68,7 +68,7 @@ class PersonEstimator {
   PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm, const PlatePoint& start,
                   const std::optional<TrackerNoise>& noise, const Tuning& tuning = {});
 
-  /// Takes a position in, seen at `time_s`, after the previous one's. `plate`: the plate's orientation over the
+  /// Processes a position observed at `time_s`, later than the previous one. `plate`: orientations of the plate in the
   /// last second. False if the position is an outlier.
   bool observe(double time_s, const PlatePoint& position, const PlateTrace& plate);
 
@@ -86,7 +86,7 @@ class PersonEstimator {
   bool begun() const { return finger_.has_moved(); }
   /// True if the finger moves, and is not at rest or lifted.
   bool moving() const { return finger_.phase() == Phase::moving; }
-  /// The filter has taken in all that was seen.
+  /// True if the filter has processed all positions.
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }
   /// The filter with the person's answer to a moved target, while that is still to come.
@@ -95,7 +95,7 @@ class PersonEstimator {
   double time_s() const { return filter_s_; }
   /// Rest position of the finger, the origin of the filter's positions.
   const PlatePoint& origin() const { return begun() ? origin_ : finger_.rest_place(); }
-  /// The last position, seen or predicted.
+  /// Last position, observed or predicted.
   PlatePoint place() const;
   const TrackerNoise& noise() const { return finger_.noise(); }
   const ModelFit& fit() const { return fit_; }

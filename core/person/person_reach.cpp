@@ -92,7 +92,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
   }
 }
 
-// A finger that feels the start is there when it rests, wherever it is seen.
+// If the start is felt, a finger that rests is at the start, wherever the tracker reports it.
 PlatePoint PersonReach::on_plate(const PlatePoint& seen) const {
   return config_.start_is_felt ? seen - estimator_.origin() + goal_.reach.start : seen;
 }

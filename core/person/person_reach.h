@@ -23,7 +23,7 @@ struct PersonReachConfig {
   PlateDynamics plate;
   std::optional<TrackerNoise> noise;    ///< noise of the tracker; none: learnt while the finger rests
   std::int64_t tracker_latency_ns = 0;  ///< time from a motion to the time of its sample, 0 to 0.5 s
-  double tracker_bearing_sd_deg = 0.0;  ///< SD of the bearing of a reach as it is tracked, 0 to 45
+  double tracker_bearing_sd_deg = 0.0;  ///< SD of the tracked bearing of a reach, 0 to 45
   std::int64_t step_period_ns = 100'000'000;
   bool plate_waits = false;                         ///< the plate does not turn until the finger moves
   bool start_is_felt = false;                       ///< the position of a rest is the start
@@ -43,8 +43,8 @@ class PersonReach {
   /// this sample.
   const PlateCommand& update(const FingerSample& sample, const ReachProgress& progress = {});
 
-  /// The real target is at `real` from now on. `now` is the reach as seen from where the finger is: its
-  /// directions, distance and start are read.
+  /// Changes the real target to `real`. Of `now`, the reach as seen from the finger, directions, distance and start are
+  /// used.
   void retarget(const PlatePoint& real, const Reach& now);
 
   /// The last command; the constructor's before the first sample.
@@ -55,7 +55,7 @@ class PersonReach {
   double place_variance_mm2() const;
   /// Estimated speed of the finger; 0 before it moves, and in a pause.
   double speed_mm_s() const;
-  /// A position has been seen.
+  /// True if a position was observed.
   bool seen() const { return position_ns_.has_value(); }
   ReachSummary summary() const;
   PlateHandover handover() const;

@@ -20,12 +20,12 @@ struct ReachGoal {
   /// position the targets have not moved, and the direction is that from the start.
   std::optional<PlatePoint> aimed_from;
   double aimed_direction_deg;
-  double tracker_sd_deg;  ///< SD, from reach to reach, of the bearing at which the tracker sees the finger
+  double tracker_sd_deg;  ///< SD of the tracked bearing from reach to reach
   double frame_sd_deg;    ///< SD of the target's bearing from the start, by the frame's uncertainty
 
-  /// A reach that is seen to end further off the target's bearing is more likely off target than not: the median size
-  /// of the true miss is beyond hrt::near_deg. With x the seen miss and sigma both SDs together, the square of that
-  /// median is about x^2 + 0.455 sigma^2.
+  /// Largest observed miss of a reach that is more likely on target than not. With the observed miss x and both SDs
+  /// together, sigma, the square of the median of the true miss is about x^2 + 0.455 sigma^2; it is compared with
+  /// hrt::near_deg.
   double near_deg() const {
     constexpr double median_square = 0.455;  // median of the square of a standard normal variable
     const double variance_deg2 = tracker_sd_deg * tracker_sd_deg + frame_sd_deg * frame_sd_deg;
@@ -42,10 +42,10 @@ struct PlateDecision {
 /// State of a reach at one sample.
 struct ReachMoment {
   double now_s = 0.0;
-  PlatePoint finger;       ///< position on the plate, seen or predicted
+  PlatePoint finger;       ///< position on the plate, observed or predicted
   double plate_deg = 0.0;  ///< orientation of the plate
   bool decided = false;    ///< the decision is of this sample
-  bool predicted = false;  ///< nothing was seen
+  bool predicted = false;  ///< no sample
   ReachProgress progress;
 };
 

@@ -39,7 +39,7 @@ struct PlateOutlook {
 };
 
 struct ReachPlan {
-  double plate_deg;       ///< wanted orientation of the ridge normal
+  double plate_deg;       ///< required direction of the ridge normal
   double felt_error_deg;  ///< perceived minus intended direction once the plate has the commanded orientation
   double miss_mm;         ///< across the line to the real target at arrival, left positive, if the plate does so
   bool at_bound;          ///< the plan requires a larger shift than the plate can give

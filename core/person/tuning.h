@@ -54,7 +54,7 @@ struct Tuning {
   double max_slope = 3.0;       ///< [m] bound on the decay of the felt error, in gains
 
   // Filter. Random walks are per second.
-  double first_direction = 0.2;            ///< [s] h: direction in which people set out, over the virtual direction
+  double first_direction = 0.2;            ///< [s] h: initial direction as a fraction of the virtual direction
   double first_direction_sd = 0.45;        ///< [s] SD of h from reach to reach
   double direction_density_deg2_s = 14.0;  ///< deg^2/s [s]
   double log_rate_density_s = 0.07;        ///< 1/s [s]
@@ -97,7 +97,7 @@ struct Tuning {
 
   // Pauses.
   double min_pausing_nis = 6.0;          ///< [s] a pause surprises the filter by this
-  double min_pausing_speed_mm_s = 25.0;  ///< mm/s [s] a slower finger is not seen to pause
+  double min_pausing_speed_mm_s = 25.0;  ///< mm/s [s] pauses of a slower finger are not detected
   double pause_clock_sd_s = 0.07;        ///< s [s] SD of the clock, added on entry and on exit
   double reaction_time_s = 0.2;          ///< s [m] from a moved target to the person's answer
 

@@ -28,8 +28,8 @@ bool is_frame_covariance(const FrameCovariance& covariance);
 /// Covariance from an accepted registration, without the contribution of its scale.
 FrameCovariance frame_covariance(const Registration& registration);
 
-/// Standard deviation, degrees, of the bearing of a finger that is believed to be at `target`, as seen from
-/// `start`; the start is where it was believed to be. At most 180; 180 if they coincide.
+/// SD, degrees, of the bearing from `start` of a finger whose estimated position is `target`; `start` is an estimated
+/// position too. At most 180; 180 if they coincide.
 double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start, const PlatePoint& target);
 
 }  // namespace hrt

@@ -24,8 +24,8 @@ struct RegistrationConfig {
   double touch_sd_mm = 3.0;
   /// The tracker's unit of length may be off, by a factor of 0.5 to 2.
   bool fit_scale = false;
-  /// Up in the tracker's frame, of any length: the plate's face must look that way within 60 degrees. Zero:
-  /// not checked, and a plate whose left and right marks were confused passes for one that lies upside down.
+  /// Upward direction in the tracker's frame, of any length: the plate's face must point within 60 degrees of it. Zero:
+  /// not checked, and confused left and right marks are accepted as a plate that lies upside down.
   Eigen::Vector3d up = Eigen::Vector3d::Zero();
 };
 
@@ -47,7 +47,7 @@ struct Registration {
   /// Covariance of the rotation about the plate's axes (radians), the position (millimetres) and the scale; 0 for a
   /// scale that was not fitted.
   Eigen::Matrix<double, 7, 7> covariance = Eigen::Matrix<double, 7, 7>::Zero();
-  double touch_sd_mm = 0.0;     ///< assumed and seen, in proportion to their weight
+  double touch_sd_mm = 0.0;     ///< SD of a touch, from the assumed and the observed one by their weights
   double residual_mm = 0.0;     ///< root mean square distance of touches from their marks
   std::optional<int> left_out;  ///< the one touch that does not fit the others
 };

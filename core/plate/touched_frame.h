@@ -54,11 +54,11 @@ bool is_elsewhere(const TouchedFrame& before, const Contact& contact);
 /// The frame when trackers have drifted, as between contacts.
 TouchedFrame drifted(const TouchedFrame& frame);
 
-/// By how much a finger's bearing from home turns with the frame, at the place where it was believed to be.
+/// Change of the bearing from home, by the frame's rotation, of a finger at the estimated position.
 double turned_deg(const TouchedFrame& before, const TouchedFrame& after, const PlatePoint& finger);
 
-/// Standard deviation of the bearing of a finger that is believed to be at `target`, seen from `start`: by
-/// contacts, and before the first one by the registration (frame_error.h).
+/// SD of the bearing from `start` of a finger whose estimated position is `target`: by contacts, or before the first
+/// one by the registration (frame_error.h).
 double bearing_sd_deg(const TouchedFrame& frame, const FrameCovariance& registered, const PlatePoint& start,
                       const PlatePoint& target);
 

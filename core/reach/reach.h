@@ -60,17 +60,18 @@ inline constexpr double unknown_miss_sd_deg = 180.0;
 
 /// A command for the plate, with its reasons.
 struct PlateCommand {
-  double plate_orientation_deg = 0.0;    ///< T; which of those that feel the same, see plate_limits.h
+  double plate_orientation_deg =
+      0.0;  ///< T; of the orientations with the same ridges, the one that plate_limits.h selects
   double finger_direction_deg = 0.0;     ///< P, estimated or predicted
   double bearing_deg = 0.0;              ///< bearing of the finger from the start of the reach; 0 until it moves
   double perceived_direction_deg = 0.0;  ///< theta_hat at the end of this step; of a person: felt now
-  double aimed_direction_deg = 0.0;      ///< the wanted direction, if it can be held
+  double aimed_direction_deg = 0.0;      ///< the intended direction, if it is feasible
   double tactile_weight = 0.0;           ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
   double tactile_weight_sd = 0.0;        ///< SD of the tactile weight; 0 without adaptation
-  double distance_to_go_mm = 0.0;        ///< to the real target's place; the whole until a position is seen
+  double distance_to_go_mm = 0.0;        ///< distance to the real target; from the start until the first position
   double time_to_go_s = -1.0;       ///< until the motion ends, then 0; -1 before it, in a pause and under the paper's
   double felt_error_deg = 0.0;      ///< felt less intended direction, now, as estimated
-  double predicted_miss_deg = 0.0;  ///< bearing of the place of arrival less the real target's, as predicted
+  double predicted_miss_deg = 0.0;  ///< predicted bearing of the position of arrival minus that of the real target
   /// Standard deviation of the finger's true place across the line to the real target, as a bearing from the
   /// start: by the filter and by the registration of the plate.
   double bearing_error_sd_deg = unknown_miss_sd_deg;
@@ -139,9 +140,9 @@ struct ReachSummary {
   double final_miss_deg = 0.0;           ///< final_direction_deg - P_R
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
   double perceived_error_deg = 0.0;      ///< perceived_direction_deg less theta_V and the configured bias
-  double distance_to_target_mm = 0.0;    ///< from the last position, seen or predicted, to the real target's
+  double distance_to_target_mm = 0.0;    ///< distance from the last position, observed or predicted, to the real target
   double bearing_deg = 0.0;              ///< value in the last PlateCommand
-  double bearing_error_deg = 0.0;        ///< bearing_deg less that of the real target; 0 if it is unknown
+  double bearing_error_deg = 0.0;        ///< bearing_deg minus the bearing of the real target; 0 if it is unknown
   double bearing_error_sd_deg = unknown_miss_sd_deg;  ///< value in the last PlateCommand
   double peak_felt_error_deg = 0.0;                   ///< largest size of PlateCommand::felt_error_deg
   double rms_felt_error_deg = 0.0;
@@ -152,7 +153,7 @@ struct ReachSummary {
   bool registration_doubtful = false;    ///< true if any PlateCommand had it
   bool contacts_disagree = false;        ///< as in the last PlateCommand, or after the contact of this reach
   bool not_at_start = false;             ///< value in the last PlateCommand
-  bool miss_unknown = false;             ///< the finger was not seen to move
+  bool miss_unknown = false;             ///< no sample shows a motion
   bool implausible = false;              ///< true if any PlateCommand had it
   FingerEstimate estimate;               ///< estimates of w_T and of the tracker's noise
   std::optional<PersonEstimate> person;  ///< none without positions

@@ -1,5 +1,5 @@
-// Setting up in one loop: it asks the person for touches, rests and slides, sees them done, and has what is
-// to be fitted. The fits are apart, since they take time: setup_fit.h.
+// Set-up in one loop: requests touches, rests and slides from the person, detects their completion, and stores the data
+// for the fits. The fits take time and are separate: setup_fit.h.
 #pragma once
 
 #include <array>

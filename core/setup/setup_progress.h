@@ -36,7 +36,7 @@ class SetupProgress {
   int samples_ = 0;
   bool seen_ = false;                 // true once any sample had the finger
   bool touched_ = false;              // true once any sample was not above the plate
-  std::optional<PlatePoint> finger_;  // last seen
+  std::optional<PlatePoint> finger_;  // last observed position
   std::optional<double> plate_deg_;   // last reported
 };
 

@@ -17,7 +17,7 @@ enum SetupPart : std::uint32_t {
   setup_check = 4,         ///< check of that pose
   setup_guides = 8,        ///< the tracker's frame about the start, from slides along guides
   setup_calibration = 16,  ///< the person, from slides
-  setup_retest = 32,       ///< the same, compared with what was believed of the person
+  setup_retest = 32,       ///< as calibration, compared with the former values
 };
 
 enum class Instruction : std::uint32_t {

@@ -36,7 +36,7 @@ struct PersonCondition {
 enum class FamilyKind {
   invented,   ///< traits are guesses about people and apparatus
   recorded,   ///< path and pace have the statistics of recorded reaches; the answer to touch is invented
-  misplaced,  ///< the tracker's frame or the plate's zero is off: no controller sees that in a reach
+  misplaced,  ///< the tracker's frame or the plate's zero is wrong, which a reach does not show
 };
 
 /// A kind of people or apparatus.

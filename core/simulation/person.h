@@ -104,8 +104,8 @@ class SlidingPerson {
   SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg, double distance_mm,
                 Draws draws, bool feels_place = true);
 
-  /// The virtual target is at `place` from now on. They answer after `reaction_s`, as seen from where they
-  /// feel that the finger is: by the same motion, stretched or cut, or by another one near its end.
+  /// Moves the virtual target to `place`. The person answers after `reaction_s`, by the target as seen from the
+  /// perceived position: the same motion stretched or shortened, or another one near its end.
   void retarget(const PlatePoint& place);
 
   /// One millisecond of the motion with the plate at `plate_orientation_deg` at its end.
@@ -117,9 +117,9 @@ class SlidingPerson {
   const PlatePoint& felt_position() const { return felt_position_; }
   double speed_mm_s() const { return speed_mm_s_; }
   double direction_deg() const { return direction_deg_; }
-  /// Felt direction less the virtual target's, and less what is the person's own path.
+  /// Perceived direction minus that of the virtual target, without the own path.
   double felt_error_deg() const { return felt_deg_ - virtual_direction_deg_ - own_deg_; }
-  /// Felt direction less the direction they mean to go.
+  /// Perceived minus intended direction.
   double intended_error_deg() const { return felt_deg_ - goal_deg_; }
   double elapsed_s() const { return time_s_; }
 

@@ -14,7 +14,7 @@ namespace hrt {
 
 /// End of a reach: ground truth, not an estimate.
 struct PersonOutcome {
-  double bearing_error_deg;    ///< bearing of the end from the start, less the real target's
+  double bearing_error_deg;    ///< bearing of the end from the start, minus that of the real target
   double miss_mm;              ///< across the real direction, signed as bearing_error_deg
   PlatePoint finger;           ///< final position
   double peak_felt_error_deg;  ///< largest felt less virtual direction while the finger moves

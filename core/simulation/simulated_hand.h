@@ -1,5 +1,4 @@
-// A simulated person at a plate with a servo, seen by a tracker, in the time of a host that calls at any
-// rate.
+// A simulated person at a plate with a servo and a tracker, in the time of a host that calls at any rate.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +32,8 @@ class SimulatedHand {
   /// Rotation of the tracked joint in the plate's axes. Requires is_guided().
   const Eigen::Quaterniond& attitude() const { return guided_->attitude(); }
 
-  /// Commands the plate, which is where the first call of a reach says, and lets time pass. Returns where the
-  /// tracker sees the finger. Requires has_begun().
+  /// Commands the plate and advances the time; the first call of a reach places the plate at the orientation. Returns
+  /// the tracked position of the finger. Requires has_begun().
   PlatePoint move(std::int64_t time_ns, double plate_orientation_deg);
 
   const SlidingPerson& finger() const { return *finger_; }

@@ -27,14 +27,14 @@ struct TrackerModel {
   double wild_mm = 0.0;        ///< wild_samples from wild_at_s on are off by this
   double wild_at_s = 0.0;
   int wild_samples = 0;
-  double dropout_share = 0.0;            ///< fraction of samples at which tracking is lost, for about ten samples
-  double jitter_share = 0.0;             ///< jitter as a fraction of the time between samples
-  double turned_deg = 0.0;               ///< rotation of its frame about the start
-  double scale = 1.0;                    ///< scale of its frame about the start
-  double shear = 0.0;                    ///< seen to the right by this for each millimetre away from the start
+  double dropout_share = 0.0;  ///< fraction of samples at which tracking is lost, for about ten samples
+  double jitter_share = 0.0;   ///< jitter as a fraction of the time between samples
+  double turned_deg = 0.0;     ///< rotation of its frame about the start
+  double scale = 1.0;          ///< scale of its frame about the start
+  double shear = 0.0;  ///< displacement of the tracked position to the right for each millimetre away from the start
   double bearing_sd_deg = 0.0;           ///< SD of the rotation of its frame about the start, drawn for each reach
   double declared_bearing_sd_deg = 0.0;  ///< SD of the bearing that the controller is given
-  double creep_mm = 0.0;                 ///< a moving finger is seen off by this; it decays within 0.2 s of the stop
+  double creep_mm = 0.0;                 ///< displacement of a moving finger; it decays within 0.2 s of the stop
   double end_loss_share = 0.0;           ///< fraction of reaches in which the hand is lost as the finger brakes
   double excursions_hz = 0.0;            ///< rate at rest of excursions of 10 to 16 mm for 50 to 100 ms
 };

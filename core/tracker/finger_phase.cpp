@@ -82,7 +82,7 @@ template <class Point>
 void PhaseDetector<Point>::rest_on() {
   const Timed<Point>& seen = places_[0];
   if (rest_.places == 0) {
-    // A finger that is seen first in motion began where it was asked to.
+    // A finger whose first sample is in motion began at the expected start.
     if (!start_known_ || square_distance_mm2(seen.position, rest_.place) > square(tuning_.start_tolerance_mm))
       rest_.place = seen.position;
     rest_.places = rest_.seen = 1;

@@ -40,7 +40,7 @@ struct PhaseTuning {
   double still_places = 10;              ///< [s] window of the test for a rest, in places
   double still_s = 0.11;                 ///< s [s] window of the test for a rest
   double still_deviations = 2.5;         ///< [s] of the displacement over the window
-  double slow_mm_s = 15.0;               ///< mm/s [s] slower motions pass for a rest
+  double slow_mm_s = 15.0;               ///< mm/s [s] slower motions are taken for a rest
   double max_creep_mm_s = 8.6;           ///< mm/s [s] a resting hand drifts by less
   double max_start_speed_mm_s = 600.0;   ///< mm/s [s] no motion from rest is faster within a sample
   double wild_deviations = 5.7;          ///< [m] 4 deviations of the difference of two positions
@@ -68,14 +68,14 @@ enum class Phase {
 template <class Point>
 class PhaseDetector {
  public:
-  /// `start`: where the finger is expected to wait; none: where it is first seen. `noise`: of the tracker if it is
+  /// `start`: expected position of the first rest; none: the first position. `noise`: noise of the tracker, if it is
   /// known.
   explicit PhaseDetector(const std::optional<Point>& start = {}, const std::optional<TrackerNoise>& noise = {},
                          const PhaseTuning& tuning = {});
 
   enum class Seen {
     ignored,  ///< an outlier at rest
-    merged,   ///< averaged into the last place, which leaves the phase as it is
+    merged,   ///< averaged into the last place; the phase is unchanged
     place,    ///< a new place
     set_down  ///< a new place, the first of another rest
   };

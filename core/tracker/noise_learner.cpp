@@ -11,8 +11,7 @@ namespace {
 // Weight of the assumed noise, in differences of neighbours: a rest of few correlation times shows only the white part.
 constexpr double assumed_white_differences = 6.0;
 constexpr double assumed_correlated_differences = 30.0;
-// A tracker that is seen to be better than assumed is assumed to have less correlated noise, but no less than this
-// share.
+// A tracker that proves to be better than assumed gets a smaller prior of correlated noise, but at least this fraction.
 constexpr double min_assumed_share = 0.6;
 // Number of differences before which the assumed noise is used unchanged; after that every fourth one updates the
 // estimate.
@@ -21,7 +20,7 @@ constexpr int steps_per_estimate = 4;
 // A larger deviation is a finger that moves; within a motion a departure counts for three deviations at most.
 constexpr double max_noise_mm = 4.0;
 constexpr double max_departure_deviations = 3.0;
-// A tracker is never believed to be better: without any noise a filter takes every trace for the person.
+// Lower limit of each part: without noise, a filter takes every deviation for the person.
 constexpr double min_part_mm = 0.02;
 
 }  // namespace
