@@ -88,7 +88,7 @@ def test_world_is_turned_into_plate_coordinates() -> None:
     (",,-5,5,0.1,", ",,-5,,0.1,", "line 13: virtual_direction_deg is missing"),
     ("update,0,200028000", "update,0,soon", "line 23: .*'soon'"),
     ("update,0,200028000", "update,0,9" + 20 * "9", "line 23: time_ns is 9+, which is beyond int64"),
-    ("update,0,200028000,", "update,0,", "line 23: the row has 71 columns; allowed: 72"),
+    ("update,0,200028000,", "update,0,", "line 23: the row has 71 columns; 72"),
     ('"horizon":20', '"horizon":"twenty"', "line 9"),
     ('"horizon":20', '"horizon":-3', "line 9: SessionConfig.horizon is -3: beyond uint"),
     ("# config {", "# config [", "line 9"),
