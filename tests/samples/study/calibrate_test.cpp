@@ -124,8 +124,8 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   const json profile = json::parse(read_file(folder.path / "profile.json"));
   EXPECT_EQ(profile["format"], "haptic retargeting profile");
   EXPECT_EQ(profile["version"], 1);
-  EXPECT_EQ(profile["person_mean"].size(), 11U);
-  EXPECT_EQ(profile["person_covariance"].size(), 66U);
+  EXPECT_EQ(profile["person_mean"].size(), 10U);
+  EXPECT_EQ(profile["person_covariance"].size(), 55U);
   EXPECT_EQ(profile["tactile_weight"], page["tactile_weight"]["value"]);
   EXPECT_GE(profile["tactile_weight_sd"], 0.01);
   EXPECT_EQ(profile["bias_deg"], page["bias_deg"]["value"]);
