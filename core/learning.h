@@ -10,9 +10,8 @@ namespace hrt {
 /// Largest SD of w_T that is carried.
 inline constexpr double max_weight_sd = 0.49;
 
-/// The configuration for the next reach, after one with `config` that has learnt `learnt`: w_T, the motor
-/// variance and their deviations. The variance is clamped to a factor of 2; if clamped, its deviation is
-/// unchanged.
+/// The configuration for the next reach, after one with `config` and the estimates `learnt`: w_T, the motor variance
+/// and their SDs. The variance is clamped to a factor of 2; its SD is then unchanged.
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt);
 
 /// The configuration after a contact: correction of the frame, and of the person's bias if it `was_learnt` in reaches,

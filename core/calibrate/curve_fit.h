@@ -27,7 +27,7 @@ struct CurveFit {
   SlidingPersonModel person;
   double effective = 0.0;     ///< number of parameters that the slides determine, and not the prior
   FitVector prior_deviation;  ///< SD of each parameter before any slide
-  FitVector prior_off;        ///< prior mean less parameter, in deviations
+  FitVector prior_off;        ///< prior mean minus parameter, in SDs
   FitMatrix information;      ///< information of the parameters if the given covariance is right
   FitMatrix covariance;  ///< covariance of the parameters for any covariance of the slides: jackknife over slides, and
                          ///< the law
@@ -86,7 +86,7 @@ auto fit_derivative(const FitVector& middle, int parameter, const Function& func
   return Value((function(fitted_person(above)) - function(fitted_person(below))) / (2.0 * step));
 }
 
-/// A number that depends on the fitted person, and its standard deviation to first order: the larger one by
+/// A number that depends on the fitted person, and its SD to first order: the larger one by
 /// `covariance` and by `information`, since few slides may show a number.
 struct FitValue {
   double value;

@@ -34,7 +34,7 @@ class LackOfFitTests {
  private:
   struct Pattern {
     Eigen::MatrixXd columns;
-    Eigen::VectorXd allowed_deg;  // the standard deviation of each column's size by which the steering law may be wrong
+    Eigen::VectorXd allowed_deg;  // the SD of each column's size by which the steering law may be wrong
     double allowed = 0.0;         // the same as a sum of squares
     double p = 1.0;
   };

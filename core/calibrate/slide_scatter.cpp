@@ -97,8 +97,8 @@ SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
     directions.row(i) = slide.direction_deg.transpose();
   }
 
-  // Least absolute deviations, by least squares with the inverse deviations as weights: no share of outliers
-  // below a half carries them away.
+  // Least absolute deviations, by least squares with the inverse deviations as weights: robust against a fraction of
+  // outliers below a half.
   Rows weights = Rows::Ones(count, slide_parts);
   Rows residuals = residuals_of(design, directions, weights);
   for (int pass = 0; pass < passes; ++pass) {

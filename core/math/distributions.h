@@ -21,7 +21,7 @@ struct Interval {
 /// The normal quantile of 0.975.
 inline constexpr double normal_975 = 1.959963984540054;
 
-/// The standard deviation of which a 95 % interval from `lower` to `upper` is that of a normal estimate.
+/// The SD of which a 95 % interval from `lower` to `upper` is that of a normal estimate.
 inline double deviation_of_interval(double lower, double upper) { return (upper - lower) / (2.0 * normal_975); }
 
 /// SD of the sum of two independent deviations. Not std::hypot, which would require a newer C library.
@@ -37,7 +37,7 @@ double f_tail(double f, double numerator, double denominator);
 /// from 8 on.
 double student_975(double degrees);
 
-/// The standard deviation of normal values over the median of their absolute values: 1 / 0.6745.
+/// The SD of normal values over the median of their absolute values: 1 / 0.6745.
 inline constexpr double mad_to_deviation = 1.4826;
 
 /// Median; the upper middle one of an even number of values; 0 without values.

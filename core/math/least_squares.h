@@ -10,7 +10,7 @@
 namespace hrt {
 
 /// Residuals are observed less predicted values, derivatives are those of the predicted values. Both come in
-/// independent groups, in units of the residuals' standard deviations.
+/// independent groups, in units of the residuals' SDs.
 struct LeastSquares {
   std::size_t groups = 0;
   std::function<Eigen::VectorXd(std::size_t group, const Eigen::VectorXd& parameters)> residuals;
@@ -52,7 +52,7 @@ class Descent {
   double damping_ = 1e-3;
 };
 
-/// The information of residuals and prior, if the residuals' deviations are right.
+/// The information of residuals and prior, if the SDs of the residuals are right.
 Eigen::MatrixXd information_of(const std::vector<Eigen::MatrixXd>& derivatives, const Eigen::VectorXd& prior_deviation);
 
 /// Covariance of the parameters for residuals of any distribution: jackknife over groups, to first order, and the width

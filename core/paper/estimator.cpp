@@ -21,7 +21,7 @@ constexpr double initial_direction_sd_deg = 4.0;
 constexpr double weight_drift_sd = 0.001;
 // The direction of an exact sample.
 constexpr double exact_direction_variance_deg2 = 1e-12;
-// Positions beyond five standard deviations are left out.
+// Positions beyond five SDs are left out.
 constexpr double outlier_innovation = 25.0;
 
 }  // namespace

@@ -22,9 +22,9 @@ namespace hrt {
 struct EstimatorConfig {
   /// Learn w_T; if not, participant.tactile_weight is taken as the truth.
   bool adapt = false;
-  /// Standard deviation of w_T about participant.tactile_weight before a reach, in (0, 0.5).
+  /// SD of w_T about participant.tactile_weight before a reach, in (0, 0.5).
   double tactile_weight_sd = 0.05;
-  /// Standard deviation of sigma_u^2 about participant.motor_variance_deg2 before a reach, in (0, 10].
+  /// SD of sigma_u^2 about participant.motor_variance_deg2 before a reach, in (0, 10].
   double motor_variance_sd_deg2 = 0.5;
   /// White noise of a tracked coordinate, millimetres in [0, 100]; 0: learn it from the samples.
   double tracker_noise_mm = 0.0;
@@ -71,7 +71,7 @@ class Estimator {
   void observe_direction(double direction_deg);
 
   /// Takes a position in. False if it lies so far off that it is
-  /// left out (five standard deviations; at most `max_outliers` samples in a row).
+  /// left out (five SDs; at most `max_outliers` samples in a row).
   bool observe_position(const PlatePoint& position);
 
   /// Sets the SD of the tracker's white noise in a coordinate.

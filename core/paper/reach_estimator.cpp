@@ -124,8 +124,8 @@ inline Observation ReachEstimator::take(const FingerSample& sample, PlateModel& 
   return take_position(sample, plate);
 }
 
-// Given, or as neighbouring positions show it. What is assumed is worth one of them: the tracker's noise decides how
-// much of a deviation is the person's.
+// The configured SD, or the one of neighbouring positions, with the assumed SD as one observation: the noise determines
+// which part of a deviation is attributed to the person.
 double ReachEstimator::white_noise_mm() const {
   const NoiseLearner<PlatePoint>& learner = finger_.learner();
   if (learner.known()) return learner.noise().white_mm;

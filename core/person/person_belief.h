@@ -16,7 +16,7 @@ struct PersonBelief {
   Matrix covariance;  ///< positive definite
 };
 
-/// The prior of an unknown person. `tactile_weight` and its standard deviation are those of a linear
+/// The prior of an unknown person. `tactile_weight` and its SD are those of a linear
 /// illusion; a curve is as uncertain in proportion. `bias_deg` is that of a calibration, or 0. Clamped to the
 /// ranges.
 PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05, double bias_deg = 0.0,
@@ -25,7 +25,7 @@ PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_s
 /// The same, with illusion and bias taken as known.
 PersonBelief known_person(double tactile_weight, double bias_deg, const Tuning& tuning = {});
 
-/// A trait is known from now on, to within a standard deviation: alone of the others, and clamped to its
+/// A trait is known from now on, to within an SD: alone of the others, and clamped to its
 /// range.
 void know(PersonBelief& belief, PersonState::Index trait, double mean, double sd);
 
@@ -54,8 +54,8 @@ struct CalibratedTraits {
   Interval habit_deg;
 };
 
-/// A person of whom these are known, and of the rest nothing. Deviations are at least what people change by,
-/// and what a curve of another family costs.
+/// A person with these traits; the others are unknown. The SDs are at least those of changes of a person, and of a
+/// curve of another family.
 PersonBelief calibrated_person(const CalibratedTraits& traits, const Tuning& tuning = {});
 
 }  // namespace hrt

@@ -77,7 +77,7 @@ struct TurnedTouch {
 struct FingertipOffset {
   Eigen::Vector3d offset_mm;
   Eigen::Vector3d sd_mm;
-  bool known;  ///< each standard deviation is below 5 mm: the joint was turned enough
+  bool known;  ///< each SD is below 5 mm: the joint was turned enough
 };
 FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const TurnedTouch> touches);
 

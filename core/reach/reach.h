@@ -55,7 +55,7 @@ struct ReachProgress {
   bool not_at_start = false;  ///< the finger rests elsewhere, and has not been at the start
 };
 
-/// Standard deviation of a miss that is not known.
+/// SD of a miss that is not known.
 inline constexpr double unknown_miss_sd_deg = 180.0;
 
 /// A command for the plate, with its reasons.
@@ -72,7 +72,7 @@ struct PlateCommand {
   double time_to_go_s = -1.0;       ///< until the motion ends, then 0; -1 before it, in a pause and under the paper's
   double felt_error_deg = 0.0;      ///< felt less intended direction, now, as estimated
   double predicted_miss_deg = 0.0;  ///< predicted bearing of the position of arrival minus that of the real target
-  /// Standard deviation of the finger's true place across the line to the real target, as a bearing from the
+  /// SD of the finger's true place across the line to the real target, as a bearing from the
   /// start: by the filter and by the registration of the plate.
   double bearing_error_sd_deg = unknown_miss_sd_deg;
   double nis = 0.0;                        ///< normalised innovation squared of recent positions; 2 is expected
@@ -101,7 +101,7 @@ struct PlateCommand {
 /// Within this of the real target's bearing, a reach ends on it.
 inline constexpr double near_deg = 1.5;
 
-/// The finger of the paper's person, as estimated in a reach. Standard deviations are the filter's own.
+/// The finger of the paper's person, as estimated in a reach. SDs are the filter's own.
 struct FingerEstimate {
   PlatePoint position;
   double speed_mm_s = 0.0;
@@ -109,13 +109,13 @@ struct FingerEstimate {
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;
   double tracker_noise_mm = 0.0;
-  /// sigma_u^2 as corrected by this reach, and its standard deviation: about the configured one
+  /// sigma_u^2 as corrected by this reach, and its SD: about the configured one
   /// if the reach cannot determine them.
   double motor_variance_deg2 = 0.0;
   double motor_variance_sd_deg2 = 0.0;
 };
 
-/// A person as estimated in a reach; standard deviations are the filter's own.
+/// A person as estimated in a reach; SDs are the filter's own.
 struct PersonEstimate {
   double curve = 0.0;  ///< b of illusion.h: 0 is linear
   double curve_sd = 0.0;

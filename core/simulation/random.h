@@ -10,7 +10,7 @@
 namespace hrt {
 
 /// Two independent draws from N(0, 1) from 64 random bits, by the formula of Box and Muller: 40 bits for the radius, so
-/// that the tails are exact to 7.5 standard deviations, and 24 for the angle. Uses only the four operations and the
+/// that the tails are exact to 7.5 SDs, and 24 for the angle. Uses only the four operations and the
 /// square root: the same bits on every compiler that keeps IEEE arithmetic, with any mathematics library.
 std::array<double, 2> normal_pair(std::uint64_t bits);
 

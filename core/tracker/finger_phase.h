@@ -31,28 +31,28 @@
 
 namespace hrt {
 
-/// The detector's numbers. Deviations are in units of the noise of a coordinate. [s] chosen on the simulated people of
-/// hrt-study robustness, [m] the model above.
+/// Numbers of the detector. `_deviations` are in SDs of the noise of a coordinate. Sources: [s] chosen on the simulated
+/// people of hrt-study robustness, [m] the model above.
 struct PhaseTuning {
-  double leaving_deviations = 3.3;       ///< [s] of the mean of 3 places from the rest place
+  double leaving_deviations = 3.3;       ///< [s] distance of the mean of 3 places from the rest place
   double min_leaving_mm = 1.0;           ///< mm [s] smaller departures are tremor and skin
-  double hidden_share = 2.0;             ///< [s] n steps may hide noise: deviation * (1 + hidden_share / n)
+  double hidden_share = 2.0;             ///< [s] factor of the SD of n steps: 1 + hidden_share / n
   double still_places = 10;              ///< [s] window of the test for a rest, in places
   double still_s = 0.11;                 ///< s [s] window of the test for a rest
-  double still_deviations = 2.5;         ///< [s] of the displacement over the window
+  double still_deviations = 2.5;         ///< [s] limit of the displacement over the window
   double slow_mm_s = 15.0;               ///< mm/s [s] slower motions are taken for a rest
   double max_creep_mm_s = 8.6;           ///< mm/s [s] a resting hand drifts by less
   double max_start_speed_mm_s = 600.0;   ///< mm/s [s] no motion from rest is faster within a sample
-  double wild_deviations = 5.7;          ///< [m] 4 deviations of the difference of two positions
+  double wild_deviations = 5.7;          ///< [m] 4 SDs of the difference of two positions
   double max_wild = 2;                   ///< [s] outliers in a row that are ignored
-  double rest_place_deviations = 3.0;    ///< [m] places further away do not count to the rest place
-  double place_memory_s = 1.0;           ///< s [s] the rest place is the mean over this
-  double start_tolerance_mm = 15.0;      ///< mm [s] a first position further from the start is where the finger is
-  double seen_at_rest_deviations = 1.0;  ///< [s] left_s() is the last time the finger was this near to the rest place
-  double min_seen_at_rest_mm = 0.1;      ///< mm [s] or this
+  double rest_place_deviations = 3.0;    ///< [m] places further away are not in the mean of the rest place
+  double place_memory_s = 1.0;           ///< s [s] memory of the mean of the rest place
+  double start_tolerance_mm = 15.0;      ///< mm [s] a first position further from the start is a rest elsewhere
+  double seen_at_rest_deviations = 1.0;  ///< [s] distance from the rest place at the time left_s()
+  double min_seen_at_rest_mm = 0.1;      ///< mm [s] lower limit of the same
   double max_gap_s = 0.2;                ///< s [s] a longer gap restarts the duration of a rest
-  double max_departure_s = 0.5;          ///< s [s] a finger that is back where it rested within this had not left
-  double min_place_sd_mm = 0.05;         ///< mm [s] lower bound of the deviation of the rest place
+  double max_departure_s = 0.5;          ///< s [s] a shorter departure does not end the rest
+  double min_place_sd_mm = 0.05;         ///< mm [s] lower limit of the SD of the rest place
 };
 
 /// Phase of the finger. The end of a reach also depends on position and duration of the rest: see reach_end.h.
@@ -96,7 +96,7 @@ class PhaseDetector {
   bool has_moved() const { return moved_; }
   /// Position of the present rest, or of the rest before the motion.
   const Point& rest_place() const { return rest_.place; }
-  /// Standard deviation of a coordinate of it.
+  /// SD of a coordinate of it.
   double rest_place_sd_mm() const;
   /// Mean of the last three places.
   Point smoothed() const { return places_.mean_of_last(std::min(3, places_.count())); }

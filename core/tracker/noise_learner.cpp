@@ -17,7 +17,7 @@ constexpr double min_assumed_share = 0.6;
 // estimate.
 constexpr int min_steps = 8;
 constexpr int steps_per_estimate = 4;
-// A larger deviation is a finger that moves; within a motion a departure counts for three deviations at most.
+// Larger noise is a motion of the finger; within a motion a departure counts for three SDs at most.
 constexpr double max_noise_mm = 4.0;
 constexpr double max_departure_deviations = 3.0;
 // Lower limit of each part: without noise, a filter takes every deviation for the person.

@@ -20,7 +20,7 @@
 
 namespace hrt {
 
-/// White and correlated noise of a tracked coordinate, standard deviations, > 0. The defaults are assumed of an unknown
+/// White and correlated noise of a tracked coordinate, SDs, > 0. The defaults are assumed of an unknown
 /// tracker.
 struct TrackerNoise {
   double white_mm = 0.8;

@@ -17,15 +17,15 @@ constexpr int times = 48;  // points of the grid, each 1.12 of the one before
 constexpr double min_periods = 0.7;
 // The parts of noise that may decay within fewer periods cannot be separated.
 constexpr double min_separate_periods = 1.5;
-// An interval from 0 says something if it ends below this share of all noise.
+// An interval from 0 is informative if it ends below this fraction of all noise.
 constexpr double little = 0.7;
-// A position further from the median of its rest than this many deviations is no noise.
+// A position further from the median of its rest than this many SDs is not noise.
 constexpr double grossly_outlying = 6.0;
-// Half of the distances from the middle of normal noise in two coordinates are within this many deviations.
+// Median of the distances from the mean of normal noise in two coordinates, in SDs.
 constexpr double median_distance = 1.1774;
 // 97.5 % quantile of Student's t with a dozen degrees of freedom.
 constexpr double quantile = 2.18;
-// D is not that of such noise if it is further off at any lag, in deviations and as a share of D.
+// D does not have the assumed form if it deviates by more at any lag, in SDs and as a fraction of D.
 constexpr double max_misfit_deviations = 5.0;
 constexpr double max_misfit_share = 0.1;
 // Coordinates nearer to each other than this are the same.
@@ -80,7 +80,7 @@ std::vector<StructureFunction> blocks_of(const Rests& rests) {
   return blocks;
 }
 
-// Standard deviation of a statistic of all blocks by those of all but one.
+// SD of a statistic of all blocks by those of all but one.
 double jackknifed(const std::vector<double>& without_one) {
   double mean = 0.0, squares = 0.0;
   const auto count = static_cast<double>(without_one.size());
@@ -89,7 +89,7 @@ double jackknifed(const std::vector<double>& without_one) {
   return std::sqrt((count - 1.0) / count * squares);
 }
 
-// The interval of a standard deviation by that of its square.
+// The interval of an SD by that of its square.
 Interval deviation_interval(double variance_mm2, double sd_mm2, double total_mm) {
   const double half_mm2 = quantile * sd_mm2;
   Interval interval{std::sqrt(variance_mm2), std::sqrt(std::max(0.0, variance_mm2 - half_mm2)),

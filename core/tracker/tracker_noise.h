@@ -15,7 +15,7 @@
 
 namespace hrt {
 
-/// Standard deviations of a coordinate, and the time in which the correlated part decays to 1/e. An end of 0
+/// SDs of a coordinate, and the time in which the correlated part decays to 1/e. An end of 0
 /// says that there may be no such noise. `known` is false if the samples are too few, are rounded to more
 /// than their noise, or are not noise of this kind.
 struct RestNoise {
