@@ -22,7 +22,7 @@ inline constexpr double at_start_mm = 15.0;
 /// A target that moves by less within one call of retarget() keeps the time of the rest.
 inline constexpr double max_target_step_mm = 2.0;
 
-/// No heap, no lock, no exception.
+/// Uses no heap, lock or exception.
 class ReachEnd {
  public:
   ReachEnd() = default;

@@ -13,7 +13,7 @@
 
 namespace hrt {
 
-/// Runs one reach after another. No heap, no lock, no exception. One thread at a time.
+/// Runs one reach after another. Uses no heap, lock or exception. One thread at a time.
 class Retargeter {
  public:
   /// Requires is_valid(config).

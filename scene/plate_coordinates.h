@@ -20,7 +20,7 @@ struct PlateSurface {
 struct Bearing {
   double direction_deg;  ///< in (-180, 180]; 0 at the start itself
   double distance_m;     ///< along the plate, >= 0
-  bool at_start;         ///< nearer than min_distance_m: the direction says nothing
+  bool at_start;         ///< nearer than min_distance_m: the direction is undefined
 };
 
 /// Bearing of a point from the start, both in plate coordinates. [real-time]

@@ -20,7 +20,7 @@ constexpr double max_angle_width_deg = 10.0;
 constexpr int band_steps = 15;  // steps of 5 degrees to either side
 // Between two knots a curve may be higher by this share of what it bends there (SD).
 constexpr double peak_share = 0.25;
-// A goal that turns over the path need not turn evenly: a habit may be off by this share (SD).
+// SD of a habit, as a fraction of it, because a goal that turns over the path need not turn evenly.
 constexpr double uneven_share = 0.2;
 // A slow start is no noise of a finger at rest.
 constexpr double before_onset_s = 0.05;

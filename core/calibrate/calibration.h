@@ -33,7 +33,7 @@ struct CurvePoint {
 struct Calibration {
   Interval tactile_weight;                   ///< felt shift over offset at 60 degrees, mean of both sides, at the
                                              ///< pace of the slides
-  Interval bias_deg;                         ///< goal at the middle of the path less target direction, left positive
+  Interval bias_deg;                         ///< goal at the middle of the path minus target direction, left positive
   Interval habit_deg;                        ///< half of the rotation of the goal over the path
   Interval max_gap_deg;                      ///< largest felt shift within 75 degrees, on the weaker side
   double peak_offset_deg = curve_bound_deg;  ///< smallest offset that gives it

@@ -25,7 +25,7 @@ IllusionCurve bent_curve(double slope, const CurveBends& bend_deg = {});
 double curve_slope(const IllusionCurve& curve);
 CurveBends bends_of(const IllusionCurve& curve);
 
-/// Felt less true direction of motion, degrees, for any finite offset; period 180.
+/// Perceived minus true direction of motion, degrees, for any finite offset; period 180.
 double curve_shift_deg(const IllusionCurve& curve, double offset_deg);
 
 /// The weight of a curve: felt shift over offset at 60 degrees, mean of both sides.

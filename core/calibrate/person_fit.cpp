@@ -30,7 +30,7 @@ CurvePeak weaker_peak(const IllusionCurve& curve) {
 std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides) {
   std::vector<double> offsets;
   for (const SlideTrack& slide : slides) {
-    // The median over the slides at about this angle: one that is off does not decide.
+    // The median over the slides at about this angle, which a single outlier does not change.
     std::vector<double> directions;
     for (const SlideTrack& other : slides)
       if (std::abs(other.plate_deg - slide.plate_deg) <= near_angle_deg)

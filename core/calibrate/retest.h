@@ -17,7 +17,7 @@ struct RepeatedValue {
 };
 
 struct RetestDifference {
-  Interval difference;  ///< second less first, with its own 95 % interval; known if both values are
+  Interval difference;  ///< second minus first, with its own 95 % interval; known if both values are
   double p = 1.0;       ///< probability of a difference at least as large between equal values; 1 if not known
   bool differs = false;
 };

@@ -15,7 +15,7 @@ constexpr int passes = 12;
 constexpr int outlier_passes = 4;
 // Smaller residuals count no more in least absolute deviations.
 constexpr double min_residual_deg = 0.05;
-// Next to nothing, and not 0, so that a row keeps its place.
+// Almost 0, so that a row keeps its place.
 constexpr double outlier_weight = 1e-9;
 // Limit of the squared distance of a slide over all parts. Normal slides exceed it far less often than chi-squared with
 // four degrees of freedom exceeds 28.5 (once in 100000), since the first part of a path has heavier tails.

@@ -1,5 +1,5 @@
-// Non-linear least squares of a few parameters under a normal prior: Levenberg and Marquardt's descent, and
-// what its result may be off by.
+// Non-linear least squares of a few parameters under a normal prior: Levenberg-Marquardt descent, and the covariance of
+// its result.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 namespace hrt {
 
-/// Residuals are observed less predicted values, derivatives are those of the predicted values. Both come in
+/// Residuals are observed minus predicted values, derivatives are those of the predicted values. Both come in
 /// independent groups, in units of the residuals' SDs.
 struct LeastSquares {
   std::size_t groups = 0;

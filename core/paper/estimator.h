@@ -70,8 +70,7 @@ class Estimator {
   /// Takes a direction as exact.
   void observe_direction(double direction_deg);
 
-  /// Takes a position in. False if it lies so far off that it is
-  /// left out (five SDs; at most `max_outliers` samples in a row).
+  /// Processes a position. False if it is rejected as an outlier (five SDs; at most `max_outliers` samples in a row).
   bool observe_position(const PlatePoint& position);
 
   /// Sets the SD of the tracker's white noise in a coordinate.

@@ -12,7 +12,7 @@
 
 namespace hrt {
 
-/// Plans one reach. No heap, no lock, no exception. One thread at a time.
+/// Plans one reach. Uses no heap, lock or exception. One thread at a time.
 class PaperControl {
  public:
   /// A turn within a step is bounded by `plate` as well as by `config`. Requires valid arguments,

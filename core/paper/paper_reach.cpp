@@ -12,7 +12,7 @@ namespace {
 PlateLimits limits_of(const PaperReachConfig& config, bool plans_turns, double real_deg, double goal_deg,
                       double stands_deg) {
   const double bound_deg = config.mpc.plate_bound_deg;
-  // A fixed plate has its orientation from the start: nothing is left to limit.
+  // A fixed plate has its orientation from the start and needs no limits.
   if (config.fixed_plate_orientation_deg) return {{}, goal_deg, bound_deg, goal_deg, goal_deg};
   if (!plans_turns) return {config.plate.stops, goal_deg};
   const double holding_deg =

@@ -24,7 +24,7 @@ struct PaperReachConfig {
 };
 
 /// Exact directions move the controller once a model step; each position moves it, since each refines the
-/// estimate. In between the command is held. No heap, no lock, no exception. One thread at a time.
+/// estimate. In between the command is held. Uses no heap, lock or exception. One thread at a time.
 class PaperReach {
  public:
   /// `handover`: state of the reach that this one replaces; none: the plate is at rest. Requires valid arguments.

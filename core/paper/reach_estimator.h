@@ -21,10 +21,10 @@ struct SampleCounts {
   std::int64_t steps = 0;            ///< model steps with samples
   std::int64_t predicted_steps = 0;  ///< model steps without
   std::int64_t samples = 0;
-  std::int64_t dropped_samples = 0;  ///< with nothing observed, or left out as outliers or duplicates
+  std::int64_t dropped_samples = 0;  ///< samples without an observation, outliers and duplicates
 };
 
-/// No heap, no lock, no exception. One thread at a time.
+/// Uses no heap, lock or exception. One thread at a time.
 class ReachEstimator {
  public:
   /// The finger rests at `start`, about to go for `goal_direction_deg`. `horizon` gains are known ahead, 1 to

@@ -8,7 +8,7 @@
 
 namespace hrt {
 
-/// Counts the steps of one reach. No heap, no lock, no exception.
+/// Counts the steps of one reach. Uses no heap, lock or exception.
 class StepClock {
  public:
   /// `period_ns` > 0.

@@ -5,7 +5,7 @@
 
 namespace hrt {
 
-/// Sum and sum of squares of angles, in integers, so that it does not matter in which order they are added.
+/// Sum and sum of squares of angles, in integers, so that the order of addition has no effect.
 class AngleSums {
  public:
   /// Adds one angle, rounded to 2^-20 degrees and clamped to +-1000.

@@ -75,7 +75,7 @@ class PersonEstimator {
   /// Advances to `time_s` without a sample.
   void predict(double time_s, const PlateTrace& plate);
 
-  /// The finger is off the plate: nothing is felt, and it may come back elsewhere.
+  /// The finger is lifted: it feels nothing, and may come down at another position.
   void lift(double time_s, const PlateTrace& plate);
 
   /// The target moved at `time_s`, to `virtual_direction_deg` over a path that is `longer_mm` longer. The person

@@ -32,7 +32,7 @@ struct PersonReachConfig {
   Tuning tuning;
 };
 
-/// No heap, no lock, no exception. One thread at a time.
+/// Uses no heap, lock or exception. One thread at a time.
 class PersonReach {
  public:
   /// `handover`: takes the place of another reach; none: the plate is at rest. Requires valid arguments.

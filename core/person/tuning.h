@@ -124,7 +124,7 @@ struct Tuning {
   double wander_step = 0.5;        ///< [s] eps of motion_log.h
   double wander_evidence = 0.8;    ///< [s] beta of motion_log.h
   double max_wander_change = 1.0;  ///< [s] of log_wander in one reach: beyond it the likelihood is no parabola
-  /// [s] fraction of the duration below which a reach teaches nothing. Kept for hrt_adaptation, which promises it.
+  /// [s] fraction of the duration below which a reach changes no estimate, as hrt_adaptation promises.
   double min_taught_phase = 0.7;
   /// [s] drop of the weight, in SDs, at which the illusion is reset. Kept for
   /// SimulationPeople.ThoseWhoWeakenAreLedAnew.

@@ -21,7 +21,7 @@ struct PlateDynamics {
 /// True if every field is in its range.
 bool is_valid(const PlateDynamics& dynamics);
 
-/// Follows a plate through its commands and reports. No heap, no lock, no exception. One thread at a time.
+/// Follows a plate through its commands and reports. Uses no heap, lock or exception. One thread at a time.
 class PlateModel {
  public:
   /// A plate at rest at `orientation_deg`. Requires is_valid(dynamics).

@@ -18,7 +18,7 @@ constexpr double max_offset_sd_mm = 5.0;
 // The least eigenvalue of the offset's information, at most 2 a touch: below this the joint was not turned.
 constexpr double min_turned = 1e-6;
 constexpr double min_cosine_up = 0.5;
-// A tracker's unit of length is off by less.
+// Limit of the error of a tracker's unit of length.
 constexpr double min_scale = 0.5;
 constexpr double max_scale = 2.0;
 constexpr int touches_to_leave_one_out = 5;

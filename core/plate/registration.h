@@ -22,7 +22,7 @@ struct MarkTouch {
 struct RegistrationConfig {
   /// Assumed SD of each coordinate of a touch; the residuals correct it. Finite, > 0.
   double touch_sd_mm = 3.0;
-  /// The tracker's unit of length may be off, by a factor of 0.5 to 2.
+  /// Fits the tracker's unit of length, which may be wrong by a factor of 0.5 to 2.
   bool fit_scale = false;
   /// Upward direction in the tracker's frame, of any length: the plate's face must point within 60 degrees of it. Zero:
   /// not checked, and confused left and right marks are accepted as a plate that lies upside down.

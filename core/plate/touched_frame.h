@@ -48,7 +48,8 @@ struct Contact {
 /// is not `home`. No heap.
 TouchedFrame after_contact(const TouchedFrame& before, const FrameCovariance& registered, const Contact& contact);
 
-/// A contact is further off than the frame allows in 99.9 %: it is of another place. Requires before.known().
+/// True if a contact is further off than the frame allows in 99.9 % of cases: it was at another object. Requires
+/// before.known().
 bool is_elsewhere(const TouchedFrame& before, const Contact& contact);
 
 /// The frame when trackers have drifted, as between contacts.

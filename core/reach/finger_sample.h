@@ -10,8 +10,8 @@ namespace hrt {
 
 /// The observation in a sample.
 enum class Observation {
-  none,       ///< nothing: tracking lost
-  lifted,     ///< the finger is off the plate: nothing is felt
+  none,       ///< tracking is lost
+  lifted,     ///< the finger is lifted from the plate and feels nothing
   direction,  ///< FingerSample::direction_deg
   position,   ///< FingerSample::position
 };

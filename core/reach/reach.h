@@ -16,8 +16,8 @@ struct Authority {
   bool reachable;                 ///< the real direction can be held
   double gap_deg;                 ///< theta_V - P_R
   double max_gap_deg;             ///< L w_T / (1 - w_T), >= 0
-  double margin_deg;              ///< max_gap_deg - |gap_deg|; negative if out of reach
-  double plate_orientation_deg;   ///< holds the settling direction; on the bound if out of reach
+  double margin_deg;              ///< max_gap_deg - |gap_deg|; negative if not feasible
+  double plate_orientation_deg;   ///< sustains the settling direction; at the bound if the gap is not feasible
   double settling_direction_deg;  ///< direction in which the finger settles: the real direction if reachable
 };
 
@@ -70,7 +70,7 @@ struct PlateCommand {
   double tactile_weight_sd = 0.0;        ///< SD of the tactile weight; 0 without adaptation
   double distance_to_go_mm = 0.0;        ///< distance to the real target; from the start until the first position
   double time_to_go_s = -1.0;       ///< until the motion ends, then 0; -1 before it, in a pause and under the paper's
-  double felt_error_deg = 0.0;      ///< felt less intended direction, now, as estimated
+  double felt_error_deg = 0.0;      ///< perceived minus intended direction, now, as estimated
   double predicted_miss_deg = 0.0;  ///< predicted bearing of the position of arrival minus that of the real target
   /// SD of the finger's true place across the line to the real target, as a bearing from the
   /// start: by the filter and by the registration of the plate.
@@ -121,7 +121,7 @@ struct PersonEstimate {
   double curve_sd = 0.0;
   double gain_s = 0.0;  ///< k, 1/s
   double gain_sd_s = 0.0;
-  double bias_deg = 0.0;  ///< goal less virtual direction
+  double bias_deg = 0.0;  ///< goal minus virtual direction
   double bias_sd_deg = 0.0;
   double habit_deg = 0.0;  ///< the goal bends from this to its opposite along the path
   double habit_sd_deg = 0.0;
@@ -135,11 +135,11 @@ struct ReachSummary {
   std::int64_t saturated_steps = 0;     ///< number of steps in which the plate bound or a stop held the command
   std::int64_t rate_limited_steps = 0;  ///< number of steps in which the rate bound held the command
   std::int64_t samples = 0;
-  std::int64_t dropped_samples = 0;      ///< with nothing observed, or left out as outliers or duplicates
+  std::int64_t dropped_samples = 0;      ///< samples without an observation, outliers and duplicates
   double final_direction_deg = 0.0;      ///< P of the last step, estimated or predicted
   double final_miss_deg = 0.0;           ///< final_direction_deg - P_R
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
-  double perceived_error_deg = 0.0;      ///< perceived_direction_deg less theta_V and the configured bias
+  double perceived_error_deg = 0.0;      ///< perceived_direction_deg minus theta_V and the configured bias
   double distance_to_target_mm = 0.0;    ///< distance from the last position, observed or predicted, to the real target
   double bearing_deg = 0.0;              ///< value in the last PlateCommand
   double bearing_error_deg = 0.0;        ///< bearing_deg minus the bearing of the real target; 0 if it is unknown

@@ -11,7 +11,7 @@
 
 namespace hrt {
 
-/// No heap, no lock, no exception.
+/// Uses no heap, lock or exception.
 class GuidedSlides {
  public:
   static constexpr int max_objects = 8;

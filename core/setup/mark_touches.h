@@ -14,7 +14,7 @@ struct SetupTouch {
   Eigen::Matrix3d joint_rotation;
 };
 
-/// A touch is a rest of 0.7 s of a finger that has moved since the last one. No heap, no lock, no exception.
+/// A touch is a rest of 0.7 s of a finger that has moved since the last one. Uses no heap, lock or exception.
 class MarkTouches {
  public:
   static constexpr int max_touches = 40;

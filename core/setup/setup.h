@@ -57,7 +57,7 @@ class Setup {
   /// What is left to be done, SetupPart; the first one is under way.
   std::uint32_t left() const { return left_; }
   SetupPart part() const;
-  /// The part under way has all that it needs, or nothing is left.
+  /// True if the present part has all its data, or no part is left.
   bool finish_is_due() const;
   /// True if the sample has the fields that the present part requires.
   bool can_show(const SetupSample& sample) const;

@@ -9,7 +9,7 @@
 
 namespace hrt {
 
-/// No heap, no lock, no exception.
+/// Uses no heap, lock or exception.
 class SetupProgress {
  public:
   /// Something was completed: counts from the next sample on.

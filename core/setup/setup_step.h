@@ -26,7 +26,7 @@ enum class Instruction : std::uint32_t {
   hold_still,     ///< hold the finger still on the mark
   rest_at_start,  ///< move to the start and rest
   slide,          ///< slide to `SetupStep::place_mm`, and rest there
-  finish,         ///< nothing: the fit is due
+  finish,         ///< no instruction: the fit is due
 };
 
 /// Problem of the last attempt.

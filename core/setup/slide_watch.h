@@ -7,7 +7,7 @@
 
 namespace hrt {
 
-/// No heap, no lock, no exception.
+/// Uses no heap, lock or exception.
 class SlideWatch {
  public:
   enum class Phase : std::uint8_t { plate_turns, rest_at_start, slide, done };

@@ -17,7 +17,7 @@ class GuidedHand {
 
   /// Slides from now on are this person's.
   void set_person(const Person& person) { person_ = person; }
-  /// The person does this from now on. A step that asks for the same as the last one changes nothing.
+  /// Makes the person follow an instruction. Repeating the last instruction has no effect.
   void ask(const SetupStep& step);
   /// One millisecond, with the plate at `plate_orientation_deg` at its end.
   void advance(double plate_orientation_deg);

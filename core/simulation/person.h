@@ -32,7 +32,7 @@ struct SimulatedIllusion {
   double scale_deg = 45.0;      ///< > 0; see the family
 };
 
-/// Felt less true direction of motion for the plate `offset_deg` from the motion; any finite angle, period
+/// Perceived minus true direction of motion for the plate `offset_deg` from the motion; any finite angle, period
 /// 180.
 double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg);
 
@@ -70,7 +70,7 @@ struct Person {
   double delay_s = 0.06;             ///< delay of perception
   double noise_deg2_per_s = 8.0;     ///< noise of the direction of motion
   double start_direction_deg = 0.0;  ///< direction of the first motion
-  double bias_deg = 0.0;             ///< goal less virtual direction
+  double bias_deg = 0.0;             ///< goal minus virtual direction
   double own_bias_deg = 0.0;         ///< added to what they feel of their own direction
   double habit_deg = 0.0;            ///< goal bends by habit (1 - 2 s) over the path s
   double scatter_deg = 0.0;          ///< SD of the bias from reach to reach

@@ -17,7 +17,7 @@ struct PersonOutcome {
   double bearing_error_deg;    ///< bearing of the end from the start, minus that of the real target
   double miss_mm;              ///< across the real direction, signed as bearing_error_deg
   PlatePoint finger;           ///< final position
-  double peak_felt_error_deg;  ///< largest felt less virtual direction while the finger moves
+  double peak_felt_error_deg;  ///< largest perceived minus virtual direction while the finger moves
   ReachSummary summary;        ///< the controller's own account; zero without a controller
   std::optional<PersonBelief>
       learnt;  ///< estimate with which the next reach begins; none if this reach changes nothing

@@ -39,7 +39,7 @@ void SimulatedHand::begin_setup() {
   restart();
 }
 
-// Lets time pass in milliseconds; advance() is false when nothing more happens.
+// Advances the time in milliseconds; advance() returns false when the motion is over.
 template <class Advance>
 void SimulatedHand::pass(std::int64_t time_ns, double plate_orientation_deg, const Advance& advance) {
   if (!moved_) {

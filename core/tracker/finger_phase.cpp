@@ -155,7 +155,7 @@ bool PhaseDetector<Point>::find_pause(std::optional<double> expected_mm_s) {
   pause_at(begun_s, places_.mean_of_last(counted));
   rest_.places = counted;
   rest_.seen = count;
-  // A finger that is soon where it rested has not left: noise or a tremor has come off.
+  // A finger that returns to its rest position soon has not left: it was noise or a tremor.
   if (begun_s - moving_since_s_ < tuning_.max_departure_s &&
       square_distance_mm2(rest_.place, before.place) < square(leaving_mm()))
     rest_.since_s = before.since_s;

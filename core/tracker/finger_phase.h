@@ -60,11 +60,11 @@ enum class Phase {
   waiting,  ///< at rest, before its first motion
   moving,
   paused,  ///< at rest, after a motion
-  lifted,  ///< off the plate
+  lifted,  ///< lifted from the plate
 };
 
-/// `Point` is PlatePoint, or Eigen::Vector3d for a tracked position off the plate (mm). No heap, no lock, no exception.
-/// One thread at a time.
+/// `Point` is PlatePoint, or Eigen::Vector3d for a tracked position off the plate (mm). Uses no heap, lock or
+/// exception. One thread at a time.
 template <class Point>
 class PhaseDetector {
  public:
@@ -86,7 +86,7 @@ class PhaseDetector {
   bool find_pause(std::optional<double> expected_mm_s = {});
   /// Both, at a time in nanoseconds.
   void observe(std::int64_t time_ns, const Point& position);
-  /// The finger is off the plate.
+  /// The finger is lifted from the plate.
   void lift() { phase_ = Phase::lifted; }
   /// Sets the phase: the finger rests at `place` from `time_s` on.
   void pause_at(double time_s, const Point& place);

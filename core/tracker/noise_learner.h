@@ -67,11 +67,11 @@ struct NoiseParts {
 NoiseParts separate(const StructureFunction& differences, double correlation_s);
 
 /// Learns the white part always, the correlated part while the finger rests. `Point` is PlatePoint or Eigen::Vector3d.
-/// No heap, no lock, no exception.
+/// Uses no heap, lock or exception.
 template <class Point>
 class NoiseLearner {
  public:
-  /// `known`: the noise is given, and nothing is learnt.
+  /// `known`: the configured noise, which is not estimated.
   explicit NoiseLearner(const std::optional<TrackerNoise>& known = {})
       : noise_(known.value_or(TrackerNoise{})), known_(known.has_value()) {}
 

@@ -36,7 +36,7 @@ constexpr int blocks_per_step = 25;
 
 using Rests = std::vector<std::vector<TimedPoint>>;
 
-// Without the positions that are grossly off.
+// Removes the outliers.
 Rests screened(std::span<const std::vector<TimedPoint>> rests) {
   std::vector<PlatePoint> middles;
   std::vector<double> distances;
@@ -126,7 +126,7 @@ bool RestNoiseFit::step() {
   return true;
 }
 
-// False if nothing can be known.
+// False if the noise cannot be determined.
 bool RestNoiseFit::begin() {
   blocks_ = blocks_of(rests_);
   if (blocks_.size() < min_blocks) return false;

@@ -23,7 +23,7 @@ class OurArithmetic {
   OurArithmetic& operator=(const OurArithmetic&) = delete;
 
  private:
-#if defined(__SSE2__)  // the mode of what computes here; fegetround() would ask the other unit
+#if defined(__SSE2__)  // the mode of SSE, in which this code computes; fegetround() would query the x87
   using Mode = unsigned;
   static constexpr Mode mode_bits = _MM_ROUND_MASK | _MM_MASK_MASK;
   static constexpr Mode our_mode = _MM_ROUND_NEAREST | _MM_MASK_MASK;

@@ -1,4 +1,4 @@
-// Checks on what crosses the boundary: struct sizes, numbers out of range.
+// Checks of arguments: struct sizes, and ranges of numbers.
 #pragma once
 
 #include <algorithm>

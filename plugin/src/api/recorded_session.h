@@ -47,7 +47,7 @@ class RecordedSession {
   /// Records a call that was refused with `result` because of `argument`. Returns `result`.
   hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
 
-  /// The plate's orientation before anything happens in a replay.
+  /// Sets the initial plate orientation of a replay.
   hrt_result set_plate_orientation_deg(double orientation_deg);
   /// The reach in progress as it was last aimed, for a recording.
   AimedReach aimed() const;
@@ -86,7 +86,7 @@ class RecordedSession {
   bool doubted_registration_ = false, logged_registration_ = false;
   Implausible implausible_;  // the first one under this configuration
   bool logged_implausible_ = false;
-  std::unique_ptr<Recorder> recorder_;  // null: nothing is recorded
+  std::unique_ptr<Recorder> recorder_;  // null: no recording
 };
 
 }  // namespace hrt::plugin

@@ -79,7 +79,8 @@ std::uint32_t role_of(const SceneTarget& target) {
   return target.kind == TargetKind::real_object ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL;
 }
 
-// The scene's pose takes the place of a registered one. Fails if a value of the scene is out of range.
+// The model with the plate of a scene, whose pose replaces a registered one. Fails if a value of the scene is out of
+// range.
 hrt_result with_plate_of(const Scene& scene, SessionModel model, SessionModel* out) {
   model.start_m = scene.start_m;
   model.mount.pose = scene.plate.pose;

@@ -17,7 +17,7 @@ class FileWatch {
 
   explicit FileWatch(PlateFile file) : file_(std::move(file)) {}
 
-  /// Call after each Device::wait(). `command_deg`: nothing while the plate is not commanded.
+  /// Call after each Device::wait(). `command_deg`: none while the plate has no command.
   void look(Time now, const Device& device, std::optional<double> command_deg);
   /// True if the plate is slower than 80 % of the file's speed, rests farther from its command than the file's error,
   /// or follows 40 ms later than the file says.

@@ -19,7 +19,7 @@ struct PlateGreeting {
   bool is_measured;   ///< reports come from a sensor, not from the plate's own commands
 };
 struct PlateReport {
-  std::optional<double> orientation_deg;  ///< nothing if the plate does not know it
+  std::optional<double> orientation_deg;  ///< none if the plate does not know it
   std::uint16_t sequence;                 ///< number of the last line that was received
 };
 enum class StopReason { host, heartbeat, limit, fault, emergency, stuck, sensor, unhomed, supply };
@@ -52,7 +52,7 @@ using PlateMessage = std::variant<PlateGreeting, PlateReport, PlateStopped, Plat
 /// The bytes of a line with this body: sum and end are added.
 std::string encode_line(std::string_view body);
 
-/// The body of a received line, without its "\n"; nothing if its sum is wrong.
+/// Body of a received line without its "\n"; none if its checksum is wrong.
 std::optional<std::string_view> decode_line(std::string_view line);
 
 /// The meaning of a body from the plate; none if it is not in the protocol.

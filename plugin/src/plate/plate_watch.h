@@ -22,12 +22,12 @@ class PlateWatch {
   void commanded(double orientation_deg);
   /// From now on, the plate must not move.
   void stopped();
-  /// `orientation_deg`: nothing if the plate does not know it.
+  /// `orientation_deg`: none if the plate does not know it.
   void reported(Time time, std::optional<double> orientation_deg);
-  /// Call regularly: notices that nothing was reported.
+  /// Call regularly: detects that no report has arrived.
   void check(Time now) const;
 
-  /// Highest speed over 20 degrees of one motion, or over a second; nothing before the first.
+  /// Highest speed over 20 degrees of one motion, or over a second; none before the first.
   std::optional<double> speed_deg_s() const { return speed_deg_s_; }
 
  private:
@@ -55,7 +55,7 @@ class RoundTrips {
   void sent(Time time, std::uint16_t sequence);
   /// False if no line of this host has that number, or a later one was echoed already: another host's.
   bool echoed(Time time, std::uint16_t sequence);
-  /// Median; nothing before the first.
+  /// Median; none before the first.
   std::optional<std::chrono::nanoseconds> median() const { return median_; }
   std::size_t count() const { return times_.size(); }
 

@@ -75,7 +75,7 @@ class Recorder {
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint64_t> lost_unnoted_{0};  // part of lost_ that is not yet noted in an entry
-  std::atomic<bool> overrun_{false};            // nothing is taken in until half of the ring is free
+  std::atomic<bool> overrun_{false};            // no record is accepted until half of the ring is free
   std::uint64_t lost_unreported_ = 0;           // this and the next one belong to the writing thread
   std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;

@@ -1,4 +1,4 @@
-// Contacts with real objects, which show how far the plate's registration is off.
+// Contacts with real objects, which measure the error of the plate's registration.
 #pragma once
 
 #include <optional>

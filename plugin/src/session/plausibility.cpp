@@ -21,7 +21,7 @@ constexpr double max_target_radii = 2.0;
 constexpr double judged_fraction = 0.5;  // fraction of the path from which on its direction is judged
 constexpr double max_off_course_deg = 90.0;
 constexpr double ended_fraction = 0.85;
-// A person whom the plate does not move ends near the virtual target, off by their own bias.
+// A person whom the plate does not steer ends near the virtual target, plus the bias.
 constexpr double min_gap_deg = 5.0, min_turned_deg = 4.0, min_turned_fraction = 0.75;
 
 double from_centre_mm(const PlatePoint& place) { return std::hypot(place.right_mm, place.away_mm); }

@@ -53,7 +53,7 @@ class Session {
   hrt_result touched(const ContactReport& report);
   hrt_result cancel();
   hrt_result end(ReachSummary* out);
-  /// A value of the reach under way was not a finite number: the reach teaches nothing.
+  /// A value of the present reach was not finite: nothing is learnt from it.
   void mark_faulty();
 
   /// The likely mistake in the current reach, or in the last one.

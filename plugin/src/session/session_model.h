@@ -21,7 +21,7 @@ inline constexpr Range position_range_m{-1000.0, 1000.0}, fingertip_range_m{-1.0
 
 /// Use of the estimates from a reach.
 enum class Adaptation : std::uint8_t {
-  off,     ///< nothing
+  off,     ///< the estimates are not used
   reach,   ///< within that reach
   carried  ///< carried to the following reaches
 };

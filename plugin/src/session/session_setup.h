@@ -22,7 +22,7 @@ struct SetupReport {
   std::uint32_t done = 0;  ///< parts that were found and applied
   std::uint32_t left = 0;
   std::uint32_t dropped = 0;  ///< without a result, and not repeated
-  SetupDrop drop;             ///< the last one; its reason is a text of the set-up, and here:
+  SetupDrop drop;             ///< the last dropped part; drop_reason owns its text
   std::string drop_reason;
   int slides = 0;  ///< number of slides that were made
   std::optional<FingertipOffset> fingertip;

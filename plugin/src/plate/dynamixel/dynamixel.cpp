@@ -315,7 +315,7 @@ class Servo : public Device {
     must_stop_ = !goal_step_;
   }
 
-  // At the place where it is by now, so that it does not turn back.
+  // Stops at the present position, so that the plate does not turn back.
   void send_stop() {
     must_stop_ = false;
     if (!orientation_deg_) return;
