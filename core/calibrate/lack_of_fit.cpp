@@ -63,7 +63,7 @@ bool LackOfFitTests::step() {
   return ++pattern_ == patterns_.size();
 }
 
-// The probability of the share that the pattern explains beyond the fit's own derivatives and `allowed`.
+// Probability of the fraction that the pattern explains beyond the fit's own derivatives and `allowed`.
 double LackOfFitTests::pattern_p(const Pattern& pattern) const {
   const LinearFit without = linear_fit(derivatives_, residuals_, rank_threshold);
   Eigen::MatrixXd both(residuals_.size(), derivatives_.cols() + pattern.columns.cols());

@@ -59,7 +59,7 @@ class Estimator {
   /// The participant goes for another direction from now on.
   void turn_to(double goal_direction_deg) { goal_direction_deg_ = goal_direction_deg; }
 
-  /// The finger moves on for `elapsed_s` >= 0 within a model step.
+  /// Advances the finger by `elapsed_s` >= 0 within a model step.
   void move(double elapsed_s);
 
   /// A model step ends: the participant feels the plate at `plate_orientation_deg`, relative to the goal
@@ -89,10 +89,10 @@ class Estimator {
   double normalised_innovation() const { return normalised_innovation_; }
 
   static constexpr int max_outliers = 5;
-  /// sigma_u^2 as learnt is kept in this range.
+  /// Range of the estimate of sigma_u^2.
   static constexpr double min_motor_variance_deg2 = 0.05;
   static constexpr double max_motor_variance_deg2 = 5.0;
-  /// w_T is kept in this range.
+  /// Range of the estimate of w_T.
   static constexpr double min_tactile_weight = 0.02;
   static constexpr double max_tactile_weight = 0.48;
 

@@ -26,7 +26,7 @@ class PaperControl {
   PlateOrientation plan(const ReachEstimator& reach, double aimed_direction_deg, double centre_deg,
                         const PlateModel& plate);
 
-  /// A turn takes time, so that turns are planned.
+  /// True if turns take time and are planned.
   bool plans_turns() const;
 
  private:

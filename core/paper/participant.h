@@ -93,8 +93,8 @@ inline double max_gap_deg(double tactile_weight, double plate_bound_deg) {
 Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
                              double plate_bound_deg);
 
-/// One step of the Kalman filter that fuses touch and proprioception. It does not depend on what is felt, so
-/// a controller knows the gains ahead.
+/// A step of the Kalman filter that fuses touch and proprioception. It does not depend on the perceived direction, so
+/// that a controller knows future gains.
 struct FilterGain {
   double gain;           ///< K, in (0, 1] (0 only if both variances before it are 0)
   double variance_deg2;  ///< variance of the corrected perceived direction: (1 - K) var-

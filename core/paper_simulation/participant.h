@@ -1,4 +1,4 @@
-// A simulated person, who follows paper section II-A to the letter.
+// Simulated person who follows paper section II-A exactly.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The pace of a motion and when it began, from its first places.
+// Pace and onset of a motion, from its first places.
 #pragma once
 
 #include "core/person/person_belief.h"

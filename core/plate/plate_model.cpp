@@ -100,7 +100,7 @@ double PlateModel::reach_deg(double seconds) const {
   return speed * (seconds - speed / acceleration);
 }
 
-// As fast as the target allows: never faster than it can still brake from.
+// Turns at the highest speed from which the plate can still brake before the target.
 void PlateModel::turn(double seconds, Motion& motion) const {
   const double to_go_deg = motion.target_deg - motion.orientation_deg;
   const double acceleration = dynamics_.max_acceleration_deg_s2;

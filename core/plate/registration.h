@@ -61,7 +61,7 @@ double residual_mm(const Registration& registration, const MarkTouch& touch);
 /// Result of comparing a later touch of a mark with an accepted registration.
 struct RegistrationCheck {
   double distance_mm;  ///< distance of the touch from the expected position of the mark
-  double allowed_mm;   ///< 99.9 % of touches are nearer while the registration is true
+  double allowed_mm;   ///< limit that 99.9 % of touches do not exceed while the registration is valid
   bool holds;
 };
 RegistrationCheck check_registration(const Registration& registration, const MarkTouch& touch);

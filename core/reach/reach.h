@@ -88,7 +88,7 @@ struct PlateCommand {
   bool resting = false;       ///< the finger rests within the reach
   bool arrived = false;       ///< the reach is over: see reach_end.h
   bool not_at_start = false;  ///< the finger rests elsewhere than at the start
-  bool miss_unknown = true;   ///< predicted_miss_deg is no prediction
+  bool miss_unknown = true;   ///< predicted_miss_deg is unknown
   // The caller of the controller sets these.
   bool lifted = false;                 ///< the finger does not touch the plate
   bool off_plate = false;              ///< the finger is beyond the plate's rim

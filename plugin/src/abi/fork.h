@@ -1,4 +1,4 @@
-// Children of the host, which have its memory and none of its other threads.
+// Detects children of a fork, which have the memory of the process and none of its other threads.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// UTF-8 in what crosses the boundary.
+// Checks of UTF-8 in arguments.
 #pragma once
 
 #include <cstddef>

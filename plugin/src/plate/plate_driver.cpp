@@ -33,8 +33,7 @@ void count_forks() {
 #endif
 }
 
-// A line whose waits end when the plate is closed while it is being opened; the last words of an open plate
-// are still said.
+// A line whose waits end when the plate is closed during opening. What an open plate still has to send is sent.
 class InterruptibleLine : public Line {
  public:
   InterruptibleLine(std::unique_ptr<Line> line, std::function<bool()> is_interrupted)
@@ -54,7 +53,7 @@ class InterruptibleLine : public Line {
   std::function<bool()> is_interrupted_;
 };
 
-// A line for the host: whole characters, no control characters.
+// A text for the host: whole characters, no control characters.
 template <std::size_t size, class... Parts>
 void write_text(char (&to)[size], const Parts&... parts) {
   plugin::Text<size> text;

@@ -36,7 +36,7 @@ class Plausibility {
   Plausibility() = default;
   Plausibility(double plate_radius_mm, const Reach& reach, bool may_be_in_radians);
 
-  /// The targets are elsewhere from now on: only times and places are judged from now on.
+  /// The targets have moved: from now on, only times and positions are checked.
   void retarget() { retargeted_ = true; }
   /// Every sample in turn, as the host gave it.
   void observe(const FingerSample& sample);

@@ -52,7 +52,7 @@ hrt_result Session::find_pair(std::uint64_t real_target, std::uint64_t virtual_t
   return HRT_OK;
 }
 
-// Directions and distance of the pair as seen from the start; fails unless a reach from there can go to it.
+// Computes directions and distance of the pair as seen from the start; fails if a reach from there is not possible.
 hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* reach) const {
   const TargetView real = view_from(start, model_.mount, pair.real);
   const TargetView seen = view_from(start, model_.mount, pair.virtual_target);
