@@ -1,5 +1,5 @@
-// Bundles the page into a folder that any static server can serve. HRT_PAGE_URL, for the picture of a link to it: its address there, with
-// a slash at its end.
+// Bundles the page into a folder that any static server can serve. HRT_PAGE_URL is the address of the page there, which ends in
+// a slash; the preview picture of links to the page needs it.
 //   usage: node build.mjs FOLDER_OF_THE_NPM_PACKAGE person.wasm plate_firmware.hex FOLDER_OF_THE_PAGE
 import { appendFile, cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { basename, dirname, join, resolve } from "node:path";
@@ -9,8 +9,8 @@ import { build } from "esbuild";
 const [, , packageFolder, personModule, firmware, pageFolder] = process.argv;
 const here = dirname(fileURLToPath(import.meta.url)), modules = join(here, "node_modules"), hands = join(modules, "@webxr-input-profiles/assets");
 
-// For a server: page.js with the first picture, and parts that are loaded when asked for. From a file: address no part can be
-// loaded, so offline.js has all; start.js chooses.
+// From a server, the page loads page.js for the first picture, and further parts when they are needed. A file: address cannot
+// load parts, so offline.js contains everything. start.js chooses between the two.
 const shared = {
   entryPoints: [{ in: join(here, "src/main.ts"), out: "page" }],
   outdir: pageFolder,
@@ -18,7 +18,7 @@ const shared = {
   minify: true,
   target: "es2022",
   platform: "browser",
-  legalComments: "none",  // licences.txt has them
+  legalComments: "none",  // they are in licences.txt
   alias: { "haptic-retargeting": resolve(packageFolder), "haptic-retargeting/three": resolve(packageFolder, "three.mjs"), "person.wasm": resolve(personModule),
            "plate_firmware.hex": resolve(firmware), "marks.csv": join(here, "../plate/model/marks.csv"),
            "generic-hand": join(hands, "dist/profiles/generic-hand") },
@@ -34,12 +34,12 @@ const { metafile: { outputs } } = await build({ ...shared, metafile: true, forma
 await build({ ...shared, entryPoints: [{ in: join(here, "src/main.ts"), out: "offline" }], format: "iife", loader: { ...loader, ".wasm": "binary", ".glb": "binary" } });
 await cp(join(here, "src/page.css"), join(pageFolder, "page.css"));
 await cp(join(here, "reveal.gif"), join(pageFolder, "reveal.gif"));
-// Who shows a link to the page fetches its picture by a whole address, which only the host knows.
+// The preview picture of a link needs an absolute address, which only the host knows.
 const html = await readFile(join(here, "src/index.html"), "utf8");
 const visitors = html.replace('"reveal.gif"', `"${process.env.HRT_PAGE_URL ?? ""}reveal.gif"`);
 await writeFile(join(pageFolder, "index.html"), visitors);
 await writeFile(join(pageFolder, "researchers.html"), visitors.replace("<body>", '<body class="researchers">').replaceAll("<details id=", "<details open id="));
-// What the first picture needs is asked for before page.js says so.
+// Preloads the files of the first picture before page.js requests them.
 const page = Object.entries(outputs).find(([name]) => basename(name) === "page.js")[1];
 const parts = ["page.js", ...page.imports.filter(({ kind }) => kind === "import-statement").map(({ path }) => basename(path)),
                "haptic_retargeting.wasm", "person.wasm"].map((name) => `"${name}"`);

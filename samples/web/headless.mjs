@@ -1,4 +1,4 @@
-// Headless Chromium that draws without a graphics card, and a page whose time stands still: for picture.mjs and the tests.
+// Headless Chromium that renders in software, and a page whose clock is stopped; used by picture.mjs and the tests.
 import { chromium } from "playwright-core";
 
 export function launch(...more) {
@@ -6,7 +6,7 @@ export function launch(...more) {
     "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...more] });
 }
 
-/** In the page: frames come when drawFrame() is called, and no time passes between them. */
+/** Runs in the page: a frame is drawn when drawFrame() is called, and no time passes between frames. */
 export function stopTime() {
   let now_ms = 0, waiting = [];
   performance.now = () => now_ms;

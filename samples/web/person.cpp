@@ -1,9 +1,9 @@
 // The simulated side of the page, as one WebAssembly module: a person of core/simulation who slides a finger
-// over the plate, the plate's servo or a connected plate in its place, and a tracker with white noise. The
-// page has the controller, and what it draws.
+// over the plate, the plate's servo (or a connected plate in its place), and a tracker with white noise. The
+// controller and all drawing are in the page's scripts.
 //
-// Units are in the names. Coordinates are right and away of the centre of the plate, in metres for the
-// page and in millimetres inside (core/plate/plate_frame.h).
+// Units are in the names. Coordinates are to the right of and away from the centre of the plate, in metres in the
+// exported calls and in millimetres inside (core/plate/plate_frame.h).
 // The plate's orientation is the direction of the normal of the ridges, counter-clockwise from the mid-line.
 #include <algorithm>
 #include <cmath>
@@ -24,13 +24,13 @@ namespace {
 constexpr std::int64_t tick_ns = 1'000'000;
 constexpr std::int64_t plate_latency_ns = 30'000'000;
 constexpr double rest_s = 0.6;  // before the motion
-constexpr double tail_s = 0.3;  // tracked at rest after it
+constexpr double tail_s = 0.3;  // tracked rest after the motion
 
-// As Stream of people.cpp names them.
+// The same numbers as Stream in people.cpp.
 constexpr std::uint32_t steering_stream = 1;
 constexpr std::uint32_t tracking_stream = 2;
 
-/// Probability of a "yes" of a visitor who noticed nothing.
+/// Probability that a visitor who noticed nothing answers "yes".
 constexpr double false_alarms = 0.05;
 
 struct World {
@@ -58,8 +58,8 @@ void place_plate(double orientation_deg) {
 
 extern "C" {
 
-/// Another person, with a linear illusion: gain, delay and first direction are drawn from `seed`, the rest is
-/// given. A tactile weight above 0 and below 0.5; a duration of a reach above 0.
+/// Creates another person with a linear illusion. Gain, delay and start direction are drawn from `seed`. The tactile
+/// weight must be above 0 and below 0.5, the duration of a reach above 0.
 HRT_WEB_EXPORT(set_person)
 void hrt_web_set_person(double seed, double tactile_weight, double duration_s) {
   world.seed = static_cast<std::uint64_t>(seed);
@@ -67,11 +67,11 @@ void hrt_web_set_person(double seed, double tactile_weight, double duration_s) {
   world.condition.person = drawn.person;
   world.condition.person.illusion.tactile_weight = tactile_weight;
   world.condition.person.duration_s = duration_s;
-  // Of the way from the mid-line to the virtual target; begin_reach() knows where that is.
+  // Fraction of the angle from the mid-line to the virtual target, whose direction begin_reach() receives.
   world.condition.person.start_direction_deg = drawn.person.start_direction_deg / drawn.virtual_direction_deg;
 }
 
-/// The tracker's white noise, standard deviation of a coordinate, and the servo's greatest speed, above 0.
+/// Sets the tracker's white noise (SD of each coordinate) and the servo's maximum speed, which must be above 0.
 /// The servo's latency is plate_latency_ms().
 HRT_WEB_EXPORT(set_apparatus)
 void hrt_web_set_apparatus(double noise_m, double max_speed_deg_s) {
@@ -80,8 +80,8 @@ void hrt_web_set_apparatus(double noise_m, double max_speed_deg_s) {
 }
 
 HRT_WEB_VALUE(plate_latency_ms, 1e-6 * static_cast<double>(plate_latency_ns))
-/// Time starts anew, with the plate at rest at `plate_deg` and the finger at the start. The person will go
-/// `distance_m` to the virtual target; `number` chooses the reach's noise.
+/// Resets the time, with the plate at rest at `plate_deg` and the finger at the start. The person will move
+/// `distance_m` towards the virtual target; `number` seeds the noise of the reach.
 HRT_WEB_EXPORT(begin_reach)
 void hrt_web_begin_reach(double number, double start_right_m, double start_away_m, double virtual_deg,
                          double distance_m, double plate_deg) {
@@ -97,14 +97,14 @@ void hrt_web_begin_reach(double number, double start_right_m, double start_away_
   world.ended_s = -1.0;
 }
 
-/// Time starts anew without a person: only the plate moves.
+/// Resets the time, without a person: only the plate moves.
 HRT_WEB_EXPORT(begin_hand)
 void hrt_web_begin_hand(double plate_deg) {
   world.person.reset();
   place_plate(plate_deg);
 }
 
-/// One millisecond.
+/// Advances the world by one millisecond.
 HRT_WEB_EXPORT(advance)
 void hrt_web_advance() {
   world.now_ns += tick_ns;
@@ -118,7 +118,7 @@ void hrt_web_advance() {
   if (person.done()) world.ended_s = now_s;
 }
 
-/// The tracker looks at the finger: seen_*() change.
+/// Takes one tracker sample of the finger, which seen_*() return.
 HRT_WEB_EXPORT(look)
 void hrt_web_look() {
   if (!world.person || !world.tracker) return;
@@ -130,7 +130,7 @@ void hrt_web_look() {
 HRT_WEB_EXPORT(command)
 void hrt_web_command(double plate_deg) { world.plate.command(plate_deg); }
 
-/// The plate stands there, as a connected one reports, until the next of these or of command().
+/// Sets the orientation that a connected plate reports, until the next call of set_plate() or command().
 HRT_WEB_EXPORT(set_plate)
 void hrt_web_set_plate(double plate_deg) {
   world.plate = hrt::PlateModel(world.condition.plate, plate_deg);
@@ -140,8 +140,8 @@ void hrt_web_set_plate(double plate_deg) {
 HRT_WEB_VALUE(time_ms, 1e-6 * static_cast<double>(world.now_ns))
 HRT_WEB_VALUE(plate_deg, world.plate.orientation_deg())
 
-/// What follows is 0 without a person. Moving: 1 from the first motion to the last; over: 1 once the rest
-/// after it is over too.
+/// The following values are 0 without a person. moving() is 1 from the first motion to the last; over() is 1 once
+/// the rest after the motion has ended too.
 HRT_WEB_VALUE(moving, world.person && !world.person->done() && world.person->elapsed_s() > 0.0 ? 1.0 : 0.0)
 
 HRT_WEB_EXPORT(over)
@@ -155,21 +155,20 @@ HRT_WEB_VALUE(finger_away_m, world.person ? world.person->position().away_mm / h
 HRT_WEB_VALUE(felt_right_m, world.person ? world.person->felt_position().right_mm / hrt::mm_per_m : 0.0)
 HRT_WEB_VALUE(felt_away_m, world.person ? world.person->felt_position().away_mm / hrt::mm_per_m : 0.0)
 HRT_WEB_VALUE(finger_deg, world.person ? world.person->direction_deg() : 0.0)
-/// Felt direction less the virtual target's.
+/// Perceived direction minus the virtual target's direction.
 HRT_WEB_VALUE(felt_error_deg, world.person ? world.person->felt_error_deg() : 0.0)
 HRT_WEB_VALUE(peak_felt_error_deg, world.person ? world.peak_felt_error_deg : 0.0)
 HRT_WEB_VALUE(seen_right_m, world.seen.right_mm / hrt::mm_per_m)
 HRT_WEB_VALUE(seen_away_m, world.seen.away_mm / hrt::mm_per_m)
 
-/// Felt less true direction of a finger that moves in `finger_deg` over a plate at `plate_deg`, for the
-/// person.
+/// Perceived minus true direction, for this person, of a finger that moves in `finger_deg` over a plate at `plate_deg`.
 HRT_WEB_EXPORT(felt_shift_deg)
 double hrt_web_felt_shift_deg(double plate_deg, double finger_deg) {
   return hrt::felt_shift_deg(world.condition.person.illusion, plate_deg - finger_deg);
 }
 
-/// Starts a series of slides after each of which the visitor says whether they noticed the gap; next_gap_deg() is the
-/// gap that QUEST+ chooses, between these two.
+/// Starts a series of slides. After each slide the visitor answers whether they noticed the gap; next_gap_deg() is the
+/// next gap that QUEST+ chooses, between `min_gap_deg` and `max_gap_deg`.
 HRT_WEB_EXPORT(begin_series)
 void hrt_web_begin_series(double min_gap_deg, double max_gap_deg) {
   world.series = hrt::app::QuestPlus(min_gap_deg, max_gap_deg, false_alarms);
@@ -179,7 +178,7 @@ HRT_WEB_EXPORT(answer)
 void hrt_web_answer(double gap_deg, double noticed) { world.series.update(gap_deg, noticed != 0.0); }
 
 HRT_WEB_VALUE(next_gap_deg, world.series.next_gap_deg())
-/// The threshold of noticing, with the ends of its 95 % interval.
+/// Detection threshold of the gap, with the limits of its 95 % interval.
 HRT_WEB_VALUE(limit_deg, world.series.threshold().deg)
 HRT_WEB_VALUE(limit_lower_deg, world.series.threshold().lower_deg)
 HRT_WEB_VALUE(limit_upper_deg, world.series.threshold().upper_deg)

@@ -1,4 +1,4 @@
-// Draws the README's moving picture: a visitor steers the dot to the glass, and is shown the hand.
+// Draws the animation of the README: a visitor steers the dot to the glass, then the hand is shown.
 //   usage: node picture.mjs FOLDER_OF_THE_PAGE reveal.gif
 import { writeFile } from "node:fs/promises";
 import { join, resolve } from "node:path";

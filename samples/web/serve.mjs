@@ -11,7 +11,7 @@ if (!/^\d{1,5}$/.test(port) || Number(port) > 65535) {
   process.exit(2);
 }
 
-// All that lies in the page's folder; other paths are not there. Compressed, as by any server of static files.
+// Serves only the files of the page's folder, compressed, as any server of static files does.
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8",
                 ".txt": "text/plain; charset=utf-8", ".wasm": "application/wasm", ".glb": "model/gltf-binary", ".gif": "image/gif" };
 const names = new Set((await readdir(folder)).filter((name) => types[extname(name)]));

@@ -1,14 +1,14 @@
-// The strip chart of one reach: the plate; the finger's direction and the felt one; the weight of touch that the
-// controller believes, with its 95 % interval. Read by the cursor, zoomed by a drag. Comes with "For researchers".
+// The strip chart of one reach: plate orientation; the finger's true and perceived direction; the controller's estimate of the
+// tactile weight with its 95 % interval. The cursor reads values, a drag zooms. It is part of "For researchers".
 import uPlot from "uplot";
 import { type Colours, readColours } from "./theme";
 import { type Trace, tracePeriod_ms } from "./trace";
 
-/** What stands still within a reach. */
+/** Values that are constant within a reach. */
 export interface ChartGoals {
   readonly real_deg: number;
   readonly virtual_deg: number;
-  /** The person's own; NaN: not drawn. */
+  /** True tactile weight of the person; NaN: not drawn. */
   readonly weight: number;
 }
 
@@ -46,7 +46,7 @@ const strips: readonly {
     ],
   },
   {
-    title: "weight of touch: believed, 95 %",
+    title: "tactile weight: estimate, 95 %",
     range: [0, 0.5],
     unit: "",
     band: [2, 3],
@@ -54,7 +54,7 @@ const strips: readonly {
       { label: "true", colour: "text", value: (_, goals) => goals.weight, ...level },
       { label: "at most", colour: "weight", value: ({ weight, weight_sd }) => weight + 1.96 * weight_sd, width: 0 },
       { label: "at least", colour: "weight", value: ({ weight, weight_sd }) => weight - 1.96 * weight_sd, width: 0 },
-      { label: "believed", colour: "weight", value: ({ weight }) => weight },
+      { label: "estimate", colour: "weight", value: ({ weight }) => weight },
     ],
   },
 ];

@@ -1,9 +1,9 @@
-// The page's controllers and its course.
+// The controllers that the page offers, and its default targets.
 import * as hrt from "haptic-retargeting";
 import { type Course, distance_m, start } from "./geometry";
 import type { ControllerName, Settings } from "./settings";
 
-/** The page's own course: the gap, half to each side of the mid-line. */
+/** Targets of the page: real and virtual target lie half the gap to either side of the mid-line. */
 export function pageCourse(settings: Readonly<Settings>): Course {
   return {
     start,
@@ -14,10 +14,10 @@ export function pageCourse(settings: Readonly<Settings>): Course {
   };
 }
 
-/** The controller for people: what it plans within, of the motion. */
+/** Largest angle between the ridges' normal and the motion that the controller for people plans. */
 export const motionBound_deg = 75;
 
-/** How a session is created for each. */
+/** Session configuration of each controller. */
 export const sessions: Readonly<Record<ControllerName, Parameters<hrt.Library["createSession"]>[0]>> = {
   off: { control: hrt.HRT_CONTROL_FIXED_PLATE },
   paper: { guidance: hrt.HRT_GUIDANCE_FIXED_DIRECTION, adaptation: hrt.HRT_ADAPTATION_OFF, tactile_weight: 0.15 },
@@ -28,7 +28,7 @@ export const sessions: Readonly<Record<ControllerName, Parameters<hrt.Library["c
   },
 };
 
-/** What the flags of a command say, for people. */
+/** Returns the warnings in a command's flags as text for people. */
 export function warnings(flags: number): string[] {
   const said: string[] = [];
   if (flags & hrt.HRT_COMMAND_UNREACHABLE) said.push("the gap cannot be held");

@@ -1,4 +1,4 @@
-// The picture with its labels, in the size of its place on the page. Without WebGL the rest of the page still works.
+// The picture with its labels, scaled to its element on the page. Without WebGL the rest of the page still works.
 
 import type { VisitorScene } from "./files/scene";
 import { ahead, type Course, type Place, type SlideEnd, start } from "./geometry";
@@ -9,29 +9,29 @@ import type { Colours } from "./theme";
 import { maxTrace } from "./trace";
 
 const labelNames: readonly LabelName[] = ["finger", "felt", "real", "glass"];
-const maxLabels = 30; // more would cover each other
+const maxLabels = 30; // more labels would overlap
 const margin_px = 4,
   minGap_px = 14;
 const turn_rad = 0.15;
 
 interface Label {
   readonly element: HTMLElement;
-  /** Where it points to, on the canvas. */
+  /** Writes the point on the canvas that the label names. */
   readonly at: (stage: Stage, out: { x: number; y: number }) => void;
-  /** To the right (1) or left (-1) of it, or above it (0). */
+  /** Side of the point on which the label is: right (1), left (-1) or above (0). */
   readonly side: number;
 }
 
 export class Desk {
   readonly frame = element("stage", HTMLDivElement);
   readonly canvas = element("view", HTMLCanvasElement);
-  /** Over the plate's disc: where a thumb moves the fingertip, and does not scroll. */
+  /** Area over the plate's disc in which a thumb moves the fingertip and does not scroll. */
   readonly grip = element("grip", HTMLDivElement);
-  /** Null: this browser gives no WebGL, and a flat picture takes its place. */
+  /** Null if the browser has no WebGL; a flat picture is drawn instead. */
   readonly stage: Stage | null;
   readonly #flat = element("no-view", SVGSVGElement);
   readonly #paths: { real: Place[]; felt: Place[] } = { real: [], felt: [] };
-  /** The browser has given WebGL back: the picture is to be drawn again. */
+  /** Called when the browser has restored WebGL and the picture must be drawn again. */
   onRestored: () => void = () => {};
   readonly #named = Object.fromEntries(
     labelNames.map((name) => [name, element(`label-${name}`, HTMLSpanElement)]),
@@ -46,7 +46,7 @@ export class Desk {
   #glass: Place = { ...start };
   #course: Course = { start, real_deg: 0, real_m: 0, virtual_deg: 0, virtual_m: 0 };
   readonly #at = { x: 0, y: 0 };
-  /** What was drawn last; empty: something else has changed since. A picture at rest costs nothing. */
+  /** State that was drawn last; empty: another change requires a redraw. An unchanged picture is not drawn again. */
   #drawn = "";
   #revealed = 1;
   #slowFrames = 0; // in a row
@@ -76,7 +76,7 @@ export class Desk {
     this.#course = { start, real_deg, real_m: distance_m, virtual_deg, virtual_m: distance_m };
     this.#change((stage) => stage.setTargets(real_deg, virtual_deg, distance_m));
   }
-  /** The view from the visitor's seat, which a drag may turn. */
+  /** Shows the view from the visitor's seat; `turns`: a drag rotates it. */
   setView(turns: boolean): void {
     this.stage?.setView(turns);
     this.#placeGrip();
@@ -88,7 +88,7 @@ export class Desk {
       this.grip.style[side] = `${disc[side].toFixed(1)}px`;
   }
 
-  /** By keys, as a drag does; false: not one of the arrows. */
+  /** Rotates the view by an arrow key, as a drag does. Returns false for other keys. */
   turn(key: string): boolean {
     const left = Number(key === "ArrowLeft") - Number(key === "ArrowRight"),
       up = Number(key === "ArrowUp") - Number(key === "ArrowDown");
@@ -97,7 +97,7 @@ export class Desk {
     return left !== 0 || up !== 0;
   }
 
-  /** The hand's own shape, once it has come. */
+  /** Loads the model of the hand, and draws it from then on. */
   async bringHand(): Promise<void> {
     await this.stage?.finger.become((await import("./stage/hand_model")).pointingHand);
     this.#drawn = "";
@@ -113,13 +113,13 @@ export class Desk {
     this.#placeGrip();
   }
 
-  /** Where frames take long, a processor draws: the picture becomes lighter. */
+  /** Simplifies the picture after several slow frames, which suggest that it is rendered in software. */
   ease(elapsed_ms: number): void {
     this.#slowFrames = elapsed_ms > 60 && elapsed_ms < 1000 ? this.#slowFrames + 1 : 0;
     if (this.#slowFrames === 8) this.#change((stage) => stage.lighten());
   }
 
-  /** How much of the true hand, its path and the cylinder is shown, from 0 to 1. */
+  /** Sets the opacity of the true hand, its path and the cylinder, from 0 to 1. */
   reveal(share: number): void {
     if (share === this.#revealed) return;
     this.#revealed = share;
@@ -128,7 +128,7 @@ export class Desk {
     this.#named.real.hidden = share === 0 || this.#labels.length > this.#own.length;
   }
 
-  /** Labels for the visitor who is the finger, or for one who watches. */
+  /** Words the labels for a visitor who moves the finger (`own`), or for one who watches. */
   nameLabels(own: boolean): void {
     say(this.#named.finger, own ? "your hand" : "hand");
     this.#drawn = "";
@@ -153,13 +153,13 @@ export class Desk {
     }
   }
 
-  /** The phase, for those who check, and the words on the picture. */
+  /** Sets the phase, which tests read, and the text on the picture. */
   caption(phase: string, words: string): void {
     this.frame.dataset.phase = phase;
     say(this.#caption, words);
   }
 
-  /** The paths grow to where the finger is, and is felt. */
+  /** Extends the paths to the true and the perceived position of the finger. */
   extendPaths(finger: Readonly<Place>, felt: Readonly<Place>): void {
     if (!this.stage && this.#paths.real.length < maxTrace) {
       this.#paths.real.push({ ...finger });
@@ -191,7 +191,7 @@ export class Desk {
       truth;
   }
 
-  /** Each beside its thing or above it, within the picture. */
+  /** Places each label beside or above the object that it names, within the picture. */
   #drawLabels(stage: Stage): void {
     const { clientWidth, clientHeight } = this.canvas,
       gap_px = Math.max(minGap_px, 0.06 * this.grip.offsetWidth);
@@ -206,7 +206,7 @@ export class Desk {
     }
   }
 
-  /** For those who check: the truth in numbers, and where ring, glass and dot are in the picture. */
+  /** Writes the true end position, and the positions of ring, glass and dot in the picture, for tests. */
   write(result: SlideEnd | null, dot: Readonly<Place>): void {
     const { dataset } = this.frame;
     for (const [name, place] of Object.entries({ start, glass: this.#glass, dot })) {
@@ -220,17 +220,17 @@ export class Desk {
     }
   }
 
-  /** Anything but what draw() is given. */
+  /** Applies a change that is not an argument of draw(), and requests a redraw. */
   #change(how: (stage: Stage) => void): void {
     if (this.stage) how(this.stage);
     this.#drawn = "";
   }
 
-  /** The place on the plate under a pointer; false beyond the horizon, or without a picture. */
+  /** Writes the position on the plate under a pointer. Returns false beyond the horizon, or without a picture. */
   placeOf(event: PointerEvent, out: Place): boolean {
     const box = (this.stage ? this.canvas : this.#flat).getBoundingClientRect();
     if (this.stage) return this.stage.toPlate(event.clientX - box.left, event.clientY - box.top, out);
-    const scale = 0.16 / Math.min(box.width, box.height); // of its viewBox
+    const scale = 0.16 / Math.min(box.width, box.height); // size of the viewBox, in metres
     out.right_m = (event.clientX - box.left - box.width / 2) * scale;
     out.away_m = (box.top + box.height / 2 - event.clientY) * scale;
     return true;

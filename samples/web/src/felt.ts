@@ -1,13 +1,13 @@
-// Where a sliding finger would feel itself: each piece of its motion, turned by what the ridges add.
+// Perceived position of a sliding finger: each step of its motion, rotated by the angle that the ridges add.
 import { ahead, direction_deg, type Place } from "./geometry";
 
-/** A direction is the mean over about this time: tracked positions and a mouse's pixels are coarse. */
+/** Time over which a direction is averaged, because tracked positions and a mouse's pixels are coarse. */
 const smoothing_ms = 60;
 const minSpeed_m_s = 0.004;
 
 export class Felt {
   readonly place: Place = { right_m: 0, away_m: 0 };
-  /** Of the motion; NaN at rest. */
+  /** Direction of the motion; NaN at rest. */
   finger_deg = NaN;
   felt_deg = NaN;
   #speedRight_m_s = 0;
@@ -17,14 +17,14 @@ export class Felt {
     return Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
   }
 
-  /** At rest there: nothing has been felt. */
+  /** Starts at rest at `at`, where the perceived position is the true one. */
   begin(at: Readonly<Place>): void {
     Object.assign(this.place, at);
     this.#speedRight_m_s = this.#speedAway_m_s = 0;
     this.finger_deg = this.felt_deg = NaN;
   }
 
-  /** A motion in a time above 0. `shift_deg`: felt less true direction of a motion in `finger_deg`. */
+  /** Adds a motion that took a time above 0. `shift_deg`: perceived minus true direction of a motion in `finger_deg`. */
   move(right_m: number, away_m: number, milliseconds: number, shift_deg: (finger_deg: number) => number): void {
     const share = 1 - Math.exp(-milliseconds / smoothing_ms);
     this.#speedRight_m_s += share * ((1000 * right_m) / milliseconds - this.#speedRight_m_s);

@@ -1,5 +1,5 @@
-// Six figures that say why it works, each dragged in the picture, for the page's simulated person; one whose touch counts for more
-// than most people's, so that it can be seen.
+// Six interactive figures that explain the method. Their simulated person has a larger tactile weight than most people,
+// so that the effect is visible.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
 import { ahead, bearing_deg, distance_m, type Place, start } from "./geometry";
@@ -13,10 +13,10 @@ const strong = 0.3,
   turned_deg = 50;
 
 interface Figure {
-  /** What a drag to this place of the picture means; within the range of its slider. */
+  /** Slider value for a drag to this position in the picture; clamped to the slider's range. */
   readonly value: (at: Place) => number;
   readonly draw: (value: number) => string;
-  /** What is seen, in words. */
+  /** Description of the picture in words. */
   readonly text: (value: number) => string;
 }
 
@@ -33,7 +33,7 @@ export function showFigures(library: Library, world: World): void {
   };
   const felt = (plate_deg: number, hand_deg: number) => hand_deg + world.felt_shift_deg(plate_deg, hand_deg);
 
-  /** A reach to the glass straight ahead, over ridges that do not turn: places of finger and felt finger. */
+  /** True and perceived positions of a reach to a glass straight ahead, over ridges that do not turn. */
   const unled: { finger: Place; felt: Place }[] = [];
   still();
   world.begin_reach(1, start.right_m, start.away_m, 0, distance_m, turned_deg);
@@ -46,7 +46,7 @@ export function showFigures(library: Library, world: World): void {
     });
   }
 
-  /** The third reach of a person whom the plugin leads. */
+  /** Third reach of a person whom the plugin steers. */
   const led = (changes: Partial<typeof settings>) => {
     watch.apply({ ...settings, person: watch.number, ...changes });
     watch.apply({ ...settings, ...changes });
@@ -84,7 +84,7 @@ export function showFigures(library: Library, world: World): void {
     {
       value: ({ right_m }) => 1000 * right_m,
       draw: (x) => {
-        // skin that is lifted where the ridge is
+        // the skin is lifted above the ridge
         const skin = Array.from({ length: 41 }, (_, i) => {
           const u = x - 25 + 1.25 * i,
             y = 30 - 13 * Math.exp(-((u / 7) ** 2));
@@ -142,7 +142,7 @@ export function showFigures(library: Library, world: World): void {
       value: (at) => -2 * bearing_deg(start, at),
       draw: (gap_deg) =>
         reach({ gap_deg: Math.abs(gap_deg) }) + word("real", { right_m: 0.045, away_m: 0.068 }, "drag it"),
-      text: (gap_deg) => `${ended()}${gap_deg > 22 ? " So far aside no plate can lead this person." : ""}`,
+      text: (gap_deg) => `${ended()}${gap_deg > 22 ? " No plate can lead this person that far aside." : ""}`,
     },
   ];
 

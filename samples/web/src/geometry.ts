@@ -1,23 +1,23 @@
-// Places and directions on the plate. Right and away of the plate's centre, in metres; directions in degrees
-// counter-clockwise from the mid-line, seen from above: positive is left.
+// Positions and directions on the plate. Positions are to the right of and away from the plate's centre, in metres.
+// Directions are in degrees counter-clockwise from the mid-line, seen from above: positive is left.
 
 export interface Place {
   right_m: number;
   away_m: number;
 }
 
-/** Where reaches start: the plugin's default. */
+/** Default start of reaches in the plugin. */
 export const start: Readonly<Place> = { right_m: 0, away_m: -0.05 };
-/** From the start to either target. */
+/** Distance from the start to each target. */
 export const distance_m = 0.1;
 /** Radius of the plate. */
 export const radius_m = 0.075;
-/** Of the cylinder. */
+/** Radius of the cylinder. */
 export const cylinderRadius_m = 0.0055;
-/** From ridge to ridge. */
+/** Distance between neighbouring ridges. */
 export const ridgeSpacing_m = 0.01;
 
-/** Where a reach leads: directions and distances from its start. */
+/** Start and targets of a reach: directions and distances are seen from the start. */
 export interface Course {
   readonly start: Readonly<Place>;
   readonly real_deg: number;
@@ -35,7 +35,7 @@ export function ahead(from: Readonly<Place>, direction_deg: number, length_m: nu
   };
 }
 
-/** Direction of a motion, within 180. */
+/** Direction of a motion, from -180 to 180. */
 export function direction_deg(right_m: number, away_m: number): number {
   return Math.atan2(-right_m, away_m) / degree;
 }
@@ -48,7 +48,7 @@ export function length_m(from: Readonly<Place>, to: Readonly<Place>): number {
   return Math.hypot(to.right_m - from.right_m, to.away_m - from.away_m);
 }
 
-/** Bearing of `place`, seen from the course's start, less the real target's. */
+/** Bearing of `place` minus the real target's bearing, both seen from the start. */
 export function bearingError_deg(place: Readonly<Place>, course: Course): number {
   return bearing_deg(course.start, place) - course.real_deg;
 }
@@ -60,7 +60,7 @@ export function virtualPlace(course: Course): Place {
   return ahead(course.start, course.virtual_deg, course.virtual_m);
 }
 
-/** Where a slide ended, and where that was felt. */
+/** True and perceived end position of a slide. */
 export interface SlideEnd {
   readonly toCylinder_mm: number;
   readonly toGlass_mm: number;
@@ -76,7 +76,7 @@ export function slideEnd(finger: Readonly<Place>, felt: Readonly<Place>, course:
   };
 }
 
-/** The same ridges, within 90 degrees of the mid-line. */
+/** Equivalent orientation of the same ridges, within 90 degrees of the mid-line. */
 export function folded_deg(orientation_deg: number): number {
   return orientation_deg - 180 * Math.round(orientation_deg / 180);
 }

@@ -1,5 +1,5 @@
-// The visitor's hand on a plate that the real plugin turns. The pointer is the true fingertip; where it is felt follows from its
-// motion and the ridges, for the tactile weight of the settings. The visitor sees the felt place only, and steers it.
+// The visitor's hand on a plate that the real plugin turns. The pointer is the true fingertip; its perceived position follows
+// from its motion, the ridges and the tactile weight of the settings. The visitor sees and steers the perceived position only.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
 import { Felt } from "./felt";
@@ -20,29 +20,29 @@ import type { World } from "./person";
 import type { Settings } from "./settings";
 import { maxTrace, tracePeriod_ms } from "./trace";
 
-/** A slide that is shorter does not count. */
+/** Shortest slide that counts. */
 export const minReach_m = 0.03;
-/** A fingertip that is felt this near to the glass has reached it. */
+/** Distance from the glass at which a perceived fingertip has reached it. */
 const near_m = 0.002;
 const step_ms = 10;
-/** Before the motion the plate turns to its first orientation, and the plugin sees a fingertip at rest. Then time stops until
- *  the fingertip moves: a hand that rests for an hour neither records nor computes. */
+/** Before the motion the plate turns to its first orientation while the plugin receives a fingertip at rest. Then the time is
+ *  stopped until the fingertip moves, so that a resting hand is neither recorded nor computed. */
 const settle_ms = 700,
   maxRest_ms = 1000;
 
 export interface HandEnd extends SlideEnd {
-  /** Between the felt and the true end, seen from the start. */
+  /** Angle between the perceived and the true end, seen from the start. */
   readonly gap_deg: number;
 }
 
 export class Hand extends Led {
-  /** Sliding from the first motion to end(). */
+  /** Phase of the slide, which is "sliding" from the first motion to end(). */
   phase: "waiting" | "sliding" | "arrived" = "waiting";
   result: HandEnd | null = null;
-  /** Ridges that the fingertip has crossed, by its own motion or the plate's. */
+  /** Number of ridges that have passed under the fingertip, by its own motion or the plate's. */
   ridges = 0;
 
-  /** Where the fingertip is, and where it goes next. */
+  /** Position of the fingertip, and the position to which it moves next. */
   readonly finger: Place = { ...start };
   readonly wanted: Place = { ...start };
   readonly #felt = new Felt();
@@ -58,7 +58,7 @@ export class Hand extends Led {
   get felt(): Readonly<Place> {
     return this.#felt.place;
   }
-  /** Of the motion; NaN at rest. */
+  /** Direction of the motion; NaN at rest. */
   get finger_deg(): number {
     return this.#felt.finger_deg;
   }
@@ -71,19 +71,19 @@ export class Hand extends Led {
   get gap_deg(): number {
     return this.settings.gap_deg;
   }
-  /** Nothing will change until wanted does, or a connected plate turns. */
+  /** True if nothing changes until the wanted position does, or a connected plate turns. */
   get resting(): boolean {
     return this.phase === "arrived" || this.#rested_ms > (this.phase === "waiting" ? settle_ms : maxRest_ms);
   }
 
-  /** A new slide under these settings, by a hand that is unknown to the controller. */
+  /** Begins a slide under these settings, with a controller that has learnt nothing. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
     this.renew(pageCourse(settings));
     this.begin(settings.gap_deg);
   }
 
-  /** Back to the start, for another gap. What was learnt of this hand stays. */
+  /** Returns to the start, for another gap. The controller keeps its estimates of this hand. */
   begin(gap_deg = this.gap_deg): void {
     this.settings.gap_deg = gap_deg;
     this.prepare();
@@ -99,14 +99,14 @@ export class Hand extends Led {
     this.result = null;
   }
 
-  /** The fingertip moves there with the next advance(). */
+  /** Sets the position to which the next advance() moves the fingertip. */
   moveTo(right_m: number, away_m: number): void {
     if (!Number.isFinite(right_m) || !Number.isFinite(away_m) || this.phase === "arrived") return;
     Object.assign(this.wanted, { right_m, away_m });
   }
 
-  /** The next whole milliseconds, in steps with one sample of the fingertip each. A fingertip that is felt at the glass, or as
-   *  far as it, ends there. */
+  /** Advances by whole milliseconds, in steps with one sample of the fingertip each. The slide ends once the perceived fingertip
+   *  is at the glass or at its distance. */
   advance(milliseconds: number): void {
     for (let left_ms = milliseconds; left_ms > 0 && this.phase !== "arrived"; left_ms -= step_ms) {
       const moved = length_m(this.finger, this.wanted) > 0;
@@ -143,14 +143,14 @@ export class Hand extends Led {
     else if (world.time_ms() > maxTrace * tracePeriod_ms) this.end();
   }
 
-  /** Number of the ridge that the fingertip is nearest to. */
+  /** Number of the ridge nearest to the fingertip. */
   #ridgeUnder(): number {
     const angle = this.world.plate_deg() * degree,
       { right_m, away_m } = this.finger;
     return Math.round((away_m * Math.cos(angle) - right_m * Math.sin(angle)) / ridgeSpacing_m);
   }
 
-  /** The fingertip is lifted. A slide that is too short begins again; from one that stops early nothing is learnt. */
+  /** Lifts the fingertip. A slide that is too short begins again; the controller learns nothing from one that stops early. */
   end(): void {
     if (this.phase !== "sliding") return;
     if (length_m(start, this.finger) < minReach_m) return this.begin();

@@ -1,4 +1,4 @@
-// What simulated person, visitor's finger and worn hand have in common: a world, and a session of the plugin that leads them in it.
+// Base class of the simulated person, the visitor's finger and the tracked hand: a world, and the session that steers in it.
 import * as hrt from "haptic-retargeting";
 import { sessions } from "./controller";
 import { type Course, cylinderRadius_m, type Place } from "./geometry";
@@ -7,14 +7,14 @@ import type { Settings } from "./settings";
 import { maxTrace, type Trace, tracePeriod_ms } from "./trace";
 
 export abstract class Led {
-  /** Of the reach; another one for each. */
+  /** Trace of the current reach; each reach has a new array. */
   trace: Trace = [];
-  /** Where a connected plate is, which is felt instead of the simulated one; NaN: there is none. */
+  /** Orientation of a connected plate, which replaces the simulated plate; NaN: no plate is connected. */
   plateConnected_deg = NaN;
-  /** Of the last reach that has ended, as CSV. */
+  /** Recording of the last reach that has ended, as CSV. */
   recording = "";
   protected settings: Settings;
-  /** Knows the course and what the plate can do; nothing of the person. */
+  /** Session of the plugin. It receives the targets and the plate's limits, and nothing about the person. */
   protected session!: hrt.Session;
   #real = 0;
   #virtual = 0;
@@ -33,7 +33,7 @@ export abstract class Led {
     return this.session.command;
   }
 
-  /** From now on a person of whom the controller knows nothing. */
+  /** Replaces the session, for a person of whom the controller has learnt nothing. */
   protected renew(course: Course): void {
     this.drop();
     this.session.destroy();
@@ -50,7 +50,7 @@ export abstract class Led {
     this.follow(course);
   }
 
-  /** Between reaches: other targets and another plate, with what has been learnt of the person. */
+  /** Changes targets and plate between reaches. The controller keeps its estimates of the person. */
   protected follow({ start, real_deg, real_m, virtual_deg, virtual_m }: Course): void {
     this.session.configure({
       plate_max_speed_deg_s: this.settings.plate_deg_s,
@@ -60,13 +60,13 @@ export abstract class Led {
     this.session.setTarget(this.#virtual, { direction_deg: virtual_deg, distance_m: virtual_m });
   }
 
-  /** Nothing is learnt from a reach that is still under way. Returns the recording; empty: there was none. */
+  /** Cancels a running reach, from which nothing is learnt. Returns the recording, or "" if there was no reach. */
   protected drop(): string {
     if (this.session.state & hrt.HRT_STATE_REACHING) this.session.cancelReach();
     return this.session.state & hrt.HRT_STATE_RECORDING ? this.session.stopRecording() : "";
   }
 
-  /** Person, plate and trace are as the settings have them, before another reach. */
+  /** Resets person, plate and trace to the settings before a reach. */
   protected prepare(): void {
     this.drop();
     this.world.set_person(this.settings.person, this.settings.tactile_weight, this.settings.pace_s);
@@ -74,13 +74,13 @@ export abstract class Led {
     this.trace = [];
   }
 
-  /** A reach begins, and is recorded. */
+  /** Begins a reach and its recording. */
   protected lead(plate_deg: number): void {
     this.session.startRecording();
     this.session.beginReach(this.#real, this.#virtual, plate_deg);
   }
 
-  /** The plugin sees the finger there, and commands the plate. */
+  /** Passes a finger position to the plugin, and its command to the plate. */
   protected see(time_ms: number, right_m: number, away_m: number): void {
     const { sample } = this.session;
     sample.flags = hrt.HRT_SAMPLE_PLATE_POSITION;
@@ -92,13 +92,13 @@ export abstract class Led {
     this.world.command(this.command.plate_orientation_deg);
   }
 
-  /** One millisecond of the world, which a connected plate takes part in. */
+  /** Advances the world by one millisecond, with the orientation of a connected plate if there is one. */
   protected tick(): void {
     if (!Number.isNaN(this.plateConnected_deg)) this.world.set_plate(this.plateConnected_deg);
     this.world.advance();
   }
 
-  /** Directions are NaN at rest. */
+  /** Appends to the trace. Directions are NaN at rest. */
   protected record(finger_deg: number, felt_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
     if (this.world.time_ms() % tracePeriod_ms !== 0 || this.trace.length === maxTrace) return;
     const { tactile_weight, tactile_weight_sd: weight_sd } = this.command,

@@ -28,11 +28,11 @@ import { Watch } from "./watch";
 import type { Wear } from "./wear/wear";
 import type { Wearing } from "./wear/wearing";
 
-/** Slow machines skip frames and keep time, up to this; a page that was hidden continues where it was. */
+/** Longest time that one frame may advance: slow machines keep real time, and a hidden page continues where it stopped. */
 const maxFrame_ms = 1000;
 
 async function main(): Promise<void> {
-  // The first picture needs no plugin, which is on its way meanwhile.
+  // The first picture does not need the plugin, which is loaded meanwhile.
   const desk = new Desk(),
     still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   desk.nameLabels(true);
@@ -64,7 +64,7 @@ async function main(): Promise<void> {
   const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
   let mode: Mode = "hand",
     recorded: RecordedReach | null = null;
-  // These come when asked for.
+  // Parts that are loaded when they are needed.
   let chart: Chart | null = null,
     wearing: Wearing | null = null;
 
@@ -170,16 +170,16 @@ async function main(): Promise<void> {
     chart?.setColours(colours);
   }
 
-  /** Whose reaches are shown. */
+  /** Returns the object whose reaches are shown. */
   function reaches(): Watch | Hand | Wear {
     return { watch, hand: sliding.hand, wear: wearing?.wear ?? hand, scene: viewing.watch }[mode];
   }
 
-  /** A connected plate does what the controller commands, and is felt where it is. */
+  /** Commands a connected plate, whose reported orientation then replaces the simulated one. */
   function follow(elapsed_ms: number): void {
     const shown = reaches();
     plate.frame(elapsed_ms, performance.now(), shown.command.plate_orientation_deg);
-    // Reaches that are computed at once, or by steps, are not at the plate's time.
+    // Reaches that are computed immediately or step by step do not run in the real time of a plate.
     const stepped = (mode === "watch" || mode === "scene") && !watching.playing;
     for (const each of [watch, hand, plain, viewing.watch, ...(wearing ? [wearing.wear] : [])])
       each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
@@ -187,7 +187,7 @@ async function main(): Promise<void> {
 
   plate.onReady = ({ speed_deg_s }) => panel.change({ plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
 
-  /** Frames come while something moves, and for a moment after the visitor or a part has done something. */
+  /** Frames are requested while something moves, and for a short time after input or the loading of a part. */
   let before_ms = NaN,
     awake_ms = 0;
   const linger_ms = 300;
@@ -224,7 +224,7 @@ async function main(): Promise<void> {
 
   for (const radio of radios("mode")) {
     radio.addEventListener("change", () => {
-      if (wearing?.worn) check("mode", "wear"); // the headset's session goes first
+      if (wearing?.worn) check("mode", "wear"); // the headset's session must end first
       showMode();
       address();
     });
@@ -267,7 +267,7 @@ async function main(): Promise<void> {
 }
 
 function showProblems(problems: readonly string[]): void {
-  report(problems.length === 0 ? "" : `Left out of the link: ${problems.join("; ")}.`);
+  report(problems.length === 0 ? "" : `Ignored in the link: ${problems.join("; ")}.`);
 }
 
 element("retry", HTMLButtonElement).addEventListener("click", () => location.reload());

@@ -19,7 +19,7 @@ const texts: Readonly<Record<SliderName, (value: number) => string>> = {
   plate_deg_s: (value) => `${value} °/s`,
 };
 
-/** The same for who hears them. */
+/** The same values in words, for screen readers. */
 const words: Readonly<Record<SliderName, (value: number) => string>> = {
   tactile_weight: (value) => `${(100 * value).toFixed(0)} percent touch`,
   gap_deg: (value) => `${value} degrees`,
@@ -29,7 +29,7 @@ const words: Readonly<Record<SliderName, (value: number) => string>> = {
 };
 
 export class Panel {
-  /** Calls `changed` whenever something has changed. */
+  /** `changed` is called after each change of a setting. */
   constructor(
     public settings: Readonly<Settings>,
     private readonly changed: () => void,
@@ -53,7 +53,7 @@ export class Panel {
     this.#show();
   }
 
-  /** How large a gap this person can be led over. */
+  /** Shows the largest feasible gap for this person. */
   showMaxGap(max_deg: number): void {
     const far = this.settings.gap_deg >= max_deg,
       holds = element("holds", HTMLParagraphElement),

@@ -1,4 +1,4 @@
-// The simulated side: core's person, plate and tracker in a WebAssembly module of their own (person.cpp).
+// The simulated side: person, plate and tracker of core/, in a separate WebAssembly module (person.cpp).
 import personModule from "person.wasm";
 
 type Does =
@@ -25,7 +25,7 @@ async function compile(): Promise<WebAssembly.Module> {
   );
 }
 
-/** A world of its own: one person, one plate, one tracker. */
+/** Creates a separate world with one person, one plate and one tracker. */
 export async function createWorld(): Promise<World> {
   compiled ??= compile();
   const proc_exit = () => {

@@ -1,5 +1,5 @@
-// The plate from above, as the inside of an SVG picture in millimetres: a slide that is looked at again, the figures, and the
-// desk where there is no WebGL.
+// The plate from above, as the content of an SVG picture in millimetres. Used for replayed slides, the figures, and the desk in
+// browsers without WebGL.
 import { ahead, type Course, cylinderRadius_m, type Place, radius_m, ridgeSpacing_m, start } from "./geometry";
 
 export type Kind = "real" | "felt" | "touch";
@@ -15,7 +15,7 @@ export const word = (kind: Kind, at: Readonly<Place>, text: string, anchor = "mi
 export const path = (kind: Kind, places: readonly Readonly<Place>[]): string =>
   places.length < 2 ? "" : `<path class="${kind}" d="${line(places)}"/>`;
 
-/** An arrow from there in this direction. */
+/** Draws an arrow from `from` in this direction. */
 export function arrow(kind: Kind, from: Readonly<Place>, direction_deg: number, length_m: number): string {
   if (Number.isNaN(direction_deg)) return "";
   const tip = ahead(from, direction_deg, length_m),
@@ -23,7 +23,7 @@ export function arrow(kind: Kind, from: Readonly<Place>, direction_deg: number, 
   return `<path class="${kind}" d="${line([from, tip])}"/><path class="tip ${kind}" d="${line([...sides, tip])} Z"/>`;
 }
 
-/** The plate with its ridges, their normal at `plate_deg`, and the ring. */
+/** Draws the plate with its ridges, whose normal is at `plate_deg`, and the ring. */
 export function plate(plate_deg: number): string {
   const ridges = [];
   for (let away_m = -0.07; away_m < 0.071; away_m += ridgeSpacing_m) {
@@ -36,7 +36,7 @@ export function plate(plate_deg: number): string {
   );
 }
 
-/** Cylinder and glass. */
+/** Draws the cylinder and the glass. */
 export function targets({ real_deg, real_m, virtual_deg, virtual_m }: Course, named = true, all = true): string {
   const real = ahead(start, real_deg, real_m),
     glass = ahead(start, virtual_deg, virtual_m),
@@ -53,12 +53,12 @@ export function targets({ real_deg, real_m, virtual_deg, virtual_m }: Course, na
   );
 }
 
-/** The normal of the ridges on the side to which a fingertip moves in `finger_deg`: what touch alone would report. */
+/** Direction that touch alone would report: the ridges' normal on the side to which the fingertip moves. */
 export function normal_deg(plate_deg: number, finger_deg: number): number {
   return plate_deg - 180 * Math.round((plate_deg - finger_deg) / 180);
 }
 
-/** The three arrows of one moment, from one point: true motion, what touch alone reports, and what is felt between them. */
+/** Draws three arrows from one point: true direction, direction by touch alone, and perceived direction between them. */
 export function arrows(
   at: Readonly<Place>,
   plate_deg: number,

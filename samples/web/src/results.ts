@@ -23,7 +23,7 @@ export class Results {
     const off = `${Math.abs(result.bearingError_deg).toFixed(1)}°, ${result.toCylinder_mm.toFixed(1)} mm`;
     const hit = Math.abs(result.bearingError_deg) <= arrived_deg;
     const learns = result.weightSd > 0 && result.controller === "ours";
-    const believed = learns
+    const estimate = learns
       ? `${result.weight.toFixed(2)} ± ${(1.96 * result.weightSd).toFixed(2)}`
       : result.controller === "paper"
         ? `${result.weight.toFixed(2)}, fixed`
@@ -33,23 +33,23 @@ export class Results {
       controllerTexts[result.controller],
       `${hit ? "✓" : "✗"} ${off}`,
       `${result.peakFeltError_deg.toFixed(1)}°`,
-      believed,
+      estimate,
       result.controller === "off" ? "" : warnings(result.flags).join("; "),
     ];
     const row = addRow(this.#body, cells, 0);
     for (const [name, value] of Object.entries(result)) {
-      // peakFeltError_deg is peakFeltErrorDeg there
+      // peakFeltError_deg becomes peakFeltErrorDeg
       row.dataset[name.replace(/_(.)/g, (_, letter: string) => letter.toUpperCase())] = String(value);
     }
     while (this.#body.rows.length > rowsKept) this.#body.deleteRow(-1);
   }
 }
 
-/** What a reach came to, in a sentence. */
+/** Describes the result of a reach in a sentence. */
 export function resultText(result: Readonly<ReachResult>): string {
   const end =
     `The finger is ${result.toCylinder_mm.toFixed(1)} mm from the cylinder; its owner feels it ` +
     `${result.feltToGlass_mm.toFixed(1)} mm from the glass.`;
-  if (result.controller === "off") return `${end} The plate stood still.`;
+  if (result.controller === "off") return `${end} The plate did not move.`;
   return Math.abs(result.bearingError_deg) <= arrived_deg ? `Arrived. ${end}` : `Missed. ${end}`;
 }

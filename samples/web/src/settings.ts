@@ -1,23 +1,23 @@
-// What can be set on the page: ranges, defaults, and the link that carries them.
+// Settings of the page: ranges, defaults, and the link that contains them.
 
 export const controllerNames = ["off", "paper", "ours"] as const;
 export type ControllerName = (typeof controllerNames)[number];
 
-/** What the visitor does. The last one needs a file. */
+/** Modes of the page. The last one needs a file. */
 export const modes = ["hand", "watch", "wear", "scene"] as const;
 export type Mode = (typeof modes)[number];
 const linkedModes = modes.slice(0, 3);
 
 export const sliders = {
-  /** Share of touch in the direction that is felt; the controller does not know it. */
+  /** Tactile weight: the fraction of touch in the perceived direction. The controller does not know it. */
   tactile_weight: { min: 0.05, max: 0.4, step: 0.01, start: 0.17 },
-  /** Between the real and the virtual target, seen from the start. */
+  /** Angle between the real and the virtual target, seen from the start. */
   gap_deg: { min: 0, max: 20, step: 0.5, start: 10 },
-  /** White noise of the tracker, standard deviation of a coordinate. */
+  /** White noise of the tracker, as the SD of each coordinate. */
   noise_mm: { min: 0, max: 3, step: 0.1, start: 1.2 },
   /** Duration of a reach; the controller does not know it. */
   pace_s: { min: 0.6, max: 4, step: 0.1, start: 1.5 },
-  /** Greatest speed of the plate's servo. */
+  /** Maximum speed of the plate's servo. */
   plate_deg_s: { min: 50, max: 800, step: 10, start: 400 },
 };
 export type SliderName = keyof typeof sliders;
@@ -26,7 +26,7 @@ const maxPerson = 9999;
 
 export interface Settings extends Record<SliderName, number> {
   controller: ControllerName;
-  /** Chooses the person: how fast they correct, how late they feel, where they set out. */
+  /** Seed of the person: correction gain, delay of touch and start direction. */
   person: number;
 }
 
@@ -35,14 +35,14 @@ export function defaultSettings(): Settings {
   return { ...starts, controller: "ours", person: 1 } as Settings;
 }
 
-/** The nearest value that the slider has. */
+/** Rounds to the nearest value of the slider. */
 export function onSlider(name: SliderName, value: number): number {
   const { min, max, step } = sliders[name];
   const steps = Math.round((Math.min(max, Math.max(min, value)) - min) / step);
   return Number((min + steps * step).toFixed(3));
 }
 
-/** The part of a link after #: what differs from the defaults. */
+/** Returns the part of a link after #, with the settings that differ from the defaults. */
 export function toLink(settings: Readonly<Settings>, mode: Mode): string {
   const defaults = defaultSettings(),
     parts = new URLSearchParams();
@@ -53,7 +53,7 @@ export function toLink(settings: Readonly<Settings>, mode: Mode): string {
   return parts.toString();
 }
 
-/** Settings and mode of a link, and what in it was left out because it is unknown or not allowed. */
+/** Reads settings and mode of a link, and lists the parts that were ignored as unknown or not allowed. */
 export function fromLink(link: string): { settings: Settings; mode: Mode; problems: string[] } {
   const settings = defaultSettings(),
     problems: string[] = [];
@@ -81,7 +81,7 @@ export function fromLink(link: string): { settings: Settings; mode: Mode; proble
   return { settings, mode, problems };
 }
 
-/** Another person than `person`. */
+/** Returns the seed of another person. */
 export function nextPerson(person: number): number {
   return (person % maxPerson) + 1;
 }

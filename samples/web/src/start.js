@@ -1,4 +1,4 @@
-// A server gives the page in parts, which are asked for at once; a file: address, from which no part can be loaded, gives it whole.
+// From a server the parts of the page are preloaded. A file: address cannot load parts, so offline.js contains the whole page.
 const served = location.protocol !== "file:";
 for (const href of served ? [/* parts */] : []) {
   const link = document.createElement("link"), script = href.endsWith(".js");

@@ -1,5 +1,5 @@
-// Colours, from the style sheet, so that light, dark and high contrast have one source. The blue and orange
-// of true and felt can be separated by colour-blind people; lines differ in their dashes too.
+// Colours from the style sheet, which is the one source for light, dark and high contrast. Colour-blind people can
+// distinguish the blue of true and the orange of perceived values; lines differ in their dashes too.
 
 const names = {
   text: "--text",

@@ -1,10 +1,10 @@
-// What a fingertip would feel, for the ear and, where there is a motor, the hand: a burst of noise at each ridge, louder for a faster
-// finger, and a contact at the end. For keys, tones say where the glass lies from the dot.
+// Sounds, and vibration on devices that have it, for what a fingertip would feel: a burst of noise at each ridge, louder for a
+// faster finger, and a contact at the end. For keyboard users, tones indicate the direction from the dot to the glass.
 import { element, say } from "./page";
 
 const key = "haptic-retargeting-ticks";
 const loud_m_s = 0.2,
-  /** Motors do not answer to less. */
+  /** Shortest vibration that motors can produce. */
   minShake_ms = 20,
   guidePeriod_s = 0.3;
 
@@ -15,7 +15,7 @@ export class Ticks {
   #noise: AudioBuffer | null = null;
   #guided_s = -Infinity;
 
-  /** `still`: off until the visitor asks. The choice is remembered where the browser allows it. */
+  /** `still`: sound is off until the visitor turns it on. The choice is stored if the browser allows it. */
   constructor(still: boolean) {
     const kept = remembered();
     this.#on = kept === null ? !still : kept === "on";
@@ -26,12 +26,12 @@ export class Ticks {
       try {
         localStorage.setItem(key, this.#on ? "on" : "off");
       } catch {
-        /* for this visit only */
+        /* the choice holds for this visit only */
       }
       this.#wake();
       this.ridge(loud_m_s);
     });
-    // Browsers give sound only once the visitor has pressed something: whatever that is.
+    // Browsers allow sound only after the visitor has pressed any key or button.
     for (const press of ["pointerdown", "keydown"])
       window.addEventListener(press, () => this.#wake(), { capture: true });
   }
@@ -42,7 +42,7 @@ export class Ticks {
     if (this.#audio.state === "suspended") void this.#audio.resume();
   }
 
-  /** A ridge passes under a fingertip of this speed. */
+  /** Plays a ridge that passes under a fingertip of this speed. */
   ridge(speed_m_s: number): void {
     this.#burst(1800, 0.015, 0.5 * Math.min(1, Math.max(0.1, speed_m_s / loud_m_s)));
   }
@@ -50,7 +50,7 @@ export class Ticks {
     this.#burst(180, 0.12, 0.8);
   }
 
-  /** For who does not see the dot: a tone on the side on which the glass lies, higher as it comes near. */
+  /** Plays a tone on the side on which the glass lies, higher near the glass, for visitors who do not see the dot. */
   guide(side: number, way: number): void {
     const audio = this.#ready();
     if (!audio || audio.currentTime - this.#guided_s < guidePeriod_s) return;
@@ -78,7 +78,7 @@ export class Ticks {
     return gain;
   }
 
-  /** Of noise about this pitch. */
+  /** Plays a burst of noise around this pitch. */
   #burst(pitch_hz: number, length_s: number, loudness: number): void {
     if (this.#on && navigator.userActivation?.hasBeenActive)
       navigator.vibrate?.(Math.max(minShake_ms, 1000 * length_s));

@@ -1,4 +1,4 @@
-// What happened within one reach, every 10 ms, for the chart.
+// Time series of one reach, sampled every 10 ms, for the chart.
 import type { Place } from "./geometry";
 import { addRow, element, sideways } from "./page";
 
@@ -6,7 +6,7 @@ export const tracePeriod_ms = 10;
 export const maxTrace = 4096; // 41 s
 const rowPeriod_ms = 200;
 
-/** Values at multiples of the period; NaN where there is none. */
+/** Values at multiples of the period; NaN for values that do not exist. */
 export type Trace = {
   readonly plate_deg: number;
   readonly finger_deg: number;
@@ -17,7 +17,7 @@ export type Trace = {
   readonly felt: Readonly<Place>;
 }[];
 
-/** The trace as a table, for who does not see the chart. Costs nothing while it is folded. */
+/** Table of the trace, for visitors who do not see the chart. It is not updated while it is folded. */
 export class TraceTable {
   readonly #fold = element("trace-fold", HTMLDetailsElement);
   readonly #body = element("trace-rows", HTMLTableSectionElement);

@@ -1,4 +1,4 @@
-// Spoken cues, by the browser's own voice; off until the visitor asks for them.
+// Spoken cues by the browser's speech synthesis; off until the visitor turns them on.
 import { element, say } from "./page";
 
 export class Voice {
@@ -17,7 +17,7 @@ export class Voice {
     });
   }
 
-  /** Writes this for screen readers, and, if asked to, speaks it instead of what is being said. */
+  /** Writes a text for screen readers and, if the voice is on, speaks it; this interrupts the previous text. */
   say(text: string): void {
     say(this.#written, text);
     if (!this.#synthesis || !this.#wanted.checked) return;

@@ -1,10 +1,10 @@
-/** A WebAssembly module's bytes within the bundle, or its address; below, the same of a model. */
+/** Bytes of a WebAssembly module within the bundle, or its address; the next declaration is the same for a model. */
 declare module "*.wasm" {
   const module: Uint8Array<ArrayBuffer> | string;
   export default module;
 }
 
-/** The plate's firmware in Intel's hexadecimal format, within the bundle. */
+/** Firmware of the plate in Intel's hexadecimal format, within the bundle. */
 declare module "plate_firmware.hex" {
   const text: string;
   export default text;

@@ -1,4 +1,4 @@
-// Reach after reach of the simulated person, led by the real plugin: the plugin sees the tracked finger, the plate
+// Reaches of the simulated person, steered by the real plugin: the plugin receives the tracked finger, the plate
 // follows its commands, and the person feels the plate.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "./controller";
@@ -9,23 +9,23 @@ import type { ControllerName, Settings } from "./settings";
 
 const trackerRate_hz = 90;
 
-/** How a reach ended: the simulation's truth, except what the controller believes. */
+/** Result of a reach: the ground truth of the simulation and the controller's estimates. */
 export interface ReachResult extends SlideEnd {
-  /** Of this person under this controller, from 1. */
+  /** Number of the reach by this person with this controller, from 1. */
   readonly number: number;
   readonly controller: ControllerName;
   readonly tactileWeight: number;
   readonly gap_deg: number;
-  /** Bearing of the finger's end, less the cylinder's. */
+  /** Bearing of the finger's end minus the cylinder's bearing. */
   readonly bearingError_deg: number;
   readonly peakFeltError_deg: number;
-  /** What the controller believes; 0 deviation: it does not learn. */
+  /** Estimate of the tactile weight; an SD of 0 means that the controller does not learn. */
   readonly weight: number;
   readonly weightSd: number;
   readonly flags: number;
   readonly motion_s: number;
   readonly plateFastest_deg_s: number;
-  /** Greatest distance of a tracked position from the finger. */
+  /** Largest distance of a tracked position from the finger. */
   readonly trackerWorst_mm: number;
 }
 
@@ -42,7 +42,7 @@ export class Watch extends Led {
   #plateFastest_deg_s = 0;
   #trackerWorst_m = 0;
 
-  /** `courseOf`: where reaches lead under some settings. */
+  /** `courseOf` returns the targets for given settings. */
   constructor(
     library: Library,
     world: World,
@@ -54,13 +54,13 @@ export class Watch extends Led {
     this.begin();
   }
 
-  /** What has been learnt of the person, as JSON. */
+  /** Profile of the person as JSON. */
   get profile(): string {
     return this.session.profile;
   }
 
-  /** A new reach under these settings. What was learnt of the person stays, unless they are another one, or the
-   *  controller is: then the result is true. */
+  /** Begins a reach under these settings. Returns true if the person or the controller has changed, in which case the
+   *  estimates of the person are discarded. */
   apply(settings: Readonly<Settings>): boolean {
     const before = this.settings;
     this.settings = { ...settings };
@@ -82,7 +82,7 @@ export class Watch extends Led {
     return unknown;
   }
 
-  /** The next reach. One under way is cancelled; one whose finger has not moved begins anew. */
+  /** Begins the next reach. A running reach is cancelled; one whose finger has not moved keeps its number. */
   begin(): void {
     const world = this.world;
     if (this.phase !== "waiting") ++this.number;
@@ -98,7 +98,7 @@ export class Watch extends Led {
     this.#plateFastest_deg_s = this.#trackerWorst_m = 0;
   }
 
-  /** One millisecond of the reach; nothing once it is over. */
+  /** Advances the reach by one millisecond, until it has ended. */
   advance(): void {
     if (this.phase === "arrived") return;
     const world = this.world;
@@ -112,7 +112,7 @@ export class Watch extends Led {
     if (world.over()) this.#end();
   }
 
-  /** Of the finger, and where it is felt. */
+  /** True and perceived position of the finger. */
   #places(): [Place, Place] {
     const world = this.world;
     return [

@@ -29,9 +29,9 @@ after(async () => {
   server?.kill();
 });
 
-/** Opens the page for researchers on "Watch", after `script` has run in it, and uses it once the element `ready` is there. With `motion` false each
- *  change shows its reach at once; with `motion` true the page's time stands still until frames(). Fails at the end of `use`
- *  on any error of the page, and on any request except those for its own files, which are those of `folder` if one is named. */
+/** Opens the page for researchers on "Watch", after `script` has run in it, and calls `use` once the element `ready` exists. With `motion` false,
+ *  a change shows its reach immediately; with `motion` true the page's time is stopped until frames(). Fails after `use` on
+ *  any error of the page, and on any request except for its own files, which come from `folder` if one is given. */
 export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "researchers.html#mode=watch", from = browser,
                             base = address, folder = null, strict = true, script = null, ready = "html[data-ready=yes]" } = {}) {
   const context = await from.newContext({ viewport, colorScheme, reducedMotion: motion ? "no-preference" : "reduce" });
@@ -56,7 +56,7 @@ export async function visit(use, { motion = false, viewport = desktop, colorSche
   }
 }
 
-/** A picture of the page, with its hand. */
+/** Saves a picture of the page, once its hand is loaded. */
 export async function shoot(page, name, fullPage = true) {
   await page.waitForSelector("#stage[data-hand=yes], #no-view:not([hidden])", { state: "attached" });
   await page.screenshot({ path: join(screenshots, `${name}.png`), fullPage, timeout: 120_000 });
@@ -70,18 +70,18 @@ export async function frames(page, elapsed_ms, count = 1) {
   }, [elapsed_ms, count]);
 }
 
-/** The page has drawn what the visitor has just changed. */
+/** Waits until the page has drawn the last change by the visitor. */
 export function drawn(page) {
   return page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
 }
 
 export async function accessible(page) {
-  await page.evaluate(axe);  // by the browser's tools: the page's policy allows no script but its own
+  await page.evaluate(axe);  // through the browser's tools, since the page's policy allows only its own scripts
   const { violations } = await page.evaluate(() => globalThis.axe.run());
   assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 120))]), []);
 }
 
-/** Drops a file on the page. */
+/** Drops a file onto the page. */
 export function drop(page, name, content) {
   return page.evaluate(([fileName, fileText]) => {
     const dataTransfer = new DataTransfer();
@@ -90,26 +90,26 @@ export function drop(page, name, content) {
   }, [name, content]);
 }
 
-/** What an element carries for tests. */
+/** Returns the data attributes of an element, which the page writes for tests. */
 async function numbers(locator) {
   const data = await locator.evaluate((element) => ({ ...element.dataset }));
   return Object.fromEntries(Object.entries(data).map(([name, text]) => [name, Number.isNaN(Number(text)) ? text : Number(text)]));
 }
-/** What the newest row of the table stands for. */
+/** Returns the values of the newest row of the table. */
 export const newest = (page) => numbers(page.locator("#results tbody tr").first());
-/** Where a slide has ended. */
+/** Returns the end positions of a slide, which must have arrived. */
 export async function ended(page) {
   assert.equal(await phase(page), "arrived", await text(page, "#caption"));
   return numbers(page.locator("#stage"));
 }
 
-/** What a button saves. */
+/** Returns the file that a button saves. */
 export async function saved(page, button) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
   return { name: download.suggestedFilename(), content: await readFile(await download.path(), "utf8") };
 }
 
-/** A file that is dropped is refused in these words, and shows nothing. */
+/** Drops a file, which must be refused with this message and show nothing. */
 export async function refuses(page, name, content, words) {
   await drop(page, name, content);
   await page.waitForSelector("#refused:not([hidden])");

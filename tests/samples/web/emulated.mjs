@@ -1,4 +1,4 @@
-// The emulated headset (headset.ts) as a script for a page.
+// Bundles the emulated headset (headset.ts) as a script for a page.
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { require, sources } from "./browser.mjs";
@@ -9,11 +9,11 @@ const { outputFiles: [{ text }] } = await require("esbuild").build({
 });
 export const headset = text;
 
-/** What only some browsers have of frames, of poses of joints, and of sessions. */
+/** Optional properties of WebXR frames, joint poses and sessions, which only some browsers have. */
 export const optional = ["predictedDisplayTime", "fillPoses", "fillJointRadii", "radius", "enabledFeatures", "frameRate", "supportedFrameRates",
                          "updateTargetFrameRate"];
 
-/** The headset in a browser that lacks these. */
+/** Returns the script of the headset in a browser that lacks these properties. */
 export const without = (lacking) => `${headset};(${(names) => {
   const mask = (object) => {
     for (const name of names) if (object && name in object) Object.defineProperty(object, name, { value: undefined, configurable: true });

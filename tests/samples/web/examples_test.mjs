@@ -1,5 +1,5 @@
-// The examples for three.js, A-Frame and react-three-fiber as the package's README has them: the packed package and the library in
-// node_modules, an emulated headset.
+// Runs the README's examples for three.js, A-Frame and react-three-fiber, with the packed package and the library in
+// node_modules, in an emulated headset.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { copyFile, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from "node:fs/promises";
@@ -12,7 +12,7 @@ import { frames, pageFolder, sources, visit } from "./browser.mjs";
 import { optional, without } from "./emulated.mjs";
 
 const newest = join(dirname(fileURLToPath(import.meta.url)), "../../bindings/web/node_modules");
-/** How a visitor enters, and which three.js comes with the library. */
+/** Selector of the button that enters the headset, and the copy of three.js that the library uses. */
 const examples = { "three.html": ["#VRButton", "three"], "aframe.html": [".a-enter-vr-button", "aframe/node_modules/three"],
                    "fiber.jsx": ["#VRButton", "three"] };
 let folder;
@@ -40,7 +40,7 @@ before(async () => {
 });
 after(() => rm(folder, { recursive: true, force: true }));
 
-// Each with all that browsers have, and with none that is optional; three.js' without each of it too.
+// Each example runs with all optional properties and with none; three.js' example also without each one.
 const runs = Object.keys(examples).flatMap((name) => [[name, []], [name, optional]]);
 for (const [name, lacking] of [...runs, ...optional.map((each) => ["three.html", [each]])]) test(
   `${name} leads a reach of a worn hand, without ${lacking}`, () => visit(async (page) => {

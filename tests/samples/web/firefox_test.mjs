@@ -1,4 +1,4 @@
-// The page in headless Firefox: a slide by keys, the hand, a reach that is watched. A script of the page's own folder does it.
+// The page in headless Firefox: a slide by keys, the hand, a watched reach. The script is loaded from the page's folder.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { extname, join, resolve } from "node:path";
@@ -8,7 +8,7 @@ import { shownBy } from "../../bindings/web/browser.mjs";
 const folder = resolve(process.argv[3]);
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".glb": "model/gltf-binary" };
 
-/** In the page. */
+/** Runs in the page. */
 async function visit() {
   const faults = [], at = (selector) => document.querySelector(selector);
   addEventListener("error", ({ message }) => faults.push(message));
@@ -24,7 +24,7 @@ async function visit() {
   await fetch("/shown", { method: "POST", body: JSON.stringify({ slid, watched: at("#spoken").textContent, drawn: at("#no-view").hasAttribute("hidden"), faults }) });
 }
 
-test("a visitor's way through the page", async () => {
+test("a slide by keys and a watched reach work in Firefox", async () => {
   const { slid, watched, drawn, faults } = JSON.parse(await shownBy(async (path) => {
     const name = path === "/" ? "index.html" : path.slice(1);
     if (name === "visit.js") return { type: types[".js"], body: `(${visit})()` };

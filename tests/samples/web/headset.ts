@@ -1,4 +1,4 @@
-// An emulated headset with tracked hands (iwer), for the page to find. Tests move the hand by its fingertip.
+// An emulated headset with tracked hands (iwer) for the page. Tests move the hand by its fingertip.
 import { metaQuest3, P_SPACE, XRDevice } from "iwer";
 
 const device = new XRDevice(metaQuest3);
@@ -19,22 +19,22 @@ XRSession.prototype.requestReferenceSpace = async function (...kind) {
 
 globalThis.headset = {
   device,
-  /** The index fingertip is there, in the emulated room. */
+  /** Moves the index fingertip to a position in the emulated room. */
   moveTip(x, y, z) {
     const at = hand.inputSource.hand.get("index-finger-tip")[P_SPACE].offsetMatrix;
     hand.position.set(x - at[12], y - at[13], z - at[14]);
   },
-  /** Thumb and index finger touch, or do not. */
+  /** Closes or opens the pinch of thumb and index finger. */
   pinch(touch: boolean) { hand.updatePinchValue(touch ? 1 : 0); hand.poseId = touch ? "pinch" : "point"; hand.updateHandPose(); },
-  /** The other hand rests there. */
+  /** Moves the other hand to a position, where it rests. */
   restOther(x, y, z) {
     const left = device.hands.left;
     left.connected = true;
     left.position.set(x, y, z);
   },
-  /** The headset sees the hand, or does not. */
+  /** Sets whether the headset tracks the hand. */
   see(seen) { hand.connected = seen; },
-  /** As by the headset's own button: the room's origin is elsewhere. */
+  /** Recentres the headset, as by its button: the origin of the room moves. */
   recentre() { for (const space of spaces) space.dispatchEvent(new Event("reset")); },
   leave() { return device.activeSession.end(); },
 };

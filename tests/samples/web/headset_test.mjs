@@ -1,4 +1,4 @@
-// "Wear it" in an emulated headset (iwer) in headless Chromium. No headset has run this.
+// "Wear it" in an emulated headset (iwer) in headless Chromium. It has not been run on a real headset.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
@@ -10,12 +10,12 @@ import { optional, without } from "./emulated.mjs";
 const hrt = await import(pathToFileURL(join(pageFolder, "../npm/node.mjs"))), library = await hrt.load();
 
 const worn = { motion: true, viewport: { width: 500, height: 400 } };
-/** In the headset, where all is that browsers have, and where none is that is optional. */
+/** Runs a test in the headset with all optional browser properties, and with none of them. */
 function test(name, use, script = "", masks = [[], optional]) {
   for (const lacking of masks) once(`${name}, without ${lacking}`, () => visit(use, { ...worn, script: without(lacking) + script }));
 }
 const caption = (page) => text(page, "#caption");
-const start = [0.05, 1.2, -0.35];  // of the fingertip, in the emulated room
+const start = [0.05, 1.2, -0.35];  // start of the fingertip, in the emulated room
 
 async function enter(page, button = "#enter-vr") {
   await page.locator("label:has(input[value=wear])").click();
@@ -27,7 +27,7 @@ async function enter(page, button = "#enter-vr") {
   await frames(page, 11, 3);
 }
 
-/** The fingertip rests there for two seconds. */
+/** Rests the fingertip at a position for two seconds. */
 async function rest(page, tip) {
   await page.evaluate((place) => {
     for (let i = 0; i < 40; ++i) {
@@ -37,7 +37,7 @@ async function rest(page, tip) {
   }, tip);
 }
 
-/** The plate is placed there, by a pinch of two seconds. */
+/** Places the plate by a pinch of two seconds. */
 async function pinch(page, tip) {
   await page.evaluate(() => globalThis.headset.pinch(true));
   await rest(page, tip);
@@ -45,8 +45,8 @@ async function pinch(page, tip) {
   await rest(page, tip);
 }
 
-/** The fingertip slides by `length_m` in 1.5 s, first in `first_deg`; with `follows` it turns as what is felt asks. Frames in
- *  `unseen` have no hand. Returns each position that was seen, right and away of the start. */
+/** Slides the fingertip by `length_m` in 1.5 s, first in `first_deg`; with `follows` it steers its perceived direction to the
+ *  glass. Frames in `unseen` have no hand. Returns the tracked positions, to the right of and away from the start. */
 function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = false, unseen = [0, 0], until = 1 } = {}) {
   return page.evaluate((how) => {
     const { headset, drawFrame } = globalThis, { dataset } = document.getElementById("stage"), seen = [];
@@ -54,7 +54,7 @@ function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = fa
     const count = 135;
     for (let i = 0; i <= count * how.until; ++i) {
       const s = i / count, step_m = how.length_m * (30 * s ** 2 - 60 * s ** 3 + 30 * s ** 4) / count;
-      const wrong_deg = Number(dataset.feltDeg) - 5;  // the glass lies there
+      const wrong_deg = Number(dataset.feltDeg) - 5;  // direction of the glass
       if (how.follows && Math.abs(wrong_deg) > 1) heading_deg -= 0.5 * Math.sign(wrong_deg);
       x -= step_m * Math.sin(heading_deg * Math.PI / 180);
       away += step_m * Math.cos(heading_deg * Math.PI / 180);
@@ -68,7 +68,7 @@ function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = fa
   }, { from, first_deg, length_m, follows, unseen, until });
 }
 
-/** The recording of the last reach, saved after the headset is left. */
+/** Returns the recording of the last reach, saved after the headset session. */
 const recorded = async (page) => (await saved(page, "#save-recording")).content;
 
 const leave = async (page) => {
@@ -84,8 +84,8 @@ once("without a headset the page says so", () => visit(async (page) => {
   await shoot(page, "wear_unavailable");
 }));
 
-// This one without each option alone too.
-test("a hand that is worn makes a real reach, which the plugin repeats bit for bit", async (page) => {
+// This test also runs without each optional property.
+test("a reach of a tracked hand replays bit for bit", async (page) => {
   await enter(page);
   assert.equal(await phase(page), "placing");
   await shoot(page, "wear_placing", false);
@@ -104,7 +104,7 @@ test("a hand that is worn makes a real reach, which the plugin repeats bit for b
   assert.ok(toCylinderMm < 9 && toGlassMm > 9, `${toCylinderMm} mm from the cylinder, ${toGlassMm} from the glass`);
   assert.ok(feltToGlassMm < 9, `felt ${feltToGlassMm} mm from the glass`);
   await shoot(page, "wear_arrived", false);
-  await rest(page, [0.2, 1.25, -0.5]);  // the button beside the words
+  await rest(page, [0.2, 1.25, -0.5]);  // the button beside the text
   assert.equal(await phase(page), "placing", "a poke places the plate again");
   await leave(page);
   assert.equal(await caption(page), "You have left the headset.");
@@ -115,13 +115,13 @@ test("a hand that is worn makes a real reach, which the plugin repeats bit for b
   const columns = csv.split("\n").find((line) => line.startsWith("call,")).split(",");
   const rows = csv.split("\n").filter((line) => line.startsWith("update,")).map((line) => line.split(","));
   const sample = (row, name) => Number(row[columns.indexOf(name)]);
-  // The joint in the world, and the pose of the plate, which is rotated about the vertical axis.
+  // Transforms the joint's position in the world by the plate's pose, a rotation about the vertical axis.
   const moved = rows.slice(-places.length - 20).filter((row) => sample(row, "sample_flags") & 32).map((row) => {
     const angle = 2 * Math.atan2(sample(row, "plate_qy"), sample(row, "plate_qw")), cos = Math.cos(angle), sin = Math.sin(angle);
     const x = sample(row, "sample_x_m") - sample(row, "plate_x_m"), z = sample(row, "sample_z_m") - sample(row, "plate_z_m");
     return [cos * x - sin * z, sin * x + cos * z];
   });
-  // The emulation has numbers of 32 bits.
+  // The emulation uses numbers of 32 bits.
   const off = places.map(([right, away]) => Math.min(...moved.map(([x, z]) => Math.hypot(x - right, 0.05 - z - away))));
   assert.ok(Math.max(...off) < 1e-6, `positions as recorded are ${Math.max(...off)} m off`);
 }, "", [[], optional, ...optional.map((name) => [name])]);
@@ -139,7 +139,7 @@ test("a headset that is recentred places the plate again", async (page) => {
   assert.equal(await phase(page), "sliding", "the next one is there");
 });
 
-test("a headset that refuses hands says what to switch on", async (page) => {
+test("an error about missing hand tracking names the setting to switch on", async (page) => {
   await page.locator("label:has(input[value=wear])").click();
   await frames(page, 20, 2);
   await page.locator("#enter-vr:enabled").click();
@@ -148,7 +148,7 @@ test("a headset that refuses hands says what to switch on", async (page) => {
   assert.match(await caption(page), /^The headset cannot be entered: no hands\. Switch hand tracking on in the headset's settings/);
 }, 'navigator.xr.requestSession = async () => { throw new DOMException("no hands", "NotSupportedError"); }');
 
-test("a hand that goes straight to the glass arrives there", async (page) => {
+test("a hand that is not steered arrives at the glass", async (page) => {
   await enter(page);
   await pinch(page, start);
   await slide(page);
@@ -156,7 +156,7 @@ test("a hand that goes straight to the glass arrives there", async (page) => {
   assert.ok(toGlassMm < 1 && feltToGlassMm > 5, `${toGlassMm} mm, felt ${feltToGlassMm} mm from the glass`);
 });
 
-test("a hand lost for a moment is bridged, one lost for longer begins again", async (page) => {
+test("a short loss of the hand is bridged, a longer loss restarts the reach", async (page) => {
   await enter(page);
   await pinch(page, start);
   await slide(page, { unseen: [60, 80] });
@@ -177,7 +177,7 @@ test("a hand lost for a moment is bridged, one lost for longer begins again", as
   assert.deepEqual([await phase(page), library.replay(await recorded(page)).first_different_line], ["ready", 0n]);
 });
 
-test("a session that the user ends in the middle of a reach leaves a page that works", async (page) => {
+test("the page works after the user has ended the session during a reach", async (page) => {
   await enter(page, "#enter-ar");
   await pinch(page, start);
   await slide(page, { until: 0.5 });
@@ -190,12 +190,12 @@ test("a session that the user ends in the middle of a reach leaves a page that w
   assert.equal(await page.locator("#results tbody tr").count(), 1);
   await enter(page);
   assert.equal(await phase(page), "placing", "and enters again");
-  await page.evaluate(() => document.getElementById("leave").click());  // the emulator's own picture lies over it
+  await page.evaluate(() => document.getElementById("leave").click());  // the emulator's picture covers it
   await page.waitForFunction(() => !globalThis.headset.device.activeSession, null, { polling: 20 });
 });
 
-// Of samples/plate/model/marks.csv, on a plate turned by 20 degrees to the left about its centre.
-test("a plate is placed by touches of its marks, and a bad touch is found", async (page) => {
+// Marks of samples/plate/model/marks.csv, on a plate rotated by 20 degrees to the left about its centre.
+test("touches of the marks place the plate, and a wrong touch is rejected", async (page) => {
   const marks = (await readFile(join(sources, "../plate/model/marks.csv"), "utf8")).trim().split("\n").slice(1)
     .map((line) => line.split(",").slice(1, 4).map(Number));
   const angle = 20 * Math.PI / 180, centre = [0.1, 1.1, -0.5];

@@ -1,4 +1,4 @@
-// What models_test.mjs tests of the page: everything that needs no browser.
+// The modules of the page that models_test.mjs tests: those that need no browser.
 export { load } from "haptic-retargeting";
 export * as hrt from "haptic-retargeting";
 export { HandReach, HapticPlate } from "haptic-retargeting/three";

@@ -1,4 +1,4 @@
-// The page without its page: simulation, controllers, both modes, settings and links, under node.
+// The page's modules without a document, under node: simulation, controllers, both modes, settings and links.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
@@ -12,7 +12,7 @@ const settings = (changes = {}) => ({ ...models.defaultSettings(), ...changes })
 const near = (value, expected, tolerance, what) =>
   assert.ok(Math.abs(value - expected) <= tolerance, `${what}: ${value}, expected ${expected} within ${tolerance}`);
 
-/** The results of `count` reaches, one after another. */
+/** Returns the results of `count` successive reaches. */
 function watch(changes, count = 1) {
   const reaches = new models.Watch(library, world, settings(changes)), results = [];
   while (results.length < count) {
@@ -24,7 +24,7 @@ function watch(changes, count = 1) {
 }
 const hits = (results) => results.filter((result) => Math.abs(result.bearingError_deg) <= 1.5).length;
 
-/** A session within a reach. */
+/** Creates a session that is within a reach. */
 function reaching() {
   const { hrt } = models, session = library.createSession();
   session.beginReach(session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 }),
@@ -32,8 +32,8 @@ function reaching() {
   return session;
 }
 
-// The first of all: code that has met the other tests' doubles of hands and frames boxes more numbers.
-test("a frame of a hand makes no objects", (t) => {
+// This test must be the first: after other tests' doubles of hands and frames the engine boxes more numbers.
+test("a frame of a hand allocates no objects", (t) => {
   const plate = new models.HapticPlate(), position = { x: 0, y: 0.002, z: 0.05 }, pose = { transform: { position } };
   const hand = new Map([["index-finger-tip", 1]]), frame = { getJointPose: () => pose };
   let time_ms = 0;
@@ -44,7 +44,7 @@ test("a frame of a hand makes no objects", (t) => {
       reach.updateFromHand(time_ms, frame, hand, 0);
     }
   };
-  // What the engine itself makes until it has compiled the frame's code is in the first measurements only.
+  // Only the first measurements include allocations of the engine before it has compiled the code.
   let us = Infinity, bytes = Infinity;
   for (let i = 0; i < 8; ++i) {
     globalThis.gc();
@@ -55,12 +55,12 @@ test("a frame of a hand makes no objects", (t) => {
   }
   t.diagnostic(`${bytes.toFixed(1)} bytes and ${us.toFixed(1)} us a frame`);
   assert.ok(us < 1000, `${us} us a frame`);
-  // The engine boxes one number or two, of 16 bytes each; an object of three numbers has 48 or more.
+  // The engine boxes one or two numbers of 16 bytes each; an object of three numbers takes at least 48 bytes.
   assert.ok(bytes < 48, `${bytes} bytes a frame`);
   session.destroy();
 });
 
-test("the world has core's illusion", () => {
+test("the world computes core's illusion", () => {
   world.set_person(1, 0.2, 1.5);
   near(world.felt_shift_deg(40, 0), 8, 1e-12, "w t");
   near(world.felt_shift_deg(-30, 10), -8, 1e-12, "t is the plate less the finger");
@@ -79,15 +79,15 @@ test("the plate follows after its latency at its speed", () => {
   near(world.plate_deg(), 50, 1e-9, "where it was sent");
 });
 
-test("a reach is a function of its settings and its number", () => {
+test("a reach depends only on its settings and its number", () => {
   const first = watch({ person: 3 }, 2).results, again = watch({ person: 3 }, 2).results;
   assert.deepEqual(first, again);
   assert.notEqual(first[0].toCylinder_mm, first[1].toCylinder_mm);
   assert.notEqual(watch({ person: 4 }).results[0].toCylinder_mm, first[0].toCylinder_mm);
 });
 
-// At rest (1 - w) P + w T is the goal: over a still plate at 0 the person ends at V / (1 - w).
-test("over a still plate the hand goes to the glass, and somewhat beyond", () => {
+// The person steers (1 - w) P + w T to the goal V: over a plate that stays at 0 they end at P = V / (1 - w).
+test("over a plate that does not turn the hand ends slightly beyond the glass", () => {
   const { results } = watch({ controller: "off", pace_s: 3, gap_deg: 12, tactile_weight: 0.2 }, 20);
   const mean = results.reduce((sum, result) => sum + result.bearingError_deg, 0) / results.length;
   near(mean, 12 / 2 / 0.8 + 12 / 2, 0.8, "mean bearing from the cylinder");
@@ -95,18 +95,18 @@ test("over a still plate the hand goes to the glass, and somewhat beyond", () =>
   for (const result of results) near(result.plateFastest_deg_s, 0, 0, "a still plate");
 });
 
-test("what is learnt of a person stays for another gap and plate, and goes with another person", () => {
+test("estimates are kept for another gap and plate, and discarded for another person", () => {
   const { watch: reaches, results } = watch({ tactile_weight: 0.25 }, 4);
   const learnt = results[3].weight;
   reaches.apply(settings({ tactile_weight: 0.25, gap_deg: 6, plate_deg_s: 300, noise_mm: 0.5 }));
   assert.equal(reaches.number, 5);
   for (let ms = 0; ms < 20; ++ms) reaches.advance();
-  near(reaches.command.tactile_weight, learnt, 0.02, "the believed weight");
+  near(reaches.command.tactile_weight, learnt, 0.02, "the estimated weight");
   reaches.apply(settings({ tactile_weight: 0.26, gap_deg: 6 }));
   assert.equal(reaches.number, 1);
 });
 
-test("each slider does what it says", () => {
+test("each slider has its effect on the result", () => {
   const base = watch({}).results[0];
   near(base.motion_s, 1.5, 0.002, "pace");
   near(watch({ pace_s: 3 }).results[0].motion_s, 3, 0.002, "pace");
@@ -118,13 +118,13 @@ test("each slider does what it says", () => {
   near(watch({ controller: "off", gap_deg: 0 }).results[0].bearingError_deg, 0, 4, "no gap, no plate: straight ahead");
 });
 
-test("no frame makes the trace longer than its memory, and no number in it is infinite", () => {
+test("the trace does not exceed its capacity and contains finite numbers", () => {
   const { trace } = watch({ pace_s: 4, plate_deg_s: 50 });
   assert.equal(trace.length, 490);  // 0.6 s at rest, 4 s, 0.3 s at rest
   for (const { plate_deg, weight } of trace) assert.ok(Math.abs(plate_deg) <= 90 && weight > 0);
 });
 
-/** A visitor steers the dot that they see to the glass. */
+/** Lets a visitor steer the dot to the glass. */
 function steer(hand, how, gap_deg = settings().gap_deg) {
   hand.begin(gap_deg);
   hand.advance(700);
@@ -139,7 +139,7 @@ function steer(hand, how, gap_deg = settings().gap_deg) {
 }
 
 for (const delay_ms of [100, 200]) {
-  test(`a visitor who sees the dot ${delay_ms} ms late is led to the cylinder, and without the plate goes to the glass`, () => {
+  test(`a visitor who sees the dot ${delay_ms} ms late ends at the cylinder, and without the plate at the glass`, () => {
     const led = new models.Hand(library, world, settings()), plain = new models.Hand(library, world, settings({ controller: "off" }));
     for (let slide = 0; slide < 5; ++slide) {
       const on = steer(led, { delay_ms });
@@ -152,13 +152,13 @@ for (const delay_ms of [100, 200]) {
   });
 }
 
-test("a hand that is not steered goes to the glass, and the dot passes beside it", () => {
+test("a hand that is not steered ends at the glass, and the dot misses it", () => {
   const { toGlass_mm, feltToGlass_mm, gap_deg } = steer(new models.Hand(library, world, settings()), { delay_ms: 0, gain: 0 });
   assert.ok(toGlass_mm < 1 && feltToGlass_mm > 12 && gap_deg > 7, `${toGlass_mm} ${feltToGlass_mm} ${gap_deg}`);
 });
 
-// By hand: felt = true + w (plate - true), so that a true 0 over a plate at 50 degrees is a felt 50 w.
-test("the dot goes where the sum of touch says", () => {
+// Derived by hand: perceived = true + w (plate - true), so that 0 over a plate at 50 degrees is perceived as 50 w.
+test("the dot moves in the weighted mean of true direction and plate orientation", () => {
   const hand = new models.Hand(library, world, settings({ controller: "off", tactile_weight: 0.2, gap_deg: 0 }));
   hand.plateConnected_deg = 50;
   for (let i = 0; i < 20; ++i) {
@@ -169,7 +169,7 @@ test("the dot goes where the sum of touch says", () => {
   near(models.length_m(models.start, hand.finger), models.length_m(models.start, hand.felt), 1e-12, "as far");
 });
 
-test("a hand does as it should at its limits", () => {
+test("a hand ignores NaN, arrives at a far position, and restarts after a short slide", () => {
   const hand = new models.Hand(library, world, settings());
   hand.moveTo(NaN, 1);
   hand.advance(16);
@@ -188,7 +188,7 @@ test("a hand does as it should at its limits", () => {
   assert.equal(hand.phase, "waiting", "a short slide starts again");
 });
 
-test("a hand that rests for an hour records nothing more", () => {
+test("an hour of rest is not recorded", () => {
   const hand = new models.Hand(library, world, settings());
   hand.advance(2000);
   assert.equal(hand.resting, true);
@@ -204,8 +204,8 @@ test("a hand that rests for an hour records nothing more", () => {
   assert.equal(library.replay(hand.recording).first_different_line, 0n);
 });
 
-// Observers whose threshold is 9 degrees, and who answer as the curve has it.
-test("six answers give a limit whose interval is wide, and sixty one that is right", () => {
+// Simulated observers have a threshold of 9 degrees, and answer by the psychometric function.
+test("six answers estimate the threshold with a wide interval, sixty answers precisely", () => {
   let seed = 1;
   const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
   const after = (answers) => {
@@ -222,7 +222,7 @@ test("six answers give a limit whose interval is wide, and sixty one that is rig
   assert.ok(sixty.lower < 9 && 9 < sixty.upper && sixty.upper - sixty.lower < 5, JSON.stringify(sixty));
 });
 
-/** Worn on a connected plate whose marks were touched: what a reach that ends at the cylinder shows of the registration. */
+/** Returns the registration after a reach to the cylinder, in a headset with a connected plate whose marks were touched. */
 function meet(hasCylinder) {
   const plate = new models.HapticPlate(), tip = { x: 0, y: 0, z: 0.05 };
   const hand = new Map([["index-finger-tip", 1]]), eyes = { transform: { orientation: { x: 0, y: 0, z: 0, w: 1 } } };
@@ -245,12 +245,12 @@ function meet(hasCylinder) {
   return wear.session.config.contact_covariance;
 }
 
-test("a cylinder that is met corrects the registration, and other settings keep that", () => {
+test("contact with the cylinder corrects the registration, and other settings keep it", () => {
   assert.ok(meet(true).some((value) => value > 0));
   assert.deepEqual(meet(false), Array(10).fill(0));
 });
 
-/** A reach of a straight, slow slide: `see(frame, place)` gives the plugin each position, in plate coordinates. */
+/** Makes a straight, slow reach: `see(frame, place)` passes each position to the plugin, in plate coordinates. */
 function slide(see) {
   const session = reaching(), seeing = see(session), commands = [];
   for (let i = 0; i < 200; ++i) {
@@ -261,8 +261,8 @@ function slide(see) {
   return commands;
 }
 
-// three.js and the package's entry for it. Frames are made here: no headset, and no emulation of one.
-test("a hand that is tracked in the world makes the same reach as positions on the plate", () => {
+// Uses three.js and the package's entry for it. The frames are test doubles, without a headset or its emulation.
+test("a hand tracked in the world gives the same reach as positions on the plate", () => {
   const direct = slide((session) => (time_ms, place) => {
     session.sample.flags = models.hrt.HRT_SAMPLE_PLATE_POSITION;
     session.sample.time_ns = time_ms * 1e6;
@@ -292,8 +292,8 @@ test("a hand that is tracked in the world makes the same reach as positions on t
   }
 });
 
-// The reach of all hosts, given as frames of a headset: a plate at the origin, so that no digit is lost.
-test("a hand makes the reach of all hosts, to the golden hash", async () => {
+// The reach that all hosts run, as frames of a headset. The plate is at the origin, so that no digit is lost.
+test("frames of a hand reproduce the golden hash of all hosts", async () => {
   const { runReach } = await import("../../../plugin/bindings/web/examples/reach.mjs");
   const plate = new models.HapticPlate();
   const tracked = { createSession: (config) => {
@@ -312,7 +312,7 @@ test("a hand makes the reach of all hosts, to the golden hash", async () => {
   assert.equal(runReach(models.hrt, tracked).hash, (await readFile(reachHash, "utf8")).trim());
 });
 
-test("a hand that is lost is a dropout, and comes back", () => {
+test("a lost hand is a dropout until it is tracked again", () => {
   const plate = new models.HapticPlate();
   slide((session) => {
     const reach = new models.HandReach(session, plate), hand = new Map([["index-finger-tip", 1]]);
@@ -320,7 +320,7 @@ test("a hand that is lost is a dropout, and comes back", () => {
       const i = Math.round(time_ms / 11), before_deg = plate.orientation_deg;
       const pose = [null, undefined, { transform: { position: { x: NaN, y: 0, z: 0 } } }][i % 3];
       const lost = i >= 90 && i < 100, noHand = i === 95 ? [null, undefined, new Map()][i % 3] : hand;
-      // A browser without hands has no getJointPose, a session that begins no reference space.
+      // A browser without hand tracking has no getJointPose, a starting session no reference space.
       const getJointPose = i === 96 ? undefined : () => (lost && i !== 97 ? pose : { transform: { position } });
       reach.updateFromHand(time_ms, { getJointPose }, noHand, i === 97 ? null : 0);
       assert.equal(reach.lost, lost);
@@ -339,7 +339,7 @@ test("the plate turns counter-clockwise seen from above, within its mount", () =
   near(plate.rotation.y, 0, 0, "the mount");
 });
 
-test("a link carries the settings, and its faults are named", () => {
+test("a link contains the settings, and its errors are listed", () => {
   const chosen = settings({ tactile_weight: 0.3, gap_deg: 7.5, controller: "paper", person: 12 });
   assert.equal(models.toLink(settings(), "hand"), "");
   assert.equal(models.toLink(chosen, "watch"), "mode=watch&tactile_weight=0.3&gap_deg=7.5&controller=paper&person=12");
@@ -353,7 +353,7 @@ test("a link carries the settings, and its faults are named", () => {
   assert.match(models.fromLink("gap_deg=21").problems[0], /gap_deg is "21"; allowed: 0 to 20/);
 });
 
-test("words on the board wrap", () => {
+test("text on the board is wrapped", () => {
   const fits = (line) => line.length <= 10;
   assert.deepEqual(models.wrapped("rest your fingertip at abcdefghijklmno", fits), ["rest your", "fingertip", "at", "abcdefghijklmno"]);
   assert.deepEqual(models.wrapped("", fits), [""]);

@@ -1,5 +1,5 @@
-// The page in headless Chromium, as a visitor has it: by mouse, by keyboard, on a desktop and at 500 pixels, light and
-// dark. Screenshots of each state go to FOLDER_OF_SCREENSHOTS, for people to look at.
+// The page in headless Chromium, as visitors use it: by mouse and keyboard, on a desktop and 500 pixels wide, light and
+// dark. Screenshots of each state are saved in FOLDER_OF_SCREENSHOTS for inspection.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join, resolve } from "node:path";
@@ -10,11 +10,11 @@ import { accessible, arrived, desk, desktop, drawn, drop, ended, frames, launch,
 
 const { PNG } = require("pngjs");
 
-test("the first words say that this is simulation", () => visit(async (page) => {
+test("the first text says that this is simulation", () => visit(async (page) => {
   assert.match((await page.innerText("body")).trim(), /^Simulation\s+A turning plate/);
 }));
 
-test("a reach arrives at the cylinder while the glass is felt", () => visit(async (page) => {
+test("a reach ends at the cylinder and is perceived to end at the glass", () => visit(async (page) => {
   const result = await newest(page);
   assert.equal(result.controller, "ours");
   assert.ok(arrived(result), `bearing error ${result.bearingErrorDeg}`);
@@ -23,7 +23,7 @@ test("a reach arrives at the cylinder while the glass is felt", () => visit(asyn
   assert.match(await text(page, "#caption"), /^Arrived\. The finger is \d+\.\d mm from the cylinder/);
 }));
 
-test("without a plate that turns, and with the paper's for another person, the reach misses", () => visit(async (page) => {
+test("a reach misses without the plate, and with the paper's controller for another person", () => visit(async (page) => {
   await page.locator("input[value=ours]").focus();
   await page.keyboard.press("ArrowLeft");
   const paper = await newest(page);
@@ -61,7 +61,7 @@ test("each slider moves by keyboard, and the next reach shows it", () => visit(a
   assert.equal(new URL(page.url()).hash, "#mode=watch");
 }));
 
-test("a gap that cannot be held is said so", () => visit(async (page) => {
+test("a gap that is not feasible is reported", () => visit(async (page) => {
   assert.match(await text(page, "#holds"), /^Too far: .* 6\.0°/);
   assert.equal(arrived(await newest(page)), false);
   for (let i = 0; i < 4; ++i) await page.click("#again");
@@ -69,17 +69,17 @@ test("a gap that cannot be held is said so", () => visit(async (page) => {
   await shoot(page, "watch_too_far");
 }, { link: "researchers.html#mode=watch&tactile_weight=0.08&gap_deg=15" }));
 
-test("the chart is a table too", () => visit(async (page) => {
+test("the chart is also shown as a table", () => visit(async (page) => {
   assert.ok(await page.locator("#trace tbody tr").count() >= 10);
-  // Three strips, each with what is under the cursor; the weight that is believed, at the end.
+  // Three strips, each with the values under the cursor; the last one shows the estimated weight.
   assert.equal(await page.locator("#chart .uplot").count(), 3);
-  await page.locator("#chart .u-over").last().hover();  // its middle
+  await page.locator("#chart .u-over").last().hover();  // at its centre
   await page.locator("#chart .u-legend", { hasText: /felt:?\s*-?\d+\.\d°/ }).waitFor();
-  assert.match(await page.locator("#chart .u-legend").last().innerText(), /believed:?\s*0\.[12]\d/);
+  assert.match(await page.locator("#chart .u-legend").last().innerText(), /estimate:?\s*0\.[12]\d/);
   assert.match(await page.locator("#trace tbody tr").nth(5).innerText(), /^1\.0 s\s+\d+° (left|right)\s+\d+\.\d° (left|right)/);
 }));
 
-test("each of the six figures follows a drag in the picture, and keys, and says what is seen", () => visit(async (page) => {
+test("each of the six figures follows a drag and keys, and describes its state", () => visit(async (page) => {
   for (let i = 1; i <= 6; ++i) {
     const figure = page.locator(`#figure-${i}`), said = new Set();
     await figure.scrollIntoViewIfNeeded();
@@ -97,7 +97,7 @@ test("each of the six figures follows a drag in the picture, and keys, and says 
     await page.locator(`#see-${i}`).press("ArrowLeft");
     assert.notEqual(await figure.innerHTML(), drawings.at(-1));
   }
-  // Ridges that are turned by 40 degrees push square to themselves: the arrow is the ridges' normal.
+  // The ridges, at 40 degrees, push along their normal, which the arrow shows.
   const turned = await page.locator("#figure-2").evaluate((figure) => {
     const [x, y] = figure.querySelector("path.touch").getAttribute("d").match(/-?[\d.]+/g).slice(2).map(Number);
     return [Math.atan2(x, -(y - 50)) * 180 / Math.PI, Number(/rotate\((.*)\)/.exec(figure.querySelector(".ridge").getAttribute("transform"))[1])];
@@ -116,7 +116,7 @@ test("a reach plays, pauses and steps", () => visit(async (page) => {
   const finger = await text(page, "#caption");
   assert.match(finger, /^The finger moves \d+° (left|right); over these ridges that feels like/);
   await frames(page, 100, 3);
-  assert.equal(await text(page, "#caption"), finger, "it stands still");
+  assert.equal(await text(page, "#caption"), finger, "a paused reach does not move");
   for (let i = 0; i < 40 && await phase(page) !== "arrived"; ++i) {
     await page.click("#step");
     await frames(page, 20);
@@ -129,18 +129,18 @@ test("a reach plays, pauses and steps", () => visit(async (page) => {
   assert.equal(await page.locator("#results tbody tr").count(), 2);
 }, { motion: true }));
 
-/** Where the ring, the glass or the dot is, in the window. */
+/** Returns the position of the ring, the glass or the dot in the window. */
 async function place(page, name) {
   const box = await page.locator("#view").boundingBox(), at = await page.locator("#stage").getAttribute(`data-${name}`);
   return at.split(" ").map((number, i) => Number(number) + [box.x, box.y][i]);
 }
 const hidden = (page) => page.locator("#label-finger").isHidden();
-const own = { motion: true, link: "", viewport: { width: 390, height: 560 } };  // a processor draws
+const own = { motion: true, link: "", viewport: { width: 390, height: 560 } };  // small, for software rendering
 
-/** A visitor steers the dot that is drawn to the glass, by mouse: without a click, or pressed from `grip` pixels off the ring. Ends
- *  early where `until` of the way is left. */
+/** Lets a visitor steer the dot to the glass by mouse, without a click or pressed at `grip` pixels from the ring. Stops when the
+ *  fraction `until` of the path remains. */
 async function steer(page, { delay_ms = 100, grip = null, until = 0 } = {}) {
-  await frames(page, 100, 9);  // so slow that the picture becomes a light one
+  await frames(page, 100, 9);  // slow enough that the picture is simplified
   const ring = await place(page, "start"), glass = await place(page, "glass"), from = ring.map((x, i) => x + (grip?.[i] ?? 0));
   const px = Math.hypot(glass[0] - ring[0], glass[1] - ring[1]) / 0.1, onPlate = ([x, y]) => ({ right_m: x / px, away_m: -y / px });
   const go = visitor({ start: onPlate(ring), glass: onPlate(glass), delay_ms, step_ms: 20 });
@@ -187,8 +187,8 @@ for (const delay_ms of [100, 200]) test(
   await shoot(page, `hand_both_${delay_ms}`);
 }, own));
 
-// Zero clicks: the mouse comes to the ring, which takes the finger along.
-test("the hand is hidden while it is led, and then seen at the cylinder, where the cursor is", () => visit(async (page) => {
+// Without a click: a mouse that reaches the ring takes the finger along.
+test("the hand is hidden during the slide, then shown at the cylinder under the cursor", () => visit(async (page) => {
   await frames(page, 100, 12);
   assert.equal(await text(page, "#caption"), "Slide the dot from the ring to the glass.");
   assert.equal(await page.locator(".stand-in").innerText(), "Here your eye stands in for your fingertip.");
@@ -210,7 +210,7 @@ test("the hand is hidden while it is led, and then seen at the cylinder, where t
   assert.equal(await hidden(page), false);
   assert.ok(await skin(page) > unseen + 3000, `the hand is seen: ${unseen} pixels like skin before`);
   await shoot(page, "hand_arrived");
-  // Moment by moment, with the three arrows, and beside one with the plate off.
+  // The replay shows the three arrows, beside a slide with the plate off.
   const text_on = await text(page, "#moment-text"), path = () => page.locator("#slide-on path.real").first().getAttribute("d"), whole = await path();
   await page.locator("#moment").press("Home");
   for (let i = 0; i < 50; ++i) await page.keyboard.press("ArrowRight");
@@ -219,7 +219,7 @@ test("the hand is hidden while it is led, and then seen at the cylinder, where t
   assert.ok((await path()).length < whole.length && await page.locator("#slide-on path.tip").count() === 3);
   assert.equal(await text(page, "#slide-off-missing"), "– not yet");
   await shoot(page, "hand_compare");
-  // What has arrived stays, whatever is clicked elsewhere.
+  // A finished slide is kept when the visitor clicks elsewhere.
   await page.mouse.click(...await place(page, "start"));
   await page.mouse.click(...glass);
   await page.mouse.click(20, 300);
@@ -227,7 +227,7 @@ test("the hand is hidden while it is led, and then seen at the cylinder, where t
   assert.equal((await ended(page)).toCylinderMm, toCylinderMm);
 }, own));
 
-test("six answers give the visitor's own limit, and what it does not mean", () => visit(async (page) => {
+test("six answers estimate the visitor's threshold, with a note on its meaning", () => visit(async (page) => {
   const gaps = [];
   for (let i = 1; i <= 6; ++i) {
     await steer(page);
@@ -244,11 +244,11 @@ test("six answers give the visitor's own limit, and what it does not mean", () =
   const [, limit, lower, upper] = /^Your limit, after 6 answers: led (\d+) mm aside, .* 95 % is (\d+) to (\d+) mm\. This is no limit of touch/.exec(await text(page, "#limit")).map(Number);
   assert.ok(lower < limit && limit < upper, `${lower} ${limit} ${upper}`);
   await steer(page);
-  assert.match(await text(page, "#learnt"), /^Learnt from your slides: ridges count (1\d|2\d) % in what you feel \(\d+ to \d+ %\)\.$/);
+  assert.match(await text(page, "#learnt"), /^Learnt from your slides: ridges contribute (1\d|2\d) % to the direction that you feel \(\d+ to \d+ %\)\.$/);
   await shoot(page, "hand_limit");
 }, own));
 
-test("by keyboard the hand is led, and a lifted finger is said so", () => visit(async (page) => {
+test("keys steer the hand, and a lifted finger is reported", () => visit(async (page) => {
   await page.locator("#stage").focus();
   await page.keyboard.down("ArrowUp");
   await frames(page, 40, 20);
@@ -262,7 +262,7 @@ test("by keyboard the hand is led, and a lifted finger is said so", () => visit(
   assert.match(await text(page, "#caption"), /^The plate is off\./);
 }, own));
 
-test("a thumb on the disc drags the dot from anywhere, beyond the window too; a short drag begins again", () => visit(async (page) => {
+test("a thumb on the disc drags the dot, also outside the window; a short drag restarts", () => visit(async (page) => {
   await steer(page, { grip: [80, -20], until: 0.9 });
   assert.equal(await phase(page), "waiting");
   await steer(page, { grip: [60, -20] });
@@ -282,7 +282,7 @@ test("a thumb on the disc drags the dot from anywhere, beyond the window too; a 
   await page.mouse.up();
 }, { ...own, viewport: phone }));
 
-test("ridges are heard, louder when fast, keys are guided by tones, and one button, which is remembered, turns all off", () => visit(async (page) => {
+test("ridges and guiding tones are audible, louder when fast, and one stored switch turns them off", () => visit(async (page) => {
   const heard = () => page.evaluate(() => globalThis.heard.splice(0));
   const slide = async () => {
     await page.locator("#stage").focus();
@@ -320,7 +320,7 @@ test("ridges are heard, louder when fast, keys are guided by tones, and one butt
   };
 }})()` }));
 
-test("the first screen has a title, a mark, and two controls; a thumb scrolls beside the disc", async () => {
+test("the first screen has a title, a mark and two controls; a thumb scrolls beside the disc", async () => {
   for (const viewport of [phone, tablet, desktop]) await visit(async (page) => {
     await page.waitForSelector("#stage[data-hand=yes]");
     const seen = await page.evaluate(() => [...document.querySelectorAll("h1, .mark, #caption, #view, button, select, fieldset, summary, input[type=range], a")].filter((each) => {
@@ -333,7 +333,7 @@ test("the first screen has a title, a mark, and two controls; a thumb scrolls be
       return getComputedStyle(document.elementFromPoint(box.x + right * box.width, box.y + down * box.height)).touchAction;
     }, [x, y]);
     assert.deepEqual([await touch(0.5, 0.5), await touch(0.02, 0.02), await touch(0.98, 0.98)], ["none", "pan-y pinch-zoom", "pan-y pinch-zoom"]);
-    // The caption lies beside the picture, and no label on a target.
+    // The caption does not cover the picture, and no label covers a target.
     const boxes = await page.evaluate(() => ["caption", "view"].map((id) => document.getElementById(id).getBoundingClientRect()).map(({ top, bottom }) => [top, bottom]));
     assert.ok(boxes[0][1] <= boxes[1][0]);
     const disc = await page.locator("#grip").boundingBox();
@@ -343,7 +343,7 @@ test("the first screen has a title, a mark, and two controls; a thumb scrolls be
   }, { link: "", viewport });
 });
 
-test("frames stop while nothing moves, and come again with the visitor", () => visit(async (page) => {
+test("frames stop while nothing moves, and resume on input", () => visit(async (page) => {
   const waiting = () => page.evaluate(() => globalThis.framesWaiting());
   await page.waitForSelector("#stage[data-hand=yes]");
   await frames(page, 100, 15);
@@ -378,7 +378,7 @@ test("a restored WebGL context draws again", () => visit(async (page) => {
   assert.ok(await skin(page) > 2000, "the hand is seen again");
 }, { ...own, link: "researchers.html#mode=watch", strict: false }));
 
-test("a part that does not come is said, with a way to try again", () => visit(async (page) => {
+test("a part that cannot be loaded is reported, with a button to retry", () => visit(async (page) => {
   await page.route("**/part_*", (route) => route.abort());
   await page.locator("label:has(input[value=wear])").click();
   await page.locator("#problem-text", { hasText: /^The headset's part could not be loaded: / }).waitFor();
@@ -388,7 +388,7 @@ test("a part that does not come is said, with a way to try again", () => visit(a
   assert.equal(await page.locator("#problem").isVisible(), false);
 }, { link: "", strict: false }));
 
-test("a reach and what was learnt are saved, and the reach replays", () => visit(async (page) => {
+test("recording and profile are saved, and the recording replays", () => visit(async (page) => {
   await drawn(page);
   const recording = await saved(page, "#save-recording"), profile = await saved(page, "#save-profile");
   assert.deepEqual([recording.name, profile.name], ["reach.csv", "profile.json"]);
@@ -398,14 +398,14 @@ test("a reach and what was learnt are saved, and the reach replays", () => visit
   assert.ok(lines.filter((line) => line.startsWith("update,0,")).length > 200);
 
   await page.setInputFiles("#open-file", { name: "mine.csv", mimeType: "text/csv", buffer: Buffer.from(lines.join("\n")) });
-  await page.locator("#replayed", { hasText: /^mine\.csv: All 2\d\d calls gave the same numbers again, bit for bit\. A rec/ }).waitFor();
+  await page.locator("#replayed", { hasText: /^mine\.csv: All 2\d\d calls gave the recorded numbers, bit for bit\. A rec/ }).waitFor();
   await drawn(page);
   assert.deepEqual([await text(page, "#slide-on-name"), await page.locator("#slide-on path.real").count() >= 1], ["mine.csv", true]);
   await accessible(page);
   await shoot(page, "replay");
 }));
 
-test("a dropped recording of another host replays, and a bad one is refused in the plugin's words", () => visit(async (page) => {
+test("a recording of another host replays, and a bad one is refused with the plugin's error", () => visit(async (page) => {
   const reach = await readFile(recorded, "utf8");
   for (const [content, words] of [["", /^x\.csv: .*does not begin/], ["call,result\n<script>", /does not begin/],
                                   [reach.replace(/version \d+/, "version 999"), /^x\.csv: .+/]]) {
@@ -417,11 +417,11 @@ test("a dropped recording of another host replays, and a bad one is refused in t
   await drop(page, "altered.csv", [...lines.slice(0, altered), cells.join(","), ...lines.slice(altered + 1)].join("\n"));
   await page.locator("#replayed", { hasText: new RegExp(`^altered\\.csv: Line ${altered + 1} gave other numbers than those recorded\\. The recording is not`) }).waitFor();
   await drop(page, "reach.csv", reach);
-  await page.locator("#replayed", { hasText: `reach.csv: All ${rows} calls gave the same numbers again` }).waitFor();
+  await page.locator("#replayed", { hasText: `reach.csv: All ${rows} calls gave the recorded numbers` }).waitFor();
 }));
 
-// Within 75 degrees of the motion a weight w holds 75 w degrees, and the plate stands at the gap (1 - w) / w from the glass.
-test("a dropped scene appears with what can be held", () => visit(async (page) => {
+// Within 75 degrees of the motion a weight w sustains 75 w degrees, with the plate at gap (1 - w) / w from the glass.
+test("a dropped scene is shown with its feasible gaps", () => visit(async (page) => {
   await drop(page, "desk.gltf", await readFile(desk, "utf8"));
   await page.waitForSelector("#scene-mode:not([hidden])");
   assert.equal(await text(page, "#scene-about"), "desk.gltf: a plate of 75 mm radius, 1 real and 3 virtual targets.");
@@ -432,7 +432,7 @@ test("a dropped scene appears with what can be held", () => visit(async (page) =
     [true, true, true, true, true], [false, true, true, true, true], [false, false, true, true, true]]);
   assert.equal(rows[0][5], "30° left");
   assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["hand", "felt here", "cylinder", "bottle", "goblet", "pawn"]);
-  // Reaches lead to the file's own targets: 6 degrees to the bottle, 8 to the other side to the goblet.
+  // Reaches lead to the targets of the file: the bottle at 6 degrees, the goblet at 8 degrees on the other side.
   const bottle = await newest(page);
   assert.ok(Math.abs(bottle.gapDeg - 6) < 1e-6 && arrived(bottle) && bottle.feltToGlassMm < 8, JSON.stringify(bottle));
   await page.selectOption("#scene-pair", { label: "goblet, felt; cylinder, reached" });
@@ -445,7 +445,7 @@ test("a dropped scene appears with what can be held", () => visit(async (page) =
   assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["cylinder", "glass", "hand", "felt here"]);
 }));
 
-test("a bad scene is refused in the loader's words", () => visit(async (page) => {
+test("a bad scene is refused with the loader's error", () => visit(async (page) => {
   const scene = await readFile(desk, "utf8");
   for (const [content, words] of [["", /^bad\.gltf: /], ["{", /^bad\.gltf: /], ["{}", /^bad\.gltf: /],
                                   [scene.replace('"radius_m": 0.075', '"radius_m": -1'), /^bad\.gltf: .*Plate.*radius_m/],
@@ -454,7 +454,7 @@ test("a bad scene is refused in the loader's words", () => visit(async (page) =>
   }
 }));
 
-test("spoken cues are off until asked for", () => visit(async (page) => {
+test("spoken cues are off by default", () => visit(async (page) => {
   const spoken = () => page.evaluate(() => globalThis.spoken.splice(0));
   await page.click("#again");
   assert.deepEqual(await spoken(), []);
@@ -480,13 +480,13 @@ test("a scene whose meshes cannot be drawn is shown without them, and nothing is
                                   [changed(({ buffers }) => { buffers[0].uri = "https://127.0.0.1:9/desk.bin"; }), /lie in another file: drop it together|^bad/],
                                   [changed(({ nodes }) => { while (nodes.length < 2000) nodes.push({ mesh: 6 }); }), /draw \d{7} vertices/]]) {
     await drop(page, "bad.gltf", content);
-    // Not waitForFunction(), which the page's policy forbids.
+    // The page's policy forbids waitForFunction().
     await page.locator("#scene-about, #refused:not([hidden])").filter({ hasText: words }).first().waitFor();
     await page.evaluate(() => { for (const id of ["refused", "scene-about"]) document.getElementById(id).textContent = ""; });
   }
 }));
 
-test("a scene comes with its buffer in another file, and a picture says what is taken", () => visit(async (page) => {
+test("a scene opens with its separate buffer file, and a picture file is refused with the accepted types", () => visit(async (page) => {
   const scene = JSON.parse(await readFile(desk, "utf8")), buffer = Buffer.from(scene.buffers[0].uri.split(",")[1], "base64");
   scene.buffers[0].uri = "the%20desk.bin";
   const open = (...files) => page.setInputFiles("#open-file", files.map(([name, content]) => ({ name, mimeType: "", buffer: Buffer.from(content) })));
@@ -497,12 +497,12 @@ test("a scene comes with its buffer in another file, and a picture says what is 
   assert.equal(await text(page, "#scene-about"), "desk.gltf: a plate of 75 mm radius, 1 real and 3 virtual targets.", "with its meshes");
 }));
 
-test("a bad link is named, and its good part is used", () => visit(async (page) => {
-  assert.equal(await text(page, "#problem-text"), "Left out of the link: gap_deg is \"99\"; allowed: 0 to 20.");
+test("an error in a link is reported, and its valid part is used", () => visit(async (page) => {
+  assert.equal(await text(page, "#problem-text"), "Ignored in the link: gap_deg is \"99\"; allowed: 0 to 20.");
   assert.equal(await text(page, "output[for=noise_mm]"), "0.3 mm");
 }, { link: "researchers.html#mode=watch&gap_deg=99&noise_mm=0.3" }));
 
-test("the page reaches no other machine, by its own policy", () => visit(async (page) => {
+test("the page's policy blocks requests to other machines", () => visit(async (page) => {
   const refused = await page.evaluate(async () => {
     const tries = [fetch("https://127.0.0.1:9/"), fetch("https://localhost/"), import("data:text/javascript,1")];
     return (await Promise.allSettled(tries)).map(({ status }) => status);
@@ -510,7 +510,7 @@ test("the page reaches no other machine, by its own policy", () => visit(async (
   assert.deepEqual(refused, ["rejected", "rejected", "rejected"]);
 }, { strict: false }));
 
-test("the first picture takes 300 kB, and parts come when asked for", () => visit(async (page) => {
+test("the first picture takes 300 kB, and parts are loaded on demand", () => visit(async (page) => {
   const got = () => page.evaluate(() => Object.fromEntries(performance.getEntriesByType("resource").map(
     ({ name, encodedBodySize: size, startTime: from, responseEnd: to }) => [name.replace(/.*\//, ""), { size, from, to }])));
   await page.waitForSelector("#stage[data-hand=yes]");
@@ -529,7 +529,7 @@ test("the first picture takes 300 kB, and parts come when asked for", () => visi
   await page.click("#plate-stop");
 }, { link: "" }));
 
-/** Of a picture, pixels in colours of lit skin. */
+/** Returns the number of pixels of a picture in colours of lit skin. */
 async function skin(page) {
   const { data } = PNG.sync.read(await page.locator("#view").screenshot());
   let count = 0;
@@ -540,7 +540,7 @@ async function skin(page) {
   return count;
 }
 
-test("in Watch a hand is seen, and a drag or the arrows turn the picture; in Be led it stays", () => visit(async (page) => {
+test("a hand is visible in Watch, where a drag or the arrows rotate the picture; Be led keeps its view", () => visit(async (page) => {
   const glass = async () => {
     await drawn(page);
     return page.locator("#label-glass").evaluate((label) => label.style.transform);
@@ -566,7 +566,7 @@ test("in Watch a hand is seen, and a drag or the arrows turn the picture; in Be 
   assert.equal(await glass(), above);
 }));
 
-test("eight slow frames in a row, and the picture has no finer pixels than the page", () => visit(async (page) => {
+test("eight successive slow frames reduce the picture to the page's resolution", () => visit(async (page) => {
   const pixels = () => page.locator("#stage canvas").evaluate((canvas) => canvas.width / canvas.clientWidth);
   await frames(page, 100, 7);
   await frames(page, 16);
@@ -576,11 +576,11 @@ test("eight slow frames in a row, and the picture has no finer pixels than the p
   assert.equal(await pixels(), 1);
 }, { motion: true, script: () => Object.defineProperty(window, "devicePixelRatio", { value: 2 }) }));
 
-test("the page opens from a folder, without a server", () => visit(async (page) => {
+test("the page opens from a folder without a server", () => visit(async (page) => {
   assert.equal(arrived(await newest(page)), true);
 }, { base: pathToFileURL(join(resolve(pageFolder), "index.html")).href.replace(/index\.html$/, ""), link: "researchers.html#mode=watch" }));
 
-test("without WebGL a flat picture takes its place", async () => {
+test("a flat picture is drawn without WebGL", async () => {
   const plain = await launch("--disable-3d-apis");
   try {
     await visit(async (page) => {

@@ -1,11 +1,11 @@
-// A plate that the page turns, in headless Chromium: a double of a serial port, and the plate's firmware.
+// The page turns a plate, in headless Chromium: with a test double of a serial port, and with the plate's firmware.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { accessible, arrived, frames, newest, phase, shoot, text, visit } from "./browser.mjs";
 
-const small = { width: 700, height: 500 };  // Chromium draws without a graphics card
+const small = { width: 700, height: 500 };  // Chromium renders in software
 
-/** In the page: a serial port with a plate that is at once where it is sent, among garbage. */
+/** Runs in the page: a serial port with a plate that turns immediately, and garbage between its lines. */
 function plateDouble() {
   const crc = (text) => [...text].reduce((sum, c) => {
     sum ^= c.charCodeAt(0) << 8;
@@ -35,7 +35,7 @@ function plateDouble() {
   Object.defineProperty(navigator, "serial", { configurable: true, value: { requestPort: async () => port } });
 }
 
-/** Frames between which a port has time to answer. */
+/** Draws frames with enough time between them for a port to answer. */
 async function served(page, count) {
   for (let i = 0; i < count; ++i) {
     await frames(page, 40);
@@ -43,7 +43,7 @@ async function served(page, count) {
   }
 }
 
-test("a plate on a serial line follows, is drawn, and its stop is said", () => visit(async (page) => {
+test("a plate on a serial line follows commands and is drawn, and its stop is reported", () => visit(async (page) => {
   await page.locator("label:has(input[value=hand])").click();
   await frames(page, 50, 3);
   await page.click("#plate-serial");
@@ -67,21 +67,21 @@ test("a plate on a serial line follows, is drawn, and its stop is said", () => v
   assert.match((await page.evaluate(() => globalThis.plateDouble.lines)).at(-1), /^STOP \d{5}$/);
 }, { motion: true, viewport: small, script: `(${plateDouble})()` }));
 
-test("without Web Serial the page says so", () => visit(async (page) => {
+test("a browser without Web Serial is reported", () => visit(async (page) => {
   assert.equal(await page.isEnabled("#plate-serial"), false);
   assert.match(await text(page, "#plate-unavailable"), /no Web Serial/);
   assert.equal(await page.locator("#plate-unavailable").isVisible(), true);
 }, { script: "Object.defineProperty(Navigator.prototype, 'serial', { value: undefined })" }));
 
-test("a port that is refused is said", () => visit(async (page) => {
+test("a refused port is reported", () => visit(async (page) => {
   await page.click("#plate-serial");
   await page.locator("#plate-state", { hasText: "No plate is connected: No port selected by the user." }).waitFor();
   assert.equal(await page.isEnabled("#plate-serial"), true);
 }, { script: `Object.defineProperty(navigator, "serial", { value: { requestPort: async () => { throw new Error("No port selected by the user."); } } })` }));
 
-test("the plate's firmware runs in the page, and its servo pulse turns the plate of a reach", () => visit(async (page) => {
+test("the servo pulse of the firmware in the page turns the plate of a reach", () => visit(async (page) => {
   await page.click("#plate-firmware");
-  await page.locator("#plate-stop").waitFor();  // the emulator has been loaded
+  await page.locator("#plate-stop").waitFor();  // until the emulator is loaded
   await frames(page, 50, 20);
   assert.match(await text(page, "#plate-state"), /^Emulated board: -90° to 90° at 200°\/s; measured .* (No pulse yet|Pulse \d+\.\d µs, servo at -?\d+\.\d°)\.$/);
   await page.selectOption("#speed", "1");

@@ -1,4 +1,4 @@
-// The plate's line and its firmware on the emulated board, as the page has them, under node. No board and no servo has run.
+// The page's link to a plate and the firmware on the emulated board, under node. No real board or servo is used.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { models } from "./models.mjs";
@@ -6,8 +6,8 @@ import { models } from "./models.mjs";
 const { Board, crc16, decodeLine, encodeLine, firmware, LineReader, parseMessage, PlateLink } = models;
 const bytes = (text) => new TextEncoder().encode(text);
 
-// plugin/src/plate/protocol.md
-test("sums and lines are the protocol's", () => {
+// The examples of plugin/src/plate/protocol.md.
+test("checksums and lines match the protocol", () => {
   assert.equal(crc16("123456789"), 0x29b1);
   for (const line of ["HELLO 2*0C18", "SET -034.25 00001*2066", "BEAT 00002*3CC0", "AT -034.25 00002*6A12", "STOPPED host*002D",
                       "PLATE 2 -90.00 90.00 300.00 20.00 assumed*F76C"]) {
@@ -22,7 +22,7 @@ test("sums and lines are the protocol's", () => {
   assert.deepEqual(parseMessage("AT -034.25 00002"), { kind: "at", orientation_deg: -34.25, sequence: 2 });
 });
 
-test("what is no message of the protocol is none", () => {
+test("a line that is not a message of the protocol is ignored", () => {
   for (const body of ["", "AT", "AT -34.25 00002", "AT -034.25 2", "AT -034.25 65536", "AT -999.00 00001", "AT -034.25 00002 x", "BOOT now",
                       "STOPPED why", "PLATE 1 -90.00 90.00 300.00 20.00 assumed", "PLATE 2 90.00 -90.00 300.00 20.00 assumed",
                       "PLATE 2 -90.00 90.00 0 20.00 assumed", "PLATE 2 -90.00 90.00 1e3 20.00 assumed", "PLATE 2 -90 90 300 20 guessed",
@@ -31,7 +31,7 @@ test("what is no message of the protocol is none", () => {
   }
 });
 
-test("a reader drops long lines whole, and finds the next one", () => {
+test("a reader drops a line that is too long, and reads the next one", () => {
   const reader = new LineReader(), take = (text) => [...bytes(text)].flatMap((byte) => reader.take([byte]));
   assert.deepEqual(take("one\r\ntwo\n"), ["one", "two"]);
   assert.deepEqual(reader.take(bytes("one\r\ntwo\nth")), ["one", "two"]);
@@ -39,7 +39,7 @@ test("a reader drops long lines whole, and finds the next one", () => {
   assert.deepEqual(take(`${"x".repeat(63)}\n${"x".repeat(64)}\n${"x".repeat(1e6)}\nthree\n`), ["x".repeat(63), "three"]);
 });
 
-/** A plate that answers as `answer` says; its clock is `now`. */
+/** Creates a test double of a plate, with the replies of `answer` and the clock `now`. */
 function double(answer) {
   const said = [], state = { now: 0, said, link: null };
   const link = new PlateLink((text) => {
@@ -54,7 +54,7 @@ function double(answer) {
   return state;
 }
 const facts = "PLATE 2 -90.00 90.00 300.00 20.00 assumed";
-/** A plate that is at once where it is sent. */
+/** Creates a plate that turns to each command immediately. */
 function obedient() {
   let at = "+000.00";
   return double((body) => {
@@ -65,7 +65,7 @@ function obedient() {
   });
 }
 
-test("a plate is greeted, does not move, follows, and hears a beat", () => {
+test("a plate is greeted without motion, follows commands, and receives heartbeats", () => {
   const plate = obedient();
   plate.run(300);
   assert.match(plate.said[0], /^HELLO 2 \d{5}$/);
@@ -89,8 +89,8 @@ test("a plate is greeted, does not move, follows, and hears a beat", () => {
   assert.match(plate.said.at(-1), /^STOP/, "nothing after it");
 });
 
-// Rule 4: ridges repeat every 180 degrees.
-test("angles beyond the limits are those that feel the same", () => {
+// Rule 4: orientations that differ by 180 degrees are equivalent.
+test("an angle beyond the limits is replaced by the equivalent one", () => {
   for (const [wanted, sent] of [[100, "-080.00"], [-170, "+010.00"], [361, "+001.00"], [-90, "-090.00"]]) {
     const plate = obedient();
     plate.run(100);
@@ -100,7 +100,7 @@ test("angles beyond the limits are those that feel the same", () => {
   }
 });
 
-test("a plate is given up for what the protocol says, in words", () => {
+test("the link fails for each reason of the protocol, with its message", () => {
   const hello = (...more) => (body) => (body.startsWith("HELLO") ? [facts, "AT +000.00 00000", ...more] : []);
   const silent = double(() => []);
   silent.run(5300);
@@ -141,7 +141,7 @@ test("garbage on the line changes nothing", () => {
   assert.deepEqual([plate.link.orientation_deg, plate.link.failure], [0, ""]);
 });
 
-/** The firmware and the page's link to it. */
+/** Creates the firmware on its emulated board, and the page's link to it. */
 function emulated() {
   const board = new Board(firmware), link = new PlateLink((text) => board.hear(text));
   board.onByte = (byte) => link.hear(Uint8Array.of(byte), board.time_ms);
@@ -154,8 +154,8 @@ function emulated() {
   return { board, link, run };
 }
 
-// 1500 us at 0, and 2000 us over 180 degrees; firmware/README.md.
-test("the plate's firmware turns its servo where the page sends it", (t) => {
+// firmware/README.md: 1500 us at 0, and a span of 2000 us over 180 degrees.
+test("the firmware turns its servo to the page's commands", (t) => {
   const { board, link, run } = emulated(), began = performance.now();
   run(1200);
   assert.deepEqual(link.facts, { kind: "plate", min_deg: -90, max_deg: 90, speed_deg_s: 200, latency_ms: 30, measured: true });
@@ -171,7 +171,7 @@ test("the plate's firmware turns its servo where the page sends it", (t) => {
   t.diagnostic(`${(board.time_ms / (performance.now() - began)).toFixed(1)} times real time`);
 });
 
-test("the firmware stops without a beat, and by its emergency stop", () => {
+test("the firmware stops without heartbeats, and by its emergency stop", () => {
   const quiet = emulated();
   quiet.run(1200);
   quiet.link.turnTo(80);
@@ -179,7 +179,7 @@ test("the firmware stops without a beat, and by its emergency stop", () => {
   quiet.board.run(320);
   const pulse_us = quiet.board.pulse_us;
   quiet.board.run(300);
-  assert.equal(quiet.board.pulse_us, pulse_us, "it stands still without a beat");
+  assert.equal(quiet.board.pulse_us, pulse_us, "the servo stops without heartbeats");
   const { board, link, run } = emulated();
   run(1200);
   board.openEmergencyStop(true);
@@ -191,7 +191,7 @@ test("a damaged firmware file is refused", () => {
   for (const hex of [":00000001FE", "x", firmware.replace("0C94", "0C95"), ":02FFFF000000"]) assert.throws(() => new Board(hex), /firmware/);
 });
 
-/** A port as Web Serial has it, which fails if asked to. */
+/** Creates a test double of a Web Serial port, which fails in the way of `fails`. */
 function port({ fails = "" } = {}) {
   let toHost, closed = false;
   const got = [];
@@ -203,7 +203,7 @@ function port({ fails = "" } = {}) {
            writable: new WritableStream({ write(chunk) { got.push(new TextDecoder().decode(chunk)); } }) };
 }
 
-test("a port is read, written, closed, and its loss is said", async () => {
+test("a port is read, written and closed, and its loss is reported", async () => {
   const heard = [], ended = [], one = port();
   const line = await models.openPort(one, (data) => heard.push(...data), (why) => ended.push(why));
   one.feed(Uint8Array.of(1, 2));

@@ -1,7 +1,7 @@
-// A scripted visitor: sees the drawn dot late, and steers it to the glass. Knows no truth: not the hand's place, not the plate's.
+// A scripted visitor who sees the dot with a delay and steers it, without access to the true position of hand or plate.
 
-/** Moves of a pointer, in metres on the plate, every `step_ms`: `seen()` is where the dot is drawn now. A visitor aims from the dot
- *  as it was `delay_ms` ago to the glass, turns their hand by `gain` per second of what they see go wrong, and slows down there. */
+/** Generates pointer motions, in metres on the plate, every `step_ms`; `seen()` returns the drawn dot. The visitor aims from the dot,
+ *  as it was `delay_ms` ago, at the glass, corrects the error of direction by `gain` per second, and slows down near the glass. */
 export function visitor({ glass, start, delay_ms, step_ms = 10, gain = 2, speed_m_s = 0.1 }) {
   const seen = [];
   let heading = Math.atan2(glass.right_m - start.right_m, glass.away_m - start.away_m), speed = 0;

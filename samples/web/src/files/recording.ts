@@ -1,5 +1,5 @@
-// A recording of the plugin, read for the picture: the tracked finger, the commanded plate, and what the controller
-// made of them. Library.replay() checks it; this reads columns by their names.
+// Reads a recording of the plugin for the picture: the tracked finger, the commanded plate and the controller's estimates.
+// Library.replay() checks the recording; this reader finds columns by their names.
 import { HRT_SAMPLE_PLATE_POSE, HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_WORLD_POSITION } from "haptic-retargeting";
 import { Quaternion, Vector3 } from "three";
 import { type Course, start } from "../geometry";
@@ -8,18 +8,18 @@ import { maxTrace, type Trace, tracePeriod_ms } from "../trace";
 export interface RecordedReach {
   readonly name: string;
   readonly course: Course;
-  /** With positions on the plate, as the chart has them. */
+  /** Samples with positions on the plate, as the chart needs them. */
   readonly samples: Trace;
 }
 
-/** A position in plate coordinates, for a plate in the world with the rotation x, y, z, w. */
+/** Converts a position to plate coordinates, for a plate in the world with the rotation x, y, z, w. */
 function onPlate(world_m: Vector3, position_m: readonly number[], rotation: readonly number[]): Vector3 {
   return world_m
     .sub(new Vector3().fromArray(position_m))
     .applyQuaternion(new Quaternion().fromArray(rotation).invert());
 }
 
-/** The first reach of a recording that replays. Throws if it has no positions. */
+/** Reads the first reach of a recording that Library.replay() has accepted. Throws if it has no positions. */
 export function readReach(recording: string, name: string): RecordedReach {
   const lines = recording.split("\n").filter((line) => line !== "" && !line.startsWith("#"));
   const config = JSON.parse(/^# config (.*)$/m.exec(recording)?.[1] ?? "{}");
@@ -58,7 +58,7 @@ export function readReach(recording: string, name: string): RecordedReach {
       const moving = number(cells, "bearing_deg") !== 0;
       const sample = {
         finger: { right_m, away_m },
-        felt: { right_m: NaN, away_m: NaN }, // not in a recording
+        felt: { right_m: NaN, away_m: NaN }, // recordings do not contain it
         plate_deg: number(cells, "plate_orientation_deg"),
         finger_deg: moving ? number(cells, "bearing_deg") : NaN,
         felt_deg: moving ? number(cells, "perceived_direction_deg") : NaN,

@@ -1,36 +1,37 @@
-// A scene of the visitor's own: plate and targets of a glTF file, by the plugin's loader, and what can be held for whom.
+// A scene that the visitor opens: plate and targets of a glTF file, read by the plugin's loader, and the gaps that the plate
+// can sustain for each tactile weight.
 import * as hrt from "haptic-retargeting";
 import { motionBound_deg } from "../controller";
 import { bearing_deg, type Course, length_m, type Place, radius_m } from "../geometry";
 import type { SceneMeshes } from "../stage/meshes";
 
-/** Weights of touch for which it is computed what can be held. */
+/** Tactile weights for which feasible gaps are computed. */
 export const weights = [0.1, 0.15, 0.2, 0.25, 0.3] as const;
 
 export interface SceneTarget {
   readonly name: string;
   readonly real: boolean;
-  /** As drawn: the file's plate, brought to the size of the page's. */
+  /** Position as drawn: the file's plate is scaled to the size of the page's. */
   readonly drawn: Place;
 }
 
-/** A virtual target with the real one that serves it. */
+/** A virtual target with the real target that is assigned to it. */
 export interface ScenePair {
   readonly virtual: string;
   readonly real: string;
   readonly gap_deg: number;
-  /** In plate coordinates of the file, in metres. */
+  /** Targets in plate coordinates of the file, in metres. */
   readonly course: Course;
-  /** The plate that sustains the gap, for each of `weights`; NaN: none can. */
+  /** Plate orientation that sustains the gap, for each of `weights`; NaN: no orientation can. */
   readonly plates_deg: readonly number[];
 }
 
 export interface VisitorScene {
   readonly name: string;
   readonly plateRadius_m: number;
-  /** From the file's plate to the page's. */
+  /** Factor from the size of the file's plate to that of the page's. */
   readonly scale: number;
-  /** The file's own meshes; null: they cannot be drawn, as `meshProblem` says. */
+  /** Meshes of the file; null: they cannot be drawn, for the reason in `meshProblem`. */
   meshes: SceneMeshes | null;
   meshProblem: string;
   readonly plate: { readonly position_m: readonly number[]; readonly rotation: readonly number[] };
@@ -39,7 +40,7 @@ export interface VisitorScene {
   readonly pairs: readonly ScenePair[];
 }
 
-/** Throws the loader's error, which names file, node and property. */
+/** Reads a glTF scene. Throws the loader's error, which names file, node and property. */
 export function readScene(library: hrt.Library, bytes: ArrayBuffer, name: string): VisitorScene {
   const scene = library.loadScene(bytes, name);
   const session = library.createSession({ guidance: hrt.HRT_GUIDANCE_ARRIVAL, motion_bound_deg: motionBound_deg });

@@ -1,12 +1,12 @@
-// Files of the plugin: the last reach and what was learnt, to take away; a recording, which is run again and compared bit
-// for bit, or a scene, to bring. Nothing leaves the machine. What is refused is refused in the plugin's words.
+// Files that the visitor saves or opens. Saved: the recording of the last reach and the profile. Opened: a recording, which is
+// replayed and compared bit for bit, or a scene. Nothing leaves the machine. Errors are shown in the plugin's words.
 import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
 import { element, messageOf, say } from "../page";
 import { type RecordedReach, readReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
 
 const sceneAdvice =
-  "A scene names its plate, its start and its targets by haptic roles: scene/README.md has them, samples/scenes/desk.gltf is one.";
+  "A scene marks its plate, its start and its targets by haptic roles; see scene/README.md and the example samples/scenes/desk.gltf.";
 const max_bytes = 32 * 1024 * 1024;
 
 export class TakeAway {
@@ -14,7 +14,7 @@ export class TakeAway {
   readonly #refused = element("refused", HTMLParagraphElement);
   readonly #replayed = element("replayed", HTMLParagraphElement);
 
-  /** `recording` and `profile` are asked when a button is pressed; `brought` gets what is to be shown. */
+  /** `recording` and `profile` are called when a button is pressed; `brought` receives an opened file. */
   constructor(
     private readonly library: Library,
     recording: () => string,
@@ -28,12 +28,12 @@ export class TakeAway {
     onFiles(element("open-file", HTMLInputElement), (files) => this.#open(files));
   }
 
-  /** Whether there is a reach to save. */
+  /** Enables the button that saves a reach if one is recorded. */
   allow(recorded: boolean): void {
     if (this.#saveRecording.disabled === recorded) this.#saveRecording.disabled = !recorded;
   }
 
-  /** A recording, or a scene with the buffers that came along. */
+  /** Opens a recording, or a scene together with its buffer files. */
   async #open(files: readonly File[]): Promise<void> {
     const file = files.find(({ name }) => /\.(gltf|glb|csv)$/i.test(name)),
       name = file?.name ?? files[0]?.name ?? "";
@@ -56,13 +56,13 @@ export class TakeAway {
     }
   }
 
-  /** Targets by the plugin's loader; then the meshes, without which the scene is shown too. */
+  /** Reads the targets by the plugin's loader, then the meshes. Without meshes the scene is still shown. */
   async #scene(file: File, files: readonly File[]): Promise<VisitorScene> {
     const bytes = await file.arrayBuffer(),
       scene = readScene(this.library, bytes, file.name),
       { position_m, rotation } = scene.plate;
     try {
-      const { readMeshes } = await import("../stage/meshes"); // with three.js' loader
+      const { readMeshes } = await import("../stage/meshes"); // contains three.js' glTF loader
       const others = new Map(
         await Promise.all(files.map(async (each) => [each.name, await each.arrayBuffer()] as const)),
       );
@@ -78,19 +78,19 @@ export class TakeAway {
       reach = readReach(text, name);
     const same =
       report.first_different_line === 0n
-        ? `All ${report.rows} calls gave the same numbers again, bit for bit.`
+        ? `All ${report.rows} calls gave the recorded numbers, bit for bit.`
         : `Line ${report.first_different_line} gave other numbers than those recorded.`;
     const whole = report.ending === HRT_ENDING_COMPLETE ? "" : " The recording is not complete.";
     say(
       this.#replayed,
-      `${name}: ${same}${whole} A recording does not hold what was felt: the chart shows what the ` +
-        "controller believed.",
+      `${name}: ${same}${whole} A recording does not contain perceived directions: the chart shows the ` +
+        "controller's estimates.",
     );
     return reach;
   }
 }
 
-/** Offers a text for saving. */
+/** Offers a text as a download. */
 function save(name: string, type: string, text: string): void {
   const link = document.createElement("a"),
     url = URL.createObjectURL(new Blob([text], { type }));
@@ -100,7 +100,7 @@ function save(name: string, type: string, text: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** Calls back with files that are chosen in `input`, or dropped anywhere on the page, together. */
+/** Calls `opened` with all files that are chosen in `input` or dropped on the page together. */
 function onFiles(input: HTMLInputElement, opened: (files: readonly File[]) => void): void {
   const take = (files: FileList | null | undefined) => {
     if (files?.length) opened([...files]);

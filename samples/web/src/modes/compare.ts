@@ -1,4 +1,4 @@
-// The visitor's own slides, to look at again: with the plate on and off side by side, moment by moment.
+// Replay of the visitor's slides with the plate on and off, side by side.
 import type { Course } from "../geometry";
 import { element, say, sideways } from "../page";
 import { arrows, dot, normal_deg, path, plate, targets } from "../plan";
@@ -19,7 +19,7 @@ export class Compare {
     this.#moment.addEventListener("input", () => this.#show());
   }
 
-  /** A slide that has ended, or was recorded; it stays until the next one of its kind. */
+  /** Keeps a finished or recorded slide until the next one of its kind. */
   keep(kind: (typeof kinds)[number], trace: Trace, course: Course, name = `Plate ${kind}`): void {
     this.#slides[kind] = { trace, course, name };
     element("compare", HTMLElement).hidden = false;
@@ -27,7 +27,7 @@ export class Compare {
     this.#show();
   }
 
-  /** As settings of another person take them away. */
+  /** Removes all slides, for example when the settings describe another person. */
   clear(): void {
     this.#slides.on = this.#slides.off = null;
     element("compare", HTMLElement).hidden = true;

@@ -1,5 +1,5 @@
-// After each slide the visitor says whether they noticed; QUEST+, as in the experiment, chooses the next gap. After six answers
-// it gives the visitor's own limit.
+// After each slide the visitor answers whether they noticed the gap; QUEST+, as in the experiment, chooses the next gap. After
+// six answers it estimates the visitor's detection threshold.
 import { motionBound_deg } from "../controller";
 import { distance_m } from "../geometry";
 import { element, say } from "../page";
@@ -7,11 +7,11 @@ import type { World } from "../person";
 
 const answersWanted = 6,
   minGap_deg = 2;
-/** Of the gap that a plate can hold for this person: the rest corrects what a slide does wrong. */
+/** Largest gap as a fraction of the feasible gap for this person; the remainder is reserved for corrections of a slide. */
 const spared = 0.9;
 
 export class Series {
-  /** Of the slide that waits for an answer; NaN: none does. */
+  /** Gap of the slide that the visitor has not answered yet; NaN: there is no such slide. */
   #asked_deg = NaN;
   #answers = 0;
   #gap_deg = 0;
@@ -26,7 +26,7 @@ export class Series {
       element(id, HTMLButtonElement).addEventListener("click", () => this.#answer(noticed));
   }
 
-  /** Of the next slide. */
+  /** Gap of the next slide. */
   get gap_deg(): number {
     return this.#gap_deg;
   }
@@ -34,7 +34,7 @@ export class Series {
     return !Number.isNaN(this.#asked_deg);
   }
 
-  /** Begins again, with this gap. */
+  /** Restarts the series with this gap. */
   begin(gap_deg: number): void {
     const held_deg = this.world.max_gap_deg(motionBound_deg);
     this.world.begin_series(minGap_deg, Math.max(1.5 * minGap_deg, spared * held_deg));
@@ -49,7 +49,7 @@ export class Series {
     this.#question.hidden = false;
   }
 
-  /** The slide counts for nothing. */
+  /** Discards the slide without an answer. */
   skip(): void {
     this.#asked_deg = NaN;
     this.#question.hidden = true;

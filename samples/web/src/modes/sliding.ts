@@ -1,5 +1,5 @@
-// The mode "Be led": pointer or keys are the true fingertip, which is hidden while it moves. The visitor sees where it is felt,
-// steers that to the glass, and then sees where their hand is.
+// The mode "Be led": pointer or keys move the true fingertip, which is hidden while it moves. The visitor sees its perceived
+// position, steers it to the glass, and is then shown the true position.
 import { pageCourse } from "../controller";
 import type { Desk } from "../desk";
 import { type Course, distance_m, length_m, type Place, start, virtualPlace } from "../geometry";
@@ -14,30 +14,30 @@ import { Series } from "./series";
 
 const keySpeed_m_s = 0.06;
 const reveal_ms = 900;
-/** A mouse that comes so near to the ring takes the fingertip along. Over this way it then comes under the mouse itself. */
+/** Distance from the ring at which a mouse takes the fingertip along, and path over which the fingertip then reaches the mouse. */
 const grasp_m = 0.008,
   fade_m = 0.03;
-/** A dot that misses the glass by more was not steered to it. */
+/** Largest distance from the glass at which the visitor is taken to have steered the dot to it. */
 const missed_mm = 8;
 const steering = ["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"];
 
 export class Sliding {
-  /** Whether this mode is the one that is shown. */
+  /** True while this mode is shown. */
   active = false;
   readonly #series: Series;
   readonly #keys = new Set<string>();
   readonly #pointer: Place = { right_m: 0, away_m: 0 };
   readonly #grip: Place = { right_m: 0, away_m: 0 };
-  /** Of the pointer that moves the fingertip; -1: none. */
+  /** Identifier of the pointer that moves the fingertip; -1: none. */
   #held = -1;
-  /** It took the fingertip along at the ring, and the two come together. */
+  /** True while the fingertip still approaches the pointer that took it along at the ring. */
   #joins = false;
   #pressed = false;
   #plateOff = false;
   #shown_ms = 0;
   #owed_ms = 0;
 
-  /** `plain`: the same hand over a plate that stays still. `still`: the hand is shown at once. */
+  /** `plain`: the same hand over a plate that does not turn. `still`: the hand is shown without an animation. */
   constructor(
     private readonly led: Hand,
     private readonly plain: Hand,
@@ -63,12 +63,12 @@ export class Sliding {
     this.#series.begin(settings.gap_deg);
   }
 
-  /** The one that slides. */
+  /** The hand that slides now. */
   get hand(): Hand {
     return this.#plateOff ? this.plain : this.led;
   }
 
-  /** Something moves. */
+  /** True while frames must be drawn. */
   get busy(): boolean {
     return !this.hand.resting || this.#keys.size > 0 || (this.hand.phase === "arrived" && this.#shown_ms < reveal_ms);
   }
@@ -83,7 +83,7 @@ export class Sliding {
     this.restart();
   }
 
-  /** Back to the ring. */
+  /** Returns the hand to the ring. */
   restart(): void {
     const { hand, desk } = this,
       { gap_deg } = this.#series;
@@ -91,7 +91,7 @@ export class Sliding {
     this.#series.skip();
     this.#letGo();
     this.#keys.clear();
-    if (!this.active) return; // the picture is another mode's
+    if (!this.active) return; // another mode draws the picture
     desk.clearPaths();
     const { real_deg, virtual_deg, real_m } = this.#course();
     desk.setTargets(real_deg, virtual_deg, real_m);
@@ -116,7 +116,7 @@ export class Sliding {
     this.#draw();
   }
 
-  /** By sound, for who steers by keys. */
+  /** Plays tones that guide a visitor who steers by keys. */
   #guide(): void {
     const { felt } = this.hand,
       glass = virtualPlace(this.#course());
@@ -134,10 +134,10 @@ export class Sliding {
     if (!this.active || event.button !== 0 || this.hand.phase === "arrived") return;
     this.#pressed = true;
     if (this.#held < 0 && this.desk.placeOf(event, this.#pointer)) this.#grasp(event);
-    this.desk.grip.setPointerCapture(event.pointerId); // beyond the window too
+    this.desk.grip.setPointerCapture(event.pointerId); // also outside the window
   }
 
-  /** The fingertip moves as the pointer does, from wherever that is. */
+  /** From now on the fingertip moves by the same amount as the pointer. */
   #grasp({ pointerId, pointerType }: PointerEvent): void {
     const { finger } = this.hand;
     this.#held = pointerId;
@@ -194,7 +194,7 @@ export class Sliding {
     );
   }
 
-  /** The fingertip is lifted. What has arrived stays. */
+  /** Lifts the fingertip. A slide that has arrived keeps its result. */
   #end(): void {
     if (this.hand.result) return;
     this.hand.end();
@@ -248,13 +248,13 @@ export class Sliding {
       : `${went} ${hand} and ${result.toCylinder_mm.toFixed(0)} mm from the cylinder.`;
   }
 
-  /** What the plugin says of this hand. */
+  /** Describes the plugin's estimate of this hand. */
   #learnt(): string {
     const { tactile_weight, tactile_weight_sd } = this.led.command;
     if (this.#plateOff || this.settings.controller !== "ours") return "";
     const percent = (share: number) => (100 * Math.max(0, share)).toFixed(0);
     return (
-      `Learnt from your slides: ridges count ${percent(tactile_weight)} % in what you feel ` +
+      `Learnt from your slides: ridges contribute ${percent(tactile_weight)} % to the direction that you feel ` +
       `(${percent(tactile_weight - 1.96 * tactile_weight_sd)} to ${percent(tactile_weight + 1.96 * tactile_weight_sd)} %).`
     );
   }

@@ -1,5 +1,5 @@
-// The mode "Your scene": a glTF file's plate and targets, the table of what can be held, and reaches of the simulated person
-// between its targets.
+// The mode "Your scene": plate and targets of a glTF file, the table of feasible gaps, and reaches of the simulated person
+// to its targets.
 import type { Library } from "haptic-retargeting";
 import { pageCourse } from "../controller";
 import { type VisitorScene, weights } from "../files/scene";
@@ -10,18 +10,18 @@ import { Watch } from "../watch";
 
 export class Viewing {
   scene: VisitorScene | null = null;
-  /** Reaches for the chosen pair. */
+  /** Reaches to the chosen pair of targets. */
   readonly watch: Watch;
   readonly #about = element("scene-about", HTMLParagraphElement);
   readonly #pair = element("scene-pair", HTMLSelectElement);
 
-  /** `changed`: another pair is chosen. */
+  /** `changed` is called when another pair is chosen. */
   constructor(library: Library, world: World, settings: Readonly<Settings>, changed: () => void) {
     this.watch = new Watch(library, world, settings, (now) => this.course ?? pageCourse(now));
     this.#pair.addEventListener("change", changed);
   }
 
-  /** Where the chosen pair's reaches lead; null: no scene, or one without pairs. */
+  /** Targets of the chosen pair; null: no scene is open, or it has no pairs. */
   get course() {
     return this.scene?.pairs[this.#pair.selectedIndex]?.course ?? null;
   }

@@ -1,4 +1,4 @@
-// The mode "Watch": plays reach after reach, at the chosen speed, and says what happens.
+// The mode "Watch": plays reaches one after the other at the chosen speed, and describes them.
 import type { Desk } from "../desk";
 import type { Place } from "../geometry";
 import { element, say, sideways } from "../page";
@@ -8,7 +8,7 @@ import type { Settings } from "../settings";
 import type { Voice } from "../voice";
 import type { Watch } from "../watch";
 
-/** Between two reaches. */
+/** Pause between two reaches. */
 const pause_ms = 2200;
 const step_ms = 100;
 
@@ -22,7 +22,7 @@ export class Watching {
   #owed_ms = 0;
   #shownFor_ms = 0;
 
-  /** `still`: reaches are shown at their end, at once, unless the visitor plays or steps them. */
+  /** `still`: reaches are shown at their end immediately, unless the visitor plays or steps them. */
   constructor(
     private watch: Watch,
     private world: World,
@@ -54,13 +54,13 @@ export class Watching {
     this.results.clear();
   }
 
-  /** A new reach, for a picture that is shown again. */
+  /** Begins a reach when the mode is shown again. */
   resume(): void {
     this.#begin();
     this.#finishIfStill();
   }
 
-  /** A frame after `elapsed_ms`. */
+  /** Advances by one frame of `elapsed_ms`. */
   frame(elapsed_ms: number): void {
     if (this.playing) {
       if (this.watch.phase === "arrived") {
@@ -141,8 +141,8 @@ export class Watching {
     if (Number.isNaN(finger_deg)) {
       if (phase === "sliding") return "The finger has stopped.";
       return this.settings.controller === "off"
-        ? "The finger rests at the start. The plate stands still."
-        : "The finger rests at the start. The plate turns to where the first moment of the slide wants it.";
+        ? "The finger rests at the start. The plate does not move."
+        : "The finger rests at the start. The plate turns to the orientation for the beginning of the slide.";
     }
     return (
       `The finger moves ${sideways(finger_deg)}; over these ridges that feels like ${sideways(felt_deg)}. ` +

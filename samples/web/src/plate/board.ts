@@ -1,5 +1,5 @@
-// The plate's own firmware (samples/plate/firmware) on an emulated ATmega328P at 16 MHz, with a hobby servo on its pulse.
-// Simulation: no board and no servo has run it.
+// The plate's firmware (samples/plate/firmware) on an emulated ATmega328P at 16 MHz that drives a hobby servo.
+// Simulation only: it has not run on a real board or servo.
 import {
   AVRADC,
   AVREEPROM,
@@ -27,15 +27,15 @@ const servoPin = 1,
   emergencyPin = 2;
 /** Zero, span, limits, speed, latency, the sensor's readings at the limits, emergency stop, supply, bend, serial number; times 100. */
 const settings = [150000, 200000, -9000, 9000, 20000, 3000, 20500, 81800, 100, 100, ...new Array<number>(9).fill(0), 0];
-/** Of the emulated servo, at each pulse: 400 degrees a second. */
+/** Largest step of the emulated servo at each pulse, which is 400 degrees a second. */
 const servoStep_deg = 8;
 
 export class Board {
-  /** Where the servo stands. */
+  /** Angle of the servo. */
   servo_deg = 0;
-  /** The last pulse; 0: none since the start. */
+  /** Width of the last pulse; 0: no pulse since the start. */
   pulse_us = 0;
-  /** Takes each byte that the board sends. */
+  /** Called with each byte that the board sends. */
   onByte: (byte: number) => void = () => {};
 
   readonly #cpu: CPU;
@@ -46,7 +46,7 @@ export class Board {
   #roseAt = 0;
   #asleep = false;
 
-  /** `hex`: a firmware in Intel's format, else the plate's own. Throws on one that is damaged. */
+  /** `hex`: firmware in Intel's hexadecimal format; default: the plate's firmware. Throws if it is damaged. */
   constructor(hex: string = firmware) {
     const cpu = new CPU(readHex(hex), sram_bytes);
     this.#cpu = cpu;
@@ -55,12 +55,12 @@ export class Board {
     for (const [at, byte] of packed(settings).entries()) eeprom.writeMemory(at, byte);
     new AVREEPROM(cpu, eeprom);
     this.#adc = new AVRADC(cpu, adcConfig);
-    this.#adc.channelValues[1] = 2.5; // half of the servo's supply
+    this.#adc.channelValues[1] = 2.5; // half of the servo's supply voltage
     this.#showPlace();
     this.#portD = new AVRIOPort(cpu, portDConfig);
     this.openEmergencyStop(false);
     this.#usart = new AVRUSART(cpu, usart0Config, cpu_hz);
-    // "Data register empty" is a level: avr8js clears it when its interrupt is taken, as no board does.
+    // "Data register empty" is level-triggered on a board; avr8js clears it when its interrupt is taken.
     (this.#usart as unknown as { UDRE: { constant: boolean } }).UDRE.constant = true;
     this.#usart.onByteTransmit = (byte) => this.onByte(byte);
     this.#usart.onRxComplete = () => this.#feed();
@@ -75,7 +75,7 @@ export class Board {
     return (this.#cpu.cycles * 1000) / cpu_hz;
   }
 
-  /** Bytes arrive one after the other, at the line's speed. */
+  /** Queues bytes, which arrive at the board at the speed of the line. */
   hear(text: string): void {
     for (let i = 0; i < text.length; ++i) this.#toBoard.push(text.charCodeAt(i) & 0xff);
     this.#feed();
@@ -85,7 +85,7 @@ export class Board {
     this.#portD.setPin(emergencyPin, open);
   }
 
-  /** The board runs on by this time. A board that sleeps costs little. */
+  /** Runs the board for this time. A sleeping board costs little. */
   run(milliseconds: number): void {
     const cpu = this.#cpu,
       end = cpu.cycles + (milliseconds * cpu_hz) / 1000;
@@ -93,9 +93,9 @@ export class Board {
       if (!this.#asleep) {
         const sleeps = cpu.progMem[cpu.pc] === sleepInstruction,
           next = cpu.pc + 1;
-        avrInstruction(cpu); // which does nothing for a sleep
+        avrInstruction(cpu); // does nothing for a sleep instruction
         cpu.tick();
-        this.#asleep = sleeps && cpu.pc === next; // else an interrupt was waiting
+        this.#asleep = sleeps && cpu.pc === next; // otherwise an interrupt was pending
       } else {
         this.#sleep(end);
       }
@@ -103,7 +103,7 @@ export class Board {
     this.#feed();
   }
 
-  /** From one event of the peripherals to the next, until one interrupts. */
+  /** Skips from one event of the peripherals to the next, until an interrupt is pending. */
   #sleep(end: number): void {
     const cpu = this.#cpu as unknown as {
       pc: number;
@@ -122,12 +122,12 @@ export class Board {
   #feed(): void {
     while (this.#toBoard.length > 0 && !this.#usart.rxBusy) {
       const byte = this.#toBoard.shift();
-      // A byte that comes while the receiver is off is lost, as on a line.
+      // A byte that arrives while the receiver is off is lost, as on a real line.
       if (byte !== undefined && this.#usart.writeByte(byte)) return;
     }
   }
 
-  /** 1000 us to either side of 1500 us are 90 degrees. */
+  /** Sets the goal of the servo: 1500 us is 0, and 1000 us more or less is 90 degrees to either side. */
   #takePulse(width_us: number): void {
     this.pulse_us = width_us;
     const wanted_deg = ((width_us - 1500) * 90) / 1000;
@@ -135,13 +135,13 @@ export class Board {
     this.#showPlace();
   }
 
-  /** To the sensor's pin: 1 V at -90 degrees, 4 V at 90. */
+  /** Sets the voltage at the sensor's pin: 1 V at -90 degrees, 4 V at 90. */
   #showPlace(): void {
     this.#adc.channelValues[0] = 2.5 + this.servo_deg / 60;
   }
 }
 
-/** Settings as the firmware keeps them: samples/app/firmware/settings.c. */
+/** Encodes settings as the firmware stores them (samples/app/firmware/settings.c). */
 function packed(values: readonly number[]): Uint8Array {
   const bytes = new Uint8Array(4 + 4 * values.length + 2),
     view = new DataView(bytes.buffer);

@@ -1,4 +1,4 @@
-// "A plate": connects one, says how it does, and gives it what the controller commands.
+// The panel "A plate": connects a plate, shows its state, and passes the controller's commands to it.
 import { element, messageOf, say } from "../page";
 import { FirmwarePlate, type PlateDevice, SerialPlate } from "./device";
 import type { PlateFacts } from "./link";
@@ -9,7 +9,7 @@ export class Connecting {
   readonly #firmware = element("plate-firmware", HTMLButtonElement);
   readonly #stop = element("plate-stop", HTMLButtonElement);
   readonly #state = element("plate-state", HTMLParagraphElement);
-  /** The plate has answered: the controller is to know what it can do. */
+  /** Called when the plate has answered, with its limits for the controller. */
   onReady: (facts: PlateFacts) => void = () => {};
   #device: PlateDevice | null = null;
   #known = false;
@@ -24,7 +24,7 @@ export class Connecting {
       return port ? SerialPlate.open(port) : null;
     });
     this.#connects(this.#firmware, async () => {
-      const { Board } = await import("./board"); // with the emulator
+      const { Board } = await import("./board"); // contains the emulator
       return new FirmwarePlate(new Board());
     });
     this.#stop.addEventListener("click", () => this.#end("The plate was disconnected."));
@@ -34,12 +34,12 @@ export class Connecting {
   get connected(): boolean {
     return this.#device !== null;
   }
-  /** Where the connected plate is; NaN: none is, or it is not ready. */
+  /** Orientation of the connected plate; NaN: no plate is connected, or it is not ready. */
   get orientation_deg(): number {
     return this.#device?.link.ready ? this.#device.orientation_deg : NaN;
   }
 
-  /** Once a frame, with what the controller commands. */
+  /** Updates the plate once a frame, with the orientation that the controller commands. */
   frame(elapsed_ms: number, now_ms: number, command_deg: number): void {
     const device = this.#device;
     if (!device) return;

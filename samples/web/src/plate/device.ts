@@ -1,15 +1,15 @@
-// A plate that is connected: one on a serial line, or the plate's firmware on an emulated board.
+// A connected plate: a plate on a serial line, or the plate's firmware on an emulated board.
 import type { Board } from "./board";
 import { PlateLink } from "./link";
 import { openPort, type SerialPort } from "./serial";
 
 export interface PlateDevice {
   readonly link: PlateLink;
-  /** Where the plate is; NaN: not known yet. */
+  /** Orientation of the plate; NaN: unknown. */
   readonly orientation_deg: number;
-  /** Once a frame, with the time since the last one. */
+  /** Advances by one frame, `elapsed_ms` after the previous one. */
   advance(elapsed_ms: number): void;
-  /** What there is to say of it, for people. */
+  /** State of the plate, as text for people. */
   readonly state: string;
   close(): Promise<void> | void;
 }
@@ -24,7 +24,7 @@ function stateOf(link: PlateLink): string {
   );
 }
 
-/** The emulated board runs in the page's frames. Its plate is the servo's. */
+/** Emulated board, which runs in the page's frames. Its plate orientation is the servo's. */
 export class FirmwarePlate implements PlateDevice {
   readonly link = new PlateLink((text) => this.board.hear(text));
 
@@ -46,7 +46,7 @@ export class FirmwarePlate implements PlateDevice {
     return `Emulated board: ${stateOf(this.link)}. ${pulse}`;
   }
 
-  /** The line is looked at every 5 ms of the board's time. A slow machine's board runs late. */
+  /** Serves the line every 5 ms of the board's time. On a slow machine the board falls behind real time. */
   advance(elapsed_ms: number): void {
     for (let left_ms = Math.min(elapsed_ms, 100); left_ms > 0; left_ms -= 5) {
       this.link.service(this.board.time_ms);
@@ -61,7 +61,7 @@ export class FirmwarePlate implements PlateDevice {
 
 /** A plate on a serial line. */
 export class SerialPlate implements PlateDevice {
-  // Frames stop while the page is hidden, or worn; the heartbeat must not.
+  // The page's frames stop while it is hidden or a headset is worn; the heartbeat must continue.
   readonly #timer = setInterval(() => this.advance(), 20);
 
   private constructor(
@@ -69,7 +69,7 @@ export class SerialPlate implements PlateDevice {
     private readonly end: () => Promise<void>,
   ) {}
 
-  /** Rejects if the port cannot be opened. */
+  /** Opens a port. Rejects if it cannot be opened. */
   static async open(port: SerialPort): Promise<SerialPlate> {
     const link: PlateLink = new PlateLink((text) => line.send(text));
     const line = await openPort(

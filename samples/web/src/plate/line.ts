@@ -1,10 +1,10 @@
-// Lines of the plate's protocol, version 2 (plugin/src/plate/protocol.md): text to bytes and back. All that comes from a line
-// is hostile until it has passed here.
+// Encodes and decodes lines of the plate's protocol, version 2 (plugin/src/plate/protocol.md). Received text is untrusted until
+// it has been checked here.
 
-/** With the line's end. */
+/** Longest line, including its end. */
 const max_bytes = 64;
 
-/** CRC-16 CCITT-FALSE of ASCII text. */
+/** Computes the CRC-16 CCITT-FALSE of ASCII text. */
 export function crc16(text: string): number {
   let sum = 0xffff;
   for (let i = 0; i < text.length; ++i) {
@@ -18,14 +18,14 @@ export function encodeLine(body: string): string {
   return `${body}*${crc16(body).toString(16).toUpperCase().padStart(4, "0")}\n`;
 }
 
-/** The body of a line without its end; null: damaged, or of another version. */
+/** Returns the body of a line without its end; null if the line is damaged or of another version. */
 export function decodeLine(line: string): string | null {
   const parts = /^([\x20-\x29\x2b-\x7e]+)\*([0-9A-F]{4})$/.exec(line);
   const body = parts?.[1];
   return body !== undefined && crc16(body) === parseInt(parts?.[2] ?? "", 16) ? body : null;
 }
 
-/** Bytes to lines, without their ends. A line that is too long is dropped whole. */
+/** Splits bytes into lines without their ends. A line that is too long is dropped. */
 export class LineReader {
   #rest = "";
 
@@ -46,14 +46,14 @@ export type PlateMessage =
       readonly latency_ms: number;
       readonly measured: boolean;
     }
-  /** NaN: the plate does not know. */
+  /** Orientation is NaN if the plate does not know it. */
   | { readonly kind: "at"; readonly orientation_deg: number; readonly sequence: number }
   | { readonly kind: "stopped" | "error"; readonly why: string };
 
 const reasons = ["host", "heartbeat", "limit", "fault", "emergency", "stuck", "sensor", "unhomed", "supply"];
 const refusals = ["length", "byte", "sum", "word", "number", "range", "greeting", "busy", "step", "session"];
 
-/** What a body of the plate says; null: nothing that this page needs, or out of range. */
+/** Parses the body of a line from the plate; null: a message that this page does not need, or a value out of range. */
 export function parseMessage(body: string): PlateMessage | null {
   const [verb, first = "", ...rest] = body.split(" "),
     alone = rest.length === 0;
@@ -80,7 +80,7 @@ export function parseMessage(body: string): PlateMessage | null {
   return valid ? { kind: "plate", min_deg, max_deg, speed_deg_s, latency_ms, measured: rest[4] === "measured" } : null;
 }
 
-/** An angle as SET has it; within 360. */
+/** Formats an angle from -360 to 360 for SET. */
 export function angleText(angle_deg: number): string {
   return (angle_deg < 0 ? "-" : "+") + Math.abs(angle_deg).toFixed(2).padStart(6, "0");
 }

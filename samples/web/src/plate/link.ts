@@ -1,8 +1,8 @@
-// The host's side of a plate's line: greeting, commands, heartbeats, and the checks of what the plate reports
-// (plugin/src/plate/protocol.md, rules 1 to 6). Knows no clock and no port: both are given.
+// The host's side of a plate's line: greeting, commands, heartbeats, and checks of the plate's reports
+// (plugin/src/plate/protocol.md, rules 1 to 6). Time and port are passed in.
 import { angleText, decodeLine, encodeLine, LineReader, type PlateMessage, parseMessage } from "./line";
 
-const greetingLimit_ms = 5000; // boards start when their line is opened, and need 2 s
+const greetingLimit_ms = 5000; // boards reset when their line is opened, and need 2 s to start
 const greetingPeriod_ms = 200;
 const beatPeriod_ms = 50;
 const minPeriod_ms = 8; // between two commands
@@ -22,17 +22,17 @@ const stops: Readonly<Record<string, string>> = {
   supply: "has less than 4 V at its servo's supply",
 };
 
-/** What a plate said of itself. */
+/** Greeting of a plate: its limits, speed and sensor. */
 export type PlateFacts = Extract<PlateMessage, { kind: "plate" }>;
 
 export class PlateLink {
   facts: PlateFacts | null = null;
-  /** As last reported; NaN before the first report. */
+  /** Last reported orientation; NaN before the first report. */
   orientation_deg = NaN;
-  /** Why the plate was given up; empty: it was not. After that nothing is sent. */
+  /** Reason for which the link was closed; empty while it is open. Nothing is sent after a failure. */
   failure = "";
 
-  /** Marks the lines of this page. */
+  /** Token that identifies the lines of this page. */
   readonly #token = String(1 + Math.floor(65535 * Math.random())).padStart(5, "0");
   readonly #reader = new LineReader();
   #began_ms = NaN;
@@ -47,15 +47,15 @@ export class PlateLink {
   #movedAt_ms = NaN;
   #movedFrom_deg = NaN;
 
-  /** `send` gets whole lines. */
+  /** `send` is called with whole lines. */
   constructor(private readonly send: (text: string) => void) {}
 
-  /** Greeted, and heard of since. */
+  /** True once the plate has greeted and reported. */
   get ready(): boolean {
     return this.#heardOf && this.failure === "";
   }
 
-  /** Turn there: the nearest angle within the plate's limits that feels the same, or the nearest limit. */
+  /** Sets the wanted orientation: the nearest equivalent angle within the plate's limits, or else the nearest limit. */
   turnTo(orientation_deg: number): void {
     if (Number.isFinite(orientation_deg)) this.#wanted_deg = orientation_deg;
   }
@@ -68,7 +68,7 @@ export class PlateLink {
     }
   }
 
-  /** At least every 50 ms. */
+  /** Sends and checks what is due. Call it at least every 50 ms. */
   service(now_ms: number): void {
     if (this.failure) return;
     if (Number.isNaN(this.#began_ms)) this.#began_ms = now_ms;
@@ -85,7 +85,7 @@ export class PlateLink {
     if (now_ms - this.#said_ms >= beatPeriod_ms) this.#drive("BEAT", now_ms);
   }
 
-  /** The plate stops where it is; this link is over. */
+  /** Stops the plate and closes this link. */
   stop(now_ms: number): void {
     const heard = this.facts && !this.failure;
     this.failure ||= "The plate was disconnected.";
@@ -119,7 +119,7 @@ export class PlateLink {
     if (message.kind !== "stopped") return;
     const why = stops[message.why];
     if (why) this.#fail(why);
-    else if (message.why === "heartbeat") this.#sent_deg = NaN; // the same command is sent again
+    else if (message.why === "heartbeat") this.#sent_deg = NaN; // sends the same command again
   }
 
   #takeGreeting(facts: PlateFacts, now_ms: number): void {
@@ -127,7 +127,7 @@ export class PlateLink {
       this.facts = facts;
       this.#reported_ms = now_ms;
     } else if (this.#unanswered <= 0) {
-      this.#fail("has announced itself anew: it was reset, or another plate answers");
+      this.#fail("has announced itself again: it was reset, or another plate answers");
     }
     --this.#unanswered;
   }

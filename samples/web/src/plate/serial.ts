@@ -1,4 +1,4 @@
-// A serial line by the browser's Web Serial. Its types are not among TypeScript's own.
+// A serial line by the browser's Web Serial API, whose types TypeScript does not include.
 import { messageOf } from "../page";
 
 export interface SerialPort {
@@ -12,15 +12,15 @@ interface Serial {
 }
 
 const baudRate = 115200;
-/** Bytes that wait to be sent; a line that takes none is broken. */
+/** Largest number of unsent bytes, above which the line is considered broken. */
 const maxUnsent = 4096;
 
-/** The browser's serial ports; null: it has none, or not on this address. */
+/** Returns the browser's serial API; null if it has none, or not for this address. */
 export function serial(): Serial | null {
   return (navigator as { serial?: Serial }).serial ?? null;
 }
 
-/** `heard` gets bytes as they come; `ended` is called once if the line fails. */
+/** Opens a port. `heard` receives bytes as they arrive; `ended` is called once if the line fails. */
 export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => void, ended: (why: string) => void) {
   await port.open({ baudRate });
   const reader = port.readable?.getReader(),
@@ -52,7 +52,7 @@ export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => v
     },
     async close(): Promise<void> {
       open = false;
-      // A line that hangs is not waited for: what is unsent is dropped, and rule 1 stops the plate.
+      // Does not wait for a blocked line: unsent bytes are dropped, and rule 1 of the protocol stops the plate.
       const patience = new Promise((done) => setTimeout(done, 300));
       const patiently = (what: Promise<void>) => Promise.race([what.catch(() => undefined), patience]);
       await patiently(writer.close());

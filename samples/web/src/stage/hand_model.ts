@@ -1,4 +1,4 @@
-// The rigged hand: WebXR's generic hand model, flat as its file has it, or bent to point. Not in the first picture's files.
+// The rigged hand: WebXR's generic hand model, flat as in its file, or bent to point. It is loaded after the first picture.
 
 import left from "generic-hand/left.glb";
 import right from "generic-hand/right.glb";
@@ -18,7 +18,7 @@ export function cover(hand: THREE.Object3D, skin: THREE.Material): void {
   Object.assign(mesh, { material: skin, castShadow: true, frustumCulled: false });
 }
 
-/** Of a hand that points: how far each finger bends at its joints, from the wrist to the tip, in degrees. */
+/** Bend of each finger at its joints in a pointing hand, from the wrist to the tip, in degrees. */
 const bends = {
   "index-finger": [0, 4, 14, 10],
   "middle-finger": [0, 52, 70, 40],
@@ -26,16 +26,16 @@ const bends = {
   "pinky-finger": [0, 60, 72, 40],
   thumb: [6, 16, 30],
 };
-/** The forearm comes from below, from the right. */
+/** Orientation of the hand: the forearm comes from the lower right. */
 const attitude = new THREE.Quaternion().setFromEuler(new THREE.Euler(-0.38, 0.42, 0.05, "YXZ"));
-/** Of the forearm, beyond the wrist, in the hand's own size. */
+/** Radii and length of the forearm beyond the wrist, before scaling. */
 const arm_m = { wrist: 0.026, elbow: 0.045, length: 0.34 };
-/** Smaller than a hand is: it would hide the plate. */
+/** Scale of the hand, which would hide the plate in its real size. */
 const scale = 0.7;
-/** From the joint within the fingertip to its skin. */
+/** Distance from the joint within the fingertip to its skin. */
 const pad_m = 0.0065 * scale;
 
-/** A right hand that points ahead, its index fingertip at the origin. */
+/** Creates a right hand that points ahead, with its index fingertip at the origin. */
 export async function pointingHand(skin: THREE.Material): Promise<THREE.Object3D> {
   const hand = (await readHand("right")).scene.children[0],
     turn = new THREE.Quaternion();
@@ -43,7 +43,7 @@ export async function pointingHand(skin: THREE.Material): Promise<THREE.Object3D
     tip = hand?.getObjectByName("index-finger-tip");
   if (!hand || !wrist || !tip) throw new Error("the hand's file has no hand");
   for (const [finger, angles] of Object.entries(bends)) {
-    // its joints lie side by side: those beyond a bend follow
+    // the joints are siblings: joints beyond a bend must be moved with it
     const joints = hand.children.filter(({ name }) => name.startsWith(finger));
     angles.forEach((angle, i) => {
       const at = joints[i]?.position.clone() ?? new THREE.Vector3(),
@@ -59,7 +59,7 @@ export async function pointingHand(skin: THREE.Material): Promise<THREE.Object3D
   hand.quaternion.copy(attitude).multiply(wrist.quaternion.clone().invert());
   const arm = new THREE.Mesh(new THREE.CylinderGeometry(arm_m.wrist, arm_m.elbow, arm_m.length, 24, 1, true), skin);
   arm.castShadow = true;
-  // The hand lies along the wrist's -Z; a cylinder along Y, its top at the wrist.
+  // The hand extends along -Z of the wrist; the cylinder along Y, with its top at the wrist.
   arm.position.set(0, 0, arm_m.length / 2 - 0.01);
   arm.rotation.x = -Math.PI / 2;
   wrist.add(arm);

@@ -1,4 +1,4 @@
-// What only a headset shows: tracked hands, and a board with words behind the plate.
+// Objects that only a headset shows: tracked hands, and a text board behind the plate.
 import * as THREE from "three";
 import type { GLTF } from "three/addons/loaders/GLTFLoader.js";
 import { XRHandModelFactory } from "three/addons/webxr/XRHandModelFactory.js";
@@ -11,10 +11,10 @@ const poke_m = 0.015;
 
 /** Draws the stage in a headset. */
 export class Headset {
-  /** Both hands, which are drawn where they are felt. */
+  /** Both hands, drawn at their perceived positions. */
   readonly #hands = new THREE.Group();
   readonly #again = new WordBoard(0.12, 0.05, new THREE.Vector3(0.15, 0.05, -0.1));
-  readonly #eyes = new THREE.PerspectiveCamera(40, 1, 0.01, 50); // the headset moves this one
+  readonly #eyes = new THREE.PerspectiveCamera(40, 1, 0.01, 50); // moved by the headset
   readonly #words = new WordBoard(0.32, 0.1, new THREE.Vector3(0, 0.09, -0.16));
   readonly #skin = new THREE.MeshStandardMaterial({ roughness: 0.6, transparent: true, opacity: 0.75 });
 
@@ -31,7 +31,7 @@ export class Headset {
       this.#hands.add(hand.add(factory.createHandModel(hand, "mesh")));
   }
 
-  /** The plate and all about it lie there, in the space of the frames. */
+  /** Places the plate and the objects on it, in the reference space of the frames. */
   put(position: THREE.Vector3, rotation: THREE.Quaternion): void {
     const { mount } = this.stage;
     mount.position.copy(position);
@@ -39,13 +39,13 @@ export class Headset {
     mount.updateMatrixWorld(true);
   }
 
-  /** Tracked hands stand for the finger, and words for the page. */
+  /** While the headset is worn, shows tracked hands instead of the finger, and the text board instead of the page. */
   show(worn: boolean): void {
     this.stage.finger.visible = !worn;
     this.#words.visible = worn;
   }
 
-  /** `placed`: the plate can be placed again, by a poke at the button that says so. */
+  /** Sets the text. `placed`: shows the button that places the plate again. */
   say(title: string, text: string, placed: boolean): void {
     const { colours } = this.stage;
     if (!colours) return;
@@ -55,18 +55,18 @@ export class Headset {
     this.#again.visible = placed;
   }
 
-  /** The hands are seen this far from where they are, on the plate. */
+  /** Sets the offset on the plate from the hands' true positions to their drawn ones. */
   shift(right_m: number, away_m: number): void {
     this.#hands.position.set(right_m, 0, -away_m).applyQuaternion(this.stage.mount.quaternion);
   }
 
-  /** True once for each poke of a fingertip at the button. */
+  /** Returns true once for each poke of a fingertip at the button. */
   poked(tip: Readonly<THREE.Vector3>, hand: string): boolean {
     return this.#again.visible && this.#again.poked(tip, hand);
   }
 
-  /** Draws until the session ends: `frame` is called before each picture, with the space in which `mount` stands; `moved`
-   *  when the headset has moved that space, as by its recentring. Rejects if the browser cannot. */
+  /** Draws until the session ends. `frame` is called before each picture, with the reference space of `mount`; `moved` when the
+   *  headset has moved that space, for example when it is recentred. Rejects if the browser does not support it. */
   async present(
     session: XRSession,
     passthrough: boolean,
@@ -99,7 +99,7 @@ export class Headset {
   }
 }
 
-/** Words behind the plate, which lean back. Drawn again only when they change. */
+/** Inclined text board behind the plate. Drawn again only when the text changes. */
 class WordBoard extends THREE.Mesh {
   readonly #canvas = document.createElement("canvas");
   readonly #texture: THREE.CanvasTexture;
@@ -141,7 +141,7 @@ class WordBoard extends THREE.Mesh {
     const height_px = this.#canvas.height;
     pen.fillRect(0, 0, width_px, height_px);
     pen.fillStyle = ink;
-    // As large as fits: an instruction is never cut.
+    // Uses the largest size that fits: an instruction is never cut.
     const first = title ? 2.1 : 0.8; // the line on which the text begins
     let size_px = title ? 42 : 110,
       lines: string[] = [];
@@ -157,7 +157,7 @@ class WordBoard extends THREE.Mesh {
   }
 }
 
-/** Lines that fit, except for a word that is too long for one. */
+/** Breaks a text into lines that fit, except for a word that is too long for one line. */
 export function wrapped(text: string, fits: (line: string) => boolean): string[] {
   const lines: string[] = [];
   for (const word of text.split(" ")) {

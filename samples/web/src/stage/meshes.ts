@@ -1,5 +1,5 @@
-// The meshes of a visitor's scene, to look at. The plugin's loader has read plate and targets before; this draws what else
-// the file has. Nothing is fetched: only what lies within the file is used, without textures, animations and skins.
+// Draws the meshes of a visitor's scene, whose plate and targets the plugin's loader has read before. Nothing is fetched: only
+// the content of the file is used, without textures, animations and skins.
 import { Group, Matrix4, Mesh, type Object3D, Quaternion, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
@@ -7,10 +7,10 @@ const glbMagic = 0x46546c67,
   jsonChunk = 0x4e4f534a,
   binaryChunk = 0x004e4942;
 
-/** What is kept of a file, beside its nodes and materials. */
+/** Properties of a glTF file that are used, in addition to its nodes and materials. */
 const kept = ["asset", "scene", "scenes", "meshes", "accessors", "bufferViews", "buffers"] as const;
 
-/** A page that holds more would stand still. */
+/** Limits of a scene, above which the page would not respond. */
 const maxNodes = 10_000,
   maxValues = 4_000_000,
   maxDrawn = 2_000_000;
@@ -18,14 +18,14 @@ const maxNodes = 10_000,
 type Json = Record<string, unknown>;
 
 export interface SceneMeshes {
-  /** In plate coordinates, in metres. */
+  /** Meshes in plate coordinates, in metres. */
   readonly group: Group;
-  /** Names of the targets that have a mesh of their own. */
+  /** Names of the targets that have a mesh. */
   readonly targets: ReadonlySet<string>;
 }
 
-/** The file's meshes, with its plate at the origin; the plate's own mesh is left out. `others`: files that came with it, by
- *  their names. Rejects if they cannot be read. */
+/** Reads the file's meshes, with its plate at the origin and without the plate's mesh. `others`: files that were opened with it,
+ *  by name. Rejects if they cannot be read. */
 export async function readMeshes(
   bytes: ArrayBuffer,
   others: ReadonlyMap<string, ArrayBuffer>,
@@ -61,7 +61,7 @@ export async function readMeshes(
       return Promise.resolve((buffers[Number(buffer)] ?? new ArrayBuffer(0)).slice(from, from + Number(byteLength)));
     },
   }));
-  // A parsed file is allowed, which its types do not say.
+  // parseAsync also accepts parsed JSON, which its type declaration lacks.
   const { scene } = await loader.parseAsync(file as unknown as string, "");
 
   const names = new Set<string>(),
@@ -102,7 +102,7 @@ function parts(bytes: ArrayBuffer): { json: Json; binary: ArrayBuffer } {
   return { json, binary };
 }
 
-/** Of all nodes: a mesh counts once for each node that has it. */
+/** Number of vertices of all nodes: a mesh counts once for each node that uses it. */
 function drawnVertices(file: Json): number {
   const counts = list(file.accessors).map(({ count }) => Number(count));
   const count = (index: unknown): number => (index === undefined ? 0 : (counts[Number(index)] ?? NaN));

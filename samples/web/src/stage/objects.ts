@@ -1,9 +1,9 @@
-// What lies and moves about the plate: the cylinder, the glass, the hand, the felt fingertip.
+// Objects on and above the plate: the cylinder, the glass, the hand, the perceived fingertip.
 import * as THREE from "three";
 import { cylinderRadius_m } from "../geometry";
 import type { Colours } from "../theme";
 
-/** What real and felt things are made of, in the page's colours. */
+/** Materials of real and virtual objects, in the page's colours. */
 const solid = new THREE.MeshStandardMaterial({ roughness: 0.35, metalness: 0.2 });
 const glass = new THREE.MeshBasicMaterial({ transparent: true, opacity: 0.25, depthWrite: false });
 const outlines = new THREE.LineBasicMaterial();
@@ -17,7 +17,7 @@ export function colourThings({ real, felt, text }: Colours): void {
   startPaint.color.set(text);
 }
 
-/** A solid cylinder that stands at its origin. */
+/** A solid cylinder whose base is at its origin. */
 export class RealCylinder extends THREE.Group {
   constructor() {
     super();
@@ -28,7 +28,7 @@ export class RealCylinder extends THREE.Group {
   }
 }
 
-/** A goblet that is seen, or imagined, and not there. */
+/** The virtual target, drawn as a transparent goblet. */
 export class Glass extends THREE.Group {
   constructor() {
     super();
@@ -49,22 +49,22 @@ export class Glass extends THREE.Group {
   }
 }
 
-/** A pointing hand whose fingertip touches its origin, once the model has come. */
+/** A pointing hand whose fingertip is at its origin, once its model is loaded. */
 export class Finger extends THREE.Group {
-  /** Fades by dots, so that no inner side is seen through it. */
+  /** Fades by a dot pattern, so that inner surfaces do not show through. */
   readonly skin = new THREE.MeshStandardMaterial({ roughness: 0.6, alphaHash: true, side: THREE.DoubleSide });
-  /** `model`: of hand_model.ts. */
+  /** Replaces the fingertip by `model`, which hand_model.ts creates. */
   async become(model: (skin: THREE.Material) => Promise<THREE.Object3D>): Promise<void> {
     this.add(await model(this.skin));
   }
-  /** From 0, not there, to 1. */
+  /** Sets the opacity, from 0 (invisible) to 1. */
   fade(share: number): void {
     this.visible = share > 0;
     this.skin.opacity = share;
   }
 }
 
-/** Where the owner feels that the fingertip is: a ring, and a glassy ball. */
+/** Perceived position of the fingertip: a ring and a transparent ball. */
 export class FeltTip extends THREE.Group {
   constructor() {
     super();
@@ -78,7 +78,7 @@ export class FeltTip extends THREE.Group {
   }
 }
 
-/** Where a slide starts. */
+/** Ring at the start of a slide. */
 export class StartMark extends THREE.Mesh {
   constructor() {
     super(new THREE.RingGeometry(0.0085, 0.0095, 40), startPaint);
@@ -88,7 +88,7 @@ export class StartMark extends THREE.Mesh {
   }
 }
 
-/** Targets in their colours: real ones solid, virtual ones as glass. */
+/** Colours the targets: real ones solid, virtual ones transparent. */
 export function colourTargets(group: THREE.Group, real: string, felt: string): void {
   group.traverse((node) => {
     const { haptic } = node.userData as { haptic?: { role?: unknown } };

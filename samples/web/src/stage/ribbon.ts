@@ -1,4 +1,4 @@
-// A path drawn flat on the plate, as a line that grows with the finger.
+// A path that is drawn flat on the plate and grows with the finger.
 import { Line2 } from "three/addons/lines/Line2.js";
 import { LineGeometry } from "three/addons/lines/LineGeometry.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -10,7 +10,7 @@ export class Ribbon extends Line2 {
   readonly #points: number[] = [];
   #shown = 1;
 
-  /** Dashes every `dash_m`; 0: a solid line. */
+  /** `dash_m`: period of the dashes; 0: a solid line. */
   constructor(width_m: number, dash_m: number, height_m: number) {
     const dashes = { dashed: dash_m > 0, dashSize: dash_m / 2, gapSize: dash_m / 2 };
     super(
@@ -28,13 +28,13 @@ export class Ribbon extends Line2 {
     this.visible = false;
   }
 
-  /** How much of it is drawn, from its start: 0 to 1. */
+  /** Fraction of the path that is drawn, from its start: 0 to 1. */
   set shown(share: number) {
     this.#shown = share;
     this.#show();
   }
 
-  /** The path continues there. */
+  /** Appends a point to the path. */
   extend(right_m: number, away_m: number): void {
     const [x = NaN, , z = NaN] = this.#points.slice(-3);
     if (Math.hypot(right_m - x, -away_m - z) < minStep_m || this.#points.length >= 3 * capacity) return;

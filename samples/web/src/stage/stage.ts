@@ -1,4 +1,4 @@
-// The desk in three dimensions. Draws what it is given; knows no plugin and no person.
+// The desk in three dimensions. It draws the state that it receives, independent of the plugin and the simulated person.
 import { HapticPlate } from "haptic-retargeting/three";
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -9,14 +9,14 @@ import { colourTargets, colourThings, FeltTip, Finger, Glass, RealCylinder, Star
 import { Ribbon } from "./ribbon";
 
 const fieldOfView_deg = 30; // from top to bottom
-/** From the visitor's seat: the same in all modes, as near as the plate fits into the picture. */
+/** View from the visitor's seat: the same in all modes, at the distance at which the plate fills the picture. */
 const seat = new THREE.Vector3(0, 0.85, 0.53);
 const middle = new THREE.Vector3(0, 0, 0.002);
 const fill = 0.97;
-const headHeight_m = 0.034; // of a target, for its label
+const headHeight_m = 0.034; // top of a target, for its label
 const pathHeight_m = 0.003;
 
-/** What a label stands beside. */
+/** Objects that have a label. */
 export type LabelName = "real" | "glass" | "finger" | "felt";
 
 export class Stage {
@@ -24,15 +24,15 @@ export class Stage {
   readonly feltPath = new Ribbon(0.0022, 0.008, pathHeight_m);
   readonly renderer: THREE.WebGLRenderer;
   readonly scene = new THREE.Scene();
-  /** All that stands on or about the plate, in plate coordinates; in a headset, where the plate is. */
+  /** Parent of all objects on and above the plate, in plate coordinates. In a headset it has the pose of the plate. */
   readonly mount = new THREE.Group();
-  /** The visitor turns the picture by a drag, except from above. */
+  /** Rotation of the picture by a drag, except in the view from above. */
   readonly orbit: OrbitControls;
   readonly #camera = new THREE.PerspectiveCamera(fieldOfView_deg, 1, 0.01, 5);
   readonly #disc = new THREE.MeshStandardMaterial({ roughness: 0.85 });
   readonly #ridges = new THREE.MeshStandardMaterial({ roughness: 0.6 });
   readonly #mark = new THREE.MeshStandardMaterial({ roughness: 0.6 });
-  // Ridges are drawn larger than they are: as a headset would have them, they could hardly be seen from here.
+  // Ridges are drawn larger than in a headset, where they are seen from a shorter distance.
   readonly plate = new HapticPlate({
     radius_m,
     ridgeSpacing_m,
@@ -68,7 +68,7 @@ export class Stage {
     this.renderer.shadowMap.enabled = true;
     this.orbit = new OrbitControls(this.#camera, canvas);
     Object.assign(this.orbit, { enableZoom: false, enablePan: false, maxPolarAngle: 1.4 });
-    canvas.style.touchAction = "pan-y pinch-zoom"; // a thumb still scrolls the page
+    canvas.style.touchAction = "pan-y pinch-zoom"; // a thumb can still scroll the page
     this.desk.position.y = -0.018;
     this.desk.receiveShadow = true;
     this.#start.position.x = start.right_m;
@@ -116,10 +116,10 @@ export class Stage {
     this.#glass.position.set(glass.right_m, 0, -glass.away_m);
   }
 
-  /** A visitor's scene instead of the page's desk and targets, brought to the plate's size; null: the page's own. */
+  /** Shows a visitor's scene, scaled to the plate's size, instead of the page's desk and targets; null: shows the page's own. */
   setScene(scene: VisitorScene | null): void {
     this.#visited.traverse((part) => {
-      // off the graphics card; what is shown again goes there again
+      // frees graphics memory; three.js uploads meshes that are shown again
       if (!(part instanceof THREE.Mesh)) return;
       (part.geometry as THREE.BufferGeometry).dispose();
       for (const material of [part.material].flat() as THREE.Material[]) material.dispose();
@@ -149,7 +149,7 @@ export class Stage {
     this.#fit();
   }
 
-  /** As near as the plate is seen whole. */
+  /** Moves the camera to the nearest distance at which the whole plate is visible. */
   #fit(): void {
     let near = 0.1,
       far = 1.5;
@@ -164,7 +164,7 @@ export class Stage {
     }
   }
 
-  /** The box of the plate's disc, and a margin, on the canvas, in CSS pixels. */
+  /** Returns the bounding box of the plate's disc with a margin, in CSS pixels of the canvas. */
   discOnCanvas(): { left: number; top: number; width: number; height: number } {
     const edge = { x: 0, y: 0 },
       out_m = radius_m / fill,
@@ -180,7 +180,7 @@ export class Stage {
     return { left, top, width: Math.max(...xs) - left, height: Math.max(...ys) - top };
   }
 
-  /** How much is shown of what is true, from 0 to 1: the hand fades in, its path draws itself. */
+  /** Shows the true hand, which fades in, and its path up to this fraction, from 0 to 1. */
   reveal(share: number): void {
     this.finger.fade(share);
     this.truePath.shown = share;
@@ -198,7 +198,7 @@ export class Stage {
     this.feltPath.reset();
   }
 
-  /** The canvas has this size, in CSS pixels. */
+  /** Sets the size of the canvas, in CSS pixels. */
   resize(width: number, height: number, pixelRatio: number): void {
     if (width < 1 || height < 1) return;
     this.#width = width;
@@ -210,7 +210,7 @@ export class Stage {
     this.#fit();
   }
 
-  /** For a processor that draws: no shadows, no pixels finer than the page's. */
+  /** Simplifies the picture for software rendering: no shadows, one pixel per CSS pixel. */
   lighten(): void {
     this.#lamp.castShadow = false;
     this.#finest = 1;
@@ -221,7 +221,7 @@ export class Stage {
     this.renderer.render(this.scene, this.#camera);
   }
 
-  /** Where on the plate's plane a point of the canvas lies, in CSS pixels from its corner; false beyond the horizon. */
+  /** Converts a point of the canvas, in CSS pixels, to a position on the plate's plane. Returns false beyond the horizon. */
   toPlate(x: number, y: number, out: Place): boolean {
     this.#pointer.set((2 * x) / this.#width - 1, 1 - (2 * y) / this.#height);
     this.#ray.setFromCamera(this.#pointer, this.#camera);
@@ -231,14 +231,14 @@ export class Stage {
     return true;
   }
 
-  /** Where a label belongs on the canvas, in CSS pixels from its corner. */
+  /** Writes the point on the canvas, in CSS pixels, that a label names. */
   toCanvas(label: LabelName, out: { x: number; y: number }): void {
     const things = { real: this.#real, glass: this.#glass, finger: this.finger, felt: this.#felt },
       { x, z } = things[label].position;
     this.#toCanvas(x, label === "real" || label === "glass" ? headHeight_m : 0.006, z, out);
   }
 
-  /** The same for the label of a target of a visitor's scene. */
+  /** Writes the same point for a target of a visitor's scene. */
   targetToCanvas(target: Readonly<Place>, out: { x: number; y: number }, height_m = headHeight_m): void {
     this.#toCanvas(target.right_m, height_m, -target.away_m, out);
   }

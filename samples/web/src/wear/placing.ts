@@ -1,4 +1,4 @@
-// Where the plate is in the headset's world: touched mark by mark, in the plugin's set-up, or put where the visitor pinches.
+// Placement of the plate in the headset's world: by touches of its marks in the plugin's set-up, or by a pinch.
 import {
   HRT_MARK_NUMBERS,
   HRT_SETUP_REGISTRATION,
@@ -12,7 +12,7 @@ import { Quaternion, Vector3 } from "three";
 import { start } from "../geometry";
 import { Rest } from "./rest";
 
-/** The plate's marks (samples/plate/model/marks.csv), in the order in which they are touched. */
+/** Marks of the plate (samples/plate/model/marks.csv), in the order in which they are touched. */
 const marks = marksFile
   .trim()
   .split("\n")
@@ -29,15 +29,15 @@ const pointRadius_m = 0.012,
 const pinch = "Pinch thumb and index finger where slides are to start, and hold. The plate will lie ahead of it.";
 
 export class Placing {
-  /** What the visitor is to do. */
+  /** Instruction to the visitor. */
   text = pinch;
-  /** The plate's pose in the world, once placed. */
+  /** Pose of the plate in the world, once placed. */
   readonly position = new Vector3();
   readonly rotation = new Quaternion();
 
   readonly #rest = new Rest(pointRadius_m, hold_ms);
 
-  /** By marks: `session` is registered. Null: by a pinch. */
+  /** `session`: registers the plate in this session by its marks; null: places it by a pinch. */
   constructor(private readonly session: Session | null) {
     if (!session) return;
     if (session.state & HRT_STATE_SETTING_UP) session.cancelSetup();
@@ -45,10 +45,10 @@ export class Placing {
       mark_count: marks.length,
       marks_m: Array.from({ length: HRT_MARK_NUMBERS }, (_, i) => marks_m[i] ?? 0),
     });
-    this.text = "Touch the marks of the plate, which stands at 0.";
+    this.text = "Touch the marks of the plate, which is at 0.";
   }
 
-  /** True once the plate has a place. `forward`: where the visitor looks. A hand that does not pinch places nothing. */
+  /** Returns true once the plate is placed. `forward`: direction in which the visitor looks. A hand must pinch to place it. */
   update(time_ms: number, tip: Vector3 | null, forward: Vector3, pinches: boolean): boolean {
     if (this.session) return this.#touch(this.session, time_ms, tip);
     const placed = this.#rest.update(time_ms, pinches ? tip : null),

@@ -1,21 +1,21 @@
-// A fingertip that rests: a touch of a mark, or a hand at the start.
+// Detects a fingertip at rest: a touch of a mark, or a hand at the start.
 import { Vector3 } from "three";
 
 export class Rest {
-  /** Mean of the positions of the rest. */
+  /** Mean position during the rest. */
   readonly place = new Vector3();
   readonly #sum = new Vector3();
   #count = 0;
   #since_ms = NaN;
   #taken = false;
 
-  /** A rest stays within `radius_m` of its mean for `time_ms`. */
+  /** A fingertip rests when it stays within `radius_m` of its mean position for `time_ms`. */
   constructor(
     private readonly radius_m: number,
     private readonly time_ms: number,
   ) {}
 
-  /** True once for each rest: the fingertip has to move off before the next one. A lost fingertip (null) rests nowhere. */
+  /** Returns true once for each rest: the fingertip must move away before the next one. Null: the fingertip is not tracked. */
   update(time_ms: number, tip: Vector3 | null): boolean {
     if (!tip || (this.#count > 0 && tip.distanceTo(this.place) > this.radius_m)) {
       this.reset(tip === null && this.#taken);
@@ -33,7 +33,7 @@ export class Rest {
     return this.#count === 0 ? 0 : time_ms - this.#since_ms;
   }
 
-  /** The next rest may be where the last one was. */
+  /** Allows the next rest at the position of the last one. */
   reset(taken = false): void {
     this.#count = 0;
     this.#sum.set(0, 0, 0);

@@ -1,5 +1,5 @@
-// Reaches of a hand that a headset tracks: places the plate, waits at its start, leads the slide by the real plugin, and
-// says where it ended. Knows no page and no browser's session: frames are given to it.
+// Reaches of a hand that a headset tracks: places the plate, waits at the start, steers the slide by the real plugin, and
+// reports its end. Independent of the page and the browser's session, which pass frames to it.
 import { HRT_COMMAND_ARRIVED, HRT_SESSION_REGISTERED, type Library } from "haptic-retargeting";
 import { HandReach, type HapticPlate } from "haptic-retargeting/three";
 import { Quaternion, Vector3 } from "three";
@@ -13,26 +13,26 @@ import type { Settings } from "../settings";
 import { Placing } from "./placing";
 import { Rest } from "./rest";
 
-const startRadius_m = 0.015; // about the start, in each coordinate's plane
+const startRadius_m = 0.015; // around the start, within the plate's plane
 const startHeight_m = 0.03;
 const startRest_ms = 400;
-const lostLimit_ms = 1000; // a shorter loss is bridged: the plugin holds, and continues
+const lostLimit_ms = 1000; // a shorter loss is bridged: the plugin keeps its command and continues
 const beyond_m = 0.15;
 const pinch_m = 0.025; // between the tips of thumb and index finger
-const liftHeight_m = 0.05; // without a plate nothing holds the finger down
+const liftHeight_m = 0.05; // without a plate nothing supports the finger
 const maxFrame_ms = 100;
 
 export class Wear extends Led {
   readonly finger: Place = { ...start };
   phase: "placing" | "ready" | "sliding" | "arrived" = "placing";
   result: SlideEnd | null = null;
-  /** What the visitor is to do, or has done. */
+  /** Instruction to the visitor, or the result of the slide. */
   text = "";
-  /** The reach's hand is not seen. */
+  /** True while the hand of the reach is not tracked. */
   lost = false;
-  /** The cylinder stands where it is drawn. */
+  /** True if a real cylinder is at the drawn position. */
   hasCylinder = false;
-  /** Called when the plate has been placed: in the space of the frames. */
+  /** Called with the plate's pose, in the space of the frames, when it has been placed. */
   onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
 
   readonly felt = new Felt();
@@ -51,7 +51,7 @@ export class Wear extends Led {
   #owed_ms = 0;
   #seen_ms = 0;
 
-  /** `plate` is the one that is drawn, in its place in the scene. */
+  /** `plate` is the drawn plate, which has its pose in the scene. */
   constructor(
     library: Library,
     world: World,
@@ -64,7 +64,7 @@ export class Wear extends Led {
     this.begin(false);
   }
 
-  /** Another session of a headset, another room, or another place: the plate is placed again, as is said after `why`. */
+  /** Starts the placement of the plate, for a new headset session or another position. `why` begins the instruction. */
   begin(byMarks: boolean, why = ""): void {
     this.#byMarks = byMarks;
     this.#placing = new Placing(byMarks ? this.session : null);
@@ -75,7 +75,7 @@ export class Wear extends Led {
     this.text = why + this.#placing.text;
   }
 
-  /** Other settings, with a hand that is unknown to the controller. */
+  /** Applies other settings, with a controller that has learnt nothing of the hand. */
   apply(settings: Readonly<Settings>): void {
     this.settings = { ...settings };
     const {
@@ -103,7 +103,7 @@ export class Wear extends Led {
     else this.restart();
   }
 
-  /** One frame of the headset, at the time of its callback. `hand`: the one that slides; undefined: it is not tracked. */
+  /** Processes one frame of the headset, at the time of its callback. `hand`: the hand that slides; undefined: not tracked. */
   frame(now_ms: number, frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
     const elapsed_ms = Math.min(maxFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
     this.#time_ms = now_ms;
@@ -114,7 +114,7 @@ export class Wear extends Led {
     if (this.#rest.update(now_ms, tip && this.#atStart(tip) ? tip : null)) this.#start();
   }
 
-  /** The plate follows its command; time passes in whole milliseconds. */
+  /** Advances plate and time in whole milliseconds. */
   #advance(elapsed_ms: number): void {
     this.#owed_ms += elapsed_ms;
     for (; this.#owed_ms >= 1; --this.#owed_ms) {
@@ -143,7 +143,7 @@ export class Wear extends Led {
       const { x, y, z, w } = viewer.transform.orientation;
       this.#view.set(x, y, z, w);
       this.#forward.set(0, 0, -1).applyQuaternion(this.#view);
-      // Of one who looks straight down, the top of the head points forward.
+      // When the visitor looks straight down, the top of the head points forward.
       if (Math.hypot(this.#forward.x, this.#forward.z) < 0.3) this.#forward.set(0, 1, 0).applyQuaternion(this.#view);
     }
     const thumb = this.#locate(frame, hand, space, "thumb-tip", this.#thumb),
@@ -156,7 +156,7 @@ export class Wear extends Led {
     this.restart();
   }
 
-  /** Back to the ring. A reach under way is cancelled. */
+  /** Returns to the ring. A running reach is cancelled. */
   restart(): void {
     this.prepare();
     this.world.begin_hand(0);
@@ -211,8 +211,8 @@ export class Wear extends Led {
     if (lifted || gone_m > beyond_m || this.command.flags & HRT_COMMAND_ARRIVED) this.#arrive();
   }
 
-  /** A hand is felt where it is, or seen where it would be felt: either teaches the controller. One that ends at a cylinder has
-   *  met it, which shows how far the marks were touched askew. */
+  /** Ends the reach. The controller learns from it, whether the plate is real or the hand is drawn at its perceived position.
+   *  A hand that ends at a real cylinder also corrects the registration of the plate. */
   #arrive(): void {
     this.result = slideEnd(this.finger, this.felt.place, pageCourse(this.settings));
     this.session.endReach();

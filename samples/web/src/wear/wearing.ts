@@ -1,4 +1,4 @@
-// The mode "Wear it": asks the browser for a headset with hand tracking, and shows the visitor's reaches in it.
+// The mode "Wear it": requests a headset with hand tracking from the browser, and shows the visitor's reaches in it.
 
 import { Vector3 } from "three";
 import type { Desk } from "../desk";
@@ -15,7 +15,7 @@ const kinds: readonly (readonly [Kind, string])[] = [
   ["immersive-vr", "enter-vr"],
   ["immersive-ar", "enter-ar"],
 ];
-/** Until the plate is placed, it is shown there, from the eyes. */
+/** Offset from the eyes at which the plate is shown until it is placed. */
 const ahead_m = 0.45,
   below_m = 0.3;
 const settle_ms = 400;
@@ -32,9 +32,9 @@ export class Wearing {
   #led = 0;
   #spoken = "";
   #message = "Put a headset on, and be the finger. A headset's browser with hand tracking is needed.";
-  /** The headset's own frames, for what else follows the controller. */
+  /** Called in each frame of the headset, for a connected plate. */
   onFrame: (elapsed_ms: number) => void = () => {};
-  /** A session has ended: the page draws again. */
+  /** Called when a headset session has ended and the page must draw again. */
   onLeft: () => void = () => {};
 
   constructor(
@@ -51,7 +51,7 @@ export class Wearing {
     navigator.xr?.addEventListener("devicechange", () => this.#ask());
   }
 
-  /** A headset shows the reaches now: the page must not draw. */
+  /** True while a headset shows the reaches; the page must not draw. */
   get worn(): boolean {
     return this.#session !== null;
   }
@@ -61,7 +61,7 @@ export class Wearing {
     this.desk.clearPaths();
   }
 
-  /** A frame of the page, while no headset is worn. */
+  /** Processes a frame of the page, while no headset is worn. */
   frame(): void {
     this.desk.draw(this.world.plate_deg(), this.wear.finger, this.wear.felt.place);
     this.#show();
@@ -130,7 +130,7 @@ export class Wearing {
     return chosen("placement") === "marks";
   }
 
-  /** `now_ms`: of the frame's callback, since most browsers have no predictedDisplayTime. */
+  /** `now_ms`: time of the frame's callback, because most browsers have no predictedDisplayTime. */
   #frameWorn(now_ms: number, frame: XRFrame, space: XRReferenceSpace): void {
     const { stage } = this.desk,
       wear = this.wear;
@@ -149,7 +149,7 @@ export class Wearing {
     const unfelt = Number.isNaN(wear.plateConnected_deg);
     const title = unfelt ? "SIMULATION: hand drawn where it is felt" : "A plate is connected";
     this.#headset?.say(title, wear.text, wear.phase === "ready" || wear.phase === "arrived");
-    // Where it is felt, while it slides; then it goes to where it is.
+    // Draws the hand at its perceived position while it slides; afterwards it moves to its true position.
     this.#led = wear.phase === "sliding" && unfelt ? 1 : this.#led * Math.exp(-elapsed_ms / settle_ms);
     const { place } = wear.felt;
     this.#headset?.shift(
@@ -159,7 +159,7 @@ export class Wearing {
     this.#show();
   }
 
-  /** Before the plate has a place, it stands ahead of the eyes, level. */
+  /** Shows the plate level and ahead of the eyes before it is placed. */
   #standAhead(frame: XRFrame, space: XRReferenceSpace): void {
     const eyes = frame.getViewerPose(space)?.transform,
       { stage } = this.desk;
@@ -174,8 +174,8 @@ export class Wearing {
     stage.mount.rotation.set(0, yaw, 0);
   }
 
-  /** The hand that slides: the one that began; before, the one nearer to the ring, or, while the plate has no place, the one
-   *  that is held farther ahead. The other one may poke. */
+  /** Returns the hand that slides. During a slide: the hand that began it; before: the hand nearer to the ring; while the plate is
+   *  not placed: the hand farther ahead. The other hand may poke the button. */
   #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
     const { wear } = this,
       eyes = frame.getViewerPose(space)?.transform.position,
@@ -212,7 +212,7 @@ export class Wearing {
   }
 }
 
-/** What to do about a refusal, for people. */
+/** Returns advice to the visitor after an error. */
 function advice(error: unknown): string {
   const name = error instanceof Error ? error.name : "";
   if (name === "NotSupportedError")
