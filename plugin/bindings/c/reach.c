@@ -1,6 +1,6 @@
 /*
- * The reach that every host's sample runs (plugin/bindings/README.md), in C: feeds a scripted finger to a session of
- * its own, and prints the hash of the commands that come out, which is the same on every host.
+ * The reach that every host's sample runs (plugin/bindings/README.md), in C: passes a scripted finger to a new session
+ * and prints the hash of the resulting commands, which is the same on every host.
  *
  *   usage: reach [RECORDING_CSV]    records the calls in this file
  */
@@ -18,7 +18,7 @@ static void check(hrt_result result) {
   exit(1);
 }
 
-/* FNV-1a of the commands, as hrt_replay_report::hash has it. */
+/* FNV-1a hash of the commands, as in hrt_replay_report::hash. */
 static uint64_t hash = UINT64_C(0xcbf29ce484222325);
 
 static void hash_word(uint64_t word) {
@@ -37,14 +37,14 @@ static void hash_command(const hrt_command* command) {
   HRT_HASHED_FIELDS(HASH_WHOLE, HASH_NUMBER)
 }
 
-/* From -500 to 500. */
+/* Returns the next noise value, from -500 to 500. */
 static int64_t noise(void) {
   static int64_t seed = 7;
   seed = seed * 16807 % 2147483647;
   return seed % 1001 - 500;
 }
 
-/* Sample `i`, from 1. Whole numbers, each divided once, give the same doubles on every host. */
+/* Returns sample `i`, from 1. It divides integers once, which gives the same doubles on every host. */
 static hrt_sample scripted(int64_t i, double plate_deg) {
   const int64_t moved = i < 10 ? 0 : i > 130 ? 120 : i - 10, distance_um = moved * moved * (180 - moved) * 25 / 216;
   const int64_t right_um = distance_um * 87 / 1000;

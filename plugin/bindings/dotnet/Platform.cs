@@ -1,9 +1,9 @@
-// What the C# of the Unity package takes from Unity, for .NET without it.
+// Replacements for the parts of Unity that the shared C# sources use, for .NET without Unity.
 using System;
 
 namespace AOT
 {
-    // Compilers ahead of time look for this name at what native code calls.
+    // Ahead-of-time compilers look for an attribute of this name on methods that native code calls.
     [AttributeUsage(AttributeTargets.Method)]
     sealed class MonoPInvokeCallbackAttribute : Attribute
     {
@@ -19,7 +19,7 @@ namespace Hrt
     {
         static volatile Action<LogLevel, string> logged = ToStandardError;
 
-        /// <summary>Takes a line of the library's log, on any thread, from its own too. Default: standard error. Null: none.</summary>
+        /// <summary>Receives lines of the library's log, on any thread. Default: standard error. Null: nothing is logged.</summary>
         public static Action<LogLevel, string> Logged
         {
             get => logged;

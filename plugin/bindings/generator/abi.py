@@ -1,5 +1,5 @@
-"""The C interface, from api.json: constants, enumerations, structs, callbacks, functions. Hosts do not have parts of structs: the
-fields of a part are those of its struct, under other names, also in texts: plate.max_speed_deg_s is plate_max_speed_deg_s."""
+"""The C interface, from api.json: constants, enumerations, structs, callbacks, functions. Hosts do not have nested structs. Their
+fields are renamed and become fields of the outer struct, also in texts: plate.max_speed_deg_s is plate_max_speed_deg_s."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ HIDDEN = ("struct_size", "reserved")
 
 
 class HostError(Exception):
-    """A host cannot show something of the interface."""
+    """Raised if a host cannot represent a part of the interface."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Type:
 
     name: str
     pointer: bool = False
-    const: bool = False  # what is pointed to
+    const: bool = False  # of the type that a pointer points to
 
     def __str__(self) -> str:
         return ("const " if self.const else "") + self.name + ("*" if self.pointer else "")
@@ -33,18 +33,18 @@ class Type:
 
 @dataclass(frozen=True, kw_only=True)
 class Value:
-    """A constant, a field or a parameter, as update_api describes it."""
+    """A constant, field or parameter, with the values that update_api writes."""
 
     name: str
     header: str = ""
     type: Type = Type("int32_t")
-    count: Any = 0  # length of a fixed array; of a parameter, the name of the parameter that has its length
+    count: Any = 0  # length of a fixed array; for a parameter, the name of the parameter with its length
     offset: int = 0
-    member: str = ""  # of a field, as C writes it behind the struct: plate.max_speed_deg_s
+    member: str = ""  # path of a field in its struct: plate.max_speed_deg_s
     value: int = 0
     unsigned: bool = False
-    enumeration: str = ""  # that a constant belongs to
-    values: str = ""  # enumeration of the constants that it takes
+    enumeration: str = ""  # enumeration of a constant
+    values: str = ""  # enumeration whose constants are allowed
     elements: str = ""
     unit: str = ""
     min: Decimal | None = None
@@ -52,7 +52,7 @@ class Value:
     zero: bool = False  # 0 is allowed too, below `min`
     norm: tuple[Decimal, ...] = ()
     unbounded: bool = False
-    default: Any = None  # a constant's name, or the number of each element
+    default: Any = None  # name of a constant, or the numbers of the elements
     boolean: bool = False
     ccw: bool = False
     profile: Any = False
@@ -69,12 +69,12 @@ class Value:
 
     @property
     def defaults(self) -> list[Decimal]:
-        """Its numbers if they are not all 0."""
+        """Default numbers, or [] if all are 0."""
         return self.default if isinstance(self.default, list) and any(self.default) else []
 
     @property
     def literals(self) -> list[str]:
-        """Its default as C has it, for each element; empty: zero."""
+        """Default of each element as a C literal; empty if it is zero."""
         return [self.default] if isinstance(self.default, str) else [self.literal(n) for n in self.defaults]
 
     def literal(self, number: Decimal) -> str:
@@ -85,7 +85,7 @@ class Value:
 
     @property
     def doc(self) -> str:
-        """The text with range and default."""
+        """Returns the text with range and default."""
         def amount(number: Decimal) -> str:
             seconds = number / 1_000_000_000 if self.unit == "ns" else Decimal(0)
             return f"{shown(seconds)} s" if seconds >= 1 else f"{shown(seconds * 1000)} ms" if seconds else shown(number)
@@ -100,7 +100,7 @@ class Value:
 
 @dataclass(frozen=True, kw_only=True)
 class Enumeration:
-    """Constants of which a field, parameter or result has one, or several as flags."""
+    """Constants for a field, parameter or result, which has one of them, or several if they are flags."""
 
     name: str
     header: str
@@ -119,7 +119,7 @@ class Struct:
     header: str
     text: str
     fields: list[Value]
-    size: int = 0  # unknown with pointers, which differ between machines
+    size: int = 0  # 0 for structs with pointers, whose size differs between machines
 
     @property
     def has_default(self) -> bool:
@@ -151,7 +151,7 @@ class Function:
 
     @property
     def declared(self) -> str:
-        """Its parameters as C has them."""
+        """Parameter list in C."""
         return ", ".join(f"{p.type} {p.name}" for p in self.params) or "void"
 
     @property
@@ -177,7 +177,7 @@ class Abi:
             return [e for e in entries if (e.header == "plate.h") == plate]
 
         def flat(whole: Value) -> list[Value]:
-            """The field, or those of the part that it is."""
+            """Returns the field itself, or the fields of a nested struct."""
             return [replace(whole, member=whole.name)] if "*" not in whole.flatten else [
                 replace(f, name=names[f"{whole.name}.{f.name}"], member=f"{whole.name}.{f.name}", offset=whole.offset + f.offset,
                         text=f.text + " Read under FIXED_DIRECTION only." * (whole.name == "paper" and whole.flatten == "*"))
@@ -200,17 +200,17 @@ class Abi:
         return next(e for e in self.enumerations if e.name == name)
 
     def size(self, value: Value) -> int:
-        """Of all elements, in bytes."""
+        """Returns the size of all elements in bytes."""
         return (SIZES.get(value.type.name) or self.struct(value.type.name).size) * (value.count or 1)
 
     def enumeration_names(self, special: dict[str, str], flags: str) -> dict[str, str]:
-        """A type's name for each enumeration: Guidance, SessionFlags with `flags` "Flags"."""
+        """Returns a type name for each enumeration: Guidance; SessionFlags if `flags` is "Flags"."""
         return {e.name: special.get(e.name) or pascal(e.name.removeprefix("HRT_")) + (flags if e.flags else "")
                 for e in self.enumerations}
 
 
 def _made(entry: dict[str, Any]) -> Any:
-    """An object of the file."""
+    """Converts an object of the file."""
     for key in entry.keys() & {"type", "result"}:
         text = entry[key]
         entry[key] = Type(text.removeprefix("const ").rstrip("*"), text.endswith("*"), text.startswith("const "))
@@ -227,13 +227,13 @@ def _made(entry: dict[str, Any]) -> Any:
 
 
 class Names:
-    """The names of a host, by those of C."""
+    """Maps C names to the names of a host."""
 
     def __init__(self, types: dict[str, str], enumerations: dict[str, str], constants: dict[str, str], fields: dict[str, str]) -> None:
         self.types, self.enumerations, self.constants, self.fields = types, enumerations, constants, fields
 
     def renamed(self, text: str) -> str:
-        """A text with these names; constants may be without HRT_ in it."""
+        """Replaces the C names in a text; constants may lack the prefix HRT_."""
         def name(found: re.Match[str]) -> str:
             struct, field, enumeration, constant = found.groups()
             if struct:

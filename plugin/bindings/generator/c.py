@@ -1,16 +1,16 @@
-"""Two C headers: structs by value with their defaults, and all functions as a table for hosts that open the library
-when they run."""
+"""Generates two kinds of C headers: functions that return structs with their defaults, and a table of all functions for
+hosts that load the library at run time."""
 
 from __future__ import annotations
 
 from abi import Abi, Struct
 
-# The headers of haptic_retargeting.h, whose structs are by value in init.h. Those of any other x.h are in x_init.h, which it includes.
+# Headers of haptic_retargeting.h, whose structs are initialised in init.h. Another header x.h includes its own x_init.h.
 CORE = ("base.h", "reach.h", "session.h", "target.h")
 
 
 def render_inits(abi: Abi, notice: str) -> dict[str, str]:
-    """By the names of the files."""
+    """Returns the headers by file name."""
     inits = {"init.h": CORE} | {f"{h.removesuffix('.h')}_init.h": (h,) for h in abi.headers if h not in CORE}
     return {name: _render_init(abi, notice, name, headers) for name, headers in inits.items()}
 
@@ -37,7 +37,7 @@ def _init(struct: Struct) -> str:
 
 
 def fill(struct: Struct) -> str:
-    """Sets the size and the defaults of `value`, which is zero."""
+    """Returns C statements that set size and defaults of the zeroed struct `value`."""
     return "  value.struct_size = sizeof value;\n" + "".join(
         f"  value.{f.member}{f'[{i}]' if f.count else ''} = {literal};\n" for f in struct.fields
         for i, literal in enumerate(f.literals) if struct.has_default and literal.strip("0."))

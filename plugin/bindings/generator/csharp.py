@@ -1,6 +1,6 @@
-"""The C interface for C#, in Unity's manner: enums, blittable structs with plain fields, P/Invoke declarations.
+"""Generates the C interface for C#, in the style of Unity: enums, blittable structs with plain fields, P/Invoke declarations.
 
-Types and members are in C#'s case and without hrt_; functions keep their names. An enumeration becomes an enum.
+Types and members follow the naming of C# and lack the prefix hrt_; functions keep their names. An enumeration becomes an enum.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ import textwrap
 
 from abi import Abi, Enumeration, Function, Names, Struct, Type, Value, pascal
 
-# Whose names in C# are not those of the headers.
+# Enumerations with other names in C#.
 _ENUMS = {"HRT_ERROR": "Result", "HRT_LOG": "LogLevel", "HRT_TARGET": "TargetRole"}
 _HANDLES = {"hrt_target": "TargetId"}
 _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "ulong", "double": "double",
           "hrt_result": "Result", "size_t": "UIntPtr", "void": "void"}
-# Arrays that several structs have, with their elements.
+# Array types that several structs use.
 _ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name"}
 _SHARED = {
     "Double3": ("double", "x y z", "Three numbers, as the library has them: a position in metres, x right, y up, z towards the user, right-handed."),
@@ -32,7 +32,7 @@ def camel(name: str) -> str:
 
 class Renderer(Names):
     def __init__(self, abi: Abi, plugin: Renderer | None = None) -> None:
-        """`plugin` is that of the plugin if `abi` is libhrt_plate's: texts refer to its structs."""
+        """`plugin`: renderer of the plugin's interface if `abi` is libhrt_plate's, whose texts refer to it."""
         self.abi, self.library, self.native = abi, "hrt_plate" if plugin else "haptic_retargeting", "PlateNative" if plugin else "Native"
         super().__init__({s.name: _HANDLES.get(s.name) or pascal(s.name.removeprefix("hrt_")) + "Handle" * s.is_handle for s in abi.structs}
                          | {c.name: pascal(c.name.removeprefix("hrt_")) for c in abi.callbacks},
@@ -41,7 +41,7 @@ class Renderer(Names):
         self.callbacks = [c.name for c in abi.callbacks]
         self.constants = {c.name: f"Constants.{pascal(c.name.removeprefix('HRT_'))}" for c in abi.constants} | {"HRT_OK": "Result.Ok"}
         self.constants |= {c.name: f"{self.enumerations[e.name]}.{pascal(e.short(c))}" for e in abi.enumerations for c in e.members}
-        # PersonMean; of a field of one word with its struct's: RegistrationCovariance.
+        # The type of an array is named after its field (PersonMean), with the struct if that is one word (RegistrationCovariance).
         self.arrays = {(s.name, f.name): _ARRAYS.get((f.type.name, f.count)) or self.types[s.name] * ("_" not in f.name) + pascal(f.name)
                        for s in abi.structs for f in s.fields if f.count}
         if plugin:
@@ -87,7 +87,7 @@ class Renderer(Names):
         return text + "}\n"
 
     def default(self, struct: Struct, field: Value) -> str:
-        """Empty: zero."""
+        """Returns the default of a field; empty if it is zero."""
         if not field.literals or isinstance(field.default, str):
             return self.constants[field.default] if field.literals else ""
         return f"new {self.field_type(struct, field)}({', '.join(field.literals)})" if field.count else field.literals[0]
@@ -98,7 +98,7 @@ class Renderer(Names):
         return "IntPtr" if field.type.name in self.callbacks else self.value(field.type)
 
     def array(self, struct: Struct, field: Value) -> str:
-        """A fixed array, which C# has not, as a struct; of characters in words of eight bytes."""
+        """Renders a fixed array as a struct, because C# has no such type; characters are stored in words of eight bytes."""
         prefix = f"{field.elements}_"
         names = {c.value: camel(c.name.removeprefix(prefix)) for c in reversed(self.abi.constants) if c.name.startswith(prefix)}
         text = field.type.name == "char"
@@ -109,7 +109,7 @@ class Renderer(Names):
                 + f"\n    public override string ToString() => Utf8.Read({elements});\n" * text + "}\n")
 
     def shared(self, name: str) -> str:
-        """An array that several structs have, which scripts fill too."""
+        """Renders an array type that several structs use, and that scripts can fill."""
         type_, names, text = _SHARED[name]
         elements = names.split()
         is_text = type_ == "ulong"
@@ -124,7 +124,7 @@ class Renderer(Names):
                 + f"    public override string ToString() => {shown};\n}}\n")
 
     def callback(self, function: Function) -> str:
-        # What a callback is given is only ever looked at through pointers.
+        # Parameters of callbacks are read through pointers only.
         parameters = ", ".join(f"{self.value(p.type)} {camel(p.name)}" for p in function.params)
         return (self.doc(function.text, "") + "[UnmanagedFunctionPointer(CallingConvention.Cdecl)]\n"
                 f"internal delegate {self.value(function.result)} {self.types[function.name]}({parameters});\n")
@@ -141,14 +141,14 @@ class Renderer(Names):
         element = "byte" if type_.name in ("char", "void") else _TYPES.get(type_.name) or self.types[type_.name]
         if parameter.count or element == "byte":
             return f"{'[In]' if type_.const else '[In, Out]'} {element}[] {name}"
-        # A struct that is filled in brings its size, so it goes both ways.
+        # A struct that the function fills has its size set by the caller, so it is passed in both directions.
         return f"{'out' if type_.name in _TYPES or self.abi.struct(type_.name).is_handle else 'ref'} {element} {name}"
 
     def value(self, type_: Type) -> str:
         return "IntPtr" if type_.pointer else _TYPES.get(type_.name) or self.types[type_.name]
 
     def doc(self, text: str, indent: str) -> str:
-        """A header's comment as C#'s."""
+        """Renders a comment of a header as a C# comment."""
         if not text:
             return ""
         text = self.renamed(text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;"))

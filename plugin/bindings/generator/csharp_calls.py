@@ -1,5 +1,5 @@
-"""The functions of the C interface as methods in C#'s manner: a handle's are methods of its class, a struct comes by value with
-its size set, what a function fills in is returned, a refusal is thrown. hrt_target_add becomes AddTarget of the session."""
+"""Generates methods in the style of C# for the C functions: functions of a handle become methods of its class, structs are passed
+by value with their size set, outputs are returned, errors are thrown. hrt_target_add becomes AddTarget of the session."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from csharp import Renderer, camel
 _CLASSES = {"hrt_session": "HapticRetargetingSession", "hrt_person": "HapticRetargetingPerson",
             "hrt_plate": "HapticRetargetingPlate"}
 _STATIC = "HapticRetargetingLibrary"
-# Whose names do not follow from those of the headers.
+# Methods whose names do not follow from the C functions.
 _NAMES = {"hrt_target_list": "ListTargets", "hrt_gap_assign": "AssignTargets",
           "hrt_reach_touched": "ReachTouched", "hrt_profile_reset": "NewPerson",
           "hrt_flags_text": "FlagsText"}
-# What the classes have by hand: constructors, updates without garbage, scenes, and what belongs to the process.
+# Functions whose methods are hand-written: constructors, updates without garbage, scenes, and functions of the process.
 _BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_host_set", "hrt_recording_replay")
 
 
@@ -47,13 +47,13 @@ class _Call:
         self.names, self.function = names, function
         first = function.params[0].type
         self.owner = _STATIC if first.pointer else _CLASSES.get(first.name, _STATIC)
-        self.taken: list[str] = []  # of the method
+        self.taken: list[str] = []  # parameters of the method
         self.before = ["Load();"] * (self.owner == _STATIC)
-        self.passed = ["Handle"] * (self.owner != _STATIC)  # to the function
-        self.returned = ("void", "")  # its type, and what is returned
+        self.passed = ["Handle"] * (self.owner != _STATIC)  # arguments of the function
+        self.returned = ("void", "")  # type and expression of the result
         self.parameters = function.params[len(self.passed):]
         outputs = [p for p in self.parameters if p.name.startswith("out_") and p.name != "out_count"]
-        # A struct is returned rather than others.
+        # If there are several outputs, the struct is returned.
         self.main_output = min(outputs, key=lambda p: not self.has_size(p) or bool(p.count), default=function.params[0]).name
 
     def render(self) -> str:
@@ -102,7 +102,7 @@ class _Call:
         self.passed.append(f"ref {name}" if self.has_size(p) else f"out {element} {name}" if declared else f"out {name}")
 
     def declare(self, p: Value, type_: str, value: str, name: str) -> str:
-        """Has an output returned, and is its declaration; another one is the method's."""
+        """Returns the declaration of an output. The main output is returned by the method, any other is its parameter."""
         if p.name == self.main_output:
             self.returned = (type_, value)
             return "var "
@@ -111,7 +111,7 @@ class _Call:
 
     def text(self, p: Value, name: str) -> None:
         if p.count:
-            self.parameters.pop(0)  # its length
+            self.parameters.pop(0)  # the length of the text
             self.take("string", name, "bytes", f"byte[] bytes = Utf8.Bytes({name}, nameof({name}));")
             self.passed.append("(ulong)bytes.Length")
         else:
@@ -119,12 +119,12 @@ class _Call:
 
     def array(self, p: Value, name: str) -> None:
         element = self.element(p)
-        self.parameters.pop(0)  # their count
+        self.parameters.pop(0)  # the number of elements
         self.take(f"{element}[]", name, name, f"if ({name} == null) throw new ArgumentNullException(nameof({name}));")
         self.passed.append(f"(ulong){name}.Length")
 
     def filled(self, p: Value) -> None:
-        """An array for the function to fill: as long as the one that it was given, or as the function says at first."""
+        """Declares an array for the function to fill. Its length is that of an input array, or what a first call returns."""
         text = p.type.name == "char"
         name, element = camel(p.name.removeprefix("out_")), "byte" if text else self.element(p)
         given = next((taken.split("[] ")[1] for taken in self.taken if "[] " in taken), "")

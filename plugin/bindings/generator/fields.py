@@ -1,5 +1,5 @@
-"""The fields of the structs for the library's own C++ (plugin/src/abi/field.h): names, ranges, defaults, what profiles have; and
-what a compiler must see of their layout."""
+"""Generates the tables of struct fields for the library's C++ (plugin/src/abi/field.h): names, ranges, defaults, use in profiles;
+and assertions about their layout."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _CPP = {"char": "char", "int32_t": "std::int32_t", "uint32_t": "std::uint32_t", 
         "uint64_t": "std::uint64_t", "double": "double"}
 
 
-# What is recorded of a reach, in the order of a recording's columns, with the names of those that are not called as their field.
+# Columns of a recording in their order, with the names of the columns that are not named after their field.
 _RECORDED = (
     ("", ("time_ns",)),
     ("hrt_sample", {"flags": "sample_flags", "finger_direction_deg": "sample_direction_deg", "finger_position_m": "sample_{}_m",
@@ -30,7 +30,7 @@ _RECORDED = (
 
 
 def render(abi: Abi, notice: str, others: str = '"plugin/src/abi/field.h"') -> str:
-    """`others` is the header to include."""
+    """Renders the tables; `others` is the header to include."""
     structs = [s for s in abi.structs if s.size and not s.is_handle]
     return (f"// {notice}\n// clang-format off\n#pragma once\n\n"
             + "".join(f'#include "haptic_retargeting/{name}"\n' for name in abi.headers)
@@ -47,7 +47,7 @@ def _flag_words(abi: Abi) -> str:
 
 
 def _calls(abi: Abi) -> str:
-    """What can be refused for an argument."""
+    """Renders the names of the arguments that errors can report."""
     handles = {s.name for s in abi.structs if s.is_handle}
     rows = "".join(f'    {{"{f.name}", "{" ".join(p.name for p in f.params)}"}},\n' for f in abi.functions if f.returns_result
                    and any(p.type.pointer or p.type.name in handles for p in f.params))
@@ -60,7 +60,7 @@ def _fields(abi: Abi, struct: Struct) -> str:
     for f in fields:
         attributes = "".join(f", .{name} = {value}" for name, value in _attributes(abi, struct, f).items())
         text += f'  static constexpr Field<S, {_kind(f)}> {f.name}{{.name = "{f.name}", .offset = offsetof(S, {f.member}){attributes}}};\n'
-        # The elements of an array that constants name, with ranges of their own.
+        # Elements of an array that have their own constants and ranges.
         if elements := [e for e in abi.constants if f.elements and e.name.startswith(f"{f.elements}_") and e.min is not None]:
             rows = "".join(f'      {{"{f.name}[{e.name}]", {f.literal(e.min)}, {f.literal(e.max)}}},\n' for e in elements)
             text += f"  static constexpr Element {f.name}_elements[] = {{\n{rows}  }};\n"
@@ -74,7 +74,7 @@ def _kind(f: Value) -> str:
 
 
 def _attributes(abi: Abi, struct: Struct, f: Value) -> dict[str, str]:
-    """What Field has besides the name and the place."""
+    """Returns the initialisers of Field after name and offset."""
     if f.name == "reserved":
         return {"kind": "FieldKind::reserved"}
     attributes = {}
@@ -101,7 +101,7 @@ def _defaults(struct: Struct) -> str:
 
 
 def recorded(abi: Abi) -> Iterator[tuple[Struct, dict[str, list[str]]]]:
-    """The structs of a recording, with the columns of each field."""
+    """Yields the structs of a recording, with the columns of each field."""
     for struct, names in _RECORDED:
         if struct:
             yield abi.struct(struct), {f.name: [names.get(f.name, f.name).format(axis) for axis in "xyzw"[:f.count or 1]]
@@ -109,7 +109,7 @@ def recorded(abi: Abi) -> Iterator[tuple[Struct, dict[str, list[str]]]]:
 
 
 def _columns(abi: Abi) -> str:
-    """The columns of a recording, and the first one of each field."""
+    """Renders the columns of a recording, and the first column of each field."""
     columns = ["call", "result"]
     text = ""
     structs = recorded(abi)

@@ -1,4 +1,4 @@
-"""Godot's tables: fields as properties and Dictionary keys, constants, the class's methods, and the class reference."""
+"""Generates Godot's tables: fields as properties and Dictionary keys, constants, methods, and the class reference."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from xml.sax.saxutils import escape
 import settings
 from abi import Abi, Enumeration, Value, pascal
 
-# What a script gets as a Dictionary.
+# Structs that scripts receive as a Dictionary.
 _RECORDS = ("hrt_command", "hrt_reach_summary", "hrt_gap", "hrt_setup_step", "hrt_setup_result", "hrt_conditions",
             "hrt_recording_status")
-# Of no Dictionary and no property: the marks of a set-up are the start and five places on the rim.
+# Fields that are neither Dictionary keys nor properties: the marks of a set-up are the start and five points on the rim.
 _NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
-# Of no property or Dictionary: methods return Godot's own errors.
+# Enumerations without constants, because methods return Godot's own errors.
 _NO_CONSTANTS = ("HRT_ERROR", "HRT_LOG")
 _ACRONYMS = {"MPC"}
-# Names of methods in error texts, where they are neither the verb of a call nor its verb and noun: hrt_reach_end is end, and
-# hrt_setup_begin is begin_setup.
+# Methods in error texts whose names are neither the verb of a call (hrt_reach_end: end) nor its verb and noun
+# (hrt_setup_begin: begin_setup).
 _CALLS = {
     "session_create": "HapticRetargeting", "session_set": "HapticRetargeting", "session_get": "HapticRetargeting",
     "session_new_person": "new_person", "target_add": "add_real_target", "target_set": "move_target_to", "target_get": "find_target",
@@ -65,7 +65,7 @@ def _record(abi: Abi, struct: str) -> str:
 
 
 def _methods() -> list[str]:
-    """What plate_node.h declares for scripts."""
+    """Returns the methods that plate_node.h declares for scripts."""
     header = (_GODOT / "plate_node.h").read_text(encoding="utf-8")
     shown = header.split("// The methods of scripts")[1].split(" private:")[0]
     methods = [(name, re.sub(r"[\w:]+ (\w+)", r'"\1"', arguments))
@@ -83,7 +83,7 @@ def _script_names(abi: Abi, plate: Abi) -> list[str]:
 
 
 def _property(abi: Abi, of: str, field: Value, prefix: str, group: str) -> str:
-    """With how the inspector shows it."""
+    """Renders a property with its hint for the inspector."""
     hint, text = "kNone", ""
     if field.values:
         enumeration = abi.enumeration(field.values)
@@ -97,7 +97,7 @@ def _property(abi: Abi, of: str, field: Value, prefix: str, group: str) -> str:
 
 
 def _step(field: Value) -> Decimal:
-    """To which the inspector rounds."""
+    """Returns the step to which the inspector rounds."""
     lowest, upper = field.lowest, field.max
     if field.type.name != "double":
         return Decimal(1)
@@ -105,7 +105,7 @@ def _step(field: Value) -> Decimal:
 
 
 def _reference(abi: Abi, plate: Abi, setup: list[Value]) -> str:
-    """The class reference, as the editor shows it: of properties and constants from the headers, of the rest from the README."""
+    """Renders the editor's class reference: properties and constants from the headers, the rest from the README."""
     def doc(comment: str) -> str:
         comment = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", comment)  # links
         return escape(re.sub(r"\bHRT_([A-Z])", r"\1", re.sub(r"`([^`]*)`", r"[code]\1[/code]", comment)))
@@ -141,7 +141,7 @@ def _shown(abi: Abi) -> list[Enumeration]:
 
 
 def _choices(enumeration: Enumeration) -> str:
-    """As the inspector offers them: "MPC,Fixed Plate"; with its number where that is not the place, and of flags: "Real:1"."""
+    """Returns the inspector's choices: "MPC,Fixed Plate"; flags, and values that are not their index, have a number: "Real:1"."""
     texts = []
     for i, member in enumerate(enumeration.members):
         short = enumeration.short(member)

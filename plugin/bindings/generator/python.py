@@ -1,5 +1,5 @@
-"""ctypes declarations for Python: hrt_session_config becomes SessionConfig, the handle hrt_session SessionHandle,
-and constants that belong together an enumeration."""
+"""Generates ctypes declarations for Python: hrt_session_config becomes SessionConfig, the handle hrt_session becomes
+SessionHandle, and a group of constants becomes an enumeration."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from abi import Abi, Enumeration, Names, Struct, Type, Value, pascal
 
 _CTYPES = {"char": "c_char", "int32_t": "c_int32", "hrt_result": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
            "uint64_t": "c_uint64", "double": "c_double", "size_t": "c_size_t"}
-# Of _struct.py.
+# Annotated number types, which _struct.py defines.
 _ANNOTATED = {"int32_t": "Int32", "uint32_t": "UInt32", "int64_t": "Int64", "uint64_t": "UInt64", "double": "Double"}
-# Whose names in Python are not those of the headers.
+# Enumerations with other names in Python.
 _ENUMERATIONS = {"HRT_ERROR": "ErrorCode", "HRT_LOG": "LogLevel", "HRT_TARGET": "Role"}
-# Error texts name these functions of the package; others are the method of the class: hrt_reach_end is Reach.end.
+# Names in error texts for functions that do not follow the rule "method of the class", such as hrt_reach_end: Reach.end.
 _FUNCTIONS = {
     "session_create": "Session", "session_get": "Session.config", "session_set": "Session.configure", "session_destroy": "Session.close",
     "target_add": "Session.add_real", "target_set": "Target.configure", "target_get": "Target.config", "target_list": "Session.targets",
@@ -28,8 +28,8 @@ _FUNCTIONS = {
     "scene_get_info": "Scene.info", "scene_get_target": "Scene.targets", "recording_replay": "replay",
     "plate_open": "Plate",
 }
-# Classes of the package whose methods take fields of a struct by keyword: method, what it takes before them, and what
-# it hands them to.
+# Classes whose methods take fields of a struct by keyword: method, parameters before the keywords, and the method that
+# receives them.
 _KEYWORDS = {
     "SessionKeywords": ("hrt_session_config", (("__init__", "", "_create"), ("configure", "", "_configure"))),
     "TargetKeywords": ("hrt_target_config", (("configure", "", "_configure"),)),
@@ -54,7 +54,7 @@ else:
     Target = object
 
 '''
-_KEYWORDS_HEAD = '''"""Methods whose keywords are fields of a struct, so that type checkers and editors know them; None: not given."""
+_KEYWORDS_HEAD = '''"""Methods whose keywords are fields of a struct, declared for type checkers and editors. None: not given."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def render(abi: Abi, notice: str) -> str:
     text = f"# {notice}\n{_HEAD}__all__ = {public}\n\n"
     for c in (c for c in abi.constants if not c.enumeration):
         if c.name == "HRT_VERSION":
-            text += f'VERSION = ({abi.version.replace(".", ", ")})\n"""Of the headers."""\nVERSION_NUMBER = {c.value}\n'
+            text += f'VERSION = ({abi.version.replace(".", ", ")})\n"""Version of the C headers."""\nVERSION_NUMBER = {c.value}\n'
         elif not c.name.startswith("HRT_VERSION"):
             text += f"{c.name.removeprefix('HRT_')} = {c.value}\n" + _doc(c.text, [], names, "")
     text += "".join(_enumeration(e, names) for e in abi.enumerations)
@@ -87,19 +87,19 @@ def render(abi: Abi, notice: str) -> str:
     text += "".join(_struct(s, names) for s in abi.structs) + "\n\nFUNCTIONS: dict[str, tuple[Any, ...]] = {\n"
     for f in abi.functions:
         text += f'    "{f.name}": ({"".join(_type(t, names) + ", " for t in (f.result, *(p.type for p in f.params)))}),\n'
-    text += '}\n"""The types of each function\'s result and parameters."""\n\nNAMES = {\n'
+    text += '}\n"""Types of each function\'s result and parameters."""\n\nNAMES = {\n'
     c_names = names.constants | {f"{e.name}_": f"{names.enumerations[e.name]}." for e in abi.enumerations}
     for function in (f.name.removeprefix("hrt_") for f in abi.functions if f.returns_result and f.name not in ("hrt_host_set", "hrt_flags_text")):
         noun, _, verb = function.partition("_")
         method = f"{'SetUp' if noun == 'setup' else noun.capitalize()}.{verb}"
         c_names[f"hrt_{function}"] = _FUNCTIONS.get(function, method)
     text += "".join(f'    "{name}": "{shown}",\n' for name, shown in c_names.items() if name != shown)
-    text += '}\n"""The names of this package for those of C, in error texts."""\n'
+    text += '}\n"""Names of this package for the C names in error texts."""\n'
     if any(s.name == "hrt_command" for s in abi.structs):
         text += "\nCOLUMNS: dict[str, dict[str, list[str]]] = {\n"
         for struct, columns in fields.recorded(abi):
             text += f'    "{names.types[struct.name]}": {columns},\n'
-        text += '}\n"""The columns of each field in a recording."""\n'
+        text += '}\n"""Columns of each field in a recording."""\n'
     return text
 
 
@@ -109,7 +109,7 @@ def render_keywords(abi: Abi, notice: str) -> str:
     used = sorted(hints & {*names.enumerations.values(), *names.types.values()})
     text = f"# {notice}\n" + _KEYWORDS_HEAD.replace("from ._struct", f"from ._abi import {', '.join(used)}\nfrom ._struct")
     for name, (struct, methods) in _KEYWORDS.items():
-        text += f'\n\nclass {name}:\n    """The fields of {names.types[struct]}, by keyword."""\n'
+        text += f'\n\nclass {name}:\n    """Keywords for the fields of {names.types[struct]}."""\n'
         keywords = ", ".join(f"{f.name}: {_given_hint(f, names)} | None = None" for f in abi.struct(struct).shown)
         for method, before, to in methods:
             passed = before.partition(":")[0] + ", " if before else ""
@@ -129,7 +129,7 @@ class _Host(Names):
 
 
 def _doc(text: str, items: list[tuple[str, str]], names: _Host, indent: str = "    ") -> str:
-    """A text, and one of each item, which help() shows."""
+    """Renders a docstring with a line for each item, for help()."""
     lines = textwrap.wrap(names.renamed(text), 104) + [""] * bool(items)
     for name, item in items:
         lines += textwrap.wrap(f"{name}: {names.renamed(item)}" if item else name, 104, subsequent_indent="    ")
@@ -168,7 +168,7 @@ def _type(type_: Type, names: _Host) -> str:
 
 
 def _stored(field: Value, names: _Host) -> str:
-    """The type that a script reads, annotated with the one of ctypes where that is another."""
+    """Returns the type that scripts read, annotated with the ctypes type if that differs."""
     if field.values:
         return names.enumerations[field.values]
     stored = _type(field.type, names)
@@ -182,7 +182,7 @@ def _stored(field: Value, names: _Host) -> str:
 
 
 def _given_hint(field: Value, names: _Host, numbers: str = "Numbers") -> str:
-    """The type of what may be given."""
+    """Returns the type of an accepted argument."""
     if field.count:
         return "str | bytes" if field.type.name == "char" else numbers
     if field.boolean:

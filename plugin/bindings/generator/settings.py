@@ -1,6 +1,5 @@
-"""The settings that an engine's inspector shows: the fields of hrt_session_config that are a number or a choice. Left
-out are the plate's pose, which is that of the object in the scene, and fixed arrays, which profiles and registrations
-hold."""
+"""The settings that an engine's inspector shows: numbers and choices of hrt_session_config. The plate's pose is the
+transform of the object in the scene, and fixed arrays are stored in profiles and registrations."""
 
 from __future__ import annotations
 
@@ -8,7 +7,7 @@ from abi import HIDDEN, Abi, Value
 
 STRUCT = "hrt_session_config"
 POSE = ("plate_position_m", "plate_rotation")
-FOUND = ("fingertip_offset_m",)  # by a set-up
+FOUND = ("fingertip_offset_m",)  # measured by a set-up
 
 
 def shown(abi: Abi) -> list[Value]:
@@ -16,7 +15,7 @@ def shown(abi: Abi) -> list[Value]:
 
 
 def hidden(abi: Abi) -> list[Value]:
-    """What is to be kept when a configuration is made from the settings."""
+    """Returns the fields that are kept when a configuration is made from the settings."""
     return [f for f in abi.struct(STRUCT).fields if (f.count not in (0, 3) or f.name in FOUND) and f.name not in POSE]
 
 
@@ -25,7 +24,7 @@ _SECTIONS = {"Plate": ("plate", "start", "lift"), "User": ("tactile", "bias", "m
 
 
 def section(field: Value) -> str:
-    """Where an inspector shows it: by the first word of its name."""
+    """Returns the group in which an inspector shows a field, by the first word of its name."""
     first = field.name.removeprefix("fixed_").partition("_")[0]
     return next((name for name, words in _SECTIONS.items() if first in words), "Controller")
 

@@ -1,4 +1,4 @@
-"""The settings in Unity's inspector, with tooltips, ranges and defaults: a part of the component HapticRetargeting."""
+"""Generates the settings in Unity's inspector, with tooltips, ranges and defaults, as a part of the component HapticRetargeting."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from abi import Abi, HostError, Value
 from csharp import Renderer, camel
 
 _WIDTH = 87
-_WIDEST_SLIDER = 360  # beyond, a slider is too coarse
-_FROM_SCENE = "start_position_m"  # a Transform, as the plate's pose
+_WIDEST_SLIDER = 360  # a slider over a larger range is too coarse
+_FROM_SCENE = "start_position_m"  # given by a Transform, as is the plate's pose
 _TYPES = {"int32_t": "int", "uint32_t": "int", "int64_t": "long", "uint64_t": "ulong", "double": "double"}
 
 
@@ -38,7 +38,7 @@ def render(abi: Abi, notice: str) -> str:
 
 
 def _type(names: Renderer, field: Value) -> tuple[str, str]:
-    """With the default if it is not 0."""
+    """Renders a field, with its default if that is not 0."""
     if field.values:
         return names.enumerations[field.values], names.constants.get(str(field.default), "")
     kind = "double" if field.unit == "ns" else "Double3" if field.count else _TYPES.get(field.type.name)

@@ -1,6 +1,6 @@
-"""What Blueprints see of the C interface: enums and structs in Unreal's terms, and the conversions between the two.
+"""Generates the C interface for Blueprints: enums and structs in Unreal's terms, and conversions from and to C.
 
-Unreal has centimetres, seconds, and yaw, which is positive clockwise, so that the sign of every `ccw` angle changes.
+Unreal uses centimetres, seconds, and clockwise yaw, so that the sign of every `ccw` angle changes.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand",
             "hrt_setup_step": "FHapticSetupStep", "hrt_setup_result": "FHapticSetupResult"}
 _OUTPUTS = [name for name in _STRUCTS if name != settings.STRUCT]
 _TO_CONFIG = "hrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, const hrt_session_config& Before)"
-# The component's transform has the first; the plugin keeps the others.
+# The first is given by the component's transform; the plugin keeps the others.
 _NOT_SHOWN = (*HIDDEN, "plate_rotation", "covariance", "sd_m")
-# Arguments of the component.
+# Enumerations of the component's arguments.
 _ENUMERATIONS = ("HRT_TARGET",)
 _ACRONYMS = {"MPC"}
 _UNITS = {"m": "cm", "deg/s": "degrees a second", "deg/s^2": "degrees a second squared", "ns": "seconds", "s": "seconds"}
@@ -37,13 +37,13 @@ def _words(name: str) -> str:
 
 @dataclass(frozen=True)
 class _Member:
-    """A field of the C interface as a member of Unreal's struct."""
+    """A field of the C interface as a member of an Unreal struct."""
 
     field: Value
     type: str
     name: str
-    to: str  # the C field's value, with S for the struct of Unreal
-    taken: str  # the member's value, with C for the struct of C
+    to: str  # value of the C field; S is the Unreal struct
+    taken: str  # value of the member; C is the C struct
     default: str
 
 
@@ -53,7 +53,7 @@ class _Renderer(Names):
         self.enums = {e.name: e for e in abi.enumerations}
         names = {e: f"EHaptic{name}" for e, name in abi.enumeration_names({"HRT_TARGET": "TargetRole"}, "Flags").items()}
         super().__init__(_STRUCTS, names, {c.name: f"{names[e.name]}::{_words(e.short(c))}" for e in abi.enumerations for c in e.members}, {})
-        # A settings' flag is a bool of its own, so it needs no enum.
+        # Flags of the settings are separate bools, which need no enum.
         shown = [f.values for s in _STRUCTS for f in abi.struct(s).fields if s != settings.STRUCT or not self.is_flags(f)]
         self.shown = [e for e in abi.enumerations if e.name in (*shown, *_ENUMERATIONS)]
         self.members = {name: self.members_of(abi.struct(name)) for name in _STRUCTS}
@@ -85,7 +85,7 @@ class _Renderer(Names):
         name, member, of_other = _words(_without_unit(field)), field.member, ""
         if field.ccw:
             name = re.sub("(Direction|Orientation)$", "", name) + "Yaw"
-            # To mirror is to exchange the ends of a range.
+            # Mirroring exchanges the ends of a range.
             member = re.sub("([_.])(lower|upper)_", lambda m: m[1] + {"lower": "upper_", "upper": "lower_"}[m[2]], member)
             of_other = re.sub("Lower|Upper", lambda m: {"Lower": "Upper", "Upper": "Lower"}[m[0]], name)
         elif field.boolean:
@@ -94,7 +94,7 @@ class _Renderer(Names):
         return _Member(field, type_, name, to.format(f"S.{of_other or name}"), taken.format(f"C.{member}"), default)
 
     def interval(self, field: Value) -> list[_Member]:
-        """Value, ends and whether it is known: bias_deg is BiasYaw, BiasYawLower, BiasYawUpper, bBiasYawKnown."""
+        """Returns the members of an interval: bias_deg becomes BiasYaw, BiasYawLower, BiasYawUpper and bBiasYawKnown."""
         name = _words(_without_unit(field)) + "Yaw" * field.ccw
         value = "Turned(C.{}.{})" if field.ccw else "C.{}.{}"
         members = [_Member(field, "double", name, "", value.format(field.member, "value"), "0.0")]
@@ -105,7 +105,7 @@ class _Renderer(Names):
         return [*members, _Member(part, "bool", f"b{name}Known", "", f"C.{field.member}.known != 0", "false")]
 
     def conversion(self, field: Value) -> tuple[str, str, str, str]:
-        """The type in Unreal, how it is converted to C and back, and its default."""
+        """Returns the type in Unreal, the conversions to and from C, and the default."""
         kind, enum = field.type.name, self.enumerations.get(field.values, "")
         number = _shown(field, field.defaults[0]) if field.defaults and not field.count else Decimal(0)
         if field.values and not self.is_flags(field):
@@ -140,7 +140,7 @@ class _Renderer(Names):
         text = self.renamed(text).replace("; y is the height", "; Z is the height").replace("`", "").strip(" .:;")
         if not text:
             return ""
-        end = "\N{NO-BREAK SPACE}*/"  # never a line of its own
+        end = "\N{NO-BREAK SPACE}*/"  # never alone on a line
         lines = textwrap.wrap(f"/** {text}.{end}", _WIDTH, subsequent_indent=" *  ", break_on_hyphens=False)
         return "".join(f"{indent}{line}\n" for line in lines).replace(end, " */")
 
@@ -149,13 +149,13 @@ class _Renderer(Names):
         spec = 'meta = (Bitflags, UseEnumValuesAsMaskValuesInEditor = "true")' if flags else "BlueprintType"
         text = self.doc(enumeration.text, "") + f"UENUM({spec})\n"
         text += f"enum class {self.enumerations[enumeration.name]} : {'int32' if flags else 'uint8'}\n{{\n"
-        # Unreal wants a value for 0.
+        # Unreal requires a value for 0.
         rows = [] if any(m.value == 0 for m in enumeration.members) else ["\tNone = 0 UMETA(Hidden)"]
         rows += [self.doc(m.text) + f"\t{_words(enumeration.short(m))} = {m.value}" for m in enumeration.members]
         return text + ",\n".join(rows) + "\n};\n"
 
     def comment(self, member: _Member) -> str:
-        """Without range and default, which Unreal shows in its own way and unit."""
+        """Returns the text without range and default, which Unreal shows in its own format and unit."""
         text = member.field.text
         if member.field.boolean:
             text = re.sub("^1 if ", "True if ", re.sub("^0 if ", "False if ", text))

@@ -1,4 +1,4 @@
-"""Constants and struct layouts for JavaScript, with TypeScript types. In wasm32 a pointer has 4 bytes."""
+"""Generates constants and struct layouts for JavaScript, with TypeScript types. In wasm32 a pointer has 4 bytes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from abi import Abi, HostError, Struct, Type
 
 _ELEMENTS = {"char": "u8", "int32_t": "i32", "uint32_t": "u32", "int64_t": "i64", "uint64_t": "u64",
              "double": "f64", "size_t": "u32", "hrt_result": "i32"}
-# Structs that numbers.mjs writes and reads without creating objects.
+# Structs that numbers.mjs reads and writes without creating objects.
 _FRAME_TYPES = {"double": ("view.setFloat64(at + {0}, {1}, true)", "view.getFloat64(at + {0}, true)"),
                 "uint32_t": ('writeU32(view, at + {0}, "{1}", {1})', "view.getUint32(at + {0}, true)"),
                 "int64_t": ('writeI64(view, at + {0}, "{1}", {1})', "readI64(view, at + {0})")}
@@ -34,8 +34,8 @@ def render_script(abi: Abi, notice: str) -> str:
 
 
 def render_frames(abi: Abi, notice: str) -> str:
-    """The structs that go to and from memory in each frame, as objects of numbers: unrolled, so that no frame makes
-    objects and no name is looked up."""
+    """Renders access to the structs that are read or written in each frame. The code is unrolled, so that a frame creates
+    no objects and looks up no names."""
     text = f"// {notice}\n" + 'import { writeF64s, writeI64, writeU32, readI64 } from "./numbers.mjs";\n'
     for name, title in (("hrt_sample", "Sample"), ("hrt_command", "Command")):
         fields, writes, reads, starts, arrays = abi.struct(name).shown, "", "", "", []
@@ -69,14 +69,14 @@ def _defaults(abi: Abi, struct: Struct) -> str:
 _LAYOUT_TYPES = """
 export interface FieldPlace {
   readonly offset: number;
-  /** Or the name of a struct. An id of a target is a u64 that a number represents exactly. */
+  /** Number type or name of a struct. A target id is a u64 that a number represents exactly. */
   readonly type: "u8" | "i32" | "u32" | "i64" | "u64" | "id" | "f64" | string;
   readonly length?: number;
 }
 
 export interface StructLayout<Field extends string> {
   readonly size: number;
-  /** Defaults other than 0. */
+  /** Defaults that are not 0. */
   readonly defaults?: Readonly<Partial<Record<Field, unknown>>>;
   readonly fields: Readonly<Record<Field, FieldPlace>>;
 }

@@ -1,4 +1,4 @@
-"""Finds a person's parameters from slides over a plate at rest. The person is simulated; nothing here was measured on people.
+"""Estimates a person's parameters from slides over a plate at rest. The person is simulated; no data are from real people.
 
     usage: python3 calibrate.py
 """

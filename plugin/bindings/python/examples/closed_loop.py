@@ -1,5 +1,5 @@
-"""A study in a few lines: how a person's share of touch decides how their first and their fifth reach end. The people are
-simulated; nothing here was measured on people.
+"""A study in a few lines: how the result of a person's first and fifth reach depends on their tactile weight. The people are
+simulated; no data are from real people.
 
     usage: python3 closed_loop.py
 """
@@ -8,11 +8,11 @@ import numpy as np
 
 import haptic_retargeting as hrt
 
-PEOPLE, REACHES, FRAMES = 20, 5, 900  # frames of 90 Hz, at most
+PEOPLE, REACHES, FRAMES = 20, 5, 900  # at most, at 90 Hz
 
 
 def ended_deg(session: hrt.Session, person: hrt.Person) -> float:
-    """Where the finger ended beside the real target, seen from the start."""
+    """Returns the bearing of the finger's end from the real target, seen from the start."""
     cylinder, cup = session.target("cylinder"), session.target("cup")
     person.begin(session, cup)
     command = hrt.Command()

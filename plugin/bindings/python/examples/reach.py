@@ -1,5 +1,5 @@
-"""The reach that every host's sample runs (plugin/bindings/README.md): feeds the recorded samples to a session of its
-own, and prints the hash of the commands that come out, which is the same on every host. All of it is simulated.
+"""The reach that every host's sample runs (plugin/bindings/README.md): passes the recorded samples to a new session and
+prints the hash of the resulting commands, which is the same on every host. The data are simulated.
 
     usage: python3 reach.py RECORDING_CSV [PICTURE]
 """
@@ -16,7 +16,7 @@ HASHED_FIELDS = ["flags", "plate_orientation_deg", "bearing_deg", "perceived_dir
 
 
 def fnv1a(commands: Any) -> int:
-    """FNV-1a of HRT_HASHED_FIELDS (recording.h), 8 bytes each."""
+    """Computes FNV-1a over HRT_HASHED_FIELDS (recording.h), 8 bytes each."""
     value = 0xCBF29CE484222325
     for flags, *others in commands[HASHED_FIELDS]:
         for byte in int(flags).to_bytes(8, "little") + b"".join(other.tobytes() for other in others):

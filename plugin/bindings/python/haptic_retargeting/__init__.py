@@ -8,10 +8,10 @@ while the user feels that it goes to a virtual one.
         cup = session.add_virtual("cup", direction_deg=5)
         record = session.run_reach(cylinder, cup, hrt.samples(time_ns, position_m=positions))
 
-Metres, degrees and nanoseconds, as the names say. Directions are measured from the plate's mid-line, straight away
-from the user, counter-clockwise positive seen from above. Plate coordinates: x right, y up, z towards the user.
+Units are in the names: metres, degrees, nanoseconds. Directions are measured from the plate's mid-line, which points
+straight away from the user, counter-clockwise positive seen from above. Plate coordinates: x right, y up, z towards the user.
 
-The C library is found by the system's loader, or in the file that HRT_LIBRARY names.
+The system's loader finds the C library, unless the environment variable HRT_LIBRARY names its file.
 """
 
 try:

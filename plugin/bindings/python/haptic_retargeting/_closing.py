@@ -1,4 +1,4 @@
-"""What the library keeps for an object of Python, until that is closed or collected."""
+"""Resources of the library that belong to a Python object, until that is closed or collected."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ _T = TypeVar("_T", bound="Closing")
 
 
 class Closing:
-    """Has something in the library under a handle."""
+    """An object that owns a handle of the library."""
 
     def _own(self, handle: Struct, destroy: Any) -> None:
-        """`destroy` gets the handle when this is closed, leaves its context, or is collected."""
+        """`destroy` is called with the handle when this object is closed, leaves its context, or is collected."""
         self._destroy = weakref.finalize(self, destroy, handle)
 
-    _check = staticmethod(check)  # of the library that the object is of
+    _check = staticmethod(check)  # check() of the library that owns the handle
 
     def close(self) -> None:
-        """Destroys it. A second call does nothing."""
+        """Destroys the handle. A second call does nothing."""
         if self._destroy.alive:
             self._check(self._destroy() or _abi.OK)
 

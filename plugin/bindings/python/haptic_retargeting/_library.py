@@ -1,4 +1,4 @@
-"""The shared library: found, checked and called."""
+"""Loads, checks and calls the shared library."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ _S = TypeVar("_S", bound=Struct)
 
 
 class Error(RuntimeError):
-    """A call of the library failed. The text names the call, the field, its value and what is allowed."""
+    """Raised if a call of the library fails. The text names the call, the field, its value and the allowed values."""
 
     def __init__(self, code: int, text: str) -> None:
         super().__init__(text)
         self.code: _abi.ErrorCode | int = _abi.ErrorCode(code) if code in set(_abi.ErrorCode) else code
-        """The result of the call; a plain number if this package does not know it."""
+        """Result of the call; a plain number if this package does not define it."""
 
 
 def load(name: str, variable: str, functions: dict[str, tuple[Any, ...]]) -> ctypes.CDLL:
-    """A library with its functions declared: the file that the environment's `variable` names, that of the wheel, or what the
-    system's loader finds."""
+    """Loads a library and declares its functions. The file is the one that the environment variable `variable` names, the
+    wheel's, or the one that the system's loader finds."""
     major, minor = _abi.VERSION[:2]
     version = f"{major}.{minor}" if major == 0 else f"{major}"
     names = {"win32": f"{name}.dll", "darwin": f"lib{name}.{version}.dylib"}
@@ -51,7 +51,7 @@ def load(name: str, variable: str, functions: dict[str, tuple[Any, ...]]) -> cty
 
 @functools.cache
 def library() -> ctypes.CDLL:
-    """The plugin's library, loaded once."""
+    """Returns the plugin's library, which is loaded once."""
     return load("haptic_retargeting", "HRT_LIBRARY", _abi.FUNCTIONS)
 
 
@@ -67,17 +67,17 @@ def _dotted(version: tuple[int, int, int]) -> str:
 
 
 def library_version() -> tuple[int, int, int]:
-    """The version of the library that is loaded."""
+    """Returns the version of the loaded library."""
     return _version(library())
 
 
 def renamed(text: bytes, names: dict[str, str] = _abi.NAMES) -> str:
-    """An error text with the names of this package."""
+    """Returns an error text with the names of this package."""
     return re.sub(r"\b(?:hrt|HRT)_\w+", lambda found: names.get(found[0], found[0]), text.decode(errors="replace"))
 
 
 def error(result: int, where: str = "") -> Error:
-    """The error of this thread's last call."""
+    """Returns the error of this thread's last call."""
     return Error(result, where + renamed(library().hrt_last_error()))
 
 
@@ -88,7 +88,7 @@ def check(result: int) -> None:
 
 
 def output(kind: type[_S], function: Any, *arguments: Any) -> _S:
-    """The struct that a function of the library fills, which is its last argument."""
+    """Calls a function whose last argument is a struct to fill, and returns that struct."""
     out = kind()
     check(function(*arguments, ctypes.byref(out)))
     return out

@@ -1,4 +1,4 @@
-"""Base classes of the structs and enumerations of the interface. Fields are given by keyword and checked when they are set."""
+"""Base classes of the structs and enumerations of the interface. Fields are keywords, and are checked when they are set."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 Numbers = Union[Sequence[float], NDArray[Any]]
-"""What a field of several numbers takes."""
+"""Values that a field of several numbers accepts."""
 
-# A field's type as it is read, annotated with what ctypes keeps.
+# Types of fields as scripts read them, annotated with the stored ctypes types.
 Int32 = Annotated[int, ctypes.c_int32]
 UInt32 = Annotated[int, ctypes.c_uint32]
 Int64 = Annotated[int, ctypes.c_int64]
@@ -28,17 +28,17 @@ _HIDDEN = ("struct_size", "reserved")
 
 
 class Choice(IntEnum):
-    """One of several values."""
+    """Base of enumerations whose values exclude each other."""
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}.{self.name}"
 
 
 class Flags(IntFlag):
-    """Any of several bits."""
+    """Base of enumerations whose values are bits of a mask."""
 
     def names(self) -> list[str]:
-        """Those that are set; what this version does not know as a number."""
+        """Returns the flags that are set; unknown bits as a number."""
         known = [member for member in type(self) if member & self]
         rest = int(self) & ~sum(int(member) for member in known)
         return [str(member.name) for member in known] + ([hex(rest)] if rest else [])
@@ -48,7 +48,7 @@ class Flags(IntFlag):
 
 
 if TYPE_CHECKING:
-    _Base = ctypes._SimpleCData[Any]  # a Structure has any attribute, as type checkers see it
+    _Base = ctypes._SimpleCData[Any]  # for type checkers a Structure has any attribute
     FunctionPointer = ctypes._FuncPointer
 else:
     _Base = ctypes.Structure
@@ -60,7 +60,7 @@ class Struct(_Base):
 
     _fields_: ClassVar[Sequence[tuple[str, Any]]]
     _defaults_: ClassVar[Mapping[str, Any]] = {}
-    _session: Any = None  # the session of its targets
+    _session: Any = None  # session of the targets in its fields
 
     def __init__(self, **fields: Any) -> None:
         super().__init__()
@@ -70,7 +70,7 @@ class Struct(_Base):
             setattr(self, name, value)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Converts `value` to what ctypes takes. ctypes itself would truncate a number that does not fit."""
+        """Converts `value` for ctypes, which would truncate a number that does not fit."""
         kind = _kinds(type(self)).get(name)
         if kind is None:
             raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(self.names())}")
@@ -83,16 +83,16 @@ class Struct(_Base):
 
     @classmethod
     def names(cls) -> list[str]:
-        """The fields that mean something."""
+        """Returns the names of the fields, without size and reserved fields."""
         return list(_kinds(cls))
 
     def belongs_to(self: _S, session: Any) -> _S:
-        """Sets the session of the targets that fields of this struct name."""
+        """Sets the session of the targets to which fields of this struct refer."""
         vars(self)["_session"] = session
         return self
 
     def as_dict(self) -> dict[str, Any]:
-        """The fields as Python's own values."""
+        """Returns the fields as plain Python values."""
         return {name: _plain(getattr(self, name)) for name in self.names()}
 
     def __repr__(self) -> str:
@@ -110,7 +110,7 @@ _S = TypeVar("_S", bound=Struct)
 
 
 def laid_out(struct: type[_S]) -> type[_S]:
-    """Gives a struct the fields that it annotates. Enumerations, texts and targets are read as such."""
+    """Adds the annotated fields to a struct. Enumerations, texts and targets are read as such."""
     hints = get_type_hints(struct, include_extras=True)
     types = {name: hints[name] for name in struct.__annotations__}
     struct._fields_ = [(name, _stored(type_)) for name, type_ in types.items()]
@@ -126,7 +126,7 @@ def laid_out(struct: type[_S]) -> type[_S]:
 
 
 def _stored(type_: Any) -> Any:
-    """What ctypes keeps of a field."""
+    """Returns the ctypes type in which a field is stored."""
     if _is_enumeration(type_):
         return ctypes.c_uint32
     return type_.__metadata__[0] if hasattr(type_, "__metadata__") else type_
@@ -143,12 +143,12 @@ def _is_text(stored: Any) -> bool:
 
 @functools.cache
 def is_handle(stored: Any) -> bool:
-    """A struct that only has a handle or an id."""
+    """Returns true for a struct that contains only a handle or an id."""
     return isinstance(stored, type) and issubclass(stored, Struct) and _kinds(stored).keys() == {"value"}
 
 
 class _Read:
-    """A field of ctypes that is read as another type."""
+    """Descriptor of a ctypes field that is read as another type."""
 
     def __init__(self, field: Any, read: Any) -> None:
         self._field, self._read = field, read
@@ -162,7 +162,7 @@ class _Read:
 
 
 def _member(kind: type[Choice] | type[Flags], number: int, session: Any) -> Any:
-    """The constant; the number itself if this version does not know it."""
+    """Returns the constant, or the number itself if this version does not define it."""
     try:
         return kind(number)
     except ValueError:
@@ -170,7 +170,7 @@ def _member(kind: type[Choice] | type[Flags], number: int, session: Any) -> Any:
 
 
 def _target(handle: Any, session: Any) -> Any:
-    """The Target with this id, None for the null id. Without a session, which a recording does not have: the id alone."""
+    """Returns the Target with this id, None for the null id, or the id itself if there is no session, as in a recording."""
     from .session import Target
 
     own = type(handle)(value=handle.value)
@@ -178,7 +178,7 @@ def _target(handle: Any, session: Any) -> Any:
 
 
 def short(value: Any) -> str:
-    """A value as a reader of a notebook wants it: six digits, names of flags, long arrays by their size."""
+    """Formats a value for notebooks: six digits, names of flags, long arrays by their size."""
     if isinstance(value, Flags):
         return "|".join(value.names()) or "0"
     if isinstance(value, Choice):
@@ -194,7 +194,7 @@ def short(value: Any) -> str:
 
 @functools.cache
 def _kinds(struct: type[Struct]) -> dict[str, Any]:
-    """The fields that mean something, with their types."""
+    """Returns the types of the fields, without size and reserved fields."""
     return {field[0]: field[1] for field in struct._fields_ if field[0] not in _HIDDEN}
 
 
@@ -235,7 +235,7 @@ def _converted(kind: Any, value: Any) -> Any:
 
 
 def numbers_of(values: Any) -> NDArray[np.float64]:
-    """An array of numbers, with NaN where it is masked."""
+    """Converts to an array of numbers, with NaN for masked elements."""
     numbers = np.asarray(values, np.float64)
     mask = getattr(values, "mask", None)
     return numbers if mask is None else np.where(mask, np.nan, numbers)

@@ -1,4 +1,4 @@
-"""Samples and commands as numpy arrays in the memory layout of the C structs, so that a reach copies neither."""
+"""Samples and commands as numpy arrays in the memory layout of the C structs, so that a reach does not copy them."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from ._abi import SampleFlag
 from ._struct import numbers_of
 
 SAMPLE = np.dtype(_abi.Sample)
-"""A sample of the finger, with the fields of Sample."""
+"""Data type of a sample of the finger, with the fields of Sample."""
 COMMAND = np.dtype(_abi.Command)
-"""A command for the plate, with the fields of Command."""
+"""Data type of a command for the plate, with the fields of Command."""
 
 Array = NDArray[Any]
 
-_READ_BY = (  # the fields that are read if a sample has one of the flags
+_READ_BY = (  # fields that the library reads if a sample has one of the flags
     (SampleFlag.DIRECTION, "finger_direction_deg"), (SampleFlag.PLATE_POSITION | SampleFlag.WORLD_POSITION, "finger_position_m"),
     (SampleFlag.PLATE_ORIENTATION, "plate_orientation_deg"), (SampleFlag.PLATE_POSE, "plate_position_m"),
     (SampleFlag.PLATE_POSE, "plate_rotation"), (SampleFlag.JOINT_ROTATION, "joint_rotation"))
@@ -32,11 +32,11 @@ def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, posit
 
     Args:
         time_ns: time of the caller's clock; whole nanoseconds that never decrease.
-        direction_deg: the direction in which the finger moves, if it is known exactly.
-        position_m: or the fingertip in plate coordinates, n x 3 (x right, y up, z towards the user).
-        world_position_m: or the fingertip in the engine's world, n x 3.
-        plate_orientation_deg: the orientation of the plate, if it is measured.
-        lifted: True where the finger is off the plate.
+        direction_deg: direction in which the finger moves, if it is known exactly.
+        position_m: alternatively, the fingertip in plate coordinates, n x 3 (x right, y up, z towards the user).
+        world_position_m: alternatively, the fingertip in the engine's world, n x 3.
+        plate_orientation_deg: orientation of the plate, if it is measured.
+        lifted: True for samples in which the finger is above the plate.
 
     A number that is NaN or masked is unknown. A finger without position and direction is a dropout.
     """
@@ -79,7 +79,7 @@ def _put(out: Array, field: str, values: ArrayLike | None, flag: SampleFlag) -> 
 
 
 def known(rows: Array) -> Array:
-    """The samples themselves, or a copy without what is NaN in them: a finger with an unknown number is a dropout."""
+    """Returns the samples, or a copy in which fields with NaN are marked as missing; a finger with NaN is a dropout."""
     flags = rows["flags"].copy()
     for flag, field in _READ_BY:
         unknown = ((flags & np.uint32(flag)) != 0) & np.isnan(rows[field].T).any(axis=tuple(range(rows[field].ndim - 1)))
@@ -91,7 +91,7 @@ def known(rows: Array) -> Array:
 
 
 def known_sample(sample: _abi.Sample) -> _abi.Sample:
-    """As known(), for one sample."""
+    """Does the same as known() for one sample."""
     numbers = np.frombuffer(memoryview(sample), np.float64)[2:]  # without size, flags and time
     if not np.isnan(numbers.dot(numbers)):
         return sample
@@ -99,7 +99,7 @@ def known_sample(sample: _abi.Sample) -> _abi.Sample:
 
 
 def commands(n: int) -> Array:
-    """Makes an array of n COMMAND to be filled."""
+    """Creates an array of n COMMAND to be filled."""
     out = np.zeros(n, COMMAND)
     out["struct_size"] = COMMAND.itemsize
     return out

@@ -16,7 +16,7 @@ from .session import Session, Target
 
 class Person(PersonKeywords, Closing):
     """A simulated finger for first programs and tests: a model, not a measurement of people. The keywords are the fields of
-    PersonConfig. The same seed and keywords are the same person on every host.
+    PersonConfig. The same seed and keywords give the same person on every host.
 
         with Person(seed=1) as person, session.reach(cylinder, cup) as reach:
             person.begin(session, cup)
@@ -32,7 +32,7 @@ class Person(PersonKeywords, Closing):
 
     def begin(self, session: Session, virtual: Target | None = None) -> None:
         """Puts the finger at rest at the session's start. After 0.6 s, the person slides to the virtual target. Without one,
-        the person does what the session's set-up asks for."""
+        the person follows the instructions of the session's set-up."""
         target = _abi.TargetHandle() if virtual is None else handle_of(virtual, "virtual")
         check(library().hrt_person_begin(self.handle, session.handle, target))
 
@@ -42,5 +42,5 @@ class Person(PersonKeywords, Closing):
 
     @property
     def state(self) -> PersonState:
-        """Positions of the finger: the actual and the perceived one."""
+        """Returns the actual and the perceived position of the finger."""
         return output(PersonState, library().hrt_person_get_state, self.handle)

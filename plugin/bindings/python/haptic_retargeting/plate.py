@@ -1,4 +1,4 @@
-"""The device that turns the plate, with libhrt_plate: a plate with the line protocol, or a Dynamixel servo.
+"""The device that turns the plate, driven by libhrt_plate: a plate with the line protocol, or a Dynamixel servo.
 
     with Plate("plate.json") as plate:
         plate.wait_until_ready()
@@ -23,7 +23,7 @@ __all__ = ["Plate", *_plate_abi.__all__]
 
 @functools.cache
 def _library() -> ctypes.CDLL:
-    """The library, loaded once."""
+    """Returns the library, which is loaded once."""
     return load("hrt_plate", "HRT_PLATE_LIBRARY", _plate_abi.FUNCTIONS)
 
 
@@ -33,36 +33,36 @@ def _check(result: int) -> None:
 
 
 class Plate(Closing):
-    """A plate, which a thread of the library talks to: no call waits for it, except wait_until_ready() and close(), which
-    stops it and restores its line within 0.5 s."""
+    """A plate. A thread of the library communicates with it, so that calls do not wait, except wait_until_ready() and
+    close(), which stops the plate and restores its line within 0.5 s."""
 
     _check = staticmethod(_check)
 
     def __init__(self, device: str, host_timeout_s: float = 0.3, homing: PlateHoming = PlateHoming.REFUSED) -> None:
-        """Starts to open it: "serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0?id=1", or the file of `hrt-plate
-        commission`. Without a call for `host_timeout_s` the plate stops."""
+        """Starts to open a plate: "serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0?id=1", or the file that `hrt-plate
+        commission` writes. The plate stops if there is no call for `host_timeout_s`."""
         self._handle = _plate_abi.PlateHandle()
         options = _plate_abi.PlateOptions(homing=homing, host_timeout_ns=round(host_timeout_s * 1e9))
         _check(_library().hrt_plate_open(device.encode(), ctypes.byref(options), ctypes.byref(self._handle)))
         self._own(self._handle, _library().hrt_plate_close)
 
     def set(self, orientation_deg: float) -> None:
-        """Turns the plate there, or to an orientation that feels the same."""
+        """Turns the plate to an orientation, or to an equivalent one."""
         _check(_library().hrt_plate_set(self._handle, orientation_deg))
 
     def stop(self) -> None:
-        """Stops it where it is."""
+        """Stops the plate."""
         _check(_library().hrt_plate_stop(self._handle))
 
     def get(self) -> PlateReport:
-        """What is known of it."""
+        """Returns the state of the plate."""
         report = PlateReport()
         _check(_library().hrt_plate_get(self._handle, ctypes.byref(report)))
         return report
 
     def session_fields(self) -> dict[str, Any]:
-        """Speed, acceleration, latency and stops of a ready plate, for Session() or configure(); stops that are less
-        than 180 degrees apart are left out."""
+        """Returns speed, acceleration, latency and stops of a ready plate, for Session() or configure(), without stops that
+        are less than 180 degrees apart."""
         report = self.get()
         has_stops = report.upper_stop_deg - report.lower_stop_deg >= 180.0
         return {"plate_max_speed_deg_s": report.max_speed_deg_s, "plate_latency_ns": report.latency_ns,
@@ -71,7 +71,7 @@ class Plate(Closing):
                 "plate_upper_stop_deg": report.upper_stop_deg if has_stops else 0.0}
 
     def wait_until_ready(self) -> PlateReport:
-        """Waits while it is being opened. RuntimeError with the reason if it has failed."""
+        """Waits until the plate is open. Raises RuntimeError with the reason if that fails."""
         while (report := self.get()).state == PlateState.OPENING:
             time.sleep(0.01)
         if report.state == PlateState.FAILED:

@@ -9,12 +9,12 @@ import numpy as np
 from ._abi import CommandFlag, SampleFlag
 from .record import ReachRecord
 
-# Colours that people with any colour vision can distinguish (Okabe and Ito).
+# Colours that people with any form of colour vision can distinguish (Okabe and Ito).
 REAL, VIRTUAL, FINGER, PLATE = "#0072B2", "#D55E00", "#000000", "#009E73"
 
 
 def reach(record: ReachRecord, title: str = "") -> Any:
-    """A figure of one reach: seen from above, and its angles over time. Returns the matplotlib figure."""
+    """Draws one reach from above, and its angles over time. Returns the matplotlib figure."""
     if len(record.samples) == 0:
         raise ValueError("the record has no samples, so there is nothing to draw")
     from matplotlib.figure import Figure
@@ -28,7 +28,7 @@ def reach(record: ReachRecord, title: str = "") -> Any:
 
 
 def from_above(axes: Any, record: ReachRecord) -> None:
-    """Plate, ridges, finger and targets, seen from above: x to the user's right, the user below."""
+    """Draws plate, ridges, finger and targets from above: x to the user's right, the user below."""
     _draw_plate(axes, record)
     x, _, z = 1000 * record.position_m.T
     axes.plot(x, -z, ".", color=FINGER, markersize=2, label="finger, as tracked")
@@ -51,7 +51,7 @@ def from_above(axes: Any, record: ReachRecord) -> None:
 
 
 def _draw_plate(axes: Any, record: ReachRecord, spacing_mm: float = 5.0) -> None:
-    """The edge of the plate, and its ridges at their last orientation."""
+    """Draws the edge of the plate, and its ridges at their last orientation."""
     radius = 1000 * record.config.plate_radius_m
     around = np.linspace(0, 2 * np.pi, 181)
     axes.fill(radius * np.cos(around), radius * np.sin(around), facecolor="#f2f2f2", edgecolor="0.6")
@@ -69,8 +69,8 @@ def _draw_plate(axes: Any, record: ReachRecord, spacing_mm: float = 5.0) -> None
 
 
 def over_time(axes: Any, record: ReachRecord) -> None:
-    """Bearings of the finger seen from the start (left) and the plate orientation (right) over time; grey where the finger
-    was not seen or lifted. A reach without positions has the directions of its motion instead."""
+    """Draws bearings of the finger seen from the start (left) and plate orientation (right) over time; grey while the finger
+    is not tracked or lifted. A reach without positions shows the directions of its motion instead."""
     time, commands = record.time_s, record.commands
     moving = np.nan_to_num(commands["bearing_deg"]) != 0
     plate_axes = axes.twinx()
@@ -99,7 +99,7 @@ def _legend_below(axes: Any, lines: Any, labels: Any, columns: int) -> None:
 
 
 def _shade(axes: Any, time: Any, where: Any, colour: str, name: str) -> None:
-    """Spans of time in which `where` holds."""
+    """Shades the intervals in which `where` is true."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], where, [False])).astype(int)))
     for begin, end in edges.reshape(-1, 2):
         axes.axvspan(time[begin], time[min(end, len(time) - 1)], color=colour, linewidth=0,

@@ -1,4 +1,4 @@
-"""One reach: takes samples of the finger and returns commands for the plate."""
+"""One reach, which receives samples of the finger and returns commands for the plate."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Pace:
-    """Makes a run over an array wait for the disk of its recording, so that no calls are lost. Single steps never wait,
+    """Makes a run over an array wait for the disk of its recording, so that no calls are lost. Single updates never wait,
     because a plate may depend on them."""
 
     ROWS = 1024  # between two checks; the library holds 8192
@@ -29,7 +29,7 @@ class Pace:
         self.calls = 0
 
     def wait(self) -> None:
-        """Returns when the disk is not far behind the calls, or has stalled."""
+        """Waits until the disk has nearly caught up with the calls, or has stalled."""
         status = RecordingStatus()
         give_up = time.monotonic() + self.STALLED_S
         while time.monotonic() < give_up:
@@ -41,7 +41,7 @@ class Pace:
 
 
 def handle_of(target: Target, name: str) -> _abi.TargetHandle:
-    """The handle of a Target; TypeError naming the argument if it is not a Target."""
+    """Returns the handle of a Target. Raises TypeError with the argument's name for anything else."""
     handle = getattr(target, "handle", None)
     if not isinstance(handle, _abi.TargetHandle):
         raise TypeError(f"{name} is {target!r}: a Target is needed, as add_real(), add_virtual() and target() return")
@@ -49,7 +49,7 @@ def handle_of(target: Target, name: str) -> _abi.TargetHandle:
 
 
 def _given(struct: Sample | Contact, field: str, value: object, flag: int) -> int:
-    """Sets a field if it is given, and returns its flag, or else 0."""
+    """Sets a field if a value is given. Returns the field's flag, or 0 without a value."""
     if value is None:
         return 0
     setattr(struct, field, value)
@@ -78,7 +78,7 @@ class Reach:
 
     @property
     def summary(self) -> ReachSummary:
-        """The result of the reach. RuntimeError before its end, and if it was cancelled."""
+        """The result of the reach. Raises RuntimeError before its end, and if it was cancelled."""
         if self._summary is None:
             raise RuntimeError("the reach was cancelled" if self._cancelled else "the reach has not ended")
         return self._summary
@@ -97,15 +97,15 @@ class Reach:
         return self.update_sample(sample)
 
     def update_sample(self, sample: Sample) -> Command:
-        """As update(), with a Sample that the caller has filled."""
+        """Does the same as update() with a Sample that the caller has filled."""
         check(library().hrt_reach_update(self._session, byref(known_sample(sample)), byref(self._command)))
         if self._pace is not None:
             self._pace.calls += 1
         return Command.from_buffer_copy(self._command)
 
     def run(self, samples: Array, out: Array | None = None) -> Array:
-        """Processes an array of SAMPLE and returns the array of COMMAND, or `out` if it is given, which has the commands
-        before an error. Neither array is copied, unless samples have NaN, which make them dropouts.
+        """Processes an array of SAMPLE and returns an array of COMMAND: `out` if it is given, which after an error contains
+        the commands before it. The arrays are not copied, unless samples have NaN, which makes them dropouts.
         """
         expect_rows(samples, "samples", SAMPLE)
         if out is None:
@@ -123,7 +123,7 @@ class Reach:
         return out
 
     def _run_rows(self, rows: range, samples_at: int, commands_at: int) -> None:
-        """Passes addresses, which is faster than objects."""
+        """Runs over the arrays by address, which is faster than by objects."""
         update, session = _update_at(), self._session
         for row in rows:
             result = update(session, samples_at + row * SAMPLE.itemsize, commands_at + row * COMMAND.itemsize)
@@ -131,15 +131,15 @@ class Reach:
                 raise error(result, f"samples[{row}]: ")
 
     def retarget(self, real: Target, virtual: Target) -> None:
-        """Redirects the reach to other targets, or to the same ones after they were moved."""
+        """Redirects the reach to other targets, or to the same targets after they were moved."""
         check(library().hrt_reach_retarget(
             self._session, handle_of(real, "real"), handle_of(virtual, "virtual")))
 
     def touched(self, position_m: Numbers | None = None, sd_m: float = 0.0, *,
                 world_position_m: Numbers | None = None) -> None:
-        """Reports that the finger has met the real object: at the near side of the real target, or at a position on the
-        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). The next reaches
-        correct the frame of the tracker. At most once a reach, also after its end."""
+        """Reports contact of the finger with the real object: at the near side of the real target, or at a position on the
+        plate or in the world, with the standard deviation `sd_m` (default: the radius of the real target). Later reaches
+        correct the tracker's frame. Allowed once per reach, also after its end."""
         contact = Contact(sd_m=sd_m)
         contact.flags = ContactFlag(_given(contact, "position_m", position_m, ContactFlag.PLATE_POSITION)
                                     | _given(contact, "position_m", world_position_m, ContactFlag.WORLD_POSITION))
@@ -168,12 +168,12 @@ class Reach:
                 self.cancel()
         except Error as failed:
             if kind is None and failed.code == _abi.ErrorCode.INSUFFICIENT_DATA:
-                self.cancel()  # without a sample there is no summary
-            elif kind is None:  # otherwise the exception within the context is the one to report
+                self.cancel()  # a reach without a sample has no summary
+            elif kind is None:  # otherwise the exception within the context is reported
                 raise
 
 
 def _update_at() -> ctypes._FuncPointer:
-    """hrt_reach_update(), to be called with addresses."""
+    """Returns hrt_reach_update() with a prototype that accepts addresses."""
     prototype = ctypes.CFUNCTYPE(ctypes.c_int32, _abi.SessionHandle, ctypes.c_void_p, ctypes.c_void_p)
     return prototype(ctypes.cast(library().hrt_reach_update, ctypes.c_void_p).value or 0)

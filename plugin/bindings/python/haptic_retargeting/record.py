@@ -1,4 +1,4 @@
-"""A reach as arrays."""
+"""The data of one reach as arrays."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ Numbers = NDArray[np.float64]
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ReachRecord:
-    """One reach, as it was run or read from a recording. Rows of the three arrays belong together."""
+    """One reach that was run or read from a recording. Equal rows of the three arrays belong together."""
 
     config: SessionConfig
     real_direction_deg: float
-    """This and the next three fields: as the reach began."""
+    """Configuration at the begin of the reach, as are the next three fields."""
     virtual_direction_deg: float
     real_distance_m: float
     start_position_m: Numbers
     samples: Array
-    """The input, of dtype SAMPLE."""
+    """Input of the reach, of dtype SAMPLE."""
     commands: Array
-    """The output, of dtype COMMAND; NaN, and paper_step -1, where the call failed."""
+    """Output of the reach, of dtype COMMAND; NaN, and paper_step -1, for calls that failed."""
     results: NDArray[np.int32]
     """Result of each call: 0, or an ErrorCode."""
     summary: ReachSummary | None = None
-    """None if the reach was cancelled or has not ended."""
+    """Result of the reach; None if it was cancelled or has not ended."""
 
     def __repr__(self) -> str:
         duration = float(self.time_s[-1]) if len(self.samples) else 0.0
@@ -51,7 +51,7 @@ class ReachRecord:
 
     @property
     def position_m(self) -> Numbers:
-        """The fingertip in plate coordinates, n x 3; NaN where it was not seen."""
+        """The fingertip in plate coordinates, n x 3; NaN while it is not tracked."""
         samples, config = self.samples, self.config
 
         def has(flag: SampleFlag) -> NDArray[np.bool_]:
@@ -67,8 +67,8 @@ class ReachRecord:
 
     @property
     def felt_position_m(self) -> Numbers:
-        """The fingertip as the model predicts that it is felt, in plate coordinates: each step of the path is rotated by the
-        perceived direction minus that of the motion over eleven samples. NaN before the first position and where the finger was not seen."""
+        """Perceived position of the fingertip by the model, in plate coordinates: each step of the path is rotated by the perceived
+        direction minus the direction of motion over eleven samples. NaN before the first position and while it is not tracked."""
         position = self.position_m
         seen = ~np.isnan(position[:, 0])
         out = np.full_like(position, np.nan)
@@ -86,13 +86,13 @@ class ReachRecord:
         return out
 
     def bearing_deg(self, position_m: ArrayLike, least_m: float = 0.02) -> Numbers:
-        """Directions of positions in plate coordinates, seen from the start of the reach; NaN within `least_m` of it."""
+        """Returns directions of positions in plate coordinates, seen from the start; NaN within `least_m` of it."""
         right, _, towards = (np.asarray(position_m, np.float64) - self.start_position_m).T
         return np.where(np.hypot(right, towards) < least_m, np.nan, np.degrees(np.arctan2(-right, -towards)))
 
     @property
     def measured_plate_deg(self) -> Numbers:
-        """Plate orientation as measured; NaN where it was not."""
+        """Measured plate orientation; NaN for samples without one."""
         known = (self.samples["flags"] & SampleFlag.PLATE_ORIENTATION) != 0
         return np.where(known, self.samples["plate_orientation_deg"], np.nan)
 
@@ -105,7 +105,7 @@ class RunRecord(ReachRecord):
 
 
 def _rotated(vector: Numbers, rotation: Numbers) -> Numbers:
-    """Vectors rotated by quaternions x, y, z, w: v + 2 w (q x v) + 2 q x (q x v)."""
+    """Rotates vectors by quaternions x, y, z, w: v + 2 w (q x v) + 2 q x (q x v)."""
     axis, scalar = rotation[..., :3], rotation[..., 3:]
     once = np.cross(axis, vector)
     return np.asarray(vector + 2 * scalar * once + 2 * np.cross(axis, once))
@@ -118,7 +118,7 @@ def world_to_plate(position_m: ArrayLike, plate_position_m: ArrayLike, plate_rot
 
 
 def target_place(target: TargetConfig, config: SessionConfig) -> tuple[float, float]:
-    """Direction (degrees) and distance (metres) of a target from the start."""
+    """Returns direction (degrees) and distance (metres) of a target from the start."""
     if target.place == Place.DIRECTION:
         return target.direction_deg, target.distance_m
     position = np.array(target.position_m)

@@ -1,4 +1,4 @@
-"""Recordings, read as arrays or replayed."""
+"""Reads recordings as arrays, and replays them."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ class Recording:
 
     reaches: list[ReachRecord]
     complete: bool
-    """The file has its end, and no calls were lost. replay() also checks that nothing was altered."""
+    """True if the file has its end and no calls were lost. replay() also checks that nothing was altered."""
     targets: list[TargetConfig]
     """Targets as they were added or changed, in this order."""
 
 
 class RecordingError(ValueError):
-    """The file is not a recording. The text names the line."""
+    """Raised if the file is not a recording. The text names the line."""
 
 
 
@@ -63,7 +63,7 @@ class _Rows:
     over: bool = False
 
     def record(self) -> ReachRecord:
-        # A reach that starts where the finger is first seen is aimed there.
+        # A reach that starts at the first finger position has its targets in the first update.
         aimed = next((row for row in self.updates if row.get("real_distance_m") is not None), self.begin)
         start = np.array(self.config.start_position_m)
         start[0], start[2] = aimed["start_right_m"], -aimed["start_away_m"]
@@ -76,7 +76,7 @@ class _Rows:
 
 
 def _array(kind: type[Struct], rows: list[_Row], missing: float) -> Array:
-    """Structs from rows. A row without a value has `missing`, or flags of 0 and paper_step -1."""
+    """Converts rows to structs. Values that a row lacks are `missing`; flags are 0 and paper_step is -1."""
     out: Array = np.zeros(len(rows), _dtype(kind))
     out["struct_size"] = out.dtype.itemsize
     for name, columns in _STRUCTS[kind].items():
@@ -87,7 +87,7 @@ def _array(kind: type[Struct], rows: list[_Row], missing: float) -> Array:
 
 
 def read_recording(path: str | os.PathLike[str]) -> Recording:
-    """Reads a recording to arrays. Does not need the library. RecordingError if the file is not a recording.
+    """Reads a recording to arrays, without the library. Raises RecordingError if the file is not a recording.
 
     Rows after a gap, where calls were lost, are not read.
     """
@@ -111,7 +111,7 @@ def _read(lines: Iterable[str]) -> Recording:
         if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 4":
             raise RecordingError("line 1: not a recording of version 4")
         if not line.endswith("\n") or line.startswith("# lost"):
-            break  # cut off within the line, or calls are missing
+            break  # the line is cut off, or calls are missing
         line = line.rstrip("\r\n")
         try:
             if line.startswith("# end "):
@@ -134,7 +134,7 @@ def _read(lines: Iterable[str]) -> Recording:
 
 
 def _from_json(kind: type[_S], text: str) -> _S:
-    """A struct with the values of the text. Fields that this version does not have are ignored."""
+    """Returns a struct with the values of a JSON text. Fields that this version does not have are ignored."""
     values = json.loads(text)
     return kind(**{name: values[name] for name in kind.names() if name in values})
 

@@ -13,7 +13,7 @@ from .session import Session, Target, own_targets
 
 
 class Scene(Closing):
-    """A scene from a glTF file. Registered targets are kept when it is closed.
+    """A scene from a glTF file. Targets that it has registered remain in the session when it is closed.
 
         with Scene("desk.gltf") as scene:
             targets = scene.register(session)
@@ -26,7 +26,7 @@ class Scene(Closing):
 
     @property
     def info(self) -> SceneInfo:
-        """The plate and the start."""
+        """Plate and start of the scene."""
         return output(SceneInfo, library().hrt_scene_get_info, self.handle)
 
     @property

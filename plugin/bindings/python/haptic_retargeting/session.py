@@ -28,7 +28,7 @@ from .setup import SetUp
 
 
 class Target(TargetKeywords):
-    """A virtual target, to which the user feels that they go, or a real target, to which the hand is steered."""
+    """A virtual target, which is displayed to the user, or a real target, to which the hand is steered."""
 
     def __init__(self, session: Session, handle: _abi.TargetHandle) -> None:
         self.session = session
@@ -46,7 +46,7 @@ class Target(TargetKeywords):
 
     @property
     def name(self) -> str:
-        """The target's name; empty if it has none."""
+        """The target's name, which may be empty."""
         return self.config.name
 
     @property
@@ -55,7 +55,7 @@ class Target(TargetKeywords):
         return self.config.role
 
     def _configure(self, fields: dict[str, Any]) -> None:
-        """Sets fields of TargetConfig and keeps the others. A reach in progress keeps the former target until
+        """Sets fields of TargetConfig and keeps the others. A reach in progress keeps the previous target until
         Reach.retarget()."""
         config = self.config
         for name, value in fields.items():
@@ -84,7 +84,7 @@ class Target(TargetKeywords):
 
 
 def own_targets(session: Session, handles: ctypes.Array[_abi.TargetHandle]) -> list[Target]:
-    """Targets from an array that the library has filled."""
+    """Converts an array of handles that the library has filled."""
     return [Target(session, _abi.TargetHandle(value=handle.value)) for handle in handles]
 
 
@@ -131,11 +131,11 @@ class Session(SessionKeywords, Closing):
         check(library().hrt_session_set(self.handle, byref(config)))
 
     def new_person(self) -> None:
-        """Resets the parameters of the user, because another person follows."""
+        """Resets the parameters of the user, for another person."""
         check(library().hrt_profile_reset(self.handle))
 
     def cancel(self) -> None:
-        """Cancels the reach or the set-up in progress. Error with WRONG_STATE if there is none."""
+        """Cancels the reach or the set-up in progress. Raises Error with WRONG_STATE without one."""
         if self._running is not None and self.state & (StateFlag.REACHING | StateFlag.SETTING_UP):
             self._running.cancel()
         else:
@@ -145,13 +145,13 @@ class Session(SessionKeywords, Closing):
 
     def add_real(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,
                  position_m: ArrayLike | None = None, world_position_m: ArrayLike | None = None) -> Target:
-        """Adds a real target, to which the hand is steered. Its place is its direction (and distance) from the start, or
-        its position in plate coordinates, or its position in the engine's world."""
+        """Adds a real target, to which the hand is steered. Its position is given by its direction (and distance) from the
+        start, in plate coordinates, or in the engine's world."""
         return self._add(Role.REAL, name, direction_deg, distance_m, position_m, world_position_m)
 
     def add_virtual(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,
                     position_m: ArrayLike | None = None, world_position_m: ArrayLike | None = None) -> Target:
-        """Adds a virtual target, to which the user feels that they go. Its place is given as for add_real()."""
+        """Adds a virtual target, which is displayed to the user. Its position is given as for add_real()."""
         return self._add(Role.VIRTUAL, name, direction_deg, distance_m, position_m, world_position_m)
 
     def _add(self, role: Role, name: str, direction_deg: float | None, distance_m: float | None,
@@ -172,7 +172,7 @@ class Session(SessionKeywords, Closing):
         return Target(self, handle)
 
     def target(self, name: str) -> Target:
-        """The target of this name."""
+        """Returns the target with this name."""
         if not isinstance(name, str):
             raise TypeError(f"name is {name!r}: a text is needed")
         for target in self.targets():
@@ -181,7 +181,7 @@ class Session(SessionKeywords, Closing):
         raise KeyError(f"no target has the name {name!r}")
 
     def targets(self, role: Role | None = None) -> list[Target]:
-        """All targets, or those of a role, in the order in which they were added."""
+        """Returns all targets, or the targets of a role, in the order in which they were added."""
         wanted = 0 if role is None else int(role)
         count = ctypes.c_uint64()
         check(library().hrt_target_list(self.handle, wanted, 0, None, byref(count)))
@@ -192,14 +192,14 @@ class Session(SessionKeywords, Closing):
     # Gaps
 
     def gap(self, real: Target, virtual: Target) -> Gap:
-        """The gap between two targets, and the largest one that the plate can sustain, before a reach."""
+        """Returns the gap between two targets, and the largest feasible gap, before a reach."""
         return output(Gap, library().hrt_gap_query, self.handle, handle_of(real, "real"),
                       handle_of(virtual, "virtual")).belongs_to(self)
 
     def assign(self, virtuals: Sequence[Target], reals: Sequence[Target], *, exclusive: bool = False) -> list[Gap]:
-        """The real target that serves each virtual one, so that the largest gap, as a fraction of what the plate can
-        sustain, is smallest. With `exclusive`, each real target serves at most one virtual target. A virtual target that
-        cannot be served is not `reachable` and has no real target."""
+        """Assigns a real target to each virtual one, so that the largest gap, as a fraction of the feasible gap, is minimal.
+        With `exclusive`, each real target is assigned to at most one virtual target. A virtual target without a feasible
+        real target is not `reachable`."""
         out = (Gap * len(virtuals))(*(Gap() for _ in virtuals))
         check(library().hrt_gap_assign(
             self.handle, _handles(virtuals, "virtuals"), len(virtuals), _handles(reals, "reals"), len(reals),
@@ -217,9 +217,9 @@ class Session(SessionKeywords, Closing):
 
     def reach(self, real: Target, virtual: Target, *, plate_orientation_deg: float | None = None,
               start_at_finger: bool = False, duration_s: float = 0.0) -> Reach:
-        """Begins a reach. `plate_orientation_deg` is the present plate orientation; by default, that of the session's last
-        command. With `start_at_finger`, directions are measured from the first position. `duration_s` is the expected
-        duration of the motion, 0 if unknown.
+        """Begins a reach. `plate_orientation_deg` is the current plate orientation; the default is the session's last command.
+        With `start_at_finger`, directions are measured from the first position. `duration_s` is the expected duration of
+        the motion, 0 if unknown.
 
             with session.reach(cylinder, cup) as reach:
                 command = reach.update(time_ns, position_m=(x, y, z))
@@ -248,8 +248,8 @@ class Session(SessionKeywords, Closing):
 
     @contextmanager
     def recording(self, path: str | os.PathLike[str]) -> Iterator[RecordingStatus]:
-        """Records the calls of the session into a file within the context. Yields the status, which is set at the end.
-        OSError or RuntimeError if the file is not complete then."""
+        """Records the calls of the session to a file within the context. Yields the status, which is set at the end. Raises
+        OSError or RuntimeError if the file is not complete."""
         status = RecordingStatus()
         check(library().hrt_recording_start(self.handle, os.fsencode(path)))
         self.pace = Pace(self.handle)
@@ -281,13 +281,13 @@ class Session(SessionKeywords, Closing):
         return dict(json.loads(text.value))
 
     def set_conditions(self, *, plate: str = "", tracker: str = "", time_s: int = 0) -> None:
-        """Sets the present plate, tracker and time (seconds since 1970): a set-up calibrates under these conditions, and
-        profiles are compared with them. Empty and 0: unknown."""
+        """Sets the current plate, tracker and time (seconds since 1970). A set-up stores these conditions, and profiles are
+        compared with them. Empty and 0 mean unknown."""
         check(library().hrt_profile_set_conditions(self.handle, byref(Conditions(plate=plate, tracker=tracker, time_s=time_s))))
 
     @property
     def conditions(self) -> Conditions:
-        """The conditions under which the person of the profile was measured. `differing` has those that have changed."""
+        """Returns the conditions under which the person of the profile was measured. `differing` flags changed ones."""
         return output(Conditions, library().hrt_profile_get_conditions, self.handle)
 
     def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:

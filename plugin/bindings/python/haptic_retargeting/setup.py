@@ -1,4 +1,4 @@
-"""A set-up: one loop that instructs the user and applies the results."""
+"""A set-up, which instructs the user in one loop and applies the results."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ class SetUp:
         self.over = False
         """True once all parts are finished or cancelled."""
         self.result = SetupResult()
-        """The results so far."""
+        """Results of the finished parts."""
         check(library().hrt_setup_begin(self._session, what, byref(SetupConfig(**fields))))
 
     def update(self, sample: Sample) -> SetupStep:
-        """Takes one sample and returns what to do now. At Step.FINISH the user waits for a fit, of which each update does less
-        than 1 ms."""
+        """Processes one sample and returns the next instruction. At Step.FINISH the user waits for a fit, of which each update
+        computes less than 1 ms."""
         step = output(SetupStep, library().hrt_setup_update, self._session, byref(known_sample(sample)))
         if step.instruction == Step.FINISH:
             self.result = output(SetupResult, library().hrt_setup_finish, self._session)
@@ -42,7 +42,7 @@ class SetUp:
         return step
 
     def residual(self, slide: int) -> SetupResidual:
-        """Slide `slide`, from 0, of the last fit of a calibration: its measured and fitted direction, and its use."""
+        """Returns measured and fitted direction, and use, of slide `slide` (from 0) of the last fit of a calibration."""
         return output(SetupResidual, library().hrt_setup_get_residual, self._session, slide)
 
     def cancel(self) -> None:
