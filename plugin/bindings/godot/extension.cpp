@@ -17,7 +17,7 @@
 namespace hrt_godot {
 namespace {
 
-/** The engine's functions. */
+/** Functions of the engine. */
 struct Interface {
 #define DECLARE(result, name, ...) result (*name)(__VA_ARGS__);
   GDE_FUNCTIONS(DECLARE)
@@ -26,9 +26,9 @@ struct Interface {
 Interface engine;
 gde_library* library;
 
-/** Null, or the name of a function that this engine lacks. */
+/** Loads the functions. Returns the name of a function that this engine lacks, or null. */
 const char* load_interface(gde_get_proc_address get_proc_address) {
-  // Godot 4.4 has the same under the number of its own.
+  // Godot 4.4 has the same function under its own version number.
   const auto load = [&](const std::string_view name) {
     const gde_function found = get_proc_address(name.data());
     return found || name != "classdb_register_extension_class5" ? found
@@ -48,7 +48,7 @@ void destroy(int32_t type, void* value) {
   if (const gde_destructor destructor = engine.variant_get_ptr_destructor(type)) destructor(value);
 }
 
-/** A text of the engine's, destroyed at the end of its scope. */
+/** A string of the engine, destroyed at the end of its scope. */
 template <typename Text, auto make, int32_t type>
 class EngineText {
  public:
@@ -66,7 +66,7 @@ using EngineName = EngineText<gde_string_name, &Interface::string_name_new_with_
 
 void assign(gde_variant* variant, const Value& value);
 
-/** A variant of the engine's, destroyed at the end of its scope. */
+/** A variant of the engine, destroyed at the end of its scope. */
 class Variant {
  public:
   Variant() { engine.variant_new_nil(&variant_); }
@@ -81,12 +81,12 @@ class Variant {
   gde_variant variant_;
 };
 
-/** As the engine has it in memory: the rows of the basis, and the origin. */
+/** Memory layout of the engine's transform: the rows of the basis, and the origin. */
 struct EngineTransform {
   Eigen::Matrix<float, 3, 3, Eigen::RowMajor> basis;
   Eigen::Vector3f origin;
 };
-/** Room for an engine's value of each type that crosses. */
+/** Storage for an engine value of any type that is passed. */
 struct Room {
   alignas(8) std::byte bytes[sizeof(EngineTransform)];
 };
@@ -98,7 +98,7 @@ const T& as(const void* value) {
 
 Value from_variant(const gde_variant* variant);
 
-/** The value of an engine's value; null for a type that no method of the class takes. */
+/** Converts an engine value; null for a type that no method of the class accepts. */
 Value decode(Type type, const void* value) {
   if (type == Type::kBool) return as<gde_bool>(value) != 0;
   if (type == Type::kInt) return as<int64_t>(value);
@@ -116,7 +116,7 @@ Value decode(Type type, const void* value) {
   return text;
 }
 
-/** Makes the engine's value, which the caller destroys; nothing of null. */
+/** Constructs an engine value, which the caller destroys; nothing for null. */
 void encode(const Value& value, void* out) {
   std::visit(
       [&]<typename T>(const T& each) {
@@ -147,10 +147,10 @@ void assign(gde_variant* variant, const Value& value) {
   destroy(type, &room);
 }
 
-/** Null for a type that no method of the class takes. */
+/** Converts a variant; null for a type that no method of the class accepts. */
 Value from_variant(const gde_variant* variant) {
   Type type{engine.variant_get_type(variant)};
-  if (type == Type{GDE_STRING_NAME}) type = Type::kString;  // such as the name of a node
+  if (type == Type{GDE_STRING_NAME}) type = Type::kString;  // for example the name of a node
   if (type == Type::kNil || std::ranges::find(kTypes, type, &TypeName::type) == std::end(kTypes)) return {};
   Room room;
   engine.get_variant_to_type_constructor(number(type))(&room, variant);
@@ -159,7 +159,7 @@ Value from_variant(const gde_variant* variant) {
   return value;
 }
 
-/** Calls a method of the engine's. */
+/** Calls a method of an engine object. */
 Value call_on(Variant& self, const char* method, std::initializer_list<const gde_variant*> arguments) {
   const EngineName name(method);
   Variant result;
@@ -168,10 +168,10 @@ Value call_on(Variant& self, const char* method, std::initializer_list<const gde
   return from_variant(result.get());
 }
 
-/** Object.NOTIFICATION_POSTINITIALIZE. */
+/** Number of Godot's Object.NOTIFICATION_POSTINITIALIZE. */
 constexpr int64_t kPostInitialize = 0;
 
-/** A node of a scene and what it runs. */
+/** A node of a scene, with the PlateNode that implements it. */
 class Instance : public Engine {
  public:
   explicit Instance(gde_object* object) : object_(object), node_(*this) {}
@@ -222,7 +222,7 @@ gde_object* create_instance(void*, gde_bool notify) noexcept {
 
 void free_instance(void*, void* instance) noexcept { delete static_cast<Instance*>(instance); }
 
-/** Node._get_configuration_warnings(). */
+/** Implements the virtual method Node._get_configuration_warnings(). */
 void get_warnings(void* instance, const void* const*, void* out_return) noexcept try {
   const std::string warning = static_cast<Instance*>(instance)->node().warning();
   if (warning.empty()) return;
@@ -239,17 +239,17 @@ gde_virtual get_virtual(void*, gde_name name, uint32_t) noexcept {
   return std::get<std::string>(text) == "_get_configuration_warnings" ? get_warnings : nullptr;
 }
 
-/** What the engine calls: a method, or the setter or getter of a property. */
+/** A function that the engine calls: a method, or the setter or getter of a property. */
 struct Callable {
   std::string name;
   Type returns;
   std::vector<Argument> arguments;
   std::function<Value(PlateNode& node, std::span<const Value> values)> function;
 };
-/** The engine keeps pointers to these. */
+/** The engine keeps pointers to the elements. */
 std::deque<Callable> callables;
 
-/** Null if it throws, which is shown. `argument(i)` is the argument at i. */
+/** Runs a callable. Shows an exception and returns null. `argument(i)` returns argument i. */
 Value run(const Callable& callable, void* instance, size_t count, auto argument) noexcept try {
   if (!instance) return {};
   std::array<Value, kArgumentsMax> values;
@@ -267,7 +267,7 @@ void call(void* callable, void* instance, const gde_variant* const* arguments, i
                          [&](size_t i) { return from_variant(arguments[i]); }));
 }
 
-/** As call(), with values of the registered types. */
+/** Does the same as call() with values of the registered types. */
 void ptrcall(void* data, void* instance, const void* const* arguments, void* out_return) noexcept {
   const auto& callable = as<Callable>(data);
   const Value result = run(callable, instance, callable.arguments.size(),
@@ -277,7 +277,7 @@ void ptrcall(void* data, void* instance, const void* const* arguments, void* out
   encode(result, out_return);
 }
 
-/** Registers the class. Keeps the engine's names and texts, to which its descriptions point, until that is done. */
+/** Registers the class. Keeps names and texts, to which the engine's descriptions point, until that is done. */
 class Registration {
  public:
   void add_class() {

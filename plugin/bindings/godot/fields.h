@@ -1,5 +1,5 @@
-// The generated tables.cpp: the fields of the plugin's structs as properties of the node and keys of Dictionaries, the
-// plugin's constants, and the class reference.
+// Declares the generated tables.cpp: the fields of the plugin's structs as properties of the node and keys of
+// Dictionaries, the plugin's constants, and the class reference.
 #pragma once
 
 #include <haptic_retargeting/gap.h>
@@ -19,15 +19,15 @@
 
 namespace hrt_godot {
 
-/** The properties are the fields of these, without the plate's pose, which is the node's, the fixed arrays, such as the
- *  person's mean, which profiles store, and the marks of set-ups. */
+/** Structs whose fields are the properties, except the plate's pose (the node has it), fixed arrays such as the
+ *  person's mean (profiles store them), and the marks of set-ups. */
 struct Properties {
   hrt_session_config session = hrt_session_config_init();
   hrt_setup_config setup = hrt_setup_config_init();
 };
 using Place = std::variant<double*, int64_t*, uint32_t*, double (*)[3]>;
 
-/** How the inspector shows a property: numbers of Godot's PropertyHint. */
+/** Control of a property in the inspector: numbers of Godot's PropertyHint. */
 enum class Hint : uint32_t { kNone = 0, kRange = 1, kEnum = 2, kFlags = 6 };
 
 struct Property {
@@ -40,12 +40,12 @@ struct Property {
   Value get(Properties& of) const {
     return std::visit([](const auto* at) { return to_value(*at); }, place(of));
   }
-  /** Returns false and changes nothing if the value is not of the field's type. The plugin checks ranges. */
+  /** Sets the field. Returns false without a change if the value has another type. The plugin checks ranges. */
   bool set(Properties& of, const Value& value) const;
 };
 extern const std::span<const Property> properties;
 
-/** Empty if struct_size is 0. Of an interval NAME there are NAME, NAME_lower, NAME_upper and NAME_known. */
+/** Empty if struct_size is 0. An interval NAME has the keys NAME, NAME_lower, NAME_upper and NAME_known. */
 Record to_record(const hrt_command& of), to_record(const hrt_reach_summary& of), to_record(const hrt_gap& of),
     to_record(const hrt_setup_step& of), to_record(const hrt_setup_result& of), to_record(const hrt_conditions& of),
     to_record(const hrt_recording_status& of), to_record(const hrt_plate_report& of);
@@ -59,7 +59,7 @@ struct Constant {
 /** Values of properties and flags, such as COMMAND_SATURATED. */
 extern const std::span<const Constant> constants;
 
-/** An error text with the names of GDScript: of methods for those of calls, and of constants without HRT_. */
+/** Returns an error text with the names of GDScript: methods instead of calls, and constants without HRT_. */
 std::string script_names(std::string text);
 struct ScriptName {
   const char* call;
@@ -67,7 +67,7 @@ struct ScriptName {
 };
 extern const std::span<const ScriptName> script_names_of_calls;
 
-/** The class reference that the editor shows: XML. */
+/** Class reference that the editor shows, as XML. */
 extern const char* const class_reference;
 
 }  // namespace hrt_godot

@@ -1,9 +1,9 @@
 /*
- * GDExtension, as far as this binding uses it: the C interface of Godot 4.4 and later, whose functions are
- * asked for by name. Declared here because Godot's own header is not part of any package.
+ * The part of GDExtension that this binding uses: the C interface of Godot 4.4 and later, whose functions are
+ * looked up by name. It is declared here because no package contains Godot's header.
  *
- * Engine values are opaque bytes of the sizes that they have in 64-bit builds with single precision, which
- * the official ones are; a Vector3 is 3 floats, a Transform3D 12.
+ * Engine values are opaque bytes with the sizes of 64-bit builds with single precision, such as the official
+ * builds; a Vector3 is 3 floats, a Transform3D 12.
  */
 #pragma once
 
@@ -16,7 +16,7 @@
 #define GDE_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* Types of variants, beside those of value.h. */
+/* Types of variants, in addition to those of value.h. */
 enum { GDE_STRING = 4, GDE_STRING_NAME = 21, GDE_OBJECT = 24, GDE_PACKED_STRING_ARRAY = 34 };
 
 template <int variant_type, size_t size>
@@ -48,10 +48,10 @@ typedef struct {
   uint32_t usage;
 } gde_property;
 
-/* Arguments are variants, and so is *out_return, already. */
+/* Arguments are variants; *out_return is an initialised variant. */
 typedef void (*gde_call)(void* method, void* instance, const gde_variant* const* arguments, int64_t argument_count,
                          gde_variant* out_return, gde_call_error* out_error);
-/* Arguments are values of the registered types, and *out_return is one already. */
+/* Arguments are values of the registered types; *out_return is an initialised value. */
 typedef void (*gde_ptrcall)(void* method, void* instance, const void* const* arguments, void* out_return);
 
 enum { GDE_METHOD_NORMAL = 1 };
@@ -71,10 +71,10 @@ typedef struct {
   void** default_arguments;
 } gde_method;
 
-/* A function of the engine's that a class overrides, called like gde_ptrcall. */
+/* A virtual function of the engine that a class overrides, called like gde_ptrcall. */
 typedef void (*gde_virtual)(void* instance, const void* const* arguments, void* out_return);
 
-/* Of a class; what is not used may be null. */
+/* Functions of a class; unused ones may be null. */
 typedef void (*gde_unused)(void);
 typedef struct {
   gde_bool is_virtual, is_abstract, is_exposed, is_runtime;
@@ -105,7 +105,7 @@ typedef void (*gde_type_from_variant)(void* out, const gde_variant* variant);
 typedef void (*gde_constructor)(void* out, const void* const* arguments);
 typedef void (*gde_destructor)(void* value);
 
-/* X(result, name, arguments...) for each of the engine's functions, which it is asked for by that name. */
+/* X(result, name, arguments...) for each function of the engine, which is looked up by that name. */
 #define GDE_FUNCTIONS(X)                                                                                              \
   X(void, print_error, const char* text, const char* function, const char* file, int32_t line, gde_bool notify)       \
   X(void, variant_new_nil, gde_variant* out)                                                                          \
@@ -116,11 +116,11 @@ typedef void (*gde_destructor)(void* value);
   X(gde_variant_from_type, get_variant_from_type_constructor, int32_t type)                                           \
   X(gde_type_from_variant, get_variant_to_type_constructor, int32_t type)                                             \
   X(gde_constructor, variant_get_ptr_constructor, int32_t type, int32_t index)                                        \
-  /* Null of a type that needs none. */                                                                               \
+  /* Returns null for a type without a destructor. */                                                                 \
   X(gde_destructor, variant_get_ptr_destructor, int32_t type)                                                         \
   X(void, string_new_with_utf8_chars, gde_string* out, const char* text)                                              \
   X(void, string_name_new_with_utf8_chars, gde_string_name* out, const char* text)                                    \
-  /* Returns how many bytes there are; writes no zero after them. */                                                  \
+  /* Returns the number of bytes; writes no zero after them. */                                                       \
   X(int64_t, string_to_utf8_chars, const gde_string* self, char* out_text, int64_t capacity)                          \
   X(gde_variant*, dictionary_operator_index, void* dictionary, const gde_variant* key)                                \
   X(gde_object*, global_get_singleton, gde_name name)                                                                 \
@@ -133,13 +133,13 @@ typedef void (*gde_destructor)(void* value);
   X(void, classdb_register_extension_class_method, gde_library* library, gde_name class_name, const gde_method* info) \
   X(void, classdb_register_extension_class_property, gde_library* library, gde_name class_name,                       \
     const gde_property* info, gde_name setter, gde_name getter)                                                       \
-  /* Properties that are registered after this are shown under the group. */                                          \
+  /* Properties that are registered afterwards are shown in the group. */                                             \
   X(void, classdb_register_extension_class_property_group, gde_library* library, gde_name class_name,                 \
     const gde_string* group, const gde_string* prefix)                                                                \
   X(void, classdb_register_extension_class_signal, gde_library* library, gde_name class_name, gde_name name,          \
     const gde_property* arguments, int64_t argument_count)                                                            \
   X(void, classdb_unregister_extension_class, gde_library* library, gde_name name)                                    \
-  /* In an editor alone, at its level. */                                                                             \
+  /* Only in the editor, at its initialisation level. */                                                              \
   X(void, editor_help_load_xml_from_utf8_chars, const char* xml)
 
 }  // extern "C"

@@ -1,16 +1,16 @@
-// The device that turns the plate: libhrt_plate. Its calls do not wait, except open and close for up to half a second.
+// The device that turns the plate, by libhrt_plate. Its calls do not wait, except open and close for at most 0.5 s.
 #include "plate_node.h"
 
 namespace hrt_godot {
 
-/** Zeros without a device. Allocates no memory. */
+/** Returns the report of the device, or zeros without one. Allocates no memory. */
 hrt_plate_report PlateNode::read_device() const {
   hrt_plate_report report{};
   report.struct_size = sizeof report;
   return device_.value && hrt_plate_get(device_, &report) == HRT_OK ? report : hrt_plate_report{};
 }
 
-// A frame may turn a device that is being opened or has failed. The error of a failure is shown once.
+// A frame may command a device that is being opened or has failed. The error of a failure is shown once.
 Error PlateNode::after_device(hrt_result result) {
   result_ = result;
   if (result == HRT_ERROR_WRONG_STATE) {

@@ -84,7 +84,7 @@ bool PlateNode::ok(hrt_result result) {
   return false;
 }
 
-/** The error of the last call of the plugin. */
+/** Returns the Godot error for the last call of the plugin. */
 Error PlateNode::error() const {
   constexpr std::pair<hrt_result, Error> errors[] = {
       {HRT_OK, Error::kOk},
@@ -105,14 +105,14 @@ Error PlateNode::error() const {
   return found == std::end(errors) ? Error::kBug : found->second;
 }
 
-/** As ok(), with an Error of Godot. */
+/** Does the same as ok(), but returns an Error of Godot. */
 Error PlateNode::report(hrt_result result) {
   ok(result);
   return error();
 }
 
 /** Sets the session's configuration from the properties and the node's pose, between reaches and set-ups. Properties
- * are checked here, together, because a scene sets them one by one. */
+ * are checked here together, because a scene sets them one at a time. */
 bool PlateNode::configure() {
   if (reaching_ || setting_up_) return true;
   hrt_session_config& config = properties_.session;
@@ -133,13 +133,13 @@ bool PlateNode::configure() {
   return true;
 }
 
-/** Shows the error of a sample, once in a reach or set-up for each reason, because samples come in every frame. */
+/** Shows the error of a sample. Samples are sent in every frame, so each reason is shown once per reach or set-up. */
 void PlateNode::report_sample(size_t reason, const char* text) {
   if (!refused_.test(reason)) engine_.push_error(script_names(text).c_str());
   refused_.set(reason);
 }
 
-/** As ok(), for a sample. */
+/** Does the same as ok() for a sample. */
 bool PlateNode::taken(hrt_result result) {
   result_ = result;
   if (result != HRT_OK) report_sample(static_cast<size_t>(-result) % kFlagsReason, hrt_last_error());
@@ -164,7 +164,7 @@ bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
     std::ranges::copy(configured_.plate.rotation, rotation);
     return true;
   }
-  // Within the precision of floats.
+  // The tolerance allows for the precision of floats.
   if (!(pose.basis.transpose() * pose.basis).isIdentity(1e-3) || pose.basis.determinant() < 0) {
     result_ = HRT_ERROR_OUT_OF_RANGE;
     return false;
@@ -174,9 +174,9 @@ bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   return true;
 }
 
-/** Copies changes that the plugin has made to its configuration into the properties, and keeps properties that scripts
- *  have set and that are not applied yet. If the plugin has moved the plate, the node moves too: in floats, while the
- *  session keeps its doubles. */
+/** Copies changes that the plugin has made to its configuration into the properties, except properties that scripts
+ *  have set and that are not applied yet. If the plugin has moved the plate, the node is moved too, in floats, while
+ *  the session keeps its doubles. */
 void PlateNode::take_changes() {
   Properties before = properties_, now = properties_;
   before.session = configured_;

@@ -1,5 +1,5 @@
-// The class HapticRetargeting as scripts see it, without the engine's interface: extension.cpp passes calls and
-// signals. A node is a session.
+// Implements the class HapticRetargeting independently of the engine's interface: extension.cpp passes calls and
+// signals. Each node owns a session.
 #pragma once
 
 #include <array>
@@ -42,9 +42,9 @@ class Engine {
   virtual void move_node(const Pose& pose) = 0;
   virtual void emit(const Signal& signal, const Value& argument) = 0;
   virtual void push_error(const char* text) = 0;
-  /** The system's path of a file, which a script may give as res://... or user://... */
+  /** Returns the path of a file for the system; scripts may use res://... or user://... */
   virtual std::string system_path(std::string path) = 0;
-  /** Properties have changed, and with them the warnings. */
+  /** Called when properties, and thus the warnings, may have changed. */
   virtual void update_warnings() = 0;
 };
 
@@ -57,12 +57,12 @@ struct Method {
   std::vector<Argument> arguments;
   Value (*function)(PlateNode& node, const Value* arguments);
 };
-/** In tables.cpp, from the declarations below. */
+/** Table of the methods in tables.cpp, generated from the declarations below. */
 extern const std::span<const Method> methods;
-/** Maximum number of arguments that are read; one more than any method has, so that too many are noticed. */
+/** Maximum number of arguments that are read: one more than any method has, to detect too many. */
 inline constexpr size_t kArgumentsMax = 8;
 
-/** Reasons of refused samples: the plugin's errors, up to 99, then the node's own. */
+/** Reasons for refused samples: errors of the plugin up to 99, then errors of the node. */
 inline constexpr size_t kFlagsReason = 126, kPoseReason = 127;
 inline constexpr const char* kNotRigid =
     "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
@@ -78,11 +78,11 @@ class PlateNode {
   Value call(const Method& method, std::span<const Value> arguments) noexcept;
   Value get(const Property& property) { return property.get(properties_); }
   void set(const Property& property, const Value& value) noexcept;
-  /** The error in the properties or the node's pose, for the editor; empty: none. */
+  /** Returns the error in the properties or the node's pose, for the editor; empty without one. */
   std::string warning();
 
-  // The methods of scripts, with the names of their arguments there: the generator reads this list, and README.md
-  // documents each method.
+  // Methods for scripts, with the names of their arguments. The generator reads this list, and README.md documents
+  // each method.
   hrt_target add_real_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_virtual_target(std::string name, double direction_deg, double distance_m);
   hrt_target add_real_target_at(std::string name, Vector3 world_position);
@@ -180,7 +180,7 @@ class PlateNode {
   std::bitset<128> refused_;  ///< samples of this reach or set-up, by the reason
 };
 
-/** A row of the class's table; types are those of the function. */
+/** Creates a row of the class's table, with the types of the function. */
 template <auto function, typename Result, typename... Arguments>
 Method bind(const char* name, std::array<const char*, sizeof...(Arguments)> names,
             Result (PlateNode::*)(Arguments...)) {

@@ -19,7 +19,7 @@ std::string PlateNode::save_profile() {
 
 Error PlateNode::set_conditions(std::string plate, std::string tracker, int64_t time_s) {
   hrt_conditions now = hrt_conditions_init();
-  // A name that is too long fills its field without a zero, which the plugin refuses.
+  // A name that is too long fills its field without a terminating zero, which the plugin refuses.
   plate.copy(now.plate, sizeof now.plate);
   tracker.copy(now.tracker, sizeof now.tracker);
   now.time_s = time_s;

@@ -1,4 +1,4 @@
-// A reach of the node: takes samples and signals commands.
+// Reaches of the node: processes samples and signals commands.
 #include "plate_node.h"
 
 namespace hrt_godot {
@@ -31,7 +31,7 @@ Error PlateNode::begin_reach(hrt_target real, hrt_target felt, std::optional<dou
   return error();
 }
 
-/** Passes a sample of the fingertip or a joint in the world, with the node's pose as that of the plate. */
+/** Passes a sample of the fingertip or a joint in the world, with the node's pose as the plate's pose. */
 Error PlateNode::send_finger(const Pose& finger, uint32_t flags, Time time_ns) {
   hrt_sample sample = hrt_sample_init();
   sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE | flags;
@@ -88,7 +88,7 @@ Error PlateNode::send(const hrt_sample& sample) {
   const uint32_t changed = (command.flags ^ command_.flags) & ~HRT_COMMAND_HELD;
   const bool arrived = changed & command.flags & HRT_COMMAND_ARRIVED;
   command_ = command;
-  // Handlers may call this node, so that its state is not read after the first signal.
+  // Handlers may call this node, so its state is not read after the first signal.
   if (changed) engine_.emit(kFlagsChanged, to_value(command.flags));
   if (!(command.flags & HRT_COMMAND_HELD)) engine_.emit(kPlateCommanded, command.plate_orientation_deg);
   if (arrived) engine_.emit(kArrived, to_value(command.flags));
@@ -124,12 +124,12 @@ Error PlateNode::end() {
   if (!ok(hrt_reach_end(session_, &summary))) return error();
   reaching_ = false;
   summary_ = summary;
-  take_changes();  // under HRT_ADAPTATION_CARRIED, or after a contact, there are some
+  take_changes();  // HRT_ADAPTATION_CARRIED and contacts change the configuration
   engine_.emit(kReachEnded, summary.miss_deg);
   return Error::kOk;
 }
 
-/** The same seed is the same person in a further reach. */
+/** Begins a simulated finger. The same seed continues with the same person. */
 Error PlateNode::begin_simulated_finger(hrt_target virtual_target, int64_t seed) {
   if (!configure()) return error();
   if (person_.value == 0 || seed != seed_) {
@@ -142,12 +142,12 @@ Error PlateNode::begin_simulated_finger(hrt_target virtual_target, int64_t seed)
   return report(hrt_person_begin(person_, session_, virtual_target));
 }
 
-/** Returns the tracked position in the world of the simulated finger, which feels the plate at its last command. */
+/** Advances the simulated finger over the plate at its last command. Returns its tracked position in the world. */
 Vector3 PlateNode::move_person(Time time_ns, hrt_sample& out) {
   const double plate_deg = setting_up_ ? step_.plate_orientation_deg : command_.plate_orientation_deg;
   out = hrt_sample_init();
   if (!ok(hrt_person_move(person_, time_ns.ns, plate_deg, &out))) return failure<Vector3>();
-  if (out.flags & HRT_SAMPLE_WORLD_POSITION) return Vector3(out.finger_position_m);  // in a set-up: a joint
+  if (out.flags & HRT_SAMPLE_WORLD_POSITION) return Vector3(out.finger_position_m);  // a joint, in a set-up
   const Pose plate = engine_.node_pose();
   return plate.origin + plate.basis * Vector3(out.finger_position_m);
 }
@@ -157,7 +157,7 @@ Vector3 PlateNode::move_simulated_finger(Time time_ns) {
   return move_person(time_ns, sample);
 }
 
-/** As update(), with the sample in doubles and the orientation of the servo. */
+/** Does the same as update(), with a sample in doubles and the orientation of the servo. */
 Vector3 PlateNode::update_simulated_finger(Time time_ns) {
   hrt_sample sample;
   const Vector3 seen = move_person(time_ns, sample);

@@ -1,4 +1,4 @@
-// A set-up: takes samples and signals instructions to the user.
+// Set-ups of the node: processes samples and signals instructions to the user.
 #include <cstring>
 
 #include "plate_node.h"
@@ -16,8 +16,7 @@ Error PlateNode::begin_setup(int64_t what) {
   return error();
 }
 
-/** Signals a step when it changes. The plate orientation, which may change in every frame, is signalled as in a reach.
- */
+/** Signals a step when it changes. The plate orientation may change in every frame and is signalled as in a reach. */
 Error PlateNode::guide(const hrt_sample& sample) {
   hrt_setup_step step = hrt_setup_step_init();
   if (!taken(hrt_setup_update(session_, &sample, &step))) return error();
@@ -30,7 +29,7 @@ Error PlateNode::guide(const hrt_sample& sample) {
   return setting_up_ && step.instruction == HRT_STEP_FINISH ? continue_fit() : Error::kOk;
 }
 
-/** Once a frame, until the part is fitted. */
+/** Continues the fit of a part. Called once a frame until it is complete. */
 Error PlateNode::continue_fit() {
   hrt_setup_result found = hrt_setup_result_init();
   if (!ok(hrt_setup_finish(session_, &found))) return error();

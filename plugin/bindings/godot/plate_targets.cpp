@@ -1,4 +1,4 @@
-// The node's targets, their gaps, and scenes.
+// Targets of the node, their gaps, and scenes.
 #include "plate_node.h"
 
 namespace hrt_godot {
@@ -21,7 +21,7 @@ hrt_target_config placed(const Vector3& world_position, hrt_target_config config
 
 hrt_target PlateNode::add_target(uint32_t role, const std::string& name, hrt_target_config config) {
   config.role = role;
-  // A name that is too long has no zero at its end, which the plugin refuses.
+  // A name that is too long has no terminating zero, which the plugin refuses.
   name.copy(config.name, sizeof config.name);
   hrt_target target{};
   if (configure()) ok(hrt_target_add(session_, &config, &target));
@@ -69,7 +69,7 @@ bool PlateNode::list_targets(uint32_t role, std::vector<hrt_target>& out_targets
 Error PlateNode::assign_targets(bool exclusive) {
   std::vector<hrt_target> real, felt;
   if (!configure() || !list_targets(HRT_TARGET_REAL, real) || !list_targets(HRT_TARGET_VIRTUAL, felt)) return error();
-  // One more than needed, because the plugin reads the size of the first one.
+  // One more than needed, because the plugin reads the size of the first element.
   std::vector<hrt_gap> assigned(felt.size() + 1, hrt_gap_init());
   if (ok(hrt_gap_assign(session_, felt.data(), felt.size(), real.data(), real.size(),
                         exclusive ? HRT_ASSIGN_EXCLUSIVE : 0, felt.size(), assigned.data()))) {

@@ -1,4 +1,4 @@
-// Values that a script and the plate node exchange.
+// Types of the values that scripts and the plate node exchange.
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>
@@ -15,7 +15,7 @@
 
 namespace hrt_godot {
 
-/** Godot's vectors are of floats: each goes through the plugin's doubles and back unchanged. */
+/** Godot's vectors contain floats, which doubles represent exactly. */
 using Vector3 = Eigen::Vector3d;
 
 /** A position in the world and a rotation. */
@@ -25,23 +25,23 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/** Of Godot's enumeration Error. */
+/** Values of Godot's enumeration Error. */
 enum class Error : int64_t { kOk = 0, kUnavailable = 2, kFileCannotWrite = 13, kInvalidParameter = 31, kBug = 47 };
 
-/** A time in nanoseconds. Scripts must give an int: the engine would round a float in seconds to whole nanoseconds. */
+/** A time in nanoseconds. Scripts must pass an int: the engine would round a float in seconds to an int. */
 struct Time {
   int64_t ns;
 };
 
 struct Value;
-/** A Dictionary. Keys are string literals. */
+/** A Dictionary, whose keys are string literals. */
 using Record = std::vector<std::pair<const char*, Value>>;
-/** The alternatives are in the order of kTypes. */
+/** A value of any type; the alternatives are in the order of kTypes. */
 struct Value : std::variant<std::monostate, bool, int64_t, double, std::string, Vector3, Record, Pose> {
   using variant::variant;
 };
 
-/** Numbers of Godot's Variant.Type; kTime is registered as a Variant, so that a float arrives as such. */
+/** Numbers of Godot's Variant.Type; kTime is registered as a Variant, so that a float is not converted. */
 enum class Type {
   kNil = 0,
   kBool = 1,
@@ -55,7 +55,7 @@ enum class Type {
 };
 struct TypeName {
   Type type;
-  const char* name;  ///< in scripts
+  const char* name;  ///< name in scripts
 };
 inline constexpr TypeName kTypes[] = {
     {Type::kNil, "null"},          {Type::kBool, "bool"},        {Type::kInt, "int"},
@@ -66,12 +66,12 @@ inline Type type_of(const Value& value) { return kTypes[value.index()].type; }
 
 inline const char* type_name(Type type) { return std::ranges::find(kTypes, type, &TypeName::type)->name; }
 
-/** GDScript writes 5 for 5.0. */
+/** Returns whether a value has this type; an int is accepted as a float, as in GDScript. */
 inline bool fits(const Value& value, Type type) {
   return type_of(value) == type || ((type == Type::kReal || type == Type::kTime) && type_of(value) == Type::kInt);
 }
 
-/** The result of a method that fails: no target; a position that update() refuses. */
+/** Result of a method that fails: no target, or a position that update() refuses. */
 template <typename T>
 T failure() {
   if constexpr (std::is_same_v<T, Error>)
@@ -82,7 +82,7 @@ T failure() {
     return {};
 }
 
-/** The value of a method's result, or of a field of the plugin's structs. */
+/** Converts the result of a method, or a field of the plugin's structs, to a value. */
 template <typename T>
 Value to_value(const T& value) {
   if constexpr (std::is_same_v<T, double[3]>)
@@ -103,7 +103,7 @@ Type argument_type() {
     return type_of(to_value(failure<T>()));
 }
 
-/** The argument of a value that fits its type. */
+/** Converts a value that fits the type to an argument. */
 template <typename T>
 T from_value(const Value& value) {
   const int64_t* integer = std::get_if<int64_t>(&value);

@@ -1,18 +1,18 @@
-/* Files of the module: what the C library's functions come down to. WASI's own ways to files are not in this
- * C library. What is written index.mjs keeps in memory; there is nothing to read. */
+/* File system calls of the module, which this C library does not map to WASI. index.mjs keeps written files in
+ * memory; there are no files to read. */
 #include <errno.h>
 #include <fcntl.h>
 
 struct stat;
 
-/* Returns a descriptor, or an error's negative number. */
+/* Returns a descriptor, or the negative number of an error. */
 __attribute__((import_module("env"), import_name("hrt_web_open"))) long hrt_web_open(const char* path, int writes);
 
-/* In place of the C library's, which is weak. */
+/* Replaces the weak function of the C library. */
 long __syscall_open(const char* path, long flags, ...);
 long __syscall_open(const char* path, long flags, ...) { return hrt_web_open(path, (flags & O_ACCMODE) != O_RDONLY); }
 
-/* The C library's are for JavaScript to give. */
+/* Functions that the C library expects from JavaScript. */
 #define NOT_THERE(name, ...) \
   long name(__VA_ARGS__);    \
   long name(__VA_ARGS__) { return -ENOENT; }

@@ -57,7 +57,7 @@ class Library {
   }
 }
 
-// Handles and ids come as a struct of one u64, as counts do.
+// Handles, ids and counts are structs of one u64.
 function created(memory, create) { return idsOf(memory, 1, create)[0]; }
 function idsOf(memory, count, write) {
   return memory.with(8 * count + 1, (at) => {
@@ -66,15 +66,15 @@ function idsOf(memory, count, write) {
   });
 }
 
-/** A target's id, as the module takes it. */
+/** Converts a target's id for the module. */
 const idOf = (target, name = "target") => checked(name, "id", target);
 
-// An object of the module, calls that begin with its handle, and structs that exist in the module's memory as long as the object.
+// An object of the module: calls with its handle, and structs in the module's memory that live as long as the object.
 class Native {
   #destroyed = false;
   #destroy;
   #structs = new Map();
-  /** `destroy`: the call that destroys it, such as hrt_session_destroy; `types`: those of the structs. */
+  /** `destroy`: call that destroys the object, such as hrt_session_destroy; `types`: types of the structs. */
   constructor(memory, destroy, create, ...types) {
     this.memory = memory;
     this.#destroy = destroy;
@@ -84,7 +84,7 @@ class Native {
   call(name, ...values) { this.memory.call(name, this.handle, ...values); }
   get(type, name, ...values) { return this.memory.get(type, name, this.handle, ...values); }
   put(type, fields, name, ...values) { this.memory.put(type, fields, name, this.handle, ...values); }
-  /** The address of a struct. */
+  /** Returns the address of a struct. */
   at(type) {
     const at = this.#structs.get(type);
     if (at === undefined) throw new HapticRetargetingError(abi.HRT_ERROR_INVALID_HANDLE, `the ${this.#destroy.split("_")[1]} has been destroyed`);
@@ -101,7 +101,7 @@ class Native {
 
 function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
 
-// `using` destroys at a block's end. Compilers that bring it to engines without the symbol name it so.
+// Symbol of `using`, which destroys objects at the end of a block. Compilers use this name in engines that lack the symbol.
 const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose");
 
 class Session {

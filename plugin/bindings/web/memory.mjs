@@ -1,4 +1,4 @@
-// The module's memory, calls into it, and the surroundings that it asks for.
+// The module's memory, calls into the module, and the system functions that it imports.
 import * as abi from "./abi.js";
 import { checked, types } from "./numbers.mjs";
 
@@ -43,7 +43,7 @@ export class Memory {
   fail(code) {
     throw new HapticRetargetingError(code, readText(this.view.buffer, this.#exports.hrt_last_error()));
   }
-  /** The function itself, for calls every frame. */
+  /** Returns the exported function, for calls in each frame. */
   entry(name) { return this.#exports[name]; }
 
   allocate(size) {
@@ -59,7 +59,7 @@ export class Memory {
   }
   free(at) { this.#exports.free(at); }
 
-  /** Lends memory to `use` while it runs. */
+  /** Provides memory to `use` while it runs. */
   with(size, use) {
     const at = this.allocate(size);
     try {
@@ -76,7 +76,7 @@ export class Memory {
   }
   withText(text, use) { return this.withBytes(encoder.encode(text), use); }
 
-  /** Lends a struct with its size and its defaults in place, and `values` over these. */
+  /** Provides a struct with its size, its defaults and, over these, `values`. */
   withStruct(type, values, use) {
     const { size, fields, defaults } = abi.structs[type];
     return this.with(size, (at) => {
@@ -87,7 +87,7 @@ export class Memory {
       return use(at);
     });
   }
-  /** What `call` makes of a struct. */
+  /** Returns the struct that `call` writes. */
   output(type, call) {
     return this.withStruct(type, {}, (at) => {
       call(at);
@@ -95,7 +95,7 @@ export class Memory {
     });
   }
 
-  /** What a function writes to a struct, which is its last argument. */
+  /** Returns the struct that a function writes to its last argument. */
   get(type, name, ...values) { return this.output(type, (at) => this.call(name, ...values, at)); }
   /** Calls a function with a struct as its last argument. */
   put(type, fields, name, ...values) { this.withStruct(type, fields, (at) => this.call(name, ...values, at)); }
@@ -132,7 +132,7 @@ export class Memory {
   }
 
   read(type, at) {
-    const object = Object.defineProperty({}, "toJSON", { value: jsonOf });  // not seen by loops and copies
+    const object = Object.defineProperty({}, "toJSON", { value: jsonOf });  // not enumerable, so that loops and copies skip it
     for (const name of fieldNames(type)) object[name] = this.#readField(abi.structs[type].fields[name], at);
     return object;
   }
@@ -146,7 +146,7 @@ export class Memory {
     return Array.from({ length: field.length }, (_, i) => this.view[get](offset + size * i, true));
   }
 
-  /** Takes a recording's text out of the files. */
+  /** Returns the text of a recording and removes its file. */
   takeFile(path) {
     const file = this.#host.files.get(path);
     this.#host.files.delete(path);
@@ -154,7 +154,7 @@ export class Memory {
   }
 }
 
-// JSON has no 64-bit integers: numbers as far as these are exact, then decimal text.
+// JSON has no 64-bit integers: they become numbers if these are exact, or else decimal text.
 function jsonOf() {
   return Object.fromEntries(Object.entries(this).map(([name, value]) => [name,
     typeof value !== "bigint" ? value : Number.isSafeInteger(Number(value)) ? Number(value)
@@ -165,12 +165,12 @@ function fieldNames(type) {
   return Object.keys(abi.structs[type].fields).filter((name) => name !== "struct_size" && name !== "reserved");
 }
 
-// What the module asks of its surroundings: files, which are kept in memory.
+// Functions that the module imports: files, which are kept in memory.
 const EBADF = 8, ENOENT = 44;
 
 export class Host {
-  files = new Map();  // what was written, by path
-  #open = new Map();  // the same by descriptor
+  files = new Map();  // written content by path
+  #open = new Map();  // written content by descriptor
   #nextDescriptor = 3;
   #memory;
   onMemoryGrowth = () => {};
@@ -223,7 +223,7 @@ export class Host {
     return 0;
   }
 
-  /** Nanoseconds of a clock that only goes forward. */
+  /** Writes the nanoseconds of a monotonic clock. */
   #time(at) {
     new DataView(this.#memory.buffer).setBigUint64(at, BigInt(Math.round(1e6 * performance.now())), true);
     return 0;

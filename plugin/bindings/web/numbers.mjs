@@ -1,6 +1,6 @@
-// Numbers in the module's memory, checked where an assignment would change them silently.
+// Access to numbers in the module's memory, with checks for conversions that would change a value silently.
 
-// How a field's type is read and written; integers are allowed from `least` to `most`.
+// DataView methods for each type of field; integers are allowed from `least` to `most`.
 export const types = {
   u32: { size: 4, least: 0, most: 2 ** 32 - 1, get: "getUint32", set: "setUint32" },
   i32: { size: 4, least: -(2 ** 31), most: 2 ** 31 - 1, get: "getInt32", set: "setInt32" },
@@ -10,7 +10,7 @@ export const types = {
   f64: { size: 8, get: "getFloat64", set: "setFloat64" },
 };
 
-// Only the conversion is checked here. The library checks ranges.
+// Checks the conversion only. The library checks ranges.
 export function checked(name, type, value) {
   const { least, most } = types[type];
   if (type === "f64") {
@@ -26,8 +26,8 @@ export function checked(name, type, value) {
   return wide ? BigInt(value) : Number(value);
 }
 
-// For every frame: 64-bit integers as numbers, which are exact to 2^53. A double that is not a number is NaN, which the
-// library refuses.
+// Functions for use in each frame: 64-bit integers are numbers, which are exact to 2^53. A value that is not a number is
+// written as NaN, which the library refuses.
 export function writeU32(view, at, name, value) {
   if (value >>> 0 !== value) throw new RangeError(`${name} is ${String(value)}; a whole number from 0 is needed`);
   view.setUint32(at, value, true);

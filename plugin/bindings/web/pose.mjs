@@ -1,6 +1,6 @@
-// Poses of WebXR and of 3D libraries.
+// Reads poses of WebXR and of 3D libraries.
 
-/** The { x, y, z } of a fingertip, or undefined if tracking has lost it. */
+/** Returns the { x, y, z } of a fingertip, or undefined if tracking is lost. */
 export function fingertipOf(pose) {
   if (pose === null || pose === undefined) return undefined;
   const at = pose.transform?.position ?? pose.position ?? pose;
@@ -10,15 +10,15 @@ export function fingertipOf(pose) {
   throw new TypeError("the pose has neither transform.position nor position nor x, y, z");
 }
 
-/** The { x, y, z, w } of a joint's rotation, or undefined if the pose has none. */
+/** Returns the { x, y, z, w } of a joint's rotation, or undefined if the pose has no rotation. */
 export function rotationOf(pose) {
   const rotation = pose.transform?.orientation ?? pose.orientation ?? pose.quaternion;
   return typeof rotation?.w === "number" ? rotation : undefined;
 }
 
-/** Position and rotation of a plate from a 4 x 4 matrix, column by column, from plate coordinates to the world. */
+/** Returns position and rotation of a plate from a 4 x 4 column-major matrix from plate coordinates to the world. */
 export function plateOf(matrix) {
-  const m = matrix?.elements ?? matrix?.matrix ?? matrix;  // of three.js, of an XRRigidTransform
+  const m = matrix?.elements ?? matrix?.matrix ?? matrix;  // three.js has `elements`, an XRRigidTransform `matrix`
   if (m?.length !== 16 || !Array.prototype.every.call(m, Number.isFinite)) {
     throw new TypeError("the matrix is not 16 finite numbers, or an object with these as elements or matrix");
   }
@@ -35,7 +35,7 @@ function near(value, wanted) { return Math.abs(value - wanted) < 1e-3; }
 function dot(a, b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 function cross(a, b) { return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]; }
 
-// Shepperd 1978: a row of 4 q q', the one with the largest diagonal, is q times a number that is not small.
+// Shepperd 1978: the row of 4 q q' with the largest diagonal element is a multiple of q by a factor that is not small.
 function quaternion(x, y, z) {
   const squares = [1 + x[0] - y[1] - z[2], 1 - x[0] + y[1] - z[2], 1 - x[0] - y[1] + z[2], 1 + x[0] + y[1] + z[2]];
   const largest = squares.indexOf(Math.max(...squares));

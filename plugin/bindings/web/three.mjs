@@ -1,11 +1,11 @@
-// For three.js: the plate as an object, and a reach of a hand that WebXR tracks. Types and documentation: three.d.ts.
+// Support for three.js: the plate as an object, and reaches of a hand that WebXR tracks. Types and documentation: three.d.ts.
 import { BoxGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, Quaternion, Vector3 } from "three";
 import { HRT_SAMPLE_LIFTED, HRT_SAMPLE_PLATE_ORIENTATION, HRT_SAMPLE_PLATE_POSE, HRT_SAMPLE_WORLD_POSITION } from "./abi.js";
 
 const thickness_m = 0.006;
 
 export class HapticPlate extends Group {
-  #ridged = new Group();  // turns within the mount, which is this object
+  #ridged = new Group();  // rotates within the mount, which is this object
   #orientation_deg = 0;
 
   constructor({ radius_m = 0.075, ridgeSpacing_m = 0.01, ridgeWidth_m = 0.001, ridgeHeight_m = 0.001,
@@ -74,7 +74,7 @@ export class HandReach {
     return command;
   }
 
-  // Without a registration, the plate is where its object is in the scene.
+  // Without a registration, the plate has the pose of its object in the scene.
   #addPlatePose() {
     const { sample } = this.#session;
     this.#plate.getWorldPosition(this.#at).toArray(sample.plate_position_m);

@@ -1,5 +1,5 @@
-# The reach that every host's sample runs, in Godot: gives the node Plate one scripted sample a frame, and prints
-# the hash of the commands that come out, which is the same on every host.
+# The reach that every host's sample runs, in Godot: passes one scripted sample a frame to the node Plate, and prints
+# the hash of the resulting commands, which is the same on every host.
 #
 # The finger's positions are passed as three numbers, since a Vector3 holds floats.
 extends Node
@@ -16,7 +16,7 @@ func _ready() -> void:
 	if plate.begin(real, felt) != OK:
 		stop("the reach does not begin")
 
-# Whole numbers, each divided once, give the same doubles on every host.
+# Integers that are divided once give the same doubles on every host.
 func _process(_delta: float) -> void:
 	i += 1
 	if i > 170:
@@ -41,7 +41,7 @@ func _process(_delta: float) -> void:
 		return stop("sample %d is refused" % i)
 	hash_command(plate.get_command())
 
-# From -500 to 500.
+# Returns the next noise value, from -500 to 500.
 func noise() -> int:
 	random = random * 16807 % 2147483647
 	return random % 1001 - 500
@@ -61,7 +61,7 @@ func stop(why: String) -> void:
 	set_process(false)
 	get_tree().quit(1)
 
-# FNV-1a of HRT_HASHED_FIELDS (recording.h).
+# Continues FNV-1a over HRT_HASHED_FIELDS (recording.h).
 func hash_command(command: Dictionary) -> void:
 	var bytes := StreamPeerBuffer.new()
 	bytes.put_64(command.flags)

@@ -39,7 +39,7 @@ export function runReach(hrt, library) {
   return { hash: `0x${hash.toString(16).padStart(16, "0")}`, summary };
 }
 
-// FNV-1a of HRT_HASHED_FIELDS (recording.h).
+// Continues FNV-1a over HRT_HASHED_FIELDS (recording.h).
 function hashed(hash, command) {
   const words = new DataView(new ArrayBuffer(120));
   words.setBigUint64(0, BigInt(command.flags), true);

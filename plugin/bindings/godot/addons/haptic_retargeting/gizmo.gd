@@ -1,4 +1,4 @@
-## Draws plates in the editor's view: rim, ridges of orientation 0, start, and the way straight ahead.
+## Draws plates in the editor's view: rim, ridges at orientation 0, start, and the mid-line.
 @tool
 extends EditorPlugin
 

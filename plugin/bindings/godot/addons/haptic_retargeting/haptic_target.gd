@@ -4,7 +4,7 @@ extends Marker3D
 
 enum Role { REAL, VIRTUAL }
 
-## The plate that has this target.
+## The plate to which this target is added.
 @export var plate: HapticRetargeting
 ## REAL: the hand is steered to it. VIRTUAL: the user reaches for it.
 @export var role := Role.REAL
@@ -12,8 +12,8 @@ enum Role { REAL, VIRTUAL }
 var _id := 0
 
 
-## Adds the target to the plate, with the name of this node, or moves it to the present position of this node. Returns the id
-## for HapticRetargeting.begin(), retarget() and get_gap(); 0: refused.
+## Adds the target to the plate, with the name of this node, or moves it to the current position of this node. Returns the id
+## for HapticRetargeting.begin(), retarget() and get_gap(); 0 after an error.
 func place() -> int:
 	if plate == null:
 		push_error("%s: plate is not set; choose the HapticRetargeting of this target" % name)

@@ -7,11 +7,11 @@ namespace Hrt
 {
     /// <summary>
     /// Passes a plate, a finger and targets of the scene to the controller in each frame. Begin a reach with
-    /// <see cref="BeginReach(Transform)"/>; turn the real plate as <see cref="Commanded"/> or
-    /// <see cref="onPlateOrientation"/> says; call <see cref="EndReach"/> when <see cref="Arrived"/> is raised.
+    /// <see cref="BeginReach(Transform)"/>, turn the real plate to the orientation of <see cref="Commanded"/> or
+    /// <see cref="onPlateOrientation"/>, and call <see cref="EndReach"/> when <see cref="Arrived"/> is raised.
     ///
-    /// Samples are taken in LateUpdate, after all other scripts, with the unscaled time of the frame: a game that is
-    /// slowed down or paused does not slow the hand. One unit of length is one metre.
+    /// Samples are taken in LateUpdate, after all other scripts, with the unscaled time of the frame, because a game that
+    /// is slowed down or paused does not slow the hand. One unit of length is one metre.
     /// </summary>
     [DefaultExecutionOrder(10000)]
     [AddComponentMenu("Haptic Retargeting/Haptic Retargeting")]
@@ -50,39 +50,39 @@ namespace Hrt
         [Tooltip("Where to turn the plate, in degrees counter-clockwise seen from above, when it changes.")]
         public OrientationEvent onPlateOrientation = new OrientationEvent();
 
-        /// <summary>Each command, once a frame during a reach.</summary>
+        /// <summary>Raised with each command, once a frame during a reach.</summary>
         public event Action<Command> Commanded;
 
-        /// <summary>The flags of the command, when they change, except Held, which alternates between steps.</summary>
+        /// <summary>Raised when the flags of the command change, except Held, which alternates between steps.</summary>
         public event Action<CommandFlags> FlagsChanged;
 
-        /// <summary>The finger has arrived: once in a reach, and again after a <see cref="RetargetReach"/>. Call
-        /// <see cref="EndReach"/>, here or later. With OffTarget in its flags, the finger rests elsewhere.</summary>
+        /// <summary>Raised when the finger has arrived: once per reach, and again after <see cref="RetargetReach"/>. Call
+        /// <see cref="EndReach"/>, here or later. With the flag OffTarget, the finger rests elsewhere.</summary>
         public event Action<Command> Arrived;
 
         /// <summary>Raised by <see cref="EndReach"/>.</summary>
         public event Action<ReachSummary> ReachEnded;
 
-        /// <summary>The next instruction to the user in a set-up, when it changes: show its text, and its place with
+        /// <summary>Raised when the instruction to the user in a set-up changes: show its text, and its position with
         /// <see cref="PlaceOf"/>. At Step.Finish the user waits for a fit, which takes at most 1 ms of each frame.</summary>
         public event Action<SetupStep> SetupStepped;
 
-        /// <summary>The set-up is over, and its results are applied.</summary>
+        /// <summary>Raised when the set-up is over and its results are applied.</summary>
         public event Action<SetupResult> SetupFinished;
 
-        // Ids of the session's targets. A Transform may be in both: a cylinder that is also its own virtual target.
+        // Ids of the session's targets. A Transform may be in both: a cylinder may also be its own virtual target.
         readonly Dictionary<Transform, TargetId> realIds = new Dictionary<Transform, TargetId>();
         readonly Dictionary<Transform, TargetId> virtualIds = new Dictionary<Transform, TargetId>();
 
-        SessionConfig settings; // as they were last applied
+        SessionConfig settings; // last applied values
         SetupStep setupStep;
         SetupFlags setupDone;
         bool commanded;
         bool refused;
 
         /// <summary>The session, for its configuration, profile and recording between reaches. Null while the component is
-        /// disabled. Plate, start and targets are set from the Transforms when a reach begins, and settings of the
-        /// inspector that have changed.</summary>
+        /// disabled. The begin of a reach sets plate, start and targets from the Transforms, and applies changed
+        /// settings of the inspector.</summary>
         public HapticRetargetingSession Session { get; private set; }
 
         public bool IsReaching { get; private set; }
@@ -92,8 +92,7 @@ namespace Hrt
         /// <summary>The last command of the last reach.</summary>
         public Command LastCommand { get; private set; }
 
-        /// <summary>Set this to false while the tracker does not see the finger, and its Transform is
-        /// stale.</summary>
+        /// <summary>Set this to false while the finger is not tracked and its Transform is outdated.</summary>
         public bool FingerTracked { get; set; } = true;
 
         /// <summary>Set this in each frame to the orientation that the device reports. Null: the plate is assumed to
@@ -121,8 +120,8 @@ namespace Hrt
                        IdOf(virtualTarget, virtualIds, nameof(virtualTarget)));
         }
 
-        /// <summary>Redirects the reach to other targets, or to the present positions of the same ones: in each frame, if
-        /// they move.</summary>
+        /// <summary>Redirects the reach to other targets, or to the current positions of the same targets. Call it in each
+        /// frame if they move.</summary>
         public void RetargetReach(Transform realTarget, Transform virtualTarget)
         {
             HapticRetargetingSession session = EnabledSession();
@@ -148,8 +147,8 @@ namespace Hrt
             return summary;
         }
 
-        /// <summary>Begins a set-up of the pose of the plate, the offset of the skin from a tracked joint, and the user. Until
-        /// it is over, the frames are its samples.</summary>
+        /// <summary>Begins a set-up, which measures the pose of the plate, the offset of the skin from a tracked joint, and
+        /// the user. It uses the samples of the frames until it is over.</summary>
         public void BeginSetup(SetupFlags what = SetupFlags.AllMissing)
         {
             HapticRetargetingSession session = EnabledSession();
@@ -168,10 +167,10 @@ namespace Hrt
             IsSettingUp = false;
         }
 
-        /// <summary>A position in plate coordinates, such as that of a step, in Unity's world.</summary>
+        /// <summary>Converts a position in plate coordinates, such as that of a step, to Unity's world.</summary>
         public Vector3 PlaceOf(Double3 placeM) => plate.TransformPoint(Axes.ToUnity(placeM));
 
-        /// <summary>The finger and the plate of this frame, as a sample for a reach or a set-up.</summary>
+        /// <summary>Returns finger and plate in this frame as a sample for a reach or a set-up.</summary>
         public Sample ReadFinger()
         {
             var sample = new Sample { timeNs = (long)(Time.unscaledTimeAsDouble * 1e9) };
@@ -220,14 +219,14 @@ namespace Hrt
             if (IsSettingUp) Guide(ReadFinger());
         }
 
-        // Runs in each frame, and makes no garbage.
+        // Runs in each frame and makes no garbage.
         internal void Step(Sample sample)
         {
             if (Session.TryUpdate(sample, out Command command)) Apply(command);
             else Refuse(HapticRetargetingLibrary.LastError);
         }
 
-        // The command is unchanged. Reported once in a reach or set-up, not in each frame.
+        // Keeps the last command. Reports the error once per reach or set-up, not in each frame.
         void Refuse(string why)
         {
             if (!refused) Debug.LogError("Haptic retargeting: " + why, this);
@@ -259,7 +258,7 @@ namespace Hrt
             if (fits && IsSettingUp) TakeResult(result);
         }
 
-        // A registration moves the plate to where it was touched.
+        // A registration moves the plate to its measured pose.
         void TakeResult(SetupResult result)
         {
             IsSettingUp = result.left != 0;
@@ -322,7 +321,7 @@ namespace Hrt
             return Session;
         }
 
-        /// <summary>The session's id of a virtual target, from the first reach on.</summary>
+        /// <summary>Returns the session's id of a virtual target, once a reach has begun.</summary>
         public TargetId IdOf(Transform virtualTarget) => IdOf(virtualTarget, virtualIds, nameof(virtualTarget));
 
         TargetId IdOf(Transform target, Dictionary<Transform, TargetId> ids, string argument)
@@ -345,7 +344,7 @@ namespace Hrt
             settings = now;
         }
 
-        // A target by its position on the plate, which may have moved since the reach began.
+        // Configures a target by its position on the plate, which may have changed since the begin of the reach.
         TargetConfig OnPlate(Transform target, TargetRole role)
         {
             TargetConfig config = TargetConfig.Default;
@@ -356,7 +355,7 @@ namespace Hrt
             return config;
         }
 
-        // Adds targets, moves them to the positions of their Transforms, and removes those that are not listed or are
+        // Adds targets, moves them to the positions of their Transforms, and removes targets that are not listed or are
         // destroyed.
         static void SetTargets(HapticRetargetingSession session, List<Transform> targets, TargetRole role,
                                Dictionary<Transform, TargetId> ids)

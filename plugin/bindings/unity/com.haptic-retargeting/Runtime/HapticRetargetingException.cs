@@ -2,8 +2,8 @@ using System;
 
 namespace Hrt
 {
-    /// <summary>A call that the library refused. <see cref="Exception.Message"/> is the library's own text: the
-    /// call, the field, its value and what is allowed.</summary>
+    /// <summary>Thrown when the library refuses a call. <see cref="Exception.Message"/> is the library's text, with the
+    /// call, the field, its value and the allowed values.</summary>
     public sealed class HapticRetargetingException : Exception
     {
         public Result Result { get; }

@@ -5,14 +5,14 @@ using AOT;
 
 namespace Hrt
 {
-    /// <summary>The native library: its version, its log, and what must be put away before managed code
-    /// goes.</summary>
+    /// <summary>The native library: its version, its log, and the release of native objects before managed code is
+    /// unloaded.</summary>
     public static partial class HapticRetargetingLibrary
     {
-        // What this application domain has made and not destroyed, and how to destroy it. Guarded by itself.
+        // Undestroyed objects of this application domain, with the call that destroys each. Locked by itself.
         static readonly Dictionary<ulong, Func<ulong, Result>> open = new Dictionary<ulong, Func<ulong, Result>>();
 
-        // The native side keeps a pointer to this; the field keeps it from being collected.
+        // The native library has a pointer to this delegate; the field keeps it from being collected.
         static readonly HostLog onLog = OnLog;
 
         static volatile bool loaded;
@@ -28,7 +28,7 @@ namespace Hrt
             }
         }
 
-        /// <summary>What went wrong in this thread's last failed call; empty if none has failed.</summary>
+        /// <summary>Error of this thread's last failed call; empty if no call has failed.</summary>
         public static string LastError
         {
             get
@@ -38,8 +38,8 @@ namespace Hrt
             }
         }
 
-        /// <summary>Comes before the first call into the library: refuses one that is missing or of another
-        /// version, and takes its log.</summary>
+        /// <summary>Runs before the first call of the library: throws if it is missing or of another version, and
+        /// connects its log.</summary>
         internal static void Load()
         {
             if (loaded) return;
@@ -47,8 +47,8 @@ namespace Hrt
             {
                 if (loaded) return;
                 CheckVersion();
-                // The editor keeps the library and all that it holds when it reloads the scripts' domain. What is
-                // left of them would call a delegate that is gone.
+                // The editor keeps the library and its objects when it reloads the scripts' domain. Remaining objects
+                // would call a collected delegate.
                 AppDomain.CurrentDomain.DomainUnload += (sender, arguments) => Shutdown();
                 AppDomain.CurrentDomain.ProcessExit += (sender, arguments) => Shutdown();
                 Result result = SetLog(Marshal.GetFunctionPointerForDelegate(onLog));
@@ -58,7 +58,7 @@ namespace Hrt
             }
         }
 
-        /// <summary>Runs a recording's calls again, and compares what comes out, bit for bit.</summary>
+        /// <summary>Replays the calls of a recording and compares the results bit for bit.</summary>
         public static ReplayReport Replay(string path)
         {
             Load();
@@ -119,13 +119,13 @@ namespace Hrt
             return Native.hrt_host_set(ref host);
         }
 
-        /// <summary>Where the library's log goes: Unity's console, or what .NET programs choose.</summary>
+        /// <summary>Writes a line of the library's log, to Unity's console or to the receiver that a .NET program sets.</summary>
         static partial void Log(LogLevel level, string message);
 
         [MonoPInvokeCallback(typeof(HostLog))]
         static void OnLog(IntPtr context, uint level, IntPtr text)
         {
-            // Called by a thread of the library's own, which no exception may get into.
+            // Called by a thread of the library, into which no exception may propagate.
             try
             {
                 Log((LogLevel)level, Utf8.Read(text));

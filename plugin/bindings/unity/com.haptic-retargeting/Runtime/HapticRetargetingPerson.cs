@@ -2,7 +2,7 @@ namespace Hrt
 {
     /// <summary>
     /// A simulated person, who feels the ridges of the plate and is deflected by them: a finger for first programs and tests. It
-    /// is a model, not a measurement of people. The same seed is the same person on every host.
+    /// is a model, not a measurement of people. A seed gives the same person on every host.
     /// </summary>
     public sealed partial class HapticRetargetingPerson : NativeObject
     {

@@ -4,17 +4,17 @@ using System.Threading;
 namespace Hrt
 {
     /// <summary>
-    /// The device that turns the plate, by libhrt_plate: a plate with the line protocol, or a Dynamixel servo. A thread
-    /// of that library talks to it; no call waits for it, except <see cref="WaitUntilReady"/> and
-    /// <see cref="NativeObject.Dispose"/>, which stops the plate within half a second. Without a call for
-    /// <see cref="PlateOptions.hostTimeoutNs"/> the plate stops by itself. Linux and Windows on x64.
+    /// The device that turns the plate, driven by libhrt_plate: a plate with the line protocol, or a Dynamixel servo. A
+    /// thread of that library communicates with it, so that calls do not wait, except <see cref="WaitUntilReady"/> and
+    /// <see cref="NativeObject.Dispose"/>, which stops the plate within half a second. The plate stops if there is no call
+    /// for <see cref="PlateOptions.hostTimeoutNs"/>. For Linux and Windows on x64.
     ///
     /// <see cref="Set"/>, <see cref="Stop"/> and <see cref="Get"/> make no garbage.
     /// </summary>
     public sealed partial class HapticRetargetingPlate : NativeObject
     {
         /// <summary>Starts to open a plate: "serial:/dev/ttyACM0", "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or
-        /// the file of hrt-plate commission.</summary>
+        /// the file that hrt-plate commission writes.</summary>
         public HapticRetargetingPlate(string device) : this(device, PlateOptions.Default)
         {
         }
@@ -33,8 +33,8 @@ namespace Hrt
             });
         }
 
-        /// <summary>Waits while it is being opened, up to 6 s. <see cref="InvalidOperationException"/> with the reason
-        /// if it has failed. A frame loop looks at <see cref="Get"/> instead.</summary>
+        /// <summary>Waits up to 6 s until the plate is open. Throws <see cref="InvalidOperationException"/> with the reason
+        /// if that fails. A frame loop should call <see cref="Get"/> instead.</summary>
         public PlateReport WaitUntilReady()
         {
             PlateReport report = Get();
@@ -47,8 +47,8 @@ namespace Hrt
 
         internal PlateHandle Handle => new PlateHandle { value = Value };
 
-        // Comes before the first call into the plate's library, a second one: refuses a missing one, and has plates closed
-        // before managed code goes.
+        // Runs before the first call of libhrt_plate: throws if it is missing, and closes plates before managed code is
+        // unloaded.
         static void Load()
         {
             HapticRetargetingLibrary.Load();
@@ -68,8 +68,8 @@ namespace Hrt
 
     public partial struct SessionConfig
     {
-        /// <summary>Takes speed, acceleration, latency and stops of a ready plate; stops that are less than 180 degrees
-        /// apart are left out.</summary>
+        /// <summary>Copies speed, acceleration, latency and stops of a ready plate, without stops that are less than 180
+        /// degrees apart.</summary>
         public void TakePlate(PlateReport report)
         {
             bool hasStops = report.upperStopDeg - report.lowerStopDeg >= 180;

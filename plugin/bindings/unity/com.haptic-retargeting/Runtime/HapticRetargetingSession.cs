@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Hrt
 {
     /// <summary>
-    /// One user, one plate, and the assumptions of the controller about both. Add targets; then begin a reach, pass samples
-    /// of the finger, end the reach, as often as needed; dispose of the session, which ends its reach and its recording.
+    /// One user, one plate, and the assumptions of the controller about both. Add targets. For each reach, begin it, pass
+    /// samples of the finger, and end it. Dispose of the session, which ends its reach and its recording.
     ///
     /// <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>, <see cref="TryUpdate"/> and
     /// <see cref="EndReach"/> make no garbage, and the library takes no lock, allocates nothing and makes no system call
@@ -13,7 +13,7 @@ namespace Hrt
     /// </summary>
     public sealed partial class HapticRetargetingSession : NativeObject
     {
-        /// <summary>A session with the library's defaults.</summary>
+        /// <summary>Creates a session with the library's defaults.</summary>
         public HapticRetargetingSession() : this(SessionConfig.Default)
         {
         }
@@ -48,7 +48,7 @@ namespace Hrt
             }
         }
 
-        /// <summary>The target of this name. Throws KeyNotFoundException.</summary>
+        /// <summary>Returns the target with this name, or throws KeyNotFoundException.</summary>
         public TargetId FindTarget(string name)
         {
             foreach (TargetId target in ListTargets(0))
@@ -67,8 +67,8 @@ namespace Hrt
             return AddTarget(config);
         }
 
-        /// <summary>Sets plate and start from a glTF file and adds its targets, all by their place on the plate.
-        /// They come in the order of the file.</summary>
+        /// <summary>Sets plate and start from a glTF file and adds its targets by their positions on the plate. Returns
+        /// their ids in the order of the file.</summary>
         public TargetId[] LoadScene(string path)
         {
             Check(Native.hrt_scene_load(Utf8.ZeroEnded(path, nameof(path)), null, 0, out SceneHandle scene));
@@ -96,8 +96,8 @@ namespace Hrt
             return command;
         }
 
-        /// <summary>As <see cref="Update"/>, for a loop that must make no garbage when a sample is refused:
-        /// returns false then; <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
+        /// <summary>Does the same as <see cref="Update"/>, without garbage when a sample is refused: it then returns
+        /// false, and <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
         public bool TryUpdate(Sample sample, out Command command) =>
             Exchange(ref sample, out command) == Result.Ok;
 

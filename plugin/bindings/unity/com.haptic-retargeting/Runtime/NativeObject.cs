@@ -3,9 +3,9 @@ using System;
 namespace Hrt
 {
     /// <summary>
-    /// An object of the library, from construction until it is disposed of or collected, or until the scripts are unloaded. A
-    /// call that the library refuses throws a <see cref="HapticRetargetingException"/> with the library's text, and
-    /// changes nothing. Two threads must not be in calls on one object at the same time: the second gets
+    /// An object of the library, which exists until it is disposed of or collected, or until the scripts are unloaded. A
+    /// refused call throws a <see cref="HapticRetargetingException"/> with the library's text and changes nothing. Two
+    /// threads must not call the same object at the same time: the second call fails with
     /// <see cref="Result.Busy"/>.
     /// </summary>
     public abstract class NativeObject : IDisposable
@@ -17,8 +17,8 @@ namespace Hrt
 
         ~NativeObject() => Destroy();
 
-        /// <summary>Throws <see cref="Result.Busy"/>, and can be called again, while another thread is in a call
-        /// on this.</summary>
+        /// <summary>Destroys the object. Throws <see cref="Result.Busy"/> while another thread is in a call of it; then
+        /// call it again.</summary>
         public void Dispose()
         {
             Check(Destroy());
@@ -27,7 +27,7 @@ namespace Hrt
 
         public bool IsDisposed => handle == 0;
 
-        // `create` calls the library. At its limit, objects that are no longer used are collected before it is tried again.
+        // `create` calls the library. At the library's limit, unused objects are collected before a second attempt.
         internal void Own(Creation create)
         {
             Result result = create(out ulong created);
@@ -60,10 +60,10 @@ namespace Hrt
             if (result != Result.Ok) throw new HapticRetargetingException(result, LastError);
         }
 
-        // Of this thread, by the library that the object is of.
+        // Last error of this thread in the library that owns the object.
         internal virtual string LastError => HapticRetargetingLibrary.LastError;
 
-        // Also what the finaliser calls: throws nothing, and may come second, after a domain's unloading.
+        // Also called by the finaliser, possibly a second time after the domain was unloaded. Throws nothing.
         Result Destroy()
         {
             if (handle == 0) return Result.Ok;

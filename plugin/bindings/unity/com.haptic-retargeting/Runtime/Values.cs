@@ -16,18 +16,18 @@ namespace Hrt
 
     public partial struct Interval
     {
-        /// <summary>Whether the data determine the value; otherwise it is only the likeliest point of what was
-        /// searched.</summary>
+        /// <summary>True if the data determine the value; otherwise it is only the most likely point of the search
+        /// range.</summary>
         public bool IsKnown => known != 0;
     }
 
     public partial struct Gap
     {
-        /// <summary>Whether the finger can be held on the real target's direction.</summary>
+        /// <summary>True if the plate can steer the finger to the real target.</summary>
         public bool IsReachable => reachable != 0;
     }
 
-    /// <summary>What goes into structSize, computed once for each struct.</summary>
+    /// <summary>Value of structSize, computed once for each struct.</summary>
     internal static class SizeOf<T> where T : struct
     {
         internal static readonly uint Value = (uint)Marshal.SizeOf(typeof(T));
@@ -35,8 +35,8 @@ namespace Hrt
 
     internal static class Utf8
     {
-        /// <summary>UTF-8 with a zero behind it. A text with a zero in it, which would be cut there, is
-        /// refused.</summary>
+        /// <summary>Encodes a text as UTF-8 with a terminating zero. Throws for a text that contains a zero, because
+        /// it would be cut there.</summary>
         internal static byte[] ZeroEnded(string text, string argument)
         {
             byte[] bytes = Bytes(text, argument);
@@ -45,7 +45,7 @@ namespace Hrt
             return bytes;
         }
 
-        /// <summary>A name as words of eight bytes, the first byte lowest.</summary>
+        /// <summary>Encodes a name as words of eight bytes, the first byte lowest.</summary>
         internal static ulong[] Words(string text, string argument)
         {
             byte[] bytes = ZeroEnded(text, argument);
@@ -62,7 +62,7 @@ namespace Hrt
             return Encoding.UTF8.GetBytes(text);
         }
 
-        /// <summary>A text in words of eight bytes, the first byte lowest, up to its first zero.</summary>
+        /// <summary>Decodes a text in words of eight bytes, the first byte lowest, up to its first zero.</summary>
         internal static string Read(params ulong[] words)
         {
             var bytes = new byte[8 * words.Length];
@@ -71,7 +71,7 @@ namespace Hrt
             return Encoding.UTF8.GetString(bytes, 0, end < 0 ? bytes.Length : end);
         }
 
-        /// <summary>A C string; UTF-8 on every platform, which Marshal's own conversions are not.</summary>
+        /// <summary>Decodes a C string as UTF-8 on every platform, unlike the conversions of Marshal.</summary>
         internal static string Read(IntPtr text)
         {
             if (text == IntPtr.Zero) return "";

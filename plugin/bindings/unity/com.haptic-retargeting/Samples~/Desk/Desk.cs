@@ -4,8 +4,8 @@ using UnityEngine;
 namespace HrtSamples
 {
     /// <summary>
-    /// A plate, a real cylinder and three virtual objects, made from code around the object that has this: the middle of
-    /// the plate is where the object stands. SimulatedReach leads a finger over it, or TrackedFinger a hand.
+    /// Creates a plate, a real cylinder and three virtual objects. The centre of the plate is the position of this object.
+    /// SimulatedReach steers a simulated finger over it, TrackedFinger a tracked hand.
     /// </summary>
     public sealed class Desk : MonoBehaviour
     {
@@ -16,7 +16,7 @@ namespace HrtSamples
 
         public HapticRetargeting Retargeting { get; private set; }
 
-        /// <summary>Called by the editor where the component is added: a table's height, within reach.</summary>
+        /// <summary>Called by the editor when the component is added. Places it at the height of a table, within reach.</summary>
         void Reset() => transform.position = new Vector3(0, 0.75f, 0.4f);
 
         void Awake()
@@ -31,7 +31,7 @@ namespace HrtSamples
                 Retargeting.virtualTargets.Add(MakeTarget(virtualNames[i], virtualDirectionsDeg[i]));
         }
 
-        // Children of the plate's mount, which turn while the mount stays.
+        // The ridges are children of the plate's mount and turn relative to it.
         Transform MakeRidges()
         {
             Transform ridges = Empty("ridges", Vector3.zero);
@@ -45,7 +45,7 @@ namespace HrtSamples
             return ridges;
         }
 
-        // 10 cm from the start.
+        // Creates a target 10 cm from the start.
         Transform MakeTarget(string targetName, double directionDeg) =>
             Make(PrimitiveType.Cylinder, targetName, new Vector3(0.015f, 0.02f, 0.015f),
                  new Vector3(0, 0, -0.05f) + Axes.Direction(directionDeg) * 0.1f);

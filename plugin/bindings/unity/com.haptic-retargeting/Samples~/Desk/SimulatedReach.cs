@@ -4,7 +4,7 @@ using UnityEngine;
 namespace HrtSamples
 {
     /// <summary>
-    /// Put this on an empty object of a scene with a camera, and press play: a simulated person slides to one virtual object
+    /// Add this to an empty object of a scene with a camera, and press play: a simulated person slides to one virtual object
     /// after the other, feels the ridges, and is steered to the cylinder.
     /// </summary>
     [RequireComponent(typeof(Desk))]

@@ -8,8 +8,8 @@ using UnityEngine.XR.Hands;
 namespace HrtSamples
 {
     /// <summary>
-    /// Puts this object at the tip joint of a tracked index finger, and reports a hand that is lost. Needs the package XR Hands,
-    /// 1.1 or later: the sample's assembly definition defines HRT_XR_HANDS where it is installed.
+    /// Moves this object to the tip joint of a tracked index finger, and reports a lost hand. Needs the package XR Hands 1.1
+    /// or later: the sample's assembly definition defines HRT_XR_HANDS if it is installed.
     /// </summary>
     public sealed class TrackedFinger : MonoBehaviour
     {
@@ -25,7 +25,7 @@ namespace HrtSamples
         readonly List<XRHandSubsystem> subsystems = new List<XRHandSubsystem>();
         XRHandSubsystem hands;
 
-        // Hands are read in the callback of their update. A poll in Update may read the poses of the frame before.
+        // Reads hands in the callback of their update, because Update may still have the poses of the previous frame.
         void Update()
         {
             if (hands != null && hands.running) return;
@@ -46,7 +46,7 @@ namespace HrtSamples
 
         void Read(XRHandSubsystem updated, XRHandSubsystem.UpdateSuccessFlags flags, XRHandSubsystem.UpdateType type)
         {
-            if (type != XRHandSubsystem.UpdateType.Dynamic) return; // the poses just before rendering are too late for this frame
+            if (type != XRHandSubsystem.UpdateType.Dynamic) return; // poses just before rendering are too late for this frame
             Pose tip = Pose.identity;
             XRHand hand = left ? updated.leftHand : updated.rightHand;
             retargeting.FingerTracked = hand.isTracked && hand.GetJoint(XRHandJointID.IndexTip).TryGetPose(out tip);

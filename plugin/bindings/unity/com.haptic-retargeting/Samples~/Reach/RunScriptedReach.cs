@@ -3,8 +3,8 @@ using UnityEngine;
 
 namespace HrtSamples
 {
-    /// <summary>Put this on any object, give it reach_hash.txt, and press play: the console shows
-    /// whether this machine's commands are those of all others.</summary>
+    /// <summary>Add this to any object, assign reach_hash.txt, and press play: the console shows whether the commands
+    /// of this machine equal those of all others.</summary>
     public sealed class RunScriptedReach : MonoBehaviour
     {
         public TextAsset expectedHash;

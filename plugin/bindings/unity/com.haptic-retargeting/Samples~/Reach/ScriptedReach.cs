@@ -3,11 +3,11 @@ using Hrt;
 
 namespace HrtSamples
 {
-    /// <summary>The reach that the library's every host runs: feeds a scripted finger to a session, and hashes the
-    /// commands that come out, bit by bit. A simulation: nobody's finger was recorded.</summary>
+    /// <summary>The reach that every host of the library runs: passes a scripted finger to a session, and hashes the
+    /// bits of the resulting commands. A simulation: no real finger was recorded.</summary>
     public sealed class ScriptedReach
     {
-        /// <summary>FNV-1a of the commands, as ReplayReport.hash has it; the same on every host.</summary>
+        /// <summary>FNV-1a hash of the commands, as in ReplayReport.hash; the same on every host.</summary>
         public ulong Hash { get; private set; } = 0xcbf29ce484222325;
 
         public ReachSummary Summary { get; private set; }
@@ -50,14 +50,14 @@ namespace HrtSamples
             return config;
         }
 
-        // From -500 to 500.
+        // Returns the next noise value, from -500 to 500.
         long Noise()
         {
             seed = seed * 16807 % 2147483647;
             return seed % 1001 - 500;
         }
 
-        // Whole numbers, each divided once, give the same doubles on every host.
+        // Integers that are divided once give the same doubles on every host.
         Sample Scripted(int i, double plateDeg)
         {
             long moved = Math.Min(Math.Max(i - 10, 0), 120), distanceUm = moved * moved * (180 - moved) * 25 / 216;

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Hrt.Tests
 {
-    // Expected values are derived by hand: mirroring z keeps x and y of a place, and of a rotation z and w.
+    // Expected values are derived by hand: mirroring z keeps x and y of a position, and z and w of a rotation.
     public sealed class AxesTests
     {
         [Test]
@@ -56,8 +56,8 @@ namespace Hrt.Tests
             }
         }
 
-        // The library's own geometry, not this test's, gives the direction of a place in Unity's world on a
-        // plate that lies anywhere, turned in any way.
+        // The library's geometry gives the expected direction of a position in Unity's world, for a plate with an
+        // arbitrary pose.
         [Test]
         public void TheLibrarySeesUnitysWorldWhereverThePlateIs()
         {

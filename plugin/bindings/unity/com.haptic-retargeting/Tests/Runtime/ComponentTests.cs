@@ -12,8 +12,8 @@ namespace Hrt.Tests
         HapticRetargeting component;
         Transform real, virtualTarget;
 
-        // A plate that lies anywhere, turned in any way; one real target 5 degrees to the right, one virtual one 5
-        // degrees to the left, both 10 cm from the start.
+        // A plate with an arbitrary pose, a real target 5 degrees to the right and a virtual target 5 degrees to the
+        // left, both 10 cm from the start.
         [SetUp]
         public void SetUp()
         {
@@ -45,9 +45,9 @@ namespace Hrt.Tests
             component.virtualTargets.Add(real);
             component.BeginReach(virtualTarget);
             component.Step(At(0));
-            // To the cone's place, and not to the cylinder's: a chord of 3 degrees at 10 cm.
+            // The distance to the cone, not to the cylinder: a chord of 3 degrees at 10 cm.
             component.finger.position = virtualTarget.position;
-            for (int i = 1; i <= 3; ++i) component.Step(At(60000000L * i));  // no copies; by the third it is there, and not wild
+            for (int i = 1; i <= 3; ++i) component.Step(At(60000000L * i));  // new values; the third sample is no longer an outlier
             Assert.That(component.LastCommand.distanceToGoM, Is.EqualTo(0.0052).Within(1e-4));
         }
 
@@ -75,7 +75,7 @@ namespace Hrt.Tests
                     Command command = component.LastCommand;
                     Assert.AreEqual(expected.paperStep, command.paperStep);
                     Assert.AreEqual(expected.flags, command.flags);
-                    // Unity's places have 24 bits: 0.1 micrometres here, which the controller amplifies.
+                    // Unity's positions have 24 bits: 0.1 micrometres here, which the controller amplifies.
                     Assert.That(command.plateOrientationDeg, Is.EqualTo(expected.plateOrientationDeg).Within(0.1));
                     Assert.That(command.distanceToGoM, Is.EqualTo(expected.distanceToGoM).Within(1e-6));
                 }
@@ -176,13 +176,13 @@ namespace Hrt.Tests
             Assert.AreEqual(3, arrived);
         }
 
-        // The finger goes there in a second, and rests.
+        // Moves the finger to the target in a second, then rests.
         void MoveTo(Vector3 target, ref int frame, int rest)
         {
             Vector3 from = component.finger.position, way = target - from;
             for (int i = 1; i <= 90 + rest; ++i)
             {
-                component.finger.position = from + way * Math.Min(1, i / 90f) + Vector3.up * (1e-5f * (i % 2)); // no copies
+                component.finger.position = from + way * Math.Min(1, i / 90f) + Vector3.up * (1e-5f * (i % 2)); // no repeated values
                 component.Step(At(++frame * 11111111L));
             }
         }
@@ -193,7 +193,7 @@ namespace Hrt.Tests
             component.BeginReach(virtualTarget);
             component.CancelReach();
             SessionConfig config = component.Session.Config;
-            config.tactileWeight = 0.3; // as learnt, or loaded from a profile
+            config.tactileWeight = 0.3; // as if learnt or loaded from a profile
             component.Session.Config = config;
             component.maxFeltErrorDeg = 2;
             component.plateLatencyMs = 50;
@@ -220,7 +220,7 @@ namespace Hrt.Tests
             Assert.That((normal - expected).magnitude, Is.EqualTo(0).Within(1e-5));
         }
 
-        // A plate that waits stays where it stands before the finger moves.
+        // With the flag PlateWaits the plate keeps its orientation until the finger moves.
         [Test]
         public void WhereThePlateReallyStandsGoesIn()
         {
@@ -293,7 +293,7 @@ namespace Hrt.Tests
                 Assert.AreEqual(field.GetValue(defaults), field.GetValue(config), field.Name);
         }
 
-        // Each in turn is set to something else, which is allowed: the field of this name must show it.
+        // Sets each property to another allowed value, which the field of the same name must show.
         [Test]
         public void EverySettingReachesTheConfiguration()
         {
@@ -319,7 +319,7 @@ namespace Hrt.Tests
             Assert.Greater(settings, 20);
         }
 
-        // A user touches the marks of a plate that is not where its Transform is, with the skin beside the tracked joint.
+        // A user touches the marks of a plate whose Transform is wrong, with an offset of the skin from the tracked joint.
         [Test]
         public void ASetupMovesThePlateToWhereItIsTouched()
         {
@@ -373,7 +373,7 @@ namespace Hrt.Tests
             return sample;
         }
 
-        // Metres from the start, which is 5 cm from the centre towards the user.
+        // Converts metres from the start, which is 5 cm from the centre towards the user.
         Vector3 OnPlate(double right, double away) =>
             component.plate.position + component.plate.rotation * new Vector3((float)right, 0, (float)(away - 0.05));
 

@@ -32,7 +32,7 @@ namespace HapticConversions
 
 	int64_t ToNanoseconds(double Seconds)
 	{
-		// Beyond this, and for what is not a number, the plugin's own refusal is provoked: llround is undefined there.
+		// llround is undefined above this value and for NaN; such values are passed on so that the plugin refuses them.
 		constexpr double Largest = 9e9;
 		return std::abs(Seconds) < Largest ? static_cast<int64_t>(std::llround(Seconds * NanosecondsPerSecond)) : INT64_MIN;
 	}
@@ -46,7 +46,7 @@ namespace HapticConversions
 	{
 		hrt_target_config Config = hrt_target_config_init();
 		Config.role = static_cast<uint32_t>(Role);
-		// A name that does not fit has no zero at its end, which the plugin refuses.
+		// A name that does not fit has no terminating zero, which the plugin refuses.
 		std::string(TCHAR_TO_UTF8(*Name)).copy(Config.name, sizeof Config.name);
 		return Config;
 	}

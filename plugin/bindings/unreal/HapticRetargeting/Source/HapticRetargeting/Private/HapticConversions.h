@@ -1,7 +1,7 @@
-// Between Unreal's terms and those of the C interface.
+// Conversions between Unreal's terms and those of the C interface.
 //
-// Unreal's axes are left-handed, X away from the user, Y right, Z up; the plate's are right-handed, x right, y up, z
-// towards the user. So (x, y, z) = (Y, Z, -X) / 100, a reflection, under which a rotation's axis changes its sign too.
+// Unreal's axes are left-handed: X away from the user, Y right, Z up. The plate's are right-handed: x right, y up, z
+// towards the user. So (x, y, z) = (Y, Z, -X) / 100, a reflection, which also reverses the axis of a rotation.
 #pragma once
 
 #include "HapticRetargetingComponent.h"
@@ -17,10 +17,10 @@ namespace HapticConversions
 	void ToQuaternion(const FQuat& Rotation, double (&OutRotation)[4]);
 	FQuat FromQuaternion(const double (&Rotation)[4]);
 	int64_t ToNanoseconds(double Seconds);
-	/** A yaw as a direction, and the other way round; never -0. */
+	/** Converts a yaw to a direction, or a direction to a yaw; never -0. */
 	inline double Turned(double Degrees) { return 0.0 - Degrees; }
 
-	/** Whether a transform only moves and turns. */
+	/** Returns true for a transform without scale. */
 	bool IsPose(const FTransform& Transform);
 	hrt_target_config ToTarget(EHapticTargetRole Role, const FString& Name);
 	inline hrt_target ToTarget(const FHapticTarget& Target) { return {static_cast<uint64_t>(Target.Id)}; }

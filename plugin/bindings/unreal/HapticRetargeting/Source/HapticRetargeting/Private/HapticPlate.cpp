@@ -1,4 +1,4 @@
-// The device that turns the component's plate: libhrt_plate. Nothing waits for it but ClosePlate, half a second at most.
+// The device that turns the component's plate, by libhrt_plate. Only ClosePlate waits for it, at most half a second.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"
@@ -22,7 +22,7 @@ bool UHapticRetargetingComponent::OpenPlate(const FString& Name)
 	return bOpened;
 }
 
-/** Every frame may turn a plate that has failed: the log has the first reason. */
+/** Logs the first reason for a failure only, because each frame may command a plate that has failed. */
 void UHapticRetargetingComponent::RefusePlate(const char* Reason)
 {
 	if (!bDeviceIsRefused)

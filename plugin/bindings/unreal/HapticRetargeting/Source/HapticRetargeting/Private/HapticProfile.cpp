@@ -1,4 +1,4 @@
-// What is kept of the component's user, and recordings.
+// Profiles of the component's user, and recordings.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"

@@ -1,4 +1,4 @@
-// A reach of the component: samples in, commands out.
+// Reaches of the component: processes samples and broadcasts commands.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"
@@ -8,7 +8,7 @@ using namespace HapticConversions;
 
 bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual, double Duration)
 {
-	IsPlateReady();  // and where it stands
+	IsPlateReady();  // reads the orientation of the plate
 	hrt_reach_config Config = hrt_reach_config_init();
 	Config.real_target = ToTarget(Real);
 	Config.virtual_target = ToTarget(Virtual);
@@ -26,7 +26,7 @@ bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FH
 
 hrt_sample UHapticRetargetingComponent::FingerSample(const FVector& Location, double Time)
 {
-	IsPlateReady();  // and where it stands
+	IsPlateReady();  // reads the orientation of the plate
 	hrt_sample Sample = hrt_sample_init();
 	Sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE | (bPlateIsMeasured ? HRT_SAMPLE_PLATE_ORIENTATION : 0);
 	Sample.time_ns = ToNanoseconds(Time);
@@ -129,7 +129,7 @@ bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
 		return false;
 	}
 	bReaching = false;
-	TakeFromSession();  // what was learnt, and a contact
+	TakeFromSession();  // estimates of the user, and a contact
 	OutSummary = FromSummary(Summary);
 	OnReachEnded.Broadcast(OutSummary);
 	return true;
@@ -170,7 +170,7 @@ bool UHapticRetargetingComponent::UpdateSimulatedFinger(double Time, FVector& Ou
 		return false;
 	}
 	const FVector Position = FromMetres(Sample.finger_position_m);
-	const bool bInWorld = (Sample.flags & HRT_SAMPLE_WORLD_POSITION) != 0;  // in a set-up: a joint
+	const bool bInWorld = (Sample.flags & HRT_SAMPLE_WORLD_POSITION) != 0;  // a joint, in a set-up
 	OutLocation = bInWorld ? Position : GetComponentTransform().TransformPosition(Position);
 	return true;
 }

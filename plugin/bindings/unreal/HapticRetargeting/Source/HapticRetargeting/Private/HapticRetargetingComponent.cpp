@@ -11,7 +11,7 @@ DEFINE_LOG_CATEGORY(LogHapticRetargeting);
 
 using namespace HapticConversions;
 
-/** Whether a call of the plugin succeeded; otherwise the log has the reason. */
+/** Returns true if a call of the plugin succeeded. Otherwise logs the reason. */
 bool UHapticRetargetingComponent::Succeeded(hrt_result Result) const
 {
 	if (Result == HRT_OK)
@@ -22,7 +22,7 @@ bool UHapticRetargetingComponent::Succeeded(hrt_result Result) const
 	return false;
 }
 
-/** Whether the library is there; otherwise the log has it, once. */
+/** Returns true if the library is loaded. Otherwise logs an error once. */
 bool UHapticRetargetingComponent::HasLibrary() const
 {
 	if (HapticLibraryIsLoaded())
@@ -37,7 +37,7 @@ bool UHapticRetargetingComponent::HasLibrary() const
 	return false;
 }
 
-/** Brings the session to the settings and the component's place, between reaches. */
+/** Applies the settings and the component's pose to the session, between reaches. */
 bool UHapticRetargetingComponent::Configure()
 {
 	if (!HasLibrary())
@@ -75,7 +75,7 @@ bool UHapticRetargetingComponent::IsAtPlate() const
 	return bPlacedByPlugin && GetComponentTransform().Equals(PlatePlace, 0.0);
 }
 
-/** Puts the component where the session has the plate. */
+/** Moves the component to the session's pose of the plate. */
 void UHapticRetargetingComponent::MoveToPlate()
 {
 	SetWorldTransform(FTransform(FromQuaternion(Configured.plate.rotation), FromMetres(Configured.plate.position_m)));
@@ -83,7 +83,7 @@ void UHapticRetargetingComponent::MoveToPlate()
 	bPlacedByPlugin = true;
 }
 
-/** Of the component; where the plugin has placed it, the plugin's own numbers, which units and parents may round. */
+/** Returns the component's pose. If the plugin has set it, returns the plugin's exact numbers, without rounding errors. */
 void UHapticRetargetingComponent::PlatePose(double (&OutPosition)[3], double (&OutRotation)[4]) const
 {
 	if (IsAtPlate())
@@ -139,7 +139,7 @@ void UHapticRetargetingComponent::OnComponentDestroyed(bool bDestroyingHierarchy
 	Super::OnComponentDestroyed(bDestroyingHierarchy);
 }
 
-/** Also comes to components that were never part of a level. */
+/** Also called for components that were never part of a level. */
 void UHapticRetargetingComponent::BeginDestroy()
 {
 	CloseSession();

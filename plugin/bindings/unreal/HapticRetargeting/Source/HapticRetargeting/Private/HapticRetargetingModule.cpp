@@ -1,4 +1,4 @@
-// Loads the plugin's libraries where the linker leaves that to us, which is on Windows.
+// Loads the plugin's libraries on Windows, where the linker does not.
 
 #include "HapticRetargetingModule.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/** Whether the plugin's library is there. Otherwise a call of it would end the game. */
+/** Returns true if the plugin's library is loaded. Otherwise a call of it would end the game. */
 bool HapticLibraryIsLoaded();
 
-/** A component's call of the plugin, not made without its library. */
+/** Calls the plugin from a component, if its library is loaded. */
 #define HAPTIC_CALL(Call) (HasLibrary() && Succeeded(Call))

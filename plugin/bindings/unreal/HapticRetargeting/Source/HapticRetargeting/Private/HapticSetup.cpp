@@ -1,4 +1,4 @@
-// A set-up of the component: samples in, what the user is to do out.
+// Set-ups of the component: processes samples and broadcasts instructions.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"
@@ -20,8 +20,8 @@ bool UHapticRetargetingComponent::BeginSetup(int32 What)
 	return true;
 }
 
-/** A step is broadcast when it is another one; its plate's orientation, which may change in every frame, goes the way of a
- *  reach's. */
+/** Broadcasts a step when it changes. Its plate orientation may change in every frame and is broadcast as in a reach.
+ */
 bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 {
 	hrt_setup_step Now = hrt_setup_step_init();
@@ -44,7 +44,7 @@ bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
 	return !bSettingUp || Now.instruction != HRT_STEP_FINISH || ContinueFit();
 }
 
-/** Once a frame, until the part is fitted. */
+/** Continues the fit of a part. Called once a frame until it is complete. */
 bool UHapticRetargetingComponent::ContinueFit()
 {
 	hrt_setup_result Result = hrt_setup_result_init();

@@ -1,4 +1,4 @@
-// The component's targets, what can be held between them, and the scene that has them.
+// Targets of the component, their feasible gaps, and scenes.
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"

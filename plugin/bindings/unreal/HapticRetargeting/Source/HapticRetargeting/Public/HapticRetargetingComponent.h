@@ -1,4 +1,4 @@
-// A session of the plugin, as a component: a user and a plate.
+// A session of the plugin as a component, for one user and one plate.
 #pragma once
 
 #include "Components/SceneComponent.h"
@@ -24,8 +24,8 @@ DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupStepped, const FHapticSe
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupFinished, const FHapticSetupResult&, Result);
 
 /**
- * Put it where the plate is: its transform is the plate's, X away from the user, Y right, Z up, and it may move. Do not
- * scale it. Calls that are refused return false, change nothing, and log what was wrong and what is allowed.
+ * Its transform is the plate's pose, which may change: X away from the user, Y right, Z up. Do not scale it. Calls that are
+ * refused return false, change nothing, and log the error and the allowed values.
  */
 UCLASS(ClassGroup = "Haptic Retargeting", meta = (BlueprintSpawnableComponent))
 class HAPTICRETARGETING_API UHapticRetargetingComponent : public USceneComponent
@@ -33,11 +33,11 @@ class HAPTICRETARGETING_API UHapticRetargetingComponent : public USceneComponent
 	GENERATED_BODY()
 
 public:
-	/** Checked when they are first needed; during a reach they wait until its end. */
+	/** Settings of the session, checked at their next use. Changes during a reach apply after its end. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
 	FHapticSettings Settings;
 
-	/** The servo reports Measured Plate Yaw, before each update and each reach. Otherwise the plate is taken to follow its
+	/** True if Measured Plate Yaw is set before each update and each reach. Otherwise the plate is assumed to follow its
 	 *  commands as its speed and latency allow. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
 	bool bPlateIsMeasured = false;
@@ -45,22 +45,22 @@ public:
 	UPROPERTY(BlueprintReadWrite, Category = "Haptic Retargeting")
 	double MeasuredPlateYaw = 0.0;
 
-	/** The controller has decided: turn the plate here. */
+	/** Broadcasts the orientation to which the plate must turn. */
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticPlateCommanded OnPlateCommanded;
 
-	/** The command is saturated, predicted, lifted ... or no longer. */
+	/** Broadcast when the flags of the command change, for example Saturated, Predicted or Lifted. */
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticFlagsChanged OnFlagsChanged;
 
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticReachEnded OnReachEnded;
 
-	/** In a set-up the user is to do something else now: show the text, and Place, which is in the component's axes. */
+	/** Broadcasts a new instruction of a set-up: show its text, and Place, which is in the component's axes. */
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticSetupStepped OnSetupStepped;
 
-	/** The set-up is over. What it found is applied. */
+	/** Broadcast when the set-up is over and its results are applied. */
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticSetupFinished OnSetupFinished;
 
@@ -68,56 +68,56 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool AddTarget(EHapticTargetRole Role, const FString& Name, double Yaw, double Distance, FHapticTarget& OutTarget);
 
-	/** Adds a target by its place in the world. */
+	/** Adds a target by its position in the world. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool AddTargetAt(EHapticTargetRole Role, const FString& Name, const FVector& Location, FHapticTarget& OutTarget);
 
-	/** Moves a target; a running reach follows with RetargetReach. */
+	/** Moves a target. A running reach uses the new position after RetargetReach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool MoveTarget(const FHapticTarget& Target, const FVector& Location);
 
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RemoveTarget(const FHapticTarget& Target);
 
-	/** The gap between two targets, and the largest that the plate can hold, computed before a reach. */
+	/** Computes the gap between two targets, and the largest feasible gap, before a reach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool GetGap(const FHapticTarget& Real, const FHapticTarget& Virtual, FHapticGap& OutGap);
 
-	/** Plate, start and targets of a glTF file, at its path on disk. The component moves to the scene's plate. The targets'
-	 *  names and places come in the order of their ids. */
+	/** Loads plate, start and targets of a glTF file, by its path on disk. The component moves to the scene's plate. Names
+	 *  and positions of the targets are in the order of their ids. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Scene")
 	bool LoadScene(const FString& Path, TArray<FHapticTarget>& OutTargets, TArray<FHapticSceneTarget>& OutDescriptions);
 
-	/** Duration is the expected one of the motion in seconds; 0: unknown. */
+	/** Begins a reach. Duration is the expected duration of the motion in seconds; 0: unknown. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual, double Duration = 0.0);
 
-	/** The fingertip in the world, at a time in seconds that does not run backwards. */
+	/** Processes the fingertip's position in the world, at a time in seconds that never decreases. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool UpdateFinger(const FVector& Location, double Time);
 
-	/** A tracked joint of the finger, with its rotation: a set-up finds where the skin is beside it. */
+	/** Processes the pose of a tracked joint of the finger. A set-up measures the offset of the skin from the joint. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool UpdateJoint(const FTransform& Joint, double Time);
 
-	/** The tracker does not see the finger. */
+	/** Processes a dropout: the finger is not tracked. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool UpdateLost(double Time);
 
-	/** Leads the reach to other targets from now on, or to the same ones after they were moved. */
+	/** Redirects the reach to other targets, or to the same targets after they were moved. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
 
-	/** The finger has met the real object, at a place that is known to Deviation (cm; 0: to the real target's radius): later
-	 *  reaches correct the tracker's frame, about a registration. Once a reach, at Arrived or after EndReach. */
+	/** Reports contact with the real object, at a position with the SD Deviation (cm; 0: the real target's radius): later reaches
+	 *  correct the tracker's frame, relative to a registration. Allowed once per reach, at Arrived or after EndReach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool ReachTouched(const FVector& Location, double Deviation = 0.0);
 
-	/** The same at the near side of the real target. */
+	/** Reports contact at the near side of the real target. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool ReachTouchedRealTarget();
 
-	/** Ends the reach without a summary; nothing is learnt from it. */
+	/** Ends the reach without a summary and discards its estimates. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool CancelReach();
 
@@ -127,53 +127,53 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	bool IsReaching() const { return bReaching; }
 
-	/** Of the running reach, or else the last. */
+	/** Returns the last command of the running reach, or else of the previous one. */
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
 
-	/** Begins a set-up of What: where the plate is, the skin beside a joint, the user. Until it is over,
-	 *  updates are its samples, and OnPlateCommanded turns the plate for it. A registration moves the component to the touched
-	 *  plate. At the step Finish the user waits for a fit, which takes at most 1 ms of each update. */
+	/** Begins a set-up of What: the plate's pose, the offset of the skin from a joint, the user. Until it is over, it uses the
+	 *  samples of updates and broadcasts OnPlateCommanded. A registration moves the component to the touched plate. At the step
+	 *  Finish the user waits for a fit, which takes at most 1 ms of each update. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool BeginSetup(UPARAM(meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticSetupFlags")) int32 What);
 
-	/** Ends the set-up. What was finished before stays. */
+	/** Cancels the set-up. Results of finished parts remain. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool CancelSetup();
 
-	/** Forgets the user, who is another one from now on: a set-up of all that is missing asks for them. */
+	/** Resets the parameters of the user, for another person, whom a set-up of all missing parts then measures. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
 	bool NewPerson();
 
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting|Setup")
 	bool IsSettingUp() const { return bSettingUp; }
 
-	/** A simulated person takes the finger's place, and the servo's: they mean to go to the virtual target, feel the plate and
-	 *  are bent by it. With a target whose Id is 0 they do what the set-up asks for. A model, and no measurement of people; the
-	 *  same seed is the same person. */
+	/** Replaces finger and servo by a simulated person, who moves towards the virtual target, feels the plate and is deflected by
+	 *  it, or follows the set-up if the target's Id is 0. A model, not a measurement of people. The same seed gives the same
+	 *  person. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool BeginSimulatedFinger(const FHapticTarget& Virtual, int64 Seed);
 
-	/** In place of Update Finger: the simulated finger moves until Time, and Out Location is where the tracker sees it. */
+	/** Advances the simulated finger to Time, instead of Update Finger. Out Location is its tracked position. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Simulation")
 	bool UpdateSimulatedFinger(double Time, FVector& OutLocation);
 
-	/** Opens the device that turns the plate: "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or the file of `hrt-plate
-	 *  commission`. When it is ready, seconds later, it takes each command, sets bPlateIsMeasured and MeasuredPlateYaw if it
-	 *  knows where it stands, and what it can do goes into Settings, between reaches. Begin reaches from then on. The log has why
-	 *  it fails. False if the name is malformed. */
+	/** Opens the device that turns the plate: "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or the file that `hrt-plate
+	 *  commission` writes. It is ready for reaches some seconds later: it then receives each command, sets bPlateIsMeasured and
+	 *  MeasuredPlateYaw if it measures its orientation, and its limits are copied to Settings between reaches. A failure is
+	 *  logged. Returns false if the name is malformed. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool OpenPlate(const FString& Device);
 
-	/** Whether it takes commands. It stops by itself if nothing asks this, and no update comes, for 0.3 s. */
+	/** Returns true if the plate accepts commands. The plate stops after 0.3 s without this call or an update. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	bool IsPlateReady();
 
-	/** Stops the plate where it is, and leaves it. */
+	/** Stops the plate and closes the device. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Plate")
 	void ClosePlate();
 
-	/** What is known of the user, as JSON. */
+	/** Returns the profile of the user as JSON. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool SaveProfile(FString& OutJson);
 
@@ -184,20 +184,20 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool StartRecording(const FString& Path);
 
-	/** Rows so far. */
+	/** Returns the numbers of written and lost rows so far. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool GetRecordingStatus(int64& OutRowsWritten, int64& OutRowsLost);
 
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool StopRecording();
 
-	/** For C++: a sample as the C interface has it, in the plate's coordinates, and the command likewise. */
+	/** For C++: processes a sample of the C interface in plate coordinates and returns the command. */
 	bool UpdateSample(const hrt_sample& Sample);
 	const hrt_command& GetRawCommand() const { return Command; }
-	/** For C++: the session, for the calls of the C headers; its value is 0 if it is refused. After one that changes the
+	/** For C++: returns the session for calls of the C headers, with the value 0 on failure. After a call that changes the
 	 *  configuration, call TakeFromSession(). */
 	hrt_session GetSession();
-	/** Takes what C calls have changed into the settings; the component moves to where the session has the plate. */
+	/** Copies changes by C calls to the settings, and moves the component to the session's pose of the plate. */
 	void TakeFromSession();
 
 	virtual void OnComponentDestroyed(bool bDestroyingHierarchy) override;
@@ -225,7 +225,7 @@ private:
 	hrt_plate Device{};
 	bool bDeviceIsTaken = false;
 	bool bDeviceIsRefused = false;
-	/** The component's transform where the plugin has placed it: the session has the same to the last bit. */
+	/** Transform of the component that the plugin has set; the session has exactly the same pose. */
 	FTransform PlatePlace;
 	bool bPlacedByPlugin = false;
 	hrt_session_config Configured{};

@@ -1,4 +1,4 @@
-// The plugin's own library and its C headers, built elsewhere.
+// The plugin's library and its C headers, which CMake builds.
 
 using System.IO;
 using UnrealBuildTool;
@@ -16,7 +16,7 @@ public class HapticRetargetingLibrary : ModuleRules
 			foreach (string Name in new string[] { "haptic_retargeting", "hrt_plate" })
 			{
 				PublicAdditionalLibraries.Add(Path.Combine(Folder, Name + ".lib"));
-				// Loaded by the module, from where the plugin has it: Windows would not look there.
+				// The module loads it from the plugin's folder, in which Windows does not search.
 				PublicDelayLoadDLLs.Add(Name + ".dll");
 				RuntimeDependencies.Add(Path.Combine(Folder, Name + ".dll"));
 			}
@@ -30,7 +30,7 @@ public class HapticRetargetingLibrary : ModuleRules
 				PublicAdditionalLibraries.Add(Path.Combine(Folder, Name));
 				RuntimeDependencies.Add(Path.Combine(Folder, Name));
 			}
-			// The names by which they are loaded.
+			// Names by which the libraries are loaded.
 			RuntimeDependencies.Add(Path.Combine(Folder, "libhaptic_retargeting.so.0.5"));
 			RuntimeDependencies.Add(Path.Combine(Folder, "libhrt_plate.so.0.5"));
 		}
