@@ -108,7 +108,7 @@ test("the link fails for each reason of the protocol, with its message", () => {
   const cases = [[hello(), 700, /not been heard for half a second/], [hello("STOPPED emergency"), 300, /emergency stop/],
                  [hello("STOPPED stuck"), 300, /servo is stuck/], [hello("BOOT"), 300, /has restarted/],
                  [hello("ERROR greeting"), 300, /has restarted/], [hello("ERROR session"), 300, /another program/],
-                 [hello("STOPPED supply"), 300, /less than 4 V/], [hello("AT unknown 00000"), 300, /does not know its place/], [hello(facts), 300, /announced itself anew/],
+                 [hello("STOPPED supply"), 300, /less than 4 V/], [hello("AT unknown 00000"), 300, /does not know its place/], [hello(facts), 300, /announced itself again/],
                  [hello("AT +095.00 00000"), 300, /95\.0°, outside its limits of -90° to 90°/],
                  [(body) => (body.startsWith("HELLO") ? [facts] : ["ERROR busy"]), 700, /never reports its orientation/]];
   for (const [answer, time, words] of cases) {
