@@ -67,7 +67,7 @@ def _record(abi: Abi, struct: str) -> str:
 def _methods() -> list[str]:
     """Returns the methods that plate_node.h declares for scripts."""
     header = (_GODOT / "plate_node.h").read_text(encoding="utf-8")
-    shown = header.split("// The methods of scripts")[1].split(" private:")[0]
+    shown = header.split("// Methods for scripts")[1].split(" private:")[0]
     methods = [(name, re.sub(r"[\w:]+ (\w+)", r'"\1"', arguments))
                for name, arguments in re.findall(r"^  [\w:]+ (\w+)\(([^)]*)\)", shown, re.M)]
     return [f'bind<&PlateNode::{name}>("{name}", {{{names}}}, &PlateNode::{name})' for name, names in methods]
