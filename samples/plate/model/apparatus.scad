@@ -4,7 +4,7 @@
 //
 // README.md lists the parts. Any dimension of parameters.scad may be set in the same way: -D ridge_spacing_mm=8
 
-part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, sensor_arm, bridge, object, object_cup, strip, box, xl330_mount, xl330_retainer, bearing, servo, horn, xl330, xl330_horn, tables, none]
+part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, sensor_arm, bridge, object, object_cup, strip, box, touch_post, xl330_mount, xl330_retainer, bearing, servo, horn, xl330, xl330_horn, tables, none]
 servo_is = "xl330";  // [xl330, hobby] in "all"
 
 include <parameters.scad>
@@ -21,6 +21,7 @@ include <registration.scad>
 include <bought.scad>
 include <xl330.scad>
 include <box.scad>
+include <touch.scad>
 include <screws.scad>
 
 // Each part with the height that lies on the printer's bed, and how it is turned for that, about Y and then about Z.
@@ -37,6 +38,7 @@ parts = [
   ["object_cup", object_bottom_z, 0, 0],
   ["strip", strip_top_z, 180, 0],
   ["box", box_top_z, 180, 0],
+  ["touch_post", drum_bottom_z, 0, 0],
   ["xl330_mount", mount_bottom_z, 0, 0],
   ["xl330_retainer", bearing_bottom_z, 180, 0],
 ];
@@ -56,6 +58,7 @@ module installed(name) {
   else if (name == "object_cup") object_cup();
   else if (name == "strip") strip();
   else if (name == "box") box();
+  else if (name == "touch_post") touch_post();
   else if (name == "bearing") bearing();
   else if (name == "servo") servo();
   else if (name == "horn") horn();
@@ -67,7 +70,7 @@ module installed(name) {
 }
 
 if (part == "all") {
-  left_out = concat(["object_cup", "strip", "box", "sensor_arm"], servo_is == "xl330" ? of_hobby_servo : of_xl330);
+  left_out = concat(["object_cup", "strip", "box", "touch_post", "sensor_arm"], servo_is == "xl330" ? of_hobby_servo : of_xl330);
   for (name = concat([for (row = parts) row[0]], ["bearing", "servo", "horn", "xl330", "xl330_horn"]))
     if (search([name], left_out)[0] == []) installed(name);
 } else if (part == "tables") {

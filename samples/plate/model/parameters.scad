@@ -165,6 +165,10 @@ cable_direction_deg = 30;
 cable_width_mm = 14;
 cable_height_mm = 14;
 
+touch_post_mm = 18;
+touch_post_at_mm = [109, 75];  // its middle, under the side of a frame with an opening of 194 mm or more
+touch_level_mm = 0;            // of its top, above the deck's face
+
 bridge_directions_deg = [-20, 20];
 bridge_radius_mm = deck_inner_radius_mm + 10;
 bridge_column_mm = 12;
