@@ -1,5 +1,5 @@
-// Runs a command while emulated plates are at the other end of pseudo-terminals: the firmware's ELF on its
-// board, and a Dynamixel servo, which was commissioned. The command finds in the environment:
+// Runs a command with emulated plates at the other end of pseudo-terminals: the firmware's ELF on an emulated
+// board, and a commissioned Dynamixel servo. Environment variables of the command name them:
 //   with_plate COMMAND...    HRT_PLATE_DEVICE=serial:/dev/pts/1,
 //   HRT_PLATE_FILE=/tmp/with_plate.1.json
 #include <sys/wait.h>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A board without a sensor, homed at 0: it is where it is sent, exactly.
+// A board without a sensor, homed at 0, which is exactly at its commanded orientation.
 struct HomedBoard : hrt::plate::EmulatedBoard {
   HomedBoard()
       : EmulatedBoard(

@@ -1,4 +1,4 @@
-// The class without the engine: for example, a frame of a reach allocates no memory.
+// Tests the class without the engine, for example that a frame of a reach allocates no memory.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 std::int64_t allocations = 0;
 }  // namespace
 
-// For the whole program: what the class asks for passes here.
+// Replaces operator new of the whole program, to count allocations by the class.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
@@ -49,7 +49,7 @@ class StillEngine : public Engine {
   }
   void update_warnings() override { ++warnings; }
   int64_t signals = 0, warnings = 0, arrivals = 0;
-  std::vector<std::string>* errors = nullptr;  // null: none is expected
+  std::vector<std::string>* errors = nullptr;  // null: an error fails the test
   Pose pose;
 };
 
@@ -74,14 +74,14 @@ TEST(GodotNode, UpdatesWithoutAllocatingMemoryAndArrives) {
   for (int64_t frame = 0; frame <= 270; ++frame) move(frame, {0, 0, 0.05 - 0.1 * static_cast<double>(frame) / 270});
   EXPECT_GT(engine.signals, 200);
   EXPECT_EQ(engine.arrivals, 0);
-  for (int64_t frame = 271; frame <= 330; ++frame)  // the finger rests, seen by a tracker with noise
+  for (int64_t frame = 271; frame <= 330; ++frame)  // the finger rests; the tracker has noise
     move(frame, {1e-5 * static_cast<double>(frame % 2), 0, -0.05});
   EXPECT_EQ(engine.arrivals, 1);
   EXPECT_NE(node.get_command_flags() & HRT_COMMAND_ARRIVED, 0);
   EXPECT_LT(node.get_command_distance_to_go_m(), 0.02);
 }
 
-TEST(GodotNode, ErrorsHaveTheNamesOfScripts) {
+TEST(GodotNode, ErrorsUseTheNamesOfScripts) {
   StillEngine engine;
   std::vector<std::string> errors;
   engine.errors = &errors;
@@ -106,7 +106,7 @@ TEST(GodotNode, ErrorsHaveTheNamesOfScripts) {
             std::string::npos);
 }
 
-TEST(GodotNode, WarnsOfItsPropertiesAndPlace) {
+TEST(GodotNode, WarnsOfInvalidPropertiesAndPose) {
   StillEngine engine;
   PlateNode node(engine);
   EXPECT_EQ(node.warning(), "");
@@ -119,7 +119,7 @@ TEST(GodotNode, WarnsOfItsPropertiesAndPlace) {
   EXPECT_EQ(node.warning(), kNotRigid);
 }
 
-TEST(GodotNode, TakesWhatItsDeviceReports) {
+TEST(GodotNode, UsesTheOrientationThatItsDeviceReports) {
   const hrt::plate::PtyDynamixel servo;
   StillEngine engine;
   PlateNode node(engine);

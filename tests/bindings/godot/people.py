@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The people of engine/people.gd without an engine: the same line. With the truth of how their reaches end, as hrt-study counts it."""
+"""Prints the same line as engine/people.gd, without an engine, and the true results of the reaches as hrt-study counts them."""
 import hashlib
 import math
 import struct

@@ -1,4 +1,4 @@
-"""What the tests of the Python package share. The library and the bindings come from the environment."""
+"""Fixtures for the tests of the Python package. Environment variables name the library and the bindings."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ROOT = BINDINGS.parent.parent
 
 @pytest.fixture
 def session() -> Iterator[hrt.Session]:
-    """The controller of the paper, for a person taken as known."""
+    """Creates a session with the controller of the paper, for a person with known parameters."""
     with hrt.Session(
         guidance=hrt.Guidance.FIXED_DIRECTION, adaptation=hrt.Adaptation.OFF, tactile_weight=0.15
     ) as session:
@@ -28,7 +28,7 @@ def session() -> Iterator[hrt.Session]:
 
 @pytest.fixture
 def straight() -> np.ndarray:
-    """Samples of a finger that goes 10 cm straight ahead in 3 s."""
+    """Returns samples of a finger that moves 10 cm straight ahead in 3 s."""
     positions = np.zeros((271, 3))
     positions[:, 2] = np.linspace(0.05, -0.05, 271)
     return hrt.samples(np.arange(271) * 11_111_111, position_m=positions)

@@ -1,4 +1,4 @@
-"""The declarations against api.json, which libclang reads from the headers."""
+"""Compares the declarations with api.json, which libclang reads from the headers."""
 
 import ctypes
 import importlib

@@ -1,4 +1,4 @@
-"""Finding the library: what happens when it is missing, another one, or of another version."""
+"""Loading of the library, if it is missing, a wrong file, or of another version."""
 
 import os
 import re
@@ -72,5 +72,5 @@ def test_closed_loop_shows_what_learning_is_for(capsys: pytest.CaptureFixture[st
     rows = re.findall(r"^ +(0\.\d+) +([-+\d.]+) \+- ([\d.]+) +([-+\d.]+) \+- ([\d.]+)$", capsys.readouterr().out, re.M)
     assert [row[0] for row in rows] == ["0.15", "0.20", "0.25", "0.30"]
     for _, first, _, fifth, deviation in rows:
-        # Of the fifth reaches 97 of 100 end within 1.5 degrees.
+        # 97 of 100 fifth reaches end within 1.5 degrees.
         assert abs(float(first)) < 2 and abs(float(fifth)) < 0.5 and float(deviation) < 1.0

@@ -1,4 +1,4 @@
-"""haptic_retargeting.plate against the plate's firmware on an emulated board: run by with_plate."""
+"""Tests haptic_retargeting.plate with the plate's firmware on an emulated board; run by with_plate."""
 
 import os
 import time
@@ -11,7 +11,7 @@ from haptic_retargeting.plate import Plate, PlateFault, PlateReport, PlateReport
 
 
 def eventually(plate: Plate, wanted: Callable[[PlateReport], bool]) -> PlateReport:
-    """The plate's report as soon as it is as wanted; a busy machine gets 30 s."""
+    """Waits up to 30 s for a report that fulfils a condition, and returns it."""
     give_up = time.monotonic() + 30.0
     while not wanted(report := plate.get()) and time.monotonic() < give_up:
         time.sleep(0.01)
@@ -27,7 +27,7 @@ def test_opens_turns_and_stops() -> None:
         with Session(**plate.session_fields()) as session:
             assert session.config.plate_lower_stop_deg == -90.0
             assert session.config.plate_latency_ns > 30e6
-        plate.set(210.0)  # feels like 30
+        plate.set(210.0)  # equivalent to 30
         assert PlateReportFlag.COMMANDED in eventually(plate, lambda report: report.orientation_deg == 30.0).flags
         plate.stop()
         eventually(plate, lambda report: PlateReportFlag.COMMANDED not in report.flags)

@@ -1,4 +1,4 @@
-"""Reaches, over arrays and step by step."""
+"""Tests of reaches over arrays and of single steps."""
 
 import ctypes
 import re
@@ -63,7 +63,7 @@ def test_exception_within_a_reach_cancels_it(session: hrt.Session, straight: np.
 
 def test_session_cancels_what_is_in_progress(session: hrt.Session) -> None:
     real, virtual = session.target("cylinder"), session.target("cup")
-    session.reach(real, virtual)  # no object is kept
+    session.reach(real, virtual)  # without keeping the object
     session.cancel()
     with session.reach(real, virtual) as reach:
         with pytest.raises(hrt.Error, match="Session.configure"):
@@ -132,7 +132,7 @@ def test_samples_are_made_of_columns() -> None:
 
 def test_unknown_numbers_are_dropouts_in_every_call(session: hrt.Session, straight: np.ndarray) -> None:
     real, virtual, nan = session.target("cylinder"), session.target("cup"), np.nan
-    straight["finger_position_m"][100:130, 0] = nan  # not made by samples()
+    straight["finger_position_m"][100:130, 0] = nan  # an array that samples() did not make
     record = session.run_reach(real, virtual, straight, plate_orientation_deg=0)
     expected = hrt.samples(straight["time_ns"], position_m=straight["finger_position_m"])
     assert record.commands.tobytes() == session.run_reach(real, virtual, expected, plate_orientation_deg=0).commands.tobytes()
@@ -144,7 +144,7 @@ def test_unknown_numbers_are_dropouts_in_every_call(session: hrt.Session, straig
         reach.update(0, position_m=(nan, 0, 0.05))
         reach.update(1, direction_deg=nan, plate_orientation_deg=nan)
         reach.update_sample(sample)
-        sample.plate_rotation[0] = nan  # not read
+        sample.plate_rotation[0] = nan  # a field that is not read
         reach.update_sample(sample)
     assert reach.summary.dropped_samples == reach.summary.samples == 4 and np.isnan(sample.finger_position_m[2])
     with session.set_up(hrt.SetupFlag.REGISTRATION) as setup:

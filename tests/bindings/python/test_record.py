@@ -1,4 +1,4 @@
-"""Recordings to arrays, and pictures of them."""
+"""Tests of recordings as arrays, and of their pictures."""
 
 from pathlib import Path
 
@@ -43,7 +43,7 @@ def test_checked_in_recordings_are_read() -> None:
 
 
 def with_row(tmp_path: Path, result: str, cells: dict[str, str]) -> Path:
-    """The reach with a row "update" before its first, whose other cells are empty."""
+    """Returns the reach with an additional row "update" before its first, whose other cells are empty."""
     lines = REACH.read_text().splitlines(keepends=True)
     header = next(line for line in lines if not line.startswith("#")).rstrip("\n").split(",")
     row = ["update", result, *(cells.get(name, "") for name in header[2:])]
@@ -67,7 +67,7 @@ def test_calls_that_were_refused_unread_are_left_out(tmp_path: Path) -> None:
 
 
 def test_world_is_turned_into_plate_coordinates() -> None:
-    # A plate at (1, 2, 3), turned by 90 degrees about y: its x axis is the world's -z, its z axis the world's x.
+    # A plate at (1, 2, 3), rotated by 90 degrees about y: its x axis is the world's -z, its z axis the world's x.
     turned = (0, np.sqrt(0.5), 0, np.sqrt(0.5))
     assert hrt.world_to_plate((1, 2, 2), (1, 2, 3), turned) == pytest.approx((1, 0, 0))
     assert hrt.world_to_plate((2, 2.5, 3), (1, 2, 3), turned, plate_scale=0.5) == pytest.approx((0, 1, 2))
@@ -147,7 +147,7 @@ def test_a_reach_that_starts_at_the_finger_is_read_from_there(
     (read,) = hrt.read_recording(tmp_path / "started.csv").reaches
     start_m = straight["finger_position_m"][5]
     assert read.start_position_m == pytest.approx(start_m)
-    # The target of a direction is 10 cm from the configured start, 5 cm towards the user.
+    # A target given by a direction is 10 cm from the configured start, which is 5 cm towards the user.
     away_m = 0.1 * np.cos(np.radians(5)) - (0.05 - start_m[2])
     assert read.real_direction_deg == pytest.approx(-np.degrees(np.arctan2(0.1 * np.sin(np.radians(5)), away_m)), abs=0.2)
     assert hrt.replay(tmp_path / "started.csv").first_different_line == 0
@@ -173,7 +173,7 @@ def test_picture_shows_finger_targets_and_angles() -> None:
     assert real.get_ydata() == pytest.approx(-50 + 100 * np.cos(np.radians(5)))
     labels = [line.get_label() for line in (*time.lines, *plate.lines)]
     assert "plate, commanded" in labels and "felt, as the model predicts" in labels
-    # Under ARRIVAL, the direction of motion at the end differs from the bearing, which is what the targets' lines show.
+    # With ARRIVAL, the final direction of motion differs from the bearing, which the lines of the targets show.
     bearing = next(line for line in time.lines if line.get_label() == "finger").get_ydata()
     assert record.summary is not None and bearing[-1] - record.real_direction_deg == pytest.approx(record.summary.miss_deg, abs=0.5)
     canvas = FigureCanvasAgg(figure)
@@ -186,7 +186,7 @@ def test_picture_shows_finger_targets_and_angles() -> None:
 def test_felt_path_is_that_of_the_simulated_person() -> None:
     with hrt.Session() as session, hrt.Person(1, tracker_noise_m=1e-6) as person:
         cylinder, cup = session.add_real(direction_deg=-5), session.add_virtual(direction_deg=5)
-        for _ in range(3):  # until the controller knows this person
+        for _ in range(3):  # until the controller has learnt this person's parameters
             person.begin(session, cup)
             samples, commands, plate_deg = hrt.samples(np.arange(220) * 11_111_111), hrt.commands(220), 0.0
             with session.reach(cylinder, cup) as reach:

@@ -1,4 +1,4 @@
-"""The scenario of all hosts (../scenario.txt), through Session and the functions beside it."""
+"""Runs the scenario of all hosts (../scenario.txt) by Session and the functions of the package."""
 
 import os
 from collections.abc import Callable
@@ -15,9 +15,9 @@ SCENARIO = Path(os.environ["HRT_SCENARIO"])
 
 
 def calls_of(session: hrt.Session) -> dict[str, Callable[..., Any]]:
-    """The calls of the scenario, by name, whose arguments are its words."""
+    """Returns the calls of the scenario by name; their arguments are texts."""
     targets: dict[str, hrt.Target] = {}
-    kept: dict[str, Any] = {}  # the reach under way, and the profile that was saved
+    kept: dict[str, Any] = {}  # the running reach, and the saved profile
 
     def target(role: str, name: str, direction_deg: str, distance_m: str) -> None:
         add = session.add_real if role == "real" else session.add_virtual

@@ -1,4 +1,4 @@
-"""Sessions, targets, gaps, profiles: values derived by hand, and every mistake a caller may make."""
+"""Tests of sessions, targets, gaps and profiles: values derived by hand, and invalid arguments."""
 
 import gc
 
@@ -48,7 +48,7 @@ def test_closed_session_is_refused() -> None:
     assert caught.value.code is hrt.ErrorCode.INVALID_HANDLE
 
 
-def test_forgotten_sessions_are_ended() -> None:
+def test_unreferenced_sessions_are_destroyed() -> None:
     for _ in range(3 * _abi.SESSIONS_MAX):
         hrt.Session()
     gc.collect()
@@ -67,7 +67,7 @@ def test_targets_are_found_listed_changed_and_removed(session: hrt.Session) -> N
     assert caught.value.code is hrt.ErrorCode.INVALID_HANDLE
 
 
-def test_targets_are_placed_in_one_way(session: hrt.Session) -> None:
+def test_targets_need_exactly_one_kind_of_position(session: hrt.Session) -> None:
     for error, text, name, place in ((TypeError, "placed by", "nowhere", {}), (ValueError, "64 are allowed", "x" * 64, {"direction_deg": 0}),
                                      (TypeError, "placed by", "twice", {"direction_deg": 1, "position_m": (0, 0, 0)}),
                                      (ValueError, "zero", "a\0b", {"direction_deg": 0})):
@@ -77,8 +77,8 @@ def test_targets_are_placed_in_one_way(session: hrt.Session) -> None:
         session.target("cup").configure(name=5)
 
 
-def test_place_of_a_target_is_the_same_however_it_is_given() -> None:
-    # The plate a metre up and turned by 90 degrees: its x axis is the world's -z.
+def test_targets_by_direction_plate_and_world_position_agree() -> None:
+    # The plate is one metre up and rotated by 90 degrees: its x axis is the world's -z.
     turned = (0, np.sqrt(0.5), 0, np.sqrt(0.5))
     with hrt.Session(plate_position_m=(0, 1, 0), plate_rotation=turned) as session:
         on_plate = session.add_virtual("a", position_m=(-0.05, 0, -0.05))
@@ -89,7 +89,7 @@ def test_place_of_a_target_is_the_same_however_it_is_given() -> None:
         assert hrt.target_place(on_plate.config, config) == pytest.approx(expected)
         assert hrt.target_place(in_world.config, config) == pytest.approx(expected)
         assert hrt.target_place(by_direction.config, config) == (20, 0.08)
-        # The library agrees: the same gap to the same real target.
+        # The library returns the same gap to the same real target.
         gaps = [session.gap(by_direction, t).gap_deg for t in (on_plate, in_world)]
         assert gaps == pytest.approx([expected[0] - 20] * 2)
 
@@ -113,7 +113,7 @@ def test_scene_is_registered() -> None:
         hrt.Scene("no.gltf")
 
 
-def test_what_is_no_target_or_text_is_named(session: hrt.Session) -> None:
+def test_errors_name_arguments_that_are_not_targets_or_texts(session: hrt.Session) -> None:
     cup = session.target("cup")
     for text, call in (("real is 'cylinder': a Target is needed", lambda: session.reach("cylinder", cup)),
                        ("virtual is None: a Target", lambda: session.gap(cup, None)),

@@ -1,4 +1,4 @@
-"""A set-up as a loop: a simulated person is calibrated by it."""
+"""Tests of a set-up as a loop, which calibrates a simulated person."""
 
 import re
 import runpy
@@ -51,7 +51,7 @@ def test_example_finds_the_simulated_person(capsys: pytest.CaptureFixture[str]) 
     rows = re.findall(r"^(\w+) +(\S+) +(\S+) \((\S+) to (\S+)\)$", capsys.readouterr().out, re.M)
     assert {row[0] for row in rows} == {"tactile_weight", "bias_deg"}
     for name, truth, value, lower, upper in rows:
-        # Each interval misses 1 time in 20; twice as wide, hardly ever.
+        # Each 95 % interval misses 1 time in 20; an interval of twice the width rarely does.
         assert abs(float(value) - float(truth)) <= float(upper) - float(lower), name
 
 

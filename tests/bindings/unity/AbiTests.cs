@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Hrt.HostTests
 {
-    // The declarations against api.json, which libclang reads from the headers.
+    // Compares the declarations with api.json, which libclang reads from the headers.
     public sealed class AbiTests
     {
         static readonly Assembly package = typeof(HapticRetargetingSession).Assembly;
@@ -41,7 +41,7 @@ namespace Hrt.HostTests
                     Marshal.Prelink(method); // throws if the library has no such function
         }
 
-        // What native code calls back must be static and marked, or it is missing in a build that is compiled ahead.
+        // Callbacks from native code must be static and marked, or ahead-of-time compilation omits them.
         [Test]
         public void CallbacksAreCompiledAhead()
         {

@@ -1,6 +1,6 @@
-// What scripts do, where all code is compiled ahead and none can be made while it runs, as under IL2CPP: a
-// component's frames and events, what the library refuses, set-ups, a call from one of the library's threads, and
-// the scripted reach.
+// Runs typical script code with ahead-of-time compilation and without code generation at run time, as under IL2CPP: frames
+// and events of a component, errors of the library, set-ups, a callback on a thread of the library, and the scripted
+// reach.
 using System;
 using System.IO;
 using Hrt;

@@ -78,7 +78,7 @@ namespace Hrt.HostTests
             UnityEngine.Object.DestroyImmediate(component.gameObject);
         }
 
-        // More sessions than there can be at a time, none disposed of.
+        // Creates more sessions than can exist at a time, without disposing of them.
         [Test]
         public void ForgottenSessionsAreFinalised()
         {

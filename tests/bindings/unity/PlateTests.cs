@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Hrt.HostTests
 {
-    // The plate's library from C#, against the firmware on an emulated board: with_plate.
+    // Tests libhrt_plate from C# with the firmware on an emulated board; run by with_plate.
     public sealed class PlateTests
     {
         static string Device()
@@ -14,7 +14,7 @@ namespace Hrt.HostTests
             return device;
         }
 
-        // The plate's report as soon as it is as wanted; a busy machine gets 30 s.
+        // Waits up to 30 s for a report that fulfils a condition, and returns it.
         static PlateReport Eventually(HapticRetargetingPlate plate, Func<PlateReport, bool> wanted)
         {
             PlateReport report = plate.Get();
@@ -38,7 +38,7 @@ namespace Hrt.HostTests
                 config.TakePlate(report);
                 Assert.AreEqual(-90.0, config.plateLowerStopDeg);
                 Assert.AreEqual(report.latencyNs, config.plateLatencyNs);
-                plate.Set(210); // feels like 30
+                plate.Set(210); // equivalent to 30
                 report = Eventually(plate, r => r.orientationDeg == 30);
                 Assert.AreEqual(30.0, report.commandDeg);
                 Assert.IsTrue((report.flags & PlateReportFlags.Commanded) != 0);

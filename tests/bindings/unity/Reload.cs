@@ -1,5 +1,5 @@
-// What Unity's editor does when scripts are recompiled: their domain goes, with all that they have left open, and the
-// library stays.
+// Reloads scripts as Unity's editor does: their domain is unloaded with all open objects, and the library stays
+// loaded.
 using System;
 using System.IO;
 using System.Runtime.InteropServices;
@@ -44,7 +44,7 @@ static class Reload
         return wrong == "" ? 0 : 1;
     }
 
-    // Where no scripts are left: the library must not call into what was unloaded, which would end the process.
+    // After the domain is unloaded, the library must not call it, which would end the process.
     static string FillTheDiskUnheard(string path)
     {
         var sample = new Sample { structSize = (uint)Marshal.SizeOf(typeof(Sample)) };
@@ -57,7 +57,7 @@ static class Reload
         DateTime end = DateTime.Now.AddSeconds(20);
         while (status.systemError == 0 && DateTime.Now < end)
         {
-            // Refused, as there is no reach, and recorded.
+            // Without a reach these calls are refused, and recorded.
             for (int i = 0; i < 1000; ++i) hrt_reach_update(session, ref sample, ref command);
             Thread.Sleep(1);
             hrt_recording_get_status(session, ref status);

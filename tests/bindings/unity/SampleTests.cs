@@ -40,13 +40,13 @@ namespace Hrt.HostTests
             StringAssert.StartsWith("error: ", logged.Single());
         }
 
-        // Each of the three virtual objects in turn; the hand is at the cylinder, 1.5 degrees at 10 cm, or the controller says
-        // that it cannot be held.
+        // For each of the three virtual objects, the hand ends at the cylinder (within 1.5 degrees at 10 cm), or the
+        // controller reports that the gap is not feasible.
         [Test]
-        public void TheDesksHandIsBent()
+        public void TheHandOnTheDeskIsSteered()
         {
             HapticRetargeting retargeting = Desk();
-            retargeting.virtualTargets.RemoveAt(2); // out of reach
+            retargeting.virtualTargets.RemoveAt(2); // not reachable
             var simulated = retargeting.gameObject.AddComponent<HrtSamples.SimulatedReach>();
             int ended = 0;
             retargeting.ReachEnded += summary =>
@@ -68,7 +68,7 @@ namespace Hrt.HostTests
             UnityEngine.Object.DestroyImmediate(retargeting.gameObject);
         }
 
-        // The tracker's space stands 1 m to the right of the world's.
+        // The origin of the tracker's space is 1 m to the right of the world's.
         [Test]
         public void ATrackedHandGivesItsFingertip()
         {
@@ -86,7 +86,7 @@ namespace Hrt.HostTests
             Assert.IsTrue(retargeting.FingerTracked);
             Assert.AreEqual(Vector3.right + Vector3.up, finger.transform.position);
             hands.rightHand = new XRHand { isTracked = true, Tip = Pose.identity };
-            hands.Raise(XRHandSubsystem.UpdateType.BeforeRender); // not a sample of its own
+            hands.Raise(XRHandSubsystem.UpdateType.BeforeRender); // does not take another sample
             Assert.AreEqual(Vector3.right + Vector3.up, finger.transform.position);
             finger.left = true;
             hands.Raise(XRHandSubsystem.UpdateType.Dynamic);

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Hrt.HostTests
 {
-    /// <summary>The scenario of all hosts (../scenario.txt), through HapticRetargetingSession.</summary>
+    /// <summary>Runs the scenario of all hosts (../scenario.txt) by HapticRetargetingSession.</summary>
     public sealed class ScenarioTests
     {
         readonly Dictionary<string, TargetId> targets = new Dictionary<string, TargetId>();
@@ -17,7 +17,7 @@ namespace Hrt.HostTests
         string saved;
 
         [Test]
-        public void IsPlayed()
+        public void GivesTheExpectedResults()
         {
             string[] lines = File.ReadAllLines(Environment.GetEnvironmentVariable("HRT_SCENARIO"))
                 .Where(line => line != "" && line[0] != '#').ToArray();
@@ -49,7 +49,7 @@ namespace Hrt.HostTests
                 else Assert.AreEqual(Parse(pair.Value), values[pair.Key], 1e-4);
         }
 
-        // A call of the scenario, by its words in `arguments`; what it gives goes to `values`.
+        // Returns the calls of the scenario by name. They read `arguments` and write results to `values`.
         Dictionary<string, Action> Calls() => new Dictionary<string, Action>
         {
             { "configure", () => session.Config = With(session.Config, Number("tactile_weight")) },
@@ -140,7 +140,7 @@ namespace Hrt.HostTests
         static double Parse(string text) =>
             text == "nan" ? double.NaN : double.Parse(text, CultureInfo.InvariantCulture);
 
-        // What is before the separator, and behind it.
+        // Returns the text before and after the separator.
         static string[] Split(string text, string separator)
         {
             int at = text.IndexOf(separator, StringComparison.Ordinal);

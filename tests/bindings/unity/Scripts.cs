@@ -3,15 +3,14 @@ using System.Threading;
 using Hrt;
 using UnityEngine;
 
-/// <summary>Scripts that put nothing away: all the sessions that there can be, one of which records
-/// until the disk is full, so that the library says so from a thread of its own. To be run where files can't grow
-/// beyond 1 MiB.</summary>
+/// <summary>Scripts that dispose of nothing: the maximum number of sessions, one of which records until the disk
+/// is full, which the library reports on its own thread. Run it with a file size limit of 1 MiB.</summary>
 sealed class Scripts : MarshalByRefObject
 {
     volatile string logged;
     volatile Thread logThread;
 
-    /// <summary>What is wrong; empty if nothing is.</summary>
+    /// <summary>Returns an error, or an empty text.</summary>
     public string LeaveEverythingOpen(string path)
     {
         Debug.Logged += Hear;
@@ -39,7 +38,7 @@ sealed class Scripts : MarshalByRefObject
 
     void Hear(string level, string text)
     {
-        if (level == "warning") return; // calls lost on the way, as the disk is slower than this loop
+        if (level == "warning") return; // lost calls, because the disk is slower than this loop
         logThread = Thread.CurrentThread;
         logged = level + ": " + text;
         throw new InvalidOperationException("of a listener, which must not reach the library");

@@ -1,4 +1,4 @@
-// Runs the tests of NUnit fixtures: the runner that Debian packages needs a desktop's packages.
+// Runs the tests of NUnit fixtures, because Debian's runner depends on desktop packages.
 //   mono RunTests.exe ASSEMBLY...    ends with 1 if a test fails or an assembly has none
 using System;
 using System.Linq;
@@ -12,7 +12,7 @@ static class RunTests
         foreach (MethodInfo method in fixture.GetType().GetMethods().Where(m => m.IsDefined(typeof(T)))) method.Invoke(fixture, null);
     }
 
-    // One test, in a fixture that its constructor and SetUp methods have made ready.
+    // Runs one test of a fixture whose constructor and SetUp methods have run. Returns its exception or null.
     static Exception Failure(object fixture, MethodInfo test, object[] arguments)
     {
         try

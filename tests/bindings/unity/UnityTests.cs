@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Hrt.HostTests
 {
-    // What only stubs let one look at: Unity's clock, its console, what is drawn.
+    // Tests that need the stubs, for Unity's clock, its console and drawing.
     public sealed class UnityTests
     {
         HapticRetargeting component;
@@ -105,7 +105,7 @@ namespace Hrt.HostTests
             Assert.IsTrue(component.IsReaching);
         }
 
-        // The scene is the repository's own, which says where its plate is and what is on it.
+        // The scene is a file of the repository that contains the plate and its targets.
         [Test]
         public void ScenesBringPlateAndTargets()
         {

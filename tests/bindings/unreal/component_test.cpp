@@ -1,5 +1,5 @@
-// The Unreal component, compiled against stubs of the engine's types; see stubs/CoreMinimal.h for what that
-// shows.
+// Tests the Unreal component with stubs of the engine's types; see stubs/CoreMinimal.h for the limits of such
+// tests.
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ class Component : public testing::Test {
   FHapticTarget real_, felt_;
 };
 
-/** Moved, and turned about no axis of its own. */
+/** Returns a pose that is moved and rotated about a general axis. */
 FTransform somewhere() {
   const double third = 1 / std::sqrt(3.0);
   return {FQuat(FVector(third, -third, third), 2.0), FVector(120, -45, 80)};
@@ -61,15 +61,15 @@ std::array<double, 3> metres(const FVector& centimetres) {
   return {out[0], out[1], out[2]};
 }
 
-// X away from the user, Y right, Z up; and x right, y up, z towards the user.
-TEST(UnrealAxes, AreTurnedIntoThePlates) {
+// Unreal: X away from the user, Y right, Z up. The plate: x right, y up, z towards the user.
+TEST(UnrealAxes, AreConvertedToPlateAxes) {
   EXPECT_EQ(metres(FVector(100, 0, 0)), (std::array<double, 3>{0, 0, -1}));
   EXPECT_EQ(metres(FVector(0, 100, 0)), (std::array<double, 3>{1, 0, 0}));
   EXPECT_EQ(metres(FVector(0, 0, 100)), (std::array<double, 3>{0, 1, 0}));
 }
 
-// A quarter turn to the right, in Unreal from X to Y, is one from -z to x about -y.
-TEST(UnrealAxes, TurnRotationsTheOtherWay) {
+// A quarter turn to the right, from X to Y in Unreal, is a rotation from -z to x about -y.
+TEST(UnrealAxes, ReverseRotations) {
   double rotation[4];
   HapticConversions::ToQuaternion(FQuat(FVector(0, 0, 1), std::numbers::pi / 2), rotation);
   EXPECT_DOUBLE_EQ(rotation[0], 0);
@@ -78,7 +78,7 @@ TEST(UnrealAxes, TurnRotationsTheOtherWay) {
   EXPECT_DOUBLE_EQ(rotation[3], std::sqrt(0.5));
 }
 
-// To place a point in Unreal's world and convert it is to convert it and place it in the plugin's.
+// Converting a transformed point gives the same result as transforming the converted point.
 TEST(UnrealAxes, ConvertPosesAsTheyConvertPoints) {
   const FTransform plate = somewhere();
   double q[4];
@@ -103,7 +103,7 @@ TEST(UnrealSettings, AreTheLibrarysDefaults) {
   EXPECT_EQ(std::memcmp(&config, &defaults, sizeof config), 0);
 }
 
-// In the plugin's units, and with the ends of a range exchanged where it is mirrored.
+// Units are converted, and the ends of mirrored ranges exchanged.
 TEST(UnrealSettings, AreConverted) {
   FHapticSettings s;
   s.Control = EHapticControl::FixedPlate;
@@ -130,7 +130,7 @@ TEST_F(Component, HasNoStepBeforeTheFirstCommand) {
   EXPECT_EQ(component_.GetCommand().PaperStep, -1);
 }
 
-TEST_F(Component, CallsRightPositive) {
+TEST_F(Component, DirectionsToTheRightArePositive) {
   FHapticTarget right, ahead;
   ASSERT_TRUE(component_.AddTargetAt(kReal, TEXT("right"), FVector(-5, 10, 2), right));
   ASSERT_TRUE(component_.AddTargetAt(kVirtual, TEXT("ahead"), FVector(5, 0, 0), ahead));
@@ -143,7 +143,7 @@ TEST_F(Component, CallsRightPositive) {
   EXPECT_NEAR(gap.GapYaw, std::atan2(1.0, 10.0) * 180 / std::numbers::pi - 90, 1e-9);
 }
 
-TEST_F(Component, TakesWhatAPlateReports) {
+TEST_F(Component, UsesTheLimitsThatAPlateReports) {
   hrt_session_config config = hrt_session_config_init();
   const hrt_plate_report report{.latency_ns = 25'000'000};
   hrt_session_config_from_plate(&config, &report);
@@ -152,8 +152,8 @@ TEST_F(Component, TakesWhatAPlateReports) {
   EXPECT_EQ(component_.Settings.PlateLatency, 0.025);
 }
 
-// The same samples through the component's own terms and through the C interface's.
-TEST_F(Component, TakesAMeasuredPlate) {
+// The same samples in the component's terms and by the C interface give the same commands.
+TEST_F(Component, UsesTheMeasuredOrientation) {
   add_pair();
   const auto run = [&](const std::function<bool(const FVector&, double, double)>& update) {
     component_.bPlateIsMeasured = true;
@@ -193,7 +193,7 @@ TEST_F(Component, TakesAMeasuredPlate) {
   EXPECT_NE(last_log().find("duration_s"), std::string::npos) << last_log();
 }
 
-/** The command after a slide that goes 0.6 mm a frame to the right, on a plate that is where it is put. */
+/** Returns the command after a slide to the right by 0.6 mm a frame, on a plate with the given pose. */
 FHapticCommand slide_on(const FTransform& plate) {
   UHapticRetargetingComponent component;
   component.SetWorldTransform(plate);
@@ -212,7 +212,7 @@ FHapticCommand slide_on(const FTransform& plate) {
   return command;
 }
 
-TEST(UnrealPlate, MayStandAnywhere) {
+TEST(UnrealPlate, MayHaveAnyPose) {
   const FHapticCommand here = slide_on(FTransform());
   const FHapticCommand there = slide_on(somewhere());
   EXPECT_GT(here.BearingYaw, 3) << "a finger that goes right";
@@ -240,7 +240,7 @@ TEST_F(Component, BroadcastsCommandsFlagsAndTheEnd) {
   ASSERT_TRUE(component_.UpdateSample(sample));
   EXPECT_EQ(yaws, std::vector<double>{component_.GetCommand().PlateYaw})
       << "one step, and a sample between steps";
-  const size_t changed = flags.size();  // directions predict no miss
+  const size_t changed = flags.size();  // a reach by directions predicts no miss
   ASSERT_TRUE(component_.UpdateLost(0.25));
   ASSERT_EQ(flags.size(), changed + 1);
   EXPECT_TRUE(flags.back() & static_cast<int32>(EHapticCommandFlags::Predicted));
@@ -251,7 +251,7 @@ TEST_F(Component, BroadcastsCommandsFlagsAndTheEnd) {
   EXPECT_FALSE(component_.IsReaching());
 }
 
-TEST_F(Component, RefusesAndSaysWhy) {
+TEST_F(Component, LogsTheReasonOfARefusal) {
   FHapticSummary summary;
   EXPECT_FALSE(component_.EndReach(summary));
   FHapticTarget target;
@@ -280,7 +280,7 @@ TEST_F(Component, RefusesAndSaysWhy) {
   EXPECT_NE(last_log().find("scaled"), std::string::npos) << last_log();
 }
 
-TEST_F(Component, KeepsWhatIsKnownOfTheUser) {
+TEST_F(Component, SavesAndLoadsTheProfile) {
   component_.Settings.TactileWeight = 0.2;
   FString profile;
   ASSERT_TRUE(component_.SaveProfile(profile));
@@ -294,16 +294,16 @@ TEST_F(Component, KeepsWhatIsKnownOfTheUser) {
   begin();
   for (int frame = 0; frame <= 270; ++frame)
     ASSERT_TRUE(component_.UpdateFinger(FVector(-5 + frame / 27.0, 0, 0.2), frame / 90.0));
-  component_.Settings.PlateMaxSpeed = 123;  // waits for the end of the reach
+  component_.Settings.PlateMaxSpeed = 123;  // applied after the reach
   FHapticSummary summary;
   ASSERT_TRUE(component_.EndReach(summary));
   EXPECT_EQ(component_.Settings.PlateMaxSpeed, 123);
   EXPECT_EQ(component_.Settings.PlateRadius, 7.5);
-  EXPECT_NEAR(component_.Settings.TactileWeight, summary.TactileWeight, 0.01);  // filtered once more after the reach
+  EXPECT_NEAR(component_.Settings.TactileWeight, summary.TactileWeight, 0.01);  // filtered again after the reach
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }
 
-// The apparatus of the desk stands at (0.12, 0.75, -0.32) m, turned by 20 degrees to the left.
+// The apparatus of the desk is at (0.12, 0.75, -0.32) m, rotated by 20 degrees to the left.
 TEST_F(Component, LoadsAScene) {
   TArray<FHapticTarget> ids;
   TArray<FHapticSceneTarget> targets;
@@ -328,8 +328,8 @@ TEST_F(Component, LoadsAScene) {
   EXPECT_EQ(ids.Num(), 4);
 }
 
-// A user touches the marks of a plate that stands elsewhere, with the skin beside the tracked joint.
-TEST_F(Component, IsMovedByASetupToWhereItIsTouched) {
+// A user touches the marks of a plate at another pose, with an offset of the skin from the tracked joint.
+TEST_F(Component, SetupMovesThePlateToItsMeasuredPose) {
   const FTransform at(FQuat(FVector(0, 0, 1), 0.9), FVector(120, -45, 80));
   const FVector offset(1.2, 0, -0.8);  // from the joint to the skin, in its axes
   const FQuat ways[] = {FQuat(), FQuat(FVector(0, 1, 0), 0.9), FQuat(FVector(1, 0, 0), 0.7), FQuat(FVector(1, 0, 0), -0.7),
@@ -377,7 +377,7 @@ TEST(UnrealSetup, IntervalsAreConverted) {
   EXPECT_TRUE(result.bBiasYawKnown);
 }
 
-TEST_F(Component, IsLedThroughByASimulatedFinger) {
+TEST_F(Component, RunsAReachOfASimulatedFinger) {
   FVector place;
   EXPECT_FALSE(component_.UpdateSimulatedFinger(0, place));
   EXPECT_NE(last_log().find("person 0 does not exist"), std::string::npos) << last_log();
@@ -410,8 +410,8 @@ TEST_F(Component, Records) {
   EXPECT_FALSE(component_.StartRecording(TEXT("/nowhere/recording.csv")));
 }
 
-// Of sessions and of simulated people a process has 64.
-TEST(UnrealComponents, EndTheirSessions) {
+// A process can have 64 sessions and 64 simulated people.
+TEST(UnrealComponents, DestroyTheirSessions) {
   for (int i = 0; i < 200; ++i) {
     UHapticRetargetingComponent component;
     FHapticTarget target;
@@ -425,8 +425,8 @@ TEST(UnrealComponents, EndTheirSessions) {
   }
 }
 
-// A commissioned servo, emulated: run by with_plate.
-TEST_F(Component, ItsDeviceTurnsWithTheCommands) {
+// Uses the emulated, commissioned servo of with_plate.
+TEST_F(Component, DeviceFollowsTheCommands) {
   const char* device = std::getenv("HRT_PLATE_FILE");
   ASSERT_NE(device, nullptr) << "run by with_plate";
   ASSERT_TRUE(component_.OpenPlate(FString(UTF8_TO_TCHAR(device)))) << last_log();
@@ -439,7 +439,7 @@ TEST_F(Component, ItsDeviceTurnsWithTheCommands) {
   ASSERT_TRUE(component_.UpdateFinger(FVector(-4, 0.1, 0.2), 0.1)) << last_log();
   const double wanted = -component_.GetRawCommand().plate_orientation_deg;
   ASSERT_GT(std::abs(wanted), 1.0);
-  EXPECT_TRUE(eventually([&] {  // or at what feels the same
+  EXPECT_TRUE(eventually([&] {  // or an equivalent orientation
     return component_.IsPlateReady() && std::abs(std::remainder(component_.MeasuredPlateYaw - wanted, 180.0)) < 0.2;
   })) << component_.MeasuredPlateYaw << " for " << wanted;
   component_.ClosePlate();
@@ -447,7 +447,7 @@ TEST_F(Component, ItsDeviceTurnsWithTheCommands) {
   EXPECT_FALSE(component_.IsPlateReady());
 }
 
-TEST_F(Component, SaysOnceWhyItsDeviceFails) {
+TEST_F(Component, LogsOnceWhyTheDeviceFails) {
   EXPECT_FALSE(component_.OpenPlate(TEXT("usb:0")));
   EXPECT_NE(last_log().find("device is of kind \"usb\""), std::string::npos) << last_log();
   ASSERT_TRUE(component_.OpenPlate(TEXT("serial:/nonexistent"))) << last_log();

@@ -1,4 +1,4 @@
-// The module that loads the plugin's library, as on Linux and as on Windows.
+// Tests the module that loads the plugin's library, for Linux and for Windows.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
   EXPECT_NE(FLogCategory::Lines.back().find("the plugin's library is missing"), std::string::npos);
   component.BeginDestroy();
   FPlatformProcess::Missing = false;
-  module->StartupModule();  // what the other tests need
+  module->StartupModule();  // needed by the other tests
 }
 #else
 TEST(UnrealModule, LeavesLoadingToTheLinker) {

@@ -1,4 +1,4 @@
-// The examples of the Unreal plugin's README, run.
+// Runs the examples of the Unreal plugin's README.
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-TEST(UnrealReadme, BendsTheFinger) {
+TEST(UnrealReadme, SteersTheFingerToTheCylinder) {
   ADesk desk;
   EXPECT_EQ(desk.GetRootComponent(), desk.Plate);
   desk.BeginPlay();
@@ -16,7 +16,7 @@ TEST(UnrealReadme, BendsTheFinger) {
     desk.Tick(1 / 90.0f);
   }
   EXPECT_TRUE(desk.Plate->IsReaching());
-  // The cylinder: 10 cm from the start, 5 degrees to the right.
+  // The cylinder is 10 cm from the start, 5 degrees to the right.
   EXPECT_TRUE(desk.Finger->GetComponentLocation().Equals(FVector(4.96, 0.87, 0), 0.6));
   EXPECT_EQ(desk.Ridges->GetRelativeRotation().Yaw, desk.Plate->GetCommand().PlateYaw);
   desk.Plate->BeginDestroy();

@@ -1,5 +1,5 @@
-// The scenario of all hosts (../scenario.txt) through the Unreal component: in centimetres, and right of the mid-line is
-// positive.
+// Runs the scenario of all hosts (../scenario.txt) by the Unreal component: in centimetres, with positive directions to the
+// right.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -18,14 +18,14 @@ using Words = std::map<std::string, std::string>;
 
 double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
-/** Of plate coordinates: x right, y up, z towards the user. */
+/** Converts a position from plate coordinates: x right, y up, z towards the user. */
 FVector place(const std::string& text) {
   double x = 0, y = 0, z = 0;
   std::sscanf(text.c_str(), "%lf,%lf,%lf", &x, &y, &z);
   return FVector(-100 * z, 100 * x, 100 * y);
 }
 
-/** What is before the separator, and behind it. */
+/** Returns the text before and after the separator. */
 std::pair<std::string, std::string> split(const std::string& text, const char* separator) {
   const size_t at = text.find(separator);
   return {text.substr(0, at), at == std::string::npos ? "" : text.substr(at + std::strlen(separator))};
@@ -128,7 +128,7 @@ class UnrealScenario : public testing::Test {
   std::map<std::string, double> values_;
 };
 
-TEST_F(UnrealScenario, IsThatOfAllHosts) {
+TEST_F(UnrealScenario, GivesTheExpectedResults) {
   auto host = calls();
   int played = 0;
   std::ifstream file(HRT_SCENARIO);
@@ -145,7 +145,7 @@ TEST_F(UnrealScenario, IsThatOfAllHosts) {
       EXPECT_NE(FLogCategory::Lines.back().find(split(refused, " ").second), std::string::npos);
     }
     for (const auto& [key, text] : pairs(gives)) {
-      const bool is_flag = key == "flags";  // which must be set among others
+      const bool is_flag = key == "flags";  // one flag must be set, others may be
       const double value = is_flag ? static_cast<int>(values_.at(key)) & std::stoi(text) : values_.at(key);
       EXPECT_NEAR(value, number(text), 1e-4);
     }

@@ -1,4 +1,4 @@
-// The package from JavaScript: everything that index.d.ts names, and what hosts get wrong.
+// Tests the package from JavaScript: everything in index.d.ts, and invalid use by hosts.
 //   usage: node --expose-gc api_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLES DESK_GLTF GOLDEN_RECORDING GOLDEN_HASH SCENARIO
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -46,8 +46,8 @@ function slide(session, frames) {
   }
 }
 
-// First: the engine makes room for other kinds of values once a test has put them into fields of numbers.
-sessionTest("a frame makes no objects", ({ session, real, virtual }) => {
+// This test must be first: the engine allocates more after a test has stored other types in fields of numbers.
+sessionTest("a frame allocates no objects", ({ session, real, virtual }) => {
   session.beginReach(real, virtual);
   const frames = (count, from) => {
     const { sample, command } = session;
@@ -61,12 +61,12 @@ sessionTest("a frame makes no objects", ({ session, real, virtual }) => {
     }
     return sum;
   };
-  frames(200_000, 0);  // until it is compiled
+  frames(200_000, 0);  // until the engine has compiled the code
   globalThis.gc();
   const before = process.memoryUsage().heapUsed;
   frames(100_000, 200_000);
   const bytes = (process.memoryUsage().heapUsed - before) / 100_000;
-  assert.ok(bytes < 48, `${bytes} bytes a frame`);  // a boxed number or two at most, and what measuring takes
+  assert.ok(bytes < 48, `${bytes} bytes a frame`);  // at most two boxed numbers, and the measurement
 });
 
 test("versions agree", async () => {
@@ -112,7 +112,7 @@ sessionTest("targets are found, changed, listed and removed", ({ session, real, 
   throws(() => session.target(virtual), "HRT_ERROR_INVALID_HANDLE", "hrt_target_get");
 });
 
-test("what has been destroyed is refused, and writes into no other session", () => {
+test("a destroyed object is refused and does not change another session", () => {
   const { session, real, virtual } = newSession();
   session.beginReach(real, virtual);
   const { sample } = session;
@@ -129,7 +129,7 @@ test("what has been destroyed is refused, and writes into no other session", () 
   other.destroy();
 });
 
-test("what is used within a block is destroyed at its end", async () => {
+test("an object declared by `using` is destroyed at the end of its block", async () => {
   const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose"), scene = library.loadScene(await readFile(deskGltf), "desk.gltf");
   const { session, virtual } = newSession(), person = library.createPerson(1);
   for (const [object, use] of [[scene, () => scene.info], [person, () => person.begin(session, virtual)], [session, () => session.state]]) {
@@ -155,7 +155,7 @@ sessionTest("objects print and serialise", ({ session, real, virtual }) => {
 
 sessionTest("the fingertip is set from a pose, and the plate from a matrix", ({ session, real, virtual }) => {
   const { sample } = session;
-  // The mount turned by 90 degrees to the left about +Y: its right (+X) is the world's -Z.
+  // The mount is rotated by 90 degrees to the left about +Y: its right (+X) is the world's -Z.
   const matrix = [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0.5, 0.75, -0.25, 1];
   session.setPlate(matrix);
   assert.deepEqual(session.config.plate_position_m, [0.5, 0.75, -0.25]);
@@ -174,7 +174,7 @@ sessionTest("the fingertip is set from a pose, and the plate from a matrix", ({ 
     if (rotated) assert.deepEqual([...sample.joint_rotation], [0, half, 0, half]);
     session.update();
   }
-  // Towards the user on the plate is +X of this world: the start, 5 cm nearer, and so 10 cm to go.
+  // The plate's direction towards the user is the world's +X: the finger is at the start, 10 cm from the target.
   assert.ok(Math.abs(session.command.distance_to_go_m - 0.1) < 0.001, `${session.command.distance_to_go_m}`);
   for (const lost of [null, undefined, { x: NaN, y: 0, z: 0 }]) {
     session.setFinger(lost, 20);
@@ -191,7 +191,7 @@ sessionTest("the fingertip is set from a pose, and the plate from a matrix", ({ 
   }
 });
 
-sessionTest("every rotation of a plate is that of its matrix", ({ session }) => {
+sessionTest("the rotation of a plate equals that of its matrix", ({ session }) => {
   let seed = 7;
   const random = () => (seed = (seed * 16807) % 2147483647) / 1073741823.5 - 1;
   for (let i = 0; i < 200; ++i) {
@@ -204,23 +204,23 @@ sessionTest("every rotation of a plate is that of its matrix", ({ session }) => 
       2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0,
       2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0, 0, 0, 0, 1]);
     const found = session.config.plate_rotation;
-    const cosine = Math.abs(found.reduce((sum, part, j) => sum + part * q[j], 0));  // q and -q are one rotation
+    const cosine = Math.abs(found.reduce((sum, part, j) => sum + part * q[j], 0));  // q and -q are the same rotation
     assert.ok(cosine > 1 - 1e-12, `${q}: ${found}`);
   }
 });
 
-sessionTest("registrations end where a plate is set", ({ session }) => {
+sessionTest("setPlate ends a registration", ({ session }) => {
   session.setPlate([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
   assert.equal(session.config.flags, hrt.HRT_SESSION_PLATE_WAITS);
 }, { flags: hrt.HRT_SESSION_REGISTERED | hrt.HRT_SESSION_PLATE_WAITS });
 
-test("without node's own start, a file is not fetched", async () => {
+test("a file is not fetched without node.mjs", async () => {
   const web = await import(pathToFileURL(`${folder}/index.mjs`));
   await assert.rejects(web.load(), /a file, which a page cannot fetch/);
   assert.equal(web.HapticRetargetingError, hrt.HapticRetargetingError);
 });
 
-sessionTest("lists are as long as what there is", ({ session, real, virtual }) => {
+sessionTest("lists have the length of their content", ({ session, real, virtual }) => {
   assert.equal(session.state, hrt.HRT_STATE_READY);
   session.beginReach(real, virtual, undefined, true);
   assert.equal(session.state, hrt.HRT_STATE_REACHING);
@@ -243,7 +243,7 @@ sessionTest("a reach turns the plate, is recorded, and replays to the same bits"
   throws(() => library.replay("time,x\n"), "HRT_ERROR_BAD_FORMAT", "does not begin");
 });
 
-sessionTest("a recording of more calls than wait at a time loses none", ({ session, real, virtual }) => {
+sessionTest("a recording of more calls than its buffer holds loses no calls", ({ session, real, virtual }) => {
   session.startRecording();
   session.beginReach(real, virtual);
   slide(session, 20_000);
@@ -257,7 +257,7 @@ test("the golden recording gives the golden hash", async () => {
   assert.equal(report.hash, BigInt(goldenHash));
 });
 
-// The column time_ns of the recorded samples.
+// Returns the column time_ns of the recorded samples.
 function recordedTimes(recording) {
   const rows = recording.split("\n").filter((line) => line !== "" && !line.startsWith("#")).map((line) => line.split(","));
   return rows.filter((cells) => cells[0] === "update").map((cells) => cells[rows[0].indexOf("time_ns")]);
@@ -310,15 +310,15 @@ sessionTest("bad arguments are refused by name", ({ session, real, virtual }) =>
   assert.throws(() => library.createSession().addTarget({ name: "ü".repeat(32) }), /64 bytes in UTF-8; up to 63/);
 });
 
-// readme_test.mjs goes through one, by the README's own loop.
-sessionTest("a set-up is refused out of its order", ({ session }) => {
+// readme_test.mjs runs a whole set-up with the README's loop.
+sessionTest("set-up calls in the wrong order are refused", ({ session }) => {
   throws(() => session.updateSetup(), "HRT_ERROR_WRONG_STATE", "set-up");
   session.beginSetup(hrt.HRT_SETUP_FINGERTIP | hrt.HRT_SETUP_REGISTRATION);
   assert.equal(session.state, hrt.HRT_STATE_SETTING_UP);
   throws(() => session.finishSetup(), "HRT_ERROR_WRONG_STATE", "HRT_STEP_FINISH");
 });
 
-test("a set-up finds the simulated person's share of touch", () => {
+test("a set-up finds the simulated person's tactile weight", () => {
   const session = library.createSession(), person = library.createPerson(1, { tactile_weight: 0.2, tracker_noise_m: 0.0005 });
   const ahead = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 0 });
   session.setConditions({ plate: "desk 1", tracker: "Ultraleap", time_s: 1767225600 });
@@ -363,15 +363,15 @@ test("a scene is registered", async () => {
 
 sessionTest("a session continues when the memory grows", ({ session, real, virtual }) => {
   const others = Array.from({ length: 12 }, () => library.createSession());
-  others.forEach((other) => other.startRecording());  // a few MB each, more than the module begins with
+  others.forEach((other) => other.startRecording());  // a few MB each, more than the initial memory of the module
   session.beginReach(real, virtual);
   slide(session, 30);
   assert.equal(session.endReach().samples, 30n);
   others.forEach((other) => other.destroy());
 });
 
-// What all hosts play, by the methods of sessions and of the library.
-test("the scenario of all hosts is played", async () => {
+// Runs the scenario by the methods of sessions and of the library.
+test("the scenario of all hosts gives the expected results", async () => {
   const session = library.createSession(), { sample } = session, targets = {};
   let saved;
   const pairs = (words) => Object.fromEntries(words.split(" ").filter(Boolean).map((word) => [word.split("=")[0], word.slice(word.indexOf("=") + 1)]));

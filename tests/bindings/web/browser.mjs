@@ -1,22 +1,22 @@
-// Opens a page in Chromium or Firefox without a display, and waits for what it posts to /shown.
+// Opens a page in Chromium or Firefox without a display, and waits for its post to /shown.
 import { spawn } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-/** Of each browser: its program, and what it is started with. */
+/** Program and arguments of each browser. */
 const browsers = {
   chromium: (profile) => ["chromium", ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", `--user-data-dir=${profile}`, "--remote-debugging-port=0"]],
-  firefox: (profile) => ["xvfb-run", ["-a", "firefox-esr", "--no-remote", "--profile", profile]],  // without a display it has no WebGL
+  firefox: (profile) => ["xvfb-run", ["-a", "firefox-esr", "--no-remote", "--profile", profile]],  // needs a display for WebGL
 };
 export const browserNames = Object.keys(browsers);
 const quiet = ["browser.aboutwelcome.enabled", "browser.shell.checkDefaultBrowser", "datareporting.policy.dataSubmissionEnabled", "app.normandy.enabled",
                "extensions.update.enabled", "network.captive-portal-service.enabled", "browser.safebrowsing.downloads.remote.enabled"];
 
-/** What the page "/" posts in the browser `name`. `answer(path)` gives { type, body } of a path, or nothing; a string in its place
- *  is the address of a server that is there already, whose page posts to the address in its query. */
+/** Returns the text that the page "/" posts in the browser `name`. `answer(path)` returns { type, body } or nothing; it may instead
+ *  be the address of a running server, whose page posts to the address in its query. */
 export async function shownBy(answer, name) {
   let onShown;
   const shown = new Promise((resolve) => { onShown = resolve; });

@@ -1,5 +1,5 @@
-// The package without a bundler and in the bundles of esbuild, Vite and webpack, each set up as its README says: no warning, nothing of node.
-// Each runs the README's own example and the reach of all hosts, in headless Chromium and Firefox. Vite's development server too.
+// Tests the package without a bundler, and bundled by esbuild, Vite (also its development server) and webpack, configured as in the
+// README, without warnings or node modules. Runs the README's example and the reach of all hosts in headless Chromium and Firefox.
 //   usage: node bundle_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLE reach.hash FOLDER_TO_WORK_IN
 import assert from "node:assert/strict";
 import { cp, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
@@ -17,7 +17,7 @@ const [, example] = /^```js\n(.*?)^```/ms.exec(readme), [, shown] = /^```text\n(
 const expected = `${shown}hash ${(await readFile(hashFile, "utf8")).trim()}`;
 const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm" };
 
-// A project as a user has it, the package copied into its node_modules as npm does.
+// A user's project, with the package copied into node_modules as by npm.
 const main = (module) => `import * as hrt from "haptic-retargeting";
 import { runReach } from "./reach.mjs";
 ${module}
@@ -34,7 +34,7 @@ await fetch(location.search.slice(1) || "/shown", { method: "POST", body: shown 
 `;
 const html = (script) => `<!doctype html><meta charset="utf-8"><title>reach</title><script type="module" src="${script}"></script>`;
 
-/** `module`: an import of the module as `wasm`, for load(). */
+/** Creates a project. `module`: an import of the module as `wasm`, for load(). */
 async function project(name, module = "") {
   const folder = join(work, name);
   await rm(folder, { recursive: true, force: true });
@@ -59,7 +59,7 @@ async function runs(folder) {
   }
 }
 
-/** A bundle within its page. */
+/** Returns the files of a page with the bundle. */
 async function served(folder) {
   const out = join(folder, "dist");
   await writeFile(join(out, "index.html"), html("/main.js"));
@@ -94,7 +94,7 @@ for (const [loader, where] of [["file", "as a file of its own"], ["binary", "ins
   await runs(await esbuildBundle(`esbuild_${loader}`, 'import wasm from "haptic-retargeting/haptic_retargeting.wasm";', { loader: { ".wasm": loader } }));
 });
 
-// Vite's configuration as the README has it.
+// Vite's configuration in the README.
 const config = /^```js\n\/\/ vite\.config\.js\n(.*?)^```/ms.exec(readme)[1];
 const { default: ofReadme } = await import(`data:text/javascript,${encodeURIComponent(config)}`);
 

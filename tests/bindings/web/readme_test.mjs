@@ -1,5 +1,5 @@
-// The README's examples, as they stand there: as strict TypeScript sees them with the types of three.js, all declarations checked;
-// and run, with doubles of a renderer, a headset's frames and a user.
+// Compiles the README's examples as strict TypeScript with the types of three.js, and runs them with test doubles of a renderer, a
+// headset's frames and a user.
 //
 //   node readme_test.mjs PACKAGE README MODULES TYPES FOLDER    MODULES has typescript and three, TYPES the types of three.js
 import assert from "node:assert/strict";
@@ -24,7 +24,7 @@ for (const [name, block] of Object.entries({ reach, setup: `import * as hrt from
   writeFileSync(join(folder, `${name}.mjs`), block);
 }
 
-test("TypeScript takes them", () => {
+test("the examples compile as strict TypeScript", () => {
   writeFileSync(join(folder, "reach.ts"), reach);
   writeFileSync(join(folder, "setup.ts"), `import * as hrt from "haptic-retargeting";
 import type { WebGLRenderer } from "three";
@@ -56,16 +56,16 @@ test("the reach prints what the README shows", async () => {
   assert.ok(reach.split("\n").length <= 30);
 });
 
-// Of a plate that is turned by 20 degrees to the left.
+// Pose of a plate that is rotated by 20 degrees to the left.
 const angle = 20 * Math.PI / 180, cos = Math.cos(angle), sin = Math.sin(angle);
 const inWorld = ([x, y, z]) => [0.3 + cos * x + sin * z, 0.75 + y, -0.4 - sin * x + cos * z];
 
-/** How a finger lies by the words, as a quaternion; a turn or lean to the left is positive. */
+/** Rotation of the finger for the words of an instruction, as a quaternion; to the left is positive. */
 const attitudes = { "turned to the left": [0, 0.42, 0, 0.91], "turned to the right": [0, -0.34, 0, 0.94], "leant to the left": [0, 0, 0.3, 0.95],
                     "leant to the right": [0, 0, -0.26, 0.97], steeply: [-0.34, 0, 0, 0.94], "": [0, 0, 0, 1] };
 
-// Who obeys: lifts the finger and touches each place that is shown, as the words want it. The joint is 8 mm above the skin.
-test("the set-up finds the plate and the skin of who does what it shows", async () => {
+// The simulated user follows the instructions: lifts the finger and touches each shown position. The joint is 8 mm above the skin.
+test("the set-up measures the plate and the skin of a user who follows its instructions", async () => {
   const session = library.createSession();
   let place_m = [0, 0, 0], words = "", since = 0, loop, attitude = attitudes[""];
   Object.assign(globalThis, {
@@ -99,7 +99,7 @@ test("with three.js a registered plate and the skin beside the joint are those o
   const { HandReach, HapticPlate } = await import(pathToFileURL(join(folder, "node_modules/haptic-retargeting/three.mjs")));
   const half = Math.sqrt(0.5), at = (x, y, z) => ({ position: { x, y, z }, orientation: { x: 0, y: half, z: 0, w: half } });
   const frame = (transform) => ({ session: { inputSources: [] }, getJointPose: () => ({ transform }) }), hand = { get: () => ({}) };
-  // The joint's axes are turned to the left by 90 degrees, and so the skin is 14 mm to the left of the joint.
+  // The joint's axes are rotated to the left by 90 degrees, so that the skin is 14 mm to the left of the joint.
   const toGo_mm = (config, place, update) => {
     const session = library.createSession({ fingertip_offset_m: [0, 0, -0.014], ...config });
     const [real, virtual] = [hrt.HRT_TARGET_REAL, hrt.HRT_TARGET_VIRTUAL].map((role) => session.addTarget({ role, direction_deg: 0 }));
@@ -114,14 +114,14 @@ test("with three.js a registered plate and the skin beside the joint are those o
   const byHand = (joint) => Object.assign((_, reach, time) => reach.updateFromHand(time, frame(joint), hand, {}), { lost: false });
   const bySession = (joint) => (session, _, time) => { session.setFinger(joint, time); session.update(); };
   const registered = { flags: hrt.HRT_SESSION_REGISTERED, plate_position_m: [0, 0.7, -0.3] }, here = at(0.04, 0.7, -0.3);
-  const expected = Math.hypot(40 - 14, 50);  // from the middle of the plate, 26 mm to the right, to the target
+  const expected = Math.hypot(40 - 14, 50);  // from a position 26 mm to the right of the centre to the target
   for (const [config, place, update] of [
-    [registered, [0, 0, 0], bySession(here)], [registered, [5, 5, 5], byHand(here)],  // drawn elsewhere
+    [registered, [0, 0, 0], bySession(here)], [registered, [5, 5, 5], byHand(here)],  // drawn at another position
     [{}, [0, 0.7, -0.3], byHand(here)], [{ plate_position_m: [5, 5, 5] }, [0, 0.7, -0.3], byHand(here)],
   ]) assert.ok(Math.abs(toGo_mm(config, place, update) - expected) < 0.5, `${toGo_mm(config, place, update)} mm`);
 });
 
-test("with three.js a worn hand's reach turns the plate that is drawn, and a lost one holds it", async () => {
+test("with three.js a reach of a tracked hand turns the drawn plate, and a lost hand keeps its orientation", async () => {
   const session = library.createSession(), cylinder = session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 });
   const cup = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 }), tip = {}, space = {}, plates = [];
   let loop, gone_m = 0, seen = true, drawn = 0;
@@ -132,7 +132,7 @@ test("with three.js a worn hand's reach turns the plate that is drawn, and a los
   await run("hand");
   const frame = { session: { inputSources: [{ hand: new Map([["index-finger-tip", tip]]) }] },
                   getJointPose: (joint, from) => (joint === tip && from === space && seen ? { transform: { position: { x: 0, y: 0, z: 0.05 - gone_m } } } : null) };
-  loop(0, undefined);  // not in a headset yet
+  loop(0, undefined);  // before the headset session
   for (let i = 1; i < 400 && !(session.command.flags & hrt.HRT_COMMAND_ARRIVED); ++i) {
     gone_m = 0.1 * Math.min(1, i / 130);
     seen = i !== 60;

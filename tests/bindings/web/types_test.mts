@@ -1,4 +1,4 @@
-// What a host writes in TypeScript; compiled, never run. @ts-expect-error: the next line must not compile.
+// Code of a host in TypeScript, which is compiled but not run. @ts-expect-error: the next line must not compile.
 import * as hrt from "haptic-retargeting";
 import wasm from "haptic-retargeting/haptic_retargeting.wasm";
 
@@ -48,11 +48,11 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   session.setFinger(null);
   // @ts-expect-error: no such field
   library.createSession({ horizont: 3 });
-  // @ts-expect-error: the library's to fill
+  // @ts-expect-error: the library sets this field
   library.createSession({ struct_size: 248 });
-  // @ts-expect-error: not a text
+  // @ts-expect-error: a number is needed
   library.createSession({ horizon: "3" });
-  // @ts-expect-error: the plugin's to write
+  // @ts-expect-error: only the plugin writes the command
   session.command.flags = 1;
   // @ts-expect-error: ids are not names
   session.removeTarget("cup");

@@ -1,4 +1,4 @@
-# The finger of the document's first example: the hand is at the cylinder once the person has slid for 2.5 s.
+# The finger of the README's first example: checks that the hand is at the cylinder after a slide of 2.5 s.
 extends Node3D
 
 func _process(_delta: float) -> void:

@@ -1,7 +1,7 @@
-# What a test of the class has at hand: checks, and the errors that the engine is to print.
+# Functions for tests of the class: checks, and expected errors of the engine.
 extends Node
 
-# Every error of the engine's log.
+# Collects the errors of the engine's log.
 class Errors extends Logger:
 	var texts: PackedStringArray = []
 
@@ -25,7 +25,7 @@ func check_equal(value: Variant, wanted: Variant, what: String) -> void:
 func check_near(value: float, wanted: float, what: String, within := 1e-4) -> void:
 	check(absf(value - wanted) < within, "%s is %s; wanted %s" % [what, value, wanted])
 
-# What `call` returns, which prints one error that has the text.
+# Returns the result of `call`, which must print one error that contains the text.
 func refused(text: String, call: Callable) -> Variant:
 	var before := logger.texts.size()
 	var result: Variant = call.call()
@@ -47,7 +47,7 @@ func new_plate() -> HapticRetargeting:
 	add_child(plate)
 	return plate
 
-# A plate with its two targets and a reach that has begun.
+# Creates a plate with two targets, and begins a reach.
 func reaching_plate() -> HapticRetargeting:
 	var plate := new_plate()
 	check_equal(plate.begin(plate.add_real_target("real", -5.0, 0.1), plate.add_virtual_target("felt", 5.0, 0.1)), OK,

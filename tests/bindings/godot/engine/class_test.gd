@@ -1,4 +1,4 @@
-# The class as the engine has it: properties, constants, axes, signals, refusals, lifetimes.
+# Tests the class in the engine: properties, constants, axes, signals, errors, lifetimes.
 extends "res://tests/checks.gd"
 
 func test_properties() -> void:
@@ -50,8 +50,8 @@ func test_names() -> void:
 	check(plate.add_real_target(plate.name, 0.0, 0.1) != 0, "the name of a node")
 	check(refused("Plate", plate.callv.bind("add_real_target", [&"Plate", 0.0, 0.1])) == 0, "that name again, untyped")
 
-# Godot's axes are the plate's: x right, y up, -z away. A plate that is turned and moved, with the finger on it,
-# gives the same commands as one at the origin.
+# Godot's axes are the plate's: x right, y up, -z away. A plate that is rotated and moved together with the finger
+# gives the same commands as a plate at the origin.
 func test_axes() -> void:
 	var plate := new_plate()
 	var left := plate.add_real_target_at("left", Vector3(-0.1, 0.02, 0.05))
@@ -143,7 +143,7 @@ func test_retarget() -> void:
 	check_equal(plate.is_reaching(), false, "reaching")
 	check_equal(plate.begin_for(real, felt, 1.5), OK, "begin again")
 
-# Targets as nodes, and files of the project.
+# Tests targets as nodes, and files of the project.
 func test_places() -> void:
 	var plate := new_plate()
 	var nodes: Array[HapticTarget] = []
@@ -168,7 +168,7 @@ func test_places() -> void:
 	refused(ProjectSettings.globalize_path("res://none.gltf"), plate.load_scene.bind("res://none.gltf"))
 	nodes[0].free()
 
-# Nodes end their sessions, of which a process has 64.
+# Nodes destroy their sessions, of which a process can have 64.
 func test_lifetime() -> void:
 	for i in 200:
 		var plate := HapticRetargeting.new()

@@ -1,7 +1,7 @@
-# The plate's device, with emulated plates: HRT_PLATE_DEVICE is the firmware on its board, HRT_PLATE_FILE of a Dynamixel.
+# Tests the plate's device with emulated plates: HRT_PLATE_DEVICE is the firmware on a board, HRT_PLATE_FILE is a Dynamixel servo.
 extends "res://tests/checks.gd"
 
-# The report as soon as `key` is `wanted`; a busy machine gets 30 s. Turns the device to an orientation meanwhile.
+# Waits up to 30 s until `key` of the report is `wanted`, and returns the report. Turns the device to an orientation meanwhile.
 func eventually(plate: HapticRetargeting, key: String, wanted: Variant, orientation_deg := NAN) -> Dictionary:
 	for i in 3000:
 		if not is_nan(orientation_deg):
@@ -29,14 +29,14 @@ func test_refusals() -> void:
 func test_turns() -> void:
 	var devices := {
 		"HRT_PLATE_DEVICE": "protocol 2, firmware 1.1.0, serial number 000000",
-		"HRT_PLATE_FILE": "Dynamixel XL330-M288, id 1, firmware 52",  # commissioned, the last one
+		"HRT_PLATE_FILE": "Dynamixel XL330-M288, id 1, firmware 52",  # the last one, which is commissioned
 	}
 	var plate := new_plate()
 	for device: String in devices:
 		check_equal(plate.open_device(OS.get_environment(device)), OK, "open")
 		eventually(plate, "state", HapticRetargeting.PLATE_STATE_READY)
 		check_equal(plate.get_device_report().description, devices[device], "description")
-		var report := eventually(plate, "orientation_deg", -45.0, 135)  # which feels like -45
+		var report := eventually(plate, "orientation_deg", -45.0, 135)  # equivalent to -45
 		check_equal(report.fault, HapticRetargeting.PLATE_FAULT_NONE, "fault")
 		check_equal(report.command_deg, -45.0, "command")
 		check(report.flags & HapticRetargeting.PLATE_REPORT_COMMANDED != 0, "flags")
@@ -44,7 +44,7 @@ func test_turns() -> void:
 	check_equal(plate.take_device(), OK, "take")
 	check_equal(plate.plate_max_speed_deg_s, 123.0, "speed of the file")
 
-# The commands of a reach go to the device that is open, and where it stands goes into the samples.
+# A reach commands the open device, whose orientation is reported in the samples.
 func test_reach() -> void:
 	var plate := new_plate()
 	check_equal(plate.open_device(OS.get_environment("HRT_PLATE_DEVICE")), OK, "open")
@@ -62,6 +62,6 @@ func test_reach() -> void:
 	check_near(off_deg(plate, commanded_deg), 0, "the device's command", 0.1)
 	check_equal(plate.cancel(), OK, "cancel")
 
-# Ridges repeat every 180 degrees: the device takes the nearest that feels the same.
+# Returns the angle to the nearest equivalent orientation: ridges repeat every 180 degrees.
 func off_deg(plate: HapticRetargeting, orientation_deg: float) -> float:
 	return fposmod(plate.get_device_report().command_deg - orientation_deg + 90, 180) - 90

@@ -1,5 +1,5 @@
-# The joint of the document's second example: touches the marks that the steps ask for, of a plate that stands at PLATE, until the
-# registration has moved the node there and the set-up continues.
+# The joint of the README's second example: touches the requested marks of a plate at the pose PLATE, until the registration has
+# moved the node to this pose and the set-up continues.
 extends Node3D
 
 const PLATE := Vector3(0.3, 0.75, -0.4)

@@ -1,4 +1,4 @@
-# Draws a session, the child Main or the project's scene, around every EVERY-th frame, of which the mock runtime keeps a picture.
+# Draws a session (the child Main, or the project's scene) only near each EVERY-th frame, which the mock runtime stores as a picture.
 extends Node
 
 const EVERY := 500

@@ -1,5 +1,5 @@
-# Leads the sample on Monado: a simulated person hears what the session asks for, and where their finger is goes to Monado's
-# remote driver, whose hand the session then tracks through OpenXR.
+# Runs the sample on Monado: a simulated person follows the session's instructions, and the position of their finger is sent to
+# Monado's remote driver, whose hand the session tracks through OpenXR.
 extends Node
 
 const PORT := 4242
@@ -8,11 +8,11 @@ const MAGIC := "mndrmt3"
 @onready var session: Node = $Main
 @onready var remote := StreamPeerTCP.new()
 var person: SimulatedFinger
-# From the pose that is sent to the tip of the index finger, in the hand's axes: measured once, of a hand at the origin.
+# Offset from the sent pose to the tip of the index finger, in the hand's axes, measured once with a hand at the origin.
 var offset: Variant = null
 var frames := 0
 
-# The processor draws, so little is drawn.
+# Draws little, because rendering is in software.
 func _enter_tree() -> void:
 	var xr: OpenXRInterface = XRServer.find_interface("OpenXR")
 	xr.render_target_size_multiplier = 0.1
@@ -44,12 +44,12 @@ func _process(_delta: float) -> void:
 	else:
 		remote.put_data(packet(wanted.translated_local(-offset)))
 
-# What the driver reads: a head, and the two hands, the left one inactive.
+# Returns a packet for the driver: a head and two hands, of which the left one is inactive.
 func packet(right: Transform3D) -> PackedByteArray:
 	var data := StreamPeerBuffer.new()
 	data.put_data(MAGIC.to_ascii_buffer())
 	data.put_u8(0)
-	data.put_data(zeros(96))  # fields of view and poses of views, which are not valid
+	data.put_data(zeros(96))  # fields of view and poses of views, marked as invalid
 	put_pose(data, Transform3D(Basis(), Vector3(0, 1.6, 0)))
 	data.put_u32(0)
 	put_hand(data, Transform3D(), 0)

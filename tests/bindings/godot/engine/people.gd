@@ -1,4 +1,4 @@
-# Ten simulated people reach ten times each, as tests/bindings/godot/people.py has them reach: to the same bits. And what a frame costs.
+# Ten simulated people make ten reaches each, bit-identical to those of tests/bindings/godot/people.py. Also measures the cost of a frame.
 extends SceneTree
 
 const FRAME_NS := 11111111
@@ -7,7 +7,7 @@ var numbers: PackedFloat64Array = []
 var on_target := 0
 
 func _initialize() -> void:
-	process_frame.connect(run, CONNECT_ONE_SHOT)  # by then the root is in the tree
+	process_frame.connect(run, CONNECT_ONE_SHOT)  # the root is then in the tree
 
 func run() -> void:
 	for person in 10:
@@ -42,7 +42,7 @@ func lead(plate: HapticRetargeting, person: int) -> void:
 	numbers.append(plate.get_summary().miss_deg)
 	on_target += 1 if absf(plate.get_summary().miss_deg) < 1.5 else 0
 
-# What update() costs, with the engine's call of it, and whether the engine's memory has grown by it.
+# Measures the time of update(), with the engine's call, and the growth of the engine's memory.
 func measure() -> void:
 	var plate := new_plate()
 	plate.begin_simulated_finger(plate.find_target("cup"), 1)
@@ -60,5 +60,5 @@ func measure() -> void:
 		used_us[repeat] = Time.get_ticks_usec() - used_us[repeat]
 		plate.cancel()
 	var grown := OS.get_static_memory_usage() - before
-	used_us.sort()  # the median: the machine has other work too
+	used_us.sort()  # the median, because of other work on the machine
 	print("update: %.1f microseconds a frame, %d bytes" % [used_us[25] / float(way.size()), grown])

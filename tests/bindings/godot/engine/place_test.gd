@@ -1,4 +1,4 @@
-# Where things are: scenes and assignments.
+# Tests scenes and assignments.
 extends "res://tests/checks.gd"
 
 func test_scene() -> void:

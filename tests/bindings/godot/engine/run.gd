@@ -1,11 +1,11 @@
-# Runs every function test_* of the scripts *_test.gd beside this one, each in an object of its own. Prints PASS and the
-# number of checks, or FAIL. Godot 4.5 or later, whose errors a script can read.
+# Runs each function test_* of the scripts *_test.gd in this folder in a new object. Prints PASS and the number of checks, or
+# FAIL. Needs Godot 4.5 or later, in which scripts can read errors.
 extends SceneTree
 
 const FOLDER := "res://tests/"
 
 func _initialize() -> void:
-	process_frame.connect(run, CONNECT_ONE_SHOT)  # by then the root is in the tree
+	process_frame.connect(run, CONNECT_ONE_SHOT)  # the root is then in the tree
 
 func run() -> void:
 	var checks := 0

@@ -1,4 +1,4 @@
-# What the sample says where it cannot begin.
+# Tests the messages of the sample when it cannot begin.
 extends "res://tests/checks.gd"
 
 func test_scene_without_a_plate() -> void:

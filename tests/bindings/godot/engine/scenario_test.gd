@@ -1,4 +1,4 @@
-# What all hosts play (tests/bindings/scenario.txt), by the node's methods.
+# Runs the scenario of all hosts (tests/bindings/scenario.txt) by the node's methods.
 extends "res://tests/checks.gd"
 
 var plate: HapticRetargeting

@@ -1,4 +1,4 @@
-# Set-ups: a simulated user does what each step asks for.
+# Tests set-ups, with a simulated user who follows each step.
 extends "res://tests/checks.gd"
 
 const FRAME_NS := 11111111
@@ -13,10 +13,10 @@ func set_up_plate() -> HapticRetargeting:
 	plate.setup_finished.connect(func(result: Dictionary) -> void: results.append(result))
 	return plate
 
-# Touches the marks of a plate that stands at `pose`, until the set-up is over.
+# Touches the marks of a plate at `pose`, until the set-up is over.
 func touch_marks(plate: HapticRetargeting, pose: Transform3D) -> Dictionary:
 	var shown := 0
-	var lifted := 0  # frames to come
+	var lifted := 0  # number of remaining frames
 	for frame in 3000:
 		var step := steps[-1] if steps else {"place_m": Vector3(), "part": 0, "number": 0, "instruction": -1}
 		if shown != steps.size() and step.instruction == HapticRetargeting.STEP_TOUCH_MARK:
@@ -65,7 +65,7 @@ func test_registration() -> void:
 	check_equal(plate.new_person(), OK, "another user")
 	check_near(plate.tactile_weight, 0.2, "is not known", 1e-9)
 
-# A registration ends where the node is moved by others.
+# A registration ends when a script moves the node.
 func test_moved_plate() -> void:
 	var plate := set_up_plate()
 	plate.begin_setup(HapticRetargeting.SETUP_REGISTRATION)
@@ -74,7 +74,7 @@ func test_moved_plate() -> void:
 	check_equal(refused("begin_setup", plate.begin_setup.bind(HapticRetargeting.SETUP_CHECK)), ERR_UNAVAILABLE, "not registered")
 	check_equal(plate.flags & HapticRetargeting.SESSION_REGISTERED, 0, "unregistered")
 
-# A simulated person slides over a plate that rests.
+# A simulated person slides over a plate at rest.
 func test_calibration() -> void:
 	var plate := set_up_plate()
 	plate.position = Vector3(0.3, 0.75, -0.4)
@@ -106,12 +106,12 @@ func test_calibration() -> void:
 	check_equal(plate.get_conditions(), {"differing": HapticRetargeting.CONDITION_PLATE, "time_s": 1767225600, "plate": "desk 1",
 			"tracker": "Ultraleap"}, "another plate")
 
-# The person is led to the real target.
+# A simulated person is steered to the real target.
 func test_simulated_finger() -> void:
 	var plate := reaching_plate()
 	plate.position = Vector3(0.3, 0.75, -0.4)
 	check_equal(refused("target", plate.begin_simulated_finger.bind(plate.find_target("real"), 1)), ERR_PARAMETER_RANGE_ERROR,
-			"nobody means to go to a real one")
+			"a simulated person cannot move to a real target")
 	check_equal(plate.begin_simulated_finger(plate.find_target("felt"), 1), OK, "a person")
 	var place := Vector3()
 	for frame in 220:

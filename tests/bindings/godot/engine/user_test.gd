@@ -1,4 +1,4 @@
-# What is kept of a user: profiles, recordings.
+# Tests profiles and recordings of a user.
 extends "res://tests/checks.gd"
 
 func test_profile() -> void:
@@ -18,7 +18,7 @@ func test_adaptation() -> void:
 	plate.horizon = 4
 	check_equal(plate.end(), OK, "end")
 	check_equal(plate.horizon, 4, "a property set during a reach that learns")
-	check_near(plate.tactile_weight, plate.get_summary().tactile_weight, "what a reach has learnt, carried", 0.002)  # filtered once more after the reach
+	check_near(plate.tactile_weight, plate.get_summary().tactile_weight, "the estimate of the reach is carried over", 0.002)  # filtered again after the reach
 	check(plate.tactile_weight != 0.2, "something is learnt")
 
 func test_recording() -> void:

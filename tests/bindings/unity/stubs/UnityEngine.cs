@@ -1,5 +1,5 @@
-// As much of Unity as the package uses, to compile and run it without Unity. Vectors, quaternions and Transforms
-// compute as Unity documents; GameObjects send OnEnable, LateUpdate and OnDisable when a test asks for it.
+// Stubs of the parts of Unity that the package uses, to compile and run it without Unity. Vectors, quaternions and Transforms
+// compute as Unity documents; GameObjects send OnEnable, LateUpdate and OnDisable when a test requests it.
 using System;
 using System.Collections.Generic;
 using System.Reflection;
@@ -115,7 +115,7 @@ namespace UnityEngine
                                   (float)Math.Cos(half));
         }
 
-        // About z, then x, then y.
+        // Rotates about z, then x, then y.
         public static Quaternion Euler(float x, float y, float z) =>
             AngleAxis(y, Vector3.up) * AngleAxis(x, Vector3.right) * AngleAxis(z, Vector3.forward);
 
@@ -143,7 +143,7 @@ namespace UnityEngine
 
         public virtual string name { get; set; } = "";
 
-        // What is destroyed equals null, as in Unity.
+        // A destroyed object equals null, as in Unity.
         public static bool operator ==(Object a, Object b) => IsGone(a) ? IsGone(b) : ReferenceEquals(a, b);
         public static bool operator !=(Object a, Object b) => !(a == b);
         public override bool Equals(object other) => ReferenceEquals(this, other);
@@ -193,8 +193,8 @@ namespace UnityEngine
             }
         }
 
-        /// <summary>Of the stub: a message method, which Unity calls by its name however it is declared; null if
-        /// there is none.</summary>
+        /// <summary>For tests: returns a message method, which Unity calls by its name even if it is private; null if
+        /// it does not exist.</summary>
         public Action Message(string name)
         {
             const BindingFlags any = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
@@ -308,7 +308,7 @@ namespace UnityEngine
 
     public static class Debug
     {
-        /// <summary>Of the stub: hears what is logged, on the thread that logs it.</summary>
+        /// <summary>For tests: receives log messages on the thread that logs them.</summary>
         public static event Action<string, string> Logged;
 
         public static void Log(object message, Object context) => Logged?.Invoke("log", message.ToString());

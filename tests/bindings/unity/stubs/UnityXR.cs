@@ -1,5 +1,5 @@
-// Stubs of the types of Unity's package XR Hands that the samples use. They show that the samples are
-// right if the engine's types do what these do.
+// Stubs of the types of Unity's package XR Hands that the samples use. Tests with them are valid if the engine's
+// types behave like these.
 using System;
 using System.Collections.Generic;
 
@@ -26,7 +26,7 @@ namespace UnityEngine
 
     public static class SubsystemManager
     {
-        /// <summary>Of the stub: what there is.</summary>
+        /// <summary>For tests: the existing subsystems.</summary>
         public static readonly List<ISubsystem> All = new List<ISubsystem>();
 
         public static void GetSubsystems<T>(List<T> subsystems) where T : ISubsystem
@@ -58,7 +58,7 @@ namespace UnityEngine.XR.Hands
 
     public struct XRHand
     {
-        /// <summary>Of the stub: the tip of the index finger.</summary>
+        /// <summary>For tests: pose of the tip of the index finger.</summary>
         public Pose? Tip;
 
         public bool isTracked { get; set; }
@@ -85,10 +85,10 @@ namespace UnityEngine.XR.Hands
         public XRHand leftHand { get; set; }
         public XRHand rightHand { get; set; }
 
-        /// <summary>Of the stub: hands are updated.</summary>
+        /// <summary>For tests: signals an update of the hands.</summary>
         public void Raise(UpdateType type) => updatedHands?.Invoke(this, UpdateSuccessFlags.None, type);
 
-        /// <summary>Of the stub: whether a script listens.</summary>
+        /// <summary>For tests: true if a script has subscribed.</summary>
         public bool IsHeard => updatedHands != null;
     }
 }

@@ -1,4 +1,4 @@
-// Runs the plugin's build rules as for each platform, and looks up what they name in the plugin's folder.
+// Runs the plugin's build rules for each platform, and checks that the files that they name exist in the plugin's folder.
 //   Check.exe PLUGIN_FOLDER
 using System;
 using System.IO;

@@ -1,4 +1,4 @@
-// Stubs of what the plugin's build rules use of UnrealBuildTool.
+// Stubs of the parts of UnrealBuildTool that the plugin's build rules use.
 
 using System;
 using System.Collections.Generic;
@@ -37,7 +37,7 @@ namespace UnrealBuildTool
 		public enum ModuleType { CPlusPlus, External }
 		public enum PCHUsageMode { Default, UseExplicitOrSharedPCHs }
 
-		/// The folder of the rules' file; set before rules are made.
+		/// Folder of the file with the rules; set before rules are created.
 		public static string Folder;
 		public string ModuleDirectory { get { return Folder; } }
 

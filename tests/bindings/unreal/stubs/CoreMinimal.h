@@ -1,5 +1,5 @@
-// Stubs of the Unreal types that the plugin uses, enough to compile and run it without the engine. They are not the
-// engine: they show that the plugin is right if the engine's types do what these do.
+// Stubs of the Unreal types that the plugin uses, to compile and run it without the engine. Tests with them are valid if
+// the engine's types behave like these.
 #pragma once
 
 #include <cmath>
@@ -36,7 +36,7 @@ namespace Stub
 		return std::wstring_convert<std::codecvt_utf8_utf16<char16_t>, char16_t>().from_bytes(Text);
 	}
 
-	/** What the macros of conversion make: it lives until the end of the expression. */
+	/** Result of the conversion macros, which lives until the end of the expression. */
 	template <typename String>
 	struct Converted
 	{
@@ -58,7 +58,7 @@ private:
 	std::u16string Data;
 };
 
-/** What was logged, "Category: Verbosity: text". Of formats there is one "%s". */
+/** Log lines, "Category: Verbosity: text". The only supported format is one "%s". */
 struct FLogCategory
 {
 	const char* Name;
@@ -73,7 +73,7 @@ struct FLogCategory
 #define DEFINE_LOG_CATEGORY(Category) const FLogCategory Category{#Category}
 #define UE_LOG(Category, Verbosity, Format, Argument) Category.Write(#Verbosity, Format, Argument)
 
-/** As far as it is used here: the engine's checks indices and has its own allocators. */
+/** The used part of TArray. The engine's class checks indices and has its own allocators. */
 template <typename Element>
 class TArray
 {
@@ -110,7 +110,7 @@ struct FVector
 	}
 };
 
-/** Turns as the engine's does: about Z from X to Y. */
+/** Quaternion with the engine's convention: a rotation about Z turns X to Y. */
 struct FQuat
 {
 	double X = 0.0, Y = 0.0, Z = 0.0, W = 1.0;
@@ -135,7 +135,7 @@ struct FQuat
 	}
 };
 
-/** Degrees. */
+/** Rotation angles in degrees. */
 struct FRotator
 {
 	double Pitch = 0.0, Yaw = 0.0, Roll = 0.0;
@@ -176,7 +176,7 @@ private:
 	FVector Scale{1.0, 1.0, 1.0};
 };
 
-/** A delegate; the engine's binds UFUNCTIONs by name, this one anything. */
+/** A delegate for any function; the engine's delegates bind UFUNCTIONs by name. */
 #define DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(Delegate, Type, Name)            \
 	class Delegate                                                                   \
 	{                                                                                \

@@ -12,7 +12,7 @@ public:
 
 inline const FLogCategory LogLoad{"LogLoad"};
 
-/** The module's only way out of its file: the test makes one. */
+/** Defines a function by which the test creates the module. */
 #define IMPLEMENT_MODULE(Class, Module) \
 	IModuleInterface* MakeModule();     \
 	IModuleInterface* MakeModule() { return new Class; }
