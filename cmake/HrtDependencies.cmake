@@ -1,6 +1,6 @@
-# What we are built on, each found once; packages by name: cmake/install_packages.
+# Dependencies, each found once. cmake/install_packages names their Debian packages.
 
-# No version in the call: Eigen 5's package refuses a request for 3.4, with which it is compatible.
+# The call has no version, because the package of Eigen 5 refuses a request for 3.4, with which it is compatible.
 find_package(Eigen3 REQUIRED NO_MODULE)
 if(Eigen3_VERSION VERSION_LESS 3.4)
   message(FATAL_ERROR "Eigen ${Eigen3_VERSION} is too old: 3.4 or later is needed")
@@ -22,10 +22,10 @@ if(HRT_BUILD_MOCK_RUNTIME)
 endif()
 if(HRT_BUILD_EXPERIMENT)
   find_package(PkgConfig REQUIRED)
-  # Its header calls libcrypto where it was built with it.
+  # Its header calls libcrypto if it was built with it.
   pkg_check_modules(HRT_HTTPLIB REQUIRED IMPORTED_TARGET GLOBAL cpp-httplib libcrypto)
 endif()
-if(EMSCRIPTEN)  # of the npm package's tests, and of the page
+if(EMSCRIPTEN)  # for the tests of the npm package, and for the page
   find_program(HRT_NPM_PROGRAM npm)
   find_program(HRT_NODE_PROGRAM node REQUIRED)
   if(NOT HRT_NPM_PROGRAM)

@@ -1,5 +1,5 @@
-# What is installed and packaged: the shared library (component runtime), and its headers, CMake package and
-# pkg-config file (component development).
+# Installs and packages the shared library (component runtime), and its headers, CMake package and pkg-config file
+# (component development).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -29,7 +29,7 @@ install(FILES
   ${PROJECT_BINARY_DIR}/HapticRetargetingConfigVersion.cmake
   DESTINATION ${HRT_CMAKE_DIR} COMPONENT development)
 
-# ${pcfiledir}: the file stays true wherever the tree is moved to.
+# With ${pcfiledir} the file remains valid when the tree is moved.
 file(RELATIVE_PATH HRT_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" HRT_PC_PREFIX "${HRT_PC_PREFIX}")
 foreach(library ${HRT_LIBRARIES})
@@ -53,11 +53,11 @@ install(FILES plugin/THIRD_PARTY_NOTICES.md DESTINATION ${CMAKE_INSTALL_DOCDIR} 
 install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 install(FILES scene/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME scene.md COMPONENT development)
 install(DIRECTORY samples/hello DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
-foreach(page SETUP PROCESS README)  # the last refers to the others
+foreach(page SETUP PROCESS README)  # the README refers to the others
   hrt_install_readme(${CMAKE_CURRENT_SOURCE_DIR}/plugin/${page}.md ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 endforeach()
 
-# Components tools and mock_runtime, of Debian's packages. On Windows hrt-plate is part of the one package.
+# Components tools and mock_runtime, for Debian's packages. On Windows hrt-plate is part of the single package.
 set(component tools EXCLUDE_FROM_ALL)
 if(WIN32)
   set(component runtime)
@@ -89,10 +89,10 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 if(WIN32)
   set(CPACK_GENERATOR ZIP)
-else()  # for any Linux; Debian has packages of its own (plugin/packaging)
+else()  # for any Linux; plugin/packaging makes packages for Debian
   set(CPACK_GENERATOR TGZ)
 endif()
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL runtime development)
-set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)  # one archive holds both
+set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)  # one archive contains both components
 include(CPack)

@@ -1,29 +1,29 @@
-# What every target of ours is compiled with: hrt_add_library and hrt_add_executable
-# are add_library and add_executable plus these flags.
+# Compiler flags of all targets: hrt_add_library and hrt_add_executable are
+# add_library and add_executable with these flags.
 
 add_library(hrt_flags INTERFACE)
 target_compile_features(hrt_flags INTERFACE cxx_std_20)
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(hrt_flags INTERFACE
-    # A fused multiply-add rounds once where two operations round twice, and compilers
-    # differ in where they fuse: results would depend on the host.
+    # A fused multiply-add rounds once instead of twice, and compilers fuse different
+    # operations: results would depend on the host.
     -ffp-contract=off
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion
-    # A designated initialiser may leave fields to their defaults; ints index arrays.
+    # Designated initialisers may omit fields with defaults; ints index arrays.
     -Wno-missing-field-initializers -Wno-sign-conversion
-    # gcc 12 sees overlap in "text" + std::string where there is none.
+    # gcc 12 wrongly reports an overlap in "text" + std::string.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-    # Of sources that are compiled as one, names of the one before are no shadows of the next, and gcc 12 sees an
-    # empty std::optional read where its inlined functions ask first.
+    # In a unity build a name of another source is not shadowed, and gcc 12 wrongly reports reads of an empty
+    # std::optional in inlined functions that check it.
     $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>
     $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast>)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND HRT_SANITIZE STREQUAL "thread")
-  # gcc 12 sees a use after free in Eigen's matrices where there is none.
+  # gcc 12 wrongly reports a use after free in Eigen's matrices.
   target_compile_options(hrt_flags INTERFACE -Wno-use-after-free)
 endif()
-if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # which look for the same and more
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # which detect these and more errors
   target_compile_options(hrt_flags INTERFACE -fstack-protector-strong
     $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE>
     $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=$<IF:$<BOOL:$<TARGET_PROPERTY:HRT_HARDENED>>,3,2>>)
@@ -38,11 +38,11 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # which look for th
 endif()
 if(WIN32 AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(hrt_flags INTERFACE -fstack-protector-strong)
-  target_link_options(hrt_flags INTERFACE -fstack-protector-strong)  # its runtime, inside as the others
+  target_link_options(hrt_flags INTERFACE -fstack-protector-strong)  # links its runtime statically, like the others
 endif()
 target_compile_definitions(hrt_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
-# For the sanitizers: fast enough to run everything, names and lines in their reports, and half the time to
-# compile of a release with debug information.
+# Build type for the sanitizers: fast enough to run all tests, with names and lines in reports, and half the compile
+# time of a release with debug information.
 set(CMAKE_C_FLAGS_SANITIZE "-O1 -g1")
 set(CMAKE_CXX_FLAGS_SANITIZE "-O1 -g1")
 if(HRT_SANITIZE)
@@ -59,23 +59,23 @@ endfunction()
 function(hrt_add_executable name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:hrt_flags>)
-  if(HRT_SANITIZE)  # programs in C too load libraries that need the C++ part of clang's sanitizers
+  if(HRT_SANITIZE)  # C programs also load libraries that need the C++ part of clang's sanitizers
     set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   endif()
   if(EMSCRIPTEN)
-    # For node: its files, its exit code. The loader is not optimised (-O1); what the compiler made is.
+    # For node: access to its files, and its exit code. -O1 does not optimise the loader; the compiled code is optimised.
     target_link_options(${name} PRIVATE -O1 -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sWASM_ASYNC_COMPILATION=0
                         -sALLOW_MEMORY_GROWTH=1)
   endif()
 endfunction()
 
-# hrt_harden(name): what reads arguments, files and lines that others wrote has all that the compiler offers.
+# hrt_harden(name): enables all hardening of the compiler, for targets that read untrusted arguments, files and lines.
 function(hrt_harden name)
   set_target_properties(${name} PROPERTIES HRT_HARDENED ON)
 endfunction()
 
-# hrt_precompile(name HEADERS...): for targets of many C++ sources, whose time to compile is mostly that of Eigen's
-# headers. The options let ccache store what uses them. Where many sources are compiled as one they cost more than they save.
+# hrt_precompile(name HEADERS...): precompiles headers, for targets of many C++ sources, whose compile time is mostly
+# that of Eigen's headers. The options let ccache store the objects. In unity builds they cost more than they save.
 function(hrt_precompile name)
   get_target_property(as_one ${name} UNITY_BUILD)
   if(NOT as_one)
@@ -85,14 +85,14 @@ function(hrt_precompile name)
   endif()
 endfunction()
 
-# hrt_fuzzed(name): what the fuzz targets run has their counters in it.
+# hrt_fuzzed(name): adds the counters of libFuzzer to a target that fuzz targets run.
 function(hrt_fuzzed name)
   if(HRT_FUZZ)
     target_compile_options(${name} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()
 
-# Before 1.0 a minor version may change the interface, after it a major version.
+# Before 1.0 a minor version may change the interface, afterwards a major version.
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   set(HRT_ABI_VERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   set(HRT_COMPATIBILITY SameMinorVersion)
@@ -101,9 +101,9 @@ else()
   set(HRT_COMPATIBILITY SameMajorVersion)
 endif()
 
-# hrt_make_loadable(name MAP): what a shared library needs that any process may load: it exports what MAP names and has
-# the C++ runtime inside. On Windows import libraries of MinGW (.dll.a) and of MSVC (.lib) are beside
-# the DLL, and the .def from which others are made.
+# hrt_make_loadable(name MAP): makes a shared library loadable by any process. It exports the names in MAP and contains
+# the C++ runtime. On Windows the folder of the DLL also has import libraries for MinGW (.dll.a) and MSVC (.lib),
+# and a .def file for others.
 function(hrt_make_loadable name map)
   set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${HRT_ABI_VERSION})
   if(WIN32)
@@ -123,7 +123,7 @@ function(hrt_make_loadable name map)
     target_link_options(${name} PRIVATE LINKER:--gc-sections LINKER:-z,max-page-size=16384
       LINKER:--version-script=${map})
   elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
-    # A dlopened library's thread-local variables are otherwise allocated when a thread first touches them.
+    # Otherwise the thread-local variables of a dlopened library are allocated at their first use in a thread.
     target_compile_options(${name} PRIVATE -ftls-model=initial-exec)
     target_link_options(${name} PRIVATE LINKER:--version-script=${map})
     set_target_properties(${name} PROPERTIES LINK_DEPENDS ${map})
@@ -131,10 +131,10 @@ function(hrt_make_loadable name map)
   endif()
 endfunction()
 
-# hrt_bring_runtime(name): on Linux, the C++ runtime inside, since the host may bring another.
+# hrt_bring_runtime(name): links the C++ runtime statically on Linux, because the host may have another one.
 function(hrt_bring_runtime name)
   target_link_options(${name} PRIVATE -static-libstdc++ LINKER:--gc-sections $<$<CONFIG:Release>:LINKER:--strip-all>)
-  if(NOT HRT_SANITIZE)  # sanitizers leave their definitions to the program
+  if(NOT HRT_SANITIZE)  # sanitizers are defined in the program
     target_link_options(${name} PRIVATE -static-libgcc LINKER:-z,defs)
   endif()
 endfunction()

@@ -1,4 +1,4 @@
-# A page of a package, such as its README: its pictures go into the package too, and links to files that it does not have become text.
+# Converts a page for a package, such as its README: copies its pictures, and replaces links to files outside the package by text.
 #   cmake -D README=FILE -D FOLDER=PACKAGE [-D PICTURES=FOLDER_IN_PACKAGE/] -P cmake/packaged_readme.cmake
 cmake_path(GET README PARENT_PATH here)
 file(READ ${README} text)

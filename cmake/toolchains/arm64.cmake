@@ -1,4 +1,4 @@
-# Linux on 64-bit ARM by Debian's cross compiler; programs are run by qemu.
+# Linux on 64-bit ARM by Debian's cross compiler; qemu runs programs.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

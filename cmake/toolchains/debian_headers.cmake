@@ -1,5 +1,5 @@
-# The header-only libraries of this Debian, where a compiler for another machine can see them: /usr/include itself
-# also holds the headers of this machine's C library, which such a compiler must not see.
+# Makes the header-only libraries of this Debian available to cross compilers, which must not use /usr/include,
+# because it also contains the headers of this machine's C library.
 get_property(in_try_compile GLOBAL PROPERTY IN_TRY_COMPILE)
 if(in_try_compile)
   return()
@@ -10,7 +10,7 @@ file(MAKE_DIRECTORY ${root}/include ${root}/share/cmake ${root}/share/eigen3)
 foreach(header CLI eigen3 fast_float fmt nlohmann tiny_gltf.h)
   file(CREATE_LINK /usr/include/${header} ${root}/include/${header} SYMBOLIC)
 endforeach()
-# Copies: the packages find their headers from where these files are.
+# The files are copied, because packages find their headers relative to them.
 file(COPY /usr/share/cmake/CLI11 /usr/share/cmake/nlohmann_json DESTINATION ${root}/share/cmake)
 file(COPY /usr/share/eigen3/cmake DESTINATION ${root}/share/eigen3)
 
@@ -20,5 +20,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-# For the target, the tests' library is built from its source.
+# The tests' library is built from its source for the target.
 set(HRT_GOOGLETEST_SOURCE /usr/src/googletest)

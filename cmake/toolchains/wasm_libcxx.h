@@ -1,4 +1,4 @@
-// Put in front of every C++ source for WebAssembly: what emscripten 3.1.6's C++ library lacks of C++20.
+// Parts of C++20 that the C++ library of emscripten 3.1.6 lacks, included before every C++ source for WebAssembly.
 #pragma once
 
 #if defined(__cplusplus)

@@ -1,14 +1,14 @@
-## The desk of a glTF file: its objects, and the ridged plate among them, which the plugin reads from the same file.
+## The desk of a glTF file: its objects, and the ridged plate, which the plugin reads from the same file.
 class_name Desk
 extends Node3D
 
 const RIDGE_PITCH_M := 0.004
-## Layers of what is drawn: for everyone, and for the experimenter alone.
+## Layers of drawn objects: for everyone, and only for the experimenter.
 const FOR_EVERYONE := 1
 const FOR_EXPERIMENTER := 2
 
 @export_file("*.gltf", "*.glb") var file := "res://desk.gltf"
-## Real objects are not for the wearer, who feels the virtual ones.
+## Real objects that are hidden from the wearer, who sees the virtual ones.
 @export var hidden_from_wearer: PackedStringArray = ["cylinder"]
 
 @onready var plate: HapticRetargeting = $Plate
@@ -17,8 +17,8 @@ var _objects: Node3D
 var _seen_from_plate: Transform3D
 
 
-## Draws the objects, moves the node Plate to the plate, and adds its targets. Returns what is wrong, or nothing. The plugin reads
-## files of the system, which those of an exported project are not.
+## Draws the objects, moves the node Plate to the plate, and adds its targets. Returns an error, or an empty text. The plugin needs
+## a file of the system, which files of an exported project are not.
 func open() -> String:
 	var copy := "user://desk." + file.get_extension()
 	var written := FileAccess.open(copy, FileAccess.WRITE)
@@ -40,17 +40,17 @@ func open() -> String:
 	return ""
 
 
-## The object of a target, by the target's name.
+## Returns the object of a target, by the target's name.
 func object(target: String) -> Node3D:
 	return _objects.find_child(target.capitalize(), true, false)
 
 
-## Where the finger is to go, in plate coordinates.
+## Shows the next position of the finger, in plate coordinates.
 func show_hint(place_m: Vector3) -> void:
 	$Plate/Hint.position = place_m
 
 
-## The desk is where a set-up finds the plate.
+## Moves the desk with the plate, which a set-up may move.
 func _process(_delta: float) -> void:
 	if _objects:
 		_objects.global_transform = plate.global_transform * _seen_from_plate

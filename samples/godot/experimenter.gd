@@ -1,4 +1,4 @@
-## The experimenter's flat view, from above: where the finger is, and where it is felt to be, as the controller estimates that.
+## The experimenter's flat view from above: the true position of the finger, and the controller's estimate of the perceived one.
 class_name Experimenter
 extends Node3D
 
@@ -13,7 +13,7 @@ const FADED := Color(1, 1, 1, 0.3)
 @onready var _inset: TextureRect = $Overlay/Wearer
 @onready var _tip: MeshInstance3D = $Tip
 @onready var _felt_tip: MeshInstance3D = $FeltTip
-# On the plate.
+# Position on the plate.
 var _start: Vector3
 var _felt_place: Vector3
 var _way_m := 0.0
@@ -31,7 +31,7 @@ func show_finger(place: Vector3) -> void:
 	_tip.global_position = place
 
 
-## Earlier paths fade.
+## Begins a path. Earlier paths fade.
 func begin(start: Vector3) -> void:
 	for path: Line2D in _paths.get_children():
 		path.modulate = FADED
@@ -42,7 +42,7 @@ func begin(start: Vector3) -> void:
 	_felt_path = _new_path(BLUE)
 
 
-## Each step away from the start is drawn as long as it is, in the direction in which it is felt.
+## Adds a step to both paths: the perceived step has the same length, in the perceived direction.
 func follow(finger: Vector3, felt_deg: float) -> void:
 	var step_m := _start.distance_to(to_local(finger)) - _way_m
 	if step_m < SHORTEST_STEP_M:
@@ -59,7 +59,7 @@ func report(text: String) -> void:
 
 
 func save_picture(path: String) -> Error:
-	for frame in 2:  # in the first one the paths are laid out
+	for frame in 2:  # the first frame lays out the paths
 		await RenderingServer.frame_post_draw
 	return get_viewport().get_texture().get_image().save_png(path)
 

@@ -1,28 +1,28 @@
-## A session: a guided set-up, then the user reaches for virtual objects, and arrives at real ones.
+## A session: after a guided set-up the user reaches for virtual objects and arrives at real ones.
 ##
 ##     godot --path . -- --person       a simulated person, also with a headset
-##     godot --path . -- --mouse        a finger below the mouse
-##     godot --path . -- --out=FOLDER   where results.csv, experimenter.png and wearer.png go; then the program ends
-##     godot --path . -- --reaches=20   a property of the node: a number, a text, or texts with commas
+##     godot --path . -- --mouse        a finger that follows the mouse
+##     godot --path . -- --out=FOLDER   writes results.csv, experimenter.png and wearer.png to FOLDER and ends
+##     godot --path . -- --reaches=20   sets a property of the node: a number, a text, or texts with commas
 extends Node3D
 
 signal ended
 
 enum State { SETTING_UP, GOING_TO_START, REACHING, OVER }
 
-## From the start, where the tracked joint of a finger is that touches it.
+## Maximum distance from the start of the tracked joint of a finger that touches it.
 const NEAR_M := 0.03
-## What a tracker may have a resting finger move.
+## Maximum motion of a resting finger, due to tracker noise.
 const STILL_M := 0.008
 const REOPENING_S := 3.0
 
-## The device that turns the plate, such as serial:/dev/ttyACM0; empty: it is drawn only.
+## The device that turns the plate, such as serial:/dev/ttyACM0; empty: the plate is only drawn.
 @export var device := ""
-## Parts of the set-up; none: the plate stands where the scene's file has it.
+## Parts of the set-up. Without any, the plate has the pose of the scene's file.
 @export_flags("Fingertip:1", "Registration:2", "Guides:8", "Calibration:16", "All that is missing:64") var set_up := 64
 @export_range(1, 100) var reaches := 6
 @export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]
-## For which the finger rests at the start before a reach.
+## Time for which the finger must rest at the start before a reach.
 @export_range(0.2, 3.0, 0.1, "suffix:s") var rest_s := 0.6
 @export var seed_of_person := 1
 
@@ -69,7 +69,7 @@ func _ready() -> void:
 	if device:
 		_plate.open_device(device)
 		_plate.plate_commanded.connect(_plate.turn_device)
-	if set_up & HapticRetargeting.SETUP_GUIDES:  # of a plate that is registered
+	if set_up & HapticRetargeting.SETUP_GUIDES:  # for a registered plate
 		_to_set_up.append(HapticRetargeting.SETUP_GUIDES)
 	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION if finger is MouseFinger else set_up & ~HapticRetargeting.SETUP_GUIDES)
 
@@ -150,7 +150,7 @@ func _on_setup_finished(_result: Dictionary) -> void:
 		_go_to_start()
 
 
-## Who feels the ridges little is led less far: what no real object can stand in for is left out.
+## Chooses virtual targets. Targets without a feasible real object are omitted: the gap is limited for users with a small tactile weight.
 func _choose_targets() -> void:
 	_plate.assign_targets(false)
 	var served := PackedStringArray()
@@ -163,7 +163,7 @@ func _choose_targets() -> void:
 	_served = served
 
 
-## The headset sees the room from elsewhere: what was under way is repeated once the plate is found.
+## Called when the headset has moved its space: places the plate again, then repeats the interrupted set-up or reach.
 func _place_again() -> void:
 	if _state == State.OVER:
 		return
@@ -172,7 +172,7 @@ func _place_again() -> void:
 	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION)
 
 
-## What is under way.
+## Cancels the running set-up or reach.
 func _cancel() -> void:
 	if _plate.is_setting_up():
 		_plate.cancel_setup()
@@ -236,7 +236,7 @@ func _rests_at_start_for(delta: float) -> float:
 	return _rested_s
 
 
-## A device that fails is opened again and again; a reach that was under way is repeated.
+## Returns true if the device is ready. Reopens a failed device periodically; an interrupted reach is repeated.
 func _device_is_ready(delta: float) -> bool:
 	if not device:
 		return true

@@ -1,11 +1,11 @@
-## A finger below the mouse, seen by the experimenter's camera from above, or moved by the arrow keys; while the left button or the
-## space bar is pressed it touches. One tries the scene without a headset.
+## A finger for trials without a headset. It follows the mouse in the experimenter's view from above, or the arrow keys, and touches
+## the plate while the left button or the space bar is pressed.
 class_name MouseFinger
 extends Finger
 
 const TOUCHING_M := 0.002
 const LIFTED_M := 0.05
-## Of the keys, on the screen.
+## Speed by keys, on the screen.
 const PIXELS_S := 150.0
 
 var _plate: HapticRetargeting

@@ -1,4 +1,4 @@
-## The reaches of a session: a line of CSV for each, written as soon as it has ended.
+## Results of a session as CSV. The line of a reach is written as soon as it has ended.
 class_name Results
 extends RefCounted
 
@@ -11,7 +11,7 @@ var _file: FileAccess
 var _on_target := 0
 
 
-## Empty, or why the results cannot be kept.
+## Opens the file. Returns an error, or an empty text.
 func open(path: String) -> String:
 	_file = FileAccess.open(path, FileAccess.WRITE)
 	if _file == null:

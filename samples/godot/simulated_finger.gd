@@ -1,27 +1,27 @@
-## A simulated person, who does what the session asks for. The library's model slides: it feels the plate, and is bent. No person
-## took part.
+## A simulated person, who follows the session's instructions. Slides are the library's model, which feels the plate and is
+## deflected by it. No real person took part.
 class_name SimulatedFinger
 extends Finger
 
-## From the tracked joint to the skin that touches, in the joint's axes; a set-up finds it.
+## Offset from the tracked joint to the skin, in the joint's axes, which a set-up measures.
 const SKIN := Vector3(0, -0.008, -0.012)
-## So high that a set-up sees three frames of it at 5 frames a second, too.
+## Height of a lift, which a set-up detects in three frames, even at 5 frames a second.
 const LIFT := Vector3(0, 0.12, 0)
 const SPEED_M_S := 0.4
-## Of each coordinate, as the library's person has it.
+## SD of each coordinate, as for the library's person.
 const TRACKER_NOISE_M := 0.0012
-## How the joint is turned for the touches that find the skin.
+## Rotations of the joint for the touches that measure the offset of the skin.
 const TURNS: Array[Vector3] = [Vector3(), Vector3(0.9, 0, 0), Vector3(-0.3, 0, 0.6), Vector3(-0.3, 0, -0.6),
 		Vector3(-0.2, 0.7, 0), Vector3(-0.2, -0.7, 0)]
-## Where the plate stands, seen from where the scene's file has it; a set-up finds that too.
+## Pose of the plate relative to its pose in the scene's file, which a set-up measures.
 const DISPLACED := Transform3D(Basis(Vector3.UP, 0.07), Vector3(-0.02, 0, 0.015))
 
 var _plate: HapticRetargeting
 var _seed: int
 var _stands: Transform3D
 var _ahead: int
-var _skin := LIFT  # on the plate
-var _way: Array[Vector3] = []  # of the skin
+var _skin := LIFT  # position relative to the plate
+var _way: Array[Vector3] = []  # next positions of the skin
 var _turn := Vector3.ZERO
 var _sliding := false
 var _time_ns := 0
@@ -40,7 +40,7 @@ func _init(plate: HapticRetargeting, seed_of_person: int) -> void:
 	asked_to_slide.connect(slide)
 
 
-## A step of a set-up.
+## Follows a step of a set-up.
 func do_step(step: Dictionary) -> void:
 	var finds_skin: bool = step.part == HapticRetargeting.SETUP_FINGERTIP
 	match step.instruction:
@@ -57,7 +57,7 @@ func do_step(step: Dictionary) -> void:
 				slide(_ahead)
 
 
-## Lifts the finger, and touches a place of the plate.
+## Lifts the finger, and touches a point of the plate.
 func touch(place: Vector3, turn := Vector3.ZERO) -> void:
 	_turn = turn
 	_go([_skin * Vector3(1, 0, 1) + LIFT, place * Vector3(1, 0, 1) + LIFT, place])
@@ -83,7 +83,7 @@ func advance(time_ns: int) -> void:
 			_way.pop_front()
 	var tracked := _skin + TRACKER_NOISE_M * Vector3(_noise.randfn(), _noise.randfn(), _noise.randfn())
 	if _sliding:
-		_skin = _plate.to_local(_plate.move_simulated_finger(time_ns))  # with noise of its own
+		_skin = _plate.to_local(_plate.move_simulated_finger(time_ns))  # includes tracker noise
 		tracked = _skin
 	var turned := _stands.basis * Basis.from_euler(_turn)
 	global_transform = Transform3D(turned, _stands * tracked - turned * SKIN)

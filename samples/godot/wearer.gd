@@ -1,8 +1,8 @@
-## What the user sees: through a headset if OpenXR finds one, and otherwise in a picture beside the experimenter's.
+## The user's view: in a headset if OpenXR finds one, otherwise in a picture beside the experimenter's.
 class_name Wearer
 extends SubViewport
 
-## The room has moved under the headset, so the plate is not where it was.
+## The headset has moved its space, so the plate's pose is outdated.
 signal recentred
 signal taken_off
 
@@ -12,19 +12,19 @@ var _instruction := ""
 var _problem := ""
 
 
-## Whether a headset shows it.
+## Starts the view. Returns true if a headset shows it.
 func start() -> bool:
 	var xr := XRServer.find_interface("OpenXR") as OpenXRInterface
 	if xr == null or not xr.is_initialized():
 		return false
 	use_xr = true
-	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)  # the headset's is waited for
+	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)  # frames wait for the headset instead
 	xr.pose_recentered.connect(recentred.emit)
 	xr.instance_exiting.connect(taken_off.emit)
 	return true
 
 
-## What to do now.
+## Shows an instruction.
 func say(instruction: String) -> void:
 	if instruction != _instruction:
 		print(instruction)
@@ -32,7 +32,7 @@ func say(instruction: String) -> void:
 	_show()
 
 
-## What is wrong, until it is not: empty.
+## Shows a problem, until it is called with an empty text.
 func warn(problem: String) -> void:
 	if problem and problem != _problem:
 		push_warning(problem)

@@ -1,6 +1,6 @@
-// What `instructions` counts under callgrind: a session, updates through the C ABI, a set-up's too, solves, and
-// simulated reaches. A row ends with a dump of its counts,
-// "name|how many of it".
+// The program whose instructions the script `instructions` counts under callgrind: a session, updates of reaches and
+// set-ups through the C ABI, solves, and simulated reaches. A row ends with a dump of its counts, "name|number of
+// operations".
 #include <dlfcn.h>
 #include <valgrind/callgrind.h>
 
@@ -34,7 +34,7 @@ auto counted(const Work& work) {
 }
 
 void end_row(const std::string& row, std::uint64_t count) {
-  const std::string name = row + '|' + std::to_string(count);  // outlives the macro's first statement
+  const std::string name = row + '|' + std::to_string(count);  // used by all statements of the macro
   CALLGRIND_DUMP_STATS_AT(name.c_str());
 }
 
@@ -44,7 +44,7 @@ void load(const char* path) {
   require(!hrt_functions_load(dlsym, library, &api), path);
 }
 
-// A session with a reach under way.
+// A session with a running reach.
 class Frames {
  public:
   Frames(const hrt_session_config& config, double real_deg, double virtual_deg) {
@@ -85,7 +85,7 @@ void count_sessions() {
   end_row("session, created and destroyed", sessions);
 }
 
-// Of a simulated person's first reach, while the finger moves, after half a second of rest.
+// Counts updates of a simulated person's first reach, while the finger moves, after half a second of rest.
 std::uint64_t count_updates(std::uint32_t person, int period_ms) {
   const PersonCondition condition = draw_person(people_families()[0], 1.5, 1, person);
   Frames frames(hrt_session_config_init(), condition.real_direction_deg, condition.virtual_direction_deg);
@@ -115,7 +115,7 @@ void count_updates(const char* row, int period_ms) {
   end_row(row, updates);
 }
 
-// Of a simulated person who rests and slides as a set-up asks.
+// Counts updates of a set-up, with a simulated person who follows it.
 void count_setup_updates() {
   constexpr int updates = 3000;
   hrt_session session{};
@@ -160,7 +160,7 @@ hrt_sample direction_at(std::int64_t step, double direction_deg) {
   return sample;
 }
 
-// Of the paper's participant, reach by reach.
+// Counts updates of reaches of the paper's participant.
 void count_paper_updates(int horizon) {
   constexpr std::int64_t reaches = 10;
   constexpr std::int64_t steps = 30;

@@ -1,6 +1,6 @@
-// One update of PersonReach over whole reaches of simulated people, streamed at 90 Hz and at 1 kHz with 1.2
-// mm of noise: median, 99th percentile and worst of all updates, the onset's fit and replay included. Each
-// update's least time over several runs of the same reach counts, so that other work on the machine does not.
+// Measures updates of PersonReach in whole reaches of simulated people, at 90 Hz and at 1 kHz with 1.2 mm of
+// noise: median, 99th percentile and maximum, including the fit and the replay at the onset. Each update has its
+// minimum time over several runs of the same reach, to exclude other work of the machine.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -21,7 +21,7 @@ double elapsed_us(std::chrono::steady_clock::time_point from) {
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - from).count();
 }
 
-// Half a second of rest and a reach, the same in each run.
+// Measures half a second of rest and a reach, which are the same in each run.
 void time_reach(std::uint32_t person, int period_ms, std::vector<double>& min_us) {
   const PersonCondition condition = draw_person(people_families()[0], 1.5, 1, person);
   const Reach reach{.real_direction_deg = condition.real_direction_deg,

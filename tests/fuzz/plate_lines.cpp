@@ -1,6 +1,6 @@
-// Any bytes on the plate's line, to the firmware and to the host; once as they are, once with right sums, so
-// that what lies behind the sums is reached too. Then to the devices of the driver, from their opening on;
-// and as the name of a device.
+// Passes arbitrary bytes on the plate's line to the firmware and to the host: unchanged, and with correct checksums,
+// so that the code after the check is also reached. Then passes them to the devices of the driver, from their
+// opening, and as the name of a device.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,7 +46,7 @@ void read_as_host(std::string_view bytes) {
   }
 }
 
-// Every line that the firmware sends is one that the host understands.
+// Checks that the host understands every line of the firmware.
 bool send(const char* line, std::uint8_t length) {
   require(length > 0 && length <= LINE_SIZE && line[length - 1] == '\n');
   const auto decoded = decode_line(std::string_view(line, length - 1U));
@@ -87,7 +87,7 @@ std::string with_sums(std::string_view bytes) {
   return lines;
 }
 
-// Status packets with these lines as what follows the instruction.
+// Returns status packets whose content after the instruction is one of these lines.
 std::string with_crcs(std::string_view bytes) {
   std::string packets;
   while (!bytes.empty()) {
@@ -113,7 +113,7 @@ void read_packets(std::string_view bytes) {
   }
 }
 
-// Answers each message of the host with the next bytes; the devices' time passes as they wait.
+// A line that answers each message of the host with the next bytes. The time advances while the devices wait.
 class AnsweringLine : public Line {
  public:
   explicit AnsweringLine(std::string bytes) : bytes_(std::move(bytes)) {}

@@ -1,5 +1,5 @@
-// Calls in any order with any arguments: each returns a result that has a name, a failed one leaves its
-// output as it was, and every number of an output is finite.
+// Makes calls in any order with any arguments, and checks that each result has a name, that a failed call does
+// not change its output, and that every number of an output is finite.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <array>
@@ -27,7 +27,7 @@ void require(bool holds, int line = __builtin_LINE()) {
   std::abort();
 }
 
-// From an offset on, all of these are doubles.
+// Checks a struct whose fields from an offset are all doubles.
 template <class Struct>
 void require_finite(const Struct& value, size_t offset) {
   for (; offset < sizeof value; offset += sizeof(double)) {
@@ -39,7 +39,7 @@ void require_finite(const Struct& value, size_t offset) {
 
 void require_command(hrt_command command) {
   require((command.flags & HRT_COMMAND_FAULT) == 0);
-  command.paper.step = 0;  // the only field that is no double
+  command.paper.step = 0;  // the only field that is not a double
   require_finite(command, offsetof(hrt_command, plate_orientation_deg));
 }
 
@@ -47,7 +47,7 @@ void check(hrt_result result) {
   require(result <= HRT_OK && std::strcmp(hrt_result_string(result), "unknown result") != 0);
 }
 
-/// Calls with arguments out of the fuzzer's bytes; often ones that fit together.
+/// Makes calls with arguments from the fuzzer's bytes, which are often consistent.
 class Caller {
  public:
   explicit Caller(FuzzedDataProvider& bytes) : bytes_(bytes) {}
@@ -105,7 +105,7 @@ class Caller {
                                                : hrt_target{bytes_.ConsumeIntegral<uint64_t>()};
   }
 
-  // A default with a few bytes changed.
+  // Returns the defaults with a few changed bytes.
   template <class Struct>
   void disturb(Struct& value) {
     for (int n = bytes_.ConsumeIntegralInRange(0, 3); n > 0; --n) {
@@ -114,7 +114,7 @@ class Caller {
                                                  : bytes_.ConsumeFloatingPoint<double>();
       std::memcpy(reinterpret_cast<char*>(&value) + 8 * at, &number, sizeof number);
     }
-    // A size that exceeds the object would have the library read beyond it, as the contract allows.
+    // By contract the library may read `struct_size` bytes, so the size must not exceed the object.
     uint32_t size;
     std::memcpy(&size, &value, sizeof size);
     if (size > sizeof value) size = static_cast<uint32_t>(sizeof value);
@@ -215,7 +215,7 @@ class Caller {
     require(result == HRT_OK ? out.verdict <= HRT_SLIDE_ALONG_RIDGES : out.verdict == 77);
   }
 
-  // Touches and slides of a finger that stays and goes, at places of the fuzzer's.
+  // Makes touches and slides at positions from the fuzzer's bytes.
   void set_up() {
     const hrt_session of = session();
     hrt_setup_config config = hrt_setup_config_init();
@@ -276,7 +276,7 @@ class Caller {
     if (result != HRT_OK) return;
     require((summary.flags & HRT_COMMAND_FAULT) == 0 && summary.counts.samples >= 0);
     require_finite(summary, offsetof(hrt_reach_summary, bearing_deg));
-    // What was carried can be configured.
+    // The carried estimates are a valid configuration.
     hrt_session_config config{};
     config.struct_size = sizeof config;
     require(hrt_session_get(ended, &config, nullptr) == HRT_OK);

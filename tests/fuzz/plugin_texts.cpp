@@ -1,5 +1,5 @@
-// Profiles and recordings from outside: any bytes. What is accepted comes out again as it went in, and
-// replays to the same hash twice.
+// Loads arbitrary bytes as profiles and recordings. Accepted profiles are written back unchanged, and two replays
+// of a recording have the same hash.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

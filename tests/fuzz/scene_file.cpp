@@ -1,4 +1,4 @@
-// Any bytes as a scene file: either a scene that keeps the promises of load_scene(), or an error text of one line.
+// Loads arbitrary bytes as a scene file: a scene must fulfil the postconditions of load_scene(), an error be one line.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
