@@ -46,7 +46,7 @@ class Retargeter {
   ReachSummary summary() const;
   /// The reach is led by the controller for people.
   bool leads_person() const { return leader_ && std::holds_alternative<PersonReach>(*leader_); }
-  /// What is known of finger and person, as a whole; null where the paper's controller leads, and before
+  /// The belief about finger and person; null where the paper's controller leads, and before
   /// begin().
   const PersonFilter* person_filter() const {
     return leads_person() ? &std::get<PersonReach>(*leader_).filter() : nullptr;

@@ -51,7 +51,7 @@ struct Calibration {
   /// No pattern is left in the residuals.
   bool fits() const;
   std::size_t count(SlideVerdict verdict) const;
-  /// Recommended actions, one sentence each; empty if there are none.
+  /// Recommended actions, one sentence each; empty if no action is needed.
   std::vector<std::string> advice() const;
 };
 

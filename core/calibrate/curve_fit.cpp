@@ -9,7 +9,7 @@
 namespace hrt {
 namespace {
 
-// What is taken for possible before any slide: wide, so that a parameter that slides hardly show keeps the
+// Parameters that are possible before any slide: wide, so that a parameter that slides hardly show keeps the
 // fit from running away.
 struct Prior {
   double mean;

@@ -14,8 +14,8 @@ using X = PersonState;
 constexpr double max_ns = 9e18;  // within the range of std::int64_t
 
 // Feasible if the largest gap minus the required one, to first order in w, b, f, B and the frame's error, exceeds a
-// margin, which lies some SDs below zero so that few feasible gaps are reported as infeasible (hrt-study robustness
-// counts both).
+// margin. The margin lies some SDs below zero so that few feasible gaps are reported as infeasible (hrt-study
+// robustness counts both).
 bool gap_is_feasible(const ReachControlConfig& config, const ReachGoal& goal, const PersonFilter& filter) {
   const MaxShift max = max_shift(filter.mean_illusion(), config.bound_deg);
   const double gap_deg = goal.reach.virtual_direction_deg + filter.mean(X::bias) - goal.aimed_direction_deg;

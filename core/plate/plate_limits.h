@@ -42,7 +42,7 @@ inline double ridge_normal_deg(double plate_orientation_deg, double goal_directi
   return goal_direction_deg + wrap_deg(offset_deg, 180.0);
 }
 
-/// Of the orientations with the same ridges as `orientation_deg` within the stops, the one nearest to `current_deg`.
+/// The orientation nearest to `current_deg` of those within the stops that have the same ridges as `orientation_deg`.
 double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateStops& stops);
 
 /// `orientation_deg` as an encoder counts it that may be any number of half turns off, if the plate turns

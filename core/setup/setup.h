@@ -54,7 +54,7 @@ class Setup {
   SetupStep step() const;
 
   const SetupConfig& config() const { return config_; }
-  /// What is left to be done, SetupPart; the first one is under way.
+  /// The parts (SetupPart) that remain to be done; the first one is in progress.
   std::uint32_t left() const { return left_; }
   SetupPart part() const;
   /// True if the present part has all its data, or no part is left.

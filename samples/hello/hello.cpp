@@ -21,7 +21,7 @@ void check(bool succeeded, const char* what) {
 void check(hrt_result result) { check(result == HRT_OK, hrt_last_error()); }
 #define CHECK_XR(call) check(XR_SUCCEEDED(call), "the OpenXR runtime failed in " #call)
 
-// What the application knows of its scene: the plate, and one pair of targets.
+// The application's scene: the plate, and one pair of targets.
 struct Reach {
   hrt_session session{};
   hrt_scene_info scene = hrt_scene_info_init();

@@ -27,7 +27,7 @@ TEST(SceneGeometry, DefaultStartIsTwoThirdsTowardsTheUser) {
   EXPECT_EQ(scene.targets[1].served_by, 0u);
 }
 
-// Of the real targets at 60 degrees, twice, and at -170, the last is 100 degrees from one at 90, and 40 from
+// The real targets are at 60 degrees, twice, and at -170. The last is 100 degrees from one at 90, and 40 from
 // one at 150, the short way round.
 TEST(SceneGeometry, WithoutServedByTheNearestInDirectionServes) {
   const auto at = [](const char* name, const char* role, double direction_deg) {

@@ -1,4 +1,4 @@
-// What must hold of every scene: moved as a whole, nothing on the plate changes; mirrored, directions change
+// Properties of every scene: moved as a whole, nothing on the plate changes; mirrored, directions change
 // sign.
 #include <gtest/gtest.h>
 

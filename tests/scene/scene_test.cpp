@@ -58,8 +58,8 @@ TEST(Table1Scene, HoldsTheSixPairsOfThePaper) {
   }
 }
 
-// What Blender writes for files/make_with_blender.py, in single precision: 1e-8 m at 0.1 m are 1e-5 degrees.
-// The rig stands at (1.2, 2, 0.7) in Blender's axes, which is (1.2, 0.7, -2) in glTF's, turned by 30 degrees.
+// Output of Blender for files/make_with_blender.py, in single precision: 1e-8 m at 0.1 m are 1e-5 degrees.
+// The rig is at (1.2, 2, 0.7) in Blender's axes, which is (1.2, 0.7, -2) in glTF's, turned by 30 degrees.
 TEST(BlenderScene, FlatAndNestedPropertiesOfARealExport) {
   const Scene scene = load_scene(scene_files / "blender.gltf");
   EXPECT_EQ(scene.plate.node_path, "Desk/Rig/Plate");

@@ -287,7 +287,7 @@ typedef struct hrt_reach_summary {
   /** Estimated duration of the motion. */
   double duration_s;
   hrt_reach_counts counts; /**< numbers of samples and steps @flatten * */
-  hrt_reach_learnt learnt; /**< estimates @flatten * */
+  hrt_reach_learnt learnt; /**< estimates about the user @flatten * */
   hrt_reach_paper paper;   /**< results of the controller of the paper @flatten paper_* */
 } hrt_reach_summary;
 

@@ -45,8 +45,8 @@ void apply_registration(const Registration& found, std::int64_t time_ns, Session
   model->registration.time_ns = time_ns;
 }
 
-// What is known of the person and of the tracker's noise. A known weight or bias replaces what reaches have learnt of
-// the person; with curve and habit known, the calibration is the belief about the person.
+// Applies the values of the person and of the tracker's noise that are known. A known weight or bias replaces what
+// reaches have learnt of the person; with curve and habit known, the calibration is the belief about the person.
 void apply_calibration(const Calibration& calibration, SessionModel* model) {
   const Interval& weight = calibration.tactile_weight;
   Participant& participant = model->control.participant;

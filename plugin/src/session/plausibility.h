@@ -11,7 +11,7 @@
 
 namespace hrt::plugin {
 
-/// What is wrong with a reach, and the numbers that show it.
+/// The likely mistake in a reach, and the numbers that show it.
 struct Implausible {
   enum class Kind : std::uint8_t {
     none,

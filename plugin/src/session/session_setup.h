@@ -45,7 +45,7 @@ class SessionSetup {
 
   SetupPart part() const { return setup_.part(); }
   SetupStep step() const { return setup_.step(); }
-  /// Real-time.
+  /// Processes one sample. Real-time.
   hrt_result update(const SessionModel& model, const SetupSample& sample, SetupStep* out);
   /// Continues the fit of the current part by one step, of less than 1 ms. Once it is complete, applies the result to
   /// the model and adds it to the report.
