@@ -90,6 +90,11 @@ void PlateLink::change_setting(const std::string& name, double value) {
     why =
         "it would move the servo, which holds its place, by more than 20 us, or put its place beyond the limits; "
         "change it after power-on, before the first turn";
+  if (why == "range")
+    why =
+        "the value is out of range or does not fit the other settings; samples/plate/firmware/README.md has the ranges";
+  if (why == "word") why = "the firmware has no setting of this name; hrt-plate show lists them";
+  if (why == "busy") why = "the plate is in motion; try again when it rests";
   if (!why.empty()) throw PlateFailure(Fault::protocol, "refuses " + body + ": " + why);
 }
 

@@ -22,7 +22,7 @@ constexpr const char* exit_codes = R"(Exit codes:
   0  done
   1  no plate was found, or there was no answer: nothing was written
   2  the command line is wrong
-  9  the plate failed, or is none
+  9  the plate failed, or the device is not a plate
  10  a file cannot be written
 )";
 

@@ -283,14 +283,6 @@ TEST_F(PlateApi, AChildOfAForkOnlyLetsGo) {
   close(alive[0]);
 }
 
-TEST_F(PlateApi, DrivesADynamixel) {
-  PtyDynamixel servo;
-  open_until_ready("dynamixel:" + servo.device() + "?effort=80");
-  EXPECT_STREQ(report_of(plate).description, "Dynamixel XL330-M288, id 1, firmware 52");
-  ASSERT_EQ(hrt_plate_set(plate, -45.0), HRT_OK);
-  EXPECT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg + 45.0) < 0.1; }));
-}
-
 // A writer that never rests, and a reader: each copy is whole.
 TEST(Snapshot, IsWhole) {
   struct Value {

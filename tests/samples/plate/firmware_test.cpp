@@ -71,16 +71,6 @@ TEST_F(FirmwareLogic, TurnsAtItsSpeed) {
   EXPECT_NEAR(board_.orientation_deg(), 80.0, 0.3);
 }
 
-TEST_F(FirmwareLogic, StopsWithoutAHeartbeatBeforeThePulsesOf300Milliseconds) {
-  set(90.0);
-  board_.run_for(274ms);
-  const double before_deg = board_.orientation_deg();
-  board_.run_for(300ms);
-  EXPECT_NEAR(board_.orientation_deg(), before_deg, 2.0);
-  EXPECT_TRUE(has_sent("STOPPED heartbeat"));
-  EXPECT_FALSE(board_.is_following());
-}
-
 // However slow the servo is under a motion of 200 degrees a second: at most 2 degrees, and what it turns in its
 // dead time of 10 ms, a frame of its pulses, and the filter of its sensor. Silence stops it after 300 ms.
 TEST(Firmware, AStopEndsTheMotionOfTheServo) {
@@ -275,16 +265,6 @@ TEST_F(FirmwareLogic, RefusesASecondHost) {
   EXPECT_TRUE(board_.has_pulses());
   board_.run_for(300ms);
   EXPECT_TRUE(has(answer_to("HELLO 2 00008"), "PLATE 2 "));
-}
-
-TEST_F(FirmwareLogic, AGreetingStopsTheMotion) {
-  set(90.0, 400ms);
-  const double before_deg = board_.orientation_deg();
-  ASSERT_GT(before_deg, 20.0);
-  ASSERT_LT(before_deg, 89.0);
-  board_.say("HELLO 2");
-  board_.run_for(200ms);
-  EXPECT_NEAR(board_.orientation_deg(), before_deg, 2.0);
 }
 
 // A trim of 21 us at once would jump by two degrees.

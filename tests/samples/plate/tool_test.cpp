@@ -147,7 +147,10 @@ TEST(PlateTool, SetsSettings) {
   BoardWithServo board;
   EXPECT_EQ(run_with(board, {"set", "board", "zero=1510", "speed=150"}).out, "saved\n");
   EXPECT_EQ(run_with(board, {"set", "board", "zero=9"}).err,
-            "hrt-plate: the plate at board refuses CONF zero 9: range\n");
+            "hrt-plate: the plate at board refuses CONF zero 9: the value is out of range or does not fit the other "
+            "settings; "
+            "samples/plate/firmware/README.md has the ranges\n");
+  EXPECT_TRUE(has(run_with(board, {"set", "board", "size=9"}).err, "has no setting of this name"));
   BoardWithServo kept({}, 0.0, board.eeprom());
   EXPECT_TRUE(has(run_with(kept, {"show", "board"}).out, "setting speed 150\n"));
 }
