@@ -1,5 +1,6 @@
 #include "samples/mock_runtime/live/plate_terminal.h"
 
+#include <fcntl.h>
 #include <pty.h>
 
 #include <algorithm>
@@ -49,12 +50,10 @@ PlateTerminal::PlateTerminal(std::string link, const PlateDynamics& servo, XrTim
   std::array<char, 128> device{};
   termios raw{};
   cfmakeraw(&raw);
-  int own = -1;
-  int other = -1;
-  if (openpty(&own, &other, device.data(), &raw, nullptr) != 0)
+  if (openpty(&ends_.own, &ends_.other, device.data(), &raw, nullptr) != 0)
     refuse_terminal(link_, "cannot be made: the system has no pseudo-terminal left");
-  own_ = Descriptor(own);
-  other_ = Descriptor(other);
+  for (const int end : {ends_.own, ends_.other}) fcntl(end, F_SETFD, FD_CLOEXEC);
+  fcntl(ends_.own, F_SETFL, O_NONBLOCK);
   std::error_code failure;
   if (std::filesystem::is_symlink(link_, failure)) std::filesystem::remove(link_, failure);
   std::filesystem::create_symlink(device.data(), link_, failure);
@@ -72,7 +71,7 @@ PlateTerminal::~PlateTerminal() {
 }
 
 bool PlateTerminal::send(const char* line, std::uint8_t length) {
-  return write(speaking->own_.get(), line, length) == length;
+  return write(speaking->ends_.own, line, length) == length;
 }
 
 void PlateTerminal::save(const std::uint8_t*) { speaking->saves_ = true; }
@@ -80,7 +79,7 @@ void PlateTerminal::save(const std::uint8_t*) { speaking->saves_ = true; }
 std::optional<double> PlateTerminal::run_until(XrTime now, double orientation_deg) {
   speaking = this;
   std::array<char, 256> bytes{};
-  for (ssize_t count = 0; (count = read(own_.get(), bytes.data(), bytes.size())) > 0;)
+  for (ssize_t count = 0; (count = read(ends_.own, bytes.data(), bytes.size())) > 0;)
     std::for_each_n(bytes.begin(), count, [this](char byte) { plate_hear(&plate_, byte); });
   const double share = (std::clamp(orientation_deg, -stop_deg, stop_deg) + stop_deg) / (2.0 * stop_deg);
   const PlateInputs inputs{.emergency_open = false,

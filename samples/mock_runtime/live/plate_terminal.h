@@ -3,12 +3,13 @@
 
 #include <openxr/openxr.h>
 
+#include <unistd.h>
+
 #include <optional>
 #include <string>
 
 #include "core/plate/plate_model.h"
 #include "samples/app/firmware/plate.h"
-#include "samples/mock_runtime/live/descriptor.h"
 
 namespace hrt::mock {
 
@@ -30,9 +31,18 @@ class PlateTerminal {
   static bool send(const char* line, std::uint8_t length);
   static void save(const std::uint8_t* bytes);
 
+  /// Both ends of the terminal; the other one is kept open, so that it lasts from one program to the next.
+  struct Ends {
+    ~Ends() {
+      close(own);
+      close(other);
+    }
+    int own = -1;
+    int other = -1;
+  };
+
   std::string link_;
-  Descriptor own_;
-  Descriptor other_;  // kept open: the terminal lasts from one program to the next
+  Ends ends_;
   Plate plate_{};
   bool saves_ = false;
   XrTime now_;

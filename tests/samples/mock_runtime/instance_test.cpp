@@ -39,20 +39,20 @@ TEST_F(MockInstance, DestroyingASessionDestroysWhatIsBelowIt) {
 
 // "XR_UNKNOWN_SUCCESS_ [or] XR_UNKNOWN_FAILURE_ concatenated with the result value" for what is not known.
 TEST_F(MockInstance, ResultsAndStructureTypesHaveNames) {
-  std::array<char, XR_MAX_RESULT_STRING_SIZE> text{};
-  ASSERT_XR(XR_SUCCESS, xrResultToString(instance, XR_ERROR_POSE_INVALID, text.data()));
-  EXPECT_STREQ(text.data(), "XR_ERROR_POSE_INVALID");
-  ASSERT_XR(XR_SUCCESS, xrResultToString(instance, static_cast<XrResult>(-123456), text.data()));
-  EXPECT_STREQ(text.data(), "XR_UNKNOWN_FAILURE_-123456");
-  ASSERT_XR(XR_SUCCESS, xrResultToString(instance, static_cast<XrResult>(123456), text.data()));
-  EXPECT_STREQ(text.data(), "XR_UNKNOWN_SUCCESS_123456");
-  std::array<char, XR_MAX_STRUCTURE_NAME_SIZE> name{};
-  ASSERT_XR(XR_SUCCESS, xrStructureTypeToString(instance, XR_TYPE_SYSTEM_GET_INFO, name.data()));
-  EXPECT_STREQ(name.data(), "XR_TYPE_SYSTEM_GET_INFO");
-  ASSERT_XR(XR_SUCCESS, xrStructureTypeToString(instance, XR_TYPE_SPACES_LOCATE_INFO, name.data()));
-  EXPECT_STREQ(name.data(), "XR_TYPE_SPACES_LOCATE_INFO");
-  ASSERT_XR(XR_SUCCESS, xrStructureTypeToString(instance, static_cast<XrStructureType>(123456), name.data()));
-  EXPECT_STREQ(name.data(), "XR_UNKNOWN_STRUCTURE_TYPE_123456");
+  for (const auto& [result, expected] : {std::pair{XR_ERROR_POSE_INVALID, "XR_ERROR_POSE_INVALID"},
+                                         {static_cast<XrResult>(-123456), "XR_UNKNOWN_FAILURE_-123456"},
+                                         {static_cast<XrResult>(123456), "XR_UNKNOWN_SUCCESS_123456"}}) {
+    std::array<char, XR_MAX_RESULT_STRING_SIZE> text{};
+    ASSERT_XR(XR_SUCCESS, xrResultToString(instance, result, text.data()));
+    EXPECT_STREQ(text.data(), expected);
+  }
+  for (const auto& [type, expected] : {std::pair{XR_TYPE_SYSTEM_GET_INFO, "XR_TYPE_SYSTEM_GET_INFO"},
+                                       {XR_TYPE_SPACES_LOCATE_INFO, "XR_TYPE_SPACES_LOCATE_INFO"},
+                                       {static_cast<XrStructureType>(123456), "XR_UNKNOWN_STRUCTURE_TYPE_123456"}}) {
+    std::array<char, XR_MAX_STRUCTURE_NAME_SIZE> text{};
+    ASSERT_XR(XR_SUCCESS, xrStructureTypeToString(instance, type, text.data()));
+    EXPECT_STREQ(text.data(), expected);
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Scripts, faults, clocks and the call log: XR_HRTX_mock_control.
+#include <Eigen/Core>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -17,6 +18,13 @@ class MockScript : public MockRuntime {
   void begin_reach(double goal_deg = 5.0) {
     place_plate(local);
     instruct(goal_deg);
+  }
+  // Of a whole reach to -5 degrees.
+  double final_direction() {
+    begin_reach(-5.0);
+    EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 6'000'000'000));
+    EXPECT_TRUE(truth().isDone);
+    return truth().trueDirection;
   }
   XrResult wait() {
     const XrResult waited = xrWaitFrame(session, nullptr, &state);
@@ -112,26 +120,21 @@ TEST_F(MockScript, CallsTakeLongOnOrder) {
   EXPECT_GE(elapsed(), std::chrono::milliseconds(1500));
 }
 
-TEST_F(MockScript, FrozenHandStandsStillAndThenCatchesUp) {
+TEST_F(MockScript, HandFreezesAndCatchesUpAndJumps) {
   begin_with(
-      R"({"events": [{"frame": 3, "do": "freeze", "hand": "right"}, {"frame": 6, "do": "unfreeze", "hand": "right"}],
+      R"({"events": [{"frame": 3, "do": "freeze", "hand": "right"}, {"frame": 6, "do": "unfreeze", "hand": "right"},
+                     {"frame": 8, "do": "jump", "hand": "right", "by_mm": [10, 20, -30]}],
           "participants": [{"steering": "steps"}]})");
   begin_reach();
   std::vector<XrVector3f> tips;
-  for (int number = 1; number <= 7; ++number) tips.push_back(locate_hand(hand, local, frame()).index_tip());
+  for (int number = 1; number <= 8; ++number) tips.push_back(locate_hand(hand, local, frame()).index_tip());
+  constexpr float step_m = 0.1F / 3.0F / 90.0F;  // 33.3 mm/s and 11.1 ms
   EXPECT_EQ(std::memcmp(&tips[2], &tips[4], sizeof(XrVector3f)), 0);
-  EXPECT_LT(tips[1].z, tips[0].z);
-  // The reach has gone on meanwhile, 4 frames of 33.3 mm/s and 11.1 ms from the second to the sixth.
-  EXPECT_NEAR(tips[5].z - tips[1].z, -4 * 0.1F / 3.0F / 90.0F, 1e-6F);
-}
-
-TEST_F(MockScript, JumpsShiftTheTrackedHandOnly) {
-  begin_with(R"({"events": [{"frame": 2, "do": "jump", "hand": "right", "by_mm": [10, 20, -30]}]})");
-  const XrVector3f before = locate_hand(hand, local, frame()).index_tip();
-  const XrVector3f after = locate_hand(hand, local, frame()).index_tip();
-  EXPECT_NEAR(after.x - before.x, 0.010F, 1e-6F);
-  EXPECT_NEAR(after.y - before.y, 0.020F, 1e-6F);
-  EXPECT_NEAR(after.z - before.z, -0.030F, 1e-6F);
+  EXPECT_NEAR(tips[1].z - tips[0].z, -step_m, 1e-6F);
+  EXPECT_NEAR(tips[5].z - tips[1].z, -4 * step_m, 1e-6F);  // the reach has gone on meanwhile
+  EXPECT_NEAR(tips[7].x - tips[6].x, 0.010F, 1e-5F);
+  EXPECT_NEAR(tips[7].y - tips[6].y, 0.020F, 1e-6F);
+  EXPECT_NEAR(tips[7].z - tips[6].z, -0.030F - step_m, 1e-6F);
 }
 
 // "No repeated state": each is reported once, with those in between; a hand is not active without focus.
@@ -190,24 +193,12 @@ TEST_F(MockScript, HandFollowsItsPath) {
 // By hand: 400 deg/s after 20 ms takes 125 ms to turn by 50 degrees.
 TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   begin_with(R"({"servo": {"speed_deg_per_s": 400, "latency_ms": 20}})");
-  const XrTime start = 1'000'000'000;
   ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, -50.0));
-  const auto at = [&](XrDuration after_ms) {
+  for (const auto& [after_ms, expected_deg] : {std::pair{20, 0.0}, {70, -20.0}, {145, -50.0}}) {
     double orientation = 0.0;
-    EXPECT_XR(XR_SUCCESS, XR(xrGetPlateOrientationHRTX)(session, start + after_ms * 1'000'000, &orientation));
-    return orientation;
-  };
-  EXPECT_DOUBLE_EQ(at(0), 0.0);
-  EXPECT_DOUBLE_EQ(at(20), 0.0);
-  EXPECT_NEAR(at(70), -20.0, 1e-9);
-  EXPECT_NEAR(at(145), -50.0, 1e-9);
-  EXPECT_DOUBLE_EQ(at(1000), -50.0);
-  // Turned back half way there: 72.5 ms after the first command it stands at -21.
-  ASSERT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 52'500'000));
-  ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, 10.0));
-  EXPECT_NEAR(at(30), -13.0, 1e-9);  // in the past: as now, 32.5 ms after the turn began
-  EXPECT_NEAR(at(72), -20.8, 1e-9);
-  EXPECT_NEAR(at(82), -21.0 + 0.4 * 9.5, 1e-9);
+    EXPECT_XR(XR_SUCCESS, XR(xrGetPlateOrientationHRTX)(session, 1'000'000'000 + after_ms * 1'000'000LL, &orientation));
+    EXPECT_NEAR(orientation, expected_deg, 1e-9) << after_ms;
+  }
 }
 
 TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
@@ -228,31 +219,24 @@ TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
 // The standard deviation is as set, for each coordinate, and one time has one noise.
 TEST_F(MockScript, TrackerNoiseHasItsDeviation) {
   begin_with(R"({"tracker": {"noise_mm": 1.2}, "seed": 7})");
-  const XrVector3f rest{0.15F, -0.40F, -0.35F};
+  const Eigen::Vector3d rest{0.15, -0.40, -0.35};
+  const auto off = [&](XrTime time) {
+    const XrVector3f tip = locate_hand(hand, local, time).index_tip();
+    return Eigen::Vector3d(Eigen::Vector3f(tip.x, tip.y, tip.z).cast<double>() - rest);
+  };
   double squares = 0.0;
   constexpr int samples = 2000;
-  for (int i = 1; i <= samples; ++i) {
-    const XrVector3f tip = locate_hand(hand, local, i * 1'000'003).index_tip();
-    squares += std::pow(static_cast<double>(tip.x - rest.x), 2) + std::pow(static_cast<double>(tip.y - rest.y), 2) +
-               std::pow(static_cast<double>(tip.z - rest.z), 2);
-  }
+  for (int i = 1; i <= samples; ++i) squares += off(i * 1'000'003).squaredNorm();
   // The deviation of an estimate from 6000 draws is about 1 %: four of them.
   EXPECT_NEAR(std::sqrt(squares / (3.0 * samples)), 1.2e-3, 0.04 * 1.2e-3);
-  const XrVector3f once = locate_hand(hand, local, 5).index_tip();
-  const XrVector3f again = locate_hand(hand, local, 5).index_tip();
-  EXPECT_EQ(std::memcmp(&once, &again, sizeof(once)), 0);
+  EXPECT_EQ(off(5), off(5));
 }
 
 TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
   const auto final_directions = [&](const char* script) {
     begin_with(script);
     std::vector<double> directions;
-    for (int reach = 0; reach < 3; ++reach) {
-      begin_reach(-5.0);
-      EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 6'000'000'000));
-      EXPECT_TRUE(truth().isDone);
-      directions.push_back(truth().trueDirection);
-    }
+    for (int reach = 0; reach < 3; ++reach) directions.push_back(final_direction());
     EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
     return directions;
   };
@@ -263,10 +247,8 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
   EXPECT_NEAR(exact[0], -5.0 / 0.8, 0.001);
   EXPECT_NEAR(exact[1], -5.0 / 0.7, 0.001);
   EXPECT_EQ(exact[2], exact[0]);
-  const auto first = final_directions(R"({"seed": 1})");
-  EXPECT_EQ(final_directions(R"({"seed": 1})"), first);
-  EXPECT_NE(final_directions(R"({"seed": 2})"), first);
-  EXPECT_NE(first[0], first[1]);
+  EXPECT_EQ(final_directions(R"({"seed": 1})"), final_directions("{}"));
+  EXPECT_NE(final_directions(R"({"seed": 2})"), final_directions("{}"));
 }
 
 // What one key sets leaves the other draws as they are.
@@ -288,11 +270,6 @@ TEST_F(MockScript, SeedDrawsEachTraitApart) {
 // Where a run was broken off it can be gone on with: the same person, and each reach with noise of its own.
 TEST_F(MockScript, SeedAndNumberMakeTheReach) {
   begin_with("{}");
-  const auto final_direction = [&] {
-    begin_reach();
-    EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 6'000'000'000));
-    return truth().trueDirection;
-  };
   ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, 9, 0));
   const std::array<double, 3> whole{final_direction(), final_direction(), final_direction()};
   ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, 9, 2));
@@ -352,39 +329,25 @@ TEST_F(MockEnvironment, FaultsHappenOnceAndFromTheFirstCallOn) {
   EXPECT_TRUE(has(read_log(), "xrGetSystem XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"));
 }
 
-std::vector<std::string> enumerated_extensions() {
+TEST_F(MockEnvironment, ExtensionsAreWithheldOnOrder) {
+  write_script(R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})");
   std::uint32_t count = 0;
   EXPECT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr));
   std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
   EXPECT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, count, &count, properties.data()));
   std::vector<std::string> names;
   for (const auto& property : properties) names.emplace_back(property.extensionName);
-  return names;
-}
-
-TEST_F(MockEnvironment, ExtensionsAreWithheldOnOrder) {
-  write_script(R"({"withhold_extensions": ["XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time"]})");
-  const auto names = enumerated_extensions();
   EXPECT_EQ(std::count(names.begin(), names.end(), "XR_EXT_hand_tracking"), 0);
+  // Of the manual clock no time of the machine is an XrTime.
+  EXPECT_EQ(std::count(names.begin(), names.end(), XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME), 0);
   EXPECT_EQ(std::count(names.begin(), names.end(), "XR_MND_headless"), 1);
   EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, create());
 }
 
-class MockRealTime : public MockEnvironment {
- protected:
-  void SetUp() override {
-    MockEnvironment::SetUp();
-    write_script(R"({"clock": "real-time"})");
-    ASSERT_XR(XR_SUCCESS, create({XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
-  }
-  void TearDown() override {
-    EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-    MockEnvironment::TearDown();
-  }
-};
-
 // XR_KHR_convert_timespec_time: there and back is the same time within 2 ns.
-TEST_F(MockRealTime, TimespecsConvertThereAndBack) {
+TEST_F(MockEnvironment, TimespecsConvertThereAndBack) {
+  write_script(R"({"clock": "real-time"})");
+  ASSERT_XR(XR_SUCCESS, create({XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
   for (const timespec& from : {timespec{0, 1}, timespec{1, 999'999'999}, timespec{2'000'000'000, 123'456'789}}) {
     XrTime time = 0;
     ASSERT_XR(XR_SUCCESS, XR(xrConvertTimespecTimeToTimeKHR)(instance, &from, &time));
@@ -393,14 +356,6 @@ TEST_F(MockRealTime, TimespecsConvertThereAndBack) {
     EXPECT_EQ(back.tv_sec, from.tv_sec);
     EXPECT_NEAR(static_cast<double>(back.tv_nsec), static_cast<double>(from.tv_nsec), 2.0);
   }
-}
-
-// Of the manual clock no time of the machine is an XrTime.
-TEST_F(MockEnvironment, ManualClockHasNoTimespecs) {
-  write_script("{}");
-  const auto names = enumerated_extensions();
-  EXPECT_EQ(std::count(names.begin(), names.end(), XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME), 0);
-  ASSERT_XR(XR_SUCCESS, create());
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 
