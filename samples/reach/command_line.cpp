@@ -13,26 +13,10 @@ constexpr const char* description =
     "OpenXR hand tracking in, the orientation of the ridged plate out. With samples/mock_runtime all\n"
     "numbers are simulation.";
 
-constexpr const char* exit_codes =
-    R"(Exit codes:
-  0  the fingertip ended inside every target that can be held
-  1  it ended outside of one; or a calibration ran out of slides, and was written
-  2  the command line is wrong
-  3  the plugin cannot be opened, or refused
-  4  the scene cannot be loaded, or has no such target
-  5  no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or one that does not start
-  6  the runtime has no headless sessions or no hand tracking
-  7  the runtime failed, was lost too often, ended the session, or kept it from running
-  8  in a reach no fingertip came to the start, or the reach did not end, in time; the others count;
-     or what a set-up asked for was not done
-  9  the plate's device failed
- 10  a file, or the standard output, cannot be written
- 11  the runtime did not return from a call in time
- 12  the touches do not fit the plate's marks, or the plate is not where it was registered or moved to
- 13  the slides of a calibration do not determine the user; nothing was written
- 70  anything else
-130  interrupted (Ctrl-C)
-)";
+constexpr const char* exit_codes = "Exit codes:\n"
+#define HRT_EXIT_CODE(name, number, words) "  " #number "  " words "\n"
+    HRT_EXIT_CODES(HRT_EXIT_CODE);
+#undef HRT_EXIT_CODE
 
 // CLI11's own range lets NaN through.
 CLI::Validator between(double low, double high, const std::string& range) {

@@ -6,23 +6,31 @@
 
 namespace hrt::app {
 
+// Name, number, and what --help says.
+// clang-format off
+#define HRT_EXIT_CODES(X)                                                                             \
+  X(success,         0, "the fingertip ended inside every target that can be held")                   \
+  X(target_missed,   1, "it ended outside of one; or a calibration ran out of slides, and was written") \
+  X(usage,           2, "the command line is wrong")                                                  \
+  X(plugin,          3, "the plugin cannot be opened, or refused a call")                             \
+  X(scene,           4, "the scene cannot be loaded, or has no such target")                          \
+  X(no_runtime,      5, "no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or one that does not start") \
+  X(runtime_lacks,   6, "the runtime has no headless sessions or no hand tracking")                   \
+  X(runtime_failed,  7, "the runtime failed, was lost too often, ended the session, or kept it from running") \
+  X(no_hand,         8, "a reach did not begin or end in time (the others count), or a set-up was not done") \
+  X(plate,           9, "the plate's device failed")                                                  \
+  X(output,         10, "a file, or the standard output, cannot be written")                          \
+  X(runtime_blocked, 11, "the runtime did not return from a call in time")                            \
+  X(registration,   12, "the touches do not fit the plate's marks, or the plate's place is unknown")  \
+  X(calibration,    13, "the slides of a calibration do not determine the user; nothing was written") \
+  X(internal,       70, "anything else")                                                              \
+  X(interrupted,   130, "interrupted (Ctrl-C, SIGTERM, SIGHUP)")
+// clang-format on
+
 enum class ExitCode : int {
-  success = 0,           ///< the fingertip ended inside every target that can be held
-  target_missed = 1,     ///< it ended outside of one; or a calibration ran out of slides, and was written
-  usage = 2,             ///< the command line
-  plugin = 3,            ///< the plugin cannot be opened, or refused a call
-  scene = 4,             ///< the scene cannot be loaded, or has no such target
-  no_runtime = 5,        ///< no OpenXR runtime answers
-  runtime_lacks = 6,     ///< the runtime has no hand tracking, or no headless session
-  runtime_failed = 7,    ///< the runtime failed, was lost too often, ended the session or kept it from running
-  no_hand = 8,           ///< no fingertip came to the start, or a reach did not end, in time
-  plate = 9,             ///< the plate's device failed
-  output = 10,           ///< a file, or the standard output, cannot be written
-  runtime_blocked = 11,  ///< a call into the runtime did not return in time
-  registration = 12,     ///< the touches do not fit the plate's marks, or where the plate is is unknown
-  calibration = 13,      ///< the slides do not determine the user; nothing was written
-  internal = 70,         ///< a defect of hrt-reach, or no memory
-  interrupted = 130,     ///< by SIGINT, SIGTERM or SIGHUP
+#define HRT_EXIT_CODE(name, number, words) name = number,
+  HRT_EXIT_CODES(HRT_EXIT_CODE)
+#undef HRT_EXIT_CODE
 };
 
 /// Ends the program with one sentence on stderr and an exit code of its own.

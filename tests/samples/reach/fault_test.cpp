@@ -38,26 +38,19 @@ TEST(ReachFault, ARuntimeThatDoesNotStartIsNotCalledMissing) {
   EXPECT_FALSE(has(outcome.err, "install"));
 }
 
+// A headset that does not know where it is guesses where its hands are in the room, which does not count.
 TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
-  for (const int frame : {2, 40, 150, 230}) {
-    const std::string script = calm_with(event_at(frame, R"("do": "lose_tracking", "hand": "right")") + "," +
-                                         event_at(frame + 27, R"("do": "regain_tracking", "hand": "right")"));
+  const std::string of_hand = R"("hand": "right")", of_head = R"("of": "head")";
+  for (const auto& [frame, of] :
+       {std::pair{2, of_hand}, {40, of_hand}, {150, of_hand}, {230, of_hand}, {100, of_head}}) {
+    const std::string script = calm_with(event_at(frame, R"("do": "lose_tracking", )" + of) + "," +
+                                         event_at(frame + 27, R"("do": "regain_tracking", )" + of));
     const Outcome outcome = run_desk(script);
     expect_all_reached(outcome, script);
     ASSERT_FALSE(rows_of(outcome).empty());
     EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 1) << script;
     EXPECT_EQ(rows_of(outcome)[1].lost, 0) << script;
   }
-}
-
-// The headset does not know where it is: its hands' places on the plate are guesses, and do not count.
-TEST(ReachFault, TheHeadsetLosesTrackOfTheRoom) {
-  const std::string script = calm_with(event_at(100, R"("do": "lose_tracking", "of": "head")") + "," +
-                                       event_at(127, R"("do": "regain_tracking", "of": "head")"));
-  const Outcome outcome = run_desk(script);
-  expect_all_reached(outcome, script);
-  ASSERT_FALSE(rows_of(outcome).empty());
-  EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 1);
 }
 
 TEST(ReachFault, TrackingIsLostForGood) {
@@ -139,9 +132,15 @@ TEST(ReachFault, ALossChangesNoReach) {
 }
 
 TEST(ReachFault, ASessionThatIsAlwaysLostIsGivenUp) {
-  for (const int frame : {1, 2, 50, 200}) {
-    const Outcome outcome = expect_exit(7, run_desk(calm_with(event_at(frame, R"("do": "lose_session")"))));
-    EXPECT_TRUE(has(outcome.err, "lost repeatedly"));
+  std::vector<std::string> scripts;
+  for (const int frame : {1, 2, 50, 200}) scripts.push_back(calm_with(event_at(frame, R"("do": "lose_session")")));
+  for (const std::string function :
+       {"xrBeginSession", "xrCreateReferenceSpace", "xrCreateHandTrackerEXT", "xrWaitFrame"})
+    scripts.push_back(R"({"calls": [{"function": ")" + function +
+                      R"(", "count": 1000, "result": "XR_ERROR_SESSION_LOST"}]})");
+  for (const std::string& script : scripts) {
+    const Outcome outcome = expect_exit(7, run_desk(script));
+    EXPECT_TRUE(has(outcome.err, "lost repeatedly: xr")) << script;
     EXPECT_TRUE(rows_of(outcome).empty());
   }
 }
@@ -158,34 +157,21 @@ TEST(ReachFault, ACallFindsTheSessionLost) {
   }
 }
 
-TEST(ReachFault, ACallThatAlwaysFindsTheSessionLostIsGivenUp) {
-  for (const std::string function :
-       {"xrBeginSession", "xrCreateReferenceSpace", "xrCreateHandTrackerEXT", "xrWaitFrame"}) {
-    const Outcome outcome = run_desk(R"({"calls": [{"function": ")" + function +
-                                     R"(", "count": 1000, "result": "XR_ERROR_SESSION_LOST"}]})");
-    EXPECT_EQ(outcome.exit_code, 7) << function << outcome.err;
-    EXPECT_TRUE(has(outcome.err, "lost repeatedly: " + function));
-  }
-}
-
 TEST(ReachFault, AFailedCallIsNamed) {
-  struct Failing {
-    const char* function;
-    std::vector<int> calls;
-  };
-  const Failing failing[] = {{"xrCreateInstance", {1}},
-                             {"xrGetInstanceProperties", {1}},
-                             {"xrGetSystem", {1}},
-                             {"xrGetSystemProperties", {1}},
-                             {"xrCreateSession", {1}},
-                             {"xrCreateReferenceSpace", {1}},
-                             {"xrCreateHandTrackerEXT", {1, 2}},
-                             {"xrPollEvent", {1, 2, 300}},
-                             {"xrBeginSession", {1}},
-                             {"xrWaitFrame", {1, 2, 300}},
-                             {"xrBeginFrame", {1, 2, 300}},
-                             {"xrEndFrame", {1, 2, 300}},
-                             {"xrLocateHandJointsEXT", {1, 2, 300}}};
+  const std::vector<int> once{1}, more{1, 2, 300};
+  const std::pair<const char*, std::vector<int>> failing[] = {{"xrCreateInstance", once},
+                                                              {"xrGetInstanceProperties", once},
+                                                              {"xrGetSystem", once},
+                                                              {"xrGetSystemProperties", once},
+                                                              {"xrCreateSession", once},
+                                                              {"xrCreateReferenceSpace", once},
+                                                              {"xrCreateHandTrackerEXT", {1, 2}},
+                                                              {"xrBeginSession", once},
+                                                              {"xrPollEvent", more},
+                                                              {"xrWaitFrame", more},
+                                                              {"xrBeginFrame", more},
+                                                              {"xrEndFrame", more},
+                                                              {"xrLocateHandJointsEXT", more}};
   for (const auto& [function, calls] : failing) {
     for (const int call : calls) {
       const Outcome outcome = run_desk(failing_call(function, call, "XR_ERROR_RUNTIME_FAILURE"));
