@@ -15,19 +15,15 @@ using MockSession = MockRuntime;
 // XR_SESSION_STATE_IDLE." "In a headless session, the session state proceeds to
 // XR_SESSION_STATE_SYNCHRONIZED, then XR_SESSION_STATE_VISIBLE and XR_SESSION_STATE_FOCUSED, after the
 // call to xrBeginSession. The application does not need to call xrWaitFrame".
+// "If the session is running when xrRequestExitSession is called, the runtime must transition the session to
+// XR_SESSION_STATE_STOPPING", by way of the states in between; after xrEndSession it goes to IDLE and, having
+// been asked to exit, to EXITING.
 TEST_F(MockSession, HeadlessStatesProceedWithoutAFrame) {
   create_session();
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
   focus();
   EXPECT_EQ(all_states(),
             (std::vector{XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}));
-}
-
-// "If the session is running when xrRequestExitSession is called, the runtime must transition the session to
-// XR_SESSION_STATE_STOPPING", by way of the states in between; after xrEndSession it goes to IDLE and, having
-// been asked to exit, to EXITING.
-TEST_F(MockSession, ExitAndEndGoThroughTheSpecifiedStates) {
-  begin_session();
   ASSERT_XR(XR_SUCCESS, xrRequestExitSession(session));
   EXPECT_EQ(all_states(),
             (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING}));
@@ -156,20 +152,14 @@ TEST_F(MockRecenter, StageMovesAndThePoseMayBeWithheld) {
   EXPECT_NEAR(place(local, stage, time).position.x, -1.0F, 1e-6F);
 }
 
-// The second is relative to the first.
-TEST_F(MockRecenter, RecentringsAddUp) {
+// The second is relative to the first; no event may name a session that no longer exists.
+TEST_F(MockRecenter, RecentringsAddUpAndEventsGoWithTheirSession) {
   begin_with(R"({"events": [{"frame": 1, "do": "recenter", "yaw_deg": 90},
                             {"frame": 2, "do": "recenter", "position_m": [0, 0, -1]}]})");
   frame();
   const XrPosef pose = place(local, stage, frame());
   EXPECT_NEAR(pose.position.x, -1.0F, 1e-6F);
   EXPECT_NEAR(pose.position.z, 0.0F, 1e-6F);
-}
-
-// An event may not name a session that no longer exists.
-TEST_F(MockRecenter, EventGoesWithItsSession) {
-  begin_with(R"({"events": [{"frame": 1, "do": "recenter"}]})");
-  frame();
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   EXPECT_FALSE(next_change().has_value());
 }

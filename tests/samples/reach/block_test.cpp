@@ -49,31 +49,26 @@ Blocked start(const std::string& function, int call, const std::string& limit_s,
   return blocked;
 }
 
-// Each program needs a share of the processors for its last words.
-std::vector<std::vector<std::string>> few_at_a_time(const std::set<std::string>& all) {
-  std::vector<std::vector<std::string>> groups;
-  for (const std::string& one : all) {
-    if (groups.empty() || groups.back().size() == 6) groups.emplace_back();
-    groups.back().push_back(one);
-  }
-  return groups;
-}
-
-std::vector<Blocked> start_all(const std::vector<std::string>& functions, const std::string& limit_s) {
-  std::vector<Blocked> all;
-  for (const std::string& function : functions) all.push_back(start(function, 1, limit_s));
-  return all;
-}
-
-TEST(ReachBlock, EveryCallEndsAtTheLimit) {
+// Blocks in the first call of each function, six programs at a time: each needs a share of the processors for its last
+// words.
+template <typename Check>
+void block_in_each(const std::string& limit_s, Check check) {
   const std::set<std::string> functions = functions_of_a_run();
   EXPECT_GE(functions.size(), 25U);
   for (const char* named : {"xrPollEvent", "xrLocateHandJointsEXT", "xrEndFrame", "xrBeginSession", "xrWaitFrame",
                             "xrCreateSession", "xrCreateInstance", "xrDestroyInstance", "xrDestroySession"})
     EXPECT_EQ(functions.count(named), 1U) << named;
-  // With a limit that no other call reaches on a busy machine.
-  for (const std::vector<std::string>& some : few_at_a_time(functions)) {
-    for (const Blocked& blocked : start_all(some, "2")) {
+  for (auto next = functions.begin(); next != functions.end();) {
+    std::vector<Blocked> some;
+    for (; next != functions.end() && some.size() < 6; ++next) some.push_back(start(*next, 1, limit_s));
+    check(some);
+  }
+}
+
+// With a limit that no other call reaches on a busy machine.
+TEST(ReachBlock, EveryCallEndsAtTheLimit) {
+  block_in_each("2", [](const std::vector<Blocked>& some) {
+    for (const Blocked& blocked : some) {
       const Outcome outcome = blocked.program->wait();
       EXPECT_EQ(outcome.exit_code, 11) << blocked.function << outcome.err;
       // The loader looks functions up within another call.
@@ -81,26 +76,25 @@ TEST(ReachBlock, EveryCallEndsAtTheLimit) {
       EXPECT_TRUE(has(outcome.err, "has not returned from " + named)) << blocked.function;
       EXPECT_TRUE(has(outcome.err, " within 2 s"));
     }
-  }
+  });
 }
 
 TEST(ReachBlock, EveryCallEndsWithinASecondOfASignal) {
   bool interrupt = false;
-  for (const std::vector<std::string>& some : few_at_a_time(functions_of_a_run())) {
-    const std::vector<Blocked> all = start_all(some, "60");
+  block_in_each("60", [&](const std::vector<Blocked>& some) {
     std::this_thread::sleep_for(2s);  // nearly all are blocked by now, on a machine that may be busy
     const auto began = Clock::now();
-    for (const Blocked& blocked : all) {
+    for (const Blocked& blocked : some) {
       blocked.program->send_signal(interrupt ? SIGINT : SIGTERM);
       interrupt = !interrupt;
     }
-    for (const Blocked& blocked : all) {
+    for (const Blocked& blocked : some) {
       const Outcome outcome = blocked.program->wait();
       EXPECT_EQ(outcome.exit_code, 130) << blocked.function << outcome.err;
       EXPECT_TRUE(has(outcome.err, "interrupted")) << blocked.function;
     }
     EXPECT_LT(Clock::now() - began, 50s);  // not the minute that a call takes
-  }
+  });
 }
 
 // In the middle of a reach, and with reaches before it: these are kept.
