@@ -46,6 +46,7 @@ TEST_F(MockHand, JointsOfBothHandsAreAsSpecified) {
   for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) {
     const Hand each = locate_hand(create_hand_tracker(side), local, time);
     ASSERT_TRUE(each.active);
+    for (const XrHandJointVelocityEXT& unknown : each.velocities) EXPECT_EQ(unknown.velocityFlags, 0U);
     const XrHandJointLocationEXT& tip = each.joints[XR_HAND_JOINT_INDEX_TIP_EXT];
     for (const XrHandJointLocationEXT& joint : each.joints) {
       EXPECT_EQ(joint.locationFlags & 3U,
