@@ -45,8 +45,7 @@ TEST(ReachStatusLine, IsWrittenOverAndWipedInTheEnd) {
     EXPECT_FALSE(has(text, "\n"));
     EXPECT_EQ(text.substr(text.size() - 4), "\r\033[K") << text;
     std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line, '\r');)
-      EXPECT_LE(line.size(), 2U + columns) << line;
+    for (std::string line; std::getline(lines, line, '\r');) EXPECT_LE(line.size(), 2U + columns) << line;
   }
   EXPECT_EQ(run_scripted(half_a_second, {desk, "--target", "bottle"}).err, "") << "without a terminal";
 }
