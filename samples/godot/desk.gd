@@ -29,7 +29,7 @@ func open() -> String:
 	var document := GLTFDocument.new()
 	var state := GLTFState.new()
 	if document.append_from_file(copy, state) != OK or plate.load_scene(ProjectSettings.globalize_path(copy)) != OK:
-		return "%s is no scene with a plate; the log says why." % file
+		return "%s is not a scene with a plate. See the log for the reason." % file
 	_objects = document.generate_scene(state)
 	add_child(_objects)
 	_seen_from_plate = plate.global_transform.affine_inverse()

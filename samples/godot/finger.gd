@@ -18,7 +18,7 @@ func advance(_time_ns: int) -> void:
 
 ## Returns the reason for which it is not tracked, for the board.
 func problem() -> String:
-	return "" if seen else "Your hand is not seen; the plate waits."
+	return "" if seen else "Your hand is not tracked. The plate waits."
 
 
 ## Shows or hides the hand for the wearer. It is hidden in a reach, where it differs from the perceived position.

@@ -55,7 +55,7 @@ func _ready() -> void:
 		elif property in self:
 			set(property, value.split(",") if property == "virtual_targets" else type_convert(value, typeof(get(property))))
 		elif "=" in argument:
-			_wearer.warn("%s is no option." % argument)
+			_wearer.warn("%s is not an option." % argument)
 	var headset := _wearer.start()
 	for problem: String in [_results.open(_folder.path_join("results.csv")), _desk.open()]:
 		if problem:
@@ -128,7 +128,7 @@ func _begin_set_up(what: int) -> void:
 	elif _plate.begin_setup(what) == OK:
 		_state = State.SETTING_UP
 	else:
-		_stop("The set-up cannot begin; the log says why.")
+		_stop("The set-up cannot begin. See the log for the reason.")
 
 
 func _on_setup_step(step: Dictionary) -> void:
@@ -159,7 +159,7 @@ func _choose_targets() -> void:
 		var gap := _plate.get_assigned(_plate.find_target(virtual_target))
 		(served if gap.get("reachable") else unserved).append(virtual_target)
 	if unserved:
-		_notice = "No real object can stand in for %s." % ", ".join(unserved)
+		_notice = "No real object is feasible for %s." % ", ".join(unserved)
 	_served = served
 
 
@@ -203,7 +203,7 @@ func _begin_reach() -> void:
 	var virtual_target := _plate.find_target(_target_name())
 	_gap = _plate.get_assigned(virtual_target)
 	if not _gap or _plate.begin(_gap.real_target, virtual_target) != OK:
-		return _stop("No reach to \"%s\" can begin; the log says why." % _target_name())
+		return _stop("The reach to \"%s\" cannot begin. See the log for the reason." % _target_name())
 	_state = State.REACHING
 	_rested_s = 0.0
 	finger.show_to_wearer(false)

@@ -65,7 +65,7 @@ inline constexpr size_t kArgumentsMax = 8;
 /** Reasons for refused samples: errors of the plugin up to 99, then errors of the node. */
 inline constexpr size_t kFlagsReason = 126, kPoseReason = 127;
 inline constexpr const char* kNotRigid =
-    "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
+    "the node is scaled, sheared or mirrored in the world; allowed: only translation and rotation";
 
 class PlateNode {
  public:

@@ -1,4 +1,4 @@
-// Haptic retargeting with react-three-fiber: a page's script, for any bundler that knows JSX.
+// Haptic retargeting with react-three-fiber: the script of a page, for any bundler that supports JSX.
 import { Canvas, useFrame } from "@react-three/fiber";
 import * as hrt from "haptic-retargeting";
 import { HandReach, HapticPlate, trackedHand } from "haptic-retargeting/three";
@@ -9,11 +9,11 @@ import { VRButton } from "three/addons/webxr/VRButton.js";
 
 const start = new Vector3(0, 0, 0.05);
 
-/** A plate and its reaches: `targets` are directions in degrees, `onBegin` and `onEnd` are called with each reach. */
+/** A plate and its reaches: `targets` are directions in degrees; `onBegin` and `onEnd` are called for each reach. */
 function Plate({ library, real_deg = -5, virtual_deg = 5, onBegin, onEnd, ...place }) {
   const [held, hold] = useState(null);
   useEffect(() => {
-    const session = library.createSession({ lift_height_m: 0.05 });            // nothing holds the finger down here
+    const session = library.createSession({ lift_height_m: 0.05 });            // no surface supports the finger
     const real = session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: real_deg });
     const virtual = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: virtual_deg });
     const plate = new HapticPlate();

@@ -6,7 +6,7 @@ func test_scene_without_a_plate() -> void:
 	session.get_node("Desk").file = "res://tests/no_plate.gltf"
 	refused("no node has a haptic role", add_child.bind(session))
 	var board: Label3D = session.get_node("Wearer/Origin/Board")
-	check_equal(board.text, "res://tests/no_plate.gltf is no scene with a plate; the log says why.\n", "board")
+	check_equal(board.text, "res://tests/no_plate.gltf is not a scene with a plate. See the log for the reason.\n", "board")
 	check(not session.get_node("Desk/Plate").is_setting_up(), "it does not begin")
 
 func test_headset_without_hand_tracking() -> void:

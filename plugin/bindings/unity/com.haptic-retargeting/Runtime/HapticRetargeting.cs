@@ -28,26 +28,26 @@ namespace Hrt
                  "user. It does not turn with the ridges.")]
         public Transform plate;
 
-        [Tooltip("The tracked fingertip. While it is inactive, or FingerTracked is false, the plate is held.")]
+        [Tooltip("The tracked fingertip. While it is inactive, or FingerTracked is false, the plate keeps its orientation.")]
         public Transform finger;
 
-        [Tooltip("The finger is a tracked joint: a set-up finds the offset of the skin from it.")]
+        [Tooltip("The finger is a tracked joint: a set-up measures the offset of the skin from it.")]
         public bool fingerIsJoint;
 
-        [Tooltip("Where reaches start. None: on the plate, 5 cm from its centre towards the user.")]
+        [Tooltip("Start of reaches. None: on the plate, 5 cm from its centre towards the user.")]
         public Transform start;
 
-        [Tooltip("Is turned with the ridges of the real plate, about its own y axis. May be none.")]
+        [Tooltip("Object that turns with the real plate, about its y axis. Optional.")]
         public Transform ridges;
 
         [Tooltip("Real objects, to which the hand is steered.")]
         public List<Transform> realTargets = new List<Transform>();
 
-        [Tooltip("Virtual objects, to which the user reaches.")]
+        [Tooltip("Virtual objects, which are displayed to the user.")]
         public List<Transform> virtualTargets = new List<Transform>();
 
         [Header("Events")]
-        [Tooltip("Where to turn the plate, in degrees counter-clockwise seen from above, when it changes.")]
+        [Tooltip("Plate orientation, in degrees counter-clockwise seen from above, when it changes.")]
         public OrientationEvent onPlateOrientation = new OrientationEvent();
 
         /// <summary>Raised with each command, once a frame during a reach.</summary>

@@ -53,7 +53,7 @@ namespace Hrt
                 AppDomain.CurrentDomain.ProcessExit += (sender, arguments) => Shutdown();
                 Result result = SetLog(Marshal.GetFunctionPointerForDelegate(onLog));
                 if (result != Result.Ok)
-                    Log(LogLevel.Warning, "the library's log does not come here: " + Utf8.Read(Native.hrt_last_error()));
+                    Log(LogLevel.Warning, "the library's log is not available: " + Utf8.Read(Native.hrt_last_error()));
                 loaded = true;
             }
         }

@@ -31,7 +31,7 @@ bool UHapticRetargetingComponent::HasLibrary() const
 	}
 	if (!bSaidMissing)
 	{
-		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the plugin's library is missing: see what the log says of haptic_retargeting.dll"));
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the plugin's library is missing; see the log about haptic_retargeting.dll"));
 	}
 	bSaidMissing = true;
 	return false;
@@ -50,7 +50,7 @@ bool UHapticRetargetingComponent::Configure()
 	}
 	if (!IsPose(GetComponentTransform()))
 	{
-		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the component is scaled; allowed: moved and turned"));
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the component is scaled; allowed: only translation and rotation"));
 		return false;
 	}
 	if (bPlacedByPlugin && !IsAtPlate())
