@@ -57,7 +57,7 @@ def test_arrays_are_laid_out_as_the_structs() -> None:
     assert hrt.SAMPLE.fields["finger_position_m"][1] == _abi.Sample.finger_position_m.offset
 
 
-def test_the_comment_of_a_group_is_the_enumerations() -> None:
+def test_enumerations_have_the_comment_of_their_group() -> None:
     for enumeration, doc in ((_abi.Role, "Role of a target."), (_abi.LogLevel, "Level of a log message."),
                              (_abi.Control, "Source of the plate's commands.")):
         assert (enumeration.__doc__ or "").startswith(doc)

@@ -67,7 +67,7 @@ def test_example_of_the_readme_prints_what_it_shows(capsys: pytest.CaptureFixtur
     assert f"```text\n{capsys.readouterr().out}```" in text
 
 
-def test_closed_loop_shows_what_learning_is_for(capsys: pytest.CaptureFixture[str]) -> None:
+def test_closed_loop_example_improves_by_learning(capsys: pytest.CaptureFixture[str]) -> None:
     runpy.run_path(str(BINDINGS / "python/examples/closed_loop.py"))
     rows = re.findall(r"^ +(0\.\d+) +([-+\d.]+) \+- ([\d.]+) +([-+\d.]+) \+- ([\d.]+)$", capsys.readouterr().out, re.M)
     assert [row[0] for row in rows] == ["0.15", "0.20", "0.25", "0.30"]

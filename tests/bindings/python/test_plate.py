@@ -33,14 +33,14 @@ def test_opens_turns_and_stops() -> None:
         eventually(plate, lambda report: PlateReportFlag.COMMANDED not in report.flags)
 
 
-def test_a_commissioned_plate_has_what_was_measured() -> None:
+def test_a_commissioned_plate_reports_its_measurements() -> None:
     with Plate(os.environ["HRT_PLATE_FILE"], host_timeout_s=10) as plate:
         assert PlateReportFlag.COMMISSIONED in plate.wait_until_ready().flags
         fields = plate.session_fields()
         assert fields["plate_max_speed_deg_s"] == 123.0 and fields["plate_max_acceleration_deg_s2"] == 5000.0 and 4e6 < fields["plate_latency_ns"] < 30e6
 
 
-def test_failures_have_their_reason() -> None:
+def test_failures_raise_with_their_reason() -> None:
     with Plate("serial:/nonexistent") as plate, pytest.raises(RuntimeError, match="at /nonexistent cannot be opened"):
         plate.wait_until_ready()
     with pytest.raises(Error, match='Plate: device is of kind "usb"'):

@@ -22,14 +22,14 @@ def test_arrays_give_the_bits_of_single_steps(session: hrt.Session, straight: np
     assert np.array_equal(record.position_m, straight["finger_position_m"])
 
 
-def test_nothing_is_copied(session: hrt.Session, straight: np.ndarray) -> None:
+def test_arrays_are_not_copied(session: hrt.Session, straight: np.ndarray) -> None:
     out = hrt.commands(len(straight))
     with session.reach(session.target("cylinder"), session.target("cup")) as reach:
         assert reach.run(straight, out) is out
     assert out["paper_step"][-1] == 29
 
 
-def test_commands_stay_as_they_were(session: hrt.Session) -> None:
+def test_a_returned_command_does_not_change_later(session: hrt.Session) -> None:
     with session.reach(session.target("cylinder"), session.target("cup")) as reach:
         first = reach.update(0, direction_deg=0)
         before = bytes(first)
@@ -37,7 +37,7 @@ def test_commands_stay_as_they_were(session: hrt.Session) -> None:
         assert bytes(first) == before
 
 
-def test_error_within_an_array_tells_the_row_and_keeps_what_precedes(session: hrt.Session, straight: np.ndarray) -> None:
+def test_an_error_in_an_array_names_the_row_and_keeps_previous_commands(session: hrt.Session, straight: np.ndarray) -> None:
     straight["time_ns"][100] = -1
     out = hrt.commands(len(straight))
     with session.reach(session.target("cylinder"), session.target("cup")) as reach:
@@ -111,7 +111,7 @@ def test_no_samples_are_refused(session: hrt.Session) -> None:
         _ = reach.summary
 
 
-def test_record_shows_itself(session: hrt.Session, straight: np.ndarray) -> None:
+def test_record_has_a_readable_repr(session: hrt.Session, straight: np.ndarray) -> None:
     straight["flags"][50:80] = 0
     record = session.run_reach(session.target("cylinder"), session.target("cup"), straight)
     assert re.fullmatch(r"<RunRecord: 271 samples in 3\.00 s, real target -5\.00 deg, virtual \+5\.00 deg, "
@@ -171,7 +171,7 @@ def test_wrong_columns_are_refused() -> None:
             hrt.samples(**{"time_ns": [0, 1], **columns})
 
 
-def test_what_is_no_array_is_refused(session: hrt.Session) -> None:
+def test_values_that_are_not_arrays_are_refused(session: hrt.Session) -> None:
     with session.reach(session.target("cylinder"), session.target("cup")) as reach:
         with pytest.raises(TypeError, match="samples is a list: an array is needed"):
             reach.run([1, 2])
@@ -201,7 +201,7 @@ def test_a_reach_is_retargeted_and_cancelled(session: hrt.Session, straight: np.
     assert session.state == hrt.StateFlag.READY
 
 
-def test_a_simulated_person_is_led() -> None:
+def test_a_simulated_person_is_steered() -> None:
     with hrt.Session() as session, hrt.Person(7, tactile_weight=0.2) as person:
         real, virtual = session.add_real(direction_deg=-5), session.add_virtual(direction_deg=5)
         with pytest.raises(hrt.Error, match=r"Person.move: .* call Person.begin\(\) with a virtual target first"):

@@ -59,14 +59,14 @@ def test_calls_that_were_refused_have_no_command(tmp_path: Path) -> None:
     assert refused.sum() == 1 and np.isnan(reach.commands["plate_orientation_deg"][refused]).all()
 
 
-def test_calls_that_were_refused_unread_are_left_out(tmp_path: Path) -> None:
+def test_calls_refused_before_reading_are_omitted(tmp_path: Path) -> None:
     path = with_row(tmp_path, "-3", {"refused_argument": "sample", "struct_size": "8"})
     (with_refused,), (without,) = hrt.read_recording(path).reaches, hrt.read_recording(REACH).reaches
     assert with_refused.samples.tobytes() == without.samples.tobytes()
     assert hrt.replay(path).first_different_line == 0
 
 
-def test_world_is_turned_into_plate_coordinates() -> None:
+def test_world_positions_are_converted_to_plate_coordinates() -> None:
     # A plate at (1, 2, 3), rotated by 90 degrees about y: its x axis is the world's -z, its z axis the world's x.
     turned = (0, np.sqrt(0.5), 0, np.sqrt(0.5))
     assert hrt.world_to_plate((1, 2, 2), (1, 2, 3), turned) == pytest.approx((1, 0, 0))
@@ -94,7 +94,7 @@ def test_world_is_turned_into_plate_coordinates() -> None:
     ("# config {", "# config [", "line 9"),
     ("# config {", "# setup {", "line 13: a row before the configuration"),
 ])
-def test_what_is_not_a_recording_is_refused_by_line(tmp_path: Path, old: str, new: str, text: str) -> None:
+def test_files_that_are_not_recordings_are_refused_with_the_line(tmp_path: Path, old: str, new: str, text: str) -> None:
     good = REACH.read_text()
     assert old in good
     (tmp_path / "bad.csv").write_text(good.replace(old, new, 1))
@@ -113,13 +113,13 @@ def test_recording_cut_off_anywhere_is_incomplete_or_refused(tmp_path: Path) -> 
             assert size < text.index("\nbegin")
 
 
-def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:
+def test_bytes_that_are_not_text_are_refused(tmp_path: Path) -> None:
     (tmp_path / "bytes.csv").write_bytes(b"\xff\xfe\x00\n")
     with pytest.raises(hrt.RecordingError, match="not text"):
         hrt.read_recording(tmp_path / "bytes.csv")
 
 
-def test_run_that_is_faster_than_the_disk_loses_nothing(session: hrt.Session, tmp_path: Path) -> None:
+def test_a_run_faster_than_the_disk_loses_no_calls(session: hrt.Session, tmp_path: Path) -> None:
     n = 60_000
     samples = hrt.samples(np.arange(n) * 1_000_000, direction_deg=0)
     with session.recording(tmp_path / "long.csv") as status:
@@ -138,7 +138,7 @@ def test_recording_may_end_before_the_reach(session: hrt.Session, tmp_path: Path
     assert len(hrt.read_recording(tmp_path / "part.csv").reaches[0].samples) == 100
 
 
-def test_a_reach_that_starts_at_the_finger_is_read_from_there(
+def test_a_reach_that_starts_at_the_finger_has_its_first_position_as_start(
         session: hrt.Session, straight: np.ndarray, tmp_path: Path) -> None:
     straight["flags"][:5] = 0
     with session.recording(tmp_path / "started.csv"):
@@ -153,7 +153,7 @@ def test_a_reach_that_starts_at_the_finger_is_read_from_there(
     assert hrt.replay(tmp_path / "started.csv").first_different_line == 0
 
 
-def test_what_is_no_file_is_refused(session: hrt.Session) -> None:
+def test_devices_are_refused_as_recordings(session: hrt.Session) -> None:
     with pytest.raises(hrt.Error, match="/dev/full: not a regular file") as caught:
         with session.recording("/dev/full"):
             pass
@@ -183,7 +183,7 @@ def test_picture_shows_finger_targets_and_angles() -> None:
         assert (np.abs(pixels - np.array(colour)).max(axis=1) < 8).sum() > 300
 
 
-def test_felt_path_is_that_of_the_simulated_person() -> None:
+def test_felt_path_equals_that_of_the_simulated_person() -> None:
     with hrt.Session() as session, hrt.Person(1, tracker_noise_m=1e-6) as person:
         cylinder, cup = session.add_real(direction_deg=-5), session.add_virtual(direction_deg=5)
         for _ in range(3):  # until the controller has learnt this person's parameters

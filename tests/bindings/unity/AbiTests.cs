@@ -34,7 +34,7 @@ namespace Hrt.HostTests
         }
 
         [Test]
-        public void TheLibrariesHaveEveryFunction()
+        public void TheLibrariesExportEveryFunction()
         {
             foreach (string native in new[] {"Hrt.Native", "Hrt.PlateNative"})
                 foreach (MethodInfo method in package.GetType(native).GetMethods(BindingFlags.Static | BindingFlags.NonPublic))

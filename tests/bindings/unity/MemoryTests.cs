@@ -30,7 +30,7 @@ namespace Hrt.HostTests
         }
 
         [Test]
-        public void OtherCallsOfFramesMakeNoGarbage()
+        public void FurtherCallsPerFrameMakeNoGarbage()
         {
             using (var session = new HapticRetargetingSession())
             using (var person = new HapticRetargetingPerson(1))
@@ -80,7 +80,7 @@ namespace Hrt.HostTests
 
         // Creates more sessions than can exist at a time, without disposing of them.
         [Test]
-        public void ForgottenSessionsAreFinalised()
+        public void UnreferencedSessionsAreFinalised()
         {
             for (int i = 0; i < 5 * Constants.SessionsMax; ++i) Forget();
             GC.Collect();

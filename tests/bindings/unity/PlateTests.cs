@@ -48,7 +48,7 @@ namespace Hrt.HostTests
         }
 
         [Test]
-        public void FailuresHaveTheirReason()
+        public void FailuresThrowWithTheirReason()
         {
             using (var plate = new HapticRetargetingPlate("serial:/nonexistent"))
             {

@@ -23,7 +23,7 @@ namespace Hrt.HostTests
         public void TearDown() => Debug.Logged -= Log;
 
         [Test]
-        public void TheScriptedReachSaysWhetherTheHashIsThatOfAllHosts()
+        public void TheScriptedReachReportsWhetherItsHashMatches()
         {
             string bindings = Environment.GetEnvironmentVariable("HRT_BINDINGS");
             var sample = new GameObject("sample").AddComponent<HrtSamples.RunScriptedReach>();
@@ -70,7 +70,7 @@ namespace Hrt.HostTests
 
         // The origin of the tracker's space is 1 m to the right of the world's.
         [Test]
-        public void ATrackedHandGivesItsFingertip()
+        public void ATrackedHandMovesTheFinger()
         {
             var hands = new XRHandSubsystem();
             SubsystemManager.All.Add(hands);

@@ -84,7 +84,7 @@ namespace Hrt.HostTests
         }
 
         [Test]
-        public void APlateThatIsDestroyedIsADropout()
+        public void ADestroyedPlateIsADropout()
         {
             component.BeginReach(bottle);
             UnityEngine.Object.DestroyImmediate(component.plate.gameObject);
@@ -107,7 +107,7 @@ namespace Hrt.HostTests
 
         // The scene is a file of the repository that contains the plate and its targets.
         [Test]
-        public void ScenesBringPlateAndTargets()
+        public void ScenesSetPlateAndTargets()
         {
             TargetId[] targets = component.Session.LoadScene(Environment.GetEnvironmentVariable("HRT_DESK_SCENE"));
             Assert.Greater(targets.Length, 2);

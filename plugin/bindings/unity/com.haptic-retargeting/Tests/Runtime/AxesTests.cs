@@ -14,7 +14,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void ThereAndBack()
+        public void ConversionsRoundTrip()
         {
             var random = new System.Random(2);
             for (int i = 0; i < 100; ++i)
@@ -46,7 +46,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void RidgesTurnAsTheirNormalPoints()
+        public void RidgeRotationTurnsTheNormal()
         {
             foreach (double orientationDeg in new double[] {0, 30, -30, 84.5, 135})
             {
@@ -59,7 +59,7 @@ namespace Hrt.Tests
         // The library's geometry gives the expected direction of a position in Unity's world, for a plate with an
         // arbitrary pose.
         [Test]
-        public void TheLibrarySeesUnitysWorldWhereverThePlateIs()
+        public void WorldPositionsAreConvertedForEveryPlatePose()
         {
             var random = new System.Random(3);
             for (int i = 0; i < 200; ++i)

@@ -37,7 +37,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void TheRealTargetIsTheOneThatCanBeHeldBest()
+        public void TheRealTargetWithTheLargestMarginIsChosen()
         {
             MoveTarget(real, -20);
             Transform nearer = MakeTarget("cone", 2);
@@ -52,7 +52,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void TheCommandIsThatOfTheSameReachInPlateCoordinates()
+        public void CommandsEqualThoseOfAReachInPlateCoordinates()
         {
             component.BeginReach(virtualTarget);
             SessionConfig config = SessionConfig.Default;
@@ -86,7 +86,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void APlateThatMovesDuringAReachIsFollowed()
+        public void AReachFollowsAMovingPlate()
         {
             component.BeginReach(virtualTarget);
             component.Step(At(0));
@@ -101,7 +101,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void AStartOfItsOwnIsTaken()
+        public void AStartTransformIsUsed()
         {
             component.start = Make("start").transform;
             component.start.position = OnPlate(0.01, 0.02);
@@ -111,7 +111,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void AFingerThatIsNotSeenIsADropout()
+        public void AnUntrackedFingerIsADropout()
         {
             component.BeginReach(virtualTarget);
             component.Step(At(0));
@@ -222,7 +222,7 @@ namespace Hrt.Tests
 
         // With the flag PlateWaits the plate keeps its orientation until the finger moves.
         [Test]
-        public void WhereThePlateReallyStandsGoesIn()
+        public void MeasuredOrientationsAreUsed()
         {
             SessionConfig config = component.Session.Config;
             config.flags = SessionFlags.PlateWaits;
@@ -237,7 +237,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void MistakesAreNamed()
+        public void InvalidArgumentsThrowWithTheirName()
         {
             real.position = OnPlate(0, 0);
             var refusal = Assert.Throws<HapticRetargetingException>(() => component.BeginReach(virtualTarget));
@@ -262,7 +262,7 @@ namespace Hrt.Tests
             StringAssert.Contains(message, Assert.Throws<InvalidOperationException>(call).Message);
 
         [Test]
-        public void TargetsThatAreGoneAreForgotten()
+        public void DestroyedTargetsAreRemoved()
         {
             Transform other = MakeTarget("goblet", -3);
             component.virtualTargets.Add(other);
@@ -321,7 +321,7 @@ namespace Hrt.Tests
 
         // A user touches the marks of a plate whose Transform is wrong, with an offset of the skin from the tracked joint.
         [Test]
-        public void ASetupMovesThePlateToWhereItIsTouched()
+        public void ASetupMovesThePlateToItsMeasuredPose()
         {
             Vector3 at = component.plate.position, offset = new Vector3(0, -0.008f, 0.012f);
             Quaternion turn = component.plate.rotation;

@@ -17,14 +17,14 @@ namespace Hrt.Tests
         public void TearDown() => session.Dispose();
 
         [Test]
-        public void TheLibraryIsOfThisPackagesVersion()
+        public void TheLibraryHasTheVersionOfThePackage()
         {
             Assert.AreEqual(Constants.VersionMajor, HapticRetargetingLibrary.Version.Major);
             Assert.GreaterOrEqual(HapticRetargetingLibrary.Version.Minor, Constants.VersionMinor);
         }
 
         [Test]
-        public void TargetsKeepWhatTheyWereGiven()
+        public void TargetsKeepTheirConfiguration()
         {
             TargetId target = session.AddTarget(TargetRole.Virtual, 12, 0.2, "gläsern");
             TargetConfig config = session.GetTarget(target);
@@ -46,7 +46,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void ListsAreAsLongAsWhatThereIs()
+        public void ListsHaveTheLengthOfTheirContent()
         {
             Assert.AreEqual(0, session.ListTargets(0).Length);
             TargetId first = session.AddTarget(TargetRole.Real, -5);
@@ -95,14 +95,14 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void NullIsNotAText()
+        public void NullTextsThrow()
         {
             Assert.Throws<ArgumentNullException>(() => session.LoadProfile(null));
             Assert.Throws<ArgumentNullException>(() => session.StartRecording(null));
         }
 
         [Test]
-        public void RecordingsReplayTheSame()
+        public void RecordingsReplayBitForBit()
         {
             string path = Path.Combine(Path.GetTempPath(), "hrt-" + Guid.NewGuid() + ".csv");
             try
@@ -134,7 +134,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void DisposedIsDisposed()
+        public void CallsOnADisposedSessionThrow()
         {
             session.Dispose();
             session.Dispose();
