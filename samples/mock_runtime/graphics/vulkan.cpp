@@ -33,9 +33,18 @@ void check_vulkan(VkResult result, const char* what) {
               std::string(what) + " returns VkResult " + std::to_string(result)};
 }
 
-constexpr VkImageLayout attachment_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-// Of four bytes a pixel.
-constexpr std::array vulkan_formats{VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_B8G8R8A8_SRGB};
+// Of four bytes a pixel. Depths are not read; Godot does not begin a session without a format of them.
+constexpr std::array vulkan_formats{VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_B8G8R8A8_SRGB, VK_FORMAT_D32_SFLOAT};
+
+bool is_depth(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT; }
+
+VkImageAspectFlags aspect_of(VkFormat format) {
+  return is_depth(format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+VkImageLayout layout_of(VkFormat format) {
+  return is_depth(format) ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+}
 
 VkImageUsageFlags usage_of(XrSwapchainUsageFlags flags) {
   VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;  // to read it back
@@ -80,7 +89,9 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
     for (const VkFormat format : vulkan_formats) {
       VkFormatProperties properties{};
       vk.vkGetPhysicalDeviceFormatProperties(physical_, format, &properties);
-      if ((properties.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) != 0) found.push_back(format);
+      const VkFormatFeatureFlags needed =
+          is_depth(format) ? VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
+      if ((properties.optimalTilingFeatures & needed) != 0) found.push_back(format);
     }
     return found;
   }
@@ -187,14 +198,15 @@ class VulkanImages : public SwapchainImages {
   }
 
   void prepare(std::uint32_t index) override {
-    const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, info_.mipLevels, 0, info_.arrayLayers};
+    const VkImageSubresourceRange all{aspect_of(info_.format), 0, info_.mipLevels, 0, info_.arrayLayers};
     device_->run([&](VkCommandBuffer buffer) {
-      device_->barrier(buffer, images_[index]->handle, all, VK_IMAGE_LAYOUT_UNDEFINED, attachment_layout);
+      device_->barrier(buffer, images_[index]->handle, all, VK_IMAGE_LAYOUT_UNDEFINED, layout_of(info_.format));
     });
   }
 
   Picture read(std::uint32_t index, const XrRect2Di& part, std::uint32_t layer) override {
     Picture picture(static_cast<std::uint32_t>(part.extent.width), static_cast<std::uint32_t>(part.extent.height));
+    if (is_depth(info_.format)) return picture;
     VkBufferCreateInfo needed{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
     needed.size = picture.rgba.size();
     needed.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
@@ -203,14 +215,14 @@ class VulkanImages : public SwapchainImages {
     const VkImage image = images_[index]->handle;
     device_->run([&](VkCommandBuffer commands) {
       const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
-      device_->barrier(commands, image, range, attachment_layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+      device_->barrier(commands, image, range, layout_of(info_.format), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
       VkBufferImageCopy copy{};
       copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1};
       copy.imageOffset = {part.offset.x, part.offset.y, 0};
       copy.imageExtent = {picture.width, picture.height, 1};
       device_->vk.vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle, 1,
                                          &copy);
-      device_->barrier(commands, image, range, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, attachment_layout);
+      device_->barrier(commands, image, range, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout_of(info_.format));
     });
     void* read = nullptr;
     check_vulkan(device_->vk.vkMapMemory(device_->handle(), buffer.memory, 0, VK_WHOLE_SIZE, 0, &read), "vkMapMemory");
@@ -236,7 +248,8 @@ std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCr
   image.arrayLayers = info.arraySize;
   image.samples = VK_SAMPLE_COUNT_1_BIT;
   // In the layout of an attachment, whatever the application does with it.
-  image.usage = usage_of(info.usageFlags) | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  image.usage = usage_of(info.usageFlags) | (is_depth(image.format) ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                                                    : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
   VkImageFormatProperties limits{};
   const VkResult possible = vk.vkGetPhysicalDeviceImageFormatProperties(
       physical_, image.format, image.imageType, image.tiling, image.usage, image.flags, &limits);

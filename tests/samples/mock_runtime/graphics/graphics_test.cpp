@@ -299,6 +299,14 @@ TEST_F(MockGraphics, OneThreadWaitsWhileAnotherDraws) {
   EXPECT_EQ(colour(picture("000016_left.png"), 60, 40), red_pixel);
 }
 
+// Godot does not begin a session without them.
+TEST_F(MockGraphics, DepthsHaveSwapchains) {
+  begin_drawing();
+  XrSwapchainCreateInfo info = swapchain_info(VK_FORMAT_D32_SFLOAT);
+  info.usageFlags = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+  draw(make_swapchain(info), {});
+}
+
 // Headless applications need no Vulkan.
 TEST(MockGraphicsLibraries, VulkanIsNotLinked) {
   const Outcome needed = Process({"/usr/bin/readelf", "-d", HRT_MOCK_LIBRARY}, {}).wait();
