@@ -25,8 +25,9 @@ constexpr double uneven_share = 0.2;
 // A slow start is no noise of a finger at rest.
 constexpr double before_onset_s = 0.05;
 
-// Each track takes 0.1 ms on a core of 3 GHz.
-constexpr int tracks_per_step = 3;
+// A point or a rest takes 0.02 ms on a core of 3 GHz.
+constexpr int points_per_step = 16;
+constexpr std::size_t rests_per_step = 8;
 
 std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
   if (!std::isfinite(goal_direction_deg)) return CalibrationRefusal{"the goal direction is not a finite number"};
@@ -123,11 +124,6 @@ Calibration described(const PersonFit& person) {
   widen(normal_975 * peak_share * curve_bend_deg(person.fit.person.curve, peak.offset_deg), &calibration.max_gap_deg);
   calibration.peak_offset_deg = peak.offset_deg;
   describe_controllers_curve(person, &calibration);
-  for (int step = -band_steps; step <= band_steps; ++step) {
-    const double offset_deg = curve_bound_deg * step / band_steps;
-    calibration.band.push_back(
-        {offset_deg, person.value([&](const auto& p) { return curve_shift_deg(p.curve, offset_deg); })});
-  }
 
   const bool fits = calibration.fits();
   const bool reaches = std::min(person.max_left_deg, person.max_right_deg) >= min_offset_deg;
@@ -194,6 +190,10 @@ bool CalibrationFit::step() {
     std::get<Calibration>(result_).noise = noise_->noise();
     return true;
   }
+  if (rests_) {
+    add_details();
+    return false;
+  }
   if (person_) return person_->step() && !describe();
   return !begin();
 }
@@ -203,13 +203,15 @@ bool CalibrationFit::refuse(std::string reason) {
   return false;
 }
 
-// Some of the slides, and at last which of them are fitted. False if the calibration is refused.
+// One of the slides, and at last which of them are fitted. False if the calibration is refused.
 bool CalibrationFit::begin() {
   if (trial_ == 0)
     if (auto refusal = check(trials_, goal_direction_deg_)) return refuse(refusal->reason);
-  for (int i = 0; i < tracks_per_step && trial_ < trials_.size(); ++i, ++trial_)
+  if (trial_ < trials_.size()) {
     add_slide(trials_[trial_], trial_, goal_direction_deg_, &slides_);
-  if (trial_ < trials_.size()) return true;
+    ++trial_;
+    return true;
+  }
   if (auto refusal = check(slides_, trials_.size())) return refuse(refusal->reason);
   person_.emplace(slides_.resting, slides_.order);
   const std::size_t used = person_->result().used.size();
@@ -227,8 +229,29 @@ bool CalibrationFit::describe() {
     return refuse("w_T is " + decimal(w.value, 3) + " with a 95 % interval of " + decimal(w.lower, 3) + " to " +
                   decimal(w.upper, 3) +
                   "; within 0.02 to 0.48 is needed: more trials, or this hand does not feel the ridges");
-  std::vector<std::vector<TimedPoint>> rests;
-  for (std::size_t i = 0; i < slides_.resting.size(); ++i) {
+  calibration.slides_turned = slides_.turned;
+  result_ = std::move(calibration);
+  rests_.emplace();
+  return true;
+}
+
+// Some points of the curve, some of the slides, and at last the noise of the finger before them.
+void CalibrationFit::add_details() {
+  auto& calibration = std::get<Calibration>(result_);
+  if (const int added = static_cast<int>(calibration.band.size()); added <= 2 * band_steps) {
+    for (int i = added; i < std::min(added + points_per_step, 2 * band_steps + 1); ++i) {
+      const double offset_deg = curve_bound_deg * (i - band_steps) / band_steps;
+      calibration.band.push_back(
+          {offset_deg, person_->result().value([&](const auto& p) { return curve_shift_deg(p.curve, offset_deg); })});
+    }
+    return;
+  }
+  const std::size_t first = calibration.slides.size();
+  if (first == slides_.resting.size()) {
+    noise_.emplace(*rests_);
+    return;
+  }
+  for (std::size_t i = first; i < std::min(first + rests_per_step, slides_.resting.size()); ++i) {
     const SlideTrack& track = slides_.resting[i];
     const auto trial = static_cast<std::size_t>(slides_.order[i]);
     const SlideVerdict verdict = person_->result().verdicts[i];
@@ -238,13 +261,9 @@ bool CalibrationFit::describe() {
                                   .fitted_deg = predicted_directions(track, person_->result().fit.person),
                                   .verdict = verdict});
     if (verdict != SlideVerdict::used) continue;
-    rests.push_back(rest_of(trials_[trial], track));
+    rests_->push_back(rest_of(trials_[trial], track));
     calibration.max_plate_deg = std::max(calibration.max_plate_deg, std::abs(track.plate_deg));
   }
-  calibration.slides_turned = slides_.turned;
-  result_ = std::move(calibration);
-  noise_.emplace(rests);
-  return true;
 }
 
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,

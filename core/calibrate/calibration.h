@@ -89,12 +89,14 @@ class CalibrationFit {
   bool refuse(std::string reason);
   bool begin();
   bool describe();
+  void add_details();
 
   std::vector<CalibrationTrial> trials_;
   double goal_direction_deg_;
   std::size_t trial_ = 0;  // index of the next slide to reduce
   CalibrationSlides slides_;
   std::optional<PersonFitting> person_;
+  std::optional<std::vector<std::vector<TimedPoint>>> rests_;  // of the slides described so far
   std::optional<RestNoiseFit> noise_;
   std::variant<Calibration, CalibrationRefusal> result_;
 };

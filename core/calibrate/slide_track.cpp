@@ -42,20 +42,25 @@ struct Place {
   double left_mm;
 };
 
+// Median of a coordinate of sample `i` and of `reach` neighbours to each side.
+double middle_of(const std::vector<TimedPoint>& samples, int i, int reach, double PlatePoint::* coordinate) {
+  std::array<double, 2 * median_reach + 1> values;
+  for (int k = -reach; k <= reach; ++k)
+    values[static_cast<std::size_t>(reach + k)] = samples[static_cast<std::size_t>(i + k)].position.*coordinate;
+  const auto middle = values.begin() + reach;
+  std::nth_element(values.begin(), middle, middle + reach + 1);
+  return *middle;
+}
+
 // True for each sample that is not an outlier among its neighbours.
 std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
   const auto count = static_cast<int>(samples.size());
   std::vector<double> off_mm(samples.size());
   for (int i = 0; i < count; ++i) {
     const int reach = std::min({median_reach, i, count - 1 - i});
-    std::vector<double> right_mm;
-    std::vector<double> away_mm;
-    for (int k = i - reach; k <= i + reach; ++k) {
-      right_mm.push_back(samples[static_cast<std::size_t>(k)].position.right_mm);
-      away_mm.push_back(samples[static_cast<std::size_t>(k)].position.away_mm);
-    }
-    off_mm[static_cast<std::size_t>(i)] =
-        distance_mm({median(right_mm), median(away_mm)}, samples[static_cast<std::size_t>(i)].position);
+    const PlatePoint middle{middle_of(samples, i, reach, &PlatePoint::right_mm),
+                            middle_of(samples, i, reach, &PlatePoint::away_mm)};
+    off_mm[static_cast<std::size_t>(i)] = distance_mm(middle, samples[static_cast<std::size_t>(i)].position);
   }
   const double max_mm = std::max(min_made_up_mm, max_deviations * mad_to_deviation * median(off_mm));
   std::vector<bool> keep;

@@ -15,7 +15,7 @@ constexpr double min_improvement = 1e-5;
 // cannot be predicted.
 constexpr double max_growth = 5.0;
 // A group of four residuals and 28 parameters takes 0.1 ms on a core of 3 GHz.
-constexpr std::size_t groups_per_step = 3;
+constexpr std::size_t groups_per_step = 4;
 
 Eigen::VectorXd precision_of(const Eigen::VectorXd& deviation) { return deviation.cwiseAbs2().cwiseInverse(); }
 
@@ -51,7 +51,7 @@ bool Descent::step() {
       information_ += product(derivatives.transpose(), derivatives);
       gradient_ += product(derivatives.transpose(), residuals_[group_]);
     }
-    return false;
+    if (group_ < problem_.groups) return false;
   }
   Eigen::MatrixXd damped = information_;
   damped.diagonal() = (1.0 + damping_) * information_.diagonal();

@@ -39,12 +39,15 @@ class RestNoiseFit {
     double correlation_s;
   };
 
+  void screen();
   bool begin();
   Parts fit(const StructureFunction& differences) const;
   StructureFunction all_but(const StructureFunction& block) const;
   void describe();
 
   std::vector<std::vector<TimedPoint>> rests_;
+  std::vector<PlatePoint> middles_;  // of the rests
+  std::vector<double> distances_;    // of all positions from them; empty once it is screened
   std::vector<StructureFunction> blocks_;
   StructureFunction all_;
   double min_s_ = 0.0;          // the shortest correlation time to be found

@@ -7,8 +7,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
+#include "core/calibrate/calibration.h"
 #include "core/paper_simulation/participant.h"
+#include "core/setup/setup.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
 #include "haptic_retargeting/functions.h"
@@ -144,6 +149,30 @@ void count_setup_updates() {
   end_row("update of a set-up", updates);
 }
 
+// 40 slides of 2 s after 2 s of rest, at 250 Hz. One row for each step: the table has the largest.
+void count_fit() {
+  constexpr int slides = 40;
+  const PersonCondition condition = draw_person(people_families()[0], 2.0, 1, 0);
+  Draws noise(1, 2, 0, 0);
+  std::vector<CalibrationTrial> trials;
+  for (std::uint32_t i = 0; i < slides; ++i) {
+    CalibrationTrial trial{.plate_orientation_deg = 75.0 * planned_share(static_cast<int>(i))};
+    SlidingPerson finger(condition.person, {}, 0.0, 100.0, {1, 3, 0, i});
+    for (int t = 0; t < 4000; ++t) {
+      if (t >= 2000 && !finger.done()) finger.advance(trial.plate_orientation_deg);
+      if (t % 4 == 0)
+        trial.samples.push_back({1e-3 * t, finger.position() + PlatePoint{noise.normal(), noise.normal()}});
+    }
+    trials.push_back(std::move(trial));
+  }
+  CalibrationFit fit(std::move(trials), 0.0);
+  for (bool done = false; !done;) {
+    done = counted([&] { return fit.step(); });
+    end_row("largest step of a fit of 40 slides", 1);
+  }
+  require(std::holds_alternative<Calibration>(fit.result()), "CalibrationFit");
+}
+
 hrt_session_config paper_config(int horizon) {
   hrt_session_config config = hrt_session_config_init();
   config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
@@ -215,6 +244,7 @@ int main(int argc, char** argv) {
   count_updates("update under ARRIVAL at 90 Hz", 11);
   count_updates("update under ARRIVAL at 1 kHz", 1);
   count_setup_updates();
+  count_fit();
   for (const int horizon : {3, 20}) count_paper_updates(horizon);
   for (const int horizon : {3, 20})
     for (const bool has_rate_bound : {false, true}) count_solves(horizon, has_rate_bound);
