@@ -283,8 +283,6 @@ TEST_F(KnownContactTest, WhatNoContactGivesIsRefused) {
   };
   refuses([](auto& c) { c.registration.contact_covariance[0] = 0.0; }, "contact_covariance");
   refuses([](auto& c) { c.registration.contact_covariance[9] = -1e-6; }, "contact_covariance");
-  refuses([](auto& c) { c.registration.contact_correction[2] = 0.6; }, "contact_correction[2]");
-  refuses([](auto& c) { c.registration.contact_correction[3] = std::nan(""); }, "contact_correction[3]");
 }
 
 }  // namespace

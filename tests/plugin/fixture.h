@@ -70,22 +70,26 @@ inline hrt_session_config paper_config() {
   return config;
 }
 
-/// Hears the library's log while it lives: "LEVEL text", a line each.
+/// Hears the library's log while it lives, or that of a session: "LEVEL text", a line each.
 class Log {
  public:
-  Log() {
+  explicit Log(hrt_session session = {}) : session_(session) {
     hrt_host host = hrt_host_init();
     host.context = this;
     host.log = [](void* context, std::uint32_t level, const char* line) {
       static_cast<Log*>(context)->text += std::to_string(level) + " " + line + "\n";
     };
-    EXPECT_OK(hrt_host_set(&host));
+    set(&host);
   }
-  ~Log() { EXPECT_OK(hrt_host_set(nullptr)); }
+  ~Log() { set(nullptr); }
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
 
   std::string text;  // a recording's thread may add to it until the recording has stopped
+
+ private:
+  void set(const hrt_host* host) { EXPECT_OK(session_.value ? hrt_host_set_log(session_, host) : hrt_host_set(host)); }
+  hrt_session session_;
 };
 
 inline hrt_target_config target_config(std::uint32_t role, double direction_deg, const char* name = "") {

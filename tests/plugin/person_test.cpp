@@ -164,13 +164,6 @@ TEST_F(PersonTest, DurationThatIsGivenIsExpected) {
   EXPECT_NEAR(expected_s(3.0), 3.0, 0.3);
   EXPECT_NEAR(expected_s(0.0), 3.0, 0.3) << "it is estimated";
   EXPECT_LT(expected_s(1.5), expected_s(3.0) - 0.3);
-
-  hrt_reach_config reach = hrt_reach_config_init();
-  EXPECT_EQ(reach.duration_s, 0.0);
-  for (const double refused_s : {-1.0, 0.09, 20.1, std::nan(""), HUGE_VAL}) {
-    reach.duration_s = refused_s;
-    expect_error(hrt_reach_begin(session, &reach), HRT_ERROR_OUT_OF_RANGE, "duration_s");
-  }
 }
 
 // What a reach has learnt is in the configuration. The motion is filtered once more after the reach, with the wander

@@ -150,6 +150,13 @@ TEST_F(ConditionsTest, OthersThanOfTheProfileAreWarnedOf) {
   ASSERT_OK(load_profile(text));
   EXPECT_EQ(measured().differing, HRT_CONDITION_TRACKER);
   EXPECT_NE(log.text.find("measured with another tracker, \"Ultraleap\";"), std::string::npos) << log.text;
+  log.text.clear();
+  {
+    const Log own(session);
+    set(conditions("desk 2", "Ultraleap"));
+    EXPECT_NE(own.text.find("another plate"), std::string::npos) << own.text;
+    EXPECT_EQ(log.text, "") << "the session has a log of its own";
+  }
   set(conditions("desk 2", "Quest"));
   EXPECT_EQ(measured().differing, HRT_CONDITION_PLATE | HRT_CONDITION_TRACKER);
   EXPECT_NE(log.text.find("another plate, \"desk 1\", and tracker, \"Ultraleap\";"), std::string::npos) << log.text;

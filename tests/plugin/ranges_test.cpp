@@ -130,7 +130,7 @@ TEST(Ranges, OfAPerson) {
 TEST_F(SessionTest, RangesOfATarget) {
   const auto prepare = [](const std::string& field) {
     hrt_target_config config = target_config(HRT_TARGET_REAL, 0.0);
-    if (field == "position_m") config.place = HRT_PLACE_PLATE_POSITION;
+    if (field == "position_m") config.place = HRT_PLACE_WORLD_POSITION;
     return config;
   };
   const auto take = [&](const hrt_target_config& config) {

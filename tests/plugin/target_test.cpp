@@ -20,20 +20,15 @@ TEST_F(TargetTest, ComesBackAsGiven) {
   EXPECT_TRUE(same(back, config));
 }
 
-TEST_F(TargetTest, RenamedLeavesItsNameToOthers) {
+TEST_F(TargetTest, ANameIsTakenUntilItsTargetIsRenamed) {
   const hrt_target target = add(HRT_TARGET_REAL, 0.0, "cup");
+  const hrt_target_config taken = target_config(HRT_TARGET_VIRTUAL, 5.0, "cup");
+  hrt_target other{7};
+  expect_error(hrt_target_add(session, &taken, &other), HRT_ERROR_NAME_TAKEN, "\"cup\"");
+  EXPECT_EQ(other.value, 7u);
   change(target, target_config(HRT_TARGET_REAL, 0.0, "mug"));
-  add(HRT_TARGET_REAL, 1.0, "cup");
-  const hrt_target_config taken = target_config(HRT_TARGET_REAL, 0.0, "cup");
+  add(taken);
   expect_error(hrt_target_set(session, target, &taken), HRT_ERROR_NAME_TAKEN, "\"cup\"");
-}
-
-TEST_F(TargetTest, TakenNameIsRefused) {
-  add(HRT_TARGET_REAL, 0.0, "cup");
-  const hrt_target_config config = target_config(HRT_TARGET_VIRTUAL, 5.0, "cup");
-  hrt_target target{7};
-  expect_error(hrt_target_add(session, &config, &target), HRT_ERROR_NAME_TAKEN, "\"cup\"");
-  EXPECT_EQ(target.value, 7u);
 }
 
 TEST_F(TargetTest, RemovedIsGoneForEver) {

@@ -16,7 +16,7 @@ _NAMES = {"hrt_target_list": "ListTargets", "hrt_gap_assign": "AssignTargets",
           "hrt_reach_touched": "ReachTouched", "hrt_profile_reset": "NewPerson",
           "hrt_flags_text": "FlagsText"}
 # Functions whose methods are hand-written: constructors, updates without garbage, scenes, and functions of the process.
-_BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_host_set", "hrt_recording_replay")
+_BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_host_set", "hrt_host_set_log", "hrt_recording_replay")
 
 
 def render(abi: Abi, plate: Abi, notice: str) -> str:

@@ -89,7 +89,7 @@ def render(abi: Abi, notice: str) -> str:
         text += f'    "{f.name}": ({"".join(_type(t, names) + ", " for t in (f.result, *(p.type for p in f.params)))}),\n'
     text += '}\n"""Types of each function\'s result and parameters."""\n\nNAMES = {\n'
     c_names = names.constants | {f"{e.name}_": f"{names.enumerations[e.name]}." for e in abi.enumerations}
-    for function in (f.name.removeprefix("hrt_") for f in abi.functions if f.returns_result and f.name not in ("hrt_host_set", "hrt_flags_text")):
+    for function in (f.name.removeprefix("hrt_") for f in abi.functions if f.returns_result and f.name not in ("hrt_host_set", "hrt_host_set_log", "hrt_flags_text")):
         noun, _, verb = function.partition("_")
         method = f"{'SetUp' if noun == 'setup' else noun.capitalize()}.{verb}"
         c_names[f"hrt_{function}"] = _FUNCTIONS.get(function, method)

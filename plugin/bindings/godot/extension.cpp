@@ -198,6 +198,9 @@ class Instance : public Engine {
   }
 
   void push_error(const char* text) override { engine.print_error(text, kClassName, "extension.cpp", __LINE__, false); }
+  void push_warning(const char* text) override {
+    engine.print_warning(text, kClassName, "extension.cpp", __LINE__, false);
+  }
 
  private:
   bool is_inside_tree() { return std::get<bool>(call("is_inside_tree")); }

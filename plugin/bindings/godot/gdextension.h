@@ -108,6 +108,7 @@ typedef void (*gde_destructor)(void* value);
 /* X(result, name, arguments...) for each function of the engine, which is looked up by that name. */
 #define GDE_FUNCTIONS(X)                                                                                              \
   X(void, print_error, const char* text, const char* function, const char* file, int32_t line, gde_bool notify)       \
+  X(void, print_warning, const char* text, const char* function, const char* file, int32_t line, gde_bool notify)     \
   X(void, variant_new_nil, gde_variant* out)                                                                          \
   X(void, variant_destroy, gde_variant* self)                                                                         \
   X(int32_t, variant_get_type, const gde_variant* self)                                                               \

@@ -125,12 +125,23 @@ bool PlateNode::configure() {
     config.flags &= ~HRT_SESSION_REGISTERED;
   }
   if (!session_.value) {
-    if (!ok(hrt_session_create(HRT_VERSION, &config, &session_))) return false;
+    if (!ok(hrt_session_create(HRT_VERSION, &config, &session_)) || !take_log()) return false;
   } else if (std::memcmp(&config, &configured_, sizeof config) != 0) {
     if (!ok(hrt_session_set(session_, &config))) return false;
   }
   configured_ = config;
   return true;
+}
+
+/** Shows lines of the session's log as warnings, such as that a clock or unit is probably wrong, and those of the last
+ *  reach immediately. */
+bool PlateNode::take_log() {
+  hrt_host host = hrt_host_init();
+  host.context = &engine_;
+  host.log = [](void* context, uint32_t, const char* text) noexcept {
+    static_cast<Engine*>(context)->push_warning(script_names(text).c_str());
+  };
+  return ok(hrt_host_set_log(session_, &host));
 }
 
 /** Shows the error of a sample. Samples are sent in every frame, so each reason is shown once per reach or set-up. */

@@ -42,6 +42,8 @@ class Engine {
   virtual void move_node(const Pose& pose) = 0;
   virtual void emit(const Signal& signal, const Value& argument) = 0;
   virtual void push_error(const char* text) = 0;
+  /** Called on any thread. */
+  virtual void push_warning(const char* text) = 0;
   /** Returns the path of a file for the system; scripts may use res://... or user://... */
   virtual std::string system_path(std::string path) = 0;
   /** Called when properties, and thus the warnings, may have changed. */
@@ -143,6 +145,7 @@ class PlateNode {
   bool configure();
   bool read_pose(double (&position_m)[3], double (&rotation)[4]);
   void take_changes();
+  bool take_log();
   void report_sample(size_t reason, const char* text);
   bool taken(hrt_result result);
 

@@ -115,7 +115,7 @@ Error PlateNode::take_contact(const hrt_contact* contact) {
 }
 
 Error PlateNode::cancel() {
-  if (ok(hrt_reach_cancel(session_))) reaching_ = false;
+  if (ok(hrt_reach_cancel(session_)) && take_log()) reaching_ = false;
   return error();
 }
 
@@ -125,6 +125,7 @@ Error PlateNode::end() {
   reaching_ = false;
   summary_ = summary;
   take_changes();  // HRT_ADAPTATION_CARRIED and contacts change the configuration
+  take_log();
   engine_.emit(kReachEnded, summary.miss_deg);
   return Error::kOk;
 }

@@ -1,7 +1,19 @@
-/* File system calls of the module, which this C library does not map to WASI. index.mjs keeps written files in
- * memory; there are no files to read. */
+/* The log of the module, and its file system calls, which this C library does not map to WASI. index.mjs keeps written
+ * files in memory; there are no files to read. */
 #include <errno.h>
 #include <fcntl.h>
+#include <haptic_retargeting/host.h>
+
+/* Receives a line of the library's log. */
+__attribute__((import_module("env"), import_name("hrt_web_log"))) void hrt_web_log(void* context, hrt_log_level level,
+                                                                                   const char* text);
+
+/* Runs when the module starts. */
+__attribute__((constructor)) static void take_log(void) {
+  hrt_host host = hrt_host_init();
+  host.log = hrt_web_log;
+  if (hrt_host_set(&host) != HRT_OK) __builtin_trap();
+}
 
 struct stat;
 

@@ -38,7 +38,8 @@ declare global {
 }
 
 /** Loads the module: haptic_retargeting.wasm in the folder of this file, unless `source` is another address, or the
- *  module as a bundler provides it. */
+ *  module as a bundler provides it. `console.warn` receives what no call can return, such as that a clock or unit is
+ *  probably wrong. */
 export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | ArrayBufferView): Promise<Library>;
 
 export interface Library {

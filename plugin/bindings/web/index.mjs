@@ -193,7 +193,14 @@ class Session {
     this.#native.call("hrt_reach_retarget", idOf(realTarget, "realTarget"), idOf(virtualTarget, "virtualTarget"));
   }
   reachTouched(contact = {}) { this.#native.put("hrt_contact", contact, "hrt_reach_touched"); }
-  cancelReach() { this.#native.call("hrt_reach_cancel"); }
+  cancelReach() {
+    this.#native.call("hrt_reach_cancel");
+    this.#log();
+  }
+  /** Writes what a reach may not write. */
+  #log() {
+    this.#native.call("hrt_host_set_log", 0);
+  }
   setFinger(pose, time_ms) {
     if (!Number.isFinite(time_ms)) {
       throw new RangeError(`time_ms is ${String(time_ms)}; a finite number is needed, such as the time that the frame's callback is given`);
@@ -220,7 +227,11 @@ class Session {
     if (code !== abi.HRT_OK) memory.fail(code);
     readCommand(memory.view, output, this.command);
   }
-  endReach() { return this.#native.get("hrt_reach_summary", "hrt_reach_end"); }
+  endReach() {
+    const summary = this.#native.get("hrt_reach_summary", "hrt_reach_end");
+    this.#log();
+    return summary;
+  }
 
   get profile() {
     const { memory } = this.#native, save = (capacity, text) =>

@@ -180,6 +180,7 @@ export class Host {
     return {
       env: {
         emscripten_notify_memory_growth: () => this.onMemoryGrowth(),
+        hrt_web_log: (context, level, text) => console.warn(`haptic-retargeting: ${readText(this.#memory.buffer, text)}`),
         hrt_web_open: (path, writes) => this.#openFile(path, writes),
       },
       wasi_snapshot_preview1: {

@@ -20,7 +20,7 @@
 #ifndef HAPTIC_RETARGETING_HOST_H
 #define HAPTIC_RETARGETING_HOST_H
 
-#include "base.h"
+#include "session.h"
 
 #if defined(__cplusplus)
 extern "C" {
@@ -59,6 +59,17 @@ typedef struct hrt_host {
  *          allocate and release is given.
  *  @threadsafety [any-thread], but while the allocator changes no other thread may be in a call of this library. */
 HRT_NODISCARD HRT_API hrt_result hrt_host_set(const hrt_host* host) HRT_NOEXCEPT;
+
+/** Gives one session a log of its own, in place of that of hrt_host_set(): two parts of a process may use this
+ *  library. Waits for a running call of the log; the former log does not receive lines of the session after this
+ *  returns. Also writes lines that wait for a call that is not real-time, for example about a reach with
+ *  HRT_COMMAND_IMPLAUSIBLE: call it after a reach to have them at once.
+ *
+ *  @param host  Its log, with context; copied. Its allocate and release must be null. Null: the log of hrt_host_set()
+ *               again, as with a null log.
+ *  @return OUT_OF_RANGE if the host has an allocator.
+ *  @threadsafety [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_host_set_log(hrt_session session, const hrt_host* host) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

@@ -269,9 +269,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_update(hrt_session session, const hrt
                                                   hrt_setup_step* out_step) HRT_NOEXCEPT;
 
 /** Continues the fit of a part for less than 1 ms. Call it in each frame whose step has HRT_STEP_FINISH: touches take
- *  one call, 16 slides about 150. When the fit is complete, the call applies its result to the configuration, and the
- *  set-up continues with the remaining parts. A part whose fit is rejected is repeated at most twice; see
- *  hrt_setup_result::dropped.
+ *  one call, 16 slides about 300. More than 40 slides take up to 3 ms in a call. When the fit is complete, the call
+ *  applies its result to the configuration, and the set-up continues with the remaining parts. A part whose fit is
+ *  rejected is repeated at most twice; see hrt_setup_result::dropped.
  *
  *  @param out_result  Result so far.  @return WRONG_STATE without a set-up, or before HRT_STEP_FINISH; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */

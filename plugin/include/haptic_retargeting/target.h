@@ -64,8 +64,8 @@ typedef struct hrt_target_config {
   double direction_deg;
   /** Distance from the start along the plate. @range 0.001 to 10 @default 0.1 */
   double distance_m;
-  /** Position in plate coordinates or in the world, at least 1 mm from the start in the plane of the plate; the height
-   *  y has no effect. @range -1000 to 1000 @default (0, 0, 0) */
+  /** Position in plate coordinates, within 10 m, or in the world; at least 1 mm from the start in the plane of the
+   *  plate. The height y has no effect. @range -1000 to 1000 @default (0, 0, 0) */
   double position_m[3];
   /** Name, unique within the session or empty; error texts and recordings show it. UTF-8, terminated by a zero. */
   char name[HRT_NAME_SIZE];

@@ -10,6 +10,7 @@
 #include "haptic_retargeting/host.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/host.h"
+#include "plugin/src/api/sessions.h"
 
 namespace hrt::plugin {
 namespace {
@@ -66,13 +67,27 @@ hrt_result check_allocator(const hrt_host& next) {
               " blocks of memory; destroy its sessions, people and scenes first");
 }
 
+// Null: the defaults.
+hrt_result read_host(const hrt_host* given, hrt_host* host) {
+  *host = {.struct_size = sizeof(hrt_host)};
+  if (!given) return HRT_OK;
+  HRT_RETURN_IF_FAILED(read_struct("host", given, host));
+  return check_zero("reserved", host->reserved);
+}
+
 constexpr std::size_t plain = alignof(std::max_align_t);
 
 }  // namespace
 
-void write_log(std::uint32_t level, const char* text) {
+void write_log(std::uint32_t level, const char* text, const SessionLog& of_session) {
   const std::lock_guard lock(log_mutex);
+  if (of_session.log) return of_session.log(of_session.context, level, text);
   if (lent.log) lent.log(lent.context, level, text);
+}
+
+void set_log(SessionLog* of_session, const hrt_host& host) {
+  const std::lock_guard lock(log_mutex);
+  *of_session = {host.context, host.log};
 }
 
 void unlock_log_of_parent() { std::construct_at(&log_mutex); }
@@ -103,20 +118,30 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { r
 
 hrt_result hrt_host_set(const hrt_host* given) noexcept {
   return guarded("hrt_host_set", [&]() -> hrt_result {
-    hrt_host next = c_library;
-    if (given) {
-      HRT_RETURN_IF_FAILED(read_struct("host", given, &next));
-      HRT_RETURN_IF_FAILED(check_zero("reserved", next.reserved));
-      if (!next.allocate != !next.release)
-        return fail(HRT_ERROR_NULL_ARGUMENT, "host: ", next.allocate ? "release" : "allocate", " is null");
-      if (!next.allocate) {
-        next.allocate = c_allocate;
-        next.release = c_release;
-      }
+    hrt_host next;
+    HRT_RETURN_IF_FAILED(read_host(given, &next));
+    if (!next.allocate != !next.release)
+      return fail(HRT_ERROR_NULL_ARGUMENT, "host: ", next.allocate ? "release" : "allocate", " is null");
+    if (!next.allocate) {
+      next.allocate = c_allocate;
+      next.release = c_release;
     }
     HRT_RETURN_IF_FAILED(check_allocator(next));
     const std::lock_guard lock(log_mutex);
     lent = next;
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_host_set_log(hrt_session session, const hrt_host* given) noexcept {
+  return with_session("hrt_host_set_log", session, [&](RecordedSession& s) -> hrt_result {
+    hrt_host host;
+    HRT_RETURN_IF_FAILED(read_host(given, &host));
+    if (host.allocate || host.release)
+      return fail(HRT_ERROR_OUT_OF_RANGE,
+                  "host has an allocator, which is that of the whole process; allowed: a log and its context");
+    s.set_log(host);
+    s.log_findings(session.value);
     return HRT_OK;
   });
 }

@@ -29,6 +29,8 @@ static_assert(setup_fingertip == HRT_SETUP_FINGERTIP && setup_registration == HR
 static_assert(SetupConfig::max_marks == HRT_MARKS_MAX && 3 * HRT_MARKS_MAX == HRT_MARK_NUMBERS &&
               MarkTouches::max_touches >= 5 * HRT_MARKS_MAX);
 
+constexpr double max_from_plate_m = 10.0;
+
 Vec3 to_vec3(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 Quaternion to_quaternion(const double (&q)[4]) { return {q[0], q[1], q[2], q[3]}; }
@@ -108,6 +110,10 @@ hrt_result read(const hrt_target_config& given, Target* out) {
     HRT_RETURN_IF_FAILED(check_field(given, F::distance_m));
   } else {
     HRT_RETURN_IF_FAILED(check_field(given, F::position_m));
+    const double away_m = length(to_vec3(given.position_m));
+    if (given.place == HRT_PLACE_PLATE_POSITION && away_m > max_from_plate_m)
+      return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", away_m, " m from the plate; allowed: up to ",
+                  max_from_plate_m, "; positions are in metres");
   }
   HRT_RETURN_IF_FAILED(check_field(given, F::radius_m));
   if (given.role == HRT_TARGET_REAL && given.served_by.value != 0)

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "plugin/src/abi/error.h"
-#include "plugin/src/abi/host.h"
 #include "plugin/src/api/read.h"
 #include "plugin/src/api/write.h"
 
@@ -225,14 +224,14 @@ void RecordedSession::log_findings(std::uint64_t handle) {
     text << "session " << handle
          << ": in a reach, the registration of the plate was missing, or older or less accurate than allowed; "
             "run HRT_SETUP_REGISTRATION or HRT_SETUP_CHECK";
-    write_log(HRT_LOG_WARNING, text.c_str());
+    write_log(HRT_LOG_WARNING, text.c_str(), log_);
     logged_registration_ = true;
   }
   if (implausible_.kind != Implausible::Kind::none && !logged_implausible_) {
     Text<320> text;
     text << "session " << handle << ": ";
     write_implausible(implausible_, text);
-    write_log(HRT_LOG_WARNING, text.c_str());
+    write_log(HRT_LOG_WARNING, text.c_str(), log_);
     logged_implausible_ = true;
   }
   if (!had_fault_ || logged_fault_) return;
@@ -240,7 +239,7 @@ void RecordedSession::log_findings(std::uint64_t handle) {
   text << "session " << handle
        << ": a value of a command or summary was not finite; the plate was held, and nothing was learnt from the "
           "reach. This is a defect of the library: report it";
-  write_log(HRT_LOG_ERROR, text.c_str());
+  write_log(HRT_LOG_ERROR, text.c_str(), log_);
   logged_fault_ = true;
 }
 
@@ -253,7 +252,7 @@ void RecordedSession::log_conditions(std::uint64_t handle) const {
   if (measured.differing == (HRT_CONDITION_PLATE | HRT_CONDITION_TRACKER)) text << ", and";
   if (measured.differing & HRT_CONDITION_TRACKER) text << " tracker, \"" << measured.tracker << "\"";
   text << "; calibrate again, or expect first reaches to be less accurate";
-  write_log(HRT_LOG_WARNING, text.c_str());
+  write_log(HRT_LOG_WARNING, text.c_str(), log_);
 }
 
 std::uint32_t RecordedSession::state() const {
@@ -273,7 +272,7 @@ hrt_result RecordedSession::start_recording(const char* path, std::uint64_t hand
   name << "session " << handle << ", " << Shown{path};
   std::vector<TargetChanged> targets;
   for (const auto& [id, target] : session_.targets.all()) targets.push_back(changed(TargetChanged::Change::added, id));
-  recorder_ = std::make_unique<Recorder>(std::move(file), name.view(), to_c(session_.model()), targets,
+  recorder_ = std::make_unique<Recorder>(std::move(file), name.view(), log_, to_c(session_.model()), targets,
                                          session_.plate_orientation_deg());
   return HRT_OK;
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "plugin/src/abi/host.h"
 #include "plugin/src/api/conditions.h"
 #include "plugin/src/recording/recorder.h"
 #include "plugin/src/session/session.h"
@@ -59,6 +60,9 @@ class RecordedSession {
   /// Logs if the person was measured under other conditions than the present ones.
   void log_conditions(std::uint64_t handle) const;
 
+  /// Takes the log of `host`. Without it, the session uses that of the process.
+  void set_log(const hrt_host& host) { plugin::set_log(&log_, host); }
+
   /// HRT_STATE_*.
   std::uint32_t state() const;
 
@@ -86,6 +90,7 @@ class RecordedSession {
   bool doubted_registration_ = false, logged_registration_ = false;
   Implausible implausible_;  // the first one under this configuration
   bool logged_implausible_ = false;
+  SessionLog log_;                      // before the recorder, whose thread reads it
   std::unique_ptr<Recorder> recorder_;  // null: no recording
 };
 

@@ -23,9 +23,9 @@ constexpr std::chrono::seconds seconds_between_reports{1};
 
 }  // namespace
 
-Recorder::Recorder(File file, std::string_view name, const hrt_session_config& config,
+Recorder::Recorder(File file, std::string_view name, const SessionLog& log, const hrt_session_config& config,
                    std::span<const TargetChanged> targets, double plate_orientation_deg)
-    : ring_(std::make_unique<Entry[]>(capacity)), file_(std::move(file)) {
+    : ring_(std::make_unique<Entry[]>(capacity)), file_(std::move(file)), log_(log) {
   name_ << name;
   watch_forks();
   forks_ = forks();
@@ -171,7 +171,7 @@ void Recorder::report(std::uint32_t level, std::string_view text) const {
   Text<400> line;
   line << name_.view() << ": " << text;
   line.make_printable();
-  write_log(level, line.c_str());
+  write_log(level, line.c_str(), log_);
 }
 
 }  // namespace hrt::plugin

@@ -12,6 +12,7 @@
 #include "plugin/src/abi/file.h"
 #include "plugin/src/abi/fork.h"
 #include "plugin/src/abi/hash.h"
+#include "plugin/src/abi/host.h"
 #include "plugin/src/recording/command_hash.h"
 #include "plugin/src/recording/format.h"
 
@@ -28,10 +29,10 @@ struct RecorderStatus {
 /// real-time.
 class Recorder {
  public:
-  /// Writes the state of the session. `name` identifies session and file in the log. Throws std::system_error,
-  /// std::bad_alloc.
-  Recorder(File file, std::string_view name, const hrt_session_config& config, std::span<const TargetChanged> targets,
-           double plate_orientation_deg);
+  /// Writes the state of the session. `name` identifies session and file in `log`, which must exist as long as
+  /// this. Throws std::system_error, std::bad_alloc.
+  Recorder(File file, std::string_view name, const SessionLog& log, const hrt_session_config& config,
+           std::span<const TargetChanged> targets, double plate_orientation_deg);
   /// Writes the remaining records and closes the file.
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -82,6 +83,7 @@ class Recorder {
   File file_;
   Hash checksum_;  // checksum of the written text
   Text<128> name_;
+  const SessionLog& log_;
   std::thread writer_;
 };
 

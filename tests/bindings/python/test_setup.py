@@ -14,19 +14,14 @@ def test_simulated_person_is_calibrated_by_the_loop(tmp_path: Path) -> None:
     path = tmp_path / "slides.csv"
     with hrt.Session() as session, hrt.Person(1, tactile_weight=0.2, tracker_noise_m=0.0005) as person, session.recording(path):
         session.set_conditions(plate="desk 1", tracker="Ultraleap", time_s=1_767_225_600)
-        ahead = session.add_virtual("ahead", direction_deg=0)
-        plate_deg, began, frame, texts = 0.0, False, 0, set()
+        plate_deg, frame, texts = 0.0, 0, set()
         with session.set_up(hrt.SetupFlag.CALIBRATION) as setup:
-            person.begin(session, ahead)
+            person.begin(session)
             while not setup.over and frame < 40_000:
                 frame += 1
                 step = setup.update(person.move(frame * 11_111_111, plate_deg))
                 plate_deg = step.plate_orientation_deg
                 texts.add(step.text)
-                # The next slide begins with a rest at the start.
-                if step.instruction == hrt.Step.REST_AT_START and not began:
-                    person.begin(session, ahead)
-                began = step.instruction == hrt.Step.REST_AT_START
         result = setup.result
         assert setup.over and result.done == hrt.SetupFlag.CALIBRATION and 16 <= result.slides <= 40
         assert result.tactile_weight.lower - 0.01 < 0.2 < result.tactile_weight.upper + 0.01

@@ -228,6 +228,10 @@ TEST(Memory, AllocatorIsChecked) {
   host.release = [](void*, void*) {};
   host.allocate = nullptr;
   expect_error(hrt_host_set(&host), HRT_ERROR_NULL_ARGUMENT, "allocate");
+  hrt_session session{};
+  ASSERT_OK(hrt_session_create(HRT_VERSION, nullptr, &session));
+  expect_error(hrt_host_set_log(session, &host), HRT_ERROR_OUT_OF_RANGE, "allocator");
+  ASSERT_OK(hrt_session_destroy(session));
 }
 
 }  // namespace

@@ -97,7 +97,8 @@ TEST_F(RecordingTest, DiskThatIsFullAtTheStartIsReported) {
 
 // The log is set while the session lives, and names session and file.
 TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
-  Log log;
+  const Log others;
+  Log log(session);
   hrt_recording_status status{};
   {
     const FullDisk disk(100'000);
@@ -117,6 +118,7 @@ TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
                                    path().substr(0, 64)))
       << log.text;
   EXPECT_TRUE(log.text.ends_with(": File too large\n")) << log.text;
+  EXPECT_EQ(others.text, "");
   EXPECT_EQ(replay(read(path())).complete, 0u);
 }
 

@@ -14,18 +14,12 @@ def simulated() -> hrt.Person:
 
 def main() -> None:
     with hrt.Session() as session, simulated() as person:
-        ahead = session.add_virtual("ahead", direction_deg=0)
-        person.begin(session, ahead)
-        plate_deg, resting, frame = 0.0, False, 0
+        plate_deg, frame = 0.0, 0
         with session.set_up(hrt.SetupFlag.CALIBRATION) as setup:
+            person.begin(session)  # to do what the set-up asks for
             while not setup.over:
                 frame += 1
-                step = setup.update(person.move(frame * 11_111_111, plate_deg))
-                plate_deg = step.plate_orientation_deg
-                asked_to_rest = step.instruction == hrt.Step.REST_AT_START
-                if asked_to_rest and not resting:
-                    person.begin(session, ahead)  # the next slide
-                resting = asked_to_rest
+                plate_deg = setup.update(person.move(frame * 11_111_111, plate_deg)).plate_orientation_deg
         result, profile = setup.result, session.profile
     print(f"{result.slides_used} simulated slides\n{'':24}truth   estimate (95 % interval)")
     for name, truth in TRUTH.items():

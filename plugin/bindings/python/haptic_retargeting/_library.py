@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import logging
 import os
 import re
 import sys
@@ -85,6 +86,14 @@ def check(result: int) -> None:
     """Raises the error of this thread's last call."""
     if result != _abi.OK:
         raise error(result)
+
+
+def _to_logger(_context: int | None, level: int, text: bytes) -> None:
+    logging.getLogger(__package__).log(logging.ERROR if level == _abi.LogLevel.ERROR else logging.WARNING, "%s", renamed(text))
+
+
+LOG = _abi.Host(log=_abi.HostLog(_to_logger))
+"""The log of a session: lines go to the logger of this package."""
 
 
 def output(kind: type[_S], function: Any, *arguments: Any) -> _S:

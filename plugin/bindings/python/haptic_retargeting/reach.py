@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from . import _abi
 from ._abi import Command, Contact, ContactFlag, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
 from ._struct import Numbers
-from ._library import Error, check, error, library, output
+from ._library import LOG, Error, check, error, library, output
 from .arrays import COMMAND, SAMPLE, Array, commands, expect_rows, known, known_sample
 
 if TYPE_CHECKING:
@@ -149,11 +149,17 @@ class Reach:
         """Ends the reach without a summary and discards its estimates."""
         check(library().hrt_reach_cancel(self._session))
         self._cancelled = True
+        self._log()
 
     def end(self) -> ReachSummary:
         """Ends the reach and returns its summary."""
         self._summary = output(ReachSummary, library().hrt_reach_end, self._session)
+        self._log()
         return self._summary
+
+    def _log(self) -> None:
+        """Writes what a reach may not write."""
+        check(library().hrt_host_set_log(self._session, byref(LOG)))
 
     def __enter__(self) -> Reach:
         return self

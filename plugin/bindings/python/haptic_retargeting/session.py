@@ -19,7 +19,7 @@ from ._abi import (
 )
 from ._closing import Closing
 from ._keywords import SessionKeywords, TargetKeywords
-from ._library import Error, check, library, output
+from ._library import LOG, Error, check, library, output
 from ._struct import short
 from .arrays import SAMPLE, Array, expect_rows
 from .reach import Pace, Reach, handle_of
@@ -101,13 +101,15 @@ class Session(SessionKeywords, Closing):
             record = session.run_reach(cylinder, cup, samples)
 
     The keywords are the fields of SessionConfig, whose documentation has their units, ranges and defaults. A session is
-    for one thread at a time. Closing it removes its targets, and ends its reach and its recording.
+    for one thread at a time. What no call can return, such as a clock or unit that is probably wrong, goes to the logger
+    "haptic_retargeting". Closing it removes its targets, and ends its reach and its recording.
     """
 
     def _create(self, fields: dict[str, Any]) -> None:
         self.handle = _abi.SessionHandle()
         check(library().hrt_session_create(_abi.VERSION_NUMBER, byref(SessionConfig(**fields)), byref(self.handle)))
         self._own(self.handle, library().hrt_session_destroy)
+        check(library().hrt_host_set_log(self.handle, byref(LOG)))
         self.pace: Pace | None = None
         self._running: Reach | SetUp | None = None
 

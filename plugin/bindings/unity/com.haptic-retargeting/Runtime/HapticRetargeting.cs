@@ -136,12 +136,14 @@ namespace Hrt
         public void CancelReach()
         {
             EnabledSession().CancelReach();
+            EnabledSession().WriteLog();
             IsReaching = false;
         }
 
         public ReachSummary EndReach()
         {
             ReachSummary summary = EnabledSession().EndReach();
+            EnabledSession().WriteLog();
             IsReaching = false;
             ReachEnded?.Invoke(summary);
             return summary;

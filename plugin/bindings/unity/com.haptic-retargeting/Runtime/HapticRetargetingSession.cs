@@ -101,6 +101,14 @@ namespace Hrt
         public bool TryUpdate(Sample sample, out Command command) =>
             Exchange(ref sample, out command) == Result.Ok;
 
+        /// <summary>Writes to the log what a reach may not write, for example that a clock or unit is probably wrong: a call
+        /// for after a reach, which is not real-time.</summary>
+        public void WriteLog()
+        {
+            var none = new Host { structSize = SizeOf<Host>.Value };
+            Check(Native.hrt_host_set_log(Handle, ref none));
+        }
+
         SessionConfig Get(out StateFlags state)
         {
             var config = new SessionConfig { structSize = SizeOf<SessionConfig>.Value };

@@ -116,7 +116,7 @@ bool UHapticRetargetingComponent::TakeContact(const hrt_contact* Contact)
 
 bool UHapticRetargetingComponent::CancelReach()
 {
-	const bool bCancelled = HAPTIC_CALL(hrt_reach_cancel(Session));
+	const bool bCancelled = HAPTIC_CALL(hrt_reach_cancel(Session)) && TakeLog();
 	bReaching = bReaching && !bCancelled;
 	return bCancelled;
 }
@@ -130,6 +130,7 @@ bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
 	}
 	bReaching = false;
 	TakeFromSession();  // estimates of the user, and a contact
+	TakeLog();
 	OutSummary = FromSummary(Summary);
 	OnReachEnded.Broadcast(OutSummary);
 	return true;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <string>
 
 DEFINE_LOG_CATEGORY(LogHapticRetargeting);
 
@@ -37,6 +38,22 @@ bool UHapticRetargetingComponent::HasLibrary() const
 	return false;
 }
 
+/** Writes lines of the session's log to the engine's log, those of the last reach immediately. */
+bool UHapticRetargetingComponent::TakeLog() const
+{
+	hrt_host Host = hrt_host_init();
+	Host.log = [](void*, uint32_t, const char* Text)
+	{
+		std::string Line = Text;
+		if (const size_t Unit = Line.find("in metres"); Unit != Line.npos)
+		{
+			Line.insert(Unit + 3, "centi");
+		}
+		UE_LOG(LogHapticRetargeting, Warning, TEXT("%s"), UTF8_TO_TCHAR(Line.c_str()));
+	};
+	return HAPTIC_CALL(hrt_host_set_log(Session, &Host));
+}
+
 /** Applies the settings and the component's pose to the session, between reaches. */
 bool UHapticRetargetingComponent::Configure()
 {
@@ -62,7 +79,8 @@ bool UHapticRetargetingComponent::Configure()
 	PlatePose(Config.plate.position_m, Config.plate.rotation);
 	const bool bMade = Session.value == 0;
 	const bool bSame = !bMade && std::memcmp(&Config, &Configured, sizeof Config) == 0;
-	if (bSame || HAPTIC_CALL(bMade ? hrt_session_create(HRT_VERSION, &Config, &Session) : hrt_session_set(Session, &Config)))
+	const bool bTaken = bSame || HAPTIC_CALL(bMade ? hrt_session_create(HRT_VERSION, &Config, &Session) : hrt_session_set(Session, &Config));
+	if (bTaken && (!bMade || TakeLog()))
 	{
 		Configured = Config;
 		return true;

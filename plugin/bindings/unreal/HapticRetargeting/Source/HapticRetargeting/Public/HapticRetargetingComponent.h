@@ -206,6 +206,7 @@ public:
 private:
 	bool Succeeded(hrt_result Result) const;
 	bool HasLibrary() const;
+	bool TakeLog() const;
 	bool Configure();
 	bool IsAtPlate() const;
 	void MoveToPlate();
