@@ -9,6 +9,7 @@
 #include "core/math/trigonometry.h"
 #include "core/retargeter.h"
 #include "core/simulation/controllers.h"
+#include "core/tracker/repeated_position.h"
 #include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
@@ -85,7 +86,10 @@ std::vector<ReplayedPath> replay(const RecordedPaths& recorded) {
     retargeter.begin(path.reach);
     std::vector<double> changes_deg;
     PlateCommand last = retargeter.command();
-    for (const FingerSample& sample : path.samples) {
+    RepeatedPosition<PlatePoint> repeated;
+    for (FingerSample sample : path.samples) {
+      if (sample.observation == Observation::position && repeated.is_copy(sample.time_ns, sample.position))
+        sample.observation = Observation::none;
       last = retargeter.update(sample);
       changes_deg.push_back(std::abs(wrap_deg(last.plate_orientation_deg - *sample.plate_orientation_deg, 180.0)));
     }
