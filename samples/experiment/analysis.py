@@ -39,18 +39,22 @@ def run_main(main):
         sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {what}; give it the folder of a study that this version of hrt-experiment exported")
 
 
-def sign_flip(differences, seed, flips=FLIPS):
-    """Two-sided p of a mean of 0 if the sign of each difference is arbitrary; of each column if there are several."""
+def sign_flip(differences, seed, flips=FLIPS, direction="two-sided"):
+    """p of a mean of 0 if the sign of each difference is arbitrary; of each column if there are several."""
     mean = lambda values, axis: numpy.mean(values, axis=axis)
     return scipy.stats.permutation_test((numpy.asarray(differences, float),), mean, permutation_type="samples", vectorized=True, batch=50,
-                                        n_resamples=flips, axis=0, random_state=seed).pvalue
+                                        n_resamples=flips, axis=0, random_state=seed, alternative=direction).pvalue
 
 
-def interval(values, level=0.95):
-    """Mean and its interval by Student's t."""
+def student(values, level=0.95, direction="two-sided"):
+    """Student's p of a mean of 0, and the ends of the mean's interval, one of them infinite if there is a direction. nan if more than half of the
+    people have the same value, as at 0 or 100 %: Student's t does not hold there."""
     if len(values) < 2:
-        return numpy.mean(values), -math.inf, math.inf
-    return numpy.mean(values), *scipy.stats.ttest_1samp(values, 0).confidence_interval(level)
+        return math.nan, -math.inf, math.inf
+    if pandas.Series(values).round(9).value_counts().iloc[0] > max(1, len(values) / 2):
+        return math.nan, math.nan, math.nan
+    found = scipy.stats.ttest_1samp(values, 0, alternative=direction)
+    return found.pvalue, *found.confidence_interval(level)
 
 
 def above(values):
@@ -95,7 +99,7 @@ def population(estimates, errors):
     return (mean, mean - half, mean + half), (scatter, low, high)
 
 
-def mixed_models(studies, measure, reference):
+def mixed_models(studies, measure, reference, direction="two-sided"):
     """Frames of trials, by lmerTest: a table for each, by condition: estimate, error, df, p (nan: no model converged) and the model."""
     conditions = sorted({name for trials in studies for name in trials.condition} - {reference})
     codes = {reference: 0, **{name: i + 1 for i, name in enumerate(conditions)}}
@@ -111,6 +115,8 @@ def mixed_models(studies, measure, reference):
         sys.exit(f"R failed on the mixed model: {(done.stderr.strip() or 'no message').splitlines()[-1]}; is r-cran-lmertest installed?")
     rows = pandas.read_csv(io.StringIO(done.stdout))
     rows.condition = rows.condition.map({code: name for name, code in codes.items()})
+    if direction != "two-sided":
+        rows.p = scipy.stats.t.cdf(rows.estimate / rows.error * (1 if direction == "less" else -1), rows.df)
     return [rows[rows.study == i].set_index("condition") for i in range(len(studies))]
 
 
@@ -125,7 +131,7 @@ def holm(values):
 
 def registered(study):
     """What a design says of its analysis, with the defaults."""
-    return {"measure": "abs_miss_deg", "test": "t", "hypothesis": "difference", "alpha": 0.05, "margin": 1.0, "within_deg": 1.5,
+    return {"measure": "abs_miss_deg", "test": "t", "hypothesis": "difference", "direction": "two-sided", "alpha": 0.05, "margin": 1.0, "within_deg": 1.5,
             "reference": study["conditions"][-1]["name"], "noticed": study.get("answers", ["yes"])[0], **study.get("analysis", {})}
 
 
@@ -212,18 +218,29 @@ def psychometric(trials):
     return numpy.exp(x), fit, table, lambda bend: share(x, bend)
 
 
+def threshold_ratios(trials, people, study):
+    """Logarithm of each participant's threshold over the bend in use: the mean angle between virtual target and end under noticeability's condition."""
+    reaches = counted(trials)
+    reaches = reaches[reaches.condition == study["noticeability"]["condition"]]
+    bends = (reaches.real_deg + reaches.miss_deg - reaches.virtual_deg).abs().groupby(reaches.participant).mean()
+    return numpy.log(people.groupby("participant").threshold_deg.last() / bends).dropna()
+
+
 def compare(trials, plan, seed):
     """A row of each condition against the reference, or against 0 if its outcome is to be below the margin: people, estimate, interval, p of
     Student's t, of the sign flip, of equivalence (a difference beyond the margin) and of the mixed model if it is registered, and Holm's p of
     the registered one. The interval is that of the test at alpha / comparisons: 1 - alpha / comparisons, or of equivalence 1 - 2 alpha / comparisons."""
-    differences = contrasts(outcomes(trials, plan), plan)
+    differences, way = contrasts(outcomes(trials, plan), plan), plan.get("direction", "two-sided")
     level = 1 - (2 if registered_p(plan) == "equivalence" else 1) * plan["alpha"] / max(1, len(differences))
-    rows = pandas.DataFrame({condition: dict(zip(
-        ("people", "estimate", "low", "high", "t", "sign_flip", "equivalence"),
-        (len(values), *interval(values, level), scipy.stats.ttest_1samp(values, 0).pvalue, sign_flip(values, seed), equivalence(values, plan["margin"]))))
-        for condition, values in differences.items()}).T
+    rows = {}
+    for condition, values in differences.items():
+        p, low, high = student(values, level, way)
+        rows[condition] = {"people": len(values), "estimate": values.mean(), "low": low, "high": high, "t": p, "sign_flip": sign_flip(values, seed, direction=way),
+                           "equivalence": math.nan if math.isnan(p) else equivalence(values, plan["margin"])}
+    rows = pandas.DataFrame(rows).T
     if plan["test"] == "mixed_model":
-        model = mixed_models([counted(trials) if "kind" in trials else trials], plan["measure"], plan["reference"])[0].reindex(rows.index)
-        half = scipy.stats.t.isf((1 - level) / 2, model.df) * model.error
-        rows = rows.assign(estimate=model.estimate, low=model.estimate - half, high=model.estimate + half, mixed_model=model.p, model=model.model)
+        model = mixed_models([counted(trials) if "kind" in trials else trials], plan["measure"], plan["reference"], way)[0].reindex(rows.index)
+        half = scipy.stats.t.isf((1 - level) / (2 if way == "two-sided" else 1), model.df) * model.error
+        rows = rows.assign(estimate=model.estimate, low=-math.inf if way == "less" else model.estimate - half,
+                           high=math.inf if way == "greater" else model.estimate + half, mixed_model=model.p, model=model.model)
     return rows.assign(holm=pandas.Series(holm(rows[registered_p(plan)].to_dict()), dtype=float))

@@ -30,7 +30,7 @@ struct Options {
   unsigned threads = 2;
   bool unblinds = false;
   bool simulated = false;
-  std::string live;
+  std::string live, power;
   std::string plate = "runtime";
   app::Options reach;  // of a plate and OpenXR
 };
@@ -120,8 +120,9 @@ void add_commands(CLI::App& app, Options& options) {
   };
   add("design", "Check a design, and show its trials, minutes, balance and orders", true,
       [](const Options& o) { std::cout << design_text(read_design(o.study)); });
-  add("preregister", "Print the text of a registered report, in Markdown, to be completed", true,
-      [](const Options& o) { std::cout << preregistration_text(read_design(o.study)); });
+  add("preregister", "Print the text of a registered report, in Markdown, to be completed", true, [](const Options& o) {
+    std::cout << preregistration_text(read_design(o.study), o.power.empty() ? "" : content_of(o.power));
+  })->add_option("--power", options.power, "Output of samples/experiment/power, for the numbers of participants");
   add("protocol", "Print the experimenters' protocol, in Markdown", true,
       [](const Options& o) { std::cout << protocol_text(read_design(o.study)); });
   add("schema", "Print the JSON schema of designs", false,

@@ -113,9 +113,14 @@ void read_rules(const Json& file, const std::string& name, Design& design) {
 }
 
 void read_noticeability(const Json& n, const std::string& where, Design& design) {
-  const Noticeability notice{n["trials"],      index_of(design.conditions, where + ".condition", n["condition"]),
-                             n["virtual_deg"], 1e-3 * n["distance_mm"].get<double>(),
-                             n["min_gap_deg"], n["max_gap_deg"]};
+  const Noticeability notice{n["trials"],
+                             index_of(design.conditions, where + ".condition", n["condition"]),
+                             index_of(design.conditions, where + ".control", n.value("control", n["condition"])),
+                             n["runs"],
+                             n["virtual_deg"],
+                             1e-3 * n["distance_mm"].get<double>(),
+                             n["min_gap_deg"],
+                             n["max_gap_deg"]};
   const Controller controller = design.conditions[notice.condition].controller;
   if (controller == Controller::none || controller == Controller::fixed)
     refuse(where + ".condition", "must be one whose controller is people or paper");
@@ -137,6 +142,7 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
   design.measure = a["measure"];
   design.test = a["test"];
   design.hypothesis = a["hypothesis"];
+  design.direction = a["direction"];
   design.reference = static_cast<unsigned>(design.conditions.size()) - 1;
   if (a.contains("reference")) design.reference = index_of(design.conditions, where + ".reference", a["reference"]);
   design.alpha = a["alpha"];
@@ -150,9 +156,17 @@ void read_analysis(const Json& a, const std::string& where, Design& design) {
     refuse(where + ".test", "must be t or sign_flip with " + design.measure + ", which single trials do not have");
   if (design.test != "t" && design.hypothesis != "difference")
     refuse(where + ".test", "must be t: equivalence and below_margin are two one-sided t tests");
-  // The smallest p of a sign flip is 2 / 2^n, and Holm's first step needs alpha / comparisons.
+  if (design.measure == "percent_within" && (design.test != "sign_flip" || design.hypothesis != "difference"))
+    refuse(where + ".test",
+           "must be sign_flip, with the hypothesis difference, for percent_within: where most people have 0 or 100 % "
+           "its t test finds differences that do not exist");
+  const bool has_direction = design.direction != "two-sided";
+  if (has_direction && design.hypothesis != "difference")
+    refuse(where + ".direction", "must be two-sided with the hypothesis " + design.hypothesis);
+  // The smallest p of a sign flip is 1 / 2^n, or twice that if two-sided; Holm's first step needs alpha / comparisons.
   const double level = design.alpha / std::max(1.0, static_cast<double>(design.conditions.size()) - 1.0);
-  const unsigned needed = design.test == "sign_flip" ? static_cast<unsigned>(std::ceil(1.0 - std::log2(level))) : 2U;
+  const double flips = (has_direction ? 0.0 : 1.0) - std::log2(level);
+  const unsigned needed = design.test == "sign_flip" ? static_cast<unsigned>(std::ceil(flips)) : 2U;
   if (design.conditions.size() > 1 && design.participants < needed)
     refuse(where + ".test",
            format("cannot find anything with %u participants: it needs %u or more", design.participants, needed));

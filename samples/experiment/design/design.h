@@ -46,7 +46,9 @@ struct Validity {
 /// Which of two reaches was bent? The gap is chosen by QUEST+.
 struct Noticeability {
   unsigned trials;
-  unsigned condition;  ///< whose controller bends
+  unsigned condition;  ///< whose controller retargets
+  unsigned control;    ///< of the reach without a gap
+  unsigned runs;       ///< interleaved
   double virtual_deg;
   double distance_m;
   double min_gap_deg;
@@ -100,6 +102,7 @@ struct Design {
   std::string measure;                       ///< column of trials.csv that the analysis is of
   std::string test;
   std::string hypothesis;
+  std::string direction;
   unsigned reference;  ///< condition
   double alpha;
   double margin;  ///< of equivalence, in the measure's unit
@@ -122,9 +125,10 @@ const Json& design_schema();
 /// participant's letters says nothing about another's.
 std::string letter_of(const Design& design, unsigned participant, unsigned condition);
 
-/// Markdown: every field of the design with what it means, defaults too; and, in brackets, what its authors
-/// have to say.
-std::string preregistration_text(const Design& design);
+/// Returns the text of a registered report in Markdown: hypotheses, power, every field of the design with its meaning,
+/// blinding, stopping and analysis; what its authors must add is in brackets. `power`: output of
+/// samples/experiment/power; empty: none. Throws Refusal if it is of another design.
+std::string preregistration_text(const Design& design, const std::string& power = "");
 
 /// PROTOCOL.md with the design's numbers in it.
 std::string protocol_text(const Design& design);

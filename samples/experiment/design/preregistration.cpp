@@ -45,40 +45,63 @@ std::string fields_text(const json& schema, const json& given, const std::string
 
 std::string hypothesis_text(const Design& design) {
   const std::string reference = design.conditions[design.reference].name, measure = "`" + design.measure + "`";
-  if (design.hypothesis == "difference") return measure + " of each condition differs from that of " + reference + ".";
-  return measure + " of each condition is less than " + format("%g from ", design.margin) +
+  const std::string of_each = measure + " of each condition ";
+  if (design.hypothesis == "difference" && design.direction == "two-sided")
+    return of_each + "differs from that of " + reference + ", in either direction.";
+  if (design.hypothesis == "difference") return of_each + "is " + design.direction + " than that of " + reference + ".";
+  return of_each + "is less than " + format("%g from ", design.margin) +
          (design.hypothesis == "equivalence" ? "that of " + reference : "0") + ", to either side.";
+}
+
+std::string test_text(const Design& design) {
+  const bool is_absolute = design.hypothesis == "below_margin";
+  const auto tests = static_cast<unsigned>(design.conditions.size()) - (is_absolute ? 0U : 1U);
+  return (design.hypothesis != "difference" ? "two one-sided t tests, " + format("margin %g,", design.margin)
+          : design.direction == "two-sided" ? "two-sided " + design.test
+                                            : "one-sided " + design.test) +
+         " of `" + design.measure + "`" +
+         format(", %u test%s, Holm's correction, family-wise level %g; intervals at the corrected level.", tests,
+                tests == 1 ? "" : "s", design.alpha);
+}
+
+std::string power_text(const Design& design, const std::string& power) {
+  if (power.empty())
+    return "\n\n[Power: `samples/experiment/power study.json >power.txt`, then `hrt-experiment preregister study.json "
+           "--power power.txt`.]\n\n";
+  if (power.find(design.sha256) == std::string::npos)
+    throw Refusal("--power: the table is of another design: it lacks the SHA-256 of this one, " + design.sha256 +
+                  "; run samples/experiment/power with this design again");
+  return "\n\nPower, by simulation:\n\n```\n" + power + "```\n\n";
 }
 
 }  // namespace
 
-std::string preregistration_text(const Design& design) {
+std::string preregistration_text(const Design& design, const std::string& power) {
   return "# " + design.title + "\n\nSHA-256 of study.json: `" + design.sha256 +
          "`. hrt-experiment refuses another design from the first participant on.\n"
-         "What stands in brackets is the authors'; delete this line.\n\n"
+         "Text in brackets is for the authors to replace; delete this line.\n\n"
          "## Hypotheses\n\n" +
          hypothesis_text(design) +
-         " [Why, in which direction, and which size matters.]\n\n"
+         " [Why, and which size matters.]\n\n"
          "## Participants\n\n" +
          format("%u. ", design.participants) +
          "Participant N who is excluded or withdraws is replaced by participant N" +
-         format(" + %u, with the same level and order. ", design.participants) +
-         "[Why so many: the table of `samples/experiment/power study.json`, whose people are simulated. Who may take "
-         "part.]\n\n"
-         "## Design and procedure\n\n" +
+         format(" + %u, with the same level and order. ", design.participants) + "[Who may take part.]" +
+         power_text(design, power) + "## Design and procedure\n\n" +
          fields_text(design_schema(), json::parse(design.text), "") + "\n```\n" + design_text(design) +
          "```\n\n## Blinding\n\nThe experimenter sees letters, drawn for each participant; practice and noticeability "
          "have none. The journal records when the experimenter is unblinded. The design, the motion of the plate and "
          "the page of `--live look` can reveal a condition. [Who knows the conditions.]\n\n"
          "## Exclusions and stopping\n\nA reach counts as `validity` says, by the program. The experimenter, who may "
          "see the plate, can refuse a reach while it lasts; the report has the number of them by condition. The "
-         "analysis leaves out the participants whom `exclusions` names; a session ends as `stop` says. The number of "
-         "participants does not depend on the data. [Other exclusions.]\n\n"
+         "analysis leaves out the participants whom `exclusions` names. A session stops after " +
+         format("%u reaches in a row that do not count, or %g minutes after consent. ", design.max_invalid_in_a_row,
+                design.max_minutes) +
+         "The number of participants does not depend on the data. [Other exclusions.]\n\n"
          "## Analysis\n\n`samples/experiment/analyse`, after `hrt-experiment export --unblind`: " +
-         design.test + " of `" + design.measure +
-         format("`, Holm's correction, level %g; intervals at the corrected level.", design.alpha) +
+         test_text(design) +
          (design.levels.empty() ? "" : " By `" + design.factor + "`: Welch's test of each comparison.") +
-         " [What else is looked at, called exploratory.]\n\n"
+         " [Exploratory analyses.]\n\n"
          "## Data\n\n[Where the data, recordings and this text will be.]\n";
 }
 

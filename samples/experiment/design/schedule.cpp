@@ -90,8 +90,9 @@ std::vector<unsigned> order_for(const Design& design, unsigned participant) {
 }
 
 Block noticeability_block(const Design& design, unsigned participant, unsigned number) {
-  std::vector<PlannedTrial> trials(design.noticeability->trials,
-                                   PlannedTrial{0, design.noticeability->condition, 0, false});
+  std::vector<PlannedTrial> trials;
+  for (unsigned i = 0; i < design.noticeability->trials; ++i)
+    trials.push_back({0, design.noticeability->condition, i % design.noticeability->runs, false});
   const auto catches = std::lround(design.catch_share * static_cast<double>(trials.size()));
   trials.insert(trials.end(), static_cast<std::size_t>(catches),
                 PlannedTrial{0, design.noticeability->condition, 0, true});

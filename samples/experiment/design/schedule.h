@@ -11,7 +11,7 @@ namespace hrt::experiment {
 struct PlannedTrial {
   unsigned number;     ///< within the block, from 1
   unsigned condition;  ///< index; of catch trials too, whose plate rests all the same
-  unsigned pair;       ///< index; not of noticeability
+  unsigned pair;       ///< index; in noticeability the run
   bool is_catch;
 };
 

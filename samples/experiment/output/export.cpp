@@ -79,6 +79,7 @@ const std::vector<Column> trial_columns{
     {"attempt", "integer", "", "number of the attempt, interrupted ones included"},
     {"gap_deg", "number", "deg", "of the retargeted reach of noticeability; 0 in catch trials"},
     {"bent", "integer", "", "which reach of two was retargeted, from 1"},
+    {"run", "integer", "", "of interleaved QUEST+ runs, from 1"},
     {"bend_deg", "number", "deg",
      "delivered bend: angle between the ends of both reaches, on which the threshold rests"},
     {"recording", "text", "", "in the session's folder recordings, without ending"},
@@ -111,7 +112,8 @@ const Table tables[] = {
        "are right, lapses aside"},
       {"threshold_low_deg", "number", "deg", "lower end of its 95 % interval"},
       {"threshold_high_deg", "number", "deg", "upper end"},
-      {"threshold_answers", "integer", "", "answers that it rests on"}}},
+      {"threshold_answers", "integer", "", "answers that it rests on"},
+      {"run_thresholds_deg", "text", "deg", "threshold by the answers of each interleaved run, separated by spaces"}}},
     {"questionnaires.csv",
      "One row an answer",
      {{"questionnaire", "text", "", "its name"},
@@ -189,6 +191,10 @@ json person_row(const Design& design, const State& state, const std::vector<Even
                 {"threshold_low_deg", found.lower_deg},
                 {"threshold_high_deg", found.upper_deg}});
   if (design.noticeability) row["threshold_answers"] = state.quest.answers();
+  std::string runs;
+  for (const app::QuestPlus& run : state.quest_runs)
+    runs += (runs.empty() ? "" : " ") + (run.answers() == 0 ? "-" : format("%.4g", run.threshold().deg));
+  row["run_thresholds_deg"] = runs;
   return row;
 }
 

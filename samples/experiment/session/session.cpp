@@ -27,6 +27,7 @@ struct Part {
   double distance_m;
   double radius_m;
   Condition condition;
+  unsigned index;  // of the condition
 };
 
 json outcome_of(const Part& part, const ReachOutcome& outcome, const double (&start_m)[3]) {
@@ -320,18 +321,24 @@ class SessionRun {
     if (block.kind != BlockKind::noticeability) {
       const Pair& pair = design_.pairs[planned.pair];
       about["pair"] = pair.name;
-      if (planned.is_catch) return {{pair.real_deg, pair.real_deg, pair.distance_m, pair.radius_m, at_rest}};
+      if (planned.is_catch)
+        return {{pair.real_deg, pair.real_deg, pair.distance_m, pair.radius_m, at_rest, planned.condition}};
       const double real_deg = pair.virtual_deg + condition.gap_share * (pair.real_deg - pair.virtual_deg);
-      return {{real_deg, pair.virtual_deg, pair.distance_m, pair.radius_m, condition}};
+      return {{real_deg, pair.virtual_deg, pair.distance_m, pair.radius_m, condition, planned.condition}};
     }
     const Noticeability& notice = *design_.noticeability;
     Stream draw(Use::intervals, {design_.seed, state_.participant, task.block, planned.number, record(task).refused});
     const unsigned bent = draw.below(2);
-    const double gap_deg = planned.is_catch ? 0.0 : state_.quest.next_gap_deg(state_.max_gap_deg());
+    const double gap_deg = planned.is_catch ? 0.0 : state_.quest_runs[planned.pair].next_gap_deg(state_.max_gap_deg());
     const double sign = draw.below(2) == 0 ? 1.0 : -1.0;
     about["gap_deg"] = gap_deg;
     about["bent"] = bent;
-    std::vector<Part> parts(2, Part{notice.virtual_deg, notice.virtual_deg, notice.distance_m, 0.0, condition});
+    if (!planned.is_catch) about["run"] = planned.pair + 1;
+    const Condition& control = design_.conditions[notice.control];
+    std::vector<Part> parts(
+        2, Part{notice.virtual_deg, notice.virtual_deg, notice.distance_m, 0.0, control, notice.control});
+    parts[bent].condition = condition;
+    parts[bent].index = notice.condition;
     parts[bent].real_deg -= sign * gap_deg;
     return parts;
   }
@@ -413,7 +420,7 @@ class SessionRun {
   }
 
   void make(const Part& part, unsigned condition, unsigned index, const std::filesystem::path& file, json& reach) {
-    const std::string& learnt = state_.beliefs[condition];
+    const std::string& learnt = state_.beliefs[part.index];
     const std::string first = state_.set_up ? state_.set_up->at("profile").get<std::string>() : "";
     const LibrarySession session(part.condition, learnt.empty() ? first : learnt, subject_);
     const auto [real, seen] = session.add_targets(part.real_deg, part.virtual_deg, part.distance_m, part.radius_m);
@@ -434,7 +441,8 @@ class SessionRun {
                     {format("missed by %.1f mm", found["miss_mm"].get<double>()),
                      format("largest felt error %.1f°", outcome.peak_felt_error_deg),
                      format("misfit %.1f: the model fits below 4.5", outcome.summary.misfit), counts}}});
-    if (part.condition.controller == Controller::people && reach["counts"]) reach["belief"] = session.profile();
+    if (part.condition.controller == Controller::people && part.index == condition && reach["counts"])
+      reach["belief"] = session.profile();
   }
 
   void ask(const Task& task) {

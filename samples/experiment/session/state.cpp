@@ -16,7 +16,8 @@ State::State(const Design& of_design, const Schedule& of_schedule, unsigned of_p
       passes(of_schedule.blocks.size(), 1),
       beliefs(of_design.conditions.size()),
       quest(of_design.noticeability ? of_design.noticeability->min_gap_deg : 1.0,
-            of_design.noticeability ? of_design.noticeability->max_gap_deg : 2.0) {
+            of_design.noticeability ? of_design.noticeability->max_gap_deg : 2.0),
+      quest_runs(of_design.noticeability ? of_design.noticeability->runs : 0, quest) {
   for (const Block& planned : schedule.blocks) trials.emplace_back(planned.trials.size());
   begin_block(0);
 }
@@ -67,10 +68,11 @@ void State::apply_reach(const Event& event) {
 void State::apply_answer(unsigned answer) {
   TrialRecord& record = trials[block][pending.front()];
   record.answer = answer;
-  const bool is_catch = schedule.blocks[block].trials[pending.front()].is_catch;
-  if (schedule.blocks[block].kind == BlockKind::noticeability && !is_catch)
-    quest.update(record.reach.value("bend_deg", record.attempt.at("gap_deg").get<double>()),
-                 answer == record.attempt.at("bent").get<unsigned>());
+  const PlannedTrial& planned = schedule.blocks[block].trials[pending.front()];
+  if (schedule.blocks[block].kind == BlockKind::noticeability && !planned.is_catch)
+    for (app::QuestPlus* each : {&quest, &quest_runs[planned.pair]})
+      each->update(record.reach.value("bend_deg", record.attempt.at("gap_deg").get<double>()),
+                   answer == record.attempt.at("bent").get<unsigned>());
   end_trial(TrialRecord::End::counted);
 }
 

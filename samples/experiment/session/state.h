@@ -65,12 +65,13 @@ struct State {
   unsigned reaches = 0;  ///< ended, counted or not
   unsigned presented = 0;
   unsigned refused_in_a_row = 0;
-  std::vector<std::string> beliefs;  ///< profile of each condition after its last reach; empty: the set-up's
-  app::QuestPlus quest;
-  std::string end;             ///< "done" or "stopped"; empty: neither
-  std::int64_t passed_ns = 0;  ///< from consent to the last event, also while the machine was off
-  std::string boot;            ///< of the last start
-  std::optional<Now> last;     ///< when the journal was last written
+  std::vector<std::string> beliefs;        ///< profile of each condition after its last reach; empty: the set-up's
+  app::QuestPlus quest;                    ///< of all answers: the threshold
+  std::vector<app::QuestPlus> quest_runs;  ///< of the interleaved runs, which choose the gaps
+  std::string end;                         ///< "done" or "stopped"; empty: neither
+  std::int64_t passed_ns = 0;              ///< from consent to the last event, also while the machine was off
+  std::string boot;                        ///< of the last start
+  std::optional<Now> last;                 ///< when the journal was last written
 
  private:
   void end_trial(TrialRecord::End end);

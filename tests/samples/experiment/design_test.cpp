@@ -34,6 +34,27 @@ TEST(ExperimentDesign, ThePreregistrationHasEveryField) {
     EXPECT_NE(text.find("- `" + name + "` ("), std::string::npos) << name;
 }
 
+// Direction, margin, stopping and the power of this design, and of no other one.
+TEST(ExperimentDesign, ThePreregistrationStatesHypothesisAndPower) {
+  const auto text_of = [](const json& analysis) {
+    return preregistration_text(small_design(3, [&](json& study) { study["analysis"] = analysis; }));
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << text;
+  };
+  has(text_of({{"direction", "less"}}), "is less than that of hidden none.");
+  has(text_of({{"direction", "less"}}),
+      "one-sided t of `abs_miss_deg`, 1 test, Holm's correction, family-wise level 0.05");
+  has(text_of({{"hypothesis", "equivalence"}, {"margin", 2}}),
+      "is less than 2 from that of hidden none, to either side.");
+  has(text_of({{"hypothesis", "below_margin"}}), "two one-sided t tests, margin 1, of `abs_miss_deg`, 2 tests");
+  const Design design = small_design(3);
+  const std::string table = "a table, SHA-256 " + design.sha256 + "\n";
+  has(preregistration_text(design, table), "```\n" + table + "```");
+  has(preregistration_text(design), "after 10 reaches in a row that do not count, or 120 minutes after consent");
+  EXPECT_NE(refusal_of([&] { preregistration_text(small_design(4), table); }), "");
+}
+
 // Each ordered pair of conditions is neighbours equally often, and each condition is in each place equally
 // often.
 TEST(ExperimentDesign, WilliamsOrdersAreBalanced) {
@@ -148,6 +169,12 @@ TEST(ExperimentDesign, RefusalsNameThePlace) {
          s["catch_share"] = 0.2;
          s["analysis"] = {{"test", "mixed_model"}, {"measure", "d_prime"}};
        }},
+      {".analysis.test must be sign_flip, with the hypothesis difference",
+       [](json& s) { s["analysis"] = {{"measure", "percent_within"}}; }},
+      {".analysis.direction must be two-sided",
+       [](json& s) { s["analysis"] = {{"hypothesis", "equivalence"}, {"direction", "less"}}; }},
+      {".noticeability.control must be a condition",
+       [](json& s) { s["noticeability"] = {{"condition", "secret people"}, {"control", "x"}}; }},
       {".analysis.test must be t: equivalence",
        [](json& s) { s["analysis"] = {{"test", "sign_flip"}, {"hypothesis", "equivalence"}}; }},
       {".analysis.measure needs question and catch_share", [](json& s) { s["analysis"] = {{"measure", "criterion"}}; }},

@@ -396,28 +396,34 @@ TEST(ExperimentSession, EverythingLeavesTheJournal) {
 }
 
 // The stimulus is the bend that the plate delivered, which is less than a gap that no plate sustains; no larger one is
-// chosen than the set-up says that it can sustain.
+// chosen than the set-up says that it can sustain. Two runs are interleaved.
 TEST(ExperimentSession, NoticeabilityIsOfTheDeliveredBend) {
   const Design design = small_design(1, [](json& study) {
     study["participants"] = 2;
     study["set_up"] = "calibration";
     study["simulated"]["invalid_share"] = 0;
-    study["noticeability"] = {{"trials", 10}, {"condition", "secret people"}, {"max_gap_deg", 45}};
+    study["conditions"][1]["controller"] = "paper";
+    study["noticeability"] = {
+        {"trials", 10}, {"condition", "secret people"}, {"control", "hidden none"}, {"runs", 2}, {"max_gap_deg", 45}};
   });
   const TemporaryFolder folder;
   run_simulated(design, folder.path);
   const std::string journal = content_of(folder.path / session_name / "journal.jsonl");
   double max_gap_deg = 0.0, gap_deg = 0.0;
-  unsigned bends = 0;
+  unsigned bends = 0, first_run = 0;
+  json attempt = json::object();
   for (const Event& event : read_journal(journal, "journal")) {
     if (event.name == "set_up") max_gap_deg = event.data["max_gap_deg"];
-    if (event.name == "attempt") gap_deg = event.data.value("gap_deg", 0.0);
+    if (event.name == "attempt") attempt = event.data;
+    gap_deg = attempt.value("gap_deg", 0.0);
     if (event.name != "reach" || !event.data.contains("bend_deg")) continue;
     EXPECT_LE(gap_deg, max_gap_deg);
     EXPECT_NEAR(event.data["bend_deg"].get<double>(), gap_deg, 6.0);
     ++bends;
+    first_run += attempt["run"] == 1 ? 1 : 0;
   }
   EXPECT_EQ(bends, 10U);
+  EXPECT_EQ(first_run, 5U);
   EXPECT_LT(max_gap_deg, 30.0);
 }
 
