@@ -106,10 +106,8 @@ Results results(const CoverageStudy& study) {
 CoverageStudy simulate(CoverageOptions options) {
   options.session.slides = static_cast<int>(options.slides);
   CoverageStudy study{.options = options, .rows = {}};
-  std::vector<KindRow> rows;
   for (const CoverageKind& kind : coverage_kinds())
-    if (options.kind == "all" || options.kind == kind.name) rows.push_back({&kind, {}});
-  study.rows = options.writing.part.of(rows);
+    if (options.kind == "all" || options.kind == kind.name) study.rows.push_back({&kind, {}});
   Progress progress;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     study.rows[i].coverage = simulate(*study.rows[i].kind, options);
@@ -126,8 +124,7 @@ void add_coverage(CLI::App& app) {
       app, "coverage", "How often the calibration's 95 % intervals hold the truth, over simulated people.",
       R"(People as 'robustness' has them, and others: strong and weak illusions, one with a peak, slides that slip,
 people who change over the session. 50 people of all kinds take some three minutes.
-)" + part_words("kinds") +
-          R"(
+
 Examples:
   hrt-study coverage --kind habit-5
   hrt-study coverage --slides 16 --people 200)",
@@ -140,7 +137,6 @@ Examples:
   add_number(command, "--duration", &options->session.duration_s, {0.3, 20.0}, "Time of a slide, s.");
   add_integer(command, "--threads", &options->threads, 1, 64, "Threads.");
   add_seed(command, &options->session.seed);
-  options->writing.add_part_option(command);
   options->writing.add_options(command);
 }
 

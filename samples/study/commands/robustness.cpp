@@ -73,7 +73,6 @@ SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
 RobustnessStudy simulated(const Options& options) {
   RobustnessStudy study{.options = options.robustness, .people = {}, .rows = {}};
   if (!options.durations_s.empty()) study.options.durations_s = options.durations_s;
-  study.options.part = options.writing.part;
   check_durations(study.options);
   if (!options.person.empty()) study.people.push_back(take_person(options, study));
   if (!options.recorded.empty()) study.people.push_back(people_of_recordings("--recorded", options.recorded));
@@ -82,7 +81,7 @@ RobustnessStudy simulated(const Options& options) {
     for (const PeopleFamily& family : people_families()) study.people.push_back(people_of(family));
   const Output csv("--csv", options.csv);
   simulate(study);
-  if (!options.csv.empty()) csv.write(csv_of(robustness_results(study), study.options.part));
+  if (!options.csv.empty()) csv.write(csv_of(robustness_results(study)));
   return study;
 }
 
@@ -117,11 +116,10 @@ interval is honest. People who cannot hold the gap, whatever the plate does, are
 field without a value is empty (CSV) or null (JSON). With one sort of people the text has all of it.
 
 After each 100 people a row looks at the 95 % interval of its share within 1.5 deg, and takes no more
-once half of that is at most --within points. Its people are the first of --people, so neither threads,
-parts nor other families change a number; what sums up rows counts each alike. Of the intervals 95 %
+once half of that is at most --within points. Its people are the first of --people, so neither threads
+nor other families change a number; what sums up rows counts each alike. Of the intervals 95 %
 stay true (91 % at worst), and a share moves by up to 0.4 points away from 50 %. --within 0 takes all.
-)" + part_words("families and durations") +
-         R"(
+
 Examples:
   hrt-study robustness
   hrt-study robustness --family linear,place --durations 1.5 --people 1000
@@ -130,7 +128,6 @@ Examples:
   hrt-study robustness --tune gain.mean=12,last_phase=0.9
   hrt-study robustness --people 1000 --format csv > robustness.csv
   hrt-study robustness --csv robustness.csv
-  hrt-study robustness --people 1000 --format csv --part 2/40 --out part02.csv
   hrt-study robustness --recorded my_lab --durations 1.5 --people 300
   hrt-study robustness --person me.json --people 1000
   hrt-study robustness --replay recordings --format csv
@@ -189,9 +186,8 @@ void add_robustness(CLI::App& app) {
   add_threads(command, &robustness.threads);
   add_path(command, "--csv", &options->csv, "a file in a folder that can be written",
            "All numbers there as well, in one run.");
-  options->writing.add_part_option(command);
   replay->excludes("--people", "--reaches", "--within", "--durations", "--family", "--person", "--recorded",
-                   "--informed-of", "--tune", "--seed", "--threads", "--csv", "--part");
+                   "--informed-of", "--tune", "--seed", "--threads", "--csv");
   options->writing.add_options(command);
 }
 

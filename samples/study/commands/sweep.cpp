@@ -1,4 +1,4 @@
-// hrt-study sweep: every combination of lists of values, as CSV, in parts.
+// hrt-study sweep: every combination of lists of values, as CSV.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +9,6 @@
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"
-#include "samples/study/cli/part.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/numbers/statistics.h"
 
@@ -81,7 +80,6 @@ std::string grid_row(std::uint64_t index, const Condition& condition, std::uint6
 
 struct SweepOptions {
   Grid grid;
-  Part part;
   std::uint64_t trials = 1'000;
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
@@ -120,17 +118,14 @@ void run(const SweepOptions& options) {
   check_gaps(options.grid);
   const Output output("--out", options.out);
   const std::uint64_t points = options.grid.size();
-  const std::uint64_t first = options.part.begin(points);
-  const std::uint64_t last = options.part.end(points);
   // Blocks of about this many trials, so that all threads have work.
   constexpr std::uint64_t block_trials = 50'000;
   const std::uint64_t block = std::max<std::uint64_t>(1, block_trials / options.trials);
-  std::string text = options.part.has_header() ? grid_header() : "";
+  std::string text = grid_header();
   Progress progress;
-  for (std::uint64_t begin = first; begin < last; begin += block)
-    text += rows(options, begin, std::min(begin + block, last), [&](std::uint64_t done) {
-      progress.update((begin - first) * options.trials + done, (last - first) * options.trials);
-    });
+  for (std::uint64_t begin = 0; begin < points; begin += block)
+    text += rows(options, begin, std::min(begin + block, points),
+                 [&](std::uint64_t done) { progress.update(begin * options.trials + done, points * options.trials); });
   output.write(text);
 }
 
@@ -139,17 +134,14 @@ void run(const SweepOptions& options) {
 void add_sweep(CLI::App& app) {
   const auto options = std::make_shared<SweepOptions>();
   CLI::App& command =
-      add_command(app, "sweep", "Every combination of lists of values, as CSV; in parts.",
+      add_command(app, "sweep", "Every combination of lists of values, as CSV.",
                   R"(The grid has every combination of the listed values. A row of the CSV is one point: its parameters,
 then the results of its trials. Point i takes the random numbers of condition i, so the rows do not
-depend on threads or parts.
-)" + part_words("points") +
-                      R"(
+depend on threads.
+
 Examples:
   hrt-study sweep --gap 2:20:10 --tactile-weight 0.05:0.45:9 --out gaps.csv
-  hrt-study sweep --perceived-weight 0.01,0.1,1,10 --trials 100000
-  hrt-study sweep --horizon 1:20:20 --part $SLURM_ARRAY_TASK_ID/8 --out part$SLURM_ARRAY_TASK_ID.csv
-  cat part1.csv part2.csv part3.csv > whole.csv)",
+  hrt-study sweep --perceived-weight 0.01,0.1,1,10 --trials 100000)",
                   [options] { run(*options); });
   add_numbers(command, "--gap", &options->grid.gaps_deg, gap_range, "Gap: virtual minus real direction, deg.");
   add_numbers(command, "--virtual", &options->grid.virtual_directions_deg, direction_range,
@@ -158,7 +150,6 @@ Examples:
   add_trials(command, &options->trials, "Trials of each point.");
   add_seed(command, &options->seed);
   add_threads(command, &options->threads);
-  add_part(command, &options->part);
   add_out(command, &options->out);
 }
 

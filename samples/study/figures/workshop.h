@@ -38,7 +38,4 @@ class Workshop {
 /// The picture for a file at `path`, drawn in its folder. Throws as Workshop.
 std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure);
 
-/// Runs gnuplot on `script` in `folder`. Throws std::runtime_error, one line, if gnuplot is missing or fails.
-void run_gnuplot(const std::string& script, const std::filesystem::path& folder);
-
 }  // namespace hrt::study

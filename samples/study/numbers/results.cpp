@@ -30,14 +30,13 @@ void put(Row& row, const std::string& name, const std::string& unit, const Quant
   row[name + "_high" + unit] = quantile.high;
 }
 
-std::string csv_of(const Results& results, const Part& part) {
+std::string csv_of(const Results& results) {
   std::string page;
   const auto add = [&](const Row& row, const auto& text) {
     for (auto item = row.begin(); item != row.end(); ++item) page += (item == row.begin() ? "" : ",") + text(item);
     page += '\n';
   };
-  if (part.has_header() && !results.rows.empty())
-    add(results.rows.front(), [](const auto& item) { return item.key(); });
+  if (!results.rows.empty()) add(results.rows.front(), [](const auto& item) { return item.key(); });
   for (const Row& row : results.rows) add(row, [](const auto& item) { return field_of(item.value()); });
   return page;
 }
@@ -51,14 +50,6 @@ std::string json_of(const Results& results) {
 void Writing::add_options(CLI::App& command) {
   add_choice(command, "--format", &format, {"text", "csv", "json"}, "What to write.");
   add_out(command, &out);
-}
-
-void Writing::add_part_option(CLI::App& command) { add_part(command, &part); }
-
-void Writing::check_part() const {
-  if (!part.whole() && format != "csv")
-    throw UsageError(not_allowed("--part", std::to_string(part.number) + '/' + std::to_string(part.count),
-                                 "given with --format csv"));
 }
 
 }  // namespace hrt::study

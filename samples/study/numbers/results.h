@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "samples/study/cli/output.h"
-#include "samples/study/cli/part.h"
 #include "samples/study/numbers/statistics.h"
 
 namespace CLI {
@@ -28,29 +27,24 @@ void put(Row& row, const std::string& name, const Share& share);
 /// NAME, NAME_low and NAME_high before `unit`.
 void put(Row& row, const std::string& name, const std::string& unit, const Quantile& quantile);
 
-/// A header, if `part` has it, and a line a row; flags are 1 and 0.
-std::string csv_of(const Results& results, const Part& part = {});
+/// A header, and a line for each row; flags are 1 and 0.
+std::string csv_of(const Results& results);
 /// `about`, then "rows". Text that is not UTF-8 is replaced.
 std::string json_of(const Results& results);
 
-/// Destination and format of a command's results: --format and --out, and --part for those that have parts.
+/// Destination and format of a command's results: --format and --out.
 struct Writing {
   std::string format = "text";
   std::string out;
-  Part part;
 
   void add_options(CLI::App& command);
-  void add_part_option(CLI::App& command);
-  /// Throws UsageError for parts in a format that `cat` does not join.
-  void check_part() const;
 
   /// Writes the result of `make`, as `results_of` or `text_of` it. Throws as Output, before the work, if --out cannot
   /// be written.
   void write(auto&& make, auto&& results_of, auto&& text_of) const {
-    check_part();
     const Output output("--out", out);
     const auto made = make();
-    output.write(format == "csv"    ? csv_of(results_of(made), part)
+    output.write(format == "csv"    ? csv_of(results_of(made))
                  : format == "json" ? json_of(results_of(made))
                                     : text_of(made));
   }

@@ -123,7 +123,6 @@ std::vector<RobustnessRow> simulate_robustness(
   for (const SimulatedPeople& sort : people)
     for (const double duration_s : options.durations_s)
       rows.push_back({.people = sort, .duration_s = duration_s, .cells = {}});
-  rows = options.part.of(rows);
 
   constexpr std::size_t columns = leadings.size();
   std::vector<std::vector<ReachResult>> results(rows.size() * columns);  // of each cell, by person

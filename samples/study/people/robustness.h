@@ -11,7 +11,6 @@
 
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
-#include "samples/study/cli/part.h"
 #include "samples/study/numbers/results.h"
 #include "samples/study/numbers/statistics.h"
 
@@ -113,10 +112,9 @@ struct RobustnessOptions {
   std::uint64_t threads = 1;
   std::vector<PersonState::Index> informed_of{std::begin(telling_traits), std::end(telling_traits)};
   Tuning tuning;  ///< of the controller for people
-  Part part;      ///< of the rows
 };
 
-/// All people at every duration, the durations of one sort one after another, or the rows of a part of that.
+/// All people at every duration, the durations of one sort one after another.
 /// Person i of a sort and duration is the same with every controller; a cell takes them in order, and looks at
 /// its interval after each 100. The same for any number of threads, and whatever else is simulated.
 /// `progress` is called on this thread.

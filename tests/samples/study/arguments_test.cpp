@@ -33,7 +33,6 @@ TEST_P(StudyBadArgument, IsOneLineAndExitCodeTwo) {
 
 const std::string from_1_to_20 = "a whole number from 1 to 20";
 const std::string tactile_weight = "a number in (0, 0.5)";
-const std::string part = "i/n, whole numbers with 1 <= i <= n";
 const std::string many = "1:40:100";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -72,11 +71,6 @@ INSTANTIATE_TEST_SUITE_P(
         {{"robustness", "--durations", "1,1.0"}, "--durations", "given once"},
         {{"robustness", "--family", "linear,nobody"}, "--family", "--help shows"},
         {{"robustness", "--family", ""}, "--family", "--help shows"},
-        {{"sweep", "--part", "0/3"}, "--part", part},
-        {{"sweep", "--part", "4/3"}, "--part", part},
-        {{"sweep", "--part", "1"}, "--part", part},
-        {{"sweep", "--part", "-1/3"}, "--part", part},
-        {{"sweep", "--part", "1/9999999"}, "--part", part},
         {{"sweep", "--horizon", "3,21"}, "--horizon", from_1_to_20},
         {{"sweep", "--motor-variance", "1,-1"}, "--motor-variance", "a number in [0, 1e+06]"},
         {{"sweep", "--gap", "nan"}, "--gap", "a number in (-90, 90)"},

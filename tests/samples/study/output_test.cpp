@@ -37,48 +37,6 @@ TEST(StudyOutput, EveryByteIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(lines(run_study(robustness).out).size(), 1 + people_families().size() * 2 * leadings.size());
 }
 
-// Parts follow one another from the first row to the last, and the first one has a row, since it has the
-// header.
-TEST(StudyOutput, PartsAreEveryRowOnce) {
-  for (std::uint64_t rows = 1; rows < 40; ++rows)
-    for (std::uint64_t count = 1; count < 50; ++count) {
-      std::uint64_t next = 0;
-      for (std::uint64_t i = 1; i <= count; ++i) {
-        const Part part{.number = i, .count = count};
-        EXPECT_EQ(part.begin(rows), next);
-        next = part.end(rows);
-        EXPECT_TRUE(i > 1 || next > 0) << rows << " rows, " << count << " parts";
-      }
-      EXPECT_EQ(next, rows);
-    }
-}
-
-// Twelve points, six families and durations, 26 kinds.
-TEST(StudyOutput, PartsConcatenateToTheWhole) {
-  const TemporaryFolder folder;
-  for (const Arguments& arguments :
-       {Arguments{"sweep", "--gap", "4,10", "--tactile-weight", "0.1:0.2:3", "--horizon", "2,3", "--trials", "50"},
-        Arguments{"robustness", "--people", "2", "--durations", "0.8,1.2,1.5", "--family", "linear,place", "--format",
-                  "csv"},
-        Arguments{"coverage", "--people", "1", "--slides", "16", "--format", "csv"}}) {
-    const std::string whole = run_study(arguments).out;
-    EXPECT_GE(lines(whole).size(), 13U) << arguments[0];
-    std::string joined;
-    for (const char* part : {"1/4", "2/4", "3/4", "4/4"}) {
-      expect_exit(0, run_study(arguments + Arguments{"--part", part, "--out", folder / "part"}));
-      joined += read_file(folder / "part");
-    }
-    EXPECT_EQ(joined, whole) << arguments[0];
-  }
-}
-
-TEST(StudyOutput, PartsAreCsv) {
-  for (const char* command : {"robustness", "coverage"}) {
-    const StudyRun run = expect_exit(2, run_study({command, "--part", "2/4", "--format", "json"}));
-    EXPECT_EQ(run.err, "hrt-study: --part: '2/4' is not allowed; it must be given with --format csv\n");
-  }
-}
-
 TEST(StudyOutput, TextSaysThatItIsSimulationInLinesThatFit) {
   for (const auto& [arguments, columns] : {std::pair<Arguments, std::size_t>{{"table1", "--trials", "200"}, 110},
                                            {{"robustness", "--people", "1"}, 120}}) {

@@ -151,7 +151,7 @@ TEST(StudyReplay, FoldersThatCannotBeReadAreRefused) {
   EXPECT_TRUE(has(empty.err, "no file of that ending"));
   std::ofstream(folder / "x.csv") << "nothing";
   EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string()}).exit_code, 2);
-  for (const auto& [option, value] : {std::pair{"--family", "linear"}, {"--reaches", "3"}, {"--part", "1/2"}}) {
+  for (const auto& [option, value] : {std::pair{"--family", "linear"}, {"--reaches", "3"}}) {
     const StudyRun ignores = expect_exit(2, run_study({"robustness", "--replay", folder.path.string(), option, value}));
     EXPECT_TRUE(has(ignores.err, "excludes") && has(ignores.err, option)) << ignores.err;
   }
