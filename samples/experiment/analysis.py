@@ -10,6 +10,7 @@ import numpy
 import pandas
 import scipy.optimize
 import scipy.stats
+from statsmodels.stats.meta_analysis import combine_effects
 from statsmodels.stats.oneway import anova_oneway
 
 FLIPS = 20_000  # of signs: all of them for up to 14 people
@@ -68,35 +69,9 @@ def equivalence(differences, margin):
 
 
 def population(estimates, errors):
-    """Mean of people and their standard deviation, each with its 95 % interval, of estimates whose standard errors are known.
-
-    Q-profile: the scatter is where the weighted squares about their mean are as large as expected; its interval is where their logarithm is
-    within 1.96 standard errors of that, which follow from the estimates' kurtosis (Bonett 2006): by chi-squared the interval is too wide for
-    people of bounded weights, and too narrow for skewed ones. The mean's interval is Student's (Knapp, Hartung)."""
-    estimates, squares, n = numpy.asarray(estimates), numpy.square(errors), len(estimates)
-
-    def about_mean(scatter):
-        weights = 1 / (squares + scatter**2)
-        mean = numpy.sum(weights * estimates) / numpy.sum(weights)
-        return mean, numpy.sum(weights * (estimates - mean) ** 2), numpy.sum(weights)
-
-    largest = 100 * (numpy.ptp(estimates) + max(errors))
-
-    def at(q):
-        if about_mean(largest)[1] > q:
-            return float("inf")
-        return scipy.optimize.brentq(lambda s: about_mean(s)[1] - q, 0, largest) if about_mean(0)[1] > q else 0.0
-
-    scatter = at(n - 1)
-    mean, weighted, weight = about_mean(scatter)
-    parts = (estimates - mean) / numpy.sqrt(squares + scatter**2)
-    middle = scipy.stats.trim_mean(parts, min(0.5 / max(1, n - 4) ** 0.5, (n - 1) / (2 * n)))
-    kurtosis = n * numpy.sum((parts - middle) ** 4) / numpy.sum((parts - numpy.mean(parts)) ** 2) ** 2
-    small = n / (n - 1.96)
-    error = small * numpy.sqrt(max(0.0, kurtosis - (n - 3) / n) / (n - 1))
-    low, high = (at((n - 1) / small * numpy.exp(sign * 1.96 * error)) for sign in (1, -1))
-    half = scipy.stats.t.ppf(0.975, n - 1) * numpy.sqrt(max(1.0, weighted / (n - 1)) / weight)
-    return (mean, mean - half, mean + half), (scatter, low, high)
+    """Mean of people, the ends of its 95 % interval, and their standard deviation, of estimates whose standard errors are known (Paule and Mandel 1982)."""
+    found = combine_effects(numpy.asarray(estimates), numpy.square(errors), method_re="iterated", use_t=True)
+    return found.mean_effect_re, *found.conf_int()[1], found.tau2**0.5
 
 
 def mixed_models(studies, measure, reference, direction="two-sided"):
@@ -206,16 +181,18 @@ def excluded(study, trials):
 
 def psychometric(trials):
     """Threshold (the Weibull's scale) and slope of right answers by the delivered bend, of all participants together, by maximum likelihood, and p of
-    the fit: Pearson's chi-squared over sixths of the bends."""
+    the fit: Pearson's chi-squared over sixths of the bends. Both are nan if the answers do not determine them within the bends and slopes of 0.5 to 10."""
     asked = trials[trials.is_right.notna() & (trials.bend_deg > 0)]
     share = lambda x, bend: 0.5 + (0.5 - LAPSES) * (1 - numpy.exp(-((bend / numpy.exp(x[0])) ** numpy.exp(x[1]))))
     loss = lambda x: -scipy.stats.bernoulli.logpmf(asked.is_right, share(x, asked.bend_deg)).sum()
-    x = scipy.optimize.minimize(loss, (math.log(asked.bend_deg.median()), math.log(2)), method="Nelder-Mead").x
+    bounds = ((math.log(asked.bend_deg.min()), math.log(asked.bend_deg.max())), (math.log(0.5), math.log(10)))
+    x = scipy.optimize.minimize(loss, (math.log(asked.bend_deg.median()), math.log(2)), method="L-BFGS-B", bounds=bounds).x
+    found = numpy.exp(x) if all(low + 1e-6 < value < high - 1e-6 for value, (low, high) in zip(x, bounds)) else (math.nan, math.nan)
     groups = asked.assign(expected=share(x, asked.bend_deg)).groupby(pandas.qcut(asked.bend_deg, 6, duplicates="drop"))
     table = groups.agg(bend_deg=("bend_deg", "mean"), right=("is_right", "mean"), expected=("expected", "mean"), answers=("is_right", "size"))
     spread = table.expected * (1 - table.expected) / table.answers
     fit = scipy.stats.chi2.sf(((table.right - table.expected) ** 2 / spread).sum(), len(table) - 2) if len(table) > 2 else math.nan
-    return numpy.exp(x), fit, table, lambda bend: share(x, bend)
+    return found, fit, table, lambda bend: share(x, bend)
 
 
 def threshold_ratios(trials, people, study):
