@@ -1,13 +1,14 @@
 // hrt-experiment: a study of haptic retargeting, from its design to its data. See README.md beside this file.
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
-#include <atomic>
+#include <cerrno>
 #include <cstring>
 #include <iostream>
 #include <map>
-#include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
+#include <sstream>
 
 #include "samples/app/base/interrupt.h"
 #include "samples/app/text/format.h"
@@ -73,32 +74,43 @@ void run_one(const Options& options) {
             << (options.simulated ? ", SIMULATED: no person took part\n" : "\n");
 }
 
-// All participants, several at a time.
+// Runs all participants in several processes. In threads of one process the plugin would give the targets of a session
+// other numbers, which recordings have.
 void simulate(const Options& options) {
   const Design design = read_design(options.study);
-  std::atomic<unsigned> next = 1;
-  std::mutex mutex;
-  std::string failure;
-  std::map<unsigned, std::string> ends;  // that are not yet printed
-  unsigned printed = 0;
-  const auto work = [&] {
-    for (unsigned participant = next++; participant <= design.participants; participant = next++) try {
+  freeze(design, options.data, Disk());
+  int ends[2];  // lines "3 done", or "0 " and why a session failed
+  if (pipe(ends) != 0) throw Refusal(std::string("a pipe cannot be made: ") + std::strerror(errno));
+  for (unsigned first = 1; first <= options.threads; ++first) {
+    const pid_t child = fork();
+    if (child < 0) throw Refusal(std::string("a process cannot be made: ") + std::strerror(errno));
+    if (child > 0) continue;
+    for (unsigned participant = first; participant <= design.participants; participant += options.threads) {
+      std::string line;
+      try {
         SimulatedSubject subject(design, participant, options.reach.seed);
-        const std::string end = run_session(design, {options.data, participant, 1}, subject, Disk());
-        const std::scoped_lock lock(mutex);
-        ends[participant] = end;
-        for (auto done = ends.begin(); done != ends.end() && done->first == printed + 1; done = ends.erase(done))
-          std::cout << "sub-" << ++printed << ": " << done->second << "\n" << std::flush;
+        line = std::to_string(participant) + " " + run_session(design, {options.data, participant, 1}, subject, Disk());
       } catch (const std::exception& error) {
-        const std::scoped_lock lock(mutex);
-        failure = error.what();
+        line = std::string("0 ") + error.what();
       }
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < options.threads; ++i) threads.emplace_back(work);
-  work();
-  threads.clear();
-  if (!failure.empty()) throw Refusal(failure);
+      if (write(ends[1], (line + "\n").data(), line.size() + 1) < 0) _exit(1);
+    }
+    _exit(0);
+  }
+  close(ends[1]);
+  std::string lines;
+  char buffer[4096];
+  for (ssize_t size = 0; (size = read(ends[0], buffer, sizeof buffer)) > 0;) lines.append(buffer, size);
+  close(ends[0]);
+  while (wait(nullptr) > 0) continue;
+  std::map<unsigned, std::string> found;
+  std::istringstream stream(lines);
+  std::string end;
+  for (unsigned participant = 0; stream >> participant && std::getline(stream >> std::ws, end);)
+    found[participant] = end;
+  if (found.contains(0)) throw Refusal(found[0]);
+  if (found.size() != design.participants) throw Refusal("a process of the simulation ended early");
+  for (const auto& [participant, how] : found) std::cout << "sub-" << participant << ": " << how << "\n";
   std::cout << "SIMULATED: no person took part\n";
 }
 
@@ -156,7 +168,8 @@ void add_commands(CLI::App& app, Options& options) {
       ->needs("--scene")
       ->excludes("--speak");
   all->add_option("--seed", options.reach.seed, "Of the simulated people [1]");
-  all->add_option("--threads", options.threads, "[2]")->check(CLI::Range(1, 64));
+  all->add_option("--threads", options.threads, "Processes that run sessions; the data are the same for any number [2]")
+      ->check(CLI::Range(1, 64));
   for (CLI::App* command : {run, all, tables})
     command->add_option("--data", options.data, "Folder of the study's data [data]");
   tables->add_flag("--unblind", options.unblinds, "Conditions by their names");

@@ -339,6 +339,8 @@ def test_text():
         design.write_bytes(b"\xef\xbb\xbf" + json.dumps(study, ensure_ascii=False, indent=1).replace("\n", "\r\n").encode())
         run = lambda *words: subprocess.run(words, check=True, capture_output=True, env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0"})
         run(sys.argv[2], "simulate", design, "--data", data)
+        run(sys.argv[2], "simulate", design, "--data", f"{folder}/one", "--threads", "1")
+        run("diff", "-r", data, f"{folder}/one")  # the same bytes for any number of threads
         run(sys.argv[2], "export", "--data", data, "--unblind")
         run(sys.argv[1] + "/analyse", data)
         run(sys.argv[1] + "/bids", data)
