@@ -23,7 +23,7 @@ class Disk {
   bool create(const std::filesystem::path& file, std::string_view content) const;
   /// Appends to an open file and syncs it.
   void append(int file, const std::filesystem::path& name, std::string_view content) const;
-  /// What another writer has written is on the disk after this.
+  /// Flushes to the disk what another writer has written.
   void sync(const std::filesystem::path& file) const;
   void make_folder(const std::filesystem::path& folder) const;
 

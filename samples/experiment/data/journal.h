@@ -32,7 +32,7 @@ struct Now {
 };
 
 std::uint32_t crc32(std::string_view text);
-/// "2026-11-24T17:10:53.123Z"
+/// The time as text, "2026-11-24T17:10:53.123Z".
 std::string utc_text(std::int64_t utc_ms);
 
 /// The events of a journal's text. Throws Refusal naming the line: a damaged one is allowed only where a

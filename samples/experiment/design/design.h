@@ -19,12 +19,12 @@ enum class Controller { people, paper, fixed, none };
 struct Condition {
   std::string name;
   Controller controller;
-  double plate_deg = 0.0;                                   ///< under `fixed`
+  double plate_deg = 0.0;                                   ///< orientation under `fixed`
   double gap_share = 1.0;                                   ///< of the pair's gap
   std::vector<std::pair<std::string, double>> config = {};  ///< fields of hrt_session_config
 };
 
-/// What is seen and what is touched, from the start.
+/// The displayed and the touched target, as seen from the start.
 struct Pair {
   std::string name;
   double virtual_deg;
@@ -108,7 +108,7 @@ struct Design {
   double margin;  ///< of equivalence, in the measure's unit
   SimulatedTraits simulated;
   std::string text;    ///< the file
-  std::string sha256;  ///< of `text`
+  std::string sha256;  ///< hash of `text`
 };
 
 /// Throws Refusal naming the place and what is allowed. `name`: of the file, for messages.

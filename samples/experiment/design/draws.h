@@ -9,7 +9,7 @@
 
 namespace hrt::experiment {
 
-/// What a draw is for.
+/// Purpose of a draw.
 enum class Use : std::uint32_t { letters, orders, trials, returns, intervals, person, noise, answers };
 
 /// The design's seed, and who and which trial: 0 where it does not matter.
@@ -35,7 +35,7 @@ class Stream {
     constexpr double two_to_minus_32 = 1.0 / 4294967296.0;
     return word * two_to_minus_32;
   }
-  /// Below `count`.
+  /// A whole number below `count`.
   unsigned below(unsigned count) { return static_cast<unsigned>(uniform() * count); }
 
   template <class Value>

@@ -1,4 +1,4 @@
-// Who does what in which order: a pure function of the design and the participant's number.
+// The order of conditions and trials: a pure function of the design and the participant's number.
 #pragma once
 
 #include <string>
@@ -35,13 +35,14 @@ std::vector<std::vector<unsigned>> williams_orders(unsigned count);
 /// `participant`: from 1.
 Schedule schedule_of(const Design& design, unsigned participant);
 
-/// What comes when: a line each, "| 12 | block 1: reaches, 13 trials |", with the minute at which it begins.
+/// The plan of a session, one line for each part: "| 12 | block 1: reaches, 13 trials |", with the minute at which it
+/// begins.
 std::string plan_text(const Design& design, const Schedule& schedule);
 
 /// Name of the kind, in files.
 std::string name_of(BlockKind kind);
 
-/// What stands for a condition until it is unblinded: its letter, or the kind of a block whose condition the design
+/// Name of a condition until it is unblinded: its letter, or the kind of a block whose condition the design
 /// reveals.
 std::string blinded_name(const Design& design, unsigned participant, BlockKind kind, unsigned condition);
 

@@ -32,13 +32,13 @@ class Live {
   /// A line each: "Live view: http://127.0.0.1:PORT/TOKEN/", and "Live view with keys: ...".
   std::string addresses() const;
 
-  /// What page.html shows, by its names. Of the thread that leads the session, as are the calls below.
+  /// The values that page.html shows, by its names. Used by the thread that runs the session, as are the calls below.
   nlohmann::json facts;
   /// Gives readers a copy, and waits for none.
   void show() { shown_.store(std::make_shared<const nlohmann::json>(facts)); }
-  /// Of every frame. `registered`: when a touch checked the plate's place.
+  /// Call in every frame. `registered`: when a touch checked the plate's place.
   void frame(app::Stage& stage, XrTime time, std::optional<Clock::time_point> registered);
-  /// Of every frame of a reach.
+  /// Call in every frame of a reach.
   void moment(const app::Stage& stage, const app::TargetPair& pair, const app::Moment& moment, bool is_first);
   /// The next key that has been pressed on a page, if any.
   std::optional<char> key();

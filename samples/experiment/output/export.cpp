@@ -39,7 +39,7 @@ struct Table {
   std::vector<Column> columns;
 };
 
-// Of a reach, in trials.csv and attempts.csv.
+// Columns of a reach, in trials.csv and attempts.csv.
 const std::vector<Column> reach_columns{
     {"virtual_deg", "number", "deg", "direction of the virtual target from the start, left positive"},
     {"real_deg", "number", "deg", "direction of the real target"},
@@ -151,7 +151,7 @@ json trial_row(const Design& design, const State& state, unsigned block, std::si
   if (!record.reach.is_null()) {
     row["reason"] = record.reach["reason"];
     if (record.reach.contains("bend_deg")) row["bend_deg"] = record.reach["bend_deg"];
-    // Of the bent reach of two, else of the only one.
+    // Numbers of the bent reach of two, else of the only one.
     if (const json& parts = record.reach["parts"]; bent < parts.size()) {
       row.update(parts[bent]);
       row["abs_miss_deg"] = std::abs(row["miss_deg"].get<double>());
@@ -198,7 +198,7 @@ json person_row(const Design& design, const State& state, const std::vector<Even
   return row;
 }
 
-// What the journal has beside trials. `add` appends a row to a table.
+// Events of the journal other than trials. `add` appends a row to a table.
 void add_events(const Design& design, const State& state, const std::vector<Event>& events, bool unblinds,
                 const std::function<void(const char*, json)>& add) {
   json attempt;

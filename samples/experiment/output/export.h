@@ -1,4 +1,4 @@
-// What a study's journals have, as tables.
+// Tables of the contents of a study's journals.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ struct Tables {
   unsigned sessions = 0;
 };
 
-/// Of all sessions in the study's folder. Conditions are letters unless `unblinds`. Throws Refusal.
+/// Tables of all sessions in the study's folder. Conditions are letters unless `unblinds`. Throws Refusal.
 Tables export_study(const Design& design, const std::filesystem::path& study, bool unblinds);
 
 }  // namespace hrt::experiment

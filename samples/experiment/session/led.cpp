@@ -84,7 +84,7 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const app::Op
     stage_.simulation = &*simulation_;
     stand_in_.emplace(design, participant, options.seed);
   } else if (!keyboard_.is_there()) {
-    throw Refusal("a person needs an experimenter at a terminal: the standard input is none");
+    throw Refusal("a person needs an experimenter at a terminal: the standard input is not a terminal");
   } else {
     prompt_.say(keys_text);
   }

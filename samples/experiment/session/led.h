@@ -42,7 +42,7 @@ class LedSubject : public Subject {
   /// After each sync of the journal, of which several may last longer than a stop may: the key that stops the plate
   /// does so; it and the others have their effects at the next frame.
   void between_frames();
-  /// What is printed elsewhere.
+  /// Speaks what the other kind of subject prints.
   void speak(const std::string& text) { prompt_.speak(text); }
   void show(const nlohmann::json& facts) override;
   std::string note() override;

@@ -276,7 +276,7 @@ class SessionRun {
                          samples.push_back(row_of(sample));
                          use(sample);
                          const bool ends = step.done > before || step.instruction == HRT_STEP_FINISH;
-                         before = std::min(before, step.done);  // all of it begins anew after a fit that was refused
+                         before = std::min(before, step.done);  // all of it begins again after a fit that was refused
                          return ends ? std::nullopt : std::optional(step);
                        });
         log(event, {{"number", done}, {"samples", std::move(samples)}});

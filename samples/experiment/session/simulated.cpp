@@ -141,7 +141,7 @@ ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
   for (std::int64_t time_ns = 0; time_ns < limit_ns && !outcome.has_ended; time_ns += frame_ns) {
     hrt_sample sample = person.move(time_ns, plate_deg);
     state = person.state();
-    // Of every other frame.
+    // Every other frame has no position.
     if (loses_finger && time_ns / frame_ns % 2 == 1) sample.flags &= ~HRT_SAMPLE_PLATE_POSITION;
     hrt_command command = hrt_command_init();
     check(hrt_reach_update(order.session, &sample, &command));

@@ -10,7 +10,7 @@ namespace hrt::experiment {
 
 class SimulatedSubject : public Subject {
  public:
-  /// Who it is follows from `seed` and the participant's number.
+  /// The simulated person is drawn by `seed` and the participant's number.
   SimulatedSubject(const Design& design, unsigned participant, std::uint64_t seed);
 
   Now now() override { return now_; }
@@ -29,7 +29,7 @@ class SimulatedSubject : public Subject {
   unsigned answer(const std::string& question, const std::vector<std::string>& answers,
                   const std::vector<double>& felt_deg, unsigned number) override;
 
-  /// Time passes.
+  /// Lets the time pass.
   void pass(double seconds);
 
  private:

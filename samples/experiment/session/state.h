@@ -1,4 +1,4 @@
-// Where a session stands: a fold over its journal, and nothing else.
+// The state of a session: a fold over its journal, and nothing else.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace hrt::experiment {
 
-/// What became of a trial.
+/// Outcome of a trial.
 struct TrialRecord {
   enum class End { open, counted, missing } end = End::open;
   unsigned attempts = 0;   ///< begun
@@ -24,7 +24,7 @@ struct TrialRecord {
   std::optional<unsigned> answer;  ///< from 0
 };
 
-/// What the session does next.
+/// The next task of a session.
 struct Task {
   enum class Kind { consent, registration, check, set_up, questionnaire, rest, trial, answer, end } kind;
   unsigned block = 0;
@@ -49,12 +49,12 @@ struct State {
   bool has_consent = false;
   bool registers = false;
   bool is_placed = false;                        ///< the plate, by touches since the last start
-  std::string registration;                      ///< empty: none
+  std::string registration;                      ///< empty: not registered
   std::set<std::string> registrations;           ///< that there were
   std::vector<nlohmann::json> touches;           ///< of one that is not finished
   std::optional<nlohmann::json> set_up;          ///< its result, once it is done
   std::vector<nlohmann::json> slides;            ///< of a set-up that is not
-  std::set<std::string> questionnaires;          ///< "before SSQ"
+  std::set<std::string> questionnaires;          ///< names such as "before SSQ"
   std::vector<std::vector<TrialRecord>> trials;  ///< of each block
   std::vector<unsigned> passes;                  ///< of each block, from 1: it starts again after a long pause
   unsigned block = 0;

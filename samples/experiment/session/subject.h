@@ -53,7 +53,7 @@ class Subject {
   virtual ~Subject() = default;
 
   virtual Now now() = 0;
-  /// Of a simulated clock: after what the journal has.
+  /// Sets a simulated clock to after the journal's last time.
   virtual void continue_after(const Now&) {}
   /// Names this run of the machine: its monotonic times can be compared.
   virtual std::string boot() const = 0;
@@ -61,18 +61,18 @@ class Subject {
   virtual void plan(hrt_session_config&) const {}
   /// "simulated, seed 7", or a person and what tracks: the same in each process of a session.
   virtual std::string description() const = 0;
-  /// What turns, with what was measured of it at this start.
+  /// Description of the plate, with what was measured of it at this start.
   virtual std::string plate() const { return {}; }
   /// Key that the experimenter has pressed since. After Key::stop_plate the next call waits until the session may
   /// continue.
   virtual Key key() { return Key::none; }
   virtual void say(const std::string& text) = 0;
-  /// Of where the session stands, for page.html.
+  /// Shows the state of the session, for page.html.
   virtual void show(const nlohmann::json&) {}
-  /// After Key::note.
+  /// Reads a note, after Key::note.
   virtual std::string note() = 0;
 
-  /// Of a person whose touches find the plate: its marks. Nothing: it is where it is simulated.
+  /// Marks of a plate that the person's touches find. Nothing: its place is simulated.
   virtual std::optional<hrt_setup_config> marks() const { return std::nullopt; }
   /// The plate is where touches found it. Returns its registration.
   virtual std::string registered(const hrt_session_config&) { return {}; }
@@ -81,7 +81,7 @@ class Subject {
   virtual std::optional<double> verify(const std::string&) { return 0.0; }
 
   virtual bool consents() = 0;
-  /// Of one slide or touch of a set-up, from its begin to its end: gives each sample to `use`, which returns what the
+  /// Runs one slide or touch of a set-up, from its begin to its end: gives each sample to `use`, which returns what the
   /// next step asks for, or nothing at the slide's end. `number` from 0; `from_ns`: time after the last
   /// sample.
   virtual void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,

@@ -45,7 +45,7 @@ def study(seed, effect, people, trials=10):
 
 
 def test_by_hand():
-    # Of 8 choices of signs only + + + and - - - are as far from 0.
+    # Only + + + and - - - of 8 choices of signs are as far from 0.
     assert analysis.sign_flip([1.0, 2.0, 3.0], 0) == 0.25
     assert analysis.sign_flip([1.0, -1.0], 0) == 1.0
     assert analysis.holm({"a": 0.01, "b": 0.04, "c": 0.03}) == {"a": 0.03, "c": 0.06, "b": 0.06}
@@ -156,7 +156,7 @@ def test_mixed_model():
     assert numpy.allclose(fit.df, [6.9666, 6.9724], rtol=1e-2) and numpy.allclose(fit.p, [3.39e-4, 1.8e-5], rtol=2e-2), fit
     one_sided = analysis.mixed_models([few_trials(7)], "abs_miss_deg", "c", "greater")[0]  # both estimates are above 0
     assert numpy.allclose(2 * one_sided.p, fit.p), one_sided
-    # Of balanced data it is the paired t test of people's means.
+    # With balanced data it is the paired t test of people's means.
     balanced = few_trials(0)
     fit, means = analysis.mixed_models([balanced], "abs_miss_deg", "c")[0], analysis.means_of(balanced, "abs_miss_deg")
     for condition in "ab":
@@ -212,7 +212,7 @@ def test_own_data():
         assert found < 6.5 and (len(ends) < STUDIES or covered > 93), (within, found, covered)
 
 
-# Of mean 0 and standard deviation 1.
+# Distributions with mean 0 and standard deviation 1.
 KINDS = {
     "uniform": lambda draw: draw.uniform(-(3**0.5), 3**0.5, 12),
     "normal": lambda draw: draw.normal(0, 1, 12),
@@ -273,7 +273,7 @@ def test_power():
     found = lambda effect, people, test="sign_flip", way="two-sided": power.share_found(
         paired(2000, 2.0), {**plan, "test": test, "direction": way}, "a", effect, people, 2000, 1)
     assert found(-9, 5) == 0  # of 32 choices of signs two are as far from 0: p is 0.0625 at the least
-    # Of normal differences the t test is as strong: its noncentral distribution, effect and deviation 1 and 2.
+    # With normal differences the t test is as strong: its noncentral distribution, effect and deviation 1 and 2.
     for effect, people in ((0, 12), (-1, 12), (-1, 32), (-2, 12)):
         t, shift = scipy.stats.t.ppf(0.975, people - 1), effect / 2 * people**0.5
         exact = 100 * (scipy.stats.nct.cdf(-t, people - 1, shift) + (scipy.stats.nct.sf(t, people - 1, shift) if shift else 0.025))

@@ -76,7 +76,7 @@ TEST(ExperimentDesign, WilliamsOrdersAreBalanced) {
   }
 }
 
-// Of each block: every pair of each condition as often as planned, no pair three times in a row, catch trials
+// Each block has every pair of each condition as often as planned, no pair three times in a row, catch trials
 // apart.
 void expect_legal(const Design& design, const Block& block, std::size_t conditions) {
   std::map<std::pair<unsigned, unsigned>, unsigned> cells;

@@ -203,7 +203,7 @@ Outcome lead(const TemporaryFolder& folder, const reach::Path& path, const std::
 }
 
 // Touches find the plate, across processes; what they found reaches the plugin, which learns from contacts. A
-// touch checks it at each start, and if the plate was moved it is registered anew.
+// touch checks it at each start, and if the plate was moved it is registered again.
 TEST(ExperimentProgram, ASessionRegistersThePlate) {
   using reach::marks, reach::Path;
   const TemporaryFolder folder;

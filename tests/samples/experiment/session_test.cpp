@@ -65,7 +65,7 @@ void expect_recordings_replay(const Design& design, const fs::path& study) {
   for (const auto& entry : fs::directory_iterator(study / session_name / "recordings")) {
     if (entry.path().extension() != ".csv" || fs::file_size(entry.path()) == 0) continue;
     hrt_replay_report report = hrt_replay_report_init();
-    // A recording that a kill cut before its header is none.
+    // A file that a kill cut before its header is not a recording.
     if (hrt_recording_replay(entry.path().c_str(), nullptr, 0, &report) != HRT_OK) continue;
     EXPECT_EQ(report.first_different_line, 0U) << entry.path();
     whole += report.complete;
@@ -105,7 +105,7 @@ TEST(ExperimentCrash, ManyInARow) {
   EXPECT_EQ(lasting(design, folder.path), lasting(design, whole.path));
 }
 
-// What the system had not yet written when the power failed: the last event, cut at every byte.
+// The last event is cut at every byte, as if the power had failed before the system wrote it.
 TEST(ExperimentCrash, TailCutAtEveryByte) {
   const Design design = small_design(2);
   const TemporaryFolder whole;
@@ -266,7 +266,7 @@ TEST(ExperimentSession, AChangedDesignIsRefused) {
   const Design changed = small_design(2);
   EXPECT_NE(refusal_of([&] { run_simulated(changed, folder.path, Disk(), 2); }).find(changed.sha256),
             std::string::npos);
-  // Of the same one nothing is done again.
+  // The same one repeats nothing.
   const std::string journal = content_of(folder.path / session_name / "journal.jsonl");
   EXPECT_EQ(run_simulated(small_design(1), folder.path), "done");
   EXPECT_EQ(content_of(folder.path / session_name / "journal.jsonl"), journal);
