@@ -90,7 +90,7 @@ test("esbuild, with the module copied beside the bundle", async () => {
   await runs(out);
 });
 
-for (const [loader, where] of [["file", "as a file of its own"], ["binary", "inside the bundle"]]) test(`esbuild, with the module ${where}`, async () => {
+for (const [loader, where] of [["file", "as a separate file"], ["binary", "inside the bundle"]]) test(`esbuild, with the module ${where}`, async () => {
   await runs(await esbuildBundle(`esbuild_${loader}`, 'import wasm from "haptic-retargeting/haptic_retargeting.wasm";', { loader: { ".wasm": loader } }));
 });
 

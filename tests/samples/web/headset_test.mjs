@@ -224,5 +224,5 @@ test("touches of the marks place the plate, and a wrong touch is rejected", asyn
   await touch(bad);
   assert.equal(await phase(page), "ready");
   await rest(page, place([0, 0, 0.05]));
-  assert.equal(await phase(page), "sliding", "the ring is where the touches put it");
+  assert.equal(await phase(page), "sliding", "the ring is at the registered start");
 });

@@ -76,7 +76,7 @@ test("the plate follows after its latency at its speed", () => {
   for (let ms = 0; ms < latency + 100; ++ms) world.advance();
   near(world.plate_deg(), 20, 0.41, "100 ms at 200 degrees a second");
   for (let ms = 0; ms < 400; ++ms) world.advance();
-  near(world.plate_deg(), 50, 1e-9, "where it was sent");
+  near(world.plate_deg(), 50, 1e-9, "the plate is at its command");
 });
 
 test("a reach depends only on its settings and its number", () => {
@@ -324,7 +324,7 @@ test("a lost hand is a dropout until it is tracked again", () => {
       const getJointPose = i === 96 ? undefined : () => (lost && i !== 97 ? pose : { transform: { position } });
       reach.updateFromHand(time_ms, { getJointPose }, noHand, i === 97 ? null : 0);
       assert.equal(reach.lost, lost);
-      if (lost) assert.equal(plate.orientation_deg, before_deg, "the plate is held");
+      if (lost) assert.equal(plate.orientation_deg, before_deg, "the plate keeps its orientation");
     };
   });
 });

@@ -231,7 +231,7 @@ test("six answers estimate the visitor's threshold, with a note on its meaning",
   const gaps = [];
   for (let i = 1; i <= 6; ++i) {
     await steer(page);
-    assert.equal(await page.locator("#after").isVisible(), false, "the question comes first");
+    assert.equal(await page.locator("#after").isVisible(), false, "the buttons are hidden until the question is answered");
     if (i === 2) await shoot(page, "hand_question");
     gaps.push((await place(page, "glass"))[0]);
     await page.click(i % 2 ? "#noticed-no" : "#noticed-yes");
@@ -517,7 +517,7 @@ test("the first picture takes 300 kB, and parts are loaded on demand", () => vis
   const all = await got(), hand = Object.keys(all).find((name) => name.endsWith(".glb"));
   const first = Object.entries(all).filter(([name]) => !/\.(wasm|glb)$/.test(name)), kB = first.reduce((sum, [, { size }]) => sum + size, 0) / 1000;
   assert.ok(kB < 300 && all["haptic_retargeting.wasm"].size < 450_000, `${kB} kB, and ${all["haptic_retargeting.wasm"].size} bytes of the plugin`);
-  assert.ok(first.every(([, { to }]) => to <= all[hand].from), "the hand comes after the first picture's parts");
+  assert.ok(first.every(([, { to }]) => to <= all[hand].from), "the hand is loaded after the parts of the first picture");
   await page.goto(new URL("researchers.html", page.url()).href);
   await page.waitForSelector("#chart .uplot");
   for (const [part, click, ready] of [["the emulator", "#plate-firmware", "#plate-stop"], ["the headset", "label:has(input[value=wear])", "#wear-unavailable"]]) {

@@ -15,7 +15,7 @@ func test_properties() -> void:
 			func() -> void: plate.call("set_horizon", "three"))
 	refused("horizon was given a value of type int; allowed: int from 0 to 4294967295",
 			func() -> void: plate.horizon = -1)
-	check_equal(plate.horizon, 7, "horizon after what it cannot take")
+	check_equal(plate.horizon, 7, "horizon after a refused value")
 	plate.plate_bound_deg = 91.0
 	check_equal(refused("plate_bound_deg is 91; allowed: 0.1 to 90", plate.add_real_target.bind("real", 0.0, 0.1)), 0,
 			"a target while a property is out of range")
@@ -30,7 +30,7 @@ func test_registered() -> void:
 	for property in ClassDB.class_get_property_list("HapticRetargeting", true):
 		listed[property.name] = property
 	check(listed.size() > 29, "properties: %d" % listed.size())
-	check_equal(listed["control"].hint_string, "MPC,Fixed Plate", "what the inspector offers for control")
+	check_equal(listed["control"].hint_string, "MPC,Fixed Plate", "the inspector's choices for control")
 	check_equal(listed["tactile_weight"].type, TYPE_FLOAT, "type of tactile_weight")
 	check_equal(listed["plate_bound_deg"].hint_string, "0.1,90,0.00001,suffix:°", "range of a property")
 	check_equal([listed["flags"].hint, listed["flags"].hint_string.get_slice(",", 0)], [PROPERTY_HINT_FLAGS, "Plate Waits:1"], "boxes of flags")
@@ -159,7 +159,7 @@ func test_places() -> void:
 	plate.cancel()
 	nodes[1].position.x = 0.02
 	check_equal(nodes[1].place(), plate.find_target("target 1"), "the same target, moved")
-	check(plate.get_gap(nodes[0].place(), nodes[1].place()).gap_deg < 0, "where it was moved")
+	check(plate.get_gap(nodes[0].place(), nodes[1].place()).gap_deg < 0, "the gap after the target was moved")
 	nodes[1].free()
 	refused("no target has the name", plate.find_target.bind("target 1"))
 	check_equal(plate.start_recording("user://reach.csv"), OK, "a recording below user://")

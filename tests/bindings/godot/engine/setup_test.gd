@@ -48,12 +48,12 @@ func test_registration() -> void:
 	check_equal(found.done, HapticRetargeting.SETUP_FINGERTIP | HapticRetargeting.SETUP_REGISTRATION, "done")
 	check_equal(results.size(), 1, "signals of the end")
 	check(steps.size() > 20 and steps.size() < 80, "signals of steps: %d" % steps.size())
-	check_equal(steps[0].text, "Lift your finger. Then touch mark 1 with the finger held flat, and hold still.", "what the user is asked for")
+	check_equal(steps[0].text, "Lift your finger. Then touch mark 1 with the finger held flat, and hold still.", "the first instruction")
 	check(plate.global_transform.is_equal_approx(pose), "the node is at the plate: %s" % plate.global_transform)
 	check_equal(plate.flags & HapticRetargeting.SESSION_REGISTERED, HapticRetargeting.SESSION_REGISTERED, "registered")
 
 	check_equal(plate.begin_setup(HapticRetargeting.SETUP_CHECK), OK, "a check")
-	check_equal(touch_marks(plate, pose).done, HapticRetargeting.SETUP_CHECK, "the plate is where it was")
+	check_equal(touch_marks(plate, pose).done, HapticRetargeting.SETUP_CHECK, "the check finds the plate at its pose")
 	check_equal(plate.begin_setup(HapticRetargeting.SETUP_CHECK), OK, "another")
 	check_near(touch_marks(plate, pose.translated(Vector3(0.03, 0, 0))).check_distance_m, 0.03, "a plate that was moved", 2e-3)
 	check_equal(plate.flags & HapticRetargeting.SESSION_REGISTERED, 0, "unregistered")
@@ -79,7 +79,7 @@ func test_calibration() -> void:
 	var plate := set_up_plate()
 	plate.position = Vector3(0.3, 0.75, -0.4)
 	var ahead := plate.add_virtual_target("ahead", 0.0, 0.1)
-	check(is_nan(refused("person 0 does not exist", plate.update_simulated_finger.bind(0)).x), "nobody yet")
+	check(is_nan(refused("person 0 does not exist", plate.update_simulated_finger.bind(0)).x), "no person yet")
 	check_equal(plate.set_conditions("desk 1", "Ultraleap", 1767225600), OK, "conditions")
 	check_equal(plate.begin_setup(HapticRetargeting.SETUP_CALIBRATION), OK, "begin")
 	var resting := false
