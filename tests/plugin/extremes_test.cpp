@@ -18,7 +18,7 @@ using C = hrt_session_config;
 using F = plugin::Fields<C>;
 using Range = plugin::Field<C, double>;
 
-// Of the numbers; the stops depend on each other.
+// Ranges of all numbers except the stops, which depend on each other.
 const std::vector<Range> ranges = [] {
   std::vector<Range> found;
   plugin::for_each_field<C>([&](const auto& field) {
@@ -157,7 +157,7 @@ class Extremes : public SessionTest {
     sample->time_ns = sample->time_ns > last_ns - advance_ns ? last_ns : sample->time_ns + advance_ns;
   }
 
-  /// What the session knows after a reach is finite, can be configured, and is a profile.
+  /// After a reach, the session's configuration is finite, can be set again, and is a valid profile.
   void check_what_is_kept() {
     hrt_session_config config = config_of(session);
     for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(range.of(config)));

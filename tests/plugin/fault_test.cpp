@@ -1,5 +1,5 @@
-// What leaves the library if the controller computes something that is not a number. The controller of this
-// program is a double: no input is known that makes the real one fail.
+// Outputs of the library if the controller computes something that is not a number. The controller of this
+// program is a test double: no input is known that makes the real one fail.
 #include <algorithm>
 #include <cmath>
 #include <limits>

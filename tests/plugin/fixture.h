@@ -1,4 +1,4 @@
-// What the tests of the C ABI share: a session with one real and one virtual target.
+// Fixture of the tests of the C ABI: a session with one real and one virtual target.
 #pragma once
 
 #include <gtest/gtest.h>

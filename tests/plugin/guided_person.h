@@ -35,7 +35,7 @@ class GuidedPerson {
   int frame_ms = 11;
   bool in_plate = false;  ///< the tracker has plate coordinates, and no joint
 
-  /// What tracker and servo report one frame after the last one.
+  /// The report of tracker and servo, one frame after the last one.
   hrt_sample follow(const hrt_setup_step& step) {
     if (!hand_) hand_.emplace(condition.person, mm_per_m * touch_sd_m, 78, index_);
     hand_->set_person(condition.person);

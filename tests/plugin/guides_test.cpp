@@ -121,7 +121,7 @@ class GuidesTest : public SessionTest {
     return result;
   }
 
-  /// Of the bearing from the start, as the session has it, degrees.
+  /// Error of the bearing from the start, as the session has it, in degrees.
   double error_deg(const Tracked& tracked, double direction_deg) const {
     const hrt_session_config config = config_of(session);
     const double* d = config.registration.contact_correction;
@@ -170,7 +170,7 @@ TEST_F(GuidesTest, BearingsAreGoodAndCovered) {
     }
 }
 
-// What reaches in a frame turned by 2 degrees have shown of an unbiased person is the frame's.
+// A bias that reaches in a frame turned by 2 degrees have shown of an unbiased person is the frame's.
 TEST_F(GuidesTest, ABiasThatWasTheFramesIsTheFrames) {
   make_session();
   Tracked tracked(Tracked::Frame::turned, 300);
@@ -208,7 +208,7 @@ TEST_F(GuidesTest, WhatIsWrongIsNamed) {
   }
 }
 
-// After a lift another part of the skin touches, so the slides to this object begin anew.
+// After a lift another part of the skin touches, so the slides to this object begin again.
 TEST_F(GuidesTest, ALiftedFingerBeginsAnew) {
   make_session();
   Tracked tracked(Tracked::Frame::turned, 0);

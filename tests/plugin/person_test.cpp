@@ -121,7 +121,7 @@ TEST_F(PersonTest, DefaultSessionLeadsAPersonToTheRealTarget) {
 }
 
 // To turn a finger to the right of where it is felt to go, the ridges shift what is felt to the left: the
-// normal stands to the left of the motion. A person known to feel a shift of 0.2 t, and an error of 5 at
+// normal is to the left of the motion. A person known to feel a shift of 0.2 t, and an error of 5 at
 // most, needs no more than 75 degrees of it.
 TEST_F(PersonTest, PlateStandsReadyBeforeTheMotion) {
   hrt_session_config config = servo_config();
@@ -166,7 +166,7 @@ TEST_F(PersonTest, DurationThatIsGivenIsExpected) {
   EXPECT_LT(expected_s(1.5), expected_s(3.0) - 0.3);
 }
 
-// What a reach has learnt is in the configuration. The motion is filtered once more after the reach, with the wander
+// A reach's estimates are in the configuration. The motion is filtered once more after the reach, with the wander
 // that it shows: the values differ a little from the summary's.
 TEST_F(PersonTest, WhatIsLearntIsWritten) {
   create(servo_config());
@@ -260,7 +260,7 @@ TEST_F(PersonTest, MissesAreFlagged) {
   EXPECT_NE(weak.summary.flags & HRT_COMMAND_OFF_TARGET, 0u);
 }
 
-// Nobody's hand goes 15 mm to and fro across its path within a tenth of a second.
+// No hand moves 15 mm back and forth across its path within a tenth of a second.
 TEST_F(PersonTest, MotionThatIsNoReachIsAMisfitAndTeachesNothing) {
   create(servo_config());
   const hrt_session_config before = config_of(session);

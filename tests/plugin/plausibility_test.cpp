@@ -1,4 +1,4 @@
-// What a host's mistakes look like: no success is reported that is none.
+// Mistakes of a host are reported, and never as a success.
 #include <cmath>
 #include <functional>
 

@@ -1,4 +1,4 @@
-// What plugin/PROCESS.md says of the library in the host's process.
+// The claims of plugin/PROCESS.md about the library in the host's process.
 #include <algorithm>
 #include <cfenv>
 #include <string>
@@ -117,7 +117,7 @@ std::size_t stack_of(void* (*body)(void*), void* argument) {
 
 class Stack : public SessionTest {
  protected:
-  /// What the body needs beyond a thread that does nothing.
+  /// Stack that the body needs beyond a thread that does nothing.
   template <class Body>
   static std::size_t used(Body body) {
     const std::size_t nothing = stack_of([](void*) -> void* { return nullptr; }, nullptr);

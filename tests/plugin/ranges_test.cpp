@@ -174,7 +174,7 @@ TEST_F(SessionTest, RangesOfASample) {
     EXPECT_EQ(result == HRT_OK, command.paper.step != 77);
     return result;
   };
-  // Of three kinds of places a sample has one.
+  // A sample has one of three kinds of places.
   EXPECT_EQ(try_ranges<hrt_sample>(sample_with, take), Names{"flags"});
 }
 

@@ -161,7 +161,7 @@ class RealTimeTest : public SessionTest {
     const hrt_sample early = position_sample(-1, 0.0, 0.0), direction = direction_sample(0, 0.0);
     std::uint32_t instructions = 0;
     for (std::int64_t i = 0; i < 6000; ++i) {
-      // To and fro between the start and 80 mm ahead of it, with rests of a second.
+      // Back and forth between the start and 80 mm ahead of it, with rests of a second.
       const double phase = std::fmod(static_cast<double>(i) / 100.0, 4.0);
       const double share = phase < 1.0 ? 0.0 : phase < 2.0 ? phase - 1.0 : phase < 3.0 ? 1.0 : 4.0 - phase;
       const hrt_sample sample = position_sample(i * 10'000'000, 0.0, -0.05 + 0.08 * share);

@@ -1,4 +1,4 @@
-// What a registration of the plate means for a session: scale, uncertainty, age.
+// Effects of a registration of the plate on a session: scale, uncertainty, age.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -123,7 +123,7 @@ TEST(Session, ManyFitAndOneMoreIsRefused) {
   for (const hrt_session session : all) ASSERT_OK(hrt_session_destroy(session));
 }
 
-// What ranges of single fields do not say.
+// Conditions beyond the ranges of single fields.
 TEST(SessionConfig, FieldsThatDependOnEachOtherAreChecked) {
   const auto refused = [](auto change, const char* field) {
     hrt_session_config config = session_config();

@@ -124,7 +124,7 @@ TEST_P(SetupFrameRate, FindsAllThatIsMissing) {
 }
 INSTANTIATE_TEST_SUITE_P(Milliseconds, SetupFrameRate, testing::Values(4, 11, 17, 33));
 
-// What samples cannot show is left out; what is there is not missing.
+// A part that the samples cannot show is left out; a part that is known already is not missing.
 TEST_F(SetupTest, LeavesOutWhatIsThereOrCannotBeShown) {
   GuidedPerson person = quiet_person();
   person.in_plate = true;

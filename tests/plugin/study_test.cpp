@@ -145,7 +145,7 @@ TEST_F(SimulatedPersonTest, ThePlateTakesItsTime) {
   ASSERT_OK(hrt_person_begin(person, session, seen));
   auto sample = output<hrt_sample>();
   ASSERT_OK(hrt_person_move(person, 1'000'000'000, 20.0, &sample));
-  EXPECT_EQ(sample.plate_orientation_deg, 20.0);  // where it stands
+  EXPECT_EQ(sample.plate_orientation_deg, 20.0);  // where it is
   ASSERT_OK(hrt_person_move(person, 1'050'000'000, 60.0, &sample));
   EXPECT_EQ(sample.plate_orientation_deg, 20.0);
   ASSERT_OK(hrt_person_move(person, 1'150'000'000, 60.0, &sample));

@@ -218,7 +218,7 @@ TEST_F(AssignTest, EachIsServedByTheNearestUnlessRealTargetsServeOneEach) {
   EXPECT_TRUE(same(exclusive[0], gap_of(reals[0], virtuals[0])));
 }
 
-// Where touch fades on the way, a gap takes more of the plate the farther off the target is.
+// With a touch that fades on the way, a gap takes more of the plate the farther off the target is.
 TEST_F(AssignTest, TheSmallestShareServesInAnyOrder) {
   constexpr double mean[] = {0.25, 0.0, 10.0, 0.0, 0.0, 0.3, -0.4, 0.6, 1.0};
   hrt_session_config config = session_config();

@@ -95,7 +95,7 @@ TEST_F(SessionMemory, EveryRequestOfProfilesMayBeRefused) {
   refuse_each_request(allocator, [&] { return load_profile(profile); });
 }
 
-// Of each part, begun with every request refused, and finished with every one of the first
+// Each part of a set-up is begun with every request refused, and finished with every one of the first
 // fifty, and every 211th beyond.
 TEST(Memory, EveryRequestOfASetupMayBeRefused) {
   CountingAllocator allocator;

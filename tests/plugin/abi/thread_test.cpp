@@ -41,7 +41,7 @@ TEST_F(ThreadTest, SecondThreadIsRefusedAndNothingIsCorrupted) {
   EXPECT_EQ(end().counts.samples, taken);
 }
 
-// What one thread sees of its own session does not depend on what another does with its own.
+// The results of one thread with its own session do not depend on what another does with its own.
 TEST(Threads, SessionsAreIndependent) {
   const auto run = [](double& last_deg) {
     const hrt_session_config config = session_config();

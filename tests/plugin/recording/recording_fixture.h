@@ -1,4 +1,4 @@
-// What the tests of recordings share: a session whose calls go to a file of its own.
+// Fixture of the tests of recordings: a session whose calls go to a file of its own.
 #pragma once
 
 #include <unistd.h>
@@ -34,7 +34,7 @@ inline void expect_same(const hrt_replay_report& report) {
   EXPECT_EQ(report.first_different_line, 0u);
 }
 
-/// What an older library has recorded, which all hosts make too.
+/// The recording of the scripted reach, which all hosts make too.
 inline void expect_golden_bits() {
   const hrt_replay_report report = replay(read(HRT_GOLDEN_RECORDING));
   expect_same(report);

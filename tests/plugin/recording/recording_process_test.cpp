@@ -133,7 +133,7 @@ std::vector<int> descriptors_of(const std::string& path) {
   return found;
 }
 
-// A pipe in the file's place that nobody reads for a while is a disk that has stalled; read slowly, one that
+// A pipe in the file's place that is not read for a while is a disk that has stalled; read slowly, one that
 // is too slow.
 TEST_F(RecordingTest, SlowDiskLosesRowsAndNoControl) {
   Log log;
