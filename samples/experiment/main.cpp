@@ -153,10 +153,13 @@ void add_commands(CLI::App& app, Options& options) {
         return app::parse_plate(text) ? ""
                                       : "must be runtime, servo, servo:SPEED, serial:LINE, dynamixel:LINE or *.json";
       });
+  run->add_option("--finger", options.reach.finger, "As of hrt-reach: evdev:/dev/input/by-id/NAME [hand tracking]")
+      ->needs("--scene")
+      ->excludes("--simulated");
   run->add_option("--registered", options.reach.registered,
                   "Where hrt-reach --register found the plate, else touches find it here")
       ->needs("--scene")
-      ->excludes("--simulated");
+      ->excludes("--simulated", "--finger");
   run->add_option("--live", options.live, "Show the session on a page here: look, or keys, at a second address")
       ->needs("--scene")
       ->check(CLI::IsMember({"look", "keys"}));

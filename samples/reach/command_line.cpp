@@ -64,6 +64,10 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
                    "file *.json";
           },
           "PLATE"));
+  app.add_option("--finger", options.finger,
+                 "What tracks the fingertip in place of the runtime: evdev:/dev/input/by-id/NAME, a multitouch\n"
+                 "device such as an infrared touch frame. ?width_mm=W&right_mm=R... follow (README). Tested with an\n"
+                 "emulated device only, no real frame");
   app.add_option("--time-limit", options.time_limit_s, "Longest reach, and longest wait for its start, seconds [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option("--runtime-limit", words.runtime_limit_s,
@@ -88,9 +92,10 @@ void add_place(CLI::App& app, Options& options) {
   CLI::Option* anew = app.add_option(
       "--register", options.register_to,
       "Ask a person to touch the plate's marks, find the plate by them, and keep its place in this file");
+  anew->excludes("--finger");
   app.add_option("--registered", options.registered,
                  "The plate is where this file has it; a touch of one mark checks that")
-      ->excludes(anew);
+      ->excludes(anew, "--finger");
   app.add_flag("--fingertip", options.fingertip,
                "When registering, find first where the skin of the --hand touches, from the joint that is\n"
                "tracked, for a hand that does not keep one attitude; the file keeps it")

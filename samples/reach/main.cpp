@@ -12,6 +12,7 @@
 #include "samples/app/base/exit_code.h"
 #include "samples/app/base/interrupt.h"
 #include "samples/app/base/say.h"
+#include "samples/app/finger/touch_frame.h"
 #include "samples/app/run/make_plate.h"
 #include "samples/app/run/reach.h"
 #include "samples/app/run/registration.h"
@@ -106,6 +107,13 @@ class Run {
         throw Failure(ExitCode::output, file.string() + " cannot be written: " + why);
     if (!options.registered.empty()) registered_ = read_registration(options.registered);
     if (!options.profile.empty()) load_profile(plugin_, targets_.session, options.profile);
+    if (!options.finger.empty()) {
+      touch_.emplace(options.finger);
+      hrt_session_config config{.struct_size = sizeof config};
+      plugin_.check(plugin_.hrt_session_get(targets_.session, &config, nullptr));
+      touch_->configure(config.tracker);
+      plugin_.check(plugin_.hrt_session_set(targets_.session, &config));
+    }
     recording_.emplace(plugin_, targets_.session, options.record);
   }
 
@@ -168,6 +176,8 @@ class Run {
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation.emplace(runtime, session);
     // Null: a person is asked. A simulated one may answer, who feels the plate.
     Simulation* const instructed = simulation && !options_.person ? &*simulation : nullptr;
+    if (touch_ && instructed != nullptr)
+      throw Failure(ExitCode::usage, "a simulated user touches no frame: --finger needs --person");
     if (instructed != nullptr) {
       session.place_plate(session.floor_space(), targets_.plate_pose);
       // A new session has the same person.
@@ -175,6 +185,9 @@ class Run {
     } else {
       prompt_.listen();
       // Before a device is opened, which must be served from then on.
+      if (touch_)
+        scene_place_ = {session.floor_space(), targets_.plate_pose,
+                        "The plate is where --finger has it in the touch frame."};
       if (!is_registered() && !scene_place_) scene_place_ = place_of(targets_, session, options_.eye_height_m, prompt_);
     }
     const std::unique_ptr<Plate> plate =
@@ -192,7 +205,8 @@ class Run {
                 .on_frame = [this](const TargetPair& pair, const Moment& m) { status_.show(pair, m); },
                 .tell_user = [this](const std::string& what) { prompt_.ask(what); },
                 .hint = [this](const std::string& what) { prompt_.hint(what); },
-                .attend = {}};
+                .attend = {},
+                .touch = touch_ ? &*touch_ : nullptr};
     Attendant attendant(prompt_, stage);
     stage.attend = [&](XrTime time) { attendant.attend(time); };
     if (is_registered())
@@ -326,9 +340,10 @@ class Run {
     if (std::exchange(header_printed_, true)) return;
     std::cout << "OpenXR runtime: " << runtime.name() << ". " << origin() << "\n";
     if (const std::string device = plate.description(); !device.empty()) std::cout << device << "\n";
+    if (touch_) std::cout << touch_->description() << "\n";
     if (!calibrates()) table_.print_header(std::cout);
     check_output();
-    name_conditions(plugin_, targets_.session, options_.plate, runtime.name());
+    name_conditions(plugin_, targets_.session, options_.plate, touch_ ? touch_->name() : runtime.name());
   }
 
   const Options& options_;
@@ -340,6 +355,7 @@ class Run {
   std::optional<RegisteredPlate> registered_;
   std::optional<ScenePlace> scene_place_;
   SpaceMotion spaces_;
+  std::optional<TouchFrame> touch_;  // none: the runtime tracks hands
   StatusLine status_;
   Prompt prompt_;
   std::optional<RecordingFile> recording_;

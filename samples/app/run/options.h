@@ -34,6 +34,7 @@ struct Options {
   std::uint64_t seed = 1;  ///< of a simulated user and of the noise
   std::vector<Hand> hands;
   PlateChoice plate;
+  std::string finger;  ///< a touch frame, as TouchFrame takes it; empty: hand tracking
   double time_limit_s = 30.0;
   std::chrono::milliseconds runtime_limit{10'000};  ///< for every wait for the runtime
   bool for_people = true;                           ///< else the paper's controller

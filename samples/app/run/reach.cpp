@@ -106,7 +106,7 @@ class FingerInUse {
 // the number of moments.
 std::size_t lifted_at(const Stage& stage, const std::vector<Moment>& moments) {
   std::size_t first = moments.size();
-  while (first > 0 && moments[first - 1].tracked && moments[first - 1].position_m[1] > lifted_height_m) --first;
+  while (first > 0 && moments[first - 1].lifted) --first;
   if (first == 0 || first == moments.size() || moments.back().time - moments[first].time < lift_ns)
     return moments.size();
   const bool has_slid = distance_along_plate_m(moments[first - 1].position_m, stage.targets.start_m) > start_radius_m;
@@ -229,6 +229,7 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
                   .felt_direction_deg = command.perceived_direction_deg,
                   .plate_orientation_deg = measured_deg.value_or(command.plate_orientation_deg),
                   .distance_to_go_m = command.distance_to_go_m,
+                  .lifted = tip.lifted || (tip.tracked && tip.position_m[1] > lifted_height_m),
                   .saturated = (command.flags & (HRT_COMMAND_SATURATED | HRT_COMMAND_RATE_LIMITED)) != 0,
                   .arrived = (command.flags & HRT_COMMAND_ARRIVED) != 0,
                   .can_be_held = (command.flags & HRT_COMMAND_UNREACHABLE) == 0};

@@ -18,7 +18,7 @@ constexpr double no_way_m = 1e-6;
 
 Hand hand_in_use(const Stage& stage, XrTime time) {
   const auto tracked = std::find_if(stage.hands.begin(), stage.hands.end(),
-                                    [&](Hand hand) { return stage.session.locate(hand, time).tracked; });
+                                    [&](Hand hand) { return locate(stage, hand, time).tracked; });
   return tracked == stage.hands.end() ? stage.hands.front() : *tracked;
 }
 

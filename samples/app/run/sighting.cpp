@@ -44,6 +44,7 @@ std::string Sightings::tracked_in_words(Hand hand) const {
 std::string Sightings::not_tracked(const Stage& stage) const {
   const Hand hand = stage.hands.front();
   const Hand other = hand == Hand::left ? Hand::right : Hand::left;
+  if (stage.touch != nullptr) return "Nothing touched the touch frame. Touch it with one fingertip.";
   if (stage.hands.size() > 1) return "No hand was tracked. Hold one where the headset's cameras see it.";
   if (of(other).tracked > 0)
     return format("The %s hand was not tracked, but the %s one was. Use the %s one, or --hand %s.", name_of(hand),
@@ -83,6 +84,8 @@ std::string Sightings::why_not_begun(const Stage& stage) const {
   if (seen.tracked == 0) return not_tracked(stage);
   std::string text = tracked_in_words(hand) + "; its index finger was last " + place_in_words(stage, seen.last_m) +
                      "; at best it was " + mm(seen.nearest_m) + " from the start. ";
+  if (stage.touch != nullptr)
+    return text + "Rest one fingertip on the start; if it was there, enter where the frame is on the plate (right_mm).";
   if (4 * seen.tracked < seen.frames) return text + "Hold the hand where the headset's cameras see it.";
   if (seen.nearest_m > far_m)
     return text +
@@ -98,7 +101,7 @@ std::string Sightings::why_not_ended(const Stage& stage, const TargetPair& pair)
   if (seen.tracked == 0) return not_tracked(stage);
   std::string text = tracked_in_words(hand) + "; its index finger was last " + place_in_words(stage, seen.last_m) +
                      ", " + mm(distance_along_plate_m(seen.last_m, pair.real_position_m)) + " from the target. ";
-  if (!seen.tracked_now) return text + "Keep the hand where the headset's cameras see it.";
+  if (!seen.tracked_now && stage.touch == nullptr) return text + "Keep the hand where the headset's cameras see it.";
   if (seen.farthest_m <= start_radius_m) return text + "It stayed at the start: slide it to the target.";
   return text +
          "A reach ends at the target, or with a rest of 1.5 s, or with a lift; --time-limit allows more "

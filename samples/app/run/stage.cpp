@@ -19,6 +19,7 @@ hrt_session_config config_of(const Stage& stage) {
 }
 
 Fingertip locate(const Stage& stage, Hand hand, XrTime time) {
+  if (stage.touch != nullptr) return stage.touch->locate(time);
   Fingertip tip = stage.session.locate(hand, time);
   if (!tip.tracked || stage.skin_m == Point{}) return tip;
   if (!tip.rotation) return {};
@@ -34,6 +35,7 @@ hrt_sample sample_of(XrTime time, const Fingertip& tip, std::optional<double> pl
     sample.flags |= HRT_SAMPLE_PLATE_POSITION;
     std::copy(tip.position_m.begin(), tip.position_m.end(), sample.finger_position_m);
   }
+  if (tip.lifted) sample.flags |= HRT_SAMPLE_LIFTED;
   if (plate_orientation_deg) {
     sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
     sample.plate_orientation_deg = *plate_orientation_deg;

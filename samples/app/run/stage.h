@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "samples/app/finger/touch_frame.h"
 #include "samples/app/plate/plate.h"
 #include "samples/app/scene/targets.h"
 #include "samples/app/xr/session.h"
@@ -25,6 +26,7 @@ struct Moment {
   double felt_direction_deg;         ///< the simulation's truth, or else the plugin's estimate
   double plate_orientation_deg;      ///< measured, or else commanded
   double distance_to_go_m;
+  bool lifted;  ///< the fingertip is above the plate
   bool saturated;
   bool arrived;      ///< HRT_COMMAND_ARRIVED
   bool can_be_held;  ///< the real direction, by the controller's estimate of the user
@@ -45,6 +47,7 @@ struct Stage {
   std::function<void(const std::string&)> hint;
   /// In every frame: what the user wants meanwhile. May throw, which ends what is being awaited.
   std::function<void(XrTime)> attend;
+  TouchFrame* touch = nullptr;  ///< that tracks the fingertip; null: the session does
   /// From the joint to the skin that touches, in the joint's axes; 0: unknown.
   Point skin_m{};
 };

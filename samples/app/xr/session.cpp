@@ -344,7 +344,7 @@ Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
     ++left_out_.impossible;
     return {};
   }
-  Fingertip seen{.tracked = true, .position_m = {d(position.x), d(position.y), d(position.z)}, .rotation = {}};
+  Fingertip seen{.tracked = true, .position_m = {d(position.x), d(position.y), d(position.z)}};
   if (has_rotation) seen.rotation = {d(turn.x), d(turn.y), d(turn.z), d(turn.w)};
   return seen;
 }

@@ -20,12 +20,14 @@ inline constexpr auto local_floor_space = static_cast<XrReferenceSpaceType>(1000
 /// "STAGE", "LOCAL" or "LOCAL_FLOOR".
 const char* name_of(XrReferenceSpaceType space);
 
-/// The tip joint of an index finger. If not `tracked`, the rest is meaningless.
+/// The tip joint of an index finger, or where it touches a frame. If not `tracked`, position and rotation are
+/// meaningless.
 struct Fingertip {
   bool tracked = false;
   std::array<double, 3> position_m{};  ///< in plate coordinates
   /// From the joint's axes to the plate's, x, y, z, w; none if the runtime does not know it.
   std::optional<std::array<double, 4>> rotation;
+  bool lifted = false;  ///< not tracked because it touches nothing; otherwise a dropout
 };
 
 /// Where the runtime moves the origins of its reference spaces, as its user recentres the view

@@ -58,6 +58,7 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const app::Op
           options.speak_with, [this](const std::string& text) { show({{"says", text}}); }, design.texts),
       plugin_(options.plugin),
       targets_(load_targets(plugin_, options.scene, hrt_session_config_init())),
+      touch_(options.finger.empty() ? std::nullopt : std::optional<app::TouchFrame>(options.finger)),
       runtime_({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, app::local_floor_extension}),
       session_(runtime_, spaces_, options.runtime_limit),
       stage_{.plugin = plugin_,
@@ -78,7 +79,8 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const app::Op
                  [this](XrTime time) {
                    attend(time);
                    if (live_ != nullptr) live_->frame(stage_, time, registered_);
-                 }},
+                 },
+             .touch = touch_ ? &*touch_ : nullptr},
       marks_(marks_of(targets_)) {
   if (simulation_ && !options_.person) {
     stage_.simulation = &*simulation_;
@@ -89,7 +91,7 @@ LedSubject::LedSubject(const Design& design, unsigned participant, const app::Op
     prompt_.say(keys_text);
   }
   await("");
-  if (stand_in_) {
+  if (stand_in_ || touch_) {
     session_.place_plate(session_.floor_space(), targets_.plate_pose);
     take_place();
   }
@@ -122,7 +124,7 @@ void LedSubject::take_place() {
 }
 
 std::optional<hrt_setup_config> LedSubject::marks() const {
-  return stand_in_ ? std::nullopt : std::optional(config_of(marks_));
+  return stand_in_ || touch_ ? std::nullopt : std::optional(config_of(marks_));
 }
 
 std::string LedSubject::registered(const hrt_session_config& found) {
@@ -163,13 +165,15 @@ std::string LedSubject::boot() const {
 }
 
 std::string LedSubject::description() const {
-  return (stand_in_ ? stand_in_->description() + ", by " : "a person, by ") + runtime_.name();
+  return (stand_in_ ? stand_in_->description() + ", by " : "a person, by ") +
+         (touch_ ? touch_->name() : runtime_.name());
 }
 
 void LedSubject::plan(hrt_session_config& config) const {
   std::copy(targets_.start_m.begin(), targets_.start_m.end(), config.start_position_m);
   config.plate.radius_m = targets_.plate_radius_m;
   config.lift_height_m = app::lifted_height_m;
+  if (touch_) touch_->configure(config.tracker);
   if (placed_) put_registration(*placed_, config);
   if (const hrt_plate_report* report = plate_->report()) hrt_session_config_from_plate(&config, report);
 }

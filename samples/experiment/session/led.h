@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "samples/app/finger/touch_frame.h"
 #include "samples/app/person/keyboard.h"
 #include "samples/app/person/prompt.h"
 #include "samples/app/run/options.h"
@@ -20,8 +21,8 @@ namespace hrt::experiment {
 
 class LedSubject : public Subject {
  public:
-  /// Reads from `options`: scene, plugin, hands, plate, speak_with, person, time_limit_s, runtime_limit and seed.
-  /// `live` displays the session; null: no display. Throws app::Failure and app::XrFailure, as hrt-reach does.
+  /// Reads from `options`: scene, plugin, hands, finger, plate, speak_with, person, time_limit_s, runtime_limit and
+  /// seed. `live` displays the session; null: no display. Throws app::Failure and app::XrFailure, as hrt-reach does.
   LedSubject(const Design& design, unsigned participant, const app::Options& options, Live* live);
   /// Waits until all is spoken.
   ~LedSubject() override;
@@ -79,6 +80,7 @@ class LedSubject : public Subject {
   app::Plugin plugin_;
   app::TargetSet targets_;
   app::SpaceMotion spaces_;
+  std::optional<app::TouchFrame> touch_;  // none: the runtime tracks hands
   app::XrRuntime runtime_;
   app::XrHeadlessSession session_;
   std::optional<app::Simulation> simulation_;
