@@ -100,6 +100,10 @@ void add_place(CLI::App& app, Options& options) {
                "When registering, find first where the skin of the --hand touches, from the joint that is\n"
                "tracked, for a hand that does not keep one attitude; the file keeps it")
       ->needs(anew);
+  app.add_flag("--measure-tracker", options.measure_tracker,
+               "Ask for 20 slides between two dimples 100 mm apart, in place of reaches, and print the error of\n"
+               "the tracker's bearing and the share of reaches that it allows")
+      ->excludes(anew, "--registered");
   app.add_flag("--check-each", options.check_each,
                "Ask for the touch that checks a registered plate before every reach, not only the first");
   app.add_option("--marks", options.marks,

@@ -23,6 +23,7 @@
 #include "samples/reach/choice.h"
 #include "samples/reach/command_line.h"
 #include "samples/reach/files.h"
+#include "samples/reach/measure_tracker.h"
 #include "samples/reach/table.h"
 
 namespace hrt::reach {
@@ -147,7 +148,9 @@ class Run {
 
  private:
   bool calibrates() const { return !options_.calibrate.empty(); }
-  bool is_done() const { return calibrates() ? calibrated_.has_value() : next_ == pairs_.size(); }
+  bool is_done() const {
+    return tracker_is_measured_ || (calibrates() ? calibrated_.has_value() : next_ == pairs_.size());
+  }
   std::size_t slides_made() const { return calibration_ ? calibration_->done() : next_; }
 
   void run_in_sessions() {
@@ -209,6 +212,15 @@ class Run {
                 .touch = touch_ ? &*touch_ : nullptr};
     Attendant attendant(prompt_, stage);
     stage.attend = [&](XrTime time) { attendant.attend(time); };
+    if (options_.measure_tracker) {
+      if (instructed != nullptr) throw Failure(ExitCode::usage, "--measure-tracker needs a person (--person)");
+      session.place_plate(session.steady_space(), world);
+      const std::string text = measure_tracker(stage);
+      std::cout << text;
+      prompt_.speak(text);
+      tracker_is_measured_ = true;
+      return session.end();
+    }
     if (is_registered())
       find_plate(stage);
     else if (instructed == nullptr)
@@ -289,6 +301,7 @@ class Run {
   }
 
   ExitCode finish_reaches(ExitCode code) {
+    if (options_.measure_tracker) return code;
     std::ostringstream summary;
     print_summary(summary, tally_);
     table_.print_legend(std::cout);
@@ -341,7 +354,7 @@ class Run {
     std::cout << "OpenXR runtime: " << runtime.name() << ". " << origin() << "\n";
     if (const std::string device = plate.description(); !device.empty()) std::cout << device << "\n";
     if (touch_) std::cout << touch_->description() << "\n";
-    if (!calibrates()) table_.print_header(std::cout);
+    if (!calibrates() && !options_.measure_tracker) table_.print_header(std::cout);
     check_output();
     name_conditions(plugin_, targets_.session, options_.plate, touch_ ? touch_->name() : runtime.name());
   }
@@ -363,6 +376,7 @@ class Run {
   int unfinished_in_a_row_ = 0;
   bool checked_ = false;  // the registration, before the next reach
   bool header_printed_ = false;
+  bool tracker_is_measured_ = false;
   bool is_simulated_ = false;
   Tally tally_;
   std::optional<SetUp> calibration_;  // in place of reaches

@@ -43,6 +43,7 @@ struct Options {
   std::filesystem::path register_to;   ///< registers the plate and keeps it here; empty: does not
   std::filesystem::path registered;    ///< takes the plate from here; empty: from the scene
   bool fingertip = false;              ///< registering finds where the hand's skin is, from its joint
+  bool measure_tracker = false;        ///< by touches of two dimples, in place of reaches
   bool check_each = false;             ///< a touch checks the plate before every reach
   std::filesystem::path marks;         ///< that registering asks for; empty: the scene's start and rim
   std::filesystem::path record;        ///< empty: none

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "samples/reach/measure_tracker.h"
 #include "tests/samples/reach/hand_path.h"
 #include "tests/samples/reach/program.h"
 
@@ -175,6 +176,29 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
       expect_exit(3, run(Path(), {"--registered", written(with("\"position_m\":[2", "\"position_m\":[20002"))})),
       "plate_position_m[0] is");
   expect_exit(10, run(Path().touch(marks), {"--register", "/nowhere/plate.txt"}));
+}
+
+// The second dimple is touched 2 mm to either side in turn: bearings of 1.146 degrees to either side of their mean.
+TEST_F(ReachRegistration, MeasuresTheTrackersBearing) {
+  Path path;
+  for (int i = 0; i < 20; ++i) path.hold({0.0, 0.05}).hold({i % 2 == 0 ? 0.002 : -0.002, -0.05});
+  const Outcome outcome = expect_exit(0, run(path, {"--measure-tracker"}));
+  EXPECT_TRUE(has(outcome.out, {"SD of the bearing over 100 mm: 1.18 degrees, 95 % interval 0.89 to 1.72.",
+                                "At most 80 % of reaches end within 1.5 degrees", "interval 62 to 91 %",
+                                "Set tracker.bearing_sd_deg to 1.18."}));
+  expect_said(expect_exit(8, run(Path(), {"--measure-tracker", "--time-limit", "4"})),
+              "no finger rested on the dimple");
+  expect_said(expect_exit(2, run_program({desk, "--measure-tracker"})), "needs a person");
+}
+
+// The table of SETUP.md.
+TEST(ReachTracker, SharesAreThoseOfTheTable) {
+  for (const auto& [sd_deg, share] :
+       {std::pair{0.3, "100"}, {0.75, "95"}, {1.0, "87"}, {1.5, "68"}, {2.0, "55"}, {2.9, "40"}}) {
+    std::vector<double> bearings_deg;
+    for (int i = 0; i < 20; ++i) bearings_deg.push_back(180.0 + (i % 2 == 0 ? 1 : -1) * sd_deg * std::sqrt(0.95));
+    EXPECT_TRUE(has(bearing_sd_text(bearings_deg, 0.1), std::string("At most ") + share + " %"));
+  }
 }
 
 TEST_F(ReachRegistration, NeedsAPerson) {
