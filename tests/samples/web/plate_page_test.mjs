@@ -64,7 +64,7 @@ test("a plate on a serial line follows commands and is drawn, and its stop is re
   await served(page, 3);
   assert.equal(await text(page, "#plate-state"), "The plate was stopped by its emergency stop.");
   await page.waitForFunction(() => globalThis.plateDouble.closed, null, { polling: 20 });
-  assert.match((await page.evaluate(() => globalThis.plateDouble.lines)).at(-1), /^STOP \d{5}$/);
+  assert.match((await page.evaluate(() => globalThis.plateDouble.lines)).at(-1), /^STOP \d{5} \d{5}$/);
 }, { motion: true, viewport: small, script: `(${plateDouble})()` }));
 
 test("a browser without Web Serial is reported", () => visit(async (page) => {
