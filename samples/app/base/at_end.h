@@ -5,7 +5,7 @@
 
 namespace hrt::app {
 
-/// Its action does not throw.
+/// Runs `action` when it is destroyed. Requires that the action does not throw.
 template <class Action>
 class AtEnd {
  public:

@@ -7,17 +7,17 @@
 
 namespace hrt::app {
 
-/// A signal asks the program to end.
+/// Thrown when a signal has requested that the program end.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(const char* why = "interrupted") : std::runtime_error(why) {}
 };
 
-/// A signal may come to any thread.
+/// True after the first signal, which any thread may receive.
 inline std::atomic<bool> interrupt_noted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// From now on SIGINT, SIGTERM and SIGHUP are noted; the second one ends the program at once.
+/// Installs handlers that note SIGINT, SIGTERM and SIGHUP; a second signal ends the program immediately.
 inline void note_interrupts() {
   struct sigaction action{};
   action.sa_handler = [](int) { interrupt_noted = true; };

@@ -18,8 +18,7 @@ void load(void* library, const char* name, Function& function) {
 
 }  // namespace
 
-// A library with a C++ runtime of its own, as the plugin is, keeps some memory of that when it is closed: so
-// it stays loaded.
+// The library is never closed: the plugin has its own C++ runtime, which would leak memory on dlclose().
 Plugin::Plugin(const std::filesystem::path& library)
     : library_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE), dlclose) {
   if (library_ == nullptr) throw Failure(ExitCode::plugin, std::string("the plugin cannot be opened: ") + dlerror());

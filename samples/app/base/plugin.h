@@ -14,7 +14,7 @@
 
 namespace hrt::app {
 
-// Every function of the plugin that is used here.
+// Functions of the plugin that the samples call.
 #define HRT_REACH_PLUGIN_FUNCTIONS(X) \
   X(hrt_result_string)                \
   X(hrt_last_error)                   \

@@ -5,7 +5,7 @@
 
 namespace hrt::app {
 
-/// One at a time. Without a terminal, or in the background, there are no keys.
+/// At most one object may exist. Without a terminal, or in the background, key() returns nothing.
 class Keyboard {
  public:
   Keyboard();
@@ -14,14 +14,14 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
 
   bool is_there() const { return is_there_; }
-  /// The next key that has been pressed, if any. Returns at once.
+  /// Returns the next key that has been pressed, if any, without waiting.
   std::optional<char> key();
 
  private:
   bool is_there_ = false;
 };
 
-/// Lines and echo as they were before the Keyboard; nothing without one. Safe in a signal handler.
+/// Restores the terminal's mode from before the Keyboard, if one exists. Safe in a signal handler.
 void restore_terminal();
 
 }  // namespace hrt::app

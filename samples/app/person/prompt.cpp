@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 constexpr auto max_finish = 30s;
 constexpr auto hint_period = 5s;
 
-// Units as words, which voices would spell.
+// Replaces abbreviated units by words: voices spell abbreviations letter by letter.
 std::string spoken(const std::string& text) {
   static const std::regex unit("(\\d) mm\\b");
   return std::regex_replace(text, unit, "$1 millimetres");

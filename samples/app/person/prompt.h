@@ -1,5 +1,4 @@
-// What a person is asked: printed on standard error and, on request, spoken; and the keys with which they
-// answer.
+// Dialogue with a person: requests are printed on standard error and, on request, spoken; keys are the answers.
 #pragma once
 
 #include <chrono>
@@ -14,33 +13,33 @@
 
 namespace hrt::app {
 
-/// One thread. No call waits for a voice, except finish().
+/// For use by one thread. No call except finish() waits for the speech program.
 class Prompt {
  public:
-  /// `speak_with`: the program that speaks and its arguments; empty: nobody speaks. `before_print` gets the
-  /// text, and makes room on the terminal. `texts`: what is said instead of a text. Throws as Speech.
+  /// `speak_with`: speech program and its arguments; empty: no speech. `before_print` receives the text before it is
+  /// printed, to clear the status line. `texts`: replacements of texts, by text. Throws as Speech does.
   Prompt(const std::string& speak_with, std::function<void(const std::string&)> before_print,
          std::map<std::string, std::string> texts = {});
 
-  /// Asks for something: repeat() says it again.
+  /// Says `text` as a request, which repeat() says again.
   void ask(const std::string& text);
   void repeat();
-  /// Prints, on a terminal by whole words, and speaks.
+  /// Prints `text`, wrapped at words on a terminal, and speaks it.
   void say(const std::string& text);
-  /// Speaks what is printed elsewhere.
+  /// Speaks `text` without printing it.
   void speak(const std::string& text);
-  /// Speaks and prints help that nobody asked for: only with a voice, if it is free, and not often.
+  /// Speaks and prints unrequested help, only if speech is enabled and idle, and at a limited rate.
   void hint(const std::string& text);
 
-  /// Reads keys from now on, if standard input is a terminal; prints what they do.
+  /// Starts to read keys, if standard input is a terminal, and prints their meaning.
   void listen();
-  /// The next key, if there is one; it breaks off what is being spoken.
+  /// Returns the next key, if one was pressed. A key interrupts the text that is being spoken.
   std::optional<char> key();
-  /// Asks on the terminal for a number in [low, high], again until there is one; nothing without a terminal.
+  /// Asks on the terminal for a number in [low, high] until one is entered. Returns nothing without a terminal.
   /// Throws Interrupted.
   std::optional<double> ask_number(const std::string& question, double low, double high);
 
-  /// Waits until all is spoken, 30 s at most; a signal ends it.
+  /// Waits until all texts are spoken, at most 30 s; a signal ends the wait.
   void finish();
 
  private:
@@ -53,7 +52,7 @@ class Prompt {
   bool failure_reported_ = false;
 };
 
-/// What listen() prints.
+/// Text that listen() prints.
 extern const char* const keys_in_words;
 
 }  // namespace hrt::app

@@ -56,8 +56,8 @@ QuestPlus::QuestPlus(const Grid& grid)
     }
 }
 
-// The expected decrease of the belief's entropy is what is not known of the answer, less what would not be
-// known of it if the person were.
+// The expected decrease of the posterior's entropy is the mutual information of answer and person: the entropy of the
+// answer minus its expected entropy given the person.
 double QuestPlus::next_gap_deg(double max_gap_deg) const {
   double best = -1.0, best_gap = gaps_.front();
   for (std::size_t g = 0; g < gaps_.size() && gaps_[g] <= max_gap_deg; ++g) {

@@ -14,8 +14,8 @@ double right_share(double gap, double threshold, double slope, double lapse, dou
 
 class QuestPlus {
  public:
-  /// Values that gap, threshold, slope and lapses can have. `prior` is of each threshold, in any unit; slopes and
-  /// lapses are as probable as each other. Thresholds are in equal steps of their logarithm.
+  /// Values of gap, threshold, slope and lapse rate. `prior` has the unnormalised probability of each threshold; slopes
+  /// and lapse rates have uniform priors. Thresholds are spaced equally in their logarithm.
   struct Grid {
     std::vector<double> gaps, thresholds, prior, slopes, lapses;
     double guess = 0.5;
@@ -26,18 +26,18 @@ class QuestPlus {
   /// deviation.
   QuestPlus(double min_gap_deg, double max_gap_deg, double guess = 0.5);
 
-  /// Of the gaps up to `max_gap_deg`, or the smallest gap if there are none.
+  /// Returns the most informative gap of those up to `max_gap_deg`; the smallest gap if all are larger.
   double next_gap_deg(double max_gap_deg = std::numeric_limits<double>::infinity()) const;
   void update(double gap_deg, bool is_right);
 
-  /// With the ends of its 95 % interval: the mean of its logarithm, and its quantiles.
+  /// Estimate (posterior mean in the logarithm) and the quantiles that bound its 95 % interval.
   struct Threshold {
     double deg;
     double lower_deg;
     double upper_deg;
   };
   Threshold threshold() const;
-  /// Taken in by update().
+  /// Number of answers passed to update().
   unsigned answers() const { return answers_; }
   const std::vector<double>& gaps_deg() const { return gaps_; }
 
@@ -52,10 +52,10 @@ class QuestPlus {
   double guess_;
   std::vector<double> gaps_;
   std::size_t threshold_count_;
-  std::vector<Person> people_;       // of the grid, by threshold
-  std::vector<double> belief_;       // of each
-  std::vector<double> right_;        // of each gap and person
-  std::vector<double> uncertainty_;  // of an answer there, nats
+  std::vector<Person> people_;       // points of the grid, by threshold
+  std::vector<double> belief_;       // posterior of each person
+  std::vector<double> right_;        // probability of a correct answer for each gap and person
+  std::vector<double> uncertainty_;  // entropy of that answer, in nats
 };
 
 }  // namespace hrt::app

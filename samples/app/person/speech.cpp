@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t max_waiting = 5;
-constexpr std::size_t max_text = 2000;  // fits into a pipe at once
+constexpr std::size_t max_text = 2000;  // a pipe accepts this much without blocking
 constexpr auto max_speech = 30s;
 constexpr auto look_period = 10ms;
 
@@ -42,7 +42,7 @@ bool is_program(const std::string& name) {
   return false;
 }
 
-// Speech programs read marks of their own in what they speak; quotes only name things.
+// Removes quotes and characters that speech programs would interpret as their own markup.
 std::string one_line(const std::string& text) {
   std::string line = text.substr(0, max_text);
   for (char& c : line)
@@ -50,7 +50,7 @@ std::string one_line(const std::string& text) {
   return line + "\n";
 }
 
-// A process in a group of its own, with the text on its standard input, and silent otherwise.
+// Starts a process in its own group, with `line` on its standard input and its output discarded.
 int spawn(std::vector<std::string> words, const std::string& line, pid_t& child) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return errno;
@@ -140,7 +140,7 @@ void Speech::speak(const std::stop_token& ending) {
   }
 }
 
-// One process, until it ends; or until this object, or the time, does.
+// Runs one process until it ends, this object is destroyed or the time limit expires.
 std::optional<std::string> Speech::speak(const std::string& text, const std::stop_token& ending) {
   pid_t child = 0;
   if (const int error = spawn(words_, one_line(text), child); error != 0) return std::strerror(error);

@@ -11,24 +11,24 @@
 
 namespace hrt::app {
 
-/// Speaks one text after the other, in a thread of its own: each is a line on the standard input of a new
-/// process without a shell. Calls return at once, except finish() and the destructor, which ends the process that
-/// speaks. A process that takes over 30 s is ended.
+/// Speaks texts in order, in its own thread: each text is a line on the standard input of a new process, without a
+/// shell. No call waits, except finish() and the destructor, which ends the running process. A process that takes
+/// more than 30 s is ended.
 class Speech {
  public:
   /// `command`: a program and its arguments, separated by spaces. Throws Failure (ExitCode::usage) if there
   /// is no such program.
   explicit Speech(const std::string& command);
 
-  /// Speaks `text` after those that wait; of more than five the oldest are left out.
+  /// Queues `text`. If more than five texts wait, the oldest are dropped.
   void say(const std::string& text);
-  /// Breaks off, and leaves out what waits.
+  /// Interrupts the current text and drops the queued ones.
   void hush();
   bool is_speaking();
-  /// Waits until all is spoken, at most this long.
+  /// Waits until all texts are spoken, at most `limit`.
   void finish(std::chrono::milliseconds limit);
 
-  /// Why the last process failed, once; nothing if it did not.
+  /// Returns the reason if the last process failed, and clears it.
   std::optional<std::string> take_failure();
 
  private:

@@ -9,29 +9,29 @@
 
 namespace hrt::app {
 
-/// Orientations are in degrees from the mid-line; ridges repeat every 180. One thread. Every call returns
-/// at once and throws Failure (ExitCode::plate) when the device has failed.
+/// Orientations are in degrees from the mid-line; ridges repeat every 180 degrees. For use by one thread. No call
+/// blocks; every call throws Failure (ExitCode::plate) when the device has failed.
 class Plate {
  public:
   virtual ~Plate() = default;
 
-  /// What the device is, in one line; empty if it is no device.
+  /// Description of the device in one line; empty for a simulated plate.
   virtual std::string description() const { return {}; }
 
-  /// Limits and telemetry, as of the last service(): null if there are none. `state` is 0 unless it is a
+  /// Limits and telemetry as of the last service(); null if the plate has no limits. `state` is 0 unless the plate is a
   /// device.
   virtual const hrt_plate_report* report() const { return nullptr; }
 
-  /// Call once a frame, also between reaches: exchanges messages with the device.
+  /// Exchanges messages with the device. Call it once a frame, also between reaches.
   virtual void service(XrTime) {}
 
-  /// Turn to this orientation, or to another one that is felt the same.
+  /// Turns the plate to this orientation, or to an equivalent one (modulo 180 degrees).
   virtual void command(XrTime time, double orientation_deg) = 0;
 
-  /// Orientation at `time`, within 360 degrees; nothing if the device does not report it.
+  /// Orientation at `time`, within +-360 degrees; nothing if the device does not report it.
   virtual std::optional<double> orientation_deg(XrTime time) = 0;
 
-  /// Stops where it is; the last command no longer holds.
+  /// Stops the plate at its present orientation and cancels the last command.
   virtual void stop(XrTime time) = 0;
 };
 

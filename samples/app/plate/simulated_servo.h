@@ -1,5 +1,5 @@
-// A servo simulated by this program: no stops, constant speed towards the nearest orientation that feels like
-// the last command.
+// A servo simulated by this program: no end stops, constant speed towards the nearest orientation that is
+// equivalent to the last command (modulo 180 degrees).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace hrt::app {
 
 class SimulatedServo : public Plate {
  public:
-  /// Starts at 0; reports its orientation modulo 180, within 90 degrees; turns at `speed_deg_per_s` > 0.
+  /// Starts at 0 degrees. Turns at `speed_deg_per_s` > 0 and reports its orientation within +-90 degrees.
   explicit SimulatedServo(double speed_deg_per_s)
       : report_{.struct_size = sizeof report_, .max_speed_deg_s = speed_deg_per_s} {}
 

@@ -12,13 +12,13 @@
 namespace hrt::app {
 namespace {
 
-// The plate of a runtime that simulates a user.
+// Plate that the runtime simulates.
 class RuntimePlate : public Plate {
  public:
   explicit RuntimePlate(Simulation& simulation) : simulation_(simulation) {}
 
   void command(XrTime time, double orientation_deg) override {
-    // The nearest orientation with the same ridges that the runtime accepts: within 360 degrees.
+    // The nearest equivalent orientation that the runtime accepts, within +-360 degrees.
     const double half_turns = std::round((simulation_.plate_orientation_deg(time) - orientation_deg) / 180.0);
     const double nearest_deg = orientation_deg + 180.0 * half_turns;
     const bool is_within = std::abs(nearest_deg) <= 360.0;
@@ -31,8 +31,8 @@ class RuntimePlate : public Plate {
   Simulation& simulation_;
 };
 
-// Another one that the simulated user feels: forwards to `plate`, and copies its orientation to the simulation in
-// every frame.
+// Plate outside the runtime that the simulated user feels: forwards to `plate` and copies its orientation to the
+// simulation in every frame.
 class FollowedPlate : public Plate {
  public:
   FollowedPlate(std::unique_ptr<Plate> plate, Simulation& simulation)
@@ -54,8 +54,8 @@ class FollowedPlate : public Plate {
   Simulation& simulation_;
 };
 
-// A device turns in real time: frames of a faster clock, as the mock runtime's manual one, would not wait for
-// it.
+// A device turns in real time: a runtime with a faster clock, such as the manual clock of the mock runtime, would not
+// wait for it.
 void require_real_time(XrHeadlessSession& session, const std::string& runtime_name) {
   constexpr int frames = 10;
   const XrTime first = session.next_frame();

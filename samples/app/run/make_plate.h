@@ -10,8 +10,8 @@
 
 namespace hrt::app {
 
-/// A simulated user feels it (`simulation`; null: a person). Throws Failure (ExitCode::plate) if there is
-/// none, or if the runtime's clock does not suit a device.
+/// Creates the plate, which the simulated user feels (`simulation`; null: the user is a person). Throws Failure
+/// (ExitCode::plate) if it cannot be created, or if the runtime's clock is not real time and the plate is a device.
 std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation, XrHeadlessSession& session,
                                   const std::string& runtime_name);
 

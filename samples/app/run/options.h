@@ -1,4 +1,4 @@
-// What the command lines of hrt-reach and hrt-experiment choose.
+// Options that the command lines of hrt-reach and hrt-experiment set.
 #pragma once
 
 #include <chrono>
@@ -12,46 +12,46 @@
 
 namespace hrt::app {
 
-/// Which plate turns.
+/// Plate that the command line selects.
 struct PlateChoice {
   enum class Kind { runtime, servo, device } kind = Kind::runtime;
   double servo_speed_deg_per_s = 400.0;
-  std::string name = "runtime";  ///< of a device as in hrt_plate_open()
+  std::string name = "runtime";  ///< or a device as in hrt_plate_open()
 };
 
-/// "runtime", "servo", "servo:SPEED", or a device, whose name hrt_plate_open() checks; nothing if it is none
-/// of them.
+/// Parses "runtime", "servo", "servo:SPEED" or a device, whose name hrt_plate_open() checks. Returns nothing for any
+/// other text.
 std::optional<PlateChoice> parse_plate(const std::string& text);
 
-/// The plugin beside the program, as in the build, or where the system keeps its libraries.
+/// Path of the plugin: ../lib of the program, as in the build, or the name of the system's library.
 std::filesystem::path default_plugin();
 
 struct Options {
   std::filesystem::path scene;
   std::filesystem::path plugin;
-  std::vector<std::string> targets;  ///< virtual ones, in this order; empty: all, in the scene's order
+  std::vector<std::string> targets;  ///< virtual targets, in this order; empty: all, in the scene's order
   int repeat = 1;
-  std::uint64_t seed = 1;  ///< of a simulated user and of the noise
+  std::uint64_t seed = 1;  ///< seed of a simulated user and of the noise
   std::vector<Hand> hands;
   PlateChoice plate;
-  std::string finger;  ///< a touch frame, as TouchFrame takes it; empty: hand tracking
+  std::string finger;  ///< device of a touch frame (see TouchFrame); empty: hand tracking
   double time_limit_s = 30.0;
-  std::chrono::milliseconds runtime_limit{10'000};  ///< for every wait for the runtime
-  bool for_people = true;                           ///< else the paper's controller
-  std::optional<double> tactile_weight;             ///< none: the plugin's default, or the paper's 0.15
+  std::chrono::milliseconds runtime_limit{10'000};  ///< limit of every wait for the runtime
+  bool for_people = true;                           ///< false: the paper's controller
+  std::optional<double> tactile_weight;             ///< unset: the plugin's default, or the paper's 0.15
   double motor_variance_deg2 = 0.5;
-  std::filesystem::path register_to;   ///< registers the plate and keeps it here; empty: does not
-  std::filesystem::path registered;    ///< takes the plate from here; empty: from the scene
-  bool fingertip = false;              ///< registering finds where the hand's skin is, from its joint
-  bool measure_tracker = false;        ///< by touches of two dimples, in place of reaches
-  bool check_each = false;             ///< a touch checks the plate before every reach
-  std::filesystem::path marks;         ///< that registering asks for; empty: the scene's start and rim
-  std::filesystem::path record;        ///< empty: none
-  std::filesystem::path profile;       ///< of the user; empty: an unknown user
-  std::filesystem::path calibrate;     ///< into this profile, in place of reaches; empty: reaches
-  std::uint32_t max_slides = 40;       ///< of a calibration
-  std::optional<double> eye_height_m;  ///< above the floor, where the runtime knows of none
-  std::string speak_with;              ///< program and arguments; empty: nobody speaks
+  std::filesystem::path register_to;   ///< registers the plate and writes this file; empty: no registration
+  std::filesystem::path registered;    ///< reads the plate's pose from this file; empty: from the scene
+  bool fingertip = false;              ///< registration finds the offset from joint to skin
+  bool measure_tracker = false;        ///< touches of two dimples measure the tracker, instead of reaches
+  bool check_each = false;             ///< a touch checks the plate's pose before every reach
+  std::filesystem::path marks;         ///< marks of the registration; empty: the scene's start and rim
+  std::filesystem::path record;        ///< file of the recording; empty: no recording
+  std::filesystem::path profile;       ///< profile of the user; empty: an unknown user
+  std::filesystem::path calibrate;     ///< calibrates into this profile instead of reaching; empty: reaches
+  std::uint32_t max_slides = 40;       ///< limit of a calibration
+  std::optional<double> eye_height_m;  ///< height above the floor, for a runtime without a floor space
+  std::string speak_with;              ///< program and arguments; empty: no speech
   bool person = false;
   bool verbose = false;
 };

@@ -13,13 +13,13 @@
 namespace hrt::app {
 namespace {
 
-constexpr XrDuration lift_ns = 500'000'000;  // longer than it takes the other hand to take over
+constexpr XrDuration lift_ns = 500'000'000;  // longer than the other hand needs to take over
 
 double bearing_deg(const Point& from, const Point& to) {
   return std::atan2(from[0] - to[0], from[2] - to[2]) * 180.0 / std::numbers::pi;
 }
 
-// Ends the plugin's reach; after a failure nothing is learnt from it, and the plate stops.
+// Ends the plugin's reach. After a failure the reach is cancelled, so that nothing is learnt, and the plate stops.
 class ActiveReach {
  public:
   ActiveReach(Stage& stage, const TargetPair& pair, XrTime now) : stage_(stage), time_(now) {
@@ -71,8 +71,8 @@ bool is_on_plate(const Stage& stage, const Fingertip& tip) {
          distance_along_plate_m(tip.position_m, {}) <= stage.targets.plate_radius_m;
 }
 
-// The finger that slides. If it has been off the plate for settle_ns and the other hand's finger is on the
-// plate, the other one takes over: the user changed hands, or the tracker confused them.
+// The finger that slides. If it has been off the plate for settle_ns while the other hand's finger is on the plate,
+// the other finger takes over: the user changed hands, or the tracker confused them.
 class FingerInUse {
  public:
   FingerInUse(Stage& stage, Hand first, XrTime now) : stage_(stage), hand_(first), on_plate_(now) {}
@@ -98,12 +98,12 @@ class FingerInUse {
  private:
   Stage& stage_;
   Hand hand_;
-  XrTime on_plate_;  // when it was last seen there
+  XrTime on_plate_;  // time when the finger was last on the plate
   bool changed_ = false;
 };
 
-// When the finger was lifted for good, after it had slid: the index of the first moment above the plate; else
-// the number of moments.
+// Index of the first moment above the plate if the finger slid and was then lifted for lift_ns; else the number of
+// moments.
 std::size_t lifted_at(const Stage& stage, const std::vector<Moment>& moments) {
   std::size_t first = moments.size();
   while (first > 0 && moments[first - 1].lifted) --first;
@@ -113,8 +113,8 @@ std::size_t lifted_at(const Stage& stage, const std::vector<Moment>& moments) {
   return has_slid ? first : moments.size();
 }
 
-// A simulated person has moved, and rested for settle_ns; a person's finger touches the real target, rests,
-// as the plugin reports, or is lifted.
+// True if the reach has ended. Simulated participant: moved, then rested for settle_ns. Person: the finger touches the
+// real target, rests (as the plugin reports) or is lifted.
 bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& finger, std::vector<Moment>& moments,
                  std::optional<XrTime>& done_since) {
   if (stage.simulation != nullptr) {
@@ -131,7 +131,7 @@ bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& 
          (last.tracked && distance_along_plate_m(last.position_m, pair.real_position_m) <= pair.real_radius_m);
 }
 
-// What the plugin is given: a lifted finger does not slide.
+// Fingertip as the plugin receives it: a lifted finger counts as not tracked.
 Fingertip sliding(const Stage& stage, const Fingertip& tip) {
   const bool is_lifted = stage.simulation == nullptr && tip.position_m[1] > lifted_height_m;
   return is_lifted ? Fingertip{} : tip;
@@ -182,8 +182,7 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
   return result;
 }
 
-// A finger that ends inside the object's radius has met it, which is evidence of the tracker's frame about a
-// registration.
+// A finger that ends inside the object's radius has touched it: the plugin uses this contact to check the registration.
 void take_contact(Stage& stage, const TargetPair& pair, const ReachResult& result) {
   const bool registered = (config_of(stage).flags & HRT_SESSION_REGISTERED) != 0;
   if (!registered || result.miss_m > pair.real_radius_m) return;

@@ -25,7 +25,7 @@ hrt_setup_result touch(Stage& stage, std::uint32_t what, std::span<const Mark> m
 
 using Json = nlohmann::ordered_json;
 
-// Of the target for which the registration matters most.
+// Accuracy for the target that is most sensitive to the registration, in words.
 std::string worth_of(const Stage& stage) {
   hrt_gap worst = hrt_gap_init();
   for (const TargetPair& pair : stage.targets.pairs) {
@@ -33,15 +33,15 @@ std::string worth_of(const Stage& stage) {
     stage.plugin.check(stage.plugin.hrt_gap_query(stage.targets.session, pair.real_target, pair.virtual_target, &gap));
     if (gap.bearing_sd_deg >= worst.bearing_sd_deg) worst = gap;
   }
-  return format("For that alone reaches end %.2f degrees (SD) beside the target, and %.1f of 100 miss it.",
+  return format("Because of this, reaches end %.2f degrees (SD) from the target, and %.1f of 100 miss it.",
                 worst.bearing_sd_deg, 100.0 * worst.miss_share) +
-         (worst.miss_share > 0.05 ? " Registering once more is worth it." : "");
+         (worst.miss_share > 0.05 ? " Register the plate again for a better result." : "");
 }
 
 constexpr int version = 2;
 constexpr const char* hand_names[] = {"left", "right"};
 
-// Numbers of a registered plate, by name.
+// Numbers of a registered plate, by their keys in the file.
 struct Numbers {
   const char* name;
   std::span<double> values;
@@ -70,7 +70,7 @@ void take_numbers(const std::vector<Numbers>& all, const Json& json) {
 
 RegisteredPlate plate_of(const Json& json) {
   if (json.at("version") != version)
-    throw std::invalid_argument("version must be 2: register the plate anew (--register)");
+    throw std::invalid_argument("version must be 2: register the plate again (--register)");
   const std::string space = json.at("space");
   if (space != "STAGE" && space != "LOCAL") throw std::invalid_argument("space must be STAGE or LOCAL");
   RegisteredPlate plate{};
@@ -118,9 +118,9 @@ RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool f
     const double(&o)[3] = plate.found.fingertip_offset_m;
     plate.hand = stage.hands.front();
     stage.tell_user(format("The skin is %.1f mm from the joint, ", millimetres * std::hypot(o[0], o[1], o[2])) +
-                    format("known to %.1f mm.", millimetres * found.fingertip_sd_m));
+                    format("with an SD of %.1f mm.", millimetres * found.fingertip_sd_m));
   }
-  stage.tell_user(format("The plate is registered: residual %.1f mm, its turn known to %.2f degrees.",
+  stage.tell_user(format("The plate is registered: residual %.1f mm, rotation with an SD of %.2f degrees.",
                          millimetres * found.registration_residual_m, found.registration_turn_sd_deg));
   place_plate(stage, plate);
   stage.tell_user(worth_of(stage));
@@ -131,20 +131,20 @@ double check_plate(Stage& stage, const RegisteredPlate& plate) {
   if (plate.hand && stage.hands != std::vector{*plate.hand})
     throw Failure(ExitCode::registration,
                   "the plate was registered by the skin of one hand (--fingertip): choose that hand, or "
-                  "register the plate anew (--register)");
+                  "register the plate again (--register)");
   hrt_session_config config = config_of(stage);
   put_registration(plate, config);
   stage.plugin.check(stage.plugin.hrt_session_set(stage.targets.session, &config));
   stage.session.place_plate(plate.space, world);
-  const std::array<Mark, 3> marks{plate.check, plate.check, plate.check};  // of which one is touched
+  const std::array<Mark, 3> marks{plate.check, plate.check, plate.check};  // only one mark is touched
   const hrt_setup_result found = touch(stage, HRT_SETUP_CHECK, marks);
   if (found.done == 0)
     throw Failure(
         ExitCode::registration,
         "the mark \"" + plate.check.name +
-            format("\" was touched %.0f mm from where it was registered: register the plate anew (--register)",
+            format("\" was touched %.0f mm from where it was registered: register the plate again (--register)",
                    millimetres * found.check_distance_m));
-  stage.tell_user(format("It is: the touch was %.0f mm off.", millimetres * found.check_distance_m));
+  stage.tell_user(format("The plate has not moved: the touch was %.0f mm off.", millimetres * found.check_distance_m));
   place_plate(stage, plate);
   return found.check_distance_m;
 }
@@ -159,7 +159,7 @@ std::string registration_text(const RegisteredPlate& plate, const XrHeadlessSess
             {"check", plate.check.name}};
   put(numbers_of(copy), json);
   if (plate.hand) json["hand"] = hand_names[static_cast<std::size_t>(*plate.hand)];
-  // The name of a mark may be no UTF-8.
+  // The name of a mark may be invalid UTF-8.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -172,7 +172,7 @@ RegisteredPlate parse_registration(const std::string& text, const std::string& n
   try {
     return plate_of(Json::parse(text));
   } catch (const std::exception& error) {
-    throw Failure(ExitCode::registration, name + " is no registration: " + error.what());
+    throw Failure(ExitCode::registration, name + " is not a registration file: " + error.what());
   }
 }
 

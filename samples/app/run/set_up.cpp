@@ -12,8 +12,8 @@ namespace hrt::app {
 namespace {
 
 constexpr std::uint32_t world_parts = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION | HRT_SETUP_CHECK;
-constexpr std::uint32_t nothing = UINT32_MAX;  // has been asked for
-// Of a simulated person who is to stay at the start: the mock knows no shorter way.
+constexpr std::uint32_t nothing = UINT32_MAX;  // no instruction has been given
+// Path of a simulated participant who is to stay at the start: the mock runtime requires a length above 0.
 constexpr double no_way_m = 1e-6;
 
 Hand hand_in_use(const Stage& stage, XrTime time) {
@@ -44,7 +44,7 @@ std::string request_of(const hrt_setup_step& step, const std::vector<std::string
 SetUp::SetUp(const Plugin& plugin, hrt_session session, std::uint32_t what, const hrt_setup_config& config,
              std::vector<std::string> mark_names)
     : plugin_(plugin), session_(session), mark_names_(std::move(mark_names)) {
-  asked_.part = what & (~what + 1);  // parts come in the order of their bits
+  asked_.part = what & (~what + 1);  // parts are done in the order of their bits
   asked_.instruction = nothing;
   result_.struct_size = sizeof result_;
   result_.left = what;
@@ -57,7 +57,7 @@ SetUp::~SetUp() {
   if (result_.left != 0) static_cast<void>(plugin_.hrt_setup_cancel(session_));
 }
 
-// A check that fails is a result, and so is a calibration that its slides do not determine.
+// A failed check is a result and not dropped; so is a calibration whose slides do not determine the user.
 void SetUp::check_dropped() const {
   const std::uint32_t touched = HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION;
   if ((result_.dropped & touched) != 0) throw Failure(ExitCode::registration, result_.reason);
@@ -76,11 +76,11 @@ void SetUp::ask(Stage& stage, const hrt_setup_step& step) {
              distance_along_plate_m({step.place_m[0], 0.0, step.place_m[2]}, stage.targets.start_m));
 }
 
-// What is asked for now; the plate turns to it.
+// Passes one frame to the plugin, turns the plate as requested, and returns the next instruction.
 hrt_setup_step SetUp::update(Stage& stage, XrTime time) {
   const Hand hand = hand_in_use(stage, time);
   for (const Hand seen : {Hand::left, Hand::right}) sightings_->see(seen, locate(stage, seen, time));
-  // In the parts that find where the plate and the skin are: the joint, in the world.
+  // The parts that find the plate and the skin take the joint in world coordinates.
   const bool in_world = (asked_.part & world_parts) != 0;
   Fingertip tip = in_world ? stage.session.locate(hand, time) : locate(stage, hand, time);
   if ((asked_.part & HRT_SETUP_FINGERTIP) != 0 && !tip.rotation) tip.tracked = false;
@@ -98,14 +98,14 @@ hrt_setup_step SetUp::update(Stage& stage, XrTime time) {
   return step;
 }
 
-// Until the plugin has what it needs.
+// Runs frames until the plugin has the samples that it needs.
 void SetUp::lead(Stage& stage, XrTime* now, std::ostream* slides) {
   for (;; *now = next_frame(stage)) {
     const hrt_setup_step step = update(stage, *now);
     if (asks_anew(asked_, step)) {
       if (slides != nullptr && step.done > asked_.done)
         *slides << format("slide %3u  plate %6.1f deg\n", step.done,
-                          std::remainder(asked_.plate_orientation_deg, 180.0))  // half turns feel the same
+                          std::remainder(asked_.plate_orientation_deg, 180.0))  // orientations repeat every 180 degrees
                 << std::flush;
       ask(stage, step);
       asked_ = step;
@@ -132,7 +132,7 @@ hrt_setup_result SetUp::run(Stage& stage, std::ostream* slides) {
     try {
       stage.plate.stop(now);
     } catch (const std::exception&) {
-      // A failure is already being reported, or all is found without the plate.
+      // Either another failure is being reported, or the result no longer needs the plate.
     }
   });
   while (result_.left != 0) {

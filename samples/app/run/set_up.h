@@ -1,4 +1,4 @@
-// A set-up of the plugin: what it asks for is said to the user, and the plate turns as it says.
+// A set-up of the plugin: its instructions are given to the user, and the plate turns as it commands.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,26 @@
 
 namespace hrt::app {
 
-/// `step` asks for something else than `asked` did: what a finger that begins to hold still was asked for stays.
+/// True if `step` requests something else than `asked` did. A finger that begins to hold still changes no request.
 bool asks_anew(const hrt_setup_step& asked, const hrt_setup_step& step);
 
-/// In words. `mark_names`: as the user knows the marks.
+/// Request in words. `mark_names`: the marks' names for the user.
 std::string request_of(const hrt_setup_step& step, const std::vector<std::string>& mark_names);
 
 /// One set-up, across as many sessions of the runtime as it makes necessary.
 class SetUp {
  public:
-  /// `what`: HRT_SETUP_*. `mark_names`: as the user knows the marks; none: the set-up has no marks. Throws
-  /// Failure: ExitCode::scene if the plugin refuses what it is to do, ExitCode::plugin.
+  /// `what`: HRT_SETUP_*. `mark_names`: the marks' names for the user; empty: the set-up has no marks. Throws Failure:
+  /// ExitCode::scene if the plugin rejects the request, ExitCode::plugin for other errors.
   SetUp(const Plugin& plugin, hrt_session session, std::uint32_t what, const hrt_setup_config& config,
         std::vector<std::string> mark_names = {});
   ~SetUp();
   SetUp(const SetUp&) = delete;
   SetUp& operator=(const SetUp&) = delete;
 
-  /// Continues until all is found, or cannot be; a line a slide on `slides`. Throws as run_reach(), and can
-  /// then be called again; Failure: no_hand if nothing happens in time or six slides in a row do not
-  /// count, registration if touches are refused three times, plate if it does not turn.
+  /// Runs until the result is complete or cannot be found; prints one line a slide on `slides`. Throws as run_reach(),
+  /// and may then be called again; Failure: no_hand if nothing happens in time or six slides in a row do not count,
+  /// registration if touches are rejected three times, plate if the plate does not turn.
   hrt_setup_result run(Stage& stage, std::ostream* slides = nullptr);
 
   std::uint32_t done() const { return asked_.done; }
@@ -49,10 +49,10 @@ class SetUp {
   hrt_setup_step asked_{};
   std::string request_;
   XrTime asked_at_ = 0;
-  std::optional<Sightings> sightings_;  // since then
+  std::optional<Sightings> sightings_;  // since the last request
   std::optional<double> commanded_deg_;
-  XrTime later_by_ = 0;  // the set-up's time than the runtime's, whose clock may begin anew with a session
-  XrTime last_ = 0;      // of the set-up
+  XrTime later_by_ = 0;  // set-up time minus runtime time, whose clock may restart with a session
+  XrTime last_ = 0;      // time of the set-up's latest frame
 };
 
 }  // namespace hrt::app

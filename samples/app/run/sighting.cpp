@@ -9,8 +9,8 @@
 namespace hrt::app {
 namespace {
 
-constexpr double far_m = 0.3;      // a finger that never came nearer was probably at another place's start
-constexpr double named_m = 0.005;  // a smaller distance is not worth a word
+constexpr double far_m = 0.3;      // farther than this, the plate is probably not where it is assumed
+constexpr double named_m = 0.005;  // smaller distances are not reported
 
 const char* name_of(Hand hand) { return hand == Hand::left ? "left" : "right"; }
 

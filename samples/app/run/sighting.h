@@ -1,4 +1,4 @@
-// What was seen of the fingers while something was awaited of them, in words that help.
+// Record of the tracked fingers during a wait, and messages that explain why the wait failed.
 #pragma once
 
 #include <array>
@@ -8,21 +8,21 @@
 
 namespace hrt::app {
 
-/// Both hands' index fingertips since it was made.
+/// Record of both hands' index fingertips since construction.
 class Sightings {
  public:
   explicit Sightings(const Point& start_m) : start_m_(start_m) {}
 
   void see(Hand hand, const Fingertip& tip);
 
-  /// Why no finger rested at the start, and what to do.
+  /// Message: why no finger rested at the start, and what to do.
   std::string why_not_begun(const Stage& stage) const;
-  /// Why a reach did not end, and what to do.
+  /// Message: why a reach did not end, and what to do.
   std::string why_not_ended(const Stage& stage, const TargetPair& pair) const;
-  /// Why no finger came to rest on a mark, and what to do.
+  /// Message: why no finger came to rest on a mark, and what to do.
   std::string why_no_touch(const Stage& stage) const;
-  /// Where the finger is now: of the hands in use, the first that is tracked. Without a place of the plate:
-  /// whether.
+  /// Message: present position of the first tracked finger of the hands in use. If the plate is not placed yet, only
+  /// whether it is tracked.
   std::string where(const Stage& stage, bool plate_is_placed = true) const;
 
  private:
@@ -31,8 +31,8 @@ class Sightings {
     int tracked = 0;
     bool tracked_now = false;
     Point last_m{};
-    double nearest_m = 0.0;   // to the start, along the plate
-    double farthest_m = 0.0;  // from it
+    double nearest_m = 0.0;   // smallest distance to the start, along the plate
+    double farthest_m = 0.0;  // largest distance to the start
   };
 
   const Seen& of(Hand hand) const { return seen_[static_cast<std::size_t>(hand)]; }
@@ -45,7 +45,7 @@ class Sightings {
   std::array<Seen, 2> seen_;
 };
 
-/// Waits until one of the hands rests its fingertip at the start; returns that hand. Throws Failure
+/// Waits until one of the hands rests its fingertip at the start, and returns that hand. Throws Failure
 /// (ExitCode::no_hand) after the stage's time limit.
 Hand await_finger_at_start(Stage& stage);
 

@@ -1,4 +1,4 @@
-// What a slide goes through, and what all slides need: frames, a finger at rest.
+// Environment of a slide (session, plate, hands), and the steps that all slides share.
 #pragma once
 
 #include <array>
@@ -20,66 +20,66 @@ using Point = std::array<double, 3>;
 /// The state after one frame. Positions in plate coordinates.
 struct Moment {
   XrTime time;
-  bool tracked;                      ///< without it, `position_m` is of the last frame that was
-  std::array<double, 3> position_m;  ///< of the fingertip, as tracked
-  double bearing_deg;                ///< of the finger, seen from the start
-  double felt_direction_deg;         ///< the simulation's truth, or else the plugin's estimate
-  double plate_orientation_deg;      ///< measured, or else commanded
+  bool tracked;                      ///< false: `position_m` is that of the last tracked frame
+  std::array<double, 3> position_m;  ///< tracked position of the fingertip
+  double bearing_deg;                ///< direction of the finger, seen from the start
+  double felt_direction_deg;         ///< ground truth of the simulation, else the plugin's estimate
+  double plate_orientation_deg;      ///< measured orientation, else the commanded one
   double distance_to_go_m;
   bool lifted;  ///< the fingertip is above the plate
   bool saturated;
   bool arrived;      ///< HRT_COMMAND_ARRIVED
-  bool can_be_held;  ///< the real direction, by the controller's estimate of the user
+  bool can_be_held;  ///< the gap is feasible, by the controller's estimate of the user
 };
 
-/// Everything that a slide goes through.
+/// Objects and settings that a slide uses.
 struct Stage {
   const Plugin& plugin;
   const TargetSet& targets;
   XrHeadlessSession& session;
   Simulation* simulation;  ///< null: a person, instructed on the terminal
   Plate& plate;
-  std::vector<Hand> hands;                                         ///< any of which may reach
-  XrDuration time_limit_ns;                                        ///< for coming to the start, and for the reach
-  std::function<void(const TargetPair&, const Moment&)> on_frame;  ///< of a reach
+  std::vector<Hand> hands;   ///< hands that may reach
+  XrDuration time_limit_ns;  ///< limit of the wait for the start, and of the reach
+  std::function<void(const TargetPair&, const Moment&)> on_frame;  ///< called in each frame of a reach
   std::function<void(const std::string&)> tell_user;
-  /// Help while something is awaited; may be left unsaid.
+  /// Gives help during a wait; may ignore the text.
   std::function<void(const std::string&)> hint;
-  /// In every frame: what the user wants meanwhile. May throw, which ends what is being awaited.
+  /// Called in every frame to handle the user's keys. May throw, which ends the wait.
   std::function<void(XrTime)> attend;
-  TouchFrame* touch = nullptr;  ///< that tracks the fingertip; null: the session does
-  /// From the joint to the skin that touches, in the joint's axes; 0: unknown.
+  TouchFrame* touch = nullptr;  ///< touch frame that tracks the fingertip; null: the session tracks it
+  /// Offset from the joint to the skin that touches, in the joint's axes; 0: unknown.
   Point skin_m{};
 };
 
-constexpr double tip_height_m = 0.008;         ///< of the joint, which is inside the finger, above the plate
+constexpr double tip_height_m = 0.008;         ///< height above the plate of the joint, which is inside the finger
 constexpr double lifted_height_m = 0.025;      ///< a fingertip higher than this does not touch the plate
-constexpr double start_radius_m = 0.015;       ///< a finger this near the start is there
-constexpr XrDuration settle_ns = 300'000'000;  ///< what does not change in this time is at rest
+constexpr double start_radius_m = 0.015;       ///< distance within which a finger is at the start
+constexpr XrDuration settle_ns = 300'000'000;  ///< duration without motion after which a finger is at rest
 
-/// Where the plate's space is placed to have the world's coordinates.
+/// Identity pose: a plate space at this pose has world coordinates.
 constexpr XrPosef world{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
 
 double distance_along_plate_m(const Point& a, const Point& b);
 
-/// "within 30 s", for sentences.
+/// Returns text such as "within 30 s".
 std::string within_s(XrDuration limit_ns);
 
-/// The session's configuration.
+/// Configuration of the plugin's session.
 hrt_session_config config_of(const Stage& stage);
 
 /// The fingertip: the skin that touches if its offset from the joint is known, else the joint.
 Fingertip locate(const Stage& stage, Hand hand, XrTime time);
 
-/// What the plugin is given of a frame.
+/// Sample of a frame for the plugin, in plate coordinates.
 hrt_sample sample_of(XrTime time, const Fingertip& tip, std::optional<double> plate_orientation_deg);
-/// The same of a joint in the world, where the plate's space has been placed.
+/// Sample of a joint in world coordinates. Requires the plate space at `world`.
 hrt_sample world_sample_of(XrTime time, const Fingertip& joint, std::optional<double> plate_orientation_deg);
 
-/// Has the simulated user slide from the start.
+/// Instructs the simulated participant to slide from the start.
 void instruct(Stage& stage, Hand hand, double direction_deg, double distance_m);
 
-/// The next frame, with the plate served and the user attended to.
+/// Waits for the next frame, services the plate and handles the user's keys.
 XrTime next_frame(Stage& stage);
 
 }  // namespace hrt::app

@@ -82,7 +82,7 @@ std::vector<std::string> names_of(std::span<const Mark> marks) {
 }
 
 std::vector<Mark> marks_of(const TargetSet& targets) {
-  // At a third of a right angle from the line across: away from each other, and none opposite the start.
+  // Side marks 30 degrees off the left-right axis: far apart, and none opposite the start.
   const double r = targets.plate_radius_m;
   const double right_m = r * std::sqrt(0.75);
   return {{"start", targets.start_m},

@@ -1,4 +1,4 @@
-// Numbers as text, by printf, and back.
+// Conversion of numbers to text, with printf formats, and back.
 #pragma once
 
 #include <charconv>
@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// printf into a string, cut after 511 bytes.
+/// Formats as printf does; the result is cut after 511 bytes.
 template <class... Values>
 std::string format(const char* pattern, Values... values) {
   char text[512];
@@ -18,7 +18,7 @@ std::string format(const char* pattern, Values... values) {
   return text;
 }
 
-/// The number that is all of `text`, in any locale; nothing unless it is in [low, high].
+/// Parses all of `text` as a number, independently of the locale. Returns nothing unless it is in [low, high].
 inline std::optional<double> number_in(std::string_view text, double low, double high) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -34,7 +34,7 @@ bool fits(const Json& value, const Json& schema) {
   return number >= schema.value("minimum", number) && number <= schema.value("maximum", number);
 }
 
-// "a number from 0 to 1"
+// Returns text such as "a number from 0 to 1".
 std::string range_in_words(const Json& schema, const char* what) {
   const std::string least = std::string(what) + " from " + schema["minimum"].dump();
   return schema.contains("maximum") ? least + " to " + schema["maximum"].dump() : least;
@@ -78,7 +78,7 @@ class Checker {
   }
 
  private:
-  // The schema with the keywords of what it refers to.
+  // The schema merged with the definition that its $ref names.
   Json resolved(const Json& schema) const {
     if (!schema.contains("$ref")) return schema;
     Json whole = resolved(root_.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))));
@@ -123,7 +123,7 @@ class Checker {
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& name) {
-  std::vector<std::set<std::string>> keys;  // of the objects around the parser's position
+  std::vector<std::set<std::string>> keys;  // keys of the objects that enclose the parser's position
   const auto see = [&](int, Json::parse_event_t event, const Json& parsed) {
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();

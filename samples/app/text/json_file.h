@@ -12,7 +12,7 @@ namespace hrt {
 
 using Json = nlohmann::json;
 
-/// Input that is not accepted: what is wrong, where, and what is allowed.
+/// Thrown for invalid input. Its text names the mistake, the place and the allowed values.
 struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -33,7 +33,7 @@ Json parse_json(std::string_view text, const std::string& name);
 ///   first whose required members are present, or else the last.
 void check_json(Json& value, const Json& schema, const std::string& where, const std::string& definition = {});
 
-/// "a", "b", "c"
+/// Returns text such as: "a", "b", "c"
 std::string quoted_list(const std::vector<std::string>& texts);
 
 /// A name in a file, and its meaning.
@@ -47,7 +47,7 @@ Value meaning(const Json& name, const Names<Value>& names) {
     if (name == text) return value;
   throw std::logic_error("the schema allows " + name.dump() + ", which has no meaning");
 }
-/// The same for one name or an array of names.
+/// The meanings of one name or of an array of names.
 template <typename Value>
 std::vector<Value> meanings(const Json& given, const Names<Value>& names) {
   std::vector<Value> values;

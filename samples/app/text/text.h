@@ -8,17 +8,17 @@
 
 namespace hrt {
 
-/// Characters in `text`.
+/// Number of characters in `text`.
 std::size_t length_of(std::string_view text);
 
 /// The first `length` characters, or all of a shorter text.
 std::string cut_to(std::string_view text, std::size_t length);
 
-/// `text` with spaces before it, or after it, to at least `width` characters.
+/// `text` padded with spaces, before or after it, to at least `width` characters.
 std::string right(std::string_view text, std::size_t width);
 std::string left(std::string_view text, std::size_t width);
 
-/// The words of `text` in lines of `width` characters, or of one longer word.
+/// `text` wrapped at words into lines of at most `width` characters; a longer word has a line of its own.
 std::string wrapped(const std::string& text, std::size_t width);
 
 /// `text` as a field of CSV: in quotes if it has a comma, a quote or a line end.
@@ -30,7 +30,7 @@ std::vector<std::string> csv_fields(std::string_view line);
 /// The byte order mark that some editors write first.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// `text` in HTML or XML, in an attribute too; a control character becomes '?'.
+/// `text` escaped for HTML or XML, including attributes; control characters become '?'.
 std::string escaped(std::string_view text);
 
 }  // namespace hrt

@@ -47,7 +47,7 @@ std::string why_not_writable(const std::filesystem::path& path) {
   const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
   if (error) return error.message();
   if (is_special(target)) return "this is not a regular file";
-  // Only an attempt shows permissions, read-only and full file systems, names too long.
+  // Missing permissions, read-only or full file systems and too long names show only in an attempt.
   const std::filesystem::path temporary = temporary_beside(target);
   const int file = open(temporary.string().c_str(), writes_anew, 0666);
   if (file < 0) return std::strerror(errno);

@@ -1,4 +1,4 @@
-// Files that are whole or as they were.
+// Files that are replaced atomically.
 #pragma once
 
 #include <filesystem>
@@ -7,15 +7,15 @@
 
 namespace hrt {
 
-/// Why write_whole_file() would fail now, of what comes after long work; empty if it would not.
+/// Reason why write_whole_file() would fail now, to check before long work; empty if it would succeed.
 std::string why_not_writable(const std::filesystem::path& path);
 
-/// Puts `content` in the place of `path`, or of what a link there leads to, in one step: it is written to a temporary
-/// file beside it, which is then renamed. Returns 0; if that fails, errno, and leaves nothing behind. What is there and
-/// is no regular file stays: EINVAL.
+/// Replaces the file at `path`, or the target of a link there, in one step: writes `content` to a temporary file in the
+/// same folder and renames it. Returns 0, or errno after a failure, which leaves no temporary file. Does not replace
+/// anything but a regular file: returns EINVAL.
 int write_whole_file(const std::filesystem::path& path, std::string_view content);
 
-/// Its name, of this process.
+/// Name of the temporary file of this process.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
 /// Writes all of `content` to an open file. Returns 0, or errno.

@@ -11,10 +11,10 @@
 
 namespace hrt::app {
 
-/// The name of a result, such as "XR_ERROR_RUNTIME_FAILURE"; its number if it has no name here.
+/// Name of a result, such as "XR_ERROR_RUNTIME_FAILURE"; its number if the name is unknown.
 std::string to_string(XrResult result);
 
-/// An OpenXR call failed.
+/// Thrown when an OpenXR call failed.
 class XrFailure : public std::runtime_error {
  public:
   XrFailure(XrResult result, const std::string& what) : std::runtime_error(what), result_(result) {}
@@ -24,7 +24,7 @@ class XrFailure : public std::runtime_error {
   XrResult result_;
 };
 
-/// The session or the instance is lost; create both again.
+/// Thrown when the session or the instance is lost: both must be created again.
 class XrLost : public XrFailure {
  public:
   using XrFailure::XrFailure;

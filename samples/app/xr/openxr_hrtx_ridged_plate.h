@@ -10,10 +10,10 @@
 ** counter-clockwise positive seen from above (left is positive); the orientation of the plate is the
 ** direction of the normal of its ridges. They are doubles, which XrTime-stamped recordings keep exactly.
 **
-** One plate per session. Every function may be called from any thread, in any state of the session, and
-** returns, beside the results named below, XR_ERROR_HANDLE_INVALID, XR_ERROR_INSTANCE_LOST,
-** XR_ERROR_SESSION_LOST, and XR_ERROR_VALIDATION_FAILURE for a null pointer, a wrong structure type, a
-** number that is not finite or one out of its range. On failure outputs are untouched.
+** There is one plate per session. Every function may be called from any thread, in any state of the session.
+** In addition to the results named below, each returns XR_ERROR_HANDLE_INVALID, XR_ERROR_INSTANCE_LOST and
+** XR_ERROR_SESSION_LOST. XR_ERROR_VALIDATION_FAILURE means a null pointer, a wrong structure type, or a number
+** that is not finite or out of range. On failure outputs are unchanged.
 */
 #ifndef OPENXR_HRTX_RIDGED_PLATE_H_
 #define OPENXR_HRTX_RIDGED_PLATE_H_
@@ -37,64 +37,63 @@ extern "C" {
 #define XR_TYPE_REACH_INSTRUCTION_HRTX XR_HRTX_STRUCTURE_TYPE(1009990001)
 #define XR_TYPE_REACH_TRUTH_HRTX XR_HRTX_STRUCTURE_TYPE(1009990002)
 
-/* Where the plate is. */
+/* Pose and size of the plate. */
 typedef struct XrPlatePlacementHRTX {
   XrStructureType type; /* XR_TYPE_PLATE_PLACEMENT_HRTX */
   const void* XR_MAY_ALIAS next;
   XrSpace space;
-  XrPosef pose;  /* of the plate frame in `space`, as `space` is located now */
+  XrPosef pose;  /* pose of the plate frame in `space`, as `space` is located now */
   double radius; /* metres, in (0, 10] */
 } XrPlatePlacementHRTX;
 
-/* A reach that a simulated person shall make. */
+/* A reach that the simulated participant is to make. */
 typedef struct XrReachInstructionHRTX {
   XrStructureType type; /* XR_TYPE_REACH_INSTRUCTION_HRTX */
   const void* XR_MAY_ALIAS next;
   XrHandEXT hand;
-  XrVector3f start;     /* of the index tip joint, in plate coordinates, metres; it slides at this height */
-  double goalDirection; /* degrees, in [-180, 180]: where the person means to go (the virtual target) */
+  XrVector3f start;     /* index tip joint, plate coordinates, metres; it slides at this height */
+  double goalDirection; /* degrees, in [-180, 180]: intended direction (virtual target) */
   double pathLength;    /* metres, in (0, 10] */
 } XrReachInstructionHRTX;
 
-/* What only a simulation can know of a reach. */
+/* Ground truth of a reach, which only a simulation has. */
 typedef struct XrReachTruthHRTX {
   XrStructureType type; /* XR_TYPE_REACH_TRUTH_HRTX */
   void* XR_MAY_ALIAS next;
-  double trueDirection;      /* degrees: the direction in which the person steers the finger now */
-  double perceivedDirection; /* degrees: the direction that the person feels now */
-  double peakFeltError;      /* degrees, >= 0: largest difference between felt and goal direction so far, while
-                                the finger moves */
-  double leftmostDirection;  /* degrees: farther to the left, no plate within 75 degrees of the motion can hold
-                                the finger while the person means to go to the goal */
-  double rightmostDirection; /* degrees: farther to the right */
-  double tactileWeight;      /* the share that touch has in what the person feels */
-  XrVector3f indexTip;       /* of the joint, in plate coordinates, metres, without the tracker's errors */
+  double trueDirection;      /* degrees: present direction of motion */
+  double perceivedDirection; /* degrees: present perceived direction */
+  double peakFeltError;      /* degrees, >= 0: largest difference between perceived and goal direction so far,
+                                while the finger moves */
+  double leftmostDirection;  /* degrees: leftmost feasible direction with this goal and a plate within 75
+                                degrees of the motion */
+  double rightmostDirection; /* degrees: rightmost feasible direction */
+  double tactileWeight;      /* w_T: share of touch in the perceived direction */
+  XrVector3f indexTip;       /* joint in plate coordinates, metres, without the tracker's errors */
   XrBool32 isDone;           /* the motion has ended */
 } XrReachTruthHRTX;
 
 /* Places the plate. XR_ERROR_POSE_INVALID if the pose is not valid. */
 typedef XrResult(XRAPI_PTR* PFN_xrPlacePlateHRTX)(XrSession session, const XrPlatePlacementHRTX* placement);
 
-/* The people, and the noise, come from this seed from now on; the next reach counts as number
-** `nextReach`, from 0. A run from here on with the same seed, number, calls and times is the same to the
-** last bit. At first the seed is 1, or the script's, and the number 0. */
+/* Sets the seed from which participants and noise are drawn; the next reach has number `nextReach`, from 0.
+** Later results are bit-identical for the same seed, number, calls and times. The initial seed is 1, or the
+** script's; the initial number is 0. */
 typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed, uint32_t nextReach);
 
-/* Turns the plate: its servo gets a new target, in degrees within [-360, 360]. */
+/* Sets the target of the plate's servo, in degrees within [-360, 360]. */
 typedef XrResult(XRAPI_PTR* PFN_xrSetPlateOrientationHRTX)(XrSession session, double orientation);
 
-/* The orientation of the plate at `time`: in the future, if the servo gets no further target; in the past, as
-** now. XR_ERROR_TIME_INVALID if `time` is not positive. */
+/* Returns the orientation of the plate at `time`. A future time is predicted without further targets; a past
+** time counts as now. XR_ERROR_TIME_INVALID if `time` is not positive. */
 typedef XrResult(XRAPI_PTR* PFN_xrGetPlateOrientationHRTX)(XrSession session, XrTime time, double* orientation);
 
-/* The person puts the fingertip to the start, reacts after 0.3 to 0.7 s and slides at a natural pace, 1 to 2
- *s,
- ** unless a script says otherwise. Every millisecond the person feels the plate as it stands then and steers.
- ** An instruction to a hand replaces the one before.
- ** XR_ERROR_CALL_ORDER_INVALID before the plate is placed. */
+/* Instructs the participant to put the fingertip to the start, react after 0.3 to 0.7 s and slide for 1 to 2 s,
+** unless a script sets other values. Every millisecond the participant feels the plate's present orientation and
+** steers. An instruction replaces the previous one of the same hand.
+** XR_ERROR_CALL_ORDER_INVALID before the plate is placed. */
 typedef XrResult(XRAPI_PTR* PFN_xrInstructReachHRTX)(XrSession session, const XrReachInstructionHRTX* instruction);
 
-/* The truth about the hand's latest reach, now. XR_ERROR_CALL_ORDER_INVALID if there has been none. */
+/* Returns the ground truth of the hand's latest reach. XR_ERROR_CALL_ORDER_INVALID before the first reach. */
 typedef XrResult(XRAPI_PTR* PFN_xrGetReachTruthHRTX)(XrSession session, XrHandEXT hand, XrReachTruthHRTX* truth);
 
 #ifdef __cplusplus

@@ -8,12 +8,12 @@
 namespace hrt::app {
 namespace {
 
-// A runtime that is there and does not start.
+// Results of a runtime that is installed and does not start.
 bool means_no_start(XrResult result) {
   return result == XR_ERROR_INITIALIZATION_FAILED || result == XR_ERROR_INSTANCE_LOST;
 }
 
-// A runtime that is not there makes itself known in one of these ways, depending on the loader.
+// Results that mean that no runtime is installed, depending on the loader.
 bool means_no_runtime(XrResult result) {
   return result == XR_ERROR_RUNTIME_UNAVAILABLE || result == XR_ERROR_FILE_ACCESS_ERROR ||
          result == XR_ERROR_FILE_CONTENTS_INVALID || means_no_start(result);

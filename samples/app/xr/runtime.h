@@ -14,12 +14,12 @@
 
 namespace hrt::app {
 
-/// One instance and its system. One thread.
+/// One instance and its system. For use by one thread.
 class XrRuntime {
  public:
   /// Enables XR_MND_headless, XR_EXT_hand_tracking and, where the runtime has them,
   /// XR_KHR_convert_timespec_time and `optional_extensions`. Throws Failure with ExitCode::no_runtime if
-  /// none answers and ExitCode::runtime_lacks if this one cannot serve; XrFailure.
+  /// no runtime responds and ExitCode::runtime_lacks if a required feature is missing; XrFailure.
   explicit XrRuntime(const std::vector<std::string>& optional_extensions);
   ~XrRuntime();
   XrRuntime(const XrRuntime&) = delete;
@@ -27,11 +27,11 @@ class XrRuntime {
 
   XrInstance instance() const { return instance_; }
   XrSystemId system() const { return system_; }
-  /// Name and version, as the runtime gives them.
+  /// Name and version that the runtime reports.
   const std::string& name() const { return name_; }
   bool enabled(const std::string& extension) const;
 
-  /// A function of the API or of an enabled extension.
+  /// Returns a function of the API or of an enabled extension.
   template <class Function>
   Function function(const char* function_name) const {
     PFN_xrVoidFunction pointer = nullptr;
@@ -40,7 +40,7 @@ class XrRuntime {
   }
 
  private:
-  XrRuntime() = default;  // once this is done the destructor is called, whatever fails then
+  XrRuntime() = default;  // a delegated constructor: after it, failures run the destructor
   void create_instance(const std::vector<std::string>& optional_extensions);
   void find_system();
 

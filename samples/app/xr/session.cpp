@@ -16,11 +16,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto poll_period = 2ms;                // while there are no frames to wait for
-constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames have no times: 90 Hz
-constexpr int frames_of_a_second = 90;           // at most so many odd frames in a row are left out
+constexpr auto poll_period = 2ms;                // period of event polling while the session does not run
+constexpr auto own_frame_period = 11'111'111ns;  // 90 Hz, for a runtime whose frames have no times
+constexpr int frames_of_a_second = 90;           // limit of invalid frames in a row that are skipped
 constexpr XrDuration max_step_ns = 5'000'000'000, max_refused_ns = 1'000'000'000;
-constexpr float max_position_m = 100.0f;  // from the plate
+constexpr float max_position_m = 100.0f;  // limit of plausible distances from the plate
 
 // A final failure: the runtime violates the specification, or takes too long.
 [[noreturn]] void fail(const std::string& sentence) { throw Failure(ExitCode::runtime_failed, sentence); }
@@ -44,7 +44,7 @@ Eigen::Quaternionf orientation(const XrPosef& pose) {
 
 Eigen::Vector3f position(const XrPosef& pose) { return {pose.position.x, pose.position.y, pose.position.z}; }
 
-// Normalised, since many products would lose the length of 1.
+// Normalised, since rounding errors of repeated products accumulate.
 XrPosef pose_of(const Eigen::Quaternionf& turned, const Eigen::Vector3f& moved) {
   const Eigen::Quaternionf q = turned.normalized();
   return {{q.x(), q.y(), q.z(), q.w()}, {moved.x(), moved.y(), moved.z()}};
@@ -59,7 +59,7 @@ XrPosef inverse(const XrPosef& pose) {
   return pose_of(back, -(back * position(pose)));
 }
 
-// A runtime's values are not trusted: numbers, and an orientation that can be normalised.
+// Checks a pose of the runtime: finite numbers, and an orientation that can be normalised.
 bool is_pose(const XrPosef& pose) {
   return position(pose).allFinite() && std::abs(orientation(pose).squaredNorm() - 1.0f) < 0.02f;
 }
@@ -132,7 +132,7 @@ void XrHeadlessSession::find_spaces() {
     std::erase(spaces_, local_floor_space);
 }
 
-// An API layer older than the space refuses it, though the runtime has it.
+// An API layer that predates a space type may reject it although the runtime supports it.
 bool XrHeadlessSession::can_be_made(XrReferenceSpaceType type) const {
   const XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, identity};
   XrSpace space = XR_NULL_HANDLE;
@@ -151,7 +151,7 @@ void XrHeadlessSession::place_plate(XrReferenceSpaceType space, const XrPosef& p
   if (space != XR_REFERENCE_SPACE_TYPE_LOCAL && !has_space(space))
     throw Failure(ExitCode::registration, "the OpenXR runtime " + runtime_.name() +
                                               " does not have the space in which the plate was registered; "
-                                              "register it anew (--register)");
+                                              "register it again (--register)");
   plate_base_ = space;
   plate_pose_ = pose;
   make_plate_space();
@@ -166,7 +166,7 @@ void XrHeadlessSession::make_plate_space() {
   plate_space_ = placed;
 }
 
-// What was announced of the plate's space holds from a time on.
+// Applies the announced changes of the plate's space that are in effect at `time`.
 void XrHeadlessSession::follow_spaces(XrTime time) {
   if (plate_space_ == XR_NULL_HANDLE) return;
   const SpaceMotion::Change change = motion_.advance(plate_base_, time);
@@ -204,12 +204,12 @@ XrTime XrHeadlessSession::next_frame() {
       follow_spaces(*time);
       return last_frame_ = *time;
     }
-    if (Clock::now() > give_up) fail("the OpenXR runtime's time stands still");
+    if (Clock::now() > give_up) fail("the OpenXR runtime's time does not advance");
     if (!time) std::this_thread::sleep_for(poll_period);
   }
 }
 
-// The runtime's time advanced by 5 s more than ours since the last frame. If that lasts, its clock was set.
+// True if the runtime's time advanced 5 s more than the program's. If this continues, its clock was set.
 bool XrHeadlessSession::steps(XrTime time) {
   const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - frame_began_).count();
   const bool is_step =
@@ -222,22 +222,22 @@ bool XrHeadlessSession::steps(XrTime time) {
   return is_step;
 }
 
-// A frame of the runtime's loop. If its frames have no time (a headless session needs no frame loop), a frame
-// of our own, at the runtime's present time.
+// Waits for a frame of the runtime. If its frames have no time (a headless session needs no frame loop), paces a frame
+// itself, at the runtime's present time.
 std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   if (!frames_have_times_) {
-    own_frame_ = std::max(own_frame_ + own_frame_period, Clock::now());  // whatever a frame's work takes
+    own_frame_ = std::max(own_frame_ + own_frame_period, Clock::now());  // 90 Hz independently of the work in a frame
     std::this_thread::sleep_until(own_frame_);
     return time_now();
   }
   XrFrameState frame{XR_TYPE_FRAME_STATE};
   const XrResult waited = CALL_XR(xrWaitFrame(session_, nullptr, &frame));
-  if (waited == XR_ERROR_SESSION_NOT_RUNNING) return std::nullopt;  // an event is on its way
+  if (waited == XR_ERROR_SESSION_NOT_RUNNING) return std::nullopt;  // an event with the new state follows
   const bool has_loop = waited != XR_ERROR_FUNCTION_UNSUPPORTED;
   if (has_loop) CHECK_XR_RESULT("xrWaitFrame", waited);
   const bool has_time = has_loop && frame.predictedDisplayTime > 0;
   untimed_ = has_time ? 0 : untimed_ + 1;
-  // Some runtimes never give a headless session's frames a time. One frame without is the runtime's mistake.
+  // Some runtimes give no frame of a headless session a time. A single frame without one is skipped.
   if (!has_loop || (!has_time && (last_frame_ == 0 || untimed_ > frames_of_a_second))) {
     frames_have_times_ = false;
     return time_now();
@@ -289,7 +289,7 @@ void XrHeadlessSession::poll_events() {
   }
 }
 
-// A state that comes again, or one that this version of the API does not know, changes nothing.
+// A repeated state, or one that this version of the API does not define, has no effect.
 void XrHeadlessSession::change_state(XrSessionState state) {
   switch (state) {
     case XR_SESSION_STATE_READY:

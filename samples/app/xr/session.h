@@ -1,4 +1,4 @@
-// A headless OpenXR session with two hand trackers, located in the plate's space, wherever the runtime moves its own.
+// A headless OpenXR session with two hand trackers, located in the plate's space, also after recentring.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace hrt::app {
 
 enum class Hand { left = 0, right = 1 };
 
-/// Of XR_EXT_local_floor and OpenXR 1.1, which Debian 12's header lacks; numbers of Khronos' registry.
+/// Names of XR_EXT_local_floor and OpenXR 1.1 that Debian 12's header lacks; numbers of Khronos' registry.
 inline constexpr const char* local_floor_extension = "XR_EXT_local_floor";
 inline constexpr auto local_floor_space = static_cast<XrReferenceSpaceType>(1000426000);
 
@@ -25,65 +25,65 @@ const char* name_of(XrReferenceSpaceType space);
 struct Fingertip {
   bool tracked = false;
   std::array<double, 3> position_m{};  ///< in plate coordinates
-  /// From the joint's axes to the plate's, x, y, z, w; none if the runtime does not know it.
+  /// Rotation from the joint's axes to the plate's, x, y, z, w; unset if the runtime does not report it.
   std::optional<std::array<double, 4>> rotation;
   bool lifted = false;  ///< not tracked because it touches nothing; otherwise a dropout
 };
 
-/// Where the runtime moves the origins of its reference spaces, as its user recentres the view
-/// (XrEventDataReferenceSpaceChangePending): what stands still in the room then has another pose in them. Of one
-/// run, across its sessions. One thread.
+/// Motion of the runtime's reference spaces when the user recentres the view (XrEventDataReferenceSpaceChangePending):
+/// objects at rest in the room then have other coordinates. Kept for one run, across its sessions. For use by one
+/// thread.
 class SpaceMotion {
  public:
-  /// A change that is to come.
+  /// Queues a change that takes effect later.
   void announce(const XrEventDataReferenceSpaceChangePending& change);
 
   enum class Change { none, moved, unknown };
-  /// Makes the announced changes of this space that hold at `time`. `unknown`: the runtime moved its origin
-  /// and did not report where to; the coordinates of the space then begin anew.
+  /// Applies the announced changes of this space that are in effect at `time`. Returns `unknown` if the runtime moved
+  /// the origin without reporting its new pose; the space then has new coordinates.
   Change advance(XrReferenceSpaceType space, XrTime time);
 
-  /// The pose now of what stood at `pose_at_first` in the coordinates that the space had at first.
+  /// Present pose of an object whose pose was `pose_at_first` in the initial coordinates of the space.
   XrPosef now(XrReferenceSpaceType space, const XrPosef& pose_at_first) const;
 
  private:
   std::vector<XrEventDataReferenceSpaceChangePending> pending_;
-  std::map<XrReferenceSpaceType, XrPosef> first_;  // the first coordinates' origin, in the present ones
+  std::map<XrReferenceSpaceType, XrPosef> first_;  // initial origin in present coordinates
 };
 
-/// One session from IDLE to its end. One thread.
+/// One session from IDLE to its end. For use by one thread.
 class XrHeadlessSession {
  public:
-  /// `motion` is that of the spaces, from session to session. `limit` bounds every wait for an event. Throws
+  /// `motion` keeps the motion of the spaces across sessions. `limit` bounds every wait for an event. Throws
   /// XrFailure.
   XrHeadlessSession(XrRuntime& runtime, SpaceMotion& motion, std::chrono::milliseconds limit);
   ~XrHeadlessSession();
   XrHeadlessSession(const XrHeadlessSession&) = delete;
   XrHeadlessSession& operator=(const XrHeadlessSession&) = delete;
 
-  /// Waits for the next frame and returns its time, later than any before. A frame without a time, or whose time
-  /// steps by more than 5 s, is left out. Throws XrLost if the session must be created again, also after a second of
+  /// Waits for the next frame and returns its time, later than any before. Skips a frame without a time, or whose time
+  /// steps by more than 5 s. Throws XrLost if the session must be created again, also after a second of
   /// such steps; Failure (ExitCode::runtime_failed) if the runtime ended it or a wait exceeded its
   /// limit; Failure (ExitCode::registration) if the runtime moved the plate's space by an unknown amount;
   /// Interrupted.
   XrTime next_frame();
 
-  /// A space whose origin stays where it is from run to run, if the runtime has one: STAGE, or else LOCAL.
+  /// Space whose origin persists from run to run, if the runtime has one: STAGE, or else LOCAL.
   XrReferenceSpaceType steady_space() const { return steady_space_; }
-  /// A space whose origin is on the floor: STAGE, or else LOCAL_FLOOR; LOCAL, at the user's eyes, if the
-  /// runtime knows no floor.
+  /// Space whose origin is on the floor: STAGE, or else LOCAL_FLOOR; LOCAL, at the user's eyes, if the runtime has
+  /// neither.
   XrReferenceSpaceType floor_space() const { return floor_space_; }
 
-  /// Fingertips are located in the plate's coordinates from now on: its mount is at `pose` in a reference
-  /// space, in the coordinates that this space had at first. There it stays in the room when the runtime
-  /// moves its space. Throws Failure (ExitCode::registration) if the runtime lacks the space.
+  /// Locates fingertips in plate coordinates from now on. `pose`: the plate's mount in a reference space, in the
+  /// initial coordinates of that space. The mount keeps its place in the room when the runtime moves the space. Throws
+  /// Failure (ExitCode::registration) if the runtime lacks the space.
   void place_plate(XrReferenceSpaceType space, const XrPosef& pose);
   XrSpace plate_space() const { return plate_space_; }
 
-  /// The pose in the present coordinates of a space of what is at `pose` in its first ones.
+  /// Converts `pose` from the initial to the present coordinates of a space.
   XrPosef now(XrReferenceSpaceType space, const XrPosef& pose) const { return motion_.now(space, pose); }
 
-  /// How often the runtime has moved the space in which the plate is placed.
+  /// Number of times that the runtime has moved the space of the plate.
   int recentrings() const { return recentrings_; }
 
   /// The fingertip at a time that next_frame() returned. Not tracked if its pose is impossible, or, for up to a second,
@@ -98,7 +98,7 @@ class XrHeadlessSession {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Once this is done the destructor is called, whatever fails then.
+  // Delegated constructor: after it, failures run the destructor.
   XrHeadlessSession(XrRuntime* runtime, SpaceMotion* motion, std::chrono::milliseconds limit)
       : runtime_(*runtime), limit_(limit), motion_(*motion) {}
   void find_spaces();
@@ -117,31 +117,31 @@ class XrHeadlessSession {
   std::chrono::milliseconds limit_;
   XrSession session_ = XR_NULL_HANDLE;
   SpaceMotion& motion_;
-  std::vector<XrReferenceSpaceType> spaces_;  // that the runtime has
+  std::vector<XrReferenceSpaceType> spaces_;  // spaces of the runtime
   XrReferenceSpaceType plate_base_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
-  XrPosef plate_pose_{};  // in it, in its first coordinates
+  XrPosef plate_pose_{};  // in plate_base_, in its initial coordinates
   XrSpace plate_space_ = XR_NULL_HANDLE;
   int recentrings_ = 0;
   XrReferenceSpaceType floor_space_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
   XrReferenceSpaceType steady_space_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
   std::array<XrHandTrackerEXT, 2> trackers_{};
   bool running_ = false;
-  bool ending_ = false;            // because we asked for it
-  bool frames_have_times_ = true;  // until a second of frames has none
-  Clock::time_point frame_began_;  // that returned last_frame_
+  bool ending_ = false;            // end() has requested the end
+  bool frames_have_times_ = true;  // false after one second of frames without times
+  Clock::time_point frame_began_;  // begin of the frame with last_frame_
   std::optional<XrTime> refused_since_;
   int untimed_ = 0, stepped_ = 0;  // frames in a row
   struct LeftOut {
     int untimed = 0, stepped = 0, refused = 0, impossible = 0;
   };
   LeftOut left_out_;
-  Clock::time_point own_frame_;  // the last one that began, if they have none
+  Clock::time_point own_frame_;  // begin of the last frame paced here
   XrTime last_frame_ = 0;
 
   PFN_xrCreateHandTrackerEXT create_hand_tracker_ = nullptr;
   PFN_xrDestroyHandTrackerEXT destroy_hand_tracker_ = nullptr;
   PFN_xrLocateHandJointsEXT locate_hand_joints_ = nullptr;
-  PFN_xrConvertTimespecTimeToTimeKHR convert_timespec_ = nullptr;  // null if the runtime has none
+  PFN_xrConvertTimespecTimeToTimeKHR convert_timespec_ = nullptr;  // null if unsupported
 };
 
 }  // namespace hrt::app

@@ -1,5 +1,5 @@
-// A runtime that simulates its user (XR_HRTX_ridged_plate): instructs the person, turns the simulated
-// plate, reads the truth about the reach.
+// A runtime that simulates its user (XR_HRTX_ridged_plate): instructs the simulated participant, turns the plate and
+// reads the ground truth of the reach.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -12,27 +12,27 @@
 
 namespace hrt::app {
 
-/// The extension's functions for one session. Every call throws XrFailure. One thread.
+/// Functions of the extension for one session. Every call may throw XrFailure. For use by one thread.
 class Simulation {
  public:
   Simulation(const XrRuntime& runtime, const XrHeadlessSession& session);
 
-  /// The plate's mount is the origin of this space, in the room: it stays there when the space moves.
+  /// Places the plate's mount at the present origin of `space`. It keeps its place when the space moves.
   void place_plate(XrSpace space, double radius_m);
 
-  /// From now on person and noise come from this seed; the next reach has this number, from 0.
+  /// Sets the seed of participant and noise, and the number of the next reach, from 0.
   void seed(std::uint64_t seed, std::uint32_t next_reach);
 
-  /// The person is instructed now to slide from `start_m` in plate coordinates.
+  /// Instructs the participant to slide from `start_m`, in plate coordinates.
   void instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg, double path_length_m);
 
   struct Truth {
-    double finger_direction_deg;     ///< P now
-    double perceived_direction_deg;  ///< felt now
-    double peak_felt_error_deg;      ///< largest difference between felt and goal direction so far
-    double leftmost_direction_deg;   ///< farther to the left, or to the right, no plate can hold the finger
+    double finger_direction_deg;     ///< P, present direction of motion
+    double perceived_direction_deg;  ///< present perceived direction
+    double peak_felt_error_deg;      ///< largest difference between perceived and goal direction so far
+    double leftmost_direction_deg;   ///< this and the next field: range of feasible directions
     double rightmost_direction_deg;
-    double tactile_weight;        ///< the share of touch in the felt direction
+    double tactile_weight;        ///< w_T, share of touch in the perceived direction
     std::array<double, 3> tip_m;  ///< in plate coordinates, without the tracker's errors
     bool done;                    ///< the motion has ended
   };

@@ -64,7 +64,7 @@ class Watchdog {
     }
   }
 
-  // Streams and destructors are left alone: the blocked thread may hold their locks.
+  // Uses no streams and runs no destructors: the blocked thread may hold their locks.
   [[noreturn]] static void end_process(ExitCode code, const std::string& why) {
     restore_terminal();
     say("hrt-reach: " + why + "\n");

@@ -22,7 +22,7 @@ class RuntimeCall {
   RuntimeCall& operator=(const RuntimeCall&) = delete;
 };
 
-/// The result of an OpenXR call under the watchdog. CHECK_XR includes this.
+/// Result of an OpenXR call under the watchdog. CHECK_XR includes this.
 #define CALL_XR_NAMED(name, call)                \
   [&] {                                          \
     const ::hrt::app::RuntimeCall watched(name); \

@@ -25,19 +25,19 @@ class ReachRegistration : public testing::Test {
 };
 
 TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
-  // Without it nobody comes to the start.
+  // Without registration no finger comes to the start.
   EXPECT_EQ(run(Path().reach(), {"--time-limit", "8"}).exit_code, 8);
   const std::string recording = scratch_folder() + "/contact.csv";
   const Outcome outcome = expect_exit(0, run(Path().touch(marks).reach(), {"--register", file, "--record", recording}));
   expect_said(outcome, {"touch mark 1 and hold still. Mark 1 is \"start\" (1 of 6).", "\"rim near left\"",
-                        "registered: residual 0.0 mm", "For that alone reaches end 0."});
-  // The finger has met the cylinder, which shows where it is: of a plate that is registered.
+                        "registered: residual 0.0 mm", "Because of this, reaches end 0."});
+  // With a registered plate, a finger that reaches the cylinder is recorded as a contact.
   EXPECT_TRUE(has(read_file(recording), "\ntouched,0,"));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
   EXPECT_TRUE(rows_of(outcome)[0].reached);
-  // In STAGE, whose floor is 1.2 m below the eyes of LOCAL.
+  // The pose is in STAGE, whose floor is 1.2 m below the origin of LOCAL.
   const auto kept = nlohmann::json::parse(read_file(file));
   EXPECT_EQ(kept["space"], "STAGE");
   EXPECT_NEAR(kept["position_m"][0], PlatePose{}.x_m, 1e-4);
@@ -48,15 +48,16 @@ TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
 TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
   ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
   const Outcome next = expect_exit(0, run(Path().hold(marks[0]).reach(), {"--registered", file}));
-  expect_said(next, {"to check the plate's position. Mark 1 is \"start\"", "It is: the touch was 0 mm off."});
+  expect_said(
+      next, {"to check the plate's position. Mark 1 is \"start\"", "The plate has not moved: the touch was 0 mm off."});
   EXPECT_TRUE(rows_of(next)[0].reached);
   PlatePose moved;
   moved.x_m += 0.03;
   expect_said(expect_exit(12, run(Path(moved).hold(marks[0]).lift().touch({marks[0]}).reach(), {"--registered", file})),
-              {"touched 30 mm from where it was registered", "register the plate anew (--register)"});
+              {"touched 30 mm from where it was registered", "register the plate again (--register)"});
 }
 
-// The joint is 20 mm from the skin, and the hand leans otherwise in the reach than in the touches.
+// The joint is 20 mm from the skin, and the hand leans differently in the reach than in the touches.
 TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   constexpr double skin_m = 0.02;
   const auto touched = [&] {
@@ -68,7 +69,7 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   };
   const Outcome outcome = expect_exit(0, run(touched().reach(), {"--register", file, "--fingertip"}));
   expect_said(outcome, {"touch mark 1 with the finger held leant to the left", "The skin is 20.0 mm from the joint",
-                        "registered: residual 0.0 mm", "For that alone reaches end 0."});
+                        "registered: residual 0.0 mm", "Because of this, reaches end 0."});
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.5);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
@@ -77,16 +78,16 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   EXPECT_EQ(joint["hand"], "right");
   const Path next = Path().hold_hand({-10, 0, 25}, skin_m).hold(marks[0]).reach();
   const Outcome kept = expect_exit(0, run(next, {"--registered", file}));
-  expect_said(kept, "It is: the touch was 0 mm off.");
+  expect_said(kept, "The plate has not moved: the touch was 0 mm off.");
   EXPECT_LE(rows_of(kept)[0].miss_mm, 5.1);
   expect_said(expect_exit(12, run(next, {"--registered", file, "--hand", "left"})), "by the skin of one hand");
-  // Without it the lean of the hand, 45 degrees over 20 mm, is taken for a place.
+  // Without the skin offset, the lean of the hand (45 degrees over 20 mm) appears as a displacement.
   joint.erase("hand");
   const Outcome ignored = run(next, {"--registered", written(joint.dump())});
   EXPECT_NE(ignored.exit_code, 0) << ignored.out << ignored.err;
 }
 
-TEST_F(ReachRegistration, AFingerThatIsHeldAlikeDoesNotShowItsSkin) {
+TEST_F(ReachRegistration, TouchesInOneAttitudeDoNotDetermineTheSkin) {
   Path path;
   for (int touch = 0; touch < 18; ++touch) path.touch({marks[0]});
   const Outcome outcome = expect_exit(12, run(path, {"--register", file, "--fingertip"}));
@@ -102,7 +103,7 @@ TEST_F(ReachRegistration, IsCheckedBeforeEachReach) {
   const std::size_t first = same.err.find(question);
   ASSERT_NE(first, std::string::npos);
   EXPECT_NE(same.err.find(question, first + 1), std::string::npos) << same.err;
-  // The mark that is touched before the second reach, twice, is 30 mm from where it was.
+  // Both touches before the second reach are 30 mm from the mark.
   const Place moved{marks[0].right_m + 0.03, marks[0].towards_user_m};
   const Outcome refused = expect_exit(12, run(Path().hold(marks[0]).reach().lift().touch({moved, moved}), twice));
   EXPECT_EQ(rows_of(refused).size(), 1U);
@@ -120,7 +121,7 @@ TEST_F(ReachRegistration, AsksAgainIfTheTouchesDoNotFit) {
   EXPECT_EQ(read_file(file + "2"), "");
 }
 
-TEST_F(ReachRegistration, WhoDoesNotTouchIsNotWaitedForForever) {
+TEST_F(ReachRegistration, WaitForATouchHasATimeLimit) {
   const Outcome outcome = expect_exit(8, run(Path(), {"--register", file, "--time-limit", "4"}));
   expect_said(outcome, "it was not done within 4 s: Lift your finger. Then touch mark 1");
 }
@@ -135,7 +136,7 @@ TEST_F(ReachRegistration, TakesMarksFromAFile) {
       {0.0, 0.05}, {0.0, 0.088}, {0.0762102, 0.044}, {0.0762102, -0.044}, {-0.0762102, -0.044}};
   const Outcome outcome = expect_exit(0, run(Path().touch(there).reach(), {"--register", file, "--marks", own}));
   expect_said(outcome, "Mark 5 is \"far left\" (5 of 5).");
-  // A name that is not UTF-8 is kept as far as it is.
+  // Invalid bytes of a name that is not UTF-8 are replaced.
   EXPECT_EQ(nlohmann::json::parse(read_file(file))["check"], "d\xef\xbf\xbdpart");
 }
 
@@ -163,7 +164,7 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
   refused("", "parse error", "--registered");
   refused("{}", "key 'version' not found", "--registered");
   refused(good.substr(0, good.size() / 2), "parse error", "--registered");
-  refused(with("\"version\":2", "\"version\":1"), "version must be 2: register the plate anew", "--registered");
+  refused(with("\"version\":2", "\"version\":1"), "version must be 2: register the plate again", "--registered");
   refused(with("STAGE", "MOON"), "space must be STAGE or LOCAL", "--registered");
   refused(with("\"rotation\"", "\"rotating\""), "key 'rotation' not found", "--registered");
   refused(with("\"check_m\":[0.0", "\"check_m\":[\"0\""), "type must be number", "--registered");
@@ -171,7 +172,7 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
   refused(with("}", ",\"hand\":\"third\"}"), "hand must be left or right", "--registered");
   expect_said(expect_exit(12, run(Path(), {"--registered", "/nowhere/plate.txt"})),
               "/nowhere/plate.txt cannot be read");
-  // Numbers that are none of a plate are refused by the plugin.
+  // The plugin rejects numbers that are not a pose of a plate.
   expect_said(
       expect_exit(3, run(Path(), {"--registered", written(with("\"position_m\":[2", "\"position_m\":[20002"))})),
       "plate_position_m[0] is");
