@@ -8,7 +8,7 @@
 
 namespace hrt::mock {
 
-/// "XR_SUCCESS"; the number of a result without a name.
+/// Name such as "XR_SUCCESS"; the number of a result without a name.
 inline std::string result_name(XrResult result) {
 #define HRT_MOCK_NAME(name, number) \
   if (result == name) return #name;

@@ -9,7 +9,7 @@
 
 namespace hrt::mock {
 
-// As we name them, and as the macros of OpenXR's headers for their names and their versions do.
+// Names of the extensions here, and in OpenXR's macros for their names and versions.
 #define HRT_MOCK_EXTENSIONS(X)                                            \
   X(headless, XR_MND_HEADLESS, XR_MND_headless)                           \
   X(hand_tracking, XR_EXT_HAND_TRACKING, XR_EXT_hand_tracking)            \
@@ -35,7 +35,7 @@ struct ExtensionInfo {
   std::uint32_t version;
 };
 
-/// By Extension; those before first_extension are none.
+/// Indexed by Extension; entries before first_extension are not extensions.
 inline constexpr std::size_t first_extension = 2;
 inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::count)> extensions{
     {{nullptr, 0},
@@ -50,7 +50,7 @@ struct FunctionInfo {
   Extension needed;
 };
 
-/// By FunctionId.
+/// Indexed by FunctionId.
 inline constexpr FunctionInfo functions[] = {
 #define HRT_MOCK_INFO(name, implementation, extension, returned) {#name, Extension::extension},
     HRT_MOCK_FUNCTIONS(HRT_MOCK_INFO)

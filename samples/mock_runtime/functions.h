@@ -98,7 +98,7 @@ enum class FunctionId {
       count
 };
 
-/// What an implementation takes for an argument: the object for its handle.
+/// Parameter type of an implementation: the object instead of its handle.
 #define HRT_MOCK_OBJECT(Handle, Type) \
   class Type;                         \
   std::type_identity<Type&> taken_for(Handle);
@@ -113,7 +113,7 @@ HRT_MOCK_OBJECT(XrHandTrackerEXT, HandTracker)
 template <typename Argument>
 std::type_identity<Argument> taken_for(const Argument&);
 
-/// Implementations that look their objects up: they take lost ones or none, or an object that may be gone after a wait.
+/// Implementations that look up their objects: these accept lost or null handles, or look up again after a wait.
 constexpr bool takes_handles(std::string_view name) {
   return name.starts_with("xrDestroy") || name == "xrWaitFrame" || name == "xrGetInstanceProcAddr" ||
          name == "xrGetCallLogHRTX";

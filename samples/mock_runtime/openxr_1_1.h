@@ -1,10 +1,10 @@
-// What OpenXR 1.1 and newer extensions add to the 1.0.20 of Debian 12's header, as far as this runtime has
-// it. Layouts and numbers are those of the Khronos registry.
+// Declarations of OpenXR 1.1 and newer extensions that this runtime uses and Debian 12's header 1.0.20 lacks. Layouts
+// and numbers are those of the Khronos registry.
 #pragma once
 
 #include <openxr/openxr.h>
 
-// What OpenXR 1.1 adds to the lists of openxr_reflection.h, with what was there before.
+// The lists of openxr_reflection.h, extended by OpenXR 1.1.
 #define HRT_RESULTS_OF_1_1(X)                               \
   X(XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED, -1000710001) \
   X(XR_ERROR_PERMISSION_INSUFFICIENT, -1000710000)

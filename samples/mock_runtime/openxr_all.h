@@ -1,4 +1,4 @@
-// OpenXR with the platforms of this runtime.
+// OpenXR headers with the platforms that this runtime supports.
 #pragma once
 
 #include <vulkan/vulkan_core.h>

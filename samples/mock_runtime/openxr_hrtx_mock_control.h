@@ -1,11 +1,11 @@
 /*
-** XR_HRTX_mock_control: a test's control of the mock runtime, unknown to the application.
+** XR_HRTX_mock_control: lets a test control the mock runtime without the application's knowledge.
 **
-** A vendor extension of the mock runtime beside this header; README.md there has the script's format.
+** A vendor extension of the mock runtime in this folder; SCRIPTS.md has the format of scripts.
 ** Enable it in XrInstanceCreateInfo::enabledExtensionNames and fetch its functions with
 ** xrGetInstanceProcAddr. The author tag HRTX and the number of its structure type are not registered
-** with Khronos. Every function may be called from any thread and returns, beside the results named below,
-** XR_ERROR_HANDLE_INVALID, XR_ERROR_INSTANCE_LOST (except xrGetCallLogHRTX), and
+** with Khronos. Every function may be called from any thread. In addition to the results named
+** below, each returns XR_ERROR_HANDLE_INVALID, XR_ERROR_INSTANCE_LOST (except xrGetCallLogHRTX), and
 ** XR_ERROR_VALIDATION_FAILURE for null pointers and wrong structure types.
 */
 #ifndef OPENXR_HRTX_MOCK_CONTROL_H_
@@ -34,24 +34,24 @@ extern "C" {
 typedef struct XrCallRecordHRTX {
   XrStructureType type; /* XR_TYPE_CALL_RECORD_HRTX */
   void* XR_MAY_ALIAS next;
-  XrTime time; /* of the runtime's clock when the call returned; 0 without an instance */
+  XrTime time; /* runtime's clock when the call returned; 0 without an instance */
   XrResult result;
   char function[XR_MAX_CALL_NAME_SIZE_HRTX]; /* "xrCreateSession" */
-  char reason[XR_MAX_CALL_REASON_SIZE_HRTX]; /* why it was refused; empty otherwise */
-  uint32_t thread;                           /* that called, numbered from 1 in order of their first calls */
+  char reason[XR_MAX_CALL_REASON_SIZE_HRTX]; /* reason of the error; empty on success */
+  uint32_t thread;                           /* calling thread, numbered from 1 in order of first calls */
 } XrCallRecordHRTX;
 
-/* Replaces the script, from the next session on; calls and sessions are counted from here.
-** XR_ERROR_CALL_ORDER_INVALID while there is a session. XR_ERROR_VALIDATION_FAILURE for a script that is
-** not valid: the call log says what is wrong in it and what is allowed; the script before stays. */
+/* Replaces the script from the next session on, and restarts the counts of calls and sessions.
+** XR_ERROR_CALL_ORDER_INVALID while a session exists. XR_ERROR_VALIDATION_FAILURE for an invalid script: the call
+** log names the mistake and the allowed values, and the previous script remains in effect. */
 typedef XrResult(XRAPI_PTR* PFN_xrApplyScriptHRTX)(XrInstance instance, const char* json);
 
-/* Advances a manual clock by `duration`, 0 to one hour; events in between happen.
+/* Advances a manual clock by `duration`, 0 to one hour; events that become due occur.
 ** XR_ERROR_CALL_ORDER_INVALID with the real-time clock. */
 typedef XrResult(XRAPI_PTR* PFN_xrAdvanceTimeHRTX)(XrInstance instance, XrDuration duration);
 
-/* The calls so far, oldest first, in the two-call idiom; xrGetInstanceProcAddr and this function are left
-** out. The log holds the latest 100,000. */
+/* Returns the calls so far, oldest first, in the two-call idiom, without xrGetInstanceProcAddr and this function.
+** The log keeps the latest 100,000. */
 typedef XrResult(XRAPI_PTR* PFN_xrGetCallLogHRTX)(XrInstance instance, uint32_t capacity, uint32_t* count,
                                                   XrCallRecordHRTX* records);
 

@@ -13,8 +13,8 @@ namespace hrt::mock {
 inline constexpr std::uint32_t loader_info_type = 1;      // XR_LOADER_INTERFACE_STRUCT_LOADER_INFO
 inline constexpr std::uint32_t runtime_request_type = 3;  // XR_LOADER_INTERFACE_STRUCT_RUNTIME_REQUEST
 inline constexpr std::uint32_t interface_version = 1;     // XR_CURRENT_LOADER_RUNTIME_VERSION
-inline constexpr std::uint32_t struct_version = 1;        // of every structure
-/// Of OpenXR itself, whatever the headers that this is built with.
+inline constexpr std::uint32_t struct_version = 1;        // version of every structure
+/// OpenXR versions that the runtime supports, independent of the headers that it is built with.
 inline constexpr XrVersion min_api_version = XR_MAKE_VERSION(1, 0, 0);
 inline constexpr XrVersion max_api_version = XR_MAKE_VERSION(1, 1, 47);
 
@@ -37,7 +37,7 @@ struct NegotiateRuntimeRequest {
   PFN_xrGetInstanceProcAddr get_instance_proc_addr;
 };
 
-/// Whether a loader of this interface asks.
+/// True if the loader's request is valid and allows this interface version.
 inline bool agrees(const NegotiateLoaderInfo* loader, const NegotiateRuntimeRequest* request) {
   return loader != nullptr && request != nullptr && loader->struct_type == loader_info_type &&
          loader->struct_version == struct_version && loader->struct_size == sizeof *loader &&

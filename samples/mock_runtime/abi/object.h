@@ -25,8 +25,8 @@ class Object {
   Object* parent() const { return parent_; }
   std::uint64_t id() const { return id_; }
 
-  /// XR_SUCCESS; once lost, XR_ERROR_INSTANCE_LOST or XR_ERROR_SESSION_LOST, which every call with this
-  /// object or one below it returns.
+  /// XR_SUCCESS; after a loss XR_ERROR_INSTANCE_LOST or XR_ERROR_SESSION_LOST, which every call with this object or one
+  /// below it returns.
   XrResult lost = XR_SUCCESS;
 
  private:
@@ -43,8 +43,8 @@ std::uint64_t id_of(Handle handle) {
   return reinterpret_cast<std::uint64_t>(handle);
 }
 
-/// Every living object by its handle. A handle is a number, never reused and never followed as a pointer:
-/// a null, foreign or destroyed handle is recognised.
+/// Every existing object by its handle. A handle is a number that is never reused and never dereferenced, so null,
+/// foreign and destroyed handles are recognised.
 class Registry {
  public:
   template <typename T, typename Parent, typename... Args>
@@ -58,7 +58,7 @@ class Registry {
     return created;
   }
 
-  /// The object of a handle. Throws XR_ERROR_HANDLE_INVALID, or the loss of the object or a parent.
+  /// Object of a handle. Throws XR_ERROR_HANDLE_INVALID, or the error of a lost object or parent.
   template <typename T, typename Handle>
   T& get(Handle handle) const {
     T& object = get_even_lost<T>(handle);
@@ -67,7 +67,7 @@ class Registry {
     return object;
   }
 
-  /// As get(), for functions that destroy: they accept lost objects.
+  /// Same as get(), but accepts lost objects, for functions that destroy them.
   template <typename T, typename Handle>
   T& get_even_lost(Handle handle) const {
     const auto found = objects_.find(id_of(handle));

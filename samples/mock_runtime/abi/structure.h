@@ -1,4 +1,4 @@
-// What applications pass: structures that say their type, chained with `next`.
+// Structures of the API, which carry their type and are chained with `next`.
 #pragma once
 
 #include <cstring>
@@ -10,7 +10,7 @@
 
 namespace hrt::mock {
 
-/// What a structure of the API has in its member `type`, and both names; of what is none, no names.
+/// Value of the member `type` of a structure of the API, and both names; other types have empty names.
 struct StructureType {
   XrStructureType type = XR_TYPE_UNKNOWN;
   const char* name = nullptr;
@@ -46,7 +46,7 @@ void require_struct(const Struct* pointer) {
                 std::string(expected.name) + " has a type other than " + expected.type_name};
 }
 
-/// The first structure of this kind in a chain; null if there is none.
+/// First structure of this type in a chain; null if the chain has no such structure.
 template <Typed Struct, typename Chain>
 Struct* chained(Chain* chain) {
   using Base = std::conditional_t<std::is_const_v<Chain>, const XrBaseInStructure, XrBaseOutStructure>;
@@ -55,7 +55,7 @@ Struct* chained(Chain* chain) {
   return nullptr;
 }
 
-/// What stands in an array of the API, which may lack its end.
+/// Text in a character array of the API, which may lack its terminator.
 template <std::size_t size>
 std::string_view text_in(const char (&array)[size]) {
   return {array, strnlen(array, size)};

@@ -1,4 +1,4 @@
-// The two-call idiom, by which applications ask for the count, then for the elements.
+// The two-call idiom: an application requests the count first, then the elements.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 namespace hrt::mock {
 
 /// Specification, "Buffer Size Parameters": the count output is always set to the number of elements;
-/// a capacity of 0 asks for nothing else; a smaller one than needed is XR_ERROR_SIZE_INSUFFICIENT and
-/// leaves the buffer unwritten. `copy(element, source)` fills one element. The application sets the types of
+/// a capacity of 0 requests nothing else; one that is too small gives XR_ERROR_SIZE_INSUFFICIENT and
+/// leaves the buffer unchanged. `copy(element, source)` fills one element. The application sets the types of
 /// elements that are structures.
 template <typename Source, typename Element, typename Copy>
 void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Element* elements, Copy copy) {

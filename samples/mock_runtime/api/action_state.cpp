@@ -12,7 +12,7 @@ bool is_attached(const Session& session, const ActionSet& set) {
   return session.action_sets && session.action_sets->contains(set.id());
 }
 
-// An action attached to the session, checked for one subaction path or all.
+// Returns an action that is attached to the session, after a check of its subaction path.
 Action& attached_action(const Session& session, XrAction handle, XrPath subaction) {
   auto& action = runtime().registry.get<Action>(handle);
   if (subaction != XR_NULL_PATH) {
@@ -24,7 +24,7 @@ Action& attached_action(const Session& session, XrAction handle, XrPath subactio
   return action;
 }
 
-// An inactive state, for an action of this type.
+// Writes an inactive state, after a check of the action's type.
 template <typename State>
 void write_inactive(Session& session, const XrActionStateGetInfo* info, XrActionType type, State* state) {
   const Action& action = attached_action(session, info->action, info->subactionPath);
@@ -32,7 +32,7 @@ void write_inactive(Session& session, const XrActionStateGetInfo* info, XrAction
   *state = {.type = state->type, .next = state->next};
 }
 
-// The vibration action of a haptic call.
+// Checks that a haptic call names an attached vibration action.
 void require_vibration(const Session& session, const XrHapticActionInfo* info) {
   const Action& action = attached_action(session, info->action, info->subactionPath);
   require(action.action_type == XR_ACTION_TYPE_VIBRATION_OUTPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
@@ -82,7 +82,7 @@ void get_action_state_pose(Session& session, const XrActionStateGetInfo* info, X
 
 void get_current_interaction_profile(Session& session, XrPath top_level, XrInteractionProfileState* state) {
   const std::string& path = session.instance().paths.text(top_level);
-  require(is_top_level(path), XR_ERROR_PATH_UNSUPPORTED, "no top level user path");
+  require(is_top_level(path), XR_ERROR_PATH_UNSUPPORTED, "the path is not a top level user path");
   require(session.action_sets.has_value(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
   state->interactionProfile = XR_NULL_PATH;
 }
@@ -104,7 +104,7 @@ void get_input_source_localized_name(Session& session, const XrInputSourceLocali
   require(session.action_sets.has_value(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
   const std::string_view top_level = top_level_of(path);
   require(!top_level.empty(), XR_ERROR_PATH_UNSUPPORTED, "no source path");
-  // In English only.
+  // Names are in English only.
   std::string name;
   const auto add = [&](std::string_view part) {
     if (!name.empty()) name += ' ';
@@ -121,7 +121,8 @@ void get_input_source_localized_name(Session& session, const XrInputSourceLocali
 
 XrResult apply_haptic_feedback(Session& session, const XrHapticActionInfo* info, const XrHapticBaseHeader* haptic) {
   require_vibration(session, info);
-  require(haptic->type == XR_TYPE_HAPTIC_VIBRATION, XR_ERROR_VALIDATION_FAILURE, "hapticFeedback is no vibration");
+  require(haptic->type == XR_TYPE_HAPTIC_VIBRATION, XR_ERROR_VALIDATION_FAILURE,
+          "hapticFeedback must be an XrHapticVibration");
   const auto& vibration = *reinterpret_cast<const XrHapticVibration*>(haptic);
   require(vibration.duration >= XR_MIN_HAPTIC_DURATION && vibration.frequency >= 0.0F && vibration.amplitude >= 0.0F &&
               vibration.amplitude <= 1.0F,

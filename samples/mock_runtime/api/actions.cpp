@@ -8,7 +8,7 @@
 namespace hrt::mock {
 namespace {
 
-// The names of an action set, or of an action, among their siblings: specification, xrCreateActionSet.
+// Checks the names of an action set or action against the rules and its siblings: specification, xrCreateActionSet.
 template <typename T, std::size_t name_size, std::size_t localized_size>
 void require_names(const Object& parent, const char (&name_array)[name_size],
                    const char (&localized_array)[localized_size]) {

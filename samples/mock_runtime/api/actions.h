@@ -17,7 +17,7 @@ class ActionSet : public Object {
 
   std::string name;
   std::string localized_name;
-  bool attached = false;  ///< to a session: immutable from then on
+  bool attached = false;  ///< attached to a session, and therefore immutable
 };
 
 class Action : public Object {

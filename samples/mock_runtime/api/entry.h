@@ -14,13 +14,13 @@
 
 namespace hrt::mock {
 
-/// Of the calling thread, by order of first call, from 1.
+/// Number of the calling thread, from 1, in order of first calls.
 inline std::uint32_t thread_number(Runtime& the) {
   static thread_local const std::uint32_t number = ++the.threads;
   return number;
 }
 
-/// The object of a handle, or the argument itself.
+/// Converts a handle to its object; returns any other argument unchanged.
 template <typename Given, typename Argument>
 Given given(Argument& argument) {
   if constexpr (std::is_same_v<Given, Argument>)
@@ -32,14 +32,14 @@ Given given(Argument& argument) {
 template <typename T>
 concept Complete = requires { sizeof(T); };
 
-/// What may be left out.
+/// Structures that an application may omit (null).
 template <typename Struct>
 concept Optional =
     std::same_as<Struct, XrFrameWaitInfo> || std::same_as<Struct, XrFrameBeginInfo> ||
     std::same_as<Struct, XrSwapchainImageAcquireInfo> || std::same_as<Struct, XrSwapchainImageReleaseInfo>;
 
-/// Pointers are not null, and structures have their types. Texts that are given are left to the implementation, and
-/// what follows a capacity to two_call().
+/// Checks that pointers are not null and that structures have their types. The implementation checks texts, and
+/// two_call() checks the arguments that follow a capacity.
 template <typename... Args>
 void require_arguments(const Args&... args) {
   bool counted = false;
@@ -112,7 +112,7 @@ struct Entry<id, XrResult (*)(Args...), handles, implementation> {
       record.time = the.now();
       the.log.append(std::move(record));
     } catch (const std::bad_alloc&) {
-      // The record is lost, not the call.
+      // The call proceeds without a record.
     }
   }
 };

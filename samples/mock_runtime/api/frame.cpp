@@ -17,7 +17,7 @@ Session& running_session(XrSession handle) {
   return session;
 }
 
-// Sleeps until a frame interval begins; a manual clock gets there at once.
+// Sleeps until a frame interval begins; a manual clock is advanced to it without waiting.
 void wait_until(XrSession handle, XrTime time) {
   Clock& clock = running_session(handle).instance().clock;
   if (clock.kind() == Clock::Kind::manual) return clock.advance_to(time);
@@ -42,14 +42,14 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
   fire_due_events();
   Session& session = running_session(handle);
   ++session.frames.since_begin;
-  // An application that draws has to wait for a frame first.
+  // An application with graphics must wait for a frame first.
   const bool draws = session.graphics != nullptr;
   if (draws && session.state() == XR_SESSION_STATE_READY) session.enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (draws && session.frames.since_begin == 1) session.go_to(XR_SESSION_STATE_FOCUSED);
   const XrDuration frame_period = runtime().script.frame_period;
   const XrTime now = session.instance().clock.now();
   FrameLoop& frames = session.frames;
-  // Intervals on a grid; a late application misses some.
+  // Frame intervals are on a grid; a late application skips intervals.
   if (frames.next_start == 0) frames.next_start = now;
   frames.next_start += frame_period * ((now - frames.next_start) / frame_period + 1);
   frames.waited = true;

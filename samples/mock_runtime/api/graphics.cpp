@@ -5,10 +5,10 @@
 namespace hrt::mock {
 namespace {
 
-// Of which images are made and read; nothing of these is newer than the oldest version.
+// Supported versions of Vulkan: the functions used here exist in the oldest one.
 constexpr XrVersion min_vulkan = XR_MAKE_VERSION(1, 0, 0), max_vulkan = XR_MAKE_VERSION(1, 4, 0);
 
-// The only choice: the first one.
+// Returns the first physical device, which is always the one chosen.
 VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   require(vulkan != nullptr, XR_ERROR_VALIDATION_FAILURE, "the VkInstance is null");
   GraphicsSetup& setup = instance.graphics;
@@ -23,12 +23,12 @@ VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
   return setup.vulkan_device = device;
 }
 
-// The function of Vulkan by which an application creates what `info` describes.
+// Fetches the Vulkan function that creates the object that `info` describes.
 template <typename Function, typename Info>
 Function creator(const Info& info, VkInstance vulkan, const char* name) {
   require_system(info.systemId);
   require(info.createFlags == 0 && info.pfnGetInstanceProcAddr != nullptr && info.vulkanCreateInfo != nullptr,
-          XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
+          XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, and no pointer may be null");
   const auto create = reinterpret_cast<Function>(info.pfnGetInstanceProcAddr(vulkan, name));
   if (create == nullptr) throw Error{XR_ERROR_RUNTIME_FAILURE, std::string("pfnGetInstanceProcAddr has no ") + name};
   return create;

@@ -85,7 +85,7 @@ void result_to_string(Instance&, XrResult value, char buffer[XR_MAX_RESULT_STRIN
 }
 
 void structure_type_to_string(Instance&, XrStructureType value, char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
-  // Newer headers have names that are longer than what there is room for.
+  // Names in newer headers may be longer than the buffer.
   const auto write = [&](std::string_view name) { buffer[name.copy(buffer, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0'; };
 #define HRT_MOCK_NAME(name, number) \
   if (value == name) return write(#name);

@@ -12,15 +12,15 @@
 
 namespace hrt::mock {
 
-/// The only system, a head-mounted display.
+/// Id of the only system, a head-mounted display.
 inline constexpr XrSystemId the_system = 1;
 
-/// What an application has chosen before its session.
+/// Graphics choices that an application makes before it creates a session.
 struct GraphicsSetup {
-  bool vulkan_asked = false;  ///< for its requirements
+  bool vulkan_asked = false;  ///< the requirements have been requested
   PFN_vkGetInstanceProcAddr get_vulkan = nullptr;
   VkInstance vulkan_instance = nullptr;
-  VkPhysicalDevice vulkan_device = nullptr;  ///< that it was given
+  VkPhysicalDevice vulkan_device = nullptr;  ///< device given to the application
 };
 
 /// The instance; at most one exists.

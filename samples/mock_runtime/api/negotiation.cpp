@@ -1,4 +1,4 @@
-// The way in: negotiation with a loader, and xrGetInstanceProcAddr over the table of all functions.
+// Entry into the runtime: negotiation with a loader, and xrGetInstanceProcAddr over the table of all functions.
 #include "samples/mock_runtime/abi/negotiation.h"
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 namespace hrt::mock {
 namespace {
 
-// Read now, so that xrCreateInstance itself can be given a fault. xrCreateInstance reports a mistake in the
-// script: the negotiation cannot.
+// Reads the script before xrCreateInstance, so that a fault of that call can be injected. xrCreateInstance reports a
+// mistake in the script, since the negotiation cannot.
 void load_script() {
   Runtime& the = runtime();
   const std::lock_guard lock(the.mutex);
   the.script_error.clear();
   the.log.open();
   try {
-    // The same script as before continues: what it orders once happens once in a process.
+    // An unchanged script continues: its faults occur once per process.
     const std::string text = script_from_environment();
     if (text != the.script_text) the.apply(text);
   } catch (const Error& error) {
@@ -39,7 +39,7 @@ XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* r
   return XR_SUCCESS;
 }
 
-// By FunctionId.
+// Entry points, indexed by FunctionId.
 const PFN_xrVoidFunction entries[] = {
 #define HRT_MOCK_ENTRY(name, implementation, extension, returned) \
   reinterpret_cast<PFN_xrVoidFunction>(                           \
@@ -74,7 +74,7 @@ void get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidFunct
 
 }  // namespace hrt::mock
 
-/// The only exported symbol, where a loader starts.
+/// The only exported symbol, which a loader calls first.
 extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL xrNegotiateLoaderRuntimeInterface(
     const hrt::mock::NegotiateLoaderInfo* loader, hrt::mock::NegotiateRuntimeRequest* request) {
   try {

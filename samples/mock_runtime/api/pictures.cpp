@@ -1,4 +1,4 @@
-// Pictures of frames that a script orders, as files.
+// Picture files of the frames that a script selects.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t unasked_every = 30;
 
-// Write errors are printed: an application must not fail because of a full disk.
+// Prints write errors and continues: an application must not fail because of a full disk.
 void write_files(const Picture& picture, const std::string& folder, const std::string& name, const std::string& line) {
   try {
     write_png(picture, folder + "/" + name);

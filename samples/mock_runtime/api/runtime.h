@@ -1,4 +1,4 @@
-// Shared by the entry points: the lock, the objects, the instance, the script.
+// State that the entry points share: lock, objects, instance, script.
 #pragma once
 
 #include <condition_variable>
@@ -11,30 +11,30 @@
 namespace hrt::mock {
 
 struct Runtime {
-  /// Held by every entry point while it runs, except in the waits of xrWaitFrame and of the script.
+  /// Every entry point holds this lock, except during waits of xrWaitFrame and of the script.
   std::mutex mutex;
   /// Notified when a frame begins and when a session ends or is lost, for xrWaitFrame.
   std::condition_variable_any frame_begun;
   Registry registry;
-  Object* instance = nullptr;    ///< the one that exists, or null
-  const Clock* clock = nullptr;  ///< its clock
+  Object* instance = nullptr;    ///< the existing instance, or null
+  const Clock* clock = nullptr;  ///< clock of the instance
   CallLog log;
-  std::uint32_t threads = 0;  ///< that have called so far
+  std::uint32_t threads = 0;  ///< number of threads that have called
   Script script;
-  std::string script_text;     ///< that `script` was read from; empty at first
-  Faults faults;               ///< of the script, with the calls counted so far
-  std::uint64_t sessions = 0;  ///< created since the script took effect
-  std::string script_error;    ///< the environment's script is invalid: why; else empty
+  std::string script_text;     ///< source text of `script`; empty at first
+  Faults faults;               ///< faults of the script, with counts of calls
+  std::uint64_t sessions = 0;  ///< number of sessions since the script took effect
+  std::string script_error;    ///< mistake in the environment's script; empty if valid
 
-  /// A script takes effect; calls and sessions are counted from here. Throws as parse_script(), and
-  /// changes nothing then.
+  /// Puts a script into effect and restarts the counts of calls and sessions. Throws as parse_script(), without any
+  /// change.
   void apply(const std::string& text) {
     script = parse_script(text);
     script_text = text;
     faults = Faults(script.calls);
     sessions = 0;
   }
-  /// The session that a call belongs to, from 1: the one that exists, or else the next.
+  /// Number of the session that a call belongs to, from 1: the existing session, or else the next.
   std::uint64_t session_of_call() const {
     const bool in_session = instance != nullptr && registry.has_child(*instance, XR_OBJECT_TYPE_SESSION);
     return sessions + (in_session ? 0 : 1);
@@ -43,7 +43,7 @@ struct Runtime {
   std::optional<CallFault> next_fault(FunctionId function) {
     return faults.empty() ? std::nullopt : faults.next(function, session_of_call());
   }
-  /// 0 without an instance.
+  /// Present time; 0 without an instance.
   XrTime now() const { return clock == nullptr ? 0 : clock->now(); }
 };
 

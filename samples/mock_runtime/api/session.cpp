@@ -11,12 +11,12 @@ Session::Session(Instance* instance, const Script& script, std::shared_ptr<Graph
       graphics(std::move(device)),
       created_(instance->clock.now()),
       world_(script.world, created_) {
-  const std::uint64_t number = runtime().session_of_call();  // of this session: no other exists
+  const std::uint64_t number = runtime().session_of_call();  // number of this session, the only one
   std::copy_if(script.events.begin(), script.events.end(), std::back_inserter(events_),
                [&](const ScriptEvent& event) { return event.session == 0 || event.session == number; });
   if (!script.world.plate || script.world.plate->terminal.empty()) return;
   plate_.emplace(script.world.plate->terminal, script.world.servo, created_);
-  // The thread that destroys the session holds the lock and waits for this one, which therefore only tries it.
+  // The destroying thread holds the lock and waits for this thread, which therefore uses try_lock().
   server_ = std::jthread([this](const std::stop_token& end) {
     for (; !end.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(1)))
       if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock) serve_plate();
@@ -80,7 +80,7 @@ void fire_due_events() {
 
 void Session::happen(const Happening& what) {
   if (const auto* state = std::get_if<StateEvent>(&what)) {
-    // The user ends the application: after xrEndSession it is not to begin again.
+    // The user ends the application: the session must not become ready again after xrEndSession.
     const bool ends = state->state == XR_SESSION_STATE_EXITING;
     exit_requested = exit_requested || (ends && running);
     go_to(ends ? XR_SESSION_STATE_STOPPING : state->state);
@@ -139,7 +139,7 @@ void create_session(Instance& instance, const XrSessionCreateInfo* info, XrSessi
 
 void destroy_session(XrSession handle) {
   auto& session = runtime().registry.get_even_lost<Session>(handle);
-  // No event may name a session that no longer exists. Events that name one have it behind `next`.
+  // Drops the events of the destroyed session. Events of a session have its handle after `next`.
   std::erase_if(session.instance().events, [&](const XrEventDataBuffer& event) {
     return event.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
            reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == handle;
@@ -151,7 +151,7 @@ void destroy_session(XrSession handle) {
 void begin_session(Session& session, const XrSessionBeginInfo* info) {
   require(!session.running, XR_ERROR_SESSION_RUNNING, "the session runs already");
   require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY, "the session is not ready");
-  // May be 0 in a headless session (XR_MND_headless); other unknown views are refused.
+  // The type may be 0 in a headless session (XR_MND_headless); other unknown types are rejected.
   if (info->primaryViewConfigurationType != 0 || session.graphics != nullptr)
     require_view_configuration(info->primaryViewConfigurationType);
   session.running = true;
@@ -159,7 +159,7 @@ void begin_session(Session& session, const XrSessionBeginInfo* info) {
   // "A transition to session running resets the frame function call order"; times keep increasing.
   session.frames.waited = session.frames.begun = false;
   session.frames.since_begin = 0;
-  if (session.graphics != nullptr) return;  // the states follow frames
+  if (session.graphics != nullptr) return;  // with graphics, states change with frames
   session.enter(XR_SESSION_STATE_SYNCHRONIZED);
   session.go_to(XR_SESSION_STATE_FOCUSED);
 }

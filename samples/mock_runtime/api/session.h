@@ -13,16 +13,16 @@
 
 namespace hrt::mock {
 
-/// Where the frame loop is.
+/// State of the frame loop.
 struct FrameLoop {
   bool waited = false;             ///< a frame has been waited for and not begun
   bool begun = false;              ///< a frame has been begun and not ended
-  std::int64_t waited_number = 0;  ///< of that frame, over all runs
+  std::int64_t waited_number = 0;  ///< number of that frame, over all runs
   std::int64_t begun_number = 0;
   std::int64_t since_begin = 0;           ///< frames waited for since xrBeginSession
-  XrTime next_start = 0;                  ///< of the next frame interval
-  XrTime last_display = 0;                ///< predicted for the latest frame
-  std::optional<XrTime> ordered_display;  ///< by the script, for the next frame that is waited for
+  XrTime next_start = 0;                  ///< start of the next frame interval
+  XrTime last_display = 0;                ///< predicted display time of the latest frame
+  std::optional<XrTime> ordered_display;  ///< display time set by the script for the next frame
 };
 
 /// A session; at most one exists.
@@ -34,26 +34,26 @@ class Session : public Object {
 
   Instance& instance() const { return static_cast<Instance&>(*parent()); }
 
-  /// The simulated world now.
+  /// Simulated world, advanced to the present time.
   World& world();
 
   /// Enters a state and queues its event. A state is never reported twice in a row.
   void enter(XrSessionState state);
   XrSessionState state() const { return state_; }
-  /// Enters a state through the states in between. Does nothing to a session that does not run, or whose
-  /// loss is pending.
+  /// Enters a state through the states in between. No effect on a session that is not running or whose loss is
+  /// pending.
   void go_to(XrSessionState state);
 
   /// Runs the events of the script that are due in this session.
   void fire_due_events();
 
-  const std::shared_ptr<GraphicsDevice> graphics;  ///< null: headless
+  const std::shared_ptr<GraphicsDevice> graphics;  ///< null for a headless session
   bool running = false;
   bool exit_requested = false;
-  std::int64_t frame_number = 0;  ///< of the latest xrWaitFrame, over all runs
+  std::int64_t frame_number = 0;  ///< number of the latest xrWaitFrame, over all runs
   FrameLoop frames;
-  std::int64_t picture_from = 0;  ///< the next picture is of this frame or a later one; 0: none is ordered
-  /// Ids of the action sets that are attached; none before xrAttachSessionActionSets.
+  std::int64_t picture_from = 0;  ///< first frame that may give the next picture; 0: no picture pending
+  /// Ids of the attached action sets; unset before xrAttachSessionActionSets.
   std::optional<std::set<std::uint64_t>> action_sets;
 
  private:
@@ -65,13 +65,13 @@ class Session : public Object {
 
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   XrTime created_;
-  std::vector<ScriptEvent> events_;  // still to come
+  std::vector<ScriptEvent> events_;  // pending events
   World world_;
   std::optional<PlateTerminal> plate_;
-  std::jthread server_;  // of the plate
+  std::jthread server_;  // runs the plate's firmware
 };
 
-/// What the session draws with; null: nothing. Throws an Error for a binding that cannot be used.
+/// Graphics device of the session; null for a headless one. Throws an Error for an unusable binding.
 std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info);
 
 /// Runs the events of the script that are due, in every session.

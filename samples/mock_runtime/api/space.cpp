@@ -5,7 +5,7 @@
 namespace hrt::mock {
 namespace {
 
-// Within a seated user's reach.
+// Area within a seated user's reach.
 constexpr XrExtent2Df stage_bounds_m{2.0F, 2.0F};
 
 std::vector<XrReferenceSpaceType> reference_spaces(const Session& session) {
@@ -22,7 +22,7 @@ void require_reference_space(const Session& session, XrReferenceSpaceType type) 
           "reference spaces are VIEW, LOCAL, STAGE and, of OpenXR 1.1 or XR_EXT_local_floor, LOCAL_FLOOR");
 }
 
-// Velocities, which may follow, have no valid bit.
+// Clears chained velocities: they have no valid bit.
 template <typename Location>
 void write_location(const Space& space, const Space& base, XrTime time, Location& location) {
   const auto of = space.in_world(time), in = base.in_world(time);
@@ -31,7 +31,7 @@ void write_location(const Space& space, const Space& base, XrTime time, Location
   location.pose = to_xr(of && in ? inverse(*in) * *of : Pose{});
 }
 
-// 0: the left eye; 1: the right eye.
+// Pose of eye 0 (left) or 1 (right).
 Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
   constexpr double half_distance_m = 0.0315;
   return session.world().head(time) * Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};

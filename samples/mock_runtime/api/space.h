@@ -18,16 +18,16 @@ class Space : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SPACE;
 
-  /// `of`: none for the space of an action.
+  /// `of`: unset for the space of an action.
   Space(Session* session, std::optional<XrReferenceSpaceType> of, const Pose& at)
       : Object(object_type, session), reference_(of), offset_(at) {}
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
-  /// In the world at a time; none for the space of an action, since there are no controllers.
+  /// World pose at a time; unset for the space of an action, since there are no controllers.
   std::optional<Pose> in_world(XrTime time) const;
 
-  /// A reference space other than VIEW. While the headset has lost track, positions in it are inferred.
+  /// True for a reference space other than VIEW. Positions in it are inferred while the headset is not tracked.
   bool is_in_room() const;
   bool can_see_room() const;
 

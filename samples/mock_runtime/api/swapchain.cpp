@@ -1,4 +1,4 @@
-// Swapchains: specification, "Rendering". A headless session has none.
+// Swapchains: specification, "Rendering". A headless session has no swapchains.
 #include "samples/mock_runtime/api/swapchain.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void require_possible(const XrSwapchainCreateInfo& info, const Session& session)
           XR_ERROR_FEATURE_UNSUPPORTED, "images have one face, one sample and no protected content");
   const auto formats = session.graphics->formats();
   require(std::find(formats.begin(), formats.end(), info.format) != formats.end(),
-          XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "format is none of xrEnumerateSwapchainFormats");
+          XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "format is not one of xrEnumerateSwapchainFormats");
 }
 
 }  // namespace

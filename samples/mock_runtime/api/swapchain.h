@@ -16,20 +16,20 @@ class Swapchain : public Object {
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
-  // They throw XR_ERROR_CALL_ORDER_INVALID.
+  // These functions throw XR_ERROR_CALL_ORDER_INVALID.
   std::uint32_t acquire();
   void wait();
   void release();
 
   XrSwapchainCreateInfo info;
   std::unique_ptr<SwapchainImages> images;
-  std::optional<std::uint32_t> released;  ///< the latest one
+  std::optional<std::uint32_t> released;  ///< latest released image
 
  private:
   std::uint32_t count_;
   std::uint32_t acquisitions_ = 0;
   std::deque<std::uint32_t> acquired_;  // oldest first
-  bool waited_ = false;                 // for the oldest one
+  bool waited_ = false;                 // the oldest acquired image has been waited for
 };
 
 /// Throws an Error for a layer that is not valid.

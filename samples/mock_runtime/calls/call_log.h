@@ -15,17 +15,17 @@ struct CallRecord {
   XrTime time;
   const char* function;
   XrResult result;
-  std::string why;           ///< of a refusal; empty if there was none
-  std::uint32_t thread = 0;  ///< by order of first call, from 1
+  std::string why;           ///< reason of the error; empty on success
+  std::uint32_t thread = 0;  ///< number from 1, in order of first calls
 };
 
 class CallLog {
  public:
-  /// Appends to the file that HRT_MOCK_CALL_LOG names too, if it is set, from now on.
+  /// From now on also appends records to the file that HRT_MOCK_CALL_LOG names, if it is set.
   void open();
 
   void append(CallRecord record);
-  /// The latest 100,000, oldest first.
+  /// Latest 100,000 records, oldest first.
   const std::deque<CallRecord>& records() const { return records_; }
 
  private:

@@ -16,13 +16,13 @@ namespace hrt::mock {
 
 struct CallFault {
   FunctionId function;
-  std::uint64_t session;           ///< of which calls are counted, from 1; 0: all calls of the process
+  std::uint64_t session;           ///< session whose calls are counted, from 1; 0: all calls of the process
   std::uint64_t call;              ///< first affected call, counted from 1
   std::uint64_t count;             ///< affected calls in a row
-  std::chrono::nanoseconds delay;  ///< in real time, before the call
+  std::chrono::nanoseconds delay;  ///< real-time delay before the call
   bool blocks;                     ///< the call never returns
-  std::FILE* held;                 ///< by a call that blocks: the lock of stdout or stderr; null: none
-  std::optional<XrResult> result;  ///< the error; none: the call proceeds
+  std::FILE* held;                 ///< stream whose lock a blocked call holds: stdout or stderr; null: no stream
+  std::optional<XrResult> result;  ///< error to return; unset: the call proceeds
 };
 
 class Faults {
@@ -39,7 +39,7 @@ class Faults {
  private:
   struct Counted {
     CallFault fault;
-    std::uint64_t calls;  // so far
+    std::uint64_t calls;  // number of calls so far
   };
   std::vector<Counted> faults_;
 };

@@ -1,4 +1,4 @@
-// What a session draws with: images of the application's own Vulkan device.
+// Graphics device of a session: images of the application's own Vulkan device.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace hrt::mock {
 class SwapchainImages {
  public:
   virtual ~SwapchainImages() = default;
-  /// xrEnumerateSwapchainImages.
+  /// Implements xrEnumerateSwapchainImages for these images.
   virtual void enumerate(std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader* images) = 0;
-  /// Brings an image into the state in which the application is given it first.
+  /// Puts an image into the layout in which the application first acquires it.
   virtual void prepare(std::uint32_t index) = 0;
-  /// The pixels of a part of an image, top row first; of a format with colours.
+  /// Reads the pixels of a part of an image, top row first. Requires a colour format.
   virtual Picture read(std::uint32_t index, const XrRect2Di& part, std::uint32_t layer) = 0;
 };
 
@@ -28,11 +28,11 @@ class GraphicsDevice {
   virtual ~GraphicsDevice() = default;
   /// Formats of swapchains, best first.
   virtual std::vector<std::int64_t> formats() const = 0;
-  /// Throws an Error for what the device cannot make. The images keep the device.
+  /// Creates images, which share ownership of the device. Throws an Error for unsupported images.
   virtual std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info, std::uint32_t count) = 0;
 };
 
-/// The device of a session's binding. Throws XR_ERROR_GRAPHICS_DEVICE_INVALID.
+/// Creates the device of a session's binding. Throws XR_ERROR_GRAPHICS_DEVICE_INVALID.
 std::shared_ptr<GraphicsDevice> make_vulkan_device(const XrGraphicsBindingVulkanKHR& binding,
                                                    PFN_vkGetInstanceProcAddr get_proc_addr);
 

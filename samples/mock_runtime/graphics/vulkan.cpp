@@ -33,7 +33,7 @@ void check_vulkan(VkResult result, const char* what) {
               std::string(what) + " returns VkResult " + std::to_string(result)};
 }
 
-// Of four bytes a pixel. Depths are not read; Godot does not begin a session without a format of them.
+// Formats with four bytes a pixel. Depth images are never read, but Godot requires a depth format to begin a session.
 constexpr std::array vulkan_formats{VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_B8G8R8A8_SRGB, VK_FORMAT_D32_SFLOAT};
 
 bool is_depth(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT; }
@@ -47,7 +47,7 @@ VkImageLayout layout_of(VkFormat format) {
 }
 
 VkImageUsageFlags usage_of(XrSwapchainUsageFlags flags) {
-  VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;  // to read it back
+  VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;  // pictures read images back
   constexpr std::array<std::pair<XrSwapchainUsageFlags, VkImageUsageFlags>, 6> same{
       {{XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT},
        {XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT},
@@ -112,7 +112,7 @@ class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<
     throw Error{XR_ERROR_RUNTIME_FAILURE, "the device has no memory of the kind that is needed"};
   }
 
-  // Commands that have been carried out when this returns.
+  // Records and submits commands, and waits until they have finished.
   template <typename Commands>
   void run(Commands commands) const {
     const VkCommandBufferAllocateInfo allocate_info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool_,
@@ -247,7 +247,7 @@ std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCr
   image.mipLevels = info.mipCount;
   image.arrayLayers = info.arraySize;
   image.samples = VK_SAMPLE_COUNT_1_BIT;
-  // In the layout of an attachment, whatever the application does with it.
+  // Images are in the layout of an attachment, independent of the application's usage.
   image.usage = usage_of(info.usageFlags) | (is_depth(image.format) ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
                                                                     : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
   VkImageFormatProperties limits{};
@@ -264,7 +264,7 @@ std::shared_ptr<GraphicsDevice> make_vulkan_device(const XrGraphicsBindingVulkan
                                                    PFN_vkGetInstanceProcAddr get_proc_addr) {
   require(binding.instance != nullptr && binding.physicalDevice != nullptr && binding.device != nullptr &&
               get_proc_addr != nullptr,
-          XR_ERROR_GRAPHICS_DEVICE_INVALID, "instance, physicalDevice and device must be there");
+          XR_ERROR_GRAPHICS_DEVICE_INVALID, "instance, physicalDevice and device must not be null");
   return std::make_shared<VulkanDevice>(binding, get_proc_addr);
 }
 

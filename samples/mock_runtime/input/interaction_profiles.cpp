@@ -110,7 +110,7 @@ std::string user_path(std::string_view device) {
 
 using Profiles = std::map<std::string, std::set<std::string>, std::less<>>;
 
-// Sources, and the parents of inputs: ".../trigger" of ".../trigger/value".
+// Adds sources and the parents of inputs, such as ".../trigger" of ".../trigger/value".
 void add_part(const Part& part, Profiles& made) {
   for (const std::string_view profile : words(part.profiles))
     for (const std::string_view device : words(part.devices))

@@ -20,18 +20,18 @@ class PathTable {
   /// The atom of a string. Throws XR_ERROR_PATH_FORMAT_INVALID.
   XrPath intern(std::string_view text);
 
-  /// Throws XR_ERROR_PATH_INVALID unless the path is an atom of this instance.
+  /// Text of a path. Throws XR_ERROR_PATH_INVALID unless the path is an atom of this instance.
   const std::string& text(XrPath path) const;
 
  private:
-  std::vector<std::string> texts_;  // of path 1, 2, ...
+  std::vector<std::string> texts_;  // text of path 1, 2, ...
   std::unordered_map<std::string, XrPath> atoms_;
 };
 
 /// The top level user paths that actions can be bound to.
 const std::vector<std::string>& top_level_paths();
 
-/// "/user/hand/left" of "/user/hand/left/input/select/click"; empty without one.
+/// Top level user path, such as "/user/hand/left" of "/user/hand/left/input/select/click"; empty without one.
 std::string_view top_level_of(std::string_view path);
 
 /// The binding paths of an interaction profile of OpenXR 1.0 or 1.1; null if there is no such profile.

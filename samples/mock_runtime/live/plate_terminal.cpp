@@ -14,15 +14,16 @@ namespace hrt::mock {
 namespace {
 
 constexpr XrDuration millisecond_ns = 1'000'000;
-// Who was not called for longer missed that time: the firmware would be deaf while it caught up.
+// Longest time that the firmware simulates in one call. Longer gaps are skipped: it receives nothing while it catches
+// up.
 constexpr XrDuration max_behind_ns = 50 * millisecond_ns;
 constexpr double stop_deg = 90.0;
 constexpr double adc_least = 100.0;
 constexpr double adc_most = 900.0;
 
-thread_local PlateTerminal* speaking = nullptr;  // its firmware is running
+thread_local PlateTerminal* speaking = nullptr;  // object whose firmware is running
 
-// In hundredths, without decimals.
+// Converts to hundredths, as an integer.
 std::int32_t whole_hundredths(double value, double least, double most) {
   return 100 * static_cast<std::int32_t>(std::lround(std::clamp(value, least, most)));
 }

@@ -1,4 +1,4 @@
-// The plate as a device: its firmware behind a pseudo-terminal, which a program opens as a serial line.
+// The plate as a device: its firmware at a pseudo-terminal, which a program opens as a serial line.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -15,23 +15,23 @@ namespace hrt::mock {
 
 class PlateTerminal {
  public:
-  /// `link` becomes a symbolic link to the terminal. The plate announces this speed and latency, turns by 90
-  /// degrees to either side and has a sensor. Throws an Error if there is something else at `link`, or no
-  /// pseudo-terminal.
+  /// Creates `link` as a symbolic link to the terminal. The plate reports the given speed and latency, turns by 90
+  /// degrees to either side and has a sensor. Throws an Error if another file exists at `link`, or if no
+  /// pseudo-terminal is available.
   PlateTerminal(std::string link, const PlateDynamics& servo, XrTime now);
   ~PlateTerminal();
   PlateTerminal(const PlateTerminal&) = delete;
   PlateTerminal& operator=(const PlateTerminal&) = delete;
 
-  /// Lets the firmware take in what has come and run until `now`, while the plate stands at
-  /// `orientation_deg`. Returns where its latest pulse sends the servo; nothing without pulses.
+  /// Runs the firmware until `now` with the received bytes and the plate at `orientation_deg`. Returns the servo
+  /// target of its latest pulse; nothing without pulses.
   std::optional<double> run_until(XrTime now, double orientation_deg);
 
  private:
   static bool send(const char* line, std::uint8_t length);
   static void save(const std::uint8_t* bytes);
 
-  /// Both ends of the terminal; the other one is kept open, so that it lasts from one program to the next.
+  /// Both ends of the terminal; the far end is kept open, so that the terminal persists between programs.
   struct Ends {
     ~Ends() {
       close(own);

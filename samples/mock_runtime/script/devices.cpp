@@ -28,7 +28,7 @@ Eigen::Vector3d read_vector(const Json& xyz) { return Eigen::Vector3d(xyz.get<st
 
 namespace {
 
-// `position_m`, and `orientation` if it is there.
+// Reads `position_m` and, if present, `orientation`.
 Pose read_pose(const Json& object, const std::string& where, const Eigen::Quaterniond& otherwise) {
   Pose pose{otherwise, read_vector(object["position_m"])};
   if (object.contains("orientation")) {
@@ -62,7 +62,7 @@ HandSettings read_hand(const Json& object, const std::string& where, bool tracke
     hand.slides = {read_vector(slides["start_m"]), slides["direction_deg"], slides["length_m"],
                    nanoseconds(slides["rest_ms"])};
   }
-  // Paths and slides are there to be seen.
+  // A hand with a path or slides is tracked by default.
   hand.tracked = object.value("tracked", tracked || !hand.path.empty() || hand.slides);
   return hand;
 }

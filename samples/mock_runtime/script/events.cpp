@@ -7,7 +7,7 @@ namespace {
 
 std::uint64_t read_session(const Json& object) { return object.value("session", std::uint64_t{0}); }
 
-// Spaces are upright: the only rotation is yaw.
+// Reference spaces are upright: the only rotation is yaw.
 Recenter read_recenter(const Json& event) {
   Recenter recenter;
   recenter.space = event["space"] == "STAGE" ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;

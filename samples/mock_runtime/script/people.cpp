@@ -24,7 +24,7 @@ PersonSettings read_person(const Json& object, const std::string& where) {
   }
   if (object.contains("illusion")) settings.illusions = meanings(object["illusion"], illusions);
   if (object.contains("pace")) settings.paces = meanings(object["pace"], paces);
-  // A number, or two between which it is drawn; `scale` converts to the unit of `range`.
+  // Reads a number, or the two bounds of a draw; `scale` converts to the unit of `range`.
   const auto read = [&](const char* key, auto& range, double scale = 1.0) {
     if (!object.contains(key)) return;
     const Json& given = object[key];

@@ -21,7 +21,7 @@ bool Script::has_picture_events() const {
 
 namespace {
 
-// Calls `read(object, place)` for each object of an array that may be there.
+// Calls `read(object, place)` for each object of an optional array.
 template <typename Read>
 void for_each(const Json& json, const std::string& key, Read read) {
   std::size_t i = 0;

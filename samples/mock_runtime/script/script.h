@@ -1,4 +1,4 @@
-// A script in JSON: the simulation and its faults. README.md has the format.
+// A script in JSON: settings of the simulation and its faults. SCRIPTS.md has the format.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -19,8 +19,8 @@ struct Script {
   XrDuration frame_period = 11'111'111;  ///< 90 Hz
   bool frame_times = true;               ///< false: xrWaitFrame predicts the display time 0
   bool stage = true;                     ///< the runtime has the STAGE space
-  bool hand_tracking = true;             ///< of the system: XrSystemHandTrackingPropertiesEXT
-  std::int64_t pictures = 0;             ///< of every so many frames, from the first on; 0: of those that events name
+  bool hand_tracking = true;             ///< value in XrSystemHandTrackingPropertiesEXT
+  std::int64_t pictures = 0;             ///< interval of pictures in frames; 0: only frames that events select
   ExtensionSet withheld;                 ///< extensions that the runtime hides
   WorldSettings world;
   std::vector<ScriptEvent> events;
@@ -28,7 +28,7 @@ struct Script {
 
   bool has_picture_events() const;
 
-  /// By Extension: withheld, or without a meaning: under the manual clock no time of the machine is an XrTime.
+  /// True if the script withholds the extension, or if it converts system times under the manual clock.
   bool hides(std::size_t extension) const;
 };
 
@@ -36,8 +36,8 @@ struct Script {
 /// mistake and allowed values.
 Script parse_script(std::string_view json);
 
-/// The text of the file that HRT_MOCK_SCRIPT names; that of the default script if unset. Throws an Error if
-/// it cannot be read.
+/// Reads the file that HRT_MOCK_SCRIPT names; returns the default script if the variable is unset. Throws an Error if
+/// the file cannot be read.
 std::string script_from_environment();
 
 }  // namespace hrt::mock

@@ -26,12 +26,12 @@ class Clock {
     return static_cast<XrTime>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
   }
 
-  /// Advances a manual clock to `time`; an earlier one does nothing.
+  /// Advances a manual clock to `time`; no effect for an earlier time.
   void advance_to(XrTime time) { manual_now_ = std::max(manual_now_, time); }
 
  private:
   Kind kind_;
-  XrTime manual_now_ = 1'000'000'000;  // 0 and below are no valid times
+  XrTime manual_now_ = 1'000'000'000;  // valid times are above 0
 };
 
 }  // namespace hrt::mock

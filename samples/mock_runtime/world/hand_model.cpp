@@ -5,8 +5,8 @@
 namespace hrt::mock {
 namespace {
 
-// A right hand, palm down, wrist at the origin, in metres: +X right, +Y up, -Z to the fingers. The index
-// finger touches a surface that the others, bent further, clear. The palm is computed: the middle of a bone.
+// A right hand, palm down, wrist at the origin, in metres: +X right, +Y up, -Z to the fingers. Only the index finger
+// touches a surface; the other fingers are bent further. The palm is computed as the middle of a bone.
 struct Rest {
   Eigen::Vector3d position_m;
   double radius_m;
@@ -70,7 +70,7 @@ HandJoints right_hand() {
       forward = at(joint) - at(joint - 1);
     else
       forward = at(joint + 1) - at(joint);
-    // The thumb's nail looks up and to the side.
+    // The thumb's nail faces up and to the side.
     const bool of_thumb = joint >= XR_HAND_JOINT_THUMB_METACARPAL_EXT && joint <= XR_HAND_JOINT_THUMB_TIP_EXT;
     const Eigen::Vector3d right = of_thumb ? Eigen::Vector3d(0.8, 0.6, 0.0) : Eigen::Vector3d::UnitX();
     joints[static_cast<std::size_t>(joint)] = {{axes(forward, right), at(joint)},

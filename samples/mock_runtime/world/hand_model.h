@@ -18,8 +18,8 @@ struct HandJoint {
 
 using HandJoints = std::array<HandJoint, XR_HAND_JOINT_COUNT_EXT>;
 
-/// The joints of a hand that points with its index finger onto a surface, with the wrist's axes as given and the
-/// index tip in a place. A left hand mirrors a right one.
+/// Joints of a hand that points with its index finger onto a surface. `orientation`: axes of the wrist. A left hand is
+/// the mirror image of a right one.
 HandJoints place_hand(XrHandEXT hand, const Eigen::Vector3d& index_tip_m, const Eigen::Quaterniond& orientation);
 
 }  // namespace hrt::mock

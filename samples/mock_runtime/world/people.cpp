@@ -5,7 +5,7 @@
 namespace hrt::mock {
 namespace {
 
-// Streams of Draws.
+// Random streams of Draws.
 enum Stream : std::uint32_t { people, reaches };
 
 Range usual_scale_deg(IllusionFamily family) {

@@ -43,7 +43,7 @@ Pose pose_at(const std::vector<Keyframe>& path, std::int64_t time_ns) {
   const auto& [from_ns, from] = *std::prev(after);
   const double share = static_cast<double>(time_ns - from_ns) / static_cast<double>(after->time_ns - from_ns);
   Pose pose{from.orientation, from.position_m + share * (after->pose.position_m - from.position_m)};
-  // The short way round.
+  // The shorter of the two rotations.
   Eigen::Quaterniond turned = after->pose.orientation * from.orientation.conjugate();
   if (turned.w() < 0.0) turned.coeffs() = -turned.coeffs();
   const double sine = turned.vec().norm();

@@ -31,8 +31,8 @@ inline Pose inverse(const Pose& pose) {
 /// The rotation by an angle about a unit axis.
 Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis);
 
-/// Throws XR_ERROR_POSE_INVALID unless every number is finite and the quaternion is of unit length within
-/// 1 % (specification, "Pose": "must be within 1% of unit length").
+/// Converts a pose. Throws XR_ERROR_POSE_INVALID unless every number is finite and the quaternion is of unit length
+/// within 1 % (specification, "Pose": "must be within 1% of unit length").
 Pose checked_pose(const XrPosef& pose);
 
 XrPosef to_xr(const Pose& pose);
@@ -41,11 +41,11 @@ Eigen::Quaterniond from_xr(const XrQuaternionf& quaternion);
 Eigen::Vector3d from_xr(const XrVector3f& vector);
 
 struct Keyframe {
-  std::int64_t time_ns;  ///< since the session was created
+  std::int64_t time_ns;  ///< time since the session was created
   Pose pose;
 };
 
-/// On a path with one keyframe or more, in order of time; at rest before the first and after the last.
+/// Pose on a path of one or more keyframes in order of time; constant before the first and after the last.
 Pose pose_at(const std::vector<Keyframe>& path, std::int64_t time_ns);
 
 }  // namespace hrt::mock

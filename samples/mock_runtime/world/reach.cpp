@@ -7,7 +7,7 @@ namespace hrt::mock {
 namespace {
 
 constexpr XrDuration millisecond_ns = 1'000'000;
-// A finger that just started or hardly moves feels no direction.
+// A finger that has just started or hardly moves perceives no direction.
 constexpr double felt_after_s = 0.05;
 constexpr double felt_speed_mm_s = 10.0;
 constexpr double plate_bound_deg = 75.0;
@@ -26,7 +26,7 @@ Reach::Reach(const DrawnPerson& drawn, const ReachInstruction& instruction, std:
       path_{instruction.start_m} {}
 
 double Reach::outermost_direction_deg(double sign) const {
-  // Felt and intended direction agree here with the ridges turned as far as allowed to the other side.
+  // Outermost feasible direction: the ridges are at the bound on the other side, and felt equals intended direction.
   const double shift_deg = max_shift_deg(simulated_.illusion, plate_bound_deg, -sign);
   return goal_direction_deg_ + simulated_.bias_deg - simulated_.own_bias_deg + std::copysign(shift_deg, sign);
 }

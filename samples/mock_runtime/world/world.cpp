@@ -11,17 +11,17 @@ namespace {
 // A seated user's eyes are this far above the floor.
 constexpr double eye_height_m = 1.2;
 
-// The elbow, in plate coordinates: to the right (left) of and behind the plate.
+// Elbow in plate coordinates: to the right (left) of the plate and behind it.
 constexpr double elbow_right_m = 0.10;
 constexpr double elbow_behind_m = 0.45;
-// The hand points down onto the plate by this much.
+// Pitch of the hand, which points down onto the plate.
 constexpr double hand_pitch_deg = -20.0;
 
 Eigen::Quaterniond hand_orientation(double yaw_deg) {
   return turn(yaw_deg, Eigen::Vector3d::UnitY()) * turn(hand_pitch_deg, Eigen::Vector3d::UnitX());
 }
 
-// The index tip of a hand without path or reach.
+// State of a hand without path or reach.
 HandState resting_hand(XrHandEXT side) {
   const double right_m = side == XR_HAND_LEFT_EXT ? -0.15 : 0.15;
   return {local_space_in_world() * Eigen::Vector3d(right_m, -0.40, -0.35), hand_orientation(0.0)};
@@ -129,7 +129,7 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
 Pose World::head(XrTime time) const {
   if (settings_.head.empty()) return local_space_in_world();
   Pose head = pose_at(settings_.head, head_lost_at_.value_or(time) - start_);
-  head.position_m = local_space_in_world() * head.position_m;  // LOCAL is not turned
+  head.position_m = local_space_in_world() * head.position_m;  // LOCAL has no rotation
   return head;
 }
 

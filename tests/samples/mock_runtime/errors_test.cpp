@@ -1,4 +1,4 @@
-// The error codes of every function, without a loader in between. Each call is refused for one reason only.
+// The error codes of every function, without a loader in between. Each call has exactly one mistake.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -33,7 +33,7 @@ class MockErrors : public MockNegotiation {
   }
 
 #define REFUSED(code, name, ...) EXPECT_XR(XR_ERROR_##code, XR(name)(__VA_ARGS__))
-// A call that takes an object and an info, and creates something.
+// Expects the error of a call that takes an object and an info and creates an object.
 #define REFUSED_INFO(code, name, object, ...) EXPECT_XR(XR_ERROR_##code, result_of(XR(name), object, __VA_ARGS__))
 
   void create_instance() {
@@ -69,7 +69,7 @@ class MockErrors : public MockNegotiation {
     HRT_MOCK_FUNCTIONS(HRT_CALL)
 #undef HRT_CALL
   }
-  // Handles that do not exist, then the object's own handle; all other arguments are zero.
+  // Calls a function with invalid handles, then with the object's own handle; all other arguments are zero.
   template <typename First, typename... Rest>
   void call_zeros(const std::string& name, XrResult (*function)(First, Rest...)) {
     if constexpr (is_handle<First>) {
@@ -111,7 +111,7 @@ class MockErrors : public MockNegotiation {
   XrAction action = XR_NULL_HANDLE;
 };
 
-TEST_F(MockErrors, OfInstances) {
+TEST_F(MockErrors, InstanceCalls) {
   std::uint32_t count = 0;
   XrExtensionProperties extension{XR_TYPE_EXTENSION_PROPERTIES};
   REFUSED(SIZE_INSUFFICIENT, xrEnumerateInstanceExtensionProperties, nullptr, 1, &count, &extension);
@@ -144,7 +144,7 @@ TEST_F(MockErrors, OfInstances) {
   create_instance();
 }
 
-TEST_F(MockErrors, OfSystemsAndViews) {
+TEST_F(MockErrors, SystemAndViewCalls) {
   std::uint32_t count = 0;
   const auto none = static_cast<XrSystemId>(99);
   const auto odd = static_cast<XrViewConfigurationType>(12345);
@@ -162,7 +162,7 @@ TEST_F(MockErrors, OfSystemsAndViews) {
   REFUSED(SYSTEM_INVALID, xrEnumerateViewConfigurationViews, instance, none, odd, 0, &count, nullptr);
   REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrEnumerateViewConfigurationViews, instance, 1, odd, 0, &count, nullptr);
   REFUSED(SIZE_INSUFFICIENT, xrEnumerateViewConfigurationViews, instance, 1, stereo, 1, &count, &one);
-  // Of valid systems and views what is left is the missing count.
+  // The remaining mistake, with a valid system and views, is the missing count.
   REFUSED(VALIDATION_FAILURE, xrEnumerateEnvironmentBlendModes, instance, 1, stereo, 0, nullptr, nullptr);
   REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurationViews, instance, 1, stereo, 0, nullptr, nullptr);
   REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurations, instance, 1, 0, nullptr, nullptr);
@@ -174,7 +174,7 @@ TEST_F(MockErrors, OfSystemsAndViews) {
   REFUSED(VALIDATION_FAILURE, xrGetVulkanGraphicsDevice2KHR, instance, &early, &device);
 }
 
-TEST_F(MockErrors, OfTimesAndPaths) {
+TEST_F(MockErrors, TimeAndPathCalls) {
   std::uint32_t count = 0;
   const timespec before{-1, 0};
   timespec back{};
@@ -193,8 +193,8 @@ TEST_F(MockErrors, OfTimesAndPaths) {
   REFUSED(VALIDATION_FAILURE, xrPathToString, instance, path("/user/hand/left"), 0, nullptr, nullptr);
 }
 
-// Of action sets and of actions.
-TEST_F(MockErrors, OfNames) {
+// Names of action sets and of actions.
+TEST_F(MockErrors, NamesOfActionsAndSets) {
   create_session();
   XrAction made = XR_NULL_HANDLE;
   for (const auto& [name, localized, code] : {std::tuple{"set", "Other", XR_ERROR_NAME_DUPLICATED},
@@ -207,7 +207,7 @@ TEST_F(MockErrors, OfNames) {
   }
 }
 
-TEST_F(MockErrors, OfSessionsAndSpaces) {
+TEST_F(MockErrors, SessionAndSpaceCalls) {
   create_session();
   std::uint32_t count = 0;
   REFUSED_INFO(LIMIT_REACHED, xrCreateSession, instance, {XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1});
@@ -254,7 +254,7 @@ TEST_F(MockErrors, OfSessionsAndSpaces) {
   REFUSED_INFO(SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain, session, {XR_TYPE_SWAPCHAIN_CREATE_INFO});
 }
 
-TEST_F(MockErrors, OfFrames) {
+TEST_F(MockErrors, FrameCalls) {
   create_session();
   XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
   REFUSED(SESSION_NOT_RUNNING, xrEndFrame, session, &end);
@@ -278,13 +278,13 @@ TEST_F(MockErrors, OfFrames) {
   end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_ADDITIVE;
   REFUSED(ENVIRONMENT_BLEND_MODE_UNSUPPORTED, xrEndFrame, session, &end);
   end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
-  EXPECT_XR(XR_SUCCESS, XR(xrEndFrame)(session, &end)) << "what was refused has not ended the frame";
+  EXPECT_XR(XR_SUCCESS, XR(xrEndFrame)(session, &end)) << "the refused calls have not ended the frame";
   XR(xrRequestExitSession)(session);
   XR(xrEndSession)(session);
   REFUSED(SESSION_NOT_READY, xrBeginSession, session, &twice);  // EXITING
 }
 
-TEST_F(MockErrors, OfLayers) {
+TEST_F(MockErrors, Layers) {
   create_session();
   focus();
   XrFrameState frame{XR_TYPE_FRAME_STATE};
@@ -307,7 +307,7 @@ TEST_F(MockErrors, OfLayers) {
   EXPECT_XR(XR_SUCCESS, XR(xrEndFrame)(session, &end));
 }
 
-TEST_F(MockErrors, OfThePlate) {
+TEST_F(MockErrors, PlateCalls) {
   create_session();
   XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, local, {}, 0.075};
   XrReachInstructionHRTX instruction{XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, 5.0, 0.1};
@@ -338,7 +338,7 @@ class MockActionErrors : public MockErrors {
                                                     &binding};
     return XR(xrSuggestInteractionProfileBindings)(instance, &info);
   }
-  // Of all that reads or vibrates an action. A mismatch is none for the action's own type.
+  // Expects an error of every function that reads or vibrates an action, except a mismatch in the function of its type.
   void expect_refused(XrAction of, XrPath subaction, XrResult refused) {
     const auto expected = [&](bool own) {
       return own && refused == XR_ERROR_ACTION_TYPE_MISMATCH ? XR_SUCCESS : refused;
@@ -368,7 +368,7 @@ class MockActionErrors : public MockErrors {
   XrAction button = XR_NULL_HANDLE, pose = XR_NULL_HANDLE;
 };
 
-TEST_F(MockActionErrors, OfActionsAndBindings) {
+TEST_F(MockActionErrors, ActionAndBindingCalls) {
   XrAction made = XR_NULL_HANDLE;
   const auto make = [&](const std::vector<XrPath>& subactions, XrActionType type = XR_ACTION_TYPE_BOOLEAN_INPUT) {
     return make_action("other", "Other", type, &made, subactions);
@@ -397,7 +397,7 @@ TEST_F(MockActionErrors, OfActionsAndBindings) {
   REFUSED_INFO(POSE_INVALID, xrCreateActionSpace, session, info);
 }
 
-TEST_F(MockActionErrors, OfStates) {
+TEST_F(MockActionErrors, ActionStateCalls) {
   XrActiveActionSet active{set, XR_NULL_PATH};
   const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
   REFUSED(ACTIONSET_NOT_ATTACHED, xrSyncActions, session, &sync);  // nothing is attached
@@ -422,14 +422,14 @@ TEST_F(MockActionErrors, OfStates) {
   expect_of_paths(chest, XR_ERROR_PATH_UNSUPPORTED, chest, XR_ERROR_PATH_UNSUPPORTED);
 }
 
-// Handles that do not exist, and missing outputs, in a session that is ready.
-TEST_F(MockErrors, OfHandlesAndNullPointers) {
+// Invalid handles and missing outputs, in a session that is ready.
+TEST_F(MockErrors, InvalidHandlesAndNullPointers) {
   create_session();
   for_each_function([&](const std::string& name, auto function) { call_zeros(name, function); });
 }
 
 // Every function of a lost session or instance returns the loss, except those that destroy.
-TEST_F(MockErrors, OfLostSessionsAndInstances) {
+TEST_F(MockErrors, LostSessionsAndInstances) {
   for (const auto& [event, loss] :
        {std::pair{"lose_session", XR_ERROR_SESSION_LOST}, {"lose_instance", XR_ERROR_INSTANCE_LOST}}) {
     create_session(R"(, "events": [{"frame": 1, "do": ")" + std::string(event) + "\"}]");
@@ -443,7 +443,7 @@ TEST_F(MockErrors, OfLostSessionsAndInstances) {
   }
 }
 
-TEST_F(MockErrors, OfSystemsWithoutHandTrackingOrGraphics) {
+TEST_F(MockErrors, SystemWithoutHandTrackingOrGraphics) {
   ASSERT_XR(XR_SUCCESS, XR(xrApplyScriptHRTX)(instance, R"({"clock": "real-time", "hand_tracking": false})"));
   Application::create_session();
   REFUSED_INFO(FEATURE_UNSUPPORTED, xrCreateHandTrackerEXT, session,

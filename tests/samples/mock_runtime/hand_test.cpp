@@ -1,5 +1,5 @@
-// Spaces, views and hands. Above each test stands the sentence that it tests, from the OpenXR
-// specification 1.0 or from XR_EXT_hand_tracking.
+// Spaces, views and hands. The comment above each test quotes the tested sentence of the OpenXR
+// specification 1.0 or of XR_EXT_hand_tracking.
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -53,7 +53,7 @@ TEST_F(MockHand, JointsOfBothHandsAreAsSpecified) {
                 XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT);
       EXPECT_GT(joint.radius, 0.0F);
       EXPECT_NEAR(orientation(joint).norm(), 1.0F, 1e-6F);
-      // The fingertip slides over a plate that nothing else of the hand may touch.
+      // The fingertip slides over a plate that no other joint may touch.
       EXPECT_GE(position(joint).y() - joint.radius, position(tip).y() - tip.radius);
     }
     for (const auto& [joint, from, to] : bones) {
@@ -114,7 +114,7 @@ TEST_F(MockHand, JointCountsThatAreWrongAreRefused) {
   EXPECT_EQ(joints[0].locationFlags, 0U);
 }
 
-// By hand: a space 2 m to the right, turned a quarter to the left, seen from one 1 m ahead, and back.
+// Hand-derived: a space 2 m to the right, rotated 90 degrees to the left, located in one 1 m ahead, and vice versa.
 TEST_F(MockHand, SpacesAreLocatedInEachOther) {
   const float half = std::sqrt(0.5F);
   const XrSpace turned = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0.0F, half, 0.0F, half}, {2.0F, 0.0F, 0.0F}});
@@ -126,7 +126,7 @@ TEST_F(MockHand, SpacesAreLocatedInEachOther) {
   EXPECT_NEAR(location.pose.position.x, 2.0F, 1e-6F);
   EXPECT_NEAR(location.pose.position.z, 1.0F, 1e-6F);
   location = located(ahead, turned, 1);
-  // From (2, 0, 0) to (0, 0, -1) is (-2, 0, -1), which turned back a quarter is (1, 0, -2).
+  // From (2, 0, 0) to (0, 0, -1) is (-2, 0, -1), which rotated back by 90 degrees is (1, 0, -2).
   EXPECT_NEAR(location.pose.position.x, 1.0F, 1e-6F);
   EXPECT_NEAR(location.pose.position.z, -2.0F, 1e-6F);
   EXPECT_NEAR(location.pose.orientation.y, -half, 1e-6F);
@@ -139,8 +139,8 @@ double distance_m(const XrPosef& a, const XrPosef& b) {
 
 using MockDevices = MockRuntime;
 
-// By hand: 0.2 m to the right in one second, turning left by 90 degrees; half way it is 0.1 m, and 45
-// degrees.
+// Hand-derived: the head moves 0.2 m to the right in one second and turns left by 90 degrees; half way the values are
+// 0.1 m and 45 degrees.
 TEST_F(MockDevices, HeadFollowsItsPathAndTheViewsFollowTheHead) {
   begin_with(R"({"head": {"path": [
     {"time_ms": 0, "position_m": [0, 0, 0]},
@@ -162,7 +162,7 @@ TEST_F(MockDevices, HeadFollowsItsPathAndTheViewsFollowTheHead) {
 }
 
 // "XR_SPACE_LOCATION_POSITION_TRACKED_BIT [...] unset when the position is inferred [...] and not currently
-// tracked": a headset that does not know where it is sees hands, but not where they are in the room.
+// tracked": a headset that is not tracked detects hands, but not their positions in the room.
 TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
   begin_with(
       R"({"head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 1000, "position_m": [0, 0, 1]}]},

@@ -1,5 +1,5 @@
-/* The vendor extensions' headers are C11, like OpenXR's own, and their structures have the layout that an
-** application compiled by anyone expects. */
+/* The vendor extensions' headers are C11, like OpenXR's own, and their structures have the same layout
+** with every compiler. */
 #include "samples/app/xr/openxr_hrtx_ridged_plate.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 

@@ -1,5 +1,5 @@
-// Negotiation, instance, system, handles, paths and conversions. Above each test stands the sentence that
-// it tests, from the OpenXR specification 1.0 or the loader specification.
+// Negotiation, instance, system, handles, paths and conversions. The comment above each test quotes
+// the tested sentence of the OpenXR specification 1.0 or of the loader specification.
 #include <array>
 #include <cstring>
 
@@ -22,9 +22,9 @@ TEST_F(MockNegotiation, AnswersALoaderOfItsVersion) {
   EXPECT_EQ(request.runtime_api_version, XR_MAKE_VERSION(1, 0, 99));
 }
 
-// "When a [parent] handle is destroyed, all its child handles become invalid"; a handle is never used again,
-// nor for an object of another type. errors_test.cpp has null and bogus ones.
-TEST_F(MockInstance, DestroyingASessionDestroysWhatIsBelowIt) {
+// "When a [parent] handle is destroyed, all its child handles become invalid"; handles are never
+// reused, also not for objects of another type. errors_test.cpp tests null and invalid handles.
+TEST_F(MockInstance, DestroyingASessionDestroysItsChildren) {
   create_session();
   const XrSpace space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrHandTrackerEXT tracker = create_hand_tracker();
@@ -37,7 +37,7 @@ TEST_F(MockInstance, DestroyingASessionDestroysWhatIsBelowIt) {
   EXPECT_NE(session, first);
 }
 
-// "XR_UNKNOWN_SUCCESS_ [or] XR_UNKNOWN_FAILURE_ concatenated with the result value" for what is not known.
+// "XR_UNKNOWN_SUCCESS_ [or] XR_UNKNOWN_FAILURE_ concatenated with the result value" for unknown values.
 TEST_F(MockInstance, ResultsAndStructureTypesHaveNames) {
   for (const auto& [result, expected] : {std::pair{XR_ERROR_POSE_INVALID, "XR_ERROR_POSE_INVALID"},
                                          {static_cast<XrResult>(-123456), "XR_UNKNOWN_FAILURE_-123456"},

@@ -1,4 +1,4 @@
-// A plate that any program turns by its pseudo-terminal, as it would turn a real one.
+// A plate that any program can turn through its pseudo-terminal, as it would turn a real one.
 #include <fstream>
 
 #include "tests/plugin/plate/eventually.h"
@@ -48,7 +48,7 @@ TEST_F(MockPlateTerminal, TurnsThePlateAndBendsThePersonsHand) {
   begin_with(script());
   open();
   EXPECT_EQ(report().max_speed_deg_s, 400.0);
-  // The driver stops a plate whose host is silent.
+  // Commands are repeated, since the driver stops a plate whose host is silent.
   const auto turns_to_50 = [&](auto orientation_deg) {
     return eventually([&] {
       EXPECT_EQ(hrt_plate_set(plate_, 50.0), HRT_OK);
@@ -58,8 +58,8 @@ TEST_F(MockPlateTerminal, TurnsThePlateAndBendsThePersonsHand) {
   EXPECT_TRUE(turns_to_50([&] { return true_orientation_deg(); }));
   EXPECT_TRUE(turns_to_50([&] { return report().orientation_deg; }));
 
-  // Ridges to the left of the motion are felt as a motion to the left: who means to go straight ahead goes
-  // right.
+  // Ridges to the left of the motion are felt as a motion to the left: a participant who intends to move straight ahead
+  // moves to the right.
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
   EXPECT_TRUE(eventually([&] {
     EXPECT_EQ(hrt_plate_set(plate_, 50.0), HRT_OK);
@@ -69,7 +69,7 @@ TEST_F(MockPlateTerminal, TurnsThePlateAndBendsThePersonsHand) {
   EXPECT_LT(std::abs(truth.perceivedDirection), std::abs(truth.trueDirection));
 }
 
-TEST_F(MockPlateTerminal, NothingOfTheUsersIsReplaced) {
+TEST_F(MockPlateTerminal, ExistingFilesAreNotReplaced) {
   std::ofstream(terminal()) << "thesis";
   apply(script());
   XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO};

@@ -1,4 +1,4 @@
-// The runtime without a loader in between, which hides some rules, and Debian's all of OpenXR 1.1.
+// Access to the runtime without a loader: loaders hide some rules, and Debian's hides OpenXR 1.1.
 #pragma once
 
 #include <dlfcn.h>

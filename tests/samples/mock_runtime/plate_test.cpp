@@ -30,7 +30,7 @@ class MockPlate : public MockRuntime {
     return located.index_tip();
   }
 
-  // In front of the user, turned a quarter to the left.
+  // Plate in front of the user, rotated 90 degrees to the left.
   static constexpr XrPosef plate_pose{{0.0F, 0.70710678F, 0.0F, 0.70710678F}, {0.1F, -0.4F, -0.3F}};
   XrSpace plate_space = XR_NULL_HANDLE;
 };
@@ -43,7 +43,7 @@ class Hash : public plugin::Hash {
   }
 };
 
-// Every key of a person reaches the simulated one, who is made by hand here; the plate turns at every frame.
+// Every key of a participant in the script takes effect: the result equals that of a participant built here.
 TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
   begin_on_plate(R"({"seed": 6, "participants": [{
       "illusion": "saturating", "illusion_scale_deg": 50, "tactile_weight": 0.22, "weight_drift": 0.03,
@@ -66,7 +66,7 @@ TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
                       .duration_s = 1.3,
                       .path_scale = 1.1};
   SlidingPerson by_hand(person, {0.0, -50.0}, 5.0, 100.0, Draws(6, 1, 0, 0));
-  XrTime now = 1'000'000'000;  // where a manual clock begins
+  XrTime now = 1'000'000'000;  // first time of a manual clock
   double plate_deg = 0.0;
   double peak_deg = 0.0;
   for (int period = 0; !truth().isDone; ++period) {
@@ -91,7 +91,7 @@ TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
 }
 
 // P = G + bias - own bias - shift, and ridges at 75 degrees shift by w 75, or to the right half of that.
-TEST_F(MockPlate, TruthNamesTheDirectionsThatCanBeHeld) {
+TEST_F(MockPlate, TruthHasTheFeasibleDirections) {
   begin_on_plate(R"({"participants": [{"illusion": "unequal",
       "tactile_weight": 0.2, "bias_deg": 3, "own_bias_deg": 1}]})");
   place_plate();
@@ -100,8 +100,8 @@ TEST_F(MockPlate, TruthNamesTheDirectionsThatCanBeHeld) {
   EXPECT_NEAR(truth().rightmostDirection, 5.0 + 3.0 - 1.0 - 15.0, 1e-12);
 }
 
-// The slides of a script are those of instructed people, and come again after their rest.
-TEST_F(MockPlate, SlidesThatNobodyInstructsComeAgain) {
+// Slides of a script equal instructed reaches, and repeat after their rest.
+TEST_F(MockPlate, UninstructedSlidesRepeat) {
   const auto begin = [&](const std::string& hands) {
     begin_on_plate(R"({"participants": [{"tactile_weight": 0.2, "duration_ms": 800, "reaction_ms": 300}])" + hands +
                    "}");
@@ -133,8 +133,8 @@ TEST_F(MockPlate, SlidesThatNobodyInstructsComeAgain) {
   EXPECT_NEAR(starts[1], 3.0 * 90.0, 3.0);
 }
 
-// On every compiler and build: a recording made on one host must replay on another.
-TEST_F(MockPlate, BytesOfAReachAreThoseOfEveryHost) {
+// The bytes are equal for every compiler and build: a recording made on one host must replay on another.
+TEST_F(MockPlate, ReachIsBitIdenticalOnEveryHost) {
   begin_on_plate(R"({"seed": 3, "servo": {"speed_deg_per_s": 400},
       "participants": [{}, {"illusion": "tanh", "steering": "heavy_arm"}, {"steering": "steps"}],
       "tracker": {"noise_mm": 1.2, "rate_hz": 90, "latency_ms": 10}})");
@@ -153,7 +153,7 @@ TEST_F(MockPlate, BytesOfAReachAreThoseOfEveryHost) {
 }
 
 // All joints of a hand on a path that turns, with noise: positions and axes.
-TEST_F(MockPlate, BytesOfAPathAreThoseOfEveryHost) {
+TEST_F(MockPlate, PathIsBitIdenticalOnEveryHost) {
   begin_on_plate(R"({"tracker": {"noise_mm": 1.2},
       "hands": {"right": {"path": [
         {"time_ms": 0, "position_m": [0.1, -0.3, -0.2], "orientation": [0.6, 0, 0, 0.8]},

@@ -19,7 +19,7 @@ class MockScript : public MockRuntime {
     place_plate(local);
     instruct(goal_deg);
   }
-  // Of a whole reach to -5 degrees.
+  // Final direction of a whole reach to -5 degrees.
   double final_direction() {
     begin_reach(-5.0);
     EXPECT_XR(XR_SUCCESS, XR(xrAdvanceTimeHRTX)(instance, 6'000'000'000));
@@ -32,11 +32,11 @@ class MockScript : public MockRuntime {
     return waited;
   }
 
-  XrFrameState state{XR_TYPE_FRAME_STATE, nullptr, 99};  // of the latest wait()
+  XrFrameState state{XR_TYPE_FRAME_STATE, nullptr, 99};  // state of the latest wait()
 };
 
-// The reason in the call log begins with the place; nothing of a bad script takes effect. One script for each kind of
-// mistake.
+// The reason in the call log begins with the place, and no part of an invalid script takes effect. The test has one
+// script for each kind of mistake.
 TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithItsPlace) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"{", "parse error"},
@@ -73,7 +73,7 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithItsPlace) {
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, XR(xrApplyScriptHRTX)(instance, "{}"));
 }
 
-// The JSON objects of a document that stand alone: in a block, between quotes of any kind, or in brackets.
+// Complete JSON objects in a document: in a block, in quotes of any kind, or in brackets.
 std::vector<std::string> examples_of(const std::string& document) {
   const std::string text = read_file(std::string(HRT_MOCK_DOCUMENTS) + "/" + document);
   std::vector<std::string> found;
@@ -99,15 +99,15 @@ TEST_F(MockScript, ExamplesOfTheDocumentsRun) {
       for (int i = 0; i < 320 && std::chrono::steady_clock::now() - start < std::chrono::seconds(2); ++i)
         if (XR_FAILED(wait())) break;
       EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
-      TearDown();  // some end with the loss of their instance
+      TearDown();  // some examples lose their instance
       SetUp();
       ++count;
     }
   EXPECT_GE(count, 5U);
 }
 
-// A call takes long, in real time under either clock, and other threads' calls do not wait for it.
-TEST_F(MockScript, CallsTakeLongOnOrder) {
+// A script delays a call, in real time under either clock, without delaying other threads' calls.
+TEST_F(MockScript, ScriptDelaysCalls) {
   begin_with(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 1500}]})");
   EXPECT_XR(XR_SUCCESS, wait());
   const auto start = std::chrono::steady_clock::now();
@@ -131,14 +131,14 @@ TEST_F(MockScript, HandFreezesAndCatchesUpAndJumps) {
   constexpr float step_m = 0.1F / 3.0F / 90.0F;  // 33.3 mm/s and 11.1 ms
   EXPECT_EQ(std::memcmp(&tips[2], &tips[4], sizeof(XrVector3f)), 0);
   EXPECT_NEAR(tips[1].z - tips[0].z, -step_m, 1e-6F);
-  EXPECT_NEAR(tips[5].z - tips[1].z, -4 * step_m, 1e-6F);  // the reach has gone on meanwhile
+  EXPECT_NEAR(tips[5].z - tips[1].z, -4 * step_m, 1e-6F);  // the reach has continued meanwhile
   EXPECT_NEAR(tips[7].x - tips[6].x, 0.010F, 1e-5F);
   EXPECT_NEAR(tips[7].y - tips[6].y, 0.020F, 1e-6F);
   EXPECT_NEAR(tips[7].z - tips[6].z, -0.030F - step_m, 1e-6F);
 }
 
-// "No repeated state": each is reported once, with those in between; a hand is not active without focus.
-TEST_F(MockScript, SessionStatesChangeByWayOfThoseInBetween) {
+// Each state is reported once, including intermediate ones; a hand is inactive without focus.
+TEST_F(MockScript, SessionStatesPassThroughIntermediateStates) {
   begin_with(R"({"events": [{"frame": 2, "do": "session_state", "state": "SYNCHRONIZED"},
                             {"frame": 3, "do": "session_state", "state": "SYNCHRONIZED"},
                             {"frame": 4, "do": "session_state", "state": "FOCUSED"},
@@ -155,13 +155,13 @@ TEST_F(MockScript, SessionStatesChangeByWayOfThoseInBetween) {
   frame();
   EXPECT_EQ(all_states(),
             (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING}));
-  // The runtime, not the application, wanted this end: the session becomes ready again.
+  // The runtime ended the session, not the application: the session becomes ready again.
   ASSERT_XR(XR_SUCCESS, xrEndSession(session));
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
 }
 
-// What runtimes should not do and some do, an application can be tested with.
-TEST_F(MockScript, StateIsRepeatedAndFramesHaveNoTimesOnOrderOnly) {
+// Violations of the specification that exist in some runtimes can be simulated.
+TEST_F(MockScript, StateIsRepeatedAndFramesHaveNoTimesOnlyByScript) {
   begin_with(R"({"frame_times": false, "events": [{"frame": 2, "do": "repeat_session_state"}]})");
   EXPECT_XR(XR_SUCCESS, wait());
   EXPECT_EQ(state.predictedDisplayTime, 0);
@@ -190,7 +190,7 @@ TEST_F(MockScript, HandFollowsItsPath) {
   }
 }
 
-// By hand: 400 deg/s after 20 ms takes 125 ms to turn by 50 degrees.
+// Hand-derived: after 20 ms, at 400 deg/s, a rotation by 50 degrees takes 125 ms.
 TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   begin_with(R"({"servo": {"speed_deg_per_s": 400, "latency_ms": 20}})");
   ASSERT_XR(XR_SUCCESS, XR(xrSetPlateOrientationHRTX)(session, -50.0));
@@ -211,13 +211,13 @@ TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
   };
   EXPECT_NEAR(travelled_mm(50), 0.0, 1e-4);
   EXPECT_NEAR(travelled_mm(74), 0.0, 1e-4);
-  EXPECT_NEAR(travelled_mm(76), 25.0 / 30.0, 1e-4);  // the sample of 25 ms
+  EXPECT_NEAR(travelled_mm(76), 25.0 / 30.0, 1e-4);  // sample taken at 25 ms
   EXPECT_NEAR(travelled_mm(99), 25.0 / 30.0, 1e-4);
   EXPECT_NEAR(travelled_mm(101), 50.0 / 30.0, 1e-4);
 }
 
-// The standard deviation is as set, for each coordinate, and one time has one noise.
-TEST_F(MockScript, TrackerNoiseHasItsDeviation) {
+// Each coordinate has the set standard deviation, and repeated requests for one time give the same noise.
+TEST_F(MockScript, TrackerNoiseHasTheSetDeviation) {
   begin_with(R"({"tracker": {"noise_mm": 1.2}, "seed": 7})");
   const Eigen::Vector3d rest{0.15, -0.40, -0.35};
   const auto off = [&](XrTime time) {
@@ -227,7 +227,7 @@ TEST_F(MockScript, TrackerNoiseHasItsDeviation) {
   double squares = 0.0;
   constexpr int samples = 2000;
   for (int i = 1; i <= samples; ++i) squares += off(i * 1'000'003).squaredNorm();
-  // The deviation of an estimate from 6000 draws is about 1 %: four of them.
+  // The SD estimated from 6000 draws has an SD of about 1 %; the tolerance is four of these.
   EXPECT_NEAR(std::sqrt(squares / (3.0 * samples)), 1.2e-3, 0.04 * 1.2e-3);
   EXPECT_EQ(off(5), off(5));
 }
@@ -240,7 +240,7 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
     EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
     return directions;
   };
-  // Without noise a person ends where felt and wanted direction agree: P = G / (1 - w_T) for the plate at 0.
+  // Without noise felt and intended direction agree at the end: P = G / (1 - w_T) for the plate at 0.
   const auto exact = final_directions(
       R"({"participants": [{"illusion": "linear", "tactile_weight": 0.2, "noise_deg2_per_s": 0, "habit_deg": 0, "duration_ms": 4000},
                            {"illusion": "linear", "tactile_weight": 0.3, "noise_deg2_per_s": 0, "habit_deg": 0, "duration_ms": 4000}]})");
@@ -251,8 +251,8 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
   EXPECT_NE(final_directions(R"({"seed": 2})"), final_directions("{}"));
 }
 
-// What one key sets leaves the other draws as they are.
-TEST_F(MockScript, SeedDrawsEachTraitApart) {
+// A key that fixes one trait does not change the draws of others.
+TEST_F(MockScript, SeedDrawsEachTraitIndependently) {
   std::vector<double> weights;
   for (const char* script : {"{}", R"({"participants": [{"pace": ["minimum_jerk", "pause"], "duration_ms": 1000}]})"}) {
     begin_with(script);
@@ -267,8 +267,8 @@ TEST_F(MockScript, SeedDrawsEachTraitApart) {
   EXPECT_NE(weights[0], weights[1]);
 }
 
-// Where a run was broken off it can be gone on with: the same person, and each reach with noise of its own.
-TEST_F(MockScript, SeedAndNumberMakeTheReach) {
+// An interrupted run can be continued: with the same participant, and each reach with its own noise.
+TEST_F(MockScript, SeedAndNumberDetermineTheReach) {
   begin_with("{}");
   ASSERT_XR(XR_SUCCESS, XR(xrSetSimulationSeedHRTX)(session, 9, 0));
   const std::array<double, 3> whole{final_direction(), final_direction(), final_direction()};
@@ -315,7 +315,7 @@ class MockEnvironment : public MockRuntime {
   TemporaryFolder folder;
 };
 
-// Each once in a process, whatever the number of instances.
+// Each fault occurs once in a process, independent of the number of instances.
 TEST_F(MockEnvironment, FaultsHappenOnceAndFromTheFirstCallOn) {
   write_script(
       R"({"calls": [{"function": "xrCreateInstance", "result": "XR_ERROR_RUNTIME_UNAVAILABLE"},
@@ -329,7 +329,7 @@ TEST_F(MockEnvironment, FaultsHappenOnceAndFromTheFirstCallOn) {
   EXPECT_TRUE(has(read_log(), "xrGetSystem XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"));
 }
 
-TEST_F(MockEnvironment, ExtensionsAreWithheldOnOrder) {
+TEST_F(MockEnvironment, ScriptWithholdsExtensions) {
   write_script(R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})");
   std::uint32_t count = 0;
   EXPECT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr));
@@ -338,14 +338,14 @@ TEST_F(MockEnvironment, ExtensionsAreWithheldOnOrder) {
   std::vector<std::string> names;
   for (const auto& property : properties) names.emplace_back(property.extensionName);
   EXPECT_EQ(std::count(names.begin(), names.end(), "XR_EXT_hand_tracking"), 0);
-  // Of the manual clock no time of the machine is an XrTime.
+  // Under the manual clock no system time corresponds to an XrTime.
   EXPECT_EQ(std::count(names.begin(), names.end(), XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME), 0);
   EXPECT_EQ(std::count(names.begin(), names.end(), "XR_MND_headless"), 1);
   EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, create());
 }
 
-// XR_KHR_convert_timespec_time: there and back is the same time within 2 ns.
-TEST_F(MockEnvironment, TimespecsConvertThereAndBack) {
+// XR_KHR_convert_timespec_time: conversion in both directions gives the same time within 2 ns.
+TEST_F(MockEnvironment, TimespecsConvertInBothDirections) {
   write_script(R"({"clock": "real-time"})");
   ASSERT_XR(XR_SUCCESS, create({XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
   for (const timespec& from : {timespec{0, 1}, timespec{1, 999'999'999}, timespec{2'000'000'000, 123'456'789}}) {

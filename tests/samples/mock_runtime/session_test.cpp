@@ -1,5 +1,5 @@
-// The session's states, faults of sessions and calls, and recentring. Above each test stands the sentence that it
-// tests, from the OpenXR specification 1.0 or from XR_MND_headless.
+// The session's states, faults of sessions and calls, and recentring. The comment above each test quotes the
+// tested sentence of the OpenXR specification 1.0 or of XR_MND_headless.
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -12,12 +12,12 @@ namespace {
 using MockSession = MockRuntime;
 
 // "In a headless session, the session state should proceed to XR_SESSION_STATE_READY directly from
-// XR_SESSION_STATE_IDLE." "In a headless session, the session state proceeds to
+// XR_SESSION_STATE_IDLE". "In a headless session, the session state proceeds to
 // XR_SESSION_STATE_SYNCHRONIZED, then XR_SESSION_STATE_VISIBLE and XR_SESSION_STATE_FOCUSED, after the
 // call to xrBeginSession. The application does not need to call xrWaitFrame".
 // "If the session is running when xrRequestExitSession is called, the runtime must transition the session to
-// XR_SESSION_STATE_STOPPING", by way of the states in between; after xrEndSession it goes to IDLE and, having
-// been asked to exit, to EXITING.
+// XR_SESSION_STATE_STOPPING", through the intermediate states. After xrEndSession the state becomes IDLE and, because
+// of the request, EXITING.
 TEST_F(MockSession, HeadlessStatesProceedWithoutAFrame) {
   create_session();
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
@@ -76,7 +76,7 @@ TEST_F(MockScope, CallFailsInItsSessionOnly) {
   EXPECT_GE(poll(), XR_SUCCESS);
 }
 
-// Other calls proceed meanwhile.
+// Other calls proceed while one call is blocked.
 TEST_F(MockScope, BlockedCallNeverReturns) {
   apply(R"({"calls": [{"function": "xrPollEvent", "call": 2, "block": true}]})");
   EXPECT_XR(XR_EVENT_UNAVAILABLE, poll());
@@ -109,8 +109,8 @@ class MockRecenter : public MockRuntime {
   XrSpace stage = XR_NULL_HANDLE;
 };
 
-// By hand: LOCAL is 1.2 m above STAGE. Its new origin is 0.5 m ahead of the old one, turned left by 90
-// degrees: what is ahead of the old origin is to the right of the new one.
+// Hand-derived: LOCAL is 1.2 m above STAGE. Its new origin is 0.5 m ahead of the old one, rotated left by 90 degrees:
+// the direction ahead in the old space is to the right in the new one.
 TEST_F(MockRecenter, LocalMovesFromTheChangeTimeOnAndTheRoomDoesNot) {
   begin_with(R"({"events": [{"frame": 2, "do": "recenter", "position_m": [0, 0, -0.5], "yaw_deg": 90,
                              "delay_ms": 100}],
@@ -126,7 +126,7 @@ TEST_F(MockRecenter, LocalMovesFromTheChangeTimeOnAndTheRoomDoesNot) {
   ASSERT_EQ(change->poseValid, static_cast<XrBool32>(XR_TRUE));
   EXPECT_FLOAT_EQ(change->poseInPreviousSpace.position.z, -0.5F);
   EXPECT_NEAR(change->poseInPreviousSpace.orientation.y, 0.70710678F, 1e-6F);
-  EXPECT_FALSE(next_change().has_value());  // LOCAL_FLOOR is of OpenXR 1.1
+  EXPECT_FALSE(next_change().has_value());  // no LOCAL_FLOOR before OpenXR 1.1
 
   const XrTime after = change->changeTime;
   for (const XrTime early : {before, second, after - 1})
@@ -152,7 +152,7 @@ TEST_F(MockRecenter, StageMovesAndThePoseMayBeWithheld) {
   EXPECT_NEAR(place(local, stage, time).position.x, -1.0F, 1e-6F);
 }
 
-// The second is relative to the first; no event may name a session that no longer exists.
+// The second recentring is relative to the first. Events of a destroyed session are dropped.
 TEST_F(MockRecenter, RecentringsAddUpAndEventsGoWithTheirSession) {
   begin_with(R"({"events": [{"frame": 1, "do": "recenter", "yaw_deg": 90},
                             {"frame": 2, "do": "recenter", "position_m": [0, 0, -1]}]})");

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-// For the leak sanitizer, which looks this name up. Debian's loader 1.0.20 frees not all of what it makes for
-// an instance. What the runtime leaks when called through the loader is hidden with it, and shows in the
-// tests of MockNegotiation, which do without a loader.
+// The leak sanitizer calls this function. Debian's loader 1.0.20 does not free all memory of an instance. The
+// suppression also hides leaks of the runtime behind the loader; the tests of MockNegotiation, which use no loader,
+// would show them.
 extern "C" __attribute__((visibility("default"))) const char* __lsan_default_suppressions() {
   return "leak:libopenxr_loader.so";
 }
@@ -13,8 +13,8 @@ extern "C" __attribute__((visibility("default"))) const char* __lsan_default_sup
 namespace hrt::mock {
 namespace {
 
-// Before the first call of any test: the loader reads it whenever an instance is made. What the environment
-// of a developer says otherwise does not count.
+// Sets the environment before the first test, since the loader reads it for every instance. Overrides the variables of
+// a developer's environment.
 const bool runtime_is_chosen = unsetenv("HRT_MOCK_SCRIPT") == 0 && unsetenv("HRT_MOCK_CALL_LOG") == 0 &&
                                setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1) == 0;
 
@@ -110,7 +110,7 @@ XrPath Application::path(const std::string& text) {
 }
 
 std::vector<XrCallRecordHRTX> MockRuntime::call_log() {
-  // Another thread may call in between: the log is longer then.
+  // Another thread may make calls in between, which lengthen the log.
   for (;;) {
     std::uint32_t count = 0;
     EXPECT_XR(XR_SUCCESS, XR(xrGetCallLogHRTX)(instance, 0, &count, nullptr));

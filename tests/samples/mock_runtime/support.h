@@ -1,4 +1,4 @@
-// What the tests of the mock runtime share: nearly all go through Khronos' loader, as an application does.
+// Fixtures of the mock runtime's tests. Nearly all tests use Khronos' loader, as an application does.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ inline constexpr XrPosef identity_pose{{0.0F, 0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.
 #define EXPECT_XR(expected, call) EXPECT_EQ(result_name(expected), result_name(call))
 #define ASSERT_XR(expected, call) ASSERT_EQ(result_name(expected), result_name(call))
 
-/// A function of the loader's or the runtime's by its name; it fails the test if there is none.
+/// Returns a function of the loader or the runtime by its name. An unknown name fails the test.
 template <typename Function>
 Function fetch(XrInstance instance, const char* name) {
   PFN_xrVoidFunction function = nullptr;
@@ -26,14 +26,14 @@ Function fetch(XrInstance instance, const char* name) {
   return reinterpret_cast<Function>(function);
 }
 
-/// The result of a call, which makes or writes `made`.
+/// Result of a call that creates or writes `made`.
 template <typename Object, typename Info, typename Output>
 XrResult result_of(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type_identity_t<Object> object,
                    const std::type_identity_t<Info>& info, Output&& made = {}) {
   if constexpr (Typed<Output>) made.type = structure_type<Output>.type;
   return call(object, &info, &made);
 }
-/// What a call that succeeds makes or writes.
+/// Output of a call, which is expected to succeed.
 template <typename Object, typename Info, typename Output>
 Output output(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type_identity_t<Object> object,
               const std::type_identity_t<Info>& info) {
@@ -42,11 +42,11 @@ Output output(XrResult(XRAPI_PTR* call)(Object, const Info*, Output*), std::type
   return made;
 }
 
-/// The info of an instance with these extensions. Valid as long as `extensions` is.
+/// Creation info of an instance with these extensions. Refers to `extensions`.
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions);
 
 XrActionSetCreateInfo set_info(const char* name, const char* localized);
-/// Valid as long as `subactions` is.
+/// Creation info of an action. Refers to `subactions`.
 XrActionCreateInfo action_info(const char* name, const char* localized, XrActionType type,
                                const std::vector<XrPath>& subactions = {});
 
@@ -56,7 +56,7 @@ const std::vector<const char*>& default_extensions();
 /// An application with an instance, and on request a session of it.
 class Application : public ::testing::Test {
  protected:
-  /// A function of the instance's; it fails the test if there is none.
+  /// Returns a function of the instance. An unknown name fails the test.
   virtual PFN_xrVoidFunction look_up(const char* name) = 0;
 #define XR(name) reinterpret_cast<PFN_##name>(look_up(#name))
 
@@ -90,13 +90,13 @@ class Application : public ::testing::Test {
   XrFrameState whole_frame();
 
   XrInstance instance = XR_NULL_HANDLE;
-  XrSystemId system = 1;  ///< the only one
+  XrSystemId system = 1;  ///< id of the only system
   XrSession session = XR_NULL_HANDLE;
   XrSpace local = XR_NULL_HANDLE;
   XrHandTrackerEXT hand = XR_NULL_HANDLE;
 };
 
-/// A test with an instance of all extensions, through the loader.
+/// Fixture with an instance that enables all extensions, created through the loader.
 class MockRuntime : public Application {
  protected:
   explicit MockRuntime(std::vector<const char*> enabled = default_extensions()) : extensions_(std::move(enabled)) {}
@@ -104,13 +104,13 @@ class MockRuntime : public Application {
   void TearDown() override;
   PFN_xrVoidFunction look_up(const char* name) override { return fetch<PFN_xrVoidFunction>(instance, name); }
 
-  /// create_session(), focus(), and every event so far read.
+  /// Calls create_session() and focus(), and reads all events.
   void begin_session();
   void apply(const std::string& script);
-  /// apply(), begin_session(), `local` and `hand`.
+  /// Calls apply() and begin_session(), and creates `local` and `hand`.
   void begin_with(const std::string& script);
 
-  /// The next event of this type; those before it are gone.
+  /// Returns the next event of this type and drops earlier events.
   template <typename Event>
   std::optional<Event> next_event(XrStructureType type) {
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
@@ -118,13 +118,13 @@ class MockRuntime : public Application {
       if (event.type == type) return reinterpret_cast<const Event&>(event);
     return std::nullopt;
   }
-  /// The next reported session state, or nothing.
+  /// Returns the next reported session state, or nothing.
   std::optional<XrSessionState> next_state();
   std::vector<XrSessionState> all_states();
 
   std::vector<XrCallRecordHRTX> call_log();
 
-  /// A plate of 75 mm with its centre at the origin of `in`.
+  /// Places a plate with a radius of 75 mm at the origin of `in`.
   void place_plate(XrSpace in);
   void instruct(double goal_deg = 5.0, const XrVector3f& start = {}, double length_m = 0.1);
   XrReachTruthHRTX truth();

@@ -19,7 +19,7 @@ class MockThreads : public MockRuntime {
     begin_session();
   }
 
-  // An xrWaitFrame on another thread that has to wait for xrBeginFrame, and does.
+  // Starts an xrWaitFrame on another thread that must wait for xrBeginFrame, and checks that it waits.
   std::future<XrResult> blocked_wait() {
     XrFrameState first{XR_TYPE_FRAME_STATE};
     EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &first));

@@ -1,4 +1,4 @@
-// An application for OpenXR 1.1. Above each test stands the sentence that it tests, from the
+// An application for OpenXR 1.1. The comment above each test quotes the tested sentence of the
 // specification 1.1.
 #include <algorithm>
 
@@ -85,7 +85,7 @@ TEST_F(MockVersion, PromotedProfilesHaveTheirSources) {
     EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(profile, source)) << profile << ' ' << source;
 }
 
-// What OpenXR 1.1 adds is unknown to an application for 1.0.
+// Functions and profiles of OpenXR 1.1 are not available to an application for 1.0.
 TEST_F(MockVersion, FunctionsAndProfilesAreThoseOfTheVersion) {
   create(XR_MAKE_VERSION(1, 0, 99));
   PFN_xrVoidFunction locate_spaces = nullptr;

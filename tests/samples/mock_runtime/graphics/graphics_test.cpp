@@ -1,5 +1,5 @@
-// Sessions that draw: devices, swapchains, layers and pictures. Above each test stands the sentence that it
-// tests, from the OpenXR specification. Needs a Vulkan driver; Mesa's lavapipe is one.
+// Sessions that draw: devices, swapchains, layers and pictures. The comment above each test quotes the
+// tested sentence of the OpenXR specification. Needs a Vulkan driver; Mesa's lavapipe is one.
 #include <fcntl.h>
 #include <png.h>
 #include <unistd.h>
@@ -79,7 +79,7 @@ class MockGraphics : public MockRuntime {
     const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, XR_INFINITE_DURATION};
     return xrWaitSwapchainImage(swapchain, &wait);
   }
-  // One frame of a swapchain, of one colour a layer.
+  // Renders one frame of a swapchain, with one colour a layer.
   void draw(XrSwapchain swapchain, const std::vector<std::array<float, 4>>& colours) {
     std::uint32_t index = 0, count = 0;
     ASSERT_XR(XR_SUCCESS, xrAcquireSwapchainImage(swapchain, nullptr, &index));
@@ -93,7 +93,7 @@ class MockGraphics : public MockRuntime {
     ASSERT_XR(XR_SUCCESS, xrReleaseSwapchainImage(swapchain, nullptr));
   }
 
-  // A projection of two views of a swapchain, the right one of array layer `right`.
+  // A projection layer of two views of a swapchain; the right view uses array layer `right`.
   struct Projection {
     Projection(XrSpace space, XrSwapchain swapchain, std::uint32_t right = 0) {
       for (std::uint32_t eye = 0; eye < 2; ++eye) {
@@ -138,7 +138,7 @@ std::array<int, 3> colour(const Picture& picture, std::uint32_t x, std::uint32_t
 constexpr std::array red_pixel{255, 0, 0}, green_pixel{0, 255, 0};
 
 // "XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING".
-TEST(MockGraphicsRequirements, AreAskedForFirst) {
+TEST(MockGraphicsRequirements, MustBeRequestedFirst) {
   const std::vector<const char*> names{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
   const XrInstanceCreateInfo info = instance_info(names);
   XrInstance instance = XR_NULL_HANDLE;
@@ -161,7 +161,7 @@ TEST_F(MockGraphics, StatesFollowFrames) {
 }
 
 // "xrRequestExitSession": the state becomes "STOPPING", before the first frame too.
-TEST_F(MockGraphics, MayEndBeforeTheFirstFrame) {
+TEST_F(MockGraphics, ExitMayBeRequestedBeforeTheFirstFrame) {
   begin_drawing();
   EXPECT_XR(XR_SUCCESS, xrRequestExitSession(session));
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED,
@@ -199,7 +199,7 @@ TEST_F(MockGraphics, ImagesAreAcquiredWaitedForAndReleased) {
 }
 
 // "XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED", "XR_ERROR_FEATURE_UNSUPPORTED", "XR_ERROR_VALIDATION_FAILURE".
-TEST_F(MockGraphics, SwapchainsThatCannotBeAreRefused) {
+TEST_F(MockGraphics, UnsupportedSwapchainsAreRefused) {
   begin_drawing();
   const auto expect = [&](XrResult result, auto change) {
     XrSwapchainCreateInfo info = swapchain_info();
@@ -222,7 +222,7 @@ TEST_F(MockGraphics, SwapchainsThatCannotBeAreRefused) {
 
 // "XR_ERROR_LAYER_INVALID [...] if [a] swapchain image has not been released",
 // "XR_ERROR_SWAPCHAIN_RECT_INVALID", "XR_ERROR_POSE_INVALID".
-TEST_F(MockGraphics, LayersThatCannotBeShownAreRefused) {
+TEST_F(MockGraphics, InvalidLayersAreRefused) {
   begin_drawing();
   const XrSwapchain colours = make_swapchain(swapchain_info());
   Projection projection(local, colours);
@@ -249,7 +249,7 @@ TEST_F(MockGraphics, LayersThatCannotBeShownAreRefused) {
   EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, end_frame({&quad}));
 }
 
-// The image of each eye in the first projection; the quad before it is valid and not shown.
+// Pictures show each eye's image of the first projection; a valid quad before it is not shown.
 TEST_F(MockGraphics, PicturesShowTheFirstProjection) {
   begin_drawing(R"({"events": [{"frame": 2, "do": "take_picture"}]})");
   XrSwapchainCreateInfo info = swapchain_info();
@@ -274,7 +274,7 @@ TEST_F(MockGraphics, PicturesShowTheFirstProjection) {
   EXPECT_TRUE(has(read_file(folder / "pictures.txt"), "left 64x48 " + hash_of(left) + "\n"));
 }
 
-// As engines do; with blue in the first byte of a pixel.
+// Uses two threads, as engines do, and a format with blue in the first byte of a pixel.
 TEST_F(MockGraphics, OneThreadWaitsWhileAnotherDraws) {
   begin_drawing(R"({"picture_every_frames": 5})");
   const XrSwapchain swapchain = make_swapchain(swapchain_info(VK_FORMAT_B8G8R8A8_SRGB));
@@ -314,13 +314,13 @@ TEST(MockGraphicsLibraries, VulkanIsNotLinked) {
   EXPECT_FALSE(has(needed.out, "libvulkan"));
 }
 
-// Khronos' own program, as Debian has it.
+// Khronos' own program, from Debian's package.
 class MockHelloXr : public ::testing::Test {
  protected:
   static Outcome hello(const std::string& script, const std::string& pictures) {
     const std::vector<std::string> words{HRT_MOCK_RUN, "--script",          script, "--frames", pictures,
                                          "--",         "/usr/bin/hello_xr", "-g",   "Vulkan2"};
-    // It ends with the first key, or the end of its input; by itself not, where the C library waits for that.
+    // hello_xr ends at a key or the end of its input. With some C libraries it would otherwise never end.
     int silent[2];
     EXPECT_EQ(pipe2(silent, O_CLOEXEC), 0);
     const Process process(words, {"PATH=/usr/bin:/bin", "HOME=" + pictures}, -1, silent[0]);
@@ -346,7 +346,7 @@ TEST_F(MockHelloXr, DrawsTheSamePixelsEachTime) {
     if (first.empty()) first = list;
     EXPECT_EQ(list, first);
   }
-  // Cubes of several colours before a background.
+  // The pictures show cubes of several colours in front of a background.
   const Picture left = read_png(folder / "1/000020_left.png"), right = read_png(folder / "1/000020_right.png");
   std::map<std::array<int, 3>, int> colours;
   for (std::uint32_t y = 0; y < left.height; ++y)
@@ -357,7 +357,7 @@ TEST_F(MockHelloXr, DrawsTheSamePixelsEachTime) {
 }
 
 // The exit code is the application's own, or 2 with a line about what is wrong.
-TEST(MockRun, ExitsAsTheApplicationDoesOrSaysWhatIsMissing) {
+TEST(MockRun, ReturnsTheExitCodeOfTheApplicationOrReportsAMistake) {
   const TemporaryFolder folder;
   const auto run = [&](std::vector<std::string> words) {
     words.insert(words.begin(), HRT_MOCK_RUN);

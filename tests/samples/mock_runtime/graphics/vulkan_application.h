@@ -1,5 +1,4 @@
-// As little of Vulkan as a test needs that draws: a device by XR_KHR_vulkan_enable2, and images of one
-// colour.
+// A minimal Vulkan application for tests: a device by XR_KHR_vulkan_enable2, and images of one colour.
 #pragma once
 
 #include <dlfcn.h>
