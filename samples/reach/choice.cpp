@@ -14,7 +14,7 @@
 namespace hrt::reach {
 namespace {
 
-// What is not printable ASCII becomes '?': the plugin refuses text that is not UTF-8.
+// Copies a name. Characters other than printable ASCII become '?': the plugin rejects invalid UTF-8.
 void copy_name(const std::string& name, char (&out)[HRT_NAME_SIZE]) {
   std::memset(out, 0, sizeof out);
   std::transform(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(std::min(name.size(), sizeof out - 1)), out,
@@ -88,7 +88,7 @@ void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report
   plugin.check(plugin.hrt_session_get(session, &config, nullptr));
   const hrt_session_config before = config;
   hrt_session_config_from_plate(&config, &report);
-  constexpr std::int64_t max_steps = 8;  // of latency, that the plugin can plan with
+  constexpr std::int64_t max_steps = 8;  // largest latency that the plugin can plan with, in steps
   config.plate.latency_ns = std::min<std::int64_t>(report.latency_ns, max_steps * config.paper.step_period_ns);
   if (report.latency_ns == 0) config.plate.latency_ns = before.plate.latency_ns;
   const auto plate_of = [](const hrt_session_config& c) {

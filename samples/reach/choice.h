@@ -1,4 +1,4 @@
-// What a run reaches for, where, and with which controller.
+// Choices of a run: targets, position of the plate, controller.
 #pragma once
 
 #include <optional>
@@ -14,29 +14,29 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// The scene's targets, in a session of the plugin as the options have it.
+/// Loads the scene's targets into a session of the plugin, configured by the options.
 TargetSet load_targets(const Plugin& plugin, const Options& options);
 
-/// The reaches to make, in order. Throws Failure (ExitCode::scene) for a name that the scene lacks.
+/// Returns the reaches to make, in order. Throws Failure (ExitCode::scene) for a name that the scene lacks.
 std::vector<TargetPair> choose(const TargetSet& targets, const Options& options);
 
-/// Place of a scene's plate without a registration, as a runtime has it.
+/// Assumed pose of an unregistered plate in a space of the runtime.
 struct ScenePlace {
   XrReferenceSpaceType space;
-  XrPosef pose;       ///< of the plate's mount in it
-  std::string words;  ///< where that is, for a person
+  XrPosef pose;       ///< pose of the plate's mount in that space
+  std::string words;  ///< description of that position for a person
 };
 
-/// The scene's heights are above the floor. In a runtime without a floor they need the height of the eyes, at
-/// which its LOCAL space begins: `eye_height_m`, or else the person's answer on the terminal. Throws Failure
-/// (ExitCode::usage) without either.
+/// Determines the assumed pose. The scene's heights are above the floor. A runtime without a floor space needs the
+/// height of the eyes, the origin of its LOCAL space: `eye_height_m`, or else the person's answer on the terminal.
+/// Throws Failure (ExitCode::usage) if both are missing.
 ScenePlace place_of(const TargetSet& targets, const XrHeadlessSession& session, std::optional<double> eye_height_m,
                     Prompt& prompt);
 
-/// The device's own limits replace the scene's.
+/// Replaces the scene's limits of the plate by those of the device.
 void plan_with(const Plugin& plugin, hrt_session session, const hrt_plate_report& report);
 
-/// Names the plate and the tracker of now to the plugin; warns on standard error if the session's profile was
+/// Passes the names of the plate and the tracker to the plugin. Warns on standard error if the session's profile was
 /// measured with others.
 void name_conditions(const Plugin& plugin, hrt_session session, const PlateChoice& plate, const std::string& tracker);
 

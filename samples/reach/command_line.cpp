@@ -18,7 +18,7 @@ constexpr const char* exit_codes = "Exit codes:\n"
     HRT_EXIT_CODES(HRT_EXIT_CODE);
 #undef HRT_EXIT_CODE
 
-// CLI11's own range lets NaN through.
+// CLI::Range accepts NaN; this validator does not.
 CLI::Validator between(double low, double high, const std::string& range) {
   return {[=](const std::string& text) -> std::string {
             double value = 0.0;
@@ -28,7 +28,7 @@ CLI::Validator between(double low, double high, const std::string& range) {
           range};
 }
 
-// What is not yet an option's value.
+// Arguments that are converted to fields of Options after parsing.
 struct Words {
   std::string hand = "right";
   std::string plate = "runtime";

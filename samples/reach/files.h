@@ -9,20 +9,20 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// The plugin's session starts from the profile. Throws Failure (ExitCode::plugin).
+/// Loads the profile into the plugin's session. Throws Failure (ExitCode::plugin).
 void load_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
 
-/// Replaces the file as a whole. Throws Failure (ExitCode::output).
+/// Replaces the file atomically. Throws Failure (ExitCode::output).
 void save_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file);
 
-/// Opens the file at once, so that a wrong name is known before the first reach. All throw Failure
-/// (ExitCode::output).
+/// Opens the file in the constructor, so that a wrong name is reported before the first reach. Every function throws
+/// Failure (ExitCode::output).
 class RecordingFile {
  public:
   /// An empty name: no recording.
   RecordingFile(const Plugin& plugin, hrt_session session, std::filesystem::path file);
 
-  /// Closes it. For the second time it does nothing.
+  /// Closes the file. A second call has no effect.
   void finish();
 
  private:

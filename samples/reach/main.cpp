@@ -29,26 +29,26 @@
 namespace hrt::reach {
 namespace {
 
-constexpr int losses_allowed = 3;      // of the session or the instance, in a row
-constexpr int unfinished_allowed = 3;  // reaches in a row
+constexpr int losses_allowed = 3;      // lost sessions or instances in a row
+constexpr int unfinished_allowed = 3;  // unfinished reaches in a row
 
-// Thrown out of a reach: the person wants another one.
+// Thrown during a reach when the person requests another one.
 struct OtherReach : std::exception {
   explicit OtherReach(bool previous) : is_previous(previous) {}
   const char* what() const noexcept override { return "another reach is wanted"; }
-  bool is_previous;  // else the next
+  bool is_previous;  // false: the next one
 };
 
-// Attends to the person in every frame of one session: keys, and what the runtime does to the plate's place.
+// Handles the person's keys in every frame of one session, and reports recentring.
 class Attendant {
  public:
   Attendant(Prompt& prompt, const Stage& stage) : prompt_(prompt), stage_(stage) {}
 
-  // From now on the fingers' places on the plate are known, and reaches can be left out or repeated.
+  // After this call the plate's pose is known, so that the `w` key can give the finger's position.
   void plate_is_placed() { is_placed_ = true; }
   void reaches_begin() { in_reaches_ = true; }
 
-  // Obeys the keys that were pressed. Throws OtherReach, and Interrupted for the key that stops.
+  // Handles the pressed keys. Throws OtherReach, or Interrupted for the key that stops the run.
   void attend(XrTime time) {
     if (stage_.session.recentrings() != recentrings_) {
       recentrings_ = stage_.session.recentrings();
@@ -91,7 +91,7 @@ class Attendant {
   int recentrings_ = 0;
 };
 
-// The reaches of one run, across as many sessions and instances as the runtime makes necessary.
+// The reaches of one run. A lost session or instance is created again.
 class Run {
  public:
   explicit Run(const Options& options)
@@ -125,7 +125,7 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  // However the run ends, the files keep the reaches made until then.
+  // Runs to the end. The files contain all finished reaches, also after a failure.
   ExitCode run() {
     ExitCode code = ExitCode::success;
     try {
@@ -165,29 +165,29 @@ class Run {
           throw Failure(ExitCode::runtime_failed,
                         std::string("the OpenXR runtime was lost repeatedly: ") + lost.what());
         status_.clear();
-        std::cerr << "hrt-reach: " << lost.what() << "; starting anew\n";
-        prompt_.speak("The headset's runtime was lost; starting anew.");
+        std::cerr << "hrt-reach: " << lost.what() << "; starting again\n";
+        prompt_.speak("The headset's runtime was lost. The program starts again.");
       }
     }
   }
 
-  // Makes instance and session, then the slides that are left.
+  // Creates instance and session, then runs the remaining slides.
   void run_in_one_session() {
     XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, local_floor_extension});
     XrHeadlessSession session(runtime, spaces_, options_.runtime_limit);
     std::optional<Simulation> simulation;
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation.emplace(runtime, session);
-    // Null: a person is asked. A simulated one may answer, who feels the plate.
+    // Null: the user is asked on the terminal; that user may be simulated and feels the plate.
     Simulation* const instructed = simulation && !options_.person ? &*simulation : nullptr;
     if (touch_ && instructed != nullptr)
       throw Failure(ExitCode::usage, "a simulated user touches no frame: --finger needs --person");
     if (instructed != nullptr) {
       session.place_plate(session.floor_space(), targets_.plate_pose);
-      // A new session has the same person.
+      // The same participant continues in a new session.
       instructed->seed(options_.seed, static_cast<std::uint32_t>(next_));
     } else {
       prompt_.listen();
-      // Before a device is opened, which must be served from then on.
+      // Done before a device is opened, which must be serviced from then on.
       if (touch_)
         scene_place_ = {session.floor_space(), targets_.plate_pose,
                         "The plate is where --finger has it in the touch frame."};
@@ -229,7 +229,7 @@ class Run {
     attendant.plate_is_placed();
     if (calibrates()) calibrate(stage);
     attendant.reaches_begin();
-    checked_ = true;  // by find_plate()
+    checked_ = true;  // find_plate() has just checked it
     while (!is_done()) make_next_reach(stage);
     session.end();
   }
@@ -241,7 +241,7 @@ class Run {
     session.place_plate(scene_place_->space, scene_place_->pose);
   }
 
-  // Where touches say, or said in another run, rather than where the scene has it.
+  // Places the plate by touches, of this run or an earlier one, instead of the scene's position.
   void find_plate(Stage& stage) {
     if (stage.simulation != nullptr)
       throw Failure(ExitCode::usage,
@@ -267,7 +267,7 @@ class Run {
     check_output();
   }
 
-  // A reach without an end is reported, and the others are made all the same.
+  // Makes one reach. A reach that does not end is reported, and the run continues.
   void make_next_reach(Stage& stage) {
     const TargetPair& pair = pairs_[next_];
     try {
@@ -329,7 +329,7 @@ class Run {
     return is_enough(*calibrated_) ? ExitCode::success : ExitCode::target_missed;
   }
 
-  // During a failure, which a second one must not hide.
+  // Called during a failure; ignores further failures.
   void keep_recording_as_it_is() {
     try {
       recording_->finish();
@@ -338,13 +338,13 @@ class Run {
     }
   }
 
-  // Whose numbers these are.
+  // Source of the printed numbers, in words.
   std::string origin() const {
     if (!is_simulated_) return "Tracked directions; felt ones as the model predicts.";
     return "SIMULATION, seed " + std::to_string(options_.seed) + ": no person took part.";
   }
 
-  // The reader of the rows may have closed the pipe.
+  // Throws if standard output fails, for example because the reader closed the pipe.
   static void check_output() {
     if (!std::cout.flush()) throw Failure(ExitCode::output, "the standard output cannot be written");
   }
@@ -374,12 +374,12 @@ class Run {
   std::optional<RecordingFile> recording_;
   std::size_t next_ = 0;
   int unfinished_in_a_row_ = 0;
-  bool checked_ = false;  // the registration, before the next reach
+  bool checked_ = false;  // the registration has been checked for the next reach
   bool header_printed_ = false;
   bool tracker_is_measured_ = false;
   bool is_simulated_ = false;
   Tally tally_;
-  std::optional<SetUp> calibration_;  // in place of reaches
+  std::optional<SetUp> calibration_;  // set if the run calibrates instead of reaching
   std::optional<hrt_setup_result> calibrated_;
 };
 
@@ -406,8 +406,8 @@ int run_from(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hrt::app::note_interrupts();
-  std::signal(SIGPIPE, SIG_IGN);  // a closed output is noticed where it is written
-  // Set this variable to keep the loader's own report of a failure.
+  std::signal(SIGPIPE, SIG_IGN);  // a closed output is reported by the write
+  // An existing value of this variable keeps the loader's own messages.
   setenv("XR_LOADER_DEBUG", "none", 0);
   return hrt::reach::run_from(argc, argv);
 }

@@ -1,4 +1,4 @@
-// What is printed: the progress of a reach; results of reaches, and of a calibration.
+// Printed output: progress of a reach, results of reaches and of a calibration.
 #pragma once
 
 #include <chrono>
@@ -12,11 +12,11 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// The bearing of an end is on the real target's within this, in degrees.
+/// Largest difference between the bearings of the end and of a reached target without a radius, in degrees.
 inline constexpr double tolerance_deg = 1.5;
 bool is_within_tolerance(const ReachResult& result);
 
-/// Ended inside of the real target's radius; if the scene gives it none, within the tolerance.
+/// True if the reach ended inside the real target's radius, or within the tolerance if the scene gives no radius.
 bool is_reached(const TargetPair& pair, const ReachResult& result);
 
 /// Progress of a reach: on a terminal, one line that is rewritten; with `verbose`, a line a frame instead.
@@ -41,12 +41,12 @@ class Table {
  public:
   explicit Table(const std::vector<TargetPair>& pairs);
 
-  /// Column titles with units.
+  /// Prints the column titles with units.
   void print_header(std::ostream& out) const;
   void print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const;
-  /// Of a reach that was not made: what became of it, in a word or two.
+  /// Row of a reach that was not made. `what`: its outcome in a word or two.
   void print_row(std::ostream& out, const TargetPair& pair, const std::string& what) const;
-  /// The meaning of the columns.
+  /// Prints the meaning of the columns.
   void print_legend(std::ostream& out) const;
 
  private:
@@ -61,19 +61,19 @@ struct Tally {
   int reaches = 0;
   int holdable = 0;                   ///< of these, the ones whose gap the plate can hold
   int holdable_reached = 0;           ///< of these, the ones that were reached
-  int holdable_within_tolerance = 0;  ///< of the holdable ones
-  int unfinished = 0;                 ///< not among the reaches: without a finger at the start, or without an end
-  int skipped = 0;                    ///< not among the reaches, by the person's wish
+  int holdable_within_tolerance = 0;  ///< of the holdable ones, those with an end within tolerance_deg
+  int unfinished = 0;                 ///< not in `reaches`: they did not begin or end in time
+  int skipped = 0;                    ///< not in `reaches`: the person skipped them
 
   void add(const TargetPair& pair, const ReachResult& result);
 };
 
 void print_summary(std::ostream& out, const Tally& tally);
 
-/// The share of touch is known as well as a set-up asks by default.
+/// True if the share of touch is known as precisely as a set-up requires by default.
 bool is_enough(const hrt_setup_result& result);
 
-/// Lines to be printed or spoken. `config`: the session's, with what was found.
+/// Result in lines to be printed or spoken. `config`: configuration of the session, updated by the result.
 std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config);
 
 }  // namespace hrt::reach

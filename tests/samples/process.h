@@ -15,11 +15,11 @@ struct Outcome {
   std::string err;
 };
 
-/// The outcome of a run that is to end with this code; else the test fails where this was called, with what was
-/// printed.
+/// Expects that a run has ended with this code and returns its outcome. A failure shows the caller's line and the
+/// output.
 Outcome expect_exit(int exit_code, Outcome outcome, const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
-/// An empty folder, removed at the end.
+/// An empty folder, removed by the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -32,7 +32,7 @@ class TemporaryFolder {
   std::filesystem::path path;
 };
 
-/// A child process. The caller waits for it.
+/// A child process. The caller must wait for its end.
 class Process {
  public:
   /// Starts the program words[0] with `environment`, "NAME=value" each; its error output goes to `err` and
@@ -40,11 +40,11 @@ class Process {
   Process(std::vector<std::string> words, std::vector<std::string> environment, int err = -1, int in = -1);
 
   void send_signal(int signal) const;
-  /// Its output so far.
+  /// Output of the process so far.
   std::string out() const;
   std::string err() const;
 
-  /// Waits for its end. A run of over two minutes is killed.
+  /// Waits for the end of the process. Kills it after two minutes.
   Outcome wait() const;
 
  private:
@@ -52,10 +52,10 @@ class Process {
   int child_ = 0;
 };
 
-/// The whole file; empty if there is none.
+/// Content of a file; empty if the file does not exist.
 std::string read_file(const std::string& file);
 
-/// What Khronos' core validation layer reported, without what newer ones say of their own start and end.
+/// Reports of Khronos' core validation layer, without the messages of newer versions about their start and end.
 std::string validation_findings(const std::string& file);
 
 }  // namespace hrt

@@ -1,4 +1,4 @@
-// What tests ask of texts.
+// Predicates on texts for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// Shows the text if it does not decide as expected.
+/// True if `text` contains `part`; a failed expectation shows the text.
 inline testing::AssertionResult has(const std::string& text, const std::string& part) {
   const bool found = text.find(part) != std::string::npos;
   return (found ? testing::AssertionSuccess() : testing::AssertionFailure())
@@ -18,21 +18,21 @@ inline testing::AssertionResult has(const std::string& text, const std::string& 
          << text;
 }
 
-/// The same of each part.
+/// True if `text` contains each part.
 inline testing::AssertionResult has(const std::string& text, std::initializer_list<const char*> parts) {
   for (const char* part : parts)
     if (const testing::AssertionResult one = has(text, std::string(part)); !one) return one;
   return testing::AssertionSuccess();
 }
 
-/// As often as it begins.
+/// Number of occurrences, including overlapping ones.
 inline std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
   return count;
 }
 
-/// The number behind a name; NaN without one.
+/// Number after a name in a text; NaN if there is no such number.
 inline double value_of(const std::string& text, const std::string& name) {
   const std::size_t at = text.find(name);
   double value = std::nan("");

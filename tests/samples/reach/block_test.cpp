@@ -1,4 +1,4 @@
-// Whatever call the runtime blocks in, hrt-reach ends: by its limit, and within a second of a signal.
+// hrt-reach ends whichever call the runtime blocks in: at its limit, and within a second of a signal.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-// Every function that a run calls, as the runtime's own log has it, and those that the log leaves out.
+// Every function that a run calls: those in the runtime's log, and those that the log omits.
 std::set<std::string> functions_of_a_run() {
   auto environment = mock_environment();
   const std::string log = scratch_folder() + "/calls";
@@ -38,7 +38,7 @@ struct Blocked {
   std::unique_ptr<Program> program;
 };
 
-// hrt-reach, which blocks in this call for a minute; other calls of the runtime proceed.
+// Starts hrt-reach with a runtime that blocks in this call for a minute; other calls proceed.
 Blocked start(const std::string& function, int call, const std::string& limit_s, std::vector<std::string> more = {}) {
   Blocked blocked{function, {}, nullptr};
   std::vector<std::string> arguments = blocked.files.arguments(limit_s);
@@ -49,8 +49,8 @@ Blocked start(const std::string& function, int call, const std::string& limit_s,
   return blocked;
 }
 
-// Blocks in the first call of each function, six programs at a time: each needs a share of the processors for its last
-// words.
+// Blocks in the first call of each function, with six programs at a time, so that each gets processor time for its last
+// message.
 template <typename Check>
 void block_in_each(const std::string& limit_s, Check check) {
   const std::set<std::string> functions = functions_of_a_run();
@@ -65,7 +65,7 @@ void block_in_each(const std::string& limit_s, Check check) {
   }
 }
 
-// With a limit that no other call reaches on a busy machine.
+// The limit is longer than any other call takes on a busy machine.
 TEST(ReachBlock, EveryCallEndsAtTheLimit) {
   block_in_each("2", [](const std::vector<Blocked>& some) {
     for (const Blocked& blocked : some) {
@@ -82,7 +82,7 @@ TEST(ReachBlock, EveryCallEndsAtTheLimit) {
 TEST(ReachBlock, EveryCallEndsWithinASecondOfASignal) {
   bool interrupt = false;
   block_in_each("60", [&](const std::vector<Blocked>& some) {
-    std::this_thread::sleep_for(2s);  // nearly all are blocked by now, on a machine that may be busy
+    std::this_thread::sleep_for(2s);  // by now nearly all are blocked, also on a busy machine
     const auto began = Clock::now();
     for (const Blocked& blocked : some) {
       blocked.program->send_signal(interrupt ? SIGINT : SIGTERM);
@@ -93,12 +93,12 @@ TEST(ReachBlock, EveryCallEndsWithinASecondOfASignal) {
       EXPECT_EQ(outcome.exit_code, 130) << blocked.function << outcome.err;
       EXPECT_TRUE(has(outcome.err, "interrupted")) << blocked.function;
     }
-    EXPECT_LT(Clock::now() - began, 50s);  // not the minute that a call takes
+    EXPECT_LT(Clock::now() - began, 50s);  // less than the minute for which the call blocks
   });
 }
 
-// In the middle of a reach, and with reaches before it: these are kept.
-TEST(ReachBlock, WhatWasReachedIsKept) {
+// The runtime blocks in a later reach; the finished reaches are kept.
+TEST(ReachBlock, FinishedReachesAreKept) {
   struct Call {
     const char* function;
     int call;  // in the second reach

@@ -1,4 +1,4 @@
-// The guided calibration as its users see it: instructions, slides, result, profile, exit code.
+// The guided calibration from the user's view: instructions, slides, result, profile, exit code.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ Found weight_of(const Outcome& outcome) {
   return found;
 }
 
-// The simulated person's share of touch must come out, and the profile must lead the next reaches.
+// The estimate must match the simulated participant's share of touch, and the next reaches must use the profile.
 TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
   for (const double weight : {0.15, 0.25}) {
     const std::string folder = scratch_folder(), profile = folder + "/profile.json", recording = folder + "/slides.csv";
@@ -65,7 +65,7 @@ TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
   }
 }
 
-TEST(ReachCalibrate, WritesWhatItKnowsWhenTheSlidesRunOut) {
+TEST(ReachCalibrate, WritesAnImpreciseResultWhenTheSlidesRunOut) {
   const std::string profile = scratch_folder() + "/profile.json";
   const std::string shaky = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.2,
       "steering": "continuous", "noise_deg2_per_s": 200}]})";
@@ -93,7 +93,7 @@ TEST(ReachCalibrate, AProfileThatCannotBeWrittenHasItsExitCode) {
               run_scripted("{" + person_of(0.2) + "}", {desk, "--calibrate", scratch_folder() + "/none/profile.json"}));
 }
 
-// In real time: until the first slide is there.
+// Runs in real time until the first slide is counted.
 TEST(ReachCalibrate, TurnsASerialPlateToEachAngle) {
   PtyPlate plate;
   const Program program(

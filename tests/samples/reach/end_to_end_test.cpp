@@ -1,4 +1,4 @@
-// The whole line: hrt-reach, Khronos' loader, the mock runtime, the plugin, the scene.
+// All components together: hrt-reach, Khronos' loader, the mock runtime, the plugin, the scene.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,8 +29,8 @@ TEST(ReachEndToEnd, ReachesEveryTargetOfTheDesk) {
   }
 }
 
-// The paper's controller takes everybody's weight of touch for 0.15.
-TEST(ReachEndToEnd, ThePapersControllerMissesThoseWhoAreNotAsItAssumes) {
+// The paper's controller assumes a weight of touch of 0.15 for every user.
+TEST(ReachEndToEnd, ThePapersControllerMissesIfTheUsersWeightDiffers) {
   const std::string strong = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.3}]})";
   EXPECT_EQ(run_scripted(strong, {desk, "--controller", "paper"}).exit_code, 1);
   EXPECT_EQ(run_scripted(strong, {desk}).exit_code, 0);
@@ -43,10 +43,10 @@ TEST(ReachEndToEnd, ReachesForChosenTargetsInTheGivenOrder) {
   EXPECT_EQ(rows[1].virtual_name, "bottle");
 }
 
-// With a weight of touch of 0.10 gaps up to 7.5 degrees can be held with the plate within 75 degrees of the
-// motion, and 9.4 by the paper's bound: not the pawn's 12. The paper's controller assumes the weight, ours
-// learns it.
-TEST(ReachEndToEnd, DoesNotCountWhatCannotBeHeld) {
+// With a weight of touch of 0.10, gaps up to 7.5 degrees are feasible with the plate within 75 degrees of the motion,
+// and up to 9.4 with the paper's bound. The pawn's gap is 12. The paper's controller is given the weight; the default
+// one estimates it.
+TEST(ReachEndToEnd, DoesNotCountInfeasibleTargets) {
   const std::string light = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.1}]})";
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{desk, "--target", "pawn", "--controller", "paper", "--tactile-weight", "0.1"},
@@ -66,7 +66,7 @@ struct Refused {
   Environment environment = mock_environment();
 };
 
-// One part is missing, or wrong: one sentence, and an exit code of its own.
+// Each missing or invalid part gives one sentence and its own exit code.
 TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
   const std::string folder = scratch_folder();
   std::ofstream(folder + "/runtime.json")
@@ -116,7 +116,7 @@ TEST(ReachCommandLine, ExplainsItself) {
 
 // LunarG's layer, as Debian packages it, reports every mistake of an application and of a runtime that it finds, and
 // changes nothing.
-TEST(ReachLayers, CoreValidationHasNothingToSay) {
+TEST(ReachLayers, CoreValidationReportsNothing) {
   const std::string recentred = R"("events": [{"frame": 90, "do": "recenter", "space": "STAGE",
       "position_m": [0.1, 0, 0.2], "yaw_deg": 15}], )";
   struct Case {
@@ -139,7 +139,7 @@ TEST(ReachLayers, CoreValidationHasNothingToSay) {
     std::vector<std::string> whole = arguments;
     whole.insert(whole.begin(), desk);
     const Outcome outcome = expect_exit(0, run_program(whole, environment));
-    EXPECT_TRUE(has(outcome.err, "Core Validation output type")) << "the layer is not there";
+    EXPECT_TRUE(has(outcome.err, "Core Validation output type")) << "the layer is not installed";
     EXPECT_EQ(validation_findings(report), "") << script;
     EXPECT_EQ(outcome.out, run_scripted(script, whole).out) << script;
   }

@@ -1,5 +1,4 @@
-// What hrt-reach makes of everything that can go wrong in an OpenXR runtime. The mock runtime does it on
-// order.
+// Behaviour of hrt-reach when an OpenXR runtime has faults. A script makes the mock runtime simulate them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,20 +24,20 @@ std::string failing_call(const std::string& function, int call, const std::strin
          result + R"("}]})";
 }
 
-// Everything went its way in the end: all three targets, each once.
+// Expects that the run reached all three targets, each once.
 void expect_all_reached(const Outcome& outcome, const std::string& script) {
   EXPECT_EQ(outcome.exit_code, 0) << script << "\n" << outcome.out << outcome.err;
   EXPECT_EQ(rows_of(outcome).size(), 3U) << script << "\n" << outcome.out;
 }
 
-// A mistake in the script keeps the mock runtime from starting; another one to install is no help.
+// A mistake in the script prevents the mock runtime from starting. The message must not suggest to install one.
 TEST(ReachFault, ARuntimeThatDoesNotStartIsNotCalledMissing) {
   const Outcome outcome = expect_exit(5, run_scripted(R"({"seed": 1e400})", {desk}));
   EXPECT_TRUE(has(outcome.err, {"1e400", "the OpenXR runtime does not start"}));
   EXPECT_FALSE(has(outcome.err, "install"));
 }
 
-// A headset that does not know where it is guesses where its hands are in the room, which does not count.
+// Hand positions that a headset without tracking infers are not used.
 TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
   const std::string of_hand = R"("hand": "right")", of_head = R"("of": "head")";
   for (const auto& [frame, of] :
@@ -60,8 +59,7 @@ TEST(ReachFault, TrackingIsLostForGood) {
   EXPECT_GT(rows_of(outcome)[0].lost, 200);
 }
 
-// A finger that seems to stand still for a moment, or to jump, is what trackers do; no fault of the
-// program's.
+// Trackers sometimes freeze a finger for a moment or make it jump; the program must tolerate this.
 TEST(ReachFault, TheHandFreezesOrJumps) {
   for (const std::string what :
        {R"("do": "freeze", "hand": "right")", R"("do": "jump", "hand": "right", "by_mm": [30, 0, 0])"}) {
@@ -72,7 +70,7 @@ TEST(ReachFault, TheHandFreezesOrJumps) {
   }
 }
 
-// Without focus a runtime gives no hands (XR_EXT_hand_tracking leaves that to it): a dropout like any other.
+// A runtime may report no hands without focus (XR_EXT_hand_tracking): the program handles this as a dropout.
 TEST(ReachFault, FocusComesAndGoes) {
   for (const std::string state : {"SYNCHRONIZED", "VISIBLE", "FOCUSED"}) {
     const std::string script = calm_with(event_at(100, R"("do": "session_state", "state": ")" + state + '"') + "," +
@@ -94,9 +92,9 @@ TEST(ReachFault, TheRuntimeStopsTheSessionAndStartsItAgain) {
   }
 }
 
-// The script loses every session at the same frame: the first session ends in its second reach, the next
-// one, which makes that reach again, in the third.
-TEST(ReachFault, SessionsAndInstancesAreLostAndMadeAnew) {
+// The script loses every session at the same frame: the first session ends in its second reach. The next session
+// repeats that reach and ends in the third.
+TEST(ReachFault, LostSessionsAndInstancesAreCreatedAgain) {
   for (const std::string what :
        {R"("do": "lose_session")", R"("do": "lose_instance")", R"("do": "instance_loss_pending")",
         R"("do": "session_state", "state": "LOSS_PENDING")"}) {
@@ -104,21 +102,21 @@ TEST(ReachFault, SessionsAndInstancesAreLostAndMadeAnew) {
       const std::string script = calm_with(event_at(frame, what));
       const Outcome outcome = run_desk(script);
       expect_all_reached(outcome, script);
-      EXPECT_TRUE(has(outcome.err, "starting anew"));
+      EXPECT_TRUE(has(outcome.err, "starting again"));
     }
   }
 }
 
-// The person stays the same, and the reach that was lost is made again as it would have been made: with a
-// controller that learns nothing, the loss leaves no trace but the plate, which stands at 0 in a new session.
-// The paper's person feels it there and steers by it only when the first step ends. The rest at the end is found a few
-// samples earlier or later, by the noise that the tracker has shown before, and a resting finger trembles.
+// The participant stays the same and repeats the lost reach identically. With a controller that learns nothing, the
+// only difference is the plate, which is at 0 in a new session: the paper's participant feels it, but steers only when
+// the first step ends. The rest at the end may be detected a few samples earlier or later, since the detector adapts to
+// the tracker's noise, and a resting finger trembles.
 TEST(ReachFault, ALossChangesNoReach) {
   const std::string paper = R"("participants": [{"steering": "steps"}])";
   const std::vector<std::string> arguments = {desk, "--controller", "paper", "--seed", "5"};
   const Outcome outcome =
       run_scripted("{" + paper + R"(, "events": [{"frame": 400, "do": "lose_session"}]})", arguments);
-  EXPECT_TRUE(has(outcome.err, "starting anew"));
+  EXPECT_TRUE(has(outcome.err, "starting again"));
   const std::vector<Row> lost = rows_of(outcome);
   const std::vector<Row> whole = rows_of(run_scripted("{" + paper + "}", arguments));
   ASSERT_EQ(lost.size(), 3U);
@@ -145,15 +143,14 @@ TEST(ReachFault, ASessionThatIsAlwaysLostIsGivenUp) {
   }
 }
 
-// Calls are counted from a new instance on: the same call finds the second session lost too, and the third
-// has but one reach left to do.
+// Calls are counted per instance: the same call loses the second session too, and the third has only one reach left.
 TEST(ReachFault, ACallFindsTheSessionLost) {
   for (const std::string function : {"xrWaitFrame", "xrBeginFrame", "xrEndFrame", "xrLocateHandJointsEXT"}) {
     const std::string script = failing_call(function, 400, "XR_ERROR_SESSION_LOST");
     const Outcome outcome = run_desk(script);
     EXPECT_EQ(rows_of(outcome).size(), 3U) << script << outcome.err;
     EXPECT_TRUE(has(outcome.err, function + " returned XR_ERROR_SESSION_LOST"));
-    EXPECT_TRUE(has(outcome.err, "starting anew"));
+    EXPECT_TRUE(has(outcome.err, "starting again"));
   }
 }
 
@@ -182,7 +179,7 @@ TEST(ReachFault, AFailedCallIsNamed) {
   }
 }
 
-// One sentence and nothing else, and an exit code of its own.
+// Expects one sentence, no other output, and this exit code.
 void expect_refused(const Outcome& outcome, int exit_code, const std::string& sentence) {
   EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
   EXPECT_EQ(outcome.out, "");
@@ -204,7 +201,7 @@ TEST(ReachFault, TheRuntimeLacksWhatIsUseful) {
                  "has no plate to turn; --plate names another one");
 }
 
-// Then time is the monotonic clock's, if the runtime can convert it. A busy machine gives fewer frames in the
+// The program then uses the monotonic clock, if the runtime can convert it. A busy machine gives fewer frames in the
 // same time.
 TEST(ReachFault, FramesHaveNoTimes) {
   const std::string file = scratch_folder() + "/r.csv";

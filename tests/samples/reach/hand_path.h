@@ -10,8 +10,8 @@
 
 namespace hrt::reach {
 
-/// A plate in LOCAL space; at first 2.4 m and 20 degrees from where the desk's scene has it, (0.12, 0.75,
-/// -0.32) and 20 degrees about the vertical. The joint is 8 mm above the skin.
+/// A plate in LOCAL space. The default is 2.4 m and 20 degrees from the pose in the desk's scene, (0.12, 0.75, -0.32)
+/// and 20 degrees about the vertical. The joint is 8 mm above the skin.
 struct PlatePose {
   double x_m = 0.12 + 2.0;
   double y_m = 0.75 - 1.2;
@@ -19,7 +19,7 @@ struct PlatePose {
   double turn_deg = 40.0;
 };
 
-/// Where the desk's scene has it, above a floor that is 1.2 m below the origin.
+/// Pose of the plate in the desk's scene, above a floor 1.2 m below the origin.
 inline const PlatePose plate_of_desk{0.12, 0.75 - 1.2, -0.32, 20.0};
 
 struct Place {
@@ -31,14 +31,14 @@ struct Place {
 inline const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
                                          {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
 
-/// How the hand is held: about its right, then about its back, then about the way that it points; degrees.
+/// Attitude of the hand: rotations about its right, its back and its pointing direction, in this order, in degrees.
 struct Attitude {
   double raised = 0.0;
   double turned = 0.0;
   double leant = 0.0;
 };
 
-/// A path of a hand: each place is held, and left in a bow above the plate.
+/// A path of a hand that rests at each position and moves between them in an arc above the plate.
 class Path {
  public:
   explicit Path(PlatePose plate = {}) : plate_(plate) {
@@ -52,7 +52,7 @@ class Path {
     last_ = place;
     return *this;
   }
-  /// From now on the hand is held so, and what touches is `skin_m` below the joint of a level hand.
+  /// Sets the attitude of the hand from now on. The skin that touches is `skin_m` below the joint of a level hand.
   Path& hold_hand(const Attitude& attitude, double skin_m = 0.008) {
     attitude_ = attitude;
     skin_m_ = skin_m;
@@ -66,14 +66,14 @@ class Path {
     for (const Place& place : places) hold(place).lift();
     return *this;
   }
-  /// From the start to the real target of the bottle, 100 mm straight ahead.
+  /// Reaches from the start to the real target of the bottle, 100 mm straight ahead.
   Path& reach() {
     hold({0.0, 0.05}, 2000);
     add(time_ms_ += 3000, {0.0, -0.05}, 0.0);
     return *this;
   }
 
-  /// Along the plate, from where it is.
+  /// Slides along the plate from the present position.
   Path& slide(const Place& place, int for_ms) {
     add(time_ms_ += for_ms, place, 0.0);
     last_ = place;
@@ -81,18 +81,18 @@ class Path {
   }
   Path& rest(int for_ms) { return slide(last_, for_ms); }
 
-  /// Not before this time.
+  /// Continues the path at this time.
   Path& wait_until(int time_ms) {
     time_ms_ = time_ms;
     return *this;
   }
 
-  /// Of the one hand; the other one is not tracked.
+  /// Script in which one hand follows this path and the other hand is not tracked.
   std::string script(const std::string& more = "", const std::string& hand = "right") const {
     return "{" + more + R"("hands": {")" + (hand == "right" ? "left" : "right") + R"(": {"tracked": false}, ")" + hand +
            "\": " + tracked() + "}}";
   }
-  /// What a script says of a hand on this path.
+  /// Settings of a hand on this path, for a script.
   std::string tracked() const { return R"({"tracked": true, "path": [)" + frames_ + "]}"; }
 
  private:

@@ -1,4 +1,4 @@
-// The files that hrt-reach writes, and the plates that it knows beside the runtime's.
+// The files that hrt-reach writes, and the plates other than the runtime's.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -27,14 +27,14 @@ TEST(ReachRecording, IsTheSameForTheSameSeedAndReplays) {
   EXPECT_NE(first.out, run_program({desk, "--seed", "4", "--record", folder + "/c.csv"}).out);
   EXPECT_EQ(read_file(folder + "/a.csv"), read_file(folder + "/b.csv"));
   EXPECT_NE(read_file(folder + "/a.csv"), read_file(folder + "/c.csv"));
-  // begin, a sample a frame of at least 1.6 s, end
+  // each reach: begin, one sample per frame for at least 1.6 s, end
   EXPECT_GE(expect_replays(folder + "/a.csv"), 3U * (144U + 2U));
 }
 
-// Over half a second of real time, at the fastest refresh ten lines: a pseudo-terminal holds 4096 bytes.
+// A reach of half a second in real time gives at most ten status lines: a pseudo-terminal buffers only 4096 bytes.
 const std::string half_a_second = R"({"clock": "real-time", "participants": [{"reaction_ms": 0, "duration_ms": 300}]})";
 
-TEST(ReachStatusLine, IsWrittenOverAndWipedInTheEnd) {
+TEST(ReachStatusLine, IsOverwrittenAndErasedAtTheEnd) {
   for (const std::uint16_t columns : {std::uint16_t{100}, std::uint16_t{30}}) {
     const plate::Pty terminal(columns);
     Program program({desk, "--target", "bottle"}, scripted_environment(half_a_second), terminal.descriptor());
@@ -71,17 +71,17 @@ TEST(ReachVerbose, PrintsALineAFrame) {
   EXPECT_EQ(occurrences(outcome.err, "\n"), static_cast<std::size_t>(rows_of(outcome)[0].frames));
 }
 
-// A plate that never turns leads to no target: the simulated user feels this plate.
-TEST(ReachPlate, ThatHardlyTurnsMissesTheTarget) {
+// The target is missed with a plate that hardly turns: the simulated user feels this plate.
+TEST(ReachPlate, SlowPlateMissesTheTarget) {
   const Outcome outcome = expect_exit(1, run_program({desk, "--target", "pawn", "--plate", "servo:1"}));
   ASSERT_EQ(rows_of(outcome).size(), 1U);
   EXPECT_GT(std::abs(rows_of(outcome)[0].miss_deg), 5.0);
 }
 
-// In real time, because the plate at the other end of the line lives in it.
+// Real time, since the emulated plate at the other end of the line runs in real time.
 const std::string real_time = R"({"clock": "real-time", )" + calm + "}";
 
-TEST(ReachPlate, IsAtTheEndOfASerialLine) {
+TEST(ReachPlate, SerialLineLeadsToTheTarget) {
   PtyPlate device;
   const Outcome outcome =
       expect_exit(0, run_scripted(real_time, {desk, "--target", "goblet", "--plate", "serial:" + device.device()}));
@@ -90,8 +90,8 @@ TEST(ReachPlate, IsAtTheEndOfASerialLine) {
   EXPECT_EQ(device.heard().back(), "STOP");
 }
 
-// The controller plans with what the device says it can do, and so knows that it is late all the time.
-TEST(ReachPlate, IsPlannedWithAsItSaysItIs) {
+// The controller plans with the speed that the device reports, and reports that the plate is always late.
+TEST(ReachPlate, ControllerPlansWithTheReportedSpeed) {
   Settings slow = plate::commissioned();
   slow.value[SETTING_SPEED_DEG_S] = 100 * 5;
   PtyPlate device({.settings = slow});
@@ -101,7 +101,7 @@ TEST(ReachPlate, IsPlannedWithAsItSaysItIs) {
   EXPECT_GT(rows_of(outcome)[0].bound_percent, 50) << outcome.out;
 }
 
-// Ten seconds of a manual clock pass in milliseconds: no device turns so fast. It is not even greeted.
+// Ten seconds of a manual clock pass in milliseconds, too fast for a device: no message is sent to it.
 TEST(ReachPlate, OnASerialLineNeedsRealTime) {
   PtyPlate device;
   const Outcome outcome =
@@ -130,8 +130,8 @@ TEST(ReachPlate, IsUnpluggedOrFallsSilentInTheMiddleOfAReach) {
   }
 }
 
-// Ctrl-C: the plate stops, and what has been recorded is whole.
-TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
+// After Ctrl-C the plate stops, and the recording is complete.
+TEST(ReachInterrupted, StopsThePlateAndKeepsFinishedReaches) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     PtyPlate device;
     const std::string folder = scratch_folder();
@@ -149,7 +149,7 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
 }
 
 // The second Ctrl-C ends a program that hangs.
-TEST(ReachInterrupted, ASecondTimeEndsAtOnce) {
+TEST(ReachInterrupted, ASecondTimeEndsImmediately) {
   Program program({desk},
                   scripted_environment(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 50000}]})"));
   ASSERT_TRUE(eventually([&] { return program.out().find("virtual") != std::string::npos; }));

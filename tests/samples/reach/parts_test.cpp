@@ -18,7 +18,7 @@ namespace {
 
 using plate::PtyPlate;
 
-// A line, or the file of hrt-plate commission; what is neither is refused before the device is opened.
+// A plate is a line or the file of hrt-plate commission; any other name is rejected before the device is opened.
 TEST(PlateChoice, IsWhatThePlatesLibraryOpens) {
   for (const char* device : {"serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0", "plate.json", "C:\\lab\\plate.json"}) {
     const auto choice = parse_plate(device);
@@ -33,7 +33,7 @@ TEST(DevicePlate, LeavesTheLineAsItWas) {
   PtyPlate device;
   const auto settings = [&] {
     const int line = open(device.device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    EXPECT_GE(line, 0);  // nor is it locked
+    EXPECT_GE(line, 0);  // the line is not locked
     termios now{};
     EXPECT_EQ(tcgetattr(line, &now), 0);
     close(line);
@@ -58,7 +58,7 @@ TEST(DevicePlate, LeavesTheLineAsItWas) {
 
 constexpr XrTime second = 1'000'000'000;
 
-// From 50, -80 is felt like 100, which is nearer; and 100 is reported as -80.
+// -80 is equivalent to 100, which is nearer to 50; and 100 is reported as -80.
 TEST(SimulatedServo, TurnsAtItsSpeedTheShortWayRoundAndStopsWhereItIs) {
   SimulatedServo servo(100.0);
   servo.command(1 * second, 50.0);
@@ -73,7 +73,7 @@ TEST(SimulatedServo, TurnsAtItsSpeedTheShortWayRoundAndStopsWhereItIs) {
   EXPECT_DOUBLE_EQ(*servo.orientation_deg(9 * second), -85.0);
 }
 
-// A recording that the plugin could not write whole.
+// A recording that the plugin could not write completely.
 TEST(ReachRecordingFile, LostRowsFailTheRun) {
   Plugin plugin(HRT_PLUGIN);
   plugin.hrt_recording_start = [](hrt_session, const char*) noexcept { return HRT_OK; };

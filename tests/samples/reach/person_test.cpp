@@ -1,5 +1,4 @@
-// Reaches of a person: how they end, what is said of those that do not, keys and speech. The hand is
-// scripted.
+// Reaches of a person: how they end, messages about those that do not end, keys and speech. The hand is scripted.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -45,16 +44,16 @@ TEST(ReachPerson, EndsAtRestBesideTheTarget) {
     ASSERT_EQ(rows_of(outcome).size(), 1U);
     EXPECT_NEAR(rows_of(outcome)[0].miss_mm, 20.0, 0.2);
     EXPECT_TRUE(has(outcome.out, "missed"));
-    // The controller for people finds that the plate does not hold the gap: this finger does not answer it.
+    // The controller for people may report the gap as infeasible, since this finger does not respond to the plate.
     EXPECT_EQ(outcome.exit_code, has(outcome.out, "(flag: cannot be held)") ? 0 : 1) << outcome.out << outcome.err;
   }
 }
 
-TEST(ReachPerson, TakesTheHandThatComes) {
+TEST(ReachPerson, TakesTheFirstHandAtTheStart) {
   expect_exit(0, run_scripted(Path(plate_of_desk).reach().script("", "left"), person_and({"--hand", "either"})));
 }
 
-// A thick finger's joint is 18 mm above the plate when it touches: it slides, for the plugin, too.
+// The joint of a thick finger is 18 mm above the plate during a touch; this must count as a slide.
 TEST(ReachPerson, TakesAThickFinger) {
   const auto rows = [](double skin_m) {
     return rows_of(run_scripted(Path(plate_of_desk).hold_hand({}, skin_m).reach().script(), person_and()));
@@ -62,7 +61,7 @@ TEST(ReachPerson, TakesAThickFinger) {
   EXPECT_EQ(rows(0.018)[0].peak_felt_deg, rows(0.008)[0].peak_felt_deg);
 }
 
-// The right finger is lost half way; the left one comes down there and slides to the cylinder.
+// Script: tracking of the right finger is lost half way; the left finger touches there and slides to the cylinder.
 std::string relay(double left_height_m) {
   PlatePose left_plate = plate_of_desk;
   left_plate.y_m += left_height_m;
@@ -81,8 +80,8 @@ TEST(ReachPerson, ChangesHandsOnTheWay) {
   EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 2);  // 0.3 s
 }
 
-// Neither a hand above the plate nor one that must not be used takes over.
-TEST(ReachPerson, DoesNotGoOnWithAHandThatDoesNotTouch) {
+// A hand above the plate does not take over, and a hand that is not selected does not either.
+TEST(ReachPerson, DoesNotContinueWithAHandThatDoesNotTouch) {
   EXPECT_EQ(run_scripted(relay(0.0), person_and({"--time-limit", "8"})).exit_code, 8);
   expect_said(expect_exit(8, run_scripted(relay(0.093), person_and({"--time-limit", "8", "--hand", "either"}))),
               "did not end within 8 s");
@@ -103,7 +102,7 @@ TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
   EXPECT_FALSE(has(calls, "xrInstructReachHRTX "));
 }
 
-// Where it left the plate, not where it went afterwards.
+// The reach ends at the position of the lift, independent of later motion.
 TEST(ReachPerson, EndsWithALift) {
   const Outcome outcome =
       expect_exit(1, reach_along(Path(plate_of_desk).hold(start_of_desk, 2000).slide({0.0, -0.03}, 800).lift()));
@@ -118,7 +117,7 @@ struct Unmade {
   std::vector<std::string> said;
 };
 
-TEST(ReachPerson, WhatWasNotMadeIsExplained) {
+TEST(ReachPerson, UnfinishedReachesAreExplained) {
   PlatePose elsewhere = plate_of_desk;
   elsewhere.x_m += 2.0;
   PlatePose higher = plate_of_desk;
@@ -149,29 +148,29 @@ TEST(ReachPerson, WhatWasNotMadeIsExplained) {
     for (const std::string& said : unmade.said) expect_said(outcome, said);
     EXPECT_TRUE(has(outcome.out, "1 more did not begin or end in time"));
   }
-  const Outcome nobody =
+  const Outcome untracked =
       expect_exit(8, run_scripted(R"({"hands": {"right": {"tracked": false}}})", person_and({"--time-limit", "3"})));
-  expect_said(nobody, "The right hand was not tracked. Hold it where the headset's cameras see it.");
+  expect_said(untracked, "The right hand was not tracked. Hold it where the headset's cameras see it.");
 }
 
-// The first reach gets no end in time, the second one does.
-TEST(ReachPerson, AReachWithoutAnEndLeavesTheOthers) {
+// The first reach does not end in time; the second one does.
+TEST(ReachPerson, AnUnfinishedReachDoesNotStopTheRun) {
   const Outcome outcome =
       expect_exit(8, run_scripted(Path(plate_of_desk).hold(start_of_desk, 4500).slide({0.0, -0.05}, 800).script(),
                                   person_and({"--target", "bottle", "--time-limit", "3.5"})));
   EXPECT_EQ(rows_of(outcome).size(), 1U) << outcome.out << outcome.err;
   EXPECT_TRUE(has(outcome.out, "not made"));
-  const Outcome nobody = expect_exit(8, run_scripted(R"({"hands": {"right": {"tracked": false}}})",
-                                                     person_and({"--repeat", "1000", "--time-limit", "1"})));
-  expect_said(nobody, "3 reaches in a row were not made");
+  const Outcome untracked = expect_exit(8, run_scripted(R"({"hands": {"right": {"tracked": false}}})",
+                                                        person_and({"--repeat", "1000", "--time-limit", "1"})));
+  expect_said(untracked, "3 reaches in a row were not made");
 }
 
-// A simulated user's reach, too.
-TEST(ReachPerson, ASimulatedReachWithoutAnEndLeavesTheOthers) {
+// The same holds for a simulated user's reach.
+TEST(ReachPerson, AnUnfinishedSimulatedReachDoesNotStopTheRun) {
   expect_said(expect_exit(8, run_program({desk, "--time-limit", "1"})), "the reach to \"pawn\" did not end within 1 s");
 }
 
-// A program that writes what it is to speak into a file.
+// A speech program that writes the texts into a file.
 struct Voice {
   explicit Voice(const std::string& then = "") {
     std::ofstream(program) << "#!/bin/sh\ncat >> " << heard_file << "\n" << then << "\n";
@@ -288,8 +287,8 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
               "Put your index finger on the start", "Done.", "1 of 1 targets that can be held were reached"}));
 }
 
-// To its end, in a room without a floor: all that the user needs is spoken, and keys answer. The user feels
-// the plate. A frame takes 2 ms, so that the voice keeps up with the manual clock.
+// Runs a calibration to its end in a runtime without a floor space: all instructions are spoken, and keys are the
+// answers. The simulated user feels the plate. A frame takes 2 ms, so that the voice keeps up with the manual clock.
 TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   const Voice voice;
   const std::string profile = voice.folder + "/profile.json";

@@ -1,4 +1,4 @@
-// Where the plate is that nobody registers, and where it stays when the runtime moves its spaces.
+// Position of an unregistered plate, and of every plate after the runtime moves its spaces.
 #include <gtest/gtest.h>
 
 #include "tests/samples/reach/hand_path.h"
@@ -32,7 +32,7 @@ TEST(ReachPlace, IsAboveTheFloorOfEverySpace) {
     expect_said(outcome, said);
     expect_said(outcome, {"0.75 m above the floor, 0.12 m to the right and 0.32 m ahead", "--register FILE"});
   }
-  // By other eyes the plate is 0.2 m lower, where no finger comes.
+  // With another eye height the plate is 0.2 m lower, out of reach of the scripted finger.
   EXPECT_EQ(run_scripted(path.script(no_floor), person_and({"--eye-height", "1.4", "--time-limit", "4"})).exit_code, 8);
 }
 
@@ -45,7 +45,7 @@ std::string recentre(const std::string& more) {
   return R"("events": [{"frame": 380, "do": "recenter", )" + more + "}], ";
 }
 
-// Frame 380 is in the reach. The hand's path is in the room.
+// Frame 380 is within the reach. The hand's path is fixed in the room.
 TEST(ReachRecentring, APersonsPlateStaysInTheRoom) {
   const Path path = Path(plate_of_desk).reach();
   const std::string far = R"("position_m": [0.6, 0.1, -0.4], "yaw_deg": 50)";
@@ -60,7 +60,7 @@ TEST(ReachRecentring, APersonsPlateStaysInTheRoom) {
   const Outcome stage = run_scripted(path.script(recentre(R"("space": "STAGE", )" + far)), person_and());
   expect_reached(stage);
   expect_said(stage, "The plate keeps its place in the room.");
-  // A space that is not the plate's.
+  // Recentring of a space that does not hold the plate has no effect.
   const Outcome other = run_scripted(path.script(recentre(far)), person_and());
   expect_reached(other);
   EXPECT_FALSE(has(other.err, "keeps its place"));
@@ -93,7 +93,7 @@ TEST(ReachRecentring, ByAnUnknownAmountEndsTheRun) {
   EXPECT_TRUE(has(read_file(folder + "/r.csv"), "\n# end "));
 }
 
-// Between the touches, which are of the room; the file has the pose in the space as it is then.
+// Recentring occurs between the touches, which are fixed in the room; the file has the pose in the new space.
 TEST(ReachRecentring, WhileRegistering) {
   const std::string file = scratch_folder() + "/plate.txt";
   const Outcome outcome =

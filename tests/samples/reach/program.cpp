@@ -19,8 +19,8 @@ std::vector<std::string> variables_of(const std::map<std::string, std::string>& 
   for (const auto& [name, value] : environment) variables.push_back(name + "=" + value);
   for (const char* passed_on : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS", "HOME"})
     if (const char* value = std::getenv(passed_on)) variables.push_back(std::string(passed_on) + "=" + value);
-  // Of two the first counts. Storage of a library's threads that lies 16 bytes into a page is taken for something else,
-  // and the search for leaks crashes; no such storage here has a pointer.
+  // The first of two equal variables counts. This one avoids a crash of the leak search, which misinterprets
+  // thread-local storage of a library 16 bytes into a page; no such storage here has a pointer.
   variables.emplace_back("ASAN_OPTIONS=intercept_tls_get_addr=0");
   return variables;
 }
@@ -64,7 +64,7 @@ std::vector<std::string> person_and(const std::vector<std::string>& more) {
 }
 
 std::vector<Row> rows_of(const Outcome& outcome) {
-  // Names may hold spaces and signs; directions differ from them by their decimals.
+  // Names may contain spaces and signs; decimals distinguish directions from names.
   static const std::regex pattern(
       R"((.*?) +([+-]\d+\.\d)  (.*?) +([+-]\d+\.\d) +([+-]\d+\.\d\d) +(\d+\.\d|-) +([+-]\d+\.\d\d) +(\d+\.\d) )"
       R"(+([0-9.]+|-) +(\d\.\d+) +([0-9.-]+) +(\d+) +(\d+) +(\d+)%  (reached|missed).*)");

@@ -11,19 +11,19 @@ namespace hrt::reach {
 
 inline const std::string desk = HRT_SCENES "/desk.gltf";
 
-/// The environment that a run gets: the mock runtime's manifest and nothing else of OpenXR's.
+/// Environment of a run: the mock runtime's manifest and no other variable of OpenXR.
 std::map<std::string, std::string> mock_environment();
 
-/// The same with this script (samples/mock_runtime/SCRIPTS.md) for the mock runtime.
+/// mock_environment() with this script for the mock runtime (samples/mock_runtime/SCRIPTS.md).
 std::map<std::string, std::string> scripted_environment(const std::string& script);
 
-/// Part of a script: a person with so little noise that only faults matter, who takes 2.7 s: with the rest
-/// that ends a reach about 270 frames.
+/// Part of a script: a participant with so little noise that only faults matter. A reach takes 2.7 s, about 270 frames
+/// with the rest at its end.
 inline const std::string calm = R"("participants": [{"illusion": "linear", "tactile_weight": 0.2,
     "steering": "continuous", "delay_ms": 50, "gain_per_s": 9, "noise_deg2_per_s": 0.5, "start_direction_deg": 0,
     "habit_deg": 0, "pace": "minimum_jerk", "duration_ms": 2400, "reaction_ms": 300}])";
 
-/// hrt-reach on its way.
+/// A running hrt-reach process.
 class Program : public Process {
  public:
   explicit Program(const std::vector<std::string>& arguments,
@@ -35,13 +35,13 @@ class Program : public Process {
 Outcome run_program(const std::vector<std::string>& arguments,
                     const std::map<std::string, std::string>& environment = mock_environment());
 
-/// The same in scripted_environment().
+/// Runs hrt-reach in scripted_environment().
 Outcome run_scripted(const std::string& script, const std::vector<std::string>& arguments);
 
-/// A reach to the bottle that a person makes on a simulated plate, with `more` arguments.
+/// Arguments for a person's reach to the bottle on a simulated plate, followed by `more`.
 std::vector<std::string> person_and(const std::vector<std::string>& more = {});
 
-/// On its error output.
+/// Expects a text on the error output.
 inline void expect_said(const Outcome& outcome, const std::string& text) { EXPECT_TRUE(has(outcome.err, text)); }
 inline void expect_said(const Outcome& outcome, std::initializer_list<const char*> texts) {
   EXPECT_TRUE(has(outcome.err, texts));
@@ -63,14 +63,14 @@ struct Row {
   int lost;
   int bound_percent;
   bool reached;
-  bool unreachable;  ///< as the controller reports
+  bool unreachable;  ///< the controller reports the target as unreachable
 };
 std::vector<Row> rows_of(const Outcome& outcome);
 
-/// An empty folder of this test's own, removed with the test's process.
+/// Empty folder for this test, removed at the end of the process.
 std::string scratch_folder();
 
-/// Where a reach to the bottle in a runtime with a fault is recorded.
+/// Folder for the recording of a reach to the bottle in a runtime with a fault.
 struct Files {
   std::string folder = scratch_folder();
 

@@ -1,4 +1,4 @@
-// What hrt-reach records, replayed.
+// Replay of recordings that hrt-reach wrote.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace hrt::reach {
 
-/// Whole, and bit for bit. Returns the number of its rows.
+/// Expects a complete recording that replays bit for bit. Returns the number of its rows.
 inline std::uint64_t expect_replays(const std::string& file) {
   hrt_replay_report report{.struct_size = sizeof report};
   EXPECT_EQ(hrt_recording_replay(file.c_str(), nullptr, 0, &report), HRT_OK) << hrt_last_error();

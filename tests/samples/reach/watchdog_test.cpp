@@ -45,7 +45,7 @@ TEST(ReachWatchdog, ABlockedRuntimeMayHoldAStream) {
   }
 }
 
-TEST(ReachWatchdog, AnErrorOutputThatNobodyReadsDelaysNothing) {
+TEST(ReachWatchdog, AnErrorOutputWithoutReaderDelaysNothing) {
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
   fcntl(ends[1], F_SETFL, O_NONBLOCK);
@@ -56,7 +56,7 @@ TEST(ReachWatchdog, AnErrorOutputThatNobodyReadsDelaysNothing) {
   const Files files;
   const Program limited(files.arguments("1"), blocked_with("stdout"), ends[1]);
   EXPECT_EQ(limited.wait().exit_code, 11);
-  // Its own words block as a program's do, until a signal comes.
+  // Output of --verbose blocks, as in any program, until a signal arrives.
   const Program verbose({desk, "--verbose"}, mock_environment(), ends[1]);
   std::this_thread::sleep_for(1s);
   verbose.send_signal(SIGTERM);
@@ -65,7 +65,7 @@ TEST(ReachWatchdog, AnErrorOutputThatNobodyReadsDelaysNothing) {
   close(ends[1]);
 }
 
-// The runtime refuses LOCAL_FLOOR, the first space that is made, as an API layer does that is older than it.
+// The runtime rejects LOCAL_FLOOR, the first space created, as an older API layer does.
 TEST(ReachWatchdog, WithoutAFloorThePlateIsPlacedInLocal) {
   const std::string refused =
       R"(, "calls": [{"function": "xrCreateReferenceSpace", "result": "XR_ERROR_VALIDATION_FAILURE"}])";
@@ -75,7 +75,7 @@ TEST(ReachWatchdog, WithoutAFloorThePlateIsPlacedInLocal) {
   }
 }
 
-// One of them in the first reach; the summary counts it.
+// Each script has one fault in the first reach; the summary counts it.
 TEST(ReachWatchdog, ImpossibleTimesAndPosesAreLeftOut) {
   const std::pair<const char*, const char*> faults[] = {
       {R"("events": [{"frame": 60, "do": "frame_time", "at_ms": 0}])", "1 frames without a time"},
