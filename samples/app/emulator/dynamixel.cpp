@@ -14,7 +14,7 @@ constexpr int eeprom_end = 64;
 constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_current = 102, profile_acceleration = 108,
               profile_velocity = 112, goal_position = 116, present_position = 132;
 
-// What may be written, with its range.
+// Entry of the control table that may be written, with its range.
 struct Writable {
   int address;
   int size;
@@ -48,7 +48,7 @@ void EmulatedDynamixel::restart() {
   set(present_position, 4, present(motor.plate_deg()));
 }
 
-// In position mode offsets of more than a quarter turn are ignored.
+// Homing offset. In position mode, offsets of more than a quarter turn are ignored.
 std::int64_t EmulatedDynamixel::homing() const {
   const std::int64_t offset = get(homing_offset, 4);
   return get(11, 1) == 3 && std::abs(offset) > 1024 ? 0 : offset;
@@ -57,7 +57,7 @@ std::int64_t EmulatedDynamixel::homing() const {
 std::int64_t EmulatedDynamixel::present(double reading_deg) const {
   const double sign = (get(10, 1) & 1) != 0 ? -1.0 : 1.0;
   const auto steps = std::lround(sign * reading_deg * 4096.0 / 360.0) + 2048;
-  // Without power it knows its place within a turn; later it counts turns.
+  // After power-on the servo knows its position within a turn; from then on it counts turns.
   return steps - turns_ * 4096 + homing();
 }
 

@@ -1,5 +1,5 @@
-// A servo on a Dynamixel bus, written from the published control tables of the XL330-M288 and the
-// page of Protocol 2.0; nothing of it was compared with a servo.
+// Emulator of a servo on a Dynamixel bus, written from the published control table of the XL330-M288 and the page of
+// Protocol 2.0. It was not compared with a servo.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class EmulatedDynamixel {
  public:
   using Time = std::chrono::nanoseconds;
 
-  /// An XL330-M288 at 5 V without a load: 618 degrees a second.
+  /// Properties of an XL330-M288 at 5 V without a load: 618 degrees a second.
   static constexpr ServoTraits own = {.speed_deg_s = 618.0,
                                       .acceleration_deg_s2 = 20'000.0,
                                       .dead_time = std::chrono::microseconds(2000),
@@ -26,34 +26,34 @@ class EmulatedDynamixel {
 
   explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200, const ServoTraits& traits = own);
 
-  /// Takes bytes of the bus in.
+  /// Receives bytes from the bus.
   void hear(std::string_view bytes, Time now);
-  /// What it has sent since the last call.
+  /// Returns the bytes sent since the last call.
   std::string take_output();
-  /// Bytes of others on the bus.
+  /// Sends bytes of another device on the bus.
   void send(std::string_view bytes) { output_ += bytes; }
-  /// The watchdog may stop it.
+  /// Advances the simulated time; the watchdog may stop the servo.
   void run_until(Time now);
 
-  /// Of its shaft, whatever its homing offset.
+  /// Orientation of the shaft, without the homing offset.
   double orientation_deg() const { return motor.plate_deg(); }
   std::int64_t get(int address, int size) const;
   void set(int address, int size, std::int64_t value);
-  /// Power fails and returns: the RAM has its initial values.
+  /// Simulates a power cycle: the RAM gets its initial values.
   void restart();
   Time now() const { return now_; }
-  /// At 57600 baud, on a bus of which one end speaks at a time.
+  /// Duration of a byte at 57600 baud. Only one end of the bus sends at a time.
   static Time byte_time() { return std::chrono::microseconds(174); }
   Time answer_delay() const { return std::chrono::microseconds(500) + delay; }
   int writes_to_eeprom() const { return writes_to_eeprom_; }
 
   EmulatedServo motor;
   bool is_mute = false;
-  bool echoes = false;                 ///< an adapter that hears what it says
-  std::chrono::milliseconds delay{0};  ///< of every answer
-  bool damages_answers = false;        ///< every second one
-  int damages_length = 0;              ///< what the length of every 25th one is then
-  std::uint8_t forced_error = 0;       ///< in every status
+  bool echoes = false;                 ///< the adapter echoes the host's bytes
+  std::chrono::milliseconds delay{0};  ///< additional delay of every answer
+  bool damages_answers = false;        ///< damages every second answer
+  int damages_length = 0;              ///< length field of every 25th answer; 0: right
+  std::uint8_t forced_error = 0;       ///< error in every status packet; 0: none
 
  private:
   std::int64_t homing() const;

@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 
 constexpr auto frame = 20ms;
 
-thread_local HobbyPlate* speaking = nullptr;  // its firmware is running
+thread_local HobbyPlate* speaking = nullptr;  // plate whose firmware is running
 
 }  // namespace
 
@@ -26,7 +26,7 @@ bool HobbyPlate::send_line(const char* line, std::uint8_t length) {
   if (!traits.answers || (!traits.reports && text.starts_with("AT "))) return true;
   constexpr std::string_view own = "INFO " PLATE_FIRMWARE_VERSION;
   if (text.starts_with(own)) {
-    speaking->send("INFO " + traits.firmware + std::string(text.substr(own.size(), 7)));  // and the serial number
+    speaking->send("INFO " + traits.firmware + std::string(text.substr(own.size(), 7)));  // with the serial number
   } else {
     speaking->output_ += text;
   }
@@ -56,7 +56,7 @@ void HobbyPlate::hear(std::string_view bytes, Time now) {
     plate_hear(&plate_, byte);
     LineError error = LINE_OK;
     if (!line_take(&reader_, byte, &error) || error != LINE_OK) continue;
-    std::string_view words = reader_.text;  // without sequence number and token
+    std::string_view words = reader_.text;  // without sequence number and token, which are cut off
     while (words.size() > 9 && words[words.size() - 6] == ' ') words.remove_suffix(6);
     heard_.emplace_back(words);
   }

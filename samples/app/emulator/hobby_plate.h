@@ -1,4 +1,4 @@
-// A plate with a hobby servo: the firmware, compiled for this machine, with an emulated servo at its pin.
+// Emulator of a plate with a hobby servo: the firmware, compiled for this machine, with an emulated servo at its pin.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace hrt::plate {
 
-/// The defaults, except these, in whole units.
+/// Returns the default settings with these changes, in whole units.
 inline Settings settings_with(const std::vector<std::pair<Setting, std::int32_t>>& changes) {
   Settings settings = settings_default();
   for (const auto& [setting, value] : changes) settings.value[setting] = 100 * value;
   return settings;
 }
 
-/// Of a plate that was commissioned: a sensor, and a range of -90 to 90 degrees.
+/// Settings of a commissioned plate: a sensor, and a range of -90 to 90 degrees.
 inline Settings commissioned() {
   return settings_with({{SETTING_MIN_DEG, -90},
                         {SETTING_MAX_DEG, 90},
@@ -28,7 +28,7 @@ inline Settings commissioned() {
                         {SETTING_SERIAL, 7}});
 }
 
-/// The bytes of a line with this body.
+/// Returns the bytes of a line with this body.
 std::string line_of(const std::string& body);
 
 class HobbyPlate {
@@ -38,18 +38,18 @@ class HobbyPlate {
     Settings settings = commissioned();
     ServoTraits servo = {};
     double place_deg = 0.0;
-    std::string noise;                  ///< that comes before the first answer
-    bool answers = true;                ///< false: it never says a word
-    bool reports = true;                ///< false: it never says where it is
-    std::chrono::milliseconds boot{0};  ///< deaf and mute for so long
+    std::string noise;                  ///< bytes sent before the first answer
+    bool answers = true;                ///< false: sends nothing
+    bool reports = true;                ///< false: does not report its orientation
+    std::chrono::milliseconds boot{0};  ///< time from power-on to the start of the firmware
     std::chrono::nanoseconds byte_time{87'000};
-    std::string firmware = PLATE_FIRMWARE_VERSION;  ///< that it reports
+    std::string firmware = PLATE_FIRMWARE_VERSION;  ///< reported version
   };
 
   HobbyPlate() : HobbyPlate(Traits{}) {}
   explicit HobbyPlate(Traits traits);
 
-  // ---- As the end of a line.
+  // ---- For a line.
   void hear(std::string_view bytes, Time now);
   void run_until(Time now);
   std::string take_output() { return std::exchange(output_, {}); }
@@ -57,20 +57,20 @@ class HobbyPlate {
   static Time answer_delay() { return {}; }
   Time now() const { return now_; }
 
-  // ---- As tests without a line do.
+  // ---- For tests without a line.
   void say(const std::string& body) { hear(line_of(body), now_); }
   void run_for(Time time) { run_until(now_ + time); }
-  /// The bodies of the lines that it has sent since the last call.
+  /// Returns the bodies of the lines sent since the last call.
   std::vector<std::string> take_lines();
 
   /// Sends this body as a line.
   void send(const std::string& body) { output_ += line_of(body); }
   void fall_silent() { traits_.answers = false; }
-  /// Forgets its host and its place.
+  /// Simulates a reset: the firmware forgets its host and its orientation.
   void restart();
   void press(bool pressed) { inputs_.emergency_open = pressed; }
 
-  /// Bodies of valid lines heard so far, without sequence numbers.
+  /// Bodies of the valid lines received so far, without sequence numbers.
   const std::vector<std::string>& heard() const { return heard_; }
   bool is_following() const { return plate_.state == PLATE_FOLLOWING; }
   bool has_pulses() const { return plate_.pulses; }
@@ -80,9 +80,9 @@ class HobbyPlate {
   int saves() const { return saves_; }
 
   HobbyServo servo;
-  bool has_room = true;    ///< for lines to the host
-  bool has_sensor = true;  ///< else its pin is open
-  int codes = 1;           ///< of its converter, of which only the first one comes
+  bool has_room = true;    ///< false: the send buffer is full
+  bool has_sensor = true;  ///< false: the sensor's pin is open
+  int codes = 1;           ///< the converter returns multiples of this only
 
  private:
   static bool send_line(const char* line, std::uint8_t length);

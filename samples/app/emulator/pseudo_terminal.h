@@ -1,4 +1,4 @@
-// A pseudo-terminal, which programs take for a serial line or for a terminal.
+// Pseudo-terminal, which programs use as a serial line or as a terminal.
 #pragma once
 
 #include <fcntl.h>
@@ -14,7 +14,7 @@ namespace hrt::plate {
 
 class Pty {
  public:
-  /// Raw, as serial lines are; with `columns` a terminal of that width.
+  /// Opens a raw line, or with `columns` a terminal of that width.
   explicit Pty(unsigned short columns = 0) {
     std::array<char, 128> name{};
     termios raw{};
@@ -23,7 +23,7 @@ class Pty {
     if (openpty(&own_, &other_, name.data(), columns == 0 ? &raw : nullptr, columns == 0 ? nullptr : &size) != 0)
       throw std::runtime_error("no pseudo-terminal");
     fcntl(own_, F_SETFL, O_NONBLOCK);
-    // A program that the test starts must not keep the line up.
+    // Programs that a test starts must not keep the line open.
     for (const int end : {own_, other_}) fcntl(end, F_SETFD, FD_CLOEXEC);
     device_ = name.data();
   }
@@ -34,12 +34,12 @@ class Pty {
   Pty(const Pty&) = delete;
   Pty& operator=(const Pty&) = delete;
 
-  /// The name of the other end.
+  /// Device name of the other end.
   const std::string& device() const { return device_; }
-  /// The other end, for a program as its input or output.
+  /// Descriptor of the other end, as the input or output of a program.
   int descriptor() const { return other_; }
 
-  /// The bytes that have come, after up to `wait_ms` for them.
+  /// Returns the received bytes; waits up to `wait_ms` for the first one.
   std::string take(int wait_ms = 0) const {
     std::string text;
     std::array<char, 4096> bytes{};

@@ -1,4 +1,4 @@
-// Emulated devices at the other end of a pseudo-terminal, in real time.
+// Runs emulated devices on a pseudo-terminal, in real time.
 #pragma once
 
 #include <atomic>
@@ -27,15 +27,15 @@ class PtyDevice {
   PtyDevice(const PtyDevice&) = delete;
   PtyDevice& operator=(const PtyDevice&) = delete;
 
-  /// The line's name, to be opened by the host.
+  /// Device name of the line, for the host.
   const std::string& device() const { return pty_.device(); }
-  /// The line is gone.
+  /// Simulates an unplugged line.
   void unplug() {
     ending_ = true;
     thread_.join();
     pty_.unplug();
   }
-  /// What `action` returns of the device, between two of its moments.
+  /// Calls `action` with the device, between two steps of its simulation, and returns the result.
   template <class Action>
   auto with(Action action) {
     const std::lock_guard lock(mutex_);
@@ -43,8 +43,8 @@ class PtyDevice {
   }
 
  private:
-  // If this machine was busy for longer than a slice may be, the device misses that time: it would be deaf
-  // while it caught up, and a watchdog of its own would stop it before it hears what has come meanwhile.
+  // If this machine was busy for longer than a slice, the simulation skips that time. Otherwise a watchdog of the
+  // device would stop it before it receives the bytes that have arrived meanwhile.
   void live() {
     using Clock = std::chrono::steady_clock;
     constexpr auto max_slice = std::chrono::milliseconds(20);
@@ -62,7 +62,7 @@ class PtyDevice {
   }
 
   Device emulated_;
-  std::mutex mutex_;  // of emulated_
+  std::mutex mutex_;  // protects emulated_
   Pty pty_;
   std::atomic<bool> ending_ = false;
   std::thread thread_;
@@ -74,7 +74,7 @@ class PtyPlate : public PtyDevice<HobbyPlate> {
  public:
   explicit PtyPlate(const HobbyPlate::Traits& traits = {}) : PtyDevice(traits) {}
 
-  /// As of HobbyPlate.
+  /// These calls are those of HobbyPlate.
   void send(const std::string& body) {
     with([&](HobbyPlate& board) { board.send(body); });
   }

@@ -1,4 +1,4 @@
-// The physics of a plate on its servo, in simulated time: what every emulated device of the tests moves.
+// Physics of a plate on its servo, in simulated time, for all emulated devices.
 #pragma once
 
 #include <chrono>
@@ -9,18 +9,18 @@
 namespace hrt::plate {
 
 struct ServoTraits {
-  double speed_deg_s = 250.0;  ///< without a load
+  double speed_deg_s = 250.0;  ///< speed without a load
   double acceleration_deg_s2 = 10'000.0;
-  std::chrono::microseconds dead_time{10'000};  ///< from a new goal to the motor
-  double dead_band_deg = 0.1;                   ///< error that the motor leaves
-  double backlash_deg = 0.0;                    ///< between motor and plate; the sensor is at the plate
-  double load = 0.0;                            ///< share of the stall torque that friction takes: the speed sags by it
+  std::chrono::microseconds dead_time{10'000};  ///< time from a new goal to the motion of the motor
+  double dead_band_deg = 0.1;                   ///< largest error that the motor does not correct
+  double backlash_deg = 0.0;                    ///< play between motor and plate; the sensor is at the plate
+  double load = 0.0;  ///< friction as a fraction of the stall torque; reduces the speed by this fraction
   double lower_stop_deg = -100.0, upper_stop_deg = 100.0;
-  double noise_deg = 0.0;  ///< standard deviation of a reading
+  double noise_deg = 0.0;  ///< SD of a reading
   unsigned seed = 1;
 };
 
-/// A motor that turns to its goal with a trapezoid of speed, and drags the plate along through its gears.
+/// Motor that turns to its goal with a trapezoidal speed profile, and turns the plate through its gears.
 class EmulatedServo {
  public:
   using Time = std::chrono::nanoseconds;
@@ -28,31 +28,31 @@ class EmulatedServo {
   explicit EmulatedServo(const ServoTraits& traits = {}, double place_deg = 0.0)
       : traits_(traits), motor_deg_(place_deg), plate_deg_(place_deg), random_(traits.seed) {}
 
-  /// Nothing: no force; it stays, and a hand can turn it.
+  /// Sets the goal. nullopt: the motor exerts no force, and a hand can turn it.
   void set_goal(std::optional<double> goal_deg, Time now);
   void run_until(Time now);
-  /// While it is without force.
+  /// Turns the plate by hand, while the motor exerts no force.
   void turn_by_hand(double place_deg) { motor_deg_ = plate_deg_ = place_deg; }
-  /// Of its own speed, as a profile does.
+  /// Limits the speed, as a profile does.
   void limit_speed(double speed_deg_s) { limit_deg_s_ = speed_deg_s; }
 
   const ServoTraits& traits() const { return traits_; }
   double plate_deg() const { return plate_deg_; }
-  /// With the sensor's noise.
+  /// Reading of the sensor, with noise and errors.
   double reading_deg();
-  /// Fastest so far, and farthest from 0.
+  /// Largest speed so far, and largest angle from 0.
   double max_speed_deg_s() const { return max_speed_deg_s_; }
   double max_turn_deg() const { return max_turn_deg_; }
-  /// Speed that it reaches with load, supply and profile.
+  /// Maximum speed with the present load, supply and profile.
   double full_speed_deg_s() const;
   Time now() const { return now_; }
 
   bool is_jammed = false;
-  double supply = 1.0;    ///< share of its voltage
-  double slip_deg = 0.0;  ///< by which its sensor has slipped on the axis
-  /// Error of its sensor: a wave over the place, as a magnet beside the axis has it.
+  double supply = 1.0;    ///< fraction of the nominal voltage
+  double slip_deg = 0.0;  ///< angle by which the sensor has slipped on the axis
+  /// Amplitude and phase of the sensor's error, a sine of the orientation, as of an eccentric magnet.
   double bend_deg = 0.0, bend_phase_deg = 0.0;
-  int bend_waves = 1;  ///< in a turn
+  int bend_waves = 1;  ///< periods of this sine in a turn
 
  private:
   struct Goal {
@@ -71,17 +71,17 @@ class EmulatedServo {
   std::mt19937 random_;
 };
 
-/// A hobby servo, with a sensor of 10 bits at the plate: 1 V at -90, 4 V at 90 degrees, of 5 V.
+/// Hobby servo with an analogue sensor at the plate: 1 V at -90, 4 V at 90 degrees.
 class HobbyServo : public EmulatedServo {
  public:
   explicit HobbyServo(const ServoTraits& traits = {}, double place_deg = 0.0) : EmulatedServo(traits, place_deg) {}
 
-  /// Drives the motor for a frame.
+  /// Receives a pulse, which drives the motor for one frame.
   void take_pulse(double width_us, Time now);
   void run_until(Time now);
   double sensor_mv() { return 2500.0 + reading_deg() * 3000.0 / 180.0; }
 
-  /// What 180 degrees take of the pulse; negative: clockwise.
+  /// Change of the pulse for 180 degrees; negative: clockwise.
   double span_us = 2000.0;
 
  private:

@@ -1,4 +1,4 @@
-/* Lines to the host. */
+/* Sends lines to the host. */
 #include "samples/app/firmware/plate.h"
 
 enum { REPORT_MS = 20, ERROR_MS = 10 };

@@ -38,13 +38,13 @@ const char* line_error_word(LineError error) {
 
 enum { SUM_DIGITS = 4 };
 
-/* Upper-case text without a 0 at the end. */
+/* Writes the checksum of `body` as upper-case digits, without a 0 at the end. */
 static void put_sum(char* out, const char* body, uint8_t length) {
   unsigned sum = crc16_ccitt(body, length);
   for (uint8_t i = SUM_DIGITS; i > 0; --i, sum >>= 4) out[i - 1] = hex_digits[sum & 15];
 }
 
-/* Ends the body at its sum; the sum must follow and must be right. */
+/* Checks a line, and replaces the asterisk before its checksum by a 0. */
 static LineError check(char* text, uint8_t length) {
   uint8_t star = 0;
   for (; star < length && text[star] != '*'; ++star)
@@ -112,7 +112,7 @@ bool line_hundredths(const char* word, int32_t* out) {
   if (!is_digit(*word)) return false;
   int32_t value = 0;
   for (; is_digit(*word); ++word) {
-    if (value > 999999) return false; /* times 1000 it would not fit */
+    if (value > 999999) return false; /* 1000 times this would overflow */
     value = value * 10 + (*word - '0');
   }
   uint8_t decimals = 0;
@@ -120,7 +120,7 @@ bool line_hundredths(const char* word, int32_t* out) {
     ++word;
     if (!is_digit(*word)) return false;
     for (; is_digit(*word); ++word) {
-      if (decimals == 2) continue; /* finer than the plate is */
+      if (decimals == 2) continue; /* finer than the plate's resolution */
       value = value * 10 + (*word - '0');
       ++decimals;
     }

@@ -1,5 +1,5 @@
-/* Lines of the plate's protocol (plugin/src/plate/protocol.md): bytes to bodies, bodies to words and numbers,
- * and back. C11 without a library: the same code runs on the board and in the host's tests. */
+/* Parser and writer of the lines of the plate's protocol (plugin/src/plate/protocol.md). C11 without a library: the
+ * same code runs on the board and in the host's tests. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,9 +9,9 @@
 extern "C" {
 #endif
 
-enum { LINE_SIZE = 64 }; /**< longest line, in bytes, with its end */
+enum { LINE_SIZE = 64 }; /**< longest line in bytes, with its end */
 
-/** Why a line is refused; the word that ERROR lines carry is line_error_word(). */
+/** Reason for which a line is refused. line_error_word() returns its word in ERROR lines. */
 typedef enum LineError {
   LINE_OK,
   LINE_TOO_LONG,
@@ -34,28 +34,28 @@ typedef struct LineBuffer {
   bool too_long;
 } LineBuffer;
 
-/** Takes one byte in. True if it ended a line: `error` says whether it is valid, and the body is in
- * `buffer->text` until the next call. */
+/** Appends one byte. Returns true if it ended a line: `error` is then its validity, and `buffer->text` has the body
+ * until the next call. */
 bool line_take(LineBuffer* buffer, char byte, LineError* error);
 
-/** Writes `body` with its sum and end into `out` (LINE_SIZE bytes). Returns the length, 0 if too long. */
+/** Writes `body` with checksum and line end to `out` (LINE_SIZE bytes). Returns the length; 0 if it is too long. */
 uint8_t line_seal(char* out, const char* body);
 
-/** Cuts the next word off `rest`, which then points behind it. Null if there is none, or if words are not
- * separated by exactly one space. */
+/** Returns the next word of `rest`, which then points behind it. Null at the end, or if words are not separated by
+ * exactly one space. */
 char* line_word(char** rest);
 
-/** A decimal number of at most 12 characters below ten million, times 100; further decimals are cut off.
- * False if it is none. */
+/** Reads a decimal number below ten million, in hundredths; further decimals are cut off. Returns false if the word is
+ * not a number or has more than 12 characters. */
 bool line_hundredths(const char* word, int32_t* out);
 
-/** The same with the fixed width of protocol 2: sign, three digits, point, two digits. */
+/** Reads a number in the fixed format of protocol 2: sign, three digits, point, two digits. */
 bool line_fixed_angle(const char* word, int32_t* out);
 
-/** A sequence number: exactly five digits, at most 65535. */
+/** Reads a sequence number: exactly five digits, at most 65535. */
 bool line_sequence(const char* word, uint16_t* out);
 
-/** Append to the text at `end`, which holds a 0 there; return the new end. The caller has the room. */
+/** Append to a text that ends at `end`, and return its new end. The caller provides the space. */
 char* line_put_text(char* end, const char* text);
 char* line_put_hundredths(char* end, int32_t hundredths);
 char* line_put_fixed_angle(char* end, int32_t hundredths);

@@ -3,28 +3,28 @@
 #include <stddef.h>
 
 enum {
-  /* The protocol's limit is 300 ms; up to 20 of them pass until the next pulse shows the stop. */
+  /* The protocol's limit is 300 ms, of which up to 20 ms pass until the next pulse carries the stop. */
   HEARTBEAT_MS = 275,
   EMERGENCY_MS = 2, /* a shorter opening is noise */
-  SUPPLY_MS = 5,    /* a shorter dip is the motor's start */
-  SUPPLY_ADC = 409, /* 4 V, halved, of 5 V: servos of 5 to 6 V lose their force below */
-  /* At first a servo gets one pulse in eight: many drive their motor for one frame a pulse, so that they
-   * turn at an eighth of their speed. 180 degrees at 200 degrees a second then take 7.2 s. */
+  SUPPLY_MS = 5,    /* a shorter dip is due to a starting motor */
+  SUPPLY_ADC = 409, /* half of 4 V, on a scale of 5 V: servos for 5 to 6 V lose their force below 4 V */
+  /* A servo is homed with one pulse in eight. Many servos drive their motor for one frame per pulse, so that they turn
+   * at an eighth of their speed. 180 degrees at 200 degrees a second then take 7.2 s. */
   HOME_MS = 8000,
   SETTLE_PERIOD_MS = 160,
   FRAME_MS = 20,
-  /* The pulse leads the sensor by the speed times the setting `latency` and this (a frame, the sensor's filter),
-   * and by MIN_LEAD_MILLIDEG more. While `FAST` holds: by FAST_LEAD_MILLIDEG. */
+  /* Largest lead of the pulse over the sensor: MIN_LEAD_MILLIDEG plus the speed times the sum of the setting `latency`
+   * and LEAD_MS (a frame, and the sensor's filter). After `FAST`: FAST_LEAD_MILLIDEG. */
   LEAD_MS = 30,
   MIN_LEAD_MILLIDEG = 2000,
   FAST_LEAD_MILLIDEG = 60000,
-  HELD_MILLIDEG = 1000, /* a stop leaves the pulse of a servo that is so near, or whose pulse was at rest for */
-  AT_REST_MS = 1000,
-  BLOCKED_MS = 500, /* held back by the bound of the lead, and moved by less than MOVED_MILLIDEG */
+  HELD_MILLIDEG = 1000, /* a stop keeps the pulse if the servo is nearer to it than this, */
+  AT_REST_MS = 1000,    /* or if the pulse has been at rest for this time */
+  BLOCKED_MS = 500,     /* limit of the time at the largest lead with a motion below MOVED_MILLIDEG */
   MOVED_MILLIDEG = 3000,
-  MAX_SETTLE_MILLIDEG = 6000, /* away from the first pulse, which is for where the sensor sees the plate */
-  SETTLED_MILLIDEG = 400,     /* since the pulse before: a slow servo turns by little */
-  TRIM_TICKS = 40             /* largest jump of the pulse by a changed setting, in half microseconds */
+  MAX_SETTLE_MILLIDEG = 6000, /* largest motion away from the first pulse, which is at the measured position */
+  SETTLED_MILLIDEG = 400,     /* largest motion between two pulses of a settled servo */
+  TRIM_TICKS = 40             /* largest change of the pulse by a setting, in half microseconds */
 };
 
 static int32_t clamp(int32_t value, int32_t min, int32_t max) { return value < min ? min : value > max ? max : value; }
@@ -35,7 +35,7 @@ static bool is_measured(const Plate* plate) {
   return settings_has_feedback(&plate->settings) && plate->reading_256ths >= 0;
 }
 
-/* Divisions take a board long: these are done when something changes. */
+/* Updates step and lead. Called only when a setting changes, because divisions are slow on the board. */
 static void plan_motion(Plate* plate) {
   const int32_t speed = settings_speed(&plate->settings);
   plate->step_microdeg = plate->fast ? 360000000 : speed * 10;
@@ -54,7 +54,7 @@ static void keep_within_limits(Plate* plate) {
 
 static bool is_settled(const Plate* plate) { return plate->pulses && plate->settle_ms == 0; }
 
-/* Holds the servo where the sensor sees it, if the pulse has gone ahead. */
+/* Holds the servo at its measured position, if the pulse leads it. */
 static void hold(Plate* plate) {
   const bool may_turn = is_settled(plate) && plate->at_rest_ms < AT_REST_MS;
   if (may_turn && is_measured(plate) &&
@@ -65,12 +65,12 @@ static void hold(Plate* plate) {
 
 static void stop(Plate* plate, PlateStop why) {
   hold(plate);
-  if (is_homing(plate)) plate->pulses = false; /* it is somewhere on its way */
+  if (is_homing(plate)) plate->pulses = false; /* its position is unknown */
   if (plate->state == PLATE_FOLLOWING) plate->state = PLATE_RESTING;
   plate->stops_due = (uint16_t)(plate->stops_due | 1U << why);
 }
 
-/* A stop without pulses, until the next HELLO. A hand may turn the plate meanwhile. */
+/* Stops, and ends the pulses until the next HELLO. A hand may turn the plate meanwhile. */
 static void latch(Plate* plate, PlateStop why) {
   stop(plate, why);
   plate->state = PLATE_LATCHED;
@@ -78,7 +78,7 @@ static void latch(Plate* plate, PlateStop why) {
   plate->pulses = plate->homed = false;
 }
 
-/* Where the servo is; or, to home it, at the place that it is to reach. */
+/* Starts the pulses at the measured position; or, to home a servo without a sensor, at `home_microdeg`. */
 static void start_pulses(Plate* plate, int32_t home_microdeg) {
   plate->homed = is_measured(plate);
   plate->position_microdeg = plate->homed ? plate->measured_millideg * 1000 : home_microdeg;
@@ -104,8 +104,8 @@ static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   }
 }
 
-/* The first pulses keep a servo with a sensor where it is. If the sensor's two readings are exchanged they
- * send it to the other side, slowly, until that is seen. */
+/* Handles the first pulses, which hold a servo with a sensor at its position. If the settings of the sensor's two
+ * readings are exchanged, they turn it to the other side, slowly, until this is detected. */
 static void settle(Plate* plate) {
   --plate->settle_ms;
   if (is_measured(plate) && !is_homing(plate)) {
@@ -134,7 +134,7 @@ static void move(Plate* plate) {
     plate->position_microdeg = position;
     return;
   }
-  /* Waits for a servo that it leads by too much; it does not go back to it. */
+  /* The pulse waits for a servo that it leads by too much; it does not move back to it. */
   const int32_t measured = plate->measured_millideg, lead = plate->max_lead_millideg;
   const int32_t least = (measured - lead) * 1000, most = (measured + lead) * 1000, now = plate->position_microdeg;
   const int32_t bounded = clamp(position, now < least ? now : least, now > most ? now : most);
@@ -142,7 +142,7 @@ static void move(Plate* plate) {
   plate->position_microdeg = bounded;
 }
 
-/* The sensor has turned against the pulse since it was last near it: its two readings are exchanged. */
+/* True if the measured position has moved against the pulse since both were near: the two readings are exchanged. */
 static bool runs_against(const Plate* plate, int32_t measured) {
   const int32_t turned = measured - plate->near_millideg;
   const int32_t wanted = plate->position_microdeg / 1000 - plate->near_pulse_millideg;
@@ -196,7 +196,7 @@ static void greet(Plate* plate, uint16_t session) {
   plate->due = (uint16_t)((plate->due & DUE_BOOT) | DUE_PLATE);
 }
 
-/* Settings that move the servo by more than a trim's step wait until it gets no pulses. */
+/* Changes a setting. Refuses a change that would move a servo with pulses by more than TRIM_TICKS. */
 static LineError change_setting(Plate* plate, Setting setting, int32_t value) {
   const Settings before = plate->settings;
   const uint16_t pulse = plate_pulse_ticks(plate);
@@ -246,7 +246,7 @@ static LineError hear_save(Plate* plate) {
   return LINE_OK;
 }
 
-/* Within a turn. */
+/* Reads an angle within a turn. */
 static LineError read_angle(const char* word, int32_t* out) {
   if (word == NULL) return LINE_BAD_WORD;
   if (!line_fixed_angle(word, out)) return LINE_BAD_NUMBER;
@@ -262,7 +262,7 @@ static bool is_word(const char* word, const char* wanted) {
   return *word == *wanted;
 }
 
-/* SET, HOME, BEAT, FAST and STOP; each ends with a sequence number. */
+/* Executes SET, HOME, BEAT, FAST or STOP, which end with a sequence number. */
 static LineError hear_drive(Plate* plate, const char* verb, char* rest) {
   const bool homes = is_word(verb, "HOME"), sets = homes || is_word(verb, "SET"), stops = is_word(verb, "STOP");
   const bool hurries = is_word(verb, "FAST");
@@ -286,7 +286,7 @@ static LineError hear_drive(Plate* plate, const char* verb, char* rest) {
   return LINE_OK;
 }
 
-/* What the host may ask beside that. */
+/* Executes CONF, SAVE, INFO or TEST. */
 static LineError hear_service(Plate* plate, const char* verb, char* rest) {
   const char* first = *rest != 0 ? line_word(&rest) : NULL;
   const char* second = *rest != 0 ? line_word(&rest) : NULL;
@@ -308,7 +308,7 @@ static bool is_service(const char* verb) {
   return is_word(verb, "CONF") || is_word(verb, "SAVE") || is_word(verb, "INFO") || is_word(verb, "TEST");
 }
 
-/* A host that has fallen silent leaves the plate to the next one. */
+/* Executes HELLO. After a host has been silent, another host may greet the plate. */
 static LineError hear_hello(Plate* plate, char* rest) {
   const char* version = line_word(&rest);
   const char* token = *rest != 0 ? line_word(&rest) : NULL;
@@ -320,7 +320,7 @@ static LineError hear_hello(Plate* plate, char* rest) {
   return LINE_OK;
 }
 
-/* Cuts the session's token off the end of a body; false if it has another one. */
+/* Removes the session's token from the end of a body. Returns false if the body has another token. */
 static bool cut_token(const Plate* plate, char* body) {
   if (plate->session == 0) return true;
   char* end = body;

@@ -1,5 +1,5 @@
-/* The plate's behaviour: what it does on each line, on each millisecond and on its inputs
- * (plugin/src/plate/protocol.md). C11 without a library or hardware; main.c gives it the board. */
+/* Behaviour of the plate on each line, each millisecond and each input (plugin/src/plate/protocol.md). C11 without a
+ * library or hardware; main.c provides the board. */
 #pragma once
 
 #include <stdbool.h>
@@ -14,28 +14,28 @@ extern "C" {
 
 #define PLATE_FIRMWARE_VERSION "1.1.0"
 
-/** What the board does for the plate. */
+/** Functions that the board provides. */
 typedef struct PlateBoard {
-  /** Queues a whole line, or nothing: false if there is no room now. */
+  /** Queues a whole line. Returns false, and queues nothing, if the buffer is full. */
   bool (*send)(const char* line, uint8_t length);
-  /** Begins to write the settings to EEPROM; plate_saved() reports the end. */
+  /** Starts to write the settings to EEPROM; the board calls plate_saved() at the end. */
   void (*save)(const uint8_t bytes[SETTINGS_BYTES]);
 } PlateBoard;
 
-/** What the board reads, once a millisecond. */
+/** Inputs of the board, once a millisecond. */
 typedef struct PlateInputs {
-  bool emergency_open; /**< the emergency stop's contact is open: pressed, or its wire is broken */
-  int16_t adc;         /**< reading of the sensor, 0 to 1023; negative: none yet */
-  int16_t supply_adc;  /**< reading of half of the servo's supply; negative: none yet */
+  bool emergency_open; /**< the emergency stop is pressed, or its wire is broken */
+  int16_t adc;         /**< reading of the sensor, 0 to 1023; negative: no reading yet */
+  int16_t supply_adc;  /**< reading of half of the servo's supply; negative: no reading yet */
 } PlateInputs;
 
 typedef enum PlateState {
-  PLATE_RESTING,   /**< holds its place; SET moves it */
-  PLATE_FOLLOWING, /**< turns to the target and holds it, while the host is heard */
+  PLATE_RESTING,   /**< holds its orientation; SET moves it */
+  PLATE_FOLLOWING, /**< turns to the target and holds it, while heartbeats arrive */
   PLATE_LATCHED    /**< no pulses after an emergency, or a fault of servo or supply; only HELLO ends it */
 } PlateState;
 
-/** Lines to the host that are due, as bits; and how many those of a self-test are. */
+/** Bits of the lines that are due to the host; and the number of lines of a self-test. */
 enum { DUE_BOOT = 1, DUE_PLATE = 2, DUE_INFO = 4, DUE_SAVED = 8, DUE_AT = 16 };
 enum { TEST_LINES = 7 };
 
@@ -53,44 +53,44 @@ typedef enum PlateStop {
   PLATE_STOP_COUNT
 } PlateStop;
 
-/** All of one plate's state. Read it in tests; change it through the functions. */
+/** State of one plate. Tests may read it; only the functions change it. */
 typedef struct Plate {
   const PlateBoard* board;
   Settings settings;
-  bool settings_preset; /**< none were in EEPROM */
+  bool settings_preset; /**< EEPROM had no valid settings */
   LineBuffer buffer;
   PlateState state;
   PlateStop latched_by;
 
-  int32_t position_microdeg; /**< of the motion, as the pulse has it */
+  int32_t position_microdeg; /**< orientation of the pulse */
   int32_t target_microdeg;
-  int32_t step_microdeg;     /**< of the motion in a millisecond */
-  int32_t max_lead_millideg; /**< of the pulse over the sensor */
+  int32_t step_microdeg;     /**< largest change of the pulse in a millisecond */
+  int32_t max_lead_millideg; /**< largest lead of the pulse over the sensor */
   bool pulses;
-  bool homed;                  /**< the servo is at position_microdeg, as far as a blind plate can know */
-  uint16_t settle_ms;          /**< until the servo is where the first pulses send it */
-  int32_t reading_256ths;      /**< of the sensor, smoothed; negative: none yet */
-  int32_t measured_millideg;   /**< place at that reading */
-  bool is_held_back;           /**< the pulse waits for the servo, which it would lead by too much */
-  uint16_t blocked_ms;         /**< time of that without a motion */
-  int32_t moved_from_millideg; /**< measured place at the last motion */
-  int32_t near_millideg;       /**< measured place when the pulse last did not wait */
-  int32_t near_pulse_millideg; /**< the pulse at that time */
+  bool homed;                  /**< the servo has had the time to reach position_microdeg */
+  uint16_t settle_ms;          /**< remaining time in which the servo reaches its first pulses */
+  int32_t reading_256ths;      /**< smoothed reading of the sensor; negative: no reading yet */
+  int32_t measured_millideg;   /**< orientation at that reading */
+  bool is_held_back;           /**< the pulse waits at its largest lead over the servo */
+  uint16_t blocked_ms;         /**< duration of this wait without a motion */
+  int32_t moved_from_millideg; /**< measured orientation at the last motion */
+  int32_t near_millideg;       /**< measured orientation when the pulse was last near it */
+  int32_t near_pulse_millideg; /**< orientation of the pulse at that time */
   uint16_t at_rest_ms;         /**< time since the pulse last moved, up to a limit */
-  uint8_t open_ms;             /**< since the emergency stop's contact opened */
+  uint8_t open_ms;             /**< time since the emergency stop's contact opened */
   bool emergency_open;
   int16_t supply_adc;
   uint8_t supply_low_ms; /**< time for which the servo's supply has been too low */
   bool supply_low;
-  uint16_t loop_ms; /**< longest time between two ticks: main.c */
+  uint16_t loop_ms; /**< longest time between two ticks; set by main.c */
 
-  bool greeted;       /**< by a host, since the reset */
-  uint16_t session;   /**< token of that host, which its lines end with; 0: they have none */
-  bool fast;          /**< the motion has no limit of its own until the next greeting */
-  uint16_t sequence;  /**< last one that was taken in */
-  uint16_t silent_ms; /**< since the last valid line */
-  uint16_t report_ms; /**< since the last AT */
-  uint8_t error_ms;   /**< until the next ERROR may be sent */
+  bool greeted;       /**< a host has greeted the plate since the reset */
+  uint16_t session;   /**< token of that host at the end of its lines; 0: no token */
+  bool fast;          /**< the speed of motions is not limited until the next greeting */
+  uint16_t sequence;  /**< last accepted sequence number */
+  uint16_t silent_ms; /**< time since the last valid line */
+  uint16_t report_ms; /**< time since the last AT */
+  uint8_t error_ms;   /**< time until the next ERROR may be sent */
   LineError error;
   uint16_t due;       /**< lines to send: DUE_* */
   uint16_t stops_due; /**< bits of PlateStop */
@@ -98,30 +98,29 @@ typedef struct Plate {
   uint8_t test_next;
 } Plate;
 
-/** The plate after a reset: no pulses. `saved`: what EEPROM holds; null: nothing valid. */
+/** Initializes the plate after a reset, without pulses. `saved`: settings of the EEPROM; null if they are not valid. */
 void plate_start(Plate* plate, const PlateBoard* board, const Settings* saved);
 
-/** A byte from the host. */
+/** Processes a byte from the host. */
 void plate_hear(Plate* plate, char byte);
 
-/** Call once a millisecond. */
+/** Processes the inputs. Call it once a millisecond. */
 void plate_tick(Plate* plate, const PlateInputs* inputs);
 
-/** The settings were written and read back; `whole`: without a difference. */
+/** Reports that the settings were written. `whole`: they were read back without a difference. */
 void plate_saved(Plate* plate, bool whole);
 
-/** True if plate_place_millideg() is known: by a sensor, or because the plate was homed and has had pulses
- * since. */
+/** True if the orientation is known: from a sensor, or because the plate was homed and has had pulses since. */
 bool plate_knows_place(const Plate* plate);
 
-/** Where the plate is, in thousandths of a degree: measured if it has a sensor, else as its motion has it. */
+/** Orientation in thousandths of a degree: measured with a sensor, otherwise the orientation of the pulse. */
 int32_t plate_place_millideg(const Plate* plate);
 
 /** Width of the servo's next pulse in half microseconds; 0: no pulse. */
 uint16_t plate_pulse_ticks(const Plate* plate);
 
-/** Of answer.c, for plate.c: sends what is due, once a millisecond; what finds no room waits for the next
- * one. */
+/** Sends the lines that are due, once a millisecond. Lines that find the buffer full are sent later. Defined in
+ * answer.c. */
 void answer(Plate* plate);
 
 #ifdef __cplusplus

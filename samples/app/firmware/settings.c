@@ -98,7 +98,7 @@ bool settings_unpack(Settings* settings, const uint8_t bytes[SETTINGS_BYTES]) {
 }
 
 uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_millideg) {
-  /* At most 180000 * 5000 = 9e8, which fits. */
+  /* The product is at most 180000 * 5000 = 9e8, which fits. */
   const int32_t ticks_per_half_turn = settings->value[SETTING_SPAN_US] / 50;
   const int32_t product = orientation_millideg * ticks_per_half_turn;
   const int32_t turned = (product + (product < 0 ? -90000 : 90000)) / 180000;
@@ -108,7 +108,7 @@ uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_mill
   return (uint16_t)ticks;
 }
 
-/* Hundredths of a degree from 0 to the orientation at which the pulse is `pulse_us`. */
+/* Orientation, in hundredths of a degree, at which the pulse is `pulse_us`. */
 static int32_t reach_of(const Settings* settings, int32_t pulse_us) {
   const int32_t zero_us = settings->value[SETTING_ZERO_US] / 100;
   return (pulse_us - zero_us) * 18000 / (settings->value[SETTING_SPAN_US] / 100);
@@ -135,7 +135,7 @@ bool settings_has_feedback(const Settings* settings) {
   return settings->value[SETTING_ADC_LEAST] != settings->value[SETTING_ADC_MOST];
 }
 
-/* Hundredths of a degree by which the sensor's line is off at a part of it. */
+/* Error of the sensor's line at `part` of `whole`, in hundredths of a degree. */
 static int32_t bend_at(const Settings* settings, int32_t part, int32_t whole) {
   if (whole < 0) {
     part = -part;
@@ -152,7 +152,7 @@ int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16
   const int32_t at_most = settings->value[SETTING_ADC_MOST] / 100 * 16;
   const int32_t min = settings->value[SETTING_MIN_DEG];
   const int32_t width = settings->value[SETTING_MAX_DEG] - min;
-  /* In hundredths: at most 16368 * 36000 = 6e8, which fits. */
+  /* In hundredths, the product is at most 16368 * 36000 = 6e8, which fits. */
   const int32_t part = (int32_t)reading_16ths - at_least, whole = at_most - at_least;
   const int32_t place = min + part * width / whole - bend_at(settings, part, whole);
   const int32_t turn = 36000;

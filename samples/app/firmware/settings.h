@@ -1,4 +1,4 @@
-/* What differs from plate to plate, kept in EEPROM. C11 without a library. */
+/* Settings of a plate, which are stored in EEPROM. C11 without a library. */
 #pragma once
 
 #include <stdbool.h>
@@ -8,22 +8,22 @@
 extern "C" {
 #endif
 
-/** Shortest and longest pulse that leaves the board. */
+/** Shortest and longest pulse of the board. */
 enum { PULSE_LEAST_US = 500, PULSE_MOST_US = 2500 };
 
-/** Every setting has a name for CONF lines, a range and a default (settings.c). */
+/** Settings. settings.c has their names in CONF lines, ranges and defaults. */
 typedef enum Setting {
-  SETTING_ZERO_US, /**< pulse at orientation 0: the trim */
-  SETTING_SPAN_US, /**< change of the pulse over 180 degrees; negative: the servo turns clockwise */
-  SETTING_MIN_DEG, /**< limits of the orientation */
-  SETTING_MAX_DEG,
+  SETTING_ZERO_US,     /**< pulse at orientation 0: the trim */
+  SETTING_SPAN_US,     /**< change of the pulse over 180 degrees; negative: the servo turns clockwise */
+  SETTING_MIN_DEG,     /**< lower limit of the orientation */
+  SETTING_MAX_DEG,     /**< upper limit of the orientation */
   SETTING_SPEED_DEG_S, /**< speed of the motion */
-  SETTING_LATENCY_MS,  /**< from a line to the servo's motion: half of a frame and the servo's dead time */
-  SETTING_ADC_LEAST,   /**< readings of the sensor at the two limits; equal: there is none */
-  SETTING_ADC_MOST,
-  SETTING_EMERGENCY, /**< 1: the emergency stop's contact must be closed; 0: there is none */
-  SETTING_SUPPLY,    /**< 1: the servo's supply is sensed, and must be there; 0: it is not sensed */
-  SETTING_BEND_0,    /**< error of the sensor's line at `least` + (`most` - `least`) * i / BEND_PARTS, subtracted */
+  SETTING_LATENCY_MS,  /**< time from a line to the servo's motion: half of a frame and the servo's dead time */
+  SETTING_ADC_LEAST,   /**< reading of the sensor at the lower limit */
+  SETTING_ADC_MOST,    /**< reading at the upper limit; equal to the other one if there is no sensor */
+  SETTING_EMERGENCY,   /**< 1: the emergency stop's contact must be closed; 0: there is no emergency stop */
+  SETTING_SUPPLY,      /**< 1: the servo's supply is measured, and must be present; 0: it is not measured */
+  SETTING_BEND_0,      /**< error of the sensor's line at `least` + (`most` - `least`) * i / BEND_PARTS, subtracted */
   SETTING_BEND_LAST = SETTING_BEND_0 + 8,
   SETTING_SERIAL, /**< serial number */
   SETTING_COUNT
@@ -36,30 +36,30 @@ typedef struct Settings {
   int32_t value[SETTING_COUNT];
 } Settings;
 
-/** As they are kept in EEPROM: mark, version, values, CRC-16, all little-endian. */
+/** Size in EEPROM: mark, version, values, CRC-16, all little-endian. */
 enum { SETTINGS_BYTES = 4 + 4 * SETTING_COUNT + 2 };
 
 const char* setting_name(Setting setting);
-/** The setting of this name; SETTING_COUNT if there is none. */
+/** Returns the setting of this name; SETTING_COUNT if no setting has it. */
 Setting setting_named(const char* name);
 
 Settings settings_default(void);
-/** True if every value is in its range and all fit together. */
+/** True if every value is in its range and the values fit together. */
 bool settings_valid(const Settings* settings);
 
 void settings_pack(const Settings* settings, uint8_t bytes[SETTINGS_BYTES]);
-/** False, and `settings` untouched, unless the bytes are whole and the settings valid. */
+/** Returns false, and keeps `settings`, unless checksum and settings are valid. */
 bool settings_unpack(Settings* settings, const uint8_t bytes[SETTINGS_BYTES]);
 
-/** Pulse for an orientation, in half microseconds, rounded and within the range of pulses. */
+/** Returns the pulse for an orientation, in half microseconds, rounded and within the range of pulses. */
 uint16_t settings_pulse_ticks(const Settings* settings, int32_t orientation_millideg);
 
-/** The limits, hundredths of a degree: those of the settings as far as pulses reach. */
+/** Limits in hundredths of a degree: those of the settings, or those of the pulses if they are narrower. */
 int32_t settings_least(const Settings* settings);
 int32_t settings_most(const Settings* settings);
 
-/** Speed of the motion, in hundredths of a degree a second. Without a sensor at most 60 degrees a second, which every
- * hobby servo can follow: the pulse of a slower one would run ahead, and the servo would run on after a stop. */
+/** Speed of the motion, in hundredths of a degree a second. Without a sensor it is at most 60 degrees a second, which
+ * every hobby servo can follow: the pulse would lead a slower servo, which would continue after a stop. */
 int32_t settings_speed(const Settings* settings);
 
 bool settings_has_feedback(const Settings* settings);

@@ -9,13 +9,13 @@
 
 #include "samples/app/firmware/plate.h"
 
-/* For a programmer; a bootloader cannot set them. A reset below 4.3 V, because 16 MHz need 3.8 V; a crystal;
- * EEPROM that a chip erase leaves alone. */
+/* Fuses for a programmer; a bootloader cannot set them. Reset below 4.3 V, because 16 MHz need 3.8 V; crystal; a chip
+ * erase keeps the EEPROM. */
 FUSES = {.low = 0xFF, .high = HFUSE_DEFAULT & FUSE_EESAVE, .extended = FUSE_BODLEVEL1 & FUSE_BODLEVEL0};
 
-enum { FRAME_TICKS = 40000 }; /* between two pulses, 20 ms: timer 1 counts half microseconds */
+enum { FRAME_TICKS = 40000 }; /* time between two pulses, 20 ms: timer 1 counts half microseconds */
 
-/* Serial line: 115200 baud, both ways through rings. */
+/* Serial line with 115200 baud, with a ring buffer in each direction. */
 
 enum { RING = 128, RING_MASK = RING - 1 };
 
@@ -45,7 +45,7 @@ ISR(USART_UDRE_vect) {
 
 static void start_line(void) {
   UCSR0A = _BV(U2X0);
-  UBRR0 = 16; /* 117647 baud: 2.1 % fast, as all boards with 16 MHz are */
+  UBRR0 = 16; /* 117647 baud: 2.1 % too fast, as on all boards with 16 MHz */
   UCSR0C = _BV(UCSZ01) | _BV(UCSZ00);
   UCSR0B = _BV(RXEN0) | _BV(TXEN0) | _BV(RXCIE0);
 }
@@ -61,18 +61,18 @@ static bool send(const char* line, uint8_t length) {
   return true;
 }
 
-/* Servo pulses: the compare unit sets and clears pin OC1A itself, so that no interrupt's delay moves an
- * edge. The interrupt after an edge prepares the next one, at least 500 us ahead. */
+/* Servo pulses. The compare unit sets and clears pin OC1A itself, so that the delay of an interrupt does not move an
+ * edge. The interrupt after an edge prepares the next edge, at least 500 us ahead. */
 
 static volatile uint16_t wanted_ticks; /* 0: no pulse */
 
 ISR(TIMER1_COMPA_vect) {
   static uint16_t width_ticks = 0;
-  static bool rising = false; /* the edge that has just been is the start of a pulse */
+  static bool rising = false; /* the last edge was the start of a pulse */
   if (rising) {
-    /* A pulse that has begun is ended in its time: a cut one would send the servo elsewhere. */
+    /* A started pulse is completed: a shortened one would be another angle. */
     if (wanted_ticks != 0) width_ticks = wanted_ticks;
-    TCCR1A = _BV(COM1A1); /* clears */
+    TCCR1A = _BV(COM1A1); /* the next edge clears the pin */
     OCR1A += width_ticks;
     rising = false;
     return;
@@ -80,7 +80,7 @@ ISR(TIMER1_COMPA_vect) {
   const uint16_t rest_ticks = FRAME_TICKS - width_ticks;
   width_ticks = wanted_ticks;
   rising = width_ticks != 0;
-  TCCR1A = rising ? _BV(COM1A1) | _BV(COM1A0) : 0; /* sets; or leaves the pin to the port, which is low */
+  TCCR1A = rising ? _BV(COM1A1) | _BV(COM1A0) : 0; /* the next edge sets the pin; or the port keeps it low */
   OCR1A += rest_ticks;
   if (!rising) width_ticks = 0;
 }
@@ -105,7 +105,7 @@ static void start_clock(void) {
   TCCR0B = _BV(CS01) | _BV(CS00);
 }
 
-/* The settings in EEPROM: two copies, so that one is whole whenever the power fails. */
+/* Settings in EEPROM: two copies, so that one is complete after a power failure at any time. */
 
 enum { COPIES = 2, COPY_BYTES = 128 };
 
@@ -136,7 +136,7 @@ static bool is_saved(void) {
   return true;
 }
 
-/* One byte at a time: a write takes 3.4 ms, in which the plate is served. */
+/* Writes one byte. The write takes 3.4 ms, in which the main loop continues. */
 static void continue_to_save(Plate* plate) {
   if (save_copy == COPIES || !eeprom_is_ready()) return;
   if (save_at < SETTINGS_BYTES) {
@@ -148,10 +148,10 @@ static void continue_to_save(Plate* plate) {
   if (++save_copy == COPIES) plate_saved(plate, is_saved());
 }
 
-/* The watchdog: a main loop that hangs for 120 ms loses the servo's pulses first, and is reset 120 ms later.
- * Without the interrupt a bootloader that leaves the watchdog on would run with it. */
+/* Watchdog. If the main loop hangs for 120 ms, the interrupt ends the servo's pulses; 120 ms later the board is reset.
+ * Without the interrupt, a bootloader that keeps the watchdog on would run with it. */
 
-ISR(WDT_vect) { wanted_ticks = 0; /* the pulse that has begun is ended in its time */ }
+ISR(WDT_vect) { wanted_ticks = 0; /* a started pulse is completed */ }
 
 static void start_watchdog(void) {
   wdt_enable(WDTO_120MS);
@@ -169,7 +169,7 @@ static void start_inputs(void) {
   ADCSRA = _BV(ADEN) | _BV(ADIE) | _BV(ADPS2) | _BV(ADPS1) | _BV(ADPS0);
 }
 
-/* A0, the sensor, then A1, half of the servo's supply, begun once a millisecond. */
+/* Readings of A0 (sensor) and A1 (half of the servo's supply), started once a millisecond. */
 static volatile int16_t readings[2] = {-1, -1};
 
 ISR(ADC_vect) {
@@ -204,7 +204,7 @@ int main(void) {
   static Plate plate;
   Settings settings;
   MCUSR = 0;
-  wdt_disable(); /* it is still on after it has reset the board */
+  wdt_disable(); /* it remains on after it has reset the board */
   plate_start(&plate, &board, load(&settings) ? &settings : NULL);
   start_inputs();
   start_line();
@@ -229,7 +229,7 @@ int main(void) {
     cli();
     if (received_tail == received_head && ticks == 0) {
       sleep_enable();
-      sei(); /* the instruction after it runs before any interrupt */
+      sei(); /* the next instruction is executed before any interrupt */
       sleep_cpu();
       sleep_disable();
     }
