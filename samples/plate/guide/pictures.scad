@@ -1,5 +1,5 @@
 // The guide's pictures: openscad -D 'picture="step_1"' -o step_1.png --viewall --autocenter pictures.scad
-// A step's own parts are blue, screws orange and away from their place.
+// New parts of a step are blue; screws are orange and away from their holes.
 picture = "overview";
 view = [58, 0, -28];  // rotation from which it is seen
 include <../model/apparatus.scad>
@@ -16,7 +16,7 @@ module label(words, at_mm, label_x = label_edge, label_y = undef) let (point = s
     translate(point) circle(d = 2, $fn = 16);
     translate([label_x, y]) text(words, size = 6, valign = "center");
   }
-// Where labels point: name, words, distance from the axis to the right in the picture, height, and how far the
+// Points of the labels: name, text, distance from the axis to the right in the picture, height, and distance by which the
 // label is moved downwards.
 pointed = [["plate", "plate", 72, -4], ["hub", "hub", 24, hub_bottom_z + 2, 9], ["bearing", "bearing 61808", 24, bearing_bottom_z + 3, 9],
     ["deck", "deck", 92, deck_bottom_z + 6, picture == "marks" ? 9 : 0], ["retainer", "retainer", 20, retainer_bottom_z + 2], ["horn", "horn", 8, horn_top_z - 8, 6],
@@ -34,7 +34,7 @@ module placed(names, lift_mm = 0, paint = "#d1d5db") {
 }
 module new(names, lift_mm = 0) placed(names, lift_mm, "#60a5fa");
 
-// Their heads, shafts and the way to their place.
+// Screws with heads, shafts and the lines to their holes.
 module screws(name, lift_mm) {
   screws_without_label(name, lift_mm);
   for (row = table_of_screws()) if (row[0] == name)
@@ -54,7 +54,7 @@ module pin(lift_mm) {
 }
 
 sensor_words = ["plate", "hub", "bearing 61808", "deck", "magnet", "AS5600", "sensor arm", "retainer", "hobby servo"];
-// Of a cut along the mid-line, the user to the left; flat.
+// Colours of the parts in a flat section along the mid-line, with the user at the left.
 paints = [["plate", "#60a5fa"], ["hub", "#6ee7b7"], ["bearing", "#a1a1aa"], ["deck", "#fca5a5"]];
 xl330_paints = [["xl330_retainer", "#fde68a"], ["xl330_horn", "#9ca3af"], ["xl330", "#64748b"], ["xl330_mount", "#c4b5fd"], ["drum", "#e5e7eb"]];
 held_paints = [["bridge", "#fdba74"], ["object", "#fcd34d"]];
@@ -126,7 +126,7 @@ if (picture == "sensor") {
     section_without_labels(concat(paints, sensor_paints));
     translate([-50, -60, -1]) cube([100, 62, 3]);
   }
-  // Inside of the cut, from top to bottom.
+  // Labels of the section, from top to bottom.
   for (i = [0:8], row = [["plate", 46, -4], ["hub", 16, -16], ["bearing 61808", 24, bearing_bottom_z + 3], ["deck", 46, deck_bottom_z + 6],
       ["magnet", 2, magnet_bottom_z + 1], ["AS5600", 8, sensor_arm_z + 1], ["sensor arm", -30, sensor_arm_z - 2],
       ["retainer", 10, retainer_bottom_z + 4], ["hobby servo", 12, servo_bottom_z + 36]]) if (row[0] == sensor_words[i])

@@ -24,7 +24,7 @@ include <box.scad>
 include <touch.scad>
 include <screws.scad>
 
-// Each part with the height that lies on the printer's bed, and how it is turned for that, about Y and then about Z.
+// Parts: name, height that lies on the printer's bed, and rotations for printing about Y and then about Z.
 parts = [
   ["plate", plate_bottom_z, 0, 0],
   ["hub", plate_bottom_z, 180, 0],
@@ -80,7 +80,7 @@ if (part == "all") {
 } else if (part != "none") {
   found = search([part], parts)[0];
   if (is_num(found)) {
-    // Turned over about Y: the mid-line stays.
+    // Rotation about Y keeps the mid-line.
     rotate([0, parts[found][2], parts[found][3]]) translate([0, 0, -parts[found][1]]) installed(part);
   } else {
     installed(part);

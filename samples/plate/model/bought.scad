@@ -1,4 +1,4 @@
-// Bearing, servo and horn as bought, for pictures and for checks of their room. Not printed.
+// Bearing, servo and horn as bought, for pictures and for checks of clearance. Not printed.
 
 module bearing() layer(bearing_bottom_z, floor_z) difference() { disc(bearing_outer_mm); disc(bearing_bore_mm); }
 

@@ -1,6 +1,6 @@
-// Holds a real object over the plate: an object that stood on the plate would turn with it.
+// Bridge that holds a real object over the plate. An object on the plate would turn with it.
 
-// From the start, at the length of a reach.
+// Position of the object in a direction from the start, at the length of a reach.
 function object_at(direction_deg) =
     at_direction(reach_length_mm, direction_deg) - [0, start_distance_mm];
 
@@ -25,7 +25,7 @@ module bridge() {
   layer(socket_z, head_top_z) head(m3_free_mm);
 }
 
-// A cylinder for one socket, at direction 0.
+// Cylinder for one socket, at direction 0.
 module object() {
   peg_z = head_bottom_z + socket_depth_mm - 0.2;
   pilot_z = peg_z - object_pilot_mm;

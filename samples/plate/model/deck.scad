@@ -1,4 +1,4 @@
-// The fixed ring about the plate, flush with its face, with the scale, the marks and the bearing's seat.
+// Fixed ring around the plate, flush with its face, with the scale, the marks and the bearing's seat.
 
 module ring() {
   difference() {

@@ -1,4 +1,4 @@
-// The wall between deck and board.
+// Wall between deck and board.
 
 module drum_outline(hole_mm) {
   difference() {

@@ -1,6 +1,6 @@
-// What joins the plate to the bearing, and the bearing to the servo's horn.
+// Hub, which joins the plate to the bearing, and retainer, which joins the bearing to the servo's horn.
 
-// A disc with holes of two circles, and in its middle.
+// Disc with holes on two circles and in its middle.
 module pierced(diameter_mm, screw_mm, other_mm = 0, other_circle_mm = hub_screw_circle_mm, count = hub_screws, turned_deg = 0,
                middle_mm = 0) difference() {
   disc(diameter_mm);
@@ -17,8 +17,8 @@ module hub() {
   layer(journal_bottom_z, floor_z) pierced(bearing_bore_mm - bearing_fit_mm, m3_pilot_mm);
 }
 
-// Holds the hub down and carries the horn. The horn's screws have their heads in the upper side. With a sensor it is
-// two such discs, two columns apart, with the magnet under the upper one; heads and screwdriver pass the other disc.
+// Holds the hub down and carries the horn. The heads of the horn's screws are in the upper side. With a sensor the
+// retainer has two discs, joined by two columns, with the magnet under the upper one and holes for heads in the lower one.
 module retainer() {
   top_z = retainer_bottom_z + retainer_mm;
   // The horn's screws lie between the retainer's.

@@ -1,4 +1,4 @@
-// Letters of straight strokes, 4 mm high: engraved, they print the same with every set of fonts.
+// Letters of straight strokes, 4 mm high, for engraving. They do not depend on the installed fonts.
 
 letter_stroke_mm = 0.8;
 letter_advance_mm = 3.6;
@@ -16,7 +16,7 @@ letters = [
   ["R", [[[0, 0], [0, 4], [2, 4], [2, 2], [0, 2]], [[1, 2], [2, 0]]]],
 ];
 
-// Centred on X, its feet on Y = 0.
+// Text centred on X, with its baseline at Y = 0.
 module lettering(words) {
   width_mm = (len(words) - 1) * letter_advance_mm + 2;
   for (i = [0:len(words) - 1]) {

@@ -1,6 +1,6 @@
-// What registration touches: the lowest points of the dimples.
+// Marks that a registration touches: the lowest points of the dimples.
 
-// Name and place (x, y). The deck does not turn: these hold at every orientation of the plate.
+// Marks of the deck: name and position (x, y), valid at every orientation of the plate.
 function deck_marks() = [
   ["near", at_direction(mark_radius_mm, 180)],
   ["near right", at_direction(mark_radius_mm, -120)],
@@ -9,7 +9,7 @@ function deck_marks() = [
   ["near left", at_direction(mark_radius_mm, 120)],
 ];
 
-// As marks.csv: plate coordinates (X, Z, -Y) in metres.
+// Row of marks.csv: plate coordinates (X, Z, -Y) in metres.
 function marks_line(name, at_mm, orientation) =
     str(name, ",", at_mm[0] / 1000, ",", -dimple_depth_mm / 1000, ",", -at_mm[1] / 1000, ",", orientation);
 

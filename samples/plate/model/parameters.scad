@@ -10,11 +10,11 @@ plate_thickness_mm = 8;
 ridge_height_mm = 1;
 ridge_width_mm = 1;
 ridge_spacing_mm = 10;
-// From the ends of the ridges to the rim.
+// Distance from the ends of the ridges to the rim.
 ridge_margin_mm = 1;
 
 /* [Marks] */
-// From the centre towards the user.
+// Distance from the centre towards the user.
 start_distance_mm = 50;
 dimple_diameter_mm = 8;
 dimple_depth_mm = 1;
@@ -22,9 +22,9 @@ dimple_depth_mm = 1;
 /* [Fits: measure a test print, see README.md] */
 // Added to the diameter of a hole that a part slides into.
 slide_fit_mm = 0.2;
-// Added to the bearing's diameter in the deck; taken from its bore on the hub.
+// Added to the bearing's diameter in the deck; subtracted from its bore on the hub.
 bearing_fit_mm = 0.1;
-// Between the plate's rim and the deck.
+// Gap between the plate's rim and the deck.
 rim_gap_mm = 1;
 
 /* [Bearing: 61808, also sold as 6808] */
@@ -43,9 +43,9 @@ servo_below_flange_mm = 26.8;
 servo_above_flange_mm = 7.7;
 servo_hole_length_mm = 49.5;
 servo_hole_width_mm = 10;
-// From the middle of the body to the shaft.
+// Distance from the middle of the body to the shaft.
 servo_shaft_offset_mm = 10.15;
-// From the upper face of the flange to the top of the horn that is pushed home.
+// Height from the upper face of the flange to the top of the mounted horn.
 horn_top_above_flange_mm = 15;
 
 /* [Horn: round, with tapped M3 holes] */
@@ -53,25 +53,25 @@ horn_diameter_mm = 20;
 horn_hole_circle_mm = 14;
 horn_holes = 4;
 horn_pocket_mm = 1.5;
-// By which the shaft stays short of the horn's end: it must not push the plate up.
+// Clearance between shaft and horn's end, so that the shaft does not push the plate up.
 horn_slack_mm = 0.5;
 
 /* [Sensor of a hobby servo: an AS5600 board of 23 x 23 mm, its chip in the middle] */
-// Room for it between hub and servo: 14; 0: there is none.
+// Space for the sensor between hub and servo: 14; 0: without a sensor.
 sensor_room_mm = 0;
 sensor_board_mm = [23.2, 1.6];
 magnet_mm = [6, 2.5];
-// From the magnet to the chip, which is as high as that itself.
+// Gap between magnet and chip, and height of the chip.
 magnet_gap_mm = 1.5;
 
 /* [Dynamixel XL330. Measure yours] */
 xl_width_mm = 20;
 xl_height_mm = 34;
-// Of the body, without the horn.
+// Depth of the body, without the horn.
 xl_depth_mm = 23;
-// From the nearer end of the body to the shaft.
+// Distance from the nearer end of the body to the shaft.
 xl_shaft_mm = 9.5;
-// From the body to the horn's top.
+// Height from the body to the horn's top.
 xl_horn_mm = 2.8;
 xl_horn_diameter_mm = 16;
 xl_horn_circle_mm = 12;
@@ -79,33 +79,33 @@ xl_horn_circle_mm = 12;
 /* [Real object] */
 object_diameter_mm = 10;
 object_height_mm = 40;
-// From the crests of the ridges to the object's lower end.
+// Gap between the crests of the ridges and the object's lower end.
 object_gap_mm = 2;
 reach_length_mm = 100;
 object_directions_deg = [-10, -5, 0, 5, 10];
 
 /* [Registration: cup and strip] */
-// Of a fingertip in the cup, and in the strip's channel.
+// Radius of the cup, into which a fingertip fits.
 cup_radius_mm = 9;
 cup_width_mm = 14;
 cup_lip_mm = 1;
 strip_channel_mm = 18;
-// Of the object that the strip leads to.
+// Direction of the object to which the strip leads.
 strip_direction_deg = 0;
 strip_wall_mm = 3;
 strip_mm = 6;
-// In which the channel narrows to the object.
+// Length in which the channel narrows to the object.
 strip_lead_mm = 6;
 
 /* [Box of the stop button: measure button, fuse holder and board] */
 box_mm = [130, 90, 55];
 stop_hole_mm = 22.4;
 fuse_hole_mm = 12.4;
-// Between the ties of a board: of an Arduino Uno, or of U2D2 and its hub.
+// Distance between the ties of an Arduino Uno, or of the U2D2 with its hub.
 board_ties_mm = 58;
 
 /* [Hidden] */
-// Corners of a large circle, a multiple of 4, so that diameters along X and Y are exact; and of a hole.
+// Corners of a large circle, a multiple of 4 for exact diameters along X and Y; and of a hole.
 facets = 120;
 hole_facets = 16;
 
@@ -121,7 +121,7 @@ m2_head_height_mm = 1.5;
 plate_radius_mm = plate_diameter_mm / 2;
 deck_inner_radius_mm = plate_radius_mm + rim_gap_mm;
 deck_radius_mm = deck_inner_radius_mm + 19;
-// Between its flats, so that deck and drum lie cornerwise on the bed of a small printer.
+// Width between the flats, with which deck and drum fit cornerwise on the bed of a small printer.
 deck_flats_mm = 178;
 mark_radius_mm = deck_inner_radius_mm + 10;
 
@@ -147,7 +147,7 @@ post_x_mm = 28;
 post_y_mm = [14, -34];
 mount_mm = 5;
 mount_recess_mm = sensor_room_mm > 0 ? 3 : 2;  // screws of 50 or 30 mm
-// Wide: the mount is moved until the shaft is on the axis. Washers bridge them.
+// Wide holes, in which the mount is moved until the shaft is on the axis. Washers cover them.
 post_hole_mm = 4;
 post_washer_mm = 7.6;
 
@@ -166,8 +166,8 @@ cable_width_mm = 14;
 cable_height_mm = 14;
 
 touch_post_mm = 18;
-touch_post_at_mm = [109, 75];  // its middle, under the side of a frame with an opening of 194 mm or more
-touch_level_mm = 0;            // of its top, above the deck's face
+touch_post_at_mm = [109, 75];  // middle of a post, under the side of a frame with an opening of 194 mm or more
+touch_level_mm = 0;            // height of its top above the deck's face
 
 bridge_directions_deg = [-20, 20];
 bridge_radius_mm = deck_inner_radius_mm + 10;
@@ -185,7 +185,7 @@ crest_z = ridge_height_mm;
 plate_bottom_z = -plate_thickness_mm;
 plate_pilot_z = plate_bottom_z + hub_screw_mm - (hub_flange_mm - m3_head_height_mm) + 0.5;
 hub_bottom_z = plate_bottom_z - hub_flange_mm;
-floor_z = hub_bottom_z - shoulder_mm;              // of the deck, and top of the bearing
+floor_z = hub_bottom_z - shoulder_mm;              // floor of the deck, and top of the bearing
 bearing_bottom_z = floor_z - bearing_width_mm;
 journal_bottom_z = bearing_bottom_z + 0.2;         // the retainer clamps the bearing's inner ring
 deck_bottom_z = bearing_bottom_z - lip_mm;
@@ -204,25 +204,25 @@ object_bottom_z = crest_z + object_gap_mm;
 head_bottom_z = object_bottom_z + object_height_mm;
 head_top_z = head_bottom_z + head_mm;
 
-// A layer from one height to another.
+// Layer from one height to another.
 module layer(bottom_z, top_z) {
   assert(top_z > bottom_z, str("a layer from ", bottom_z, " to ", top_z, " mm has no height"));
   translate([0, 0, bottom_z]) linear_extrude(height = top_z - bottom_z) children();
 }
 
-// A disc, or a hole, of this diameter.
+// Disc, or hole, with this diameter.
 module disc(diameter_mm, corners = facets) circle(d = diameter_mm, $fn = corners);
 
 function at_direction(radius_mm, direction_deg) =
     [-radius_mm * sin(direction_deg), radius_mm * cos(direction_deg)];
 
-// The outline of deck and drum, `inside_mm` within it: a disc with four flats.
+// Outline of deck and drum, reduced by `inside_mm`: a disc with four flats.
 module deck_outline(inside_mm = 0) intersection() {
   disc(2 * (deck_radius_mm - inside_mm));
   rotate(45) square(deck_flats_mm - 2 * inside_mm, center = true);
 }
 
-// The children at each direction, turned so that their +Y points outwards.
+// Copies of the children in each direction, with their +Y outwards.
 module around(radius_mm, directions_deg) {
   for (direction_deg = directions_deg)
     translate(at_direction(radius_mm, direction_deg)) rotate(direction_deg) children();
@@ -232,7 +232,7 @@ module holes(diameter_mm, circle_mm, count) {
   around(circle_mm / 2, [for (i = [0:count - 1]) i * 360 / count]) disc(diameter_mm, hole_facets);
 }
 
-// What else would print, but would not work.
+// Conditions for parts that work after printing.
 assert(ridge_spacing_mm > ridge_width_mm, "ridge_spacing_mm must be above ridge_width_mm");
 assert(ridge_width_mm > 0 && ridge_height_mm > 0, "ridge_width_mm and ridge_height_mm must be above 0");
 assert(dimple_depth_mm < dimple_diameter_mm / 2, "dimple_depth_mm must be below half of dimple_diameter_mm");

@@ -1,6 +1,6 @@
-// The plate that turns. Its ridges run along X: this is orientation 0, their normal on the mid-line.
+// Plate that turns, at orientation 0: its ridges are along X, and their normal is on the mid-line.
 
-// Ridges at odd multiples of half the spacing: the centre and the start lie between two of them.
+// Ridges at odd multiples of half the spacing, so that centre and start are between two of them.
 function ridges_y_mm() =
     let(reach_mm = plate_radius_mm - ridge_margin_mm - ridge_width_mm)
     [for (i = [0:floor((reach_mm / ridge_spacing_mm) - 0.5)]) for (side = [-1, 1]) side * (i + 0.5) * ridge_spacing_mm];
@@ -8,7 +8,7 @@ function ridges_y_mm() =
 module plate_outline() {
   difference() {
     disc(plate_diameter_mm);
-    // Half a hole for the zero pin, in the direction of the ridges' normal: also the pointer on the scale.
+    // Half a hole for the zero pin, in the direction of the ridges' normal. It is also the pointer on the scale.
     translate([0, zero_pin_radius_mm]) disc(zero_pin_mm + slide_fit_mm, hole_facets);
   }
 }
@@ -21,7 +21,7 @@ module ridges() {
   }
 }
 
-// A cap of a sphere, to be taken away: its lowest point is below the origin by dimple_depth_mm.
+// Cap of a sphere, for subtraction. Its lowest point is dimple_depth_mm below the origin.
 module dimple() {
   radius_mm = dimple_diameter_mm / 2;
   sphere_mm = (radius_mm * radius_mm + dimple_depth_mm * dimple_depth_mm) / (2 * dimple_depth_mm);

@@ -1,7 +1,7 @@
-// For a registration: an object whose cup takes the fingertip, and a strip that guides it there from the start's
-// dimple. The strip lies on the crests, hooked to a mark of the deck and to the object, and is taken off afterwards.
+// Parts for a registration: an object with a cup for the fingertip, and a strip that guides the fingertip there from the
+// start's dimple. The strip lies on the crests, is held by a mark of the deck and by the object, and is removed afterwards.
 
-cup_front_y_mm = -object_diameter_mm / 2;  // its deepest point is where the plain object is touched
+cup_front_y_mm = -object_diameter_mm / 2;  // the deepest point of the cup is the contact point of the plain object
 cup_half_mm = cup_width_mm / 2 - cup_lip_mm;
 cup_depth_mm = cup_radius_mm - sqrt(cup_radius_mm * cup_radius_mm - cup_half_mm * cup_half_mm);
 strip_bottom_z = crest_z + 0.3;
@@ -20,7 +20,7 @@ module object_cup() {
   }
 }
 
-// Seen from the start, with the object straight ahead: a channel that narrows to the object's sides.
+// Channel in coordinates of the start, with the object straight ahead. It narrows to the object's sides.
 module channel(width_mm) {
   object_mm = cup_width_mm + slide_fit_mm + width_mm - strip_channel_mm;
   touched_mm = reach_length_mm + cup_front_y_mm;
@@ -40,7 +40,7 @@ module strip() {
     }
     translate(start_mm) rotate(strip_direction_deg) {
       channel(strip_channel_mm);
-      // Open at the far end: the strip is pushed on from the start.
+      // Opening at the far end, through which the strip is pushed onto the object.
       translate([-(cup_width_mm + slide_fit_mm) / 2, reach_length_mm])
         square([cup_width_mm + slide_fit_mm, 20]);
     }

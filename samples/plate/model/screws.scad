@@ -1,5 +1,5 @@
-// The screws: name, part that they pass, part that they bite, length (negative: head above), height of the face under
-// the head, places, and whether the hobby servo's list of parts counts them.
+// Table of screws: name, part that they pass, part with their thread, length (negative: head above), height of the face
+// under the head, positions, and whether the hobby servo's list of parts counts them.
 
 function circle_of(radius_mm, count, first_deg = 0) =
     [for (i = [0:count - 1]) at_direction(radius_mm, first_deg + 360 * i / count)];

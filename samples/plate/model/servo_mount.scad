@@ -1,4 +1,4 @@
-// Hangs the servo under the deck, its shaft on the plate's axis.
+// Mount that holds the servo under the deck, with its shaft on the plate's axis.
 
 module posts(diameter_mm) {
   for (x_mm = [-post_x_mm, post_x_mm], y_mm = post_y_mm) translate([x_mm, y_mm]) disc(diameter_mm, 2 * hole_facets);
@@ -16,7 +16,7 @@ module mount_outline(hole_mm) {
   }
 }
 
-// A plate, the child with holes of $hole_mm, and the posts on it.
+// Base (the child, with holes of $hole_mm) with the posts on it.
 module on_posts() {
   recess_z = mount_bottom_z + mount_recess_mm;
   layer(mount_bottom_z, recess_z) let($hole_mm = post_washer_mm) children();

@@ -1,4 +1,4 @@
-"""The model's parts as the target plate_model writes them, their screws, and where a line meets a part.
+"""Parts of the model, as the target plate_model writes them, their screws, and intersections of a line with a part.
 
 Needs numpy. Millimetres: +X to the user's right, +Y along the mid-line, z = 0 on the plate's face.
 """
@@ -22,8 +22,8 @@ class Solid:
         self.box = self.low.min(axis=0).tolist(), self.high.max(axis=0).tolist()
 
     def crossings(self, point, axis=2):
-        """Where the line through `point` along an axis meets the surface, ascending: inside are the stretches from the
-        first to the second, the third to the fourth, and so on. It must pass no edge: give `point` odd coordinates."""
+        """Intersections of the surface with the line through `point` along an axis, ascending. The part is between the first
+        and the second, the third and the fourth, and so on. Choose `point` so that the line passes no edge."""
         u, v = [(axis + 1) % 3, (axis + 2) % 3]
         if any(not self.box[0][side] <= point[side] <= self.box[1][side] for side in (u, v)):
             return np.empty(0)
@@ -44,7 +44,7 @@ def read_stl(path):
 
 
 def tables(folder):
-    """Lines that the model's tables print, without OpenSCAD's frame."""
+    """Lines of the model's tables, without the text that OpenSCAD adds."""
     lines = (pathlib.Path(folder) / "tables.echo").read_text().splitlines()
     return [line.removeprefix('ECHO: "').removesuffix('"') for line in lines]
 
@@ -54,12 +54,12 @@ def rows(folder, kind):
 
 
 def printed(folder):
-    """Printed parts by name, as they lie on the printer's bed."""
+    """Printed parts by name, in their orientation on the printer's bed."""
     return {row[0]: Solid(read_stl(pathlib.Path(folder) / f"{row[0]}.stl")) for row in rows(folder, "bed")}
 
 
 def installed(folder):
-    """All parts by name, in place."""
+    """All parts by name, at their positions in the plate."""
     parts = {name: Solid(read_stl(pathlib.Path(folder) / "bought" / f"{name}.stl")) for name in BOUGHT}
     on_bed = printed(folder)
     for name, height, over_deg, turned_deg in rows(folder, "bed"):
@@ -70,12 +70,12 @@ def installed(folder):
 
 
 def screws(folder):
-    """Each through one part into another; from under the head at z = `face` upwards, or down if `length` is negative."""
+    """Screws through one part into another; from under the head at z = `face` upwards, or down if `length` is negative."""
     return [Screw(*row) for row in rows(folder, "screw")]
 
 
 def at_direction(radius, direction_deg):
-    """In the plane, from the centre: counter-clockwise from +Y."""
+    """Point in the plane at a direction from the centre, counter-clockwise from +Y."""
     return (-radius * math.sin(math.radians(direction_deg)), radius * math.cos(math.radians(direction_deg)))
 
 

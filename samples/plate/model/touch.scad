@@ -1,5 +1,5 @@
-// A post that carries an infrared touch frame around the deck, or a touch bar beside it: it stands on the board, and its
-// top is level with the deck's face. Four of a frame, two of a bar.
+// Post on the board for an infrared touch frame around the deck (four posts), or for a touch bar next to it (two). Its top
+// is level with the deck's face.
 
 module touch_post() {
   foot_z = drum_bottom_z + lug_height_mm;
@@ -9,7 +9,7 @@ module touch_post() {
       for (side = [-1, 1]) translate([0, side * touch_post_mm]) disc(4.5, hole_facets);
     }
     layer(foot_z, touch_level_mm) square(touch_post_mm, center = true);
-    // Keeps the frame from sliding outwards.
+    // Fence that prevents the frame from sliding outwards.
     layer(touch_level_mm, touch_level_mm + 5) translate([touch_post_mm / 2 - wall_mm / 2, 0])
         square([wall_mm, touch_post_mm], center = true);
   }

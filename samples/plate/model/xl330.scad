@@ -1,5 +1,5 @@
-// For a Dynamixel XL330 in place of the hobby servo: a clamp that holds its body by the sides, at any height, and
-// a retainer for its own horn.
+// Parts for a Dynamixel XL330 instead of the hobby servo: a clamp that holds its body at the sides, at any height, and a
+// retainer for its own horn.
 
 xl_front_z = horn_top_z - xl_horn_mm;
 xl_band_top_z = retainer_bottom_z - 2;
@@ -13,7 +13,7 @@ module xl_body(more_mm = 0) translate([0, xl_shaft_mm - xl_height_mm / 2])
     square([xl_width_mm + more_mm, xl_height_mm + more_mm], center = true);
 
 module xl330_mount() {
-  // The plate under the posts.
+  // Base under the posts.
   module floor_outline(hole_mm) difference() {
     hull() posts(2 * post_radius_mm + 2);
     posts(hole_mm);
@@ -30,7 +30,7 @@ module xl330_mount() {
       xl_body(2 * slide_fit_mm);
       translate([-xl_slit_mm / 2, -60]) square([xl_slit_mm, 60]);
     }
-    // The screw that closes the band: free on the right, in plastic on the left.
+    // Holes for the screw that closes the band: clearance on the right, thread in plastic on the left.
     translate([0, xl_screw_y_mm, xl_screw_z]) rotate([0, 90, 0]) union() {
       cylinder(d = m3_free_mm, h = 20, $fn = hole_facets);
       rotate([180, 0, 0]) cylinder(d = m3_pilot_mm, h = 20, $fn = hole_facets);
@@ -47,7 +47,7 @@ module xl330_retainer() {
   layer(retainer_bottom_z, horn_top_z) outline(m2_free_mm, xl_horn_diameter_mm + slide_fit_mm);
 }
 
-// As bought.
+// XL330 as bought.
 module xl330() layer(xl_front_z - xl_depth_mm, xl_front_z) xl_body();
 
 module xl330_horn() layer(xl_front_z + 0.3, horn_top_z) difference() {
