@@ -1,4 +1,4 @@
-// Packets of Dynamixel Protocol 2.0 (ROBOTIS e-manual, "DYNAMIXEL Protocol 2.0"): fields to bytes and back.
+// Packets of Dynamixel Protocol 2.0 (ROBOTIS e-manual, "DYNAMIXEL Protocol 2.0"): encoder and decoder.
 #pragma once
 
 #include <cstddef>
@@ -36,10 +36,10 @@ struct Packet {
   StatusError status_error() const { return static_cast<StatusError>(error & ~alert); }
 };
 
-/// The bytes of a packet: header, stuffing and CRC are added.
+/// Returns the bytes of a packet; adds header, stuffing and CRC.
 std::string encode(const Packet& packet);
 
-/// `count` bytes of a number, least first; and back.
+/// Converts a number to `count` bytes, the least significant one first, and back.
 std::string little_endian(std::int64_t value, int count);
 std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
 
@@ -49,13 +49,13 @@ class PacketReader {
  public:
   static constexpr std::size_t max_length = 250;  ///< limit of the length field
 
-  /// Takes bytes in.
+  /// Appends received bytes.
   void take(std::string_view bytes) { bytes_ += bytes; }
-  /// The next whole packet; nothing if more bytes are needed.
+  /// Returns the next complete packet; nullopt if more bytes are needed.
   std::optional<Packet> next();
-  /// Drops a packet of which only a part has come, when the time for its rest is over.
+  /// Drops an incomplete packet, after the time limit for the rest of it.
   void drop_partial();
-  /// Packets with a wrong length or CRC so far.
+  /// Number of packets with a wrong length or CRC so far.
   std::uint64_t damaged() const { return damaged_; }
 
  private:

@@ -1,4 +1,4 @@
-// Bytes to and from a device, and the time in which they pass.
+// Line that carries bytes to and from a device, with its clock.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace hrt::plate {
 
-/// No call blocks, except wait(). All throw PlateFailure when the line has failed. One thread.
+/// Line to a device. Only wait() blocks. All calls throw PlateFailure when the line has failed. One thread.
 class Line {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -18,25 +18,25 @@ class Line {
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
 
-  /// The line's clock: real time, or that of a simulated device.
+  /// Time of the line's clock: real time, or the time of a simulated device.
   virtual Time now() const { return std::chrono::steady_clock::now(); }
 
-  /// Appends what has arrived, some kilobytes at most.
+  /// Appends the received bytes, at most some kilobytes.
   virtual void receive(std::string& bytes) = 0;
-  /// Takes `bytes` over, and sends as much as the line takes now. flush() sends the rest.
+  /// Copies `bytes`, and sends as many as the line accepts now. flush() sends the rest.
   virtual void send(std::string_view bytes) = 0;
   virtual void flush() = 0;
   virtual bool has_unsent() const = 0;
 
-  /// Waits until something arrives, or, with unsent bytes, until the line takes some.
+  /// Waits up to `limit` until bytes arrive, or, with unsent bytes, until the line accepts some.
   virtual void wait(std::chrono::milliseconds limit) = 0;
 };
 
-/// The rates that open_serial_line() knows.
+/// Baud rates that open_serial_line() supports.
 inline constexpr int baud_rates[] = {57600, 115200, 1000000};
 
-/// Opens a serial line of `baud`, one of baud_rates, 8 data bits, no parity, 1 stop bit, no flow control, in
-/// raw mode; its settings are restored at the end. Throws PlateFailure.
+/// Opens a serial line with `baud`, one of baud_rates, 8 data bits, no parity, 1 stop bit, no flow control, in raw
+/// mode. The destructor restores its settings. Throws PlateFailure.
 std::unique_ptr<Line> open_serial_line(const std::string& device, int baud);
 
 }  // namespace hrt::plate

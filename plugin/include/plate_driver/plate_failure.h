@@ -1,4 +1,4 @@
-// Failures of a plate.
+// Failures of a plate, and the sentences that several devices share.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace hrt::plate {
 
-/// HRT_PLATE_FAULT_* of haptic_retargeting/plate.h.
+/// Cause of a failure: HRT_PLATE_FAULT_* of haptic_retargeting/plate.h.
 enum class Fault : std::uint32_t {
   line = 1,
   no_answer,
@@ -23,7 +23,7 @@ enum class Fault : std::uint32_t {
   internal,
 };
 
-/// A sentence about the plate without its subject: "is unplugged".
+/// Failure of a plate. what() is a sentence without its subject, which is the plate: "is unplugged".
 class PlateFailure : public std::runtime_error {
  public:
   PlateFailure(Fault fault, const std::string& sentence) : std::runtime_error(sentence), fault_(fault) {}
@@ -32,5 +32,9 @@ class PlateFailure : public std::runtime_error {
  private:
   Fault fault_;
 };
+
+inline constexpr const char* silent_text = "has not been heard for half a second; check its cable and supply";
+inline constexpr const char* restarted_text = "has restarted: its supply or its line failed; check both";
+inline constexpr const char* second_program_text = "receives commands from another program. Close that program";
 
 }  // namespace hrt::plate

@@ -1,4 +1,4 @@
-// The kinds of devices, and their names.
+// Table of device kinds, and parser of device names.
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
@@ -41,16 +41,17 @@ std::string known_kinds() {
 DeviceName parts_of(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos)
-    refuse("device has no kind; allowed: " + known_kinds() + ", a plate file (.json)");
+    refuse("device \"" + std::string(text) + "\" has no kind; allowed: " + known_kinds() + ", a plate file (.json)");
   const std::size_t question = std::min(text.find('?', colon), text.size());
   DeviceName name{std::string(text.substr(0, colon)), std::string(text.substr(colon + 1, question - colon - 1)), {}};
-  if (name.path.empty()) refuse("device names no line behind " + name.kind + ":");
+  if (name.path.empty())
+    refuse("device \"" + name.kind + ":\" has no line; add one, as in " + name.kind + ":/dev/ttyACM0");
   for (std::string_view rest = text.substr(question); !rest.empty();) {
     rest.remove_prefix(1);
     const std::string_view option = rest.substr(0, rest.find('&'));
     const std::size_t equals = option.find('=');
     if (equals == std::string_view::npos || equals == 0)
-      refuse("option \"" + std::string(option) + "\" of the device is not name=value");
+      refuse("option \"" + std::string(option) + "\" of the device must have the form name=value");
     name.options.emplace_back(option.substr(0, equals), option.substr(equals + 1));
     rest.remove_prefix(option.size());
   }
@@ -65,7 +66,7 @@ void DeviceName::allow(std::initializer_list<std::string_view> known) const {
     if (std::find(known.begin(), known.end(), word) == known.end())
       refuse(kind + ": has no option \"" + word + "\"; allowed: " + list_of(known));
     if (std::any_of(options.begin(), option, [&](const auto& other) { return other.first == word; }))
-      refuse("option " + word + " is there twice");
+      refuse("option " + word + " is given twice; give it once");
   }
 }
 

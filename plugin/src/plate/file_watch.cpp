@@ -9,9 +9,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double slow_share = 0.8;   // fraction of the speed in the file
-constexpr auto deviates_after = 1s;  // duration of rest, and of the error
+constexpr auto deviates_after = 1s;  // duration of the rest, and of an error at rest
 constexpr double late_s = 0.04;
-constexpr double min_way_deg = 90.0;  // over which lateness is found
+constexpr double min_way_deg = 90.0;  // turn after which lateness is judged
 constexpr auto max_pause = 50ms;      // longest pause of the host; motion in a longer one is not observed
 
 }  // namespace
@@ -33,7 +33,7 @@ void FileWatch::look(Time now, const Device& device, std::optional<double> comma
   deviates_ = now - near_ > deviates_after || device.limits().speed_deg_s < slow_share * file_.speed_deg_s || is_late;
 }
 
-// The lateness is the slope of what the plate is behind over its speed. An even acceleration a is worth v / 2 a.
+// Lateness: slope of the plate's lag over its speed v, less the lag of v / 2 a due to a constant acceleration a.
 void FileWatch::follow(Time now, const Device& device) {
   const std::optional<double> place_deg = device.orientation_deg();
   const bool paused = now - looked_ > max_pause;

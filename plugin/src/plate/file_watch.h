@@ -1,4 +1,4 @@
-// Compares a plate with what was measured of it when it was commissioned.
+// Compares the behaviour of a plate with the measurements of its commissioning.
 #pragma once
 
 #include <deque>
@@ -10,14 +10,14 @@
 
 namespace hrt::plate {
 
-/// Reads no clock. One thread.
+/// Detects a plate that is slower, later or less accurate than its file. Reads no clock. One thread.
 class FileWatch {
  public:
   using Time = Line::Time;
 
   explicit FileWatch(PlateFile file) : file_(std::move(file)) {}
 
-  /// Call after each Device::wait(). `command_deg`: none while the plate has no command.
+  /// Call after each Device::wait(). `command_deg`: nullopt while the plate has no command.
   void look(Time now, const Device& device, std::optional<double> command_deg);
   /// True if the plate is slower than 80 % of the file's speed, rests farther from its command than the file's error,
   /// or follows 40 ms later than the file says.
@@ -34,7 +34,7 @@ class FileWatch {
   std::optional<double> command_deg_;
   Time commanded_, near_;  // time of the last change of the command, and of the last position near it
   bool deviates_ = false;
-  // A plate that follows its commands as the file says, and how late the reported one is.
+  // Model of a plate that follows its commands as in the file; lateness of the reported plate against it.
   std::deque<Command> coming_;
   std::optional<double> goal_deg_;
   double model_deg_ = 0.0;

@@ -12,7 +12,7 @@
 using namespace hrt::plugin;
 using hrt::plate::PlateDriver;
 
-// Sizes of the first version, which never change.
+// Sizes of version 1, which must never change.
 static_assert(sizeof(hrt_plate_options) == 16);
 static_assert(sizeof(hrt_plate_report) == 480);
 static_assert(offsetof(hrt_plate_report, description) == 96);
@@ -36,7 +36,7 @@ hrt_result read_options(const hrt_plate_options* given, hrt_plate_options* optio
   return check_fields(*options);
 }
 
-// Behind the kind, as in "/dev/ttyACM0?id=1": without the options.
+// Path of a device name, without its kind and options: "/dev/ttyACM0" of "serial:/dev/ttyACM0?id=1".
 std::string path_of(std::string_view device) {
   const std::string_view rest = device.substr(device.find(':') + 1);
   return std::string(rest.substr(0, rest.find('?')));
@@ -72,7 +72,7 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options, 
     if (!out_plate) return fail(HRT_ERROR_NULL_ARGUMENT, "out_plate is null");
     const std::string_view name(device);
     if (name.size() > max_name)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "device has ", name.size(), " bytes; allowed: ", max_name);
+      return fail(HRT_ERROR_OUT_OF_RANGE, "device has ", name.size(), " bytes; allowed: at most ", max_name);
     hrt_plate_options checked;
     HRT_RETURN_IF_FAILED(read_options(options, &checked));
     hrt::plate::DeviceMaker maker;
@@ -89,7 +89,7 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options, 
     auto driver =
         std::make_unique<PlateDriver>(std::move(maker), hrt::plate::open_serial_line, path, std::move(file), checked);
     const std::uint64_t handle = plates.insert(std::move(driver));
-    if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are ", max_plates, " plates; close one first");
+    if (handle == 0) return fail(HRT_ERROR_LIMIT_REACHED, "there are already ", max_plates, " plates; close one first");
     out_plate->value = handle;
     return HRT_OK;
   });

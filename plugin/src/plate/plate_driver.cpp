@@ -21,19 +21,19 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto pickup_period = 5ms;  // period in which new commands are read
-constexpr double arrived_deg = 5.0;  // largest distance from the command
+constexpr double arrived_deg = 5.0;  // largest distance from the command at arrival
 constexpr double stay = std::numeric_limits<double>::quiet_NaN();
 
 std::atomic<std::uint32_t> forks{0};
 
-// Counted in the child, so that no call has to ask the system which process it runs in.
+// Counts forks in the child, so that no call needs the system to identify its process.
 void count_forks() {
 #if !defined(_WIN32)
   [[maybe_unused]] static const int counted = pthread_atfork(nullptr, nullptr, [] { ++forks; });
 #endif
 }
 
-// A line whose waits end when the plate is closed during opening. What an open plate still has to send is sent.
+// Line whose wait() throws when the plate is closed while it is being opened. An open plate still sends its last bytes.
 class InterruptibleLine : public Line {
  public:
   InterruptibleLine(std::unique_ptr<Line> line, std::function<bool()> is_interrupted)
@@ -53,7 +53,7 @@ class InterruptibleLine : public Line {
   std::function<bool()> is_interrupted_;
 };
 
-// A text for the host: whole characters, no control characters.
+// Writes a text for the host, without incomplete characters and control characters.
 template <std::size_t size, class... Parts>
 void write_text(char (&to)[size], const Parts&... parts) {
   plugin::Text<size> text;
@@ -83,7 +83,7 @@ PlateDriver::PlateDriver(DeviceMaker maker, LineOpener opener, std::string path,
 
 PlateDriver::~PlateDriver() {
   if (is_inherited()) {
-    static_cast<void>(thread_.release());  // the thread is the parent's
+    static_cast<void>(thread_.release());  // the thread runs in the parent only
     return;
   }
   ending_ = true;
@@ -120,11 +120,11 @@ void PlateDriver::run() noexcept {
   } catch (const PlateFailure& failure) {
     fail(failure.fault(), failure.what());
   } catch (const std::bad_alloc&) {
-    fail(Fault::internal, "cannot be driven: out of memory");
+    fail(Fault::internal, "cannot be operated: memory is exhausted");
   } catch (const std::exception& error) {
     fail(Fault::internal, error.what());
   } catch (...) {
-    fail(Fault::internal, "cannot be driven: an exception of unknown type");
+    fail(Fault::internal, "cannot be operated: an exception of unknown type");
   }
 }
 
@@ -170,12 +170,12 @@ void PlateDriver::follow_host(Device& device, Time now) {
 
 void PlateDriver::check_file(Device& device) const {
   if (file_->description != device.description())
-    throw PlateFailure(Fault::no_answer,
-                       "is \"" + device.description() + "\", and its file is of \"" + file_->description + "\"");
+    throw PlateFailure(Fault::no_answer, "is \"" + device.description() + "\", but its file describes \"" +
+                                             file_->description + "\". Commission it, or connect the other one");
   const std::vector<std::string> settings = settings_of(device.details());
   for (const std::string& line : file_->settings)
     if (std::find(settings.begin(), settings.end(), line) == settings.end())
-      throw PlateFailure(Fault::no_answer, "does not have \"" + line + "\", which its file has: commission it again");
+      throw PlateFailure(Fault::no_answer, "does not have \"" + line + "\", which is in its file. Commission it again");
 }
 
 void PlateDriver::publish(const Device& device) {

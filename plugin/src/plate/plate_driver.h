@@ -1,4 +1,4 @@
-// A plate with a thread of its own, which the host's threads never wait for.
+// Driver of a plate with its own thread. The threads of the host never wait for it.
 #pragma once
 
 #include <atomic>
@@ -18,15 +18,15 @@
 
 namespace hrt::plate {
 
-/// Calls may come from any thread; set(), stop() and report() are lock-free, allocate nothing and make no
-/// system call.
+/// Driver of one plate. Calls are allowed from any thread; set(), stop() and report() take no lock, allocate nothing
+/// and make no system call.
 class PlateDriver {
  public:
-  /// Starts to open the device. `path` is for messages, `file` what was measured of it. Throws
-  /// std::system_error without a thread.
+  /// Starts to open the device. `path` is for messages, `file` has the measured properties. Throws std::system_error if
+  /// no thread can be started.
   PlateDriver(DeviceMaker maker, LineOpener opener, std::string path, std::optional<PlateFile> file,
               const hrt_plate_options& options);
-  /// Stops the plate: within half a second. In the child of a fork it only lets go.
+  /// Stops the plate within half a second. In the child of a fork, only releases the memory.
   ~PlateDriver();
   PlateDriver(const PlateDriver&) = delete;
   PlateDriver& operator=(const PlateDriver&) = delete;
@@ -34,9 +34,9 @@ class PlateDriver {
   void set(double orientation_deg);
   void stop();
   hrt_plate_report report() const;
-  /// True in the child of a fork: the thread is the parent's.
+  /// True in the child of a fork, which does not have the thread.
   bool is_inherited() const;
-  /// set() moves a plate whose orientation is unknown.
+  /// True if set() may home a plate whose orientation is unknown.
   bool homes() const { return options_.homing == HRT_PLATE_HOMING_SLOW; }
 
  private:
@@ -61,12 +61,12 @@ class PlateDriver {
   hrt_plate_options options_;
   std::uint32_t forks_;  // number of forks of this process and its parents when the plate was opened
 
-  // From the host: the orientation, or not a number to stay; and that it lives.
+  // Written by the host: wanted orientation (not a number: hold the present one), and a counter of its calls.
   std::atomic<double> wanted_deg_;
   mutable std::atomic<std::uint32_t> calls_{0};
   std::atomic<bool> ending_{false};
 
-  // The thread's own.
+  // Used by the thread only.
   Published now_known_{};
   std::uint32_t calls_seen_ = 0;
   Time host_heard_;

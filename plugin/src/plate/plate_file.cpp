@@ -33,10 +33,10 @@ std::string hash_of(std::string_view text) {
   throw std::invalid_argument("plate file " + path + " " + why);
 }
 
-// A C stream, since those of the C++ library depend on locales.
+// C stream, because C++ streams depend on the locale.
 using OpenFile = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
-// Opens a file without waiting: a pipe is then empty, or cannot be read.
+// Opens a file without blocking, also if it is a pipe, which is then empty or cannot be read.
 std::FILE* open_to_read(const std::string& path) {
 #if defined(_WIN32)
   return _wfopen(plugin::path_of(path.c_str()).c_str(), L"rb");
@@ -52,7 +52,7 @@ std::string content_of(const std::string& path) {
   if (file) text.resize(std::fread(text.data(), 1, text.size(), file.get()));
   if (!file || std::ferror(file.get()) != 0)
     throw std::system_error(errno, std::generic_category(), "plate file " + path + " cannot be read");
-  if (text.size() > max_bytes) refuse(path, "is longer than 1000000 bytes");
+  if (text.size() > max_bytes) refuse(path, "has more than 1000000 bytes; name a file of hrt-plate commission");
   return text;
 }
 
@@ -74,12 +74,12 @@ bool is_plate_file(std::string_view name) { return name.ends_with(".json"); }
 PlateFile read_plate_file(const std::string& path) {
   const std::string text = content_of(path);
   const std::size_t end = text.rfind(mark);
-  if (end == std::string::npos) refuse(path, "has no checksum: it is not of hrt-plate commission");
+  if (end == std::string::npos) refuse(path, "has no checksum; name a file of hrt-plate commission");
   if (with_checksum(std::string_view(text).substr(0, end)) != text)
     refuse(path, "was changed: its checksum is wrong. Commission the plate again");
   const auto json = nlohmann::json::parse(text, nullptr, false);
   try {
-    if (json.at("format") != "haptic plate 1") refuse(path, "is not of format \"haptic plate 1\"");
+    if (json.at("format") != "haptic plate 1") refuse(path, "is not of format 'haptic plate 1'; commission it again");
     PlateFile file{.device = json.at("device"), .description = json.at("description")};
     file.settings = settings_of(json.at("details"));
     const auto& session = json.at("session");
@@ -90,10 +90,10 @@ PlateFile read_plate_file(const std::string& path) {
     const auto is_within = [](double value, double low, double high) { return value >= low && value <= high; };
     if (!is_within(file.speed_deg_s, 0.1, 1e5) || !is_within(file.acceleration_deg_s2, 1.0, 1e8) ||
         !is_within(file.latency_ms, 0.0, 1000.0) || !is_within(file.error_deg, 0.0, 360.0))
-      refuse(path, "holds a number out of range");
+      refuse(path, "has a number out of range; commission the plate again");
     return file;
   } catch (const nlohmann::json::exception& wrong) {
-    refuse(path, std::string("misses something: ") + wrong.what());
+    refuse(path, std::string("lacks a member, or one has a wrong type; commission it again: ") + wrong.what());
   }
 }
 

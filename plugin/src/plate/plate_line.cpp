@@ -51,7 +51,7 @@ std::optional<double> angle_of(std::string_view word) {
 
 bool are_digits(std::string_view text) { return text.find_first_not_of("0123456789") == std::string_view::npos; }
 
-// Sign, three digits, point, two digits: a lost or doubled character changes the length.
+// Format: sign, three digits, point, two digits. The fixed length exposes a lost or doubled character.
 std::optional<double> fixed_angle_of(std::string_view word) {
   if (word.size() != 7 || (word[0] != '+' && word[0] != '-') || word[4] != '.' || !are_digits(word.substr(1, 3)) ||
       !are_digits(word.substr(5)))

@@ -1,4 +1,4 @@
-// Lines of the plate's protocol (plugin/src/plate/protocol.md): text to bytes and back.
+// Encoder and parser of the line protocol (plugin/src/plate/protocol.md).
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,16 @@
 
 namespace hrt::plate {
 
-/// Messages from a plate.
+/// Message of a plate: answer to HELLO.
 struct PlateGreeting {
   double min_deg;
   double max_deg;
   double speed_deg_s;
   double latency_ms;  ///< time from a line to the servo's motion
-  bool is_measured;   ///< reports come from a sensor, not from the plate's own commands
+  bool is_measured;   ///< true: a sensor measures the orientation; false: it is assumed from the commands
 };
 struct PlateReport {
-  std::optional<double> orientation_deg;  ///< none if the plate does not know it
+  std::optional<double> orientation_deg;  ///< nullopt if the orientation is unknown
   std::uint16_t sequence;                 ///< number of the last line that was received
 };
 enum class StopReason { host, heartbeat, limit, fault, emergency, stuck, sensor, unhomed, supply };
@@ -49,27 +49,27 @@ struct PlateTest {
 using PlateMessage = std::variant<PlateGreeting, PlateReport, PlateStopped, PlateBooted, PlateInfo, PlateRefusal,
                                   PlateSetting, PlateSaved, PlateTest>;
 
-/// The bytes of a line with this body: sum and end are added.
+/// Returns the bytes of a line with this body; adds checksum and line end.
 std::string encode_line(std::string_view body);
 
-/// Body of a received line without its "\n"; none if its checksum is wrong.
+/// Returns the body of a received line without its "\n"; nullopt if its checksum is wrong.
 std::optional<std::string_view> decode_line(std::string_view line);
 
-/// The meaning of a body from the plate; none if it is not in the protocol.
+/// Parses a body from the plate; nullopt if it is not in the protocol.
 std::optional<PlateMessage> parse_plate_message(std::string_view body);
 
-/// The body of SET or HOME. `orientation_deg` within 360.
+/// Returns the body of SET or HOME. @p orientation_deg is -360 to 360.
 std::string set_body(double orientation_deg, std::uint16_t sequence, std::string_view word = "SET");
-/// `word` with a number of five digits: the body of BEAT or STOP, or a body with its session's token.
+/// Appends a number of five digits to `word`: the body of BEAT or STOP, or a body with its session's token.
 std::string beat_body(std::string_view word, std::uint16_t sequence);
 
 /// Cuts a stream of bytes into lines, in bounded memory.
 class LineReader {
  public:
-  static constexpr std::size_t max_line = 64;  ///< bytes with the end
+  static constexpr std::size_t max_line = 64;  ///< longest line in bytes, with its end
 
-  /// Takes one byte in; returns a line, without its end, when that byte ended one: an empty one if it was
-  /// too long. Valid until the next call.
+  /// Appends one byte. If it ends a line, returns the line without its end, or an empty one if it was too long. The
+  /// result is valid until the next call.
   std::optional<std::string_view> take(char byte);
 
  private:

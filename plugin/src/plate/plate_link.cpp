@@ -57,8 +57,9 @@ void PlateLink::greet() {
   while (!greeting_) {
     const auto passed = now() - began;
     if (passed > greeting_limit && is_taken_)
-      throw PlateFailure(Fault::line, "is driven by another program: close that one");
-    if (passed > greeting_limit) throw PlateFailure(Fault::no_answer, "does not answer as a plate within 5 s");
+      throw PlateFailure(Fault::line, "is in use by another program. Close that program");
+    if (passed > greeting_limit)
+      throw PlateFailure(Fault::no_answer, "does not answer as a plate within 5 s; check device, cable and supply");
     ++unanswered_hellos_;
     say("HELLO 2");
     const Line::Time again = now() + greeting_period;
@@ -80,7 +81,8 @@ void PlateLink::measure_line() {
       watch_->check(now());
     }
   }
-  if (round_trips_.count() == 0) throw PlateFailure(Fault::protocol, "does not echo sequence numbers");
+  if (round_trips_.count() == 0)
+    throw PlateFailure(Fault::protocol, "does not echo sequence numbers; install a firmware with line protocol 2");
 }
 
 void PlateLink::serve_for(std::chrono::milliseconds time) {
@@ -92,7 +94,7 @@ void PlateLink::service() {
   try {
     listen();
     const Line::Time time = now();
-    if (time - heard_ > silence_limit) throw PlateFailure(Fault::silent, "has not been heard for half a second");
+    if (time - heard_ > silence_limit) throw PlateFailure(Fault::silent, silent_text);
     watch_->check(time);
     if (time - said_ >= beat_period_) drive("BEAT");
     line_->flush();
@@ -130,7 +132,7 @@ void PlateLink::ask(const std::string& body, const std::function<bool(const Plat
   try {
     say(body);
     while (!answered_) {
-      if (now() > give_up) throw PlateFailure(Fault::protocol, "does not answer " + verb);
+      if (now() > give_up) throw PlateFailure(Fault::protocol, "does not answer " + verb + "; check its firmware");
       wait(10ms);
     }
   } catch (...) {
@@ -162,8 +164,7 @@ void PlateLink::take(const PlateMessage& message) {
   if (const auto* stopped = std::get_if<PlateStopped>(&message)) take_stop(stopped->reason);
   if (refused != nullptr) take_refusal(*refused);
   if (const auto* info = std::get_if<PlateInfo>(&message)) info_ = *info;
-  if (std::holds_alternative<PlateBooted>(message))
-    throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
+  if (std::holds_alternative<PlateBooted>(message)) throw PlateFailure(Fault::restarted, restarted_text);
   if (asked_ != nullptr && !answered_) answered_ = (*asked_)(message);
 }
 
@@ -172,7 +173,8 @@ void PlateLink::take_greeting(const PlateGreeting& greeting) {
     greeting_ = greeting;
     watch_.emplace(greeting, heard_);
   } else if (unanswered_hellos_ <= 0) {
-    throw PlateFailure(Fault::restarted, "has announced itself anew: it was reset, or another plate answers");
+    throw PlateFailure(Fault::restarted,
+                       "has announced itself again: it was reset, or another plate answers. Open it again");
   }
   --unanswered_hellos_;
 }
@@ -180,8 +182,7 @@ void PlateLink::take_greeting(const PlateGreeting& greeting) {
 void PlateLink::take_report(const PlateReport& report) {
   orientation_deg_ = report.orientation_deg;
   reported_ = heard_;
-  if (!round_trips_.echoed(heard_, report.sequence))
-    throw PlateFailure(Fault::line, "hears another program too: close that one");
+  if (!round_trips_.echoed(heard_, report.sequence)) throw PlateFailure(Fault::line, second_program_text);
   watch_->reported(heard_, report.orientation_deg);
 }
 
@@ -190,36 +191,36 @@ void PlateLink::take_stop(StopReason reason) {
     case StopReason::host:
       break;
     case StopReason::heartbeat:
-      command_deg_.reset();  // so that the next command is sent even if it is the same
+      command_deg_.reset();  // so that the next command is sent, also if it is equal
       watch_->stopped();
       break;
     case StopReason::limit:
-      throw PlateFailure(Fault::limits, "refused an angle beyond its limits");
+      throw PlateFailure(Fault::limits, "refused an angle beyond its limits. Open it again to read its limits");
     case StopReason::fault:
-      throw PlateFailure(Fault::device, "reports a fault");
+      throw PlateFailure(Fault::device, "reports that it is defective. Test it with hrt-plate show");
     case StopReason::emergency:
       if (start_ == Start::quiet) break;
-      throw PlateFailure(Fault::emergency, "was stopped by its emergency stop");
+      throw PlateFailure(Fault::emergency, "was stopped by its emergency stop. Release it, and open the plate again");
     case StopReason::stuck:
-      throw PlateFailure(Fault::stuck, "reports that its servo is stuck");
+      throw PlateFailure(Fault::stuck, "reports that its servo is stuck. Switch it off, and remove the obstacle");
     case StopReason::sensor:
       throw PlateFailure(Fault::device,
-                         "reports that its sensor runs against its servo: exchange adc_least and adc_most");
+                         "reports that its sensor runs against its servo. Exchange adc_least and adc_most");
     case StopReason::unhomed:
-      throw PlateFailure(Fault::restarted, "no longer knows its orientation: open it again, and home it");
+      throw PlateFailure(Fault::restarted, "no longer knows its orientation. Open it again, and home it");
     case StopReason::supply:
       if (start_ == Start::quiet) break;
       throw PlateFailure(
           Fault::device,
-          "has less than 4 V at its servo's supply: check adapter, fuse, emergency stop and the wire to A1");
+          "has less than 4 V at its servo's supply. Check adapter, fuse, emergency stop and the wire to A1");
   }
 }
 
-// Lines are damaged now and then; a plate that does not know its host has lost its memory.
+// Counts refused lines, since some are damaged in transmission. A plate that does not know its host has restarted.
 void PlateLink::take_refusal(const PlateRefusal& refusal) {
   ++refusals_;
-  if (refusal.why == "session") throw PlateFailure(Fault::line, "hears another program too: close that one");
-  if (refusal.why == "greeting") throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
+  if (refusal.why == "session") throw PlateFailure(Fault::line, second_program_text);
+  if (refusal.why == "greeting") throw PlateFailure(Fault::restarted, restarted_text);
 }
 
 void PlateLink::drive(std::string_view word) {
@@ -234,7 +235,7 @@ void PlateLink::say(std::string_view body) {
   said_ = now();
 }
 
-// The last chance to stop the plate; without a heartbeat it stops by itself.
+// Tries to stop the plate; without a heartbeat it stops by itself.
 void PlateLink::stop_if_heard() {
   try {
     if (greeting_) drive("STOP");

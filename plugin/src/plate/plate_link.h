@@ -1,4 +1,4 @@
-// A plate at the end of a serial line: the host's side of plugin/src/plate/protocol.md.
+// Host's side of the line protocol (plugin/src/plate/protocol.md) with a plate on a serial line.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@
 
 namespace hrt::plate {
 
-/// A plate with the line protocol. Its speed is the one that it reports, or the observed one if that is lower; its
-/// latency is the one that it reports plus half of the measured round trip. Calls return immediately, except the
-/// constructor, wait(), ask() and calls that ask. All throw PlateFailure when the plate has failed; it is then stopped
-/// if it is still connected. One thread.
+/// Plate with the line protocol. limits() has the reported speed, or the observed one if that is lower, and the
+/// reported latency plus half of the measured round trip. Calls return immediately, except the constructor, wait(),
+/// ask() and calls that use ask(). All throw PlateFailure when the plate has failed, after they stopped it if it is
+/// still connected. One thread.
 class PlateLink : public Device, public BoardSettings {
  public:
-  /// Greets the plate, for which it has five seconds (boards start when their line is opened), and measures
-  /// the line. Moves nothing. With Start::quiet an open emergency stop or a missing supply is no failure.
+  /// Greets the plate, waits up to five seconds for its answer (boards start when their line is opened), and measures
+  /// the round trip. Moves nothing. With Start::quiet, an open emergency stop or a missing supply is not a failure.
   explicit PlateLink(std::unique_ptr<Line> line, Start start = Start::hold);
-  /// Stops the plate, if it still hears.
+  /// Stops the plate if it is still connected.
   ~PlateLink() override;
   PlateLink(const PlateLink&) = delete;
   PlateLink& operator=(const PlateLink&) = delete;
@@ -32,18 +32,18 @@ class PlateLink : public Device, public BoardSettings {
   DeviceLimits limits() const override;
   bool is_measured() const override { return greeting_->is_measured; }
   const PlateGreeting& greeting() const { return *greeting_; }
-  /// Last reported orientation; none before the first report.
+  /// Last reported orientation; nullopt before the first report.
   std::optional<double> orientation_deg() const override { return orientation_deg_; }
   Line::Time reported() const override { return reported_; }
   /// Time from a line to its echo, measured at the start.
   std::optional<std::chrono::nanoseconds> round_trip() const override { return round_trips_.median(); }
   std::uint64_t refusals() const override { return refusals_; }
 
-  /// Call at least every 50 ms: listens and keeps the plate's watchdog calm.
+  /// Reads the plate's messages and sends heartbeats. Call at least every 50 ms, or the plate's watchdog stops it.
   void service();
-  /// Waits for the plate's next bytes, `limit` at most, then the same.
+  /// Waits up to `limit` for the plate's next bytes, then calls service().
   void wait(std::chrono::milliseconds limit) override;
-  /// `orientation_deg` within the greeting's limits. A repeated one is sent once.
+  /// Turns the plate. @p orientation_deg is within the greeting's limits. An equal command is not sent again.
   void turn_to(double orientation_deg) override;
   void stop() override;
 
@@ -53,7 +53,7 @@ class PlateLink : public Device, public BoardSettings {
   void keep_zero() override { save_settings(); }
   void hurry() override;
   double report_step_deg() const override { return 0.01; }
-  /// The firmware's, of its readings.
+  /// Time constant of the filter that the firmware applies to its readings.
   std::chrono::nanoseconds sensor_filter() const override;
 
   BoardSettings* board_settings() override { return this; }
@@ -62,8 +62,8 @@ class PlateLink : public Device, public BoardSettings {
   void save_settings() override;
   double sensor_reading() override;
 
-  /// Sends a line of the service commands, and hands every message to `take` until it returns true.
-  /// PlateFailure after `limit`.
+  /// Sends a service command, and passes each message to `take` until it returns true. Throws PlateFailure after
+  /// `limit`.
   void ask(const std::string& body, const std::function<bool(const PlateMessage&)>& take,
            std::chrono::milliseconds limit = std::chrono::milliseconds(1000));
 

@@ -1,4 +1,4 @@
-// The plate's settings over its line: for those who put it into operation.
+// Part of PlateLink that reads and changes the settings of a board, for hrt-plate.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double min_pulse_us = 500.0, max_pulse_us = 2500.0;
-constexpr double max_zero_step_us = 20.0;  // limit of the firmware while the servo holds
+constexpr double max_zero_step_us = 20.0;  // limit of the firmware while the servo gets pulses
 
 std::string shown(double value) {
   std::array<char, 32> text{};
@@ -22,7 +22,7 @@ std::string shown(double value) {
   return text.data();
 }
 
-// Without a decimal point of the locale.
+// Formats a value with a decimal point in every locale.
 std::string hundredths(double value) {
   const long number = std::lround(value * 100.0), size = std::abs(number);
   const std::string cents = std::to_string(size % 100);
@@ -37,7 +37,7 @@ std::vector<std::string> PlateLink::details() {
   ask("CONF", [&](const PlateMessage& message) {
     const auto* setting = std::get_if<PlateSetting>(&message);
     if (setting != nullptr) lines.push_back("setting " + setting->name + " " + shown(setting->value));
-    return setting != nullptr && setting->name == "serial";  // the last one
+    return setting != nullptr && setting->name == "serial";  // the last setting
   });
   ask("TEST", [&](const PlateMessage& message) {
     const auto* test = std::get_if<PlateTest>(&message);
@@ -53,7 +53,7 @@ void PlateLink::hurry() {
 }
 
 std::chrono::nanoseconds PlateLink::sensor_filter() const {
-  return greeting_->is_measured ? 7489us : 0us;  // an eighth of the difference every millisecond: 1 / ln(8/7)
+  return greeting_->is_measured ? 7489us : 0us;  // each millisecond takes an eighth of the difference: 1 ms / ln(8/7)
 }
 
 double PlateLink::sensor_reading() {
@@ -88,8 +88,8 @@ void PlateLink::change_setting(const std::string& name, double value) {
   });
   if (why == "step")
     why =
-        "it would move the servo, which holds its place, by more than 20 us, or put its place beyond the limits; "
-        "change it after power-on, before the first turn";
+        "it would move the servo by more than 20 us while it holds its position, or put that position beyond the "
+        "limits; change it after power-on, before the first turn";
   if (why == "range")
     why =
         "the value is out of range or does not fit the other settings; samples/plate/firmware/README.md has the ranges";
@@ -107,14 +107,14 @@ void PlateLink::save_settings() {
 double PlateLink::pulse_setting(const std::string& name) {
   const double width_us = setting(name);
   if (std::abs(width_us) < min_pulse_us || std::abs(width_us) > max_pulse_us)
-    throw PlateFailure(Fault::protocol,
-                       "has a " + name + " of " + shown(width_us) + " us; allowed: 500 to 2500 either way");
+    throw PlateFailure(Fault::protocol, "has a " + name + " of " + shown(width_us) +
+                                            " us; allowed: 500 to 2500, and negative. Commission it again");
   return width_us;
 }
 
 double PlateLink::zero_deg() { return pulse_setting("zero") / pulse_setting("span") * 180.0; }
 
-// Moves 0 in steps, so that the servo never jumps.
+// Moves 0 in small steps, so that the servo does not jump.
 void PlateLink::set_zero(double zero_deg) {
   double at_us = pulse_setting("zero");
   const double to_us = std::round(zero_deg * pulse_setting("span") / 180.0);

@@ -17,9 +17,9 @@ constexpr auto report_limit = 500ms;
 constexpr double limit_slack_deg = 3.0;  // tolerance of a sensor
 constexpr double far_deg = 10.0;         // distance from the command at which a plate has to move
 constexpr auto stuck_limit = 1000ms;
-constexpr double moved_deg = 1.0;  // in that time, or a quarter of what the plate's speed allows
+constexpr double moved_deg = 1.0;  // smallest motion in stuck_limit; less for a slow plate: a quarter of its speed
 constexpr auto max_pause = 250ms;
-// Angle or duration of a motion after which its speed is measured, without its onset.
+// Angle or duration of a motion after which its speed is measured; the onset is left out.
 constexpr double seen_deg = 20.0;
 constexpr auto min_motion = 60ms, max_motion = 1000ms;
 
@@ -47,7 +47,7 @@ void PlateWatch::stopped() {
 }
 
 void PlateWatch::reported(Time time, std::optional<double> known_deg) {
-  // After a pause of the host, the reports of the pause arrive together, and their times are unknown.
+  // After a pause of the host, the reports of the pause arrive together: their times are unknown.
   if (time - reported_ > max_pause) {
     motion_.clear();
     moved_.reset();
@@ -58,7 +58,8 @@ void PlateWatch::reported(Time time, std::optional<double> known_deg) {
   const double orientation_deg = *known_deg;
   if (orientation_deg < greeting_.min_deg - limit_slack_deg || orientation_deg > greeting_.max_deg + limit_slack_deg)
     throw PlateFailure(Fault::limits, "reports " + degrees(orientation_deg) + " deg, outside its limits of " +
-                                          degrees(greeting_.min_deg) + " to " + degrees(greeting_.max_deg) + " deg");
+                                          degrees(greeting_.min_deg) + " to " + degrees(greeting_.max_deg) +
+                                          " deg. Check its sensor and settings");
   const bool far = command_deg_ && std::abs(*command_deg_ - orientation_deg) > far_deg;
   if (!far) {
     motion_.clear();
@@ -71,8 +72,9 @@ void PlateWatch::reported(Time time, std::optional<double> known_deg) {
 
 void PlateWatch::check(Time now) const {
   if (now - reported_ <= report_limit) return;
-  throw PlateFailure(Fault::no_report, has_reported_ ? "has not reported its orientation for half a second"
-                                                     : "never reports its orientation");
+  throw PlateFailure(Fault::no_report, has_reported_
+                                           ? "has not reported its orientation for half a second; open it again"
+                                           : "never reports its orientation; check its firmware");
 }
 
 void PlateWatch::measure_speed(const Place& now) {
@@ -94,7 +96,7 @@ void PlateWatch::expect_motion(const Place& now) {
   if (!moved_ || std::abs(now.orientation_deg - moved_->orientation_deg) >= min_deg) moved_ = now;
   if (now.time - moved_->time > stuck_limit)
     throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) + " deg; it was commanded to " +
-                                         degrees(*command_deg_) + " deg");
+                                         degrees(*command_deg_) + " deg. Remove the obstacle, and open it again");
 }
 
 void RoundTrips::sent(Time time, std::uint16_t sequence) {

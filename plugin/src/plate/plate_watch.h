@@ -1,5 +1,5 @@
-// Compares what a plate reports with what it was commanded: finds the plate that lies, is stuck or is slower
-// than it says.
+// Compares the reports of a plate with its commands: detects a plate that is silent, stuck, beyond its limits, or
+// slower than it reports.
 #pragma once
 
 #include <chrono>
@@ -11,23 +11,23 @@
 
 namespace hrt::plate {
 
-/// Reads no clock: times are the caller's, and never decrease. Throws PlateFailure. One thread.
+/// Monitor of one plate. The caller passes times, which must not decrease. Throws PlateFailure. One thread.
 class PlateWatch {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   PlateWatch(const PlateGreeting& greeting, Time now) : greeting_(greeting), reported_(now) {}
 
-  /// The plate is to turn there.
+  /// Notes a command: from now on, the plate must turn to this orientation.
   void commanded(double orientation_deg);
-  /// From now on, the plate must not move.
+  /// Notes a stop: from now on, the plate must not move.
   void stopped();
-  /// `orientation_deg`: none if the plate does not know it.
+  /// Notes a report. `orientation_deg`: nullopt if the orientation is unknown.
   void reported(Time time, std::optional<double> orientation_deg);
-  /// Call regularly: detects that no report has arrived.
+  /// Throws PlateFailure if no report has arrived for half a second. Call it regularly.
   void check(Time now) const;
 
-  /// Highest speed over 20 degrees of one motion, or over a second; none before the first.
+  /// Highest speed over 20 degrees of one motion, or over a second; nullopt before the first motion.
   std::optional<double> speed_deg_s() const { return speed_deg_s_; }
 
  private:
@@ -53,9 +53,10 @@ class RoundTrips {
   using Time = PlateWatch::Time;
 
   void sent(Time time, std::uint16_t sequence);
-  /// False if no line of this host has that number, or a later one was echoed already: another host's.
+  /// Notes an echo. False if it is another host's: no line of this host has that number, or a later one was echoed
+  /// already.
   bool echoed(Time time, std::uint16_t sequence);
-  /// Median; none before the first.
+  /// Median; nullopt before the first echo.
   std::optional<std::chrono::nanoseconds> median() const { return median_; }
   std::size_t count() const { return times_.size(); }
 

@@ -1,4 +1,4 @@
-// The serial line of POSIX systems.
+// Serial line of POSIX systems.
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
@@ -36,12 +36,13 @@ speed_t speed_of(int baud) {
       return B1000000;
 #endif
     default:
-      throw PlateFailure(Fault::line, "has no rate of " + std::to_string(baud) + " baud on this system");
+      throw PlateFailure(Fault::line,
+                         "has no rate of " + std::to_string(baud) + " baud on this system; use another baud");
   }
 }
 
-// Lines that the child of a fork closes: it would keep their locks when its parent has gone.
-std::array<std::atomic<int>, 64> open_lines;  // descriptors and 1
+// Lines that the child of a fork closes; otherwise it would keep their locks after its parent has ended.
+std::array<std::atomic<int>, 64> open_lines;  // descriptor plus 1; 0: free
 
 void replace(int before, int after) {
   [[maybe_unused]] static const int registered = pthread_atfork(nullptr, nullptr, [] {
@@ -66,8 +67,7 @@ class SerialLine : public Line {
     replace(0, line_ + 1);
   }
 
-  // Linux waits up to half a minute on closing until all is sent. Unsent bytes of a dead line are therefore dropped
-  // first.
+  // Drops the unsent bytes of a dead line first: close() on Linux waits for them, up to half a minute.
   ~SerialLine() override {
     int unsent = 0;
     for (int i = 0; i < 10 && ioctl(line_, TIOCOUTQ, &unsent) == 0 && unsent > 0; ++i) poll(nullptr, 0, 10);
@@ -93,7 +93,7 @@ class SerialLine : public Line {
 
   void send(std::string_view bytes) override {
     unsent_ += bytes;
-    if (unsent_.size() > max_unsent) throw PlateFailure(Fault::unplugged, "takes nothing in");
+    if (unsent_.size() > max_unsent) throw PlateFailure(Fault::unplugged, "accepts no data; check its cable");
     flush();
   }
 
@@ -116,10 +116,11 @@ class SerialLine : public Line {
 
  private:
   void set_up(speed_t speed) {
-    if (tcgetattr(line_, &before_) != 0) throw PlateFailure(Fault::line, "is not a serial line");
-    // Root passes the line's own lock, and who opened it before has it already: hence the file's lock too.
+    if (tcgetattr(line_, &before_) != 0)
+      throw PlateFailure(Fault::line, "is not a serial line; name a serial device, such as /dev/ttyACM0");
+    // TIOCEXCL does not exclude root, or a program that has opened the line before: therefore flock() too.
     if (flock(line_, LOCK_EX | LOCK_NB) != 0 || ioctl(line_, TIOCEXCL) != 0)
-      throw PlateFailure(Fault::line, "is in use");
+      throw PlateFailure(Fault::line, "is in use by another program. Close that program");
     termios settings = before_;
     cfmakeraw(&settings);
     settings.c_cflag |= CLOCAL | CREAD;

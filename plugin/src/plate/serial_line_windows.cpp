@@ -1,4 +1,4 @@
-// The serial line of Windows: a COM port, or a named pipe in its place, as virtual machines have them.
+// Serial line of Windows: a COM port, or a named pipe, as virtual machines use them.
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>
@@ -17,7 +17,7 @@ constexpr std::size_t max_unsent = 1024;
 
 std::string reason() { return "Windows error " + std::to_string(GetLastError()); }
 
-// COM10 and above have no other name than this one.
+// Full name of a device. COM10 and above can be opened by it only.
 std::wstring full_name(const std::string& device) {
   const int size = MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, device.c_str(), -1, nullptr, 0);
   if (size <= 0) throw PlateFailure(Fault::line, "cannot be opened: its name is not UTF-8");
@@ -27,7 +27,7 @@ std::wstring full_name(const std::string& device) {
   return name.starts_with(L"\\\\") ? name : L"\\\\.\\" + name;
 }
 
-// One read or write at a time, on its way while the driver does other things.
+// One overlapped read or write, which runs while the driver continues.
 class Transfer {
  public:
   Transfer() { state_.hEvent = CreateEventW(nullptr, TRUE, FALSE, nullptr); }
@@ -43,7 +43,7 @@ class Transfer {
   void write(HANDLE line, std::size_t count) {
     check(WriteFile(line, buffer_.data(), static_cast<DWORD>(count), nullptr, &state_));
   }
-  /// Bytes that it moved, once it has ended; -1 while it is on its way.
+  /// Number of transferred bytes after its end; -1 while it is running.
   int result(HANDLE line) {
     DWORD count = 0;
     if (GetOverlappedResult(line, &state_, &count, FALSE)) {
@@ -54,7 +54,7 @@ class Transfer {
     on_its_way_ = false;
     throw PlateFailure(Fault::unplugged, "is unplugged");
   }
-  /// Ends it, so that the buffer is free.
+  /// Ends the transfer, so that the buffer may be reused.
   void cancel(HANDLE line) {
     if (!on_its_way_) return;
     CancelIoEx(line, &state_);
@@ -82,7 +82,8 @@ HANDLE opened(const std::string& device) {
                                   FILE_FLAG_OVERLAPPED, nullptr);
   if (line != INVALID_HANDLE_VALUE) return line;
   const DWORD error = GetLastError();
-  if (error == ERROR_ACCESS_DENIED || error == ERROR_PIPE_BUSY) throw PlateFailure(Fault::line, "is in use");
+  if (error == ERROR_ACCESS_DENIED || error == ERROR_PIPE_BUSY)
+    throw PlateFailure(Fault::line, "is in use by another program. Close that program");
   throw PlateFailure(Fault::line, "cannot be opened: " + reason());
 }
 
@@ -120,7 +121,7 @@ class SerialLine : public Line {
 
   void send(std::string_view bytes) override {
     unsent_ += bytes;
-    if (unsent_.size() > max_unsent) throw PlateFailure(Fault::unplugged, "takes nothing in");
+    if (unsent_.size() > max_unsent) throw PlateFailure(Fault::unplugged, "accepts no data; check its cable");
     flush();
   }
 
@@ -147,7 +148,7 @@ class SerialLine : public Line {
   void set_up(DWORD baud) {
     before_.DCBlength = sizeof before_;
     if (!GetCommState(line_, &before_) || !GetCommTimeouts(line_, &timeouts_before_))
-      throw PlateFailure(Fault::line, "is not a serial line");
+      throw PlateFailure(Fault::line, "is not a serial line; name a serial device, such as COM3");
     DCB settings = before_;
     settings.BaudRate = baud;
     settings.ByteSize = 8;
@@ -158,7 +159,7 @@ class SerialLine : public Line {
     settings.fOutX = settings.fInX = settings.fNull = settings.fErrorChar = settings.fAbortOnError = FALSE;
     settings.fDtrControl = DTR_CONTROL_ENABLE;
     settings.fRtsControl = RTS_CONTROL_ENABLE;
-    // A read ends 1 ms after the first bytes that come.
+    // A read ends 1 ms after its first bytes have arrived.
     COMMTIMEOUTS timeouts{1, 0, 0, 0, 0};
     if (!SetCommState(line_, &settings) || !SetCommTimeouts(line_, &timeouts))
       throw PlateFailure(Fault::line, "cannot be set up: " + reason());

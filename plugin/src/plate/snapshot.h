@@ -1,4 +1,4 @@
-// The latest value of one thread, read by others without a lock.
+// Latest value of one thread, which other threads read without a lock.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace hrt::plate {
 
-/// A value that one thread writes and any threads read. A reader copies a complete value: the number of a slot shows
-/// that the slot was overwritten meanwhile, and the reader takes the next one. This happens only if the writer wrote
-/// `slots` - 1 values during one copy.
+/// Value that one thread writes and any threads read. A reader always gets a complete value: if the number of a slot
+/// shows that the slot was overwritten during the copy, the reader copies the next slot. This happens only if the
+/// writer wrote `slots` - 1 values during one copy.
 template <class Value>
 class Snapshot {
   static_assert(std::is_trivially_copyable_v<Value>);
@@ -23,13 +23,13 @@ class Snapshot {
     const std::uint64_t number = latest_.load(std::memory_order_relaxed) + 1;
     Slot& slot = slots_[number % slots];
     slot.number.store(0, std::memory_order_relaxed);
-    // Each word brings the 0 along to the reader who sees it.
+    // A reader that sees one of these words also sees the number 0 (release, acquire).
     for (std::size_t i = 0; i < words.size(); ++i) slot.words[i].store(words[i], std::memory_order_release);
     slot.number.store(number, std::memory_order_release);
     latest_.store(number, std::memory_order_release);
   }
 
-  /// Zeros before the first publish().
+  /// Returns the latest value; zeros before the first publish().
   Value read() const {
     Value value{};
     for (;;) {

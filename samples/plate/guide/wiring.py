@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Draws the wiring of both plates: wiring.py writes wiring_xl330.svg and wiring_hobby.svg beside itself.
+"""Draws the wiring of both plates: wiring.py writes wiring_xl330.svg and wiring_hobby.svg to its folder.
 
 A part is a box with its pins below; a net is a horizontal line, which joins the pins that have a dot on it. Wires that
 cross without a dot do not touch. tests/samples/plate/model/model_test compares the nets with the firmware's pins."""
 import html
 import pathlib
 
-# Part: pins, from left to right. Net: what it is, and its pins.
+# Part: pins from left to right. Net: name, and pins.
 XL330 = {
     "parts": {
         "mains adapter|5 V, 4 A": "- +", "F1 fuse|2 A slow": "1 2", "S1 emergency stop|opens when pressed": "1 2",

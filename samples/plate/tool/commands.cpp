@@ -20,7 +20,7 @@ enum Code : int { success = 0, not_done = 1, usage = 2, plate_failed = 9, output
 
 constexpr const char* exit_codes = R"(Exit codes:
   0  done
-  1  no plate was found, or there was no answer: nothing was written
+  1  no plate was found, or the input ended before the last answer: nothing was written
   2  the command line is wrong
   9  the plate failed, or the device is not a plate
  10  a file cannot be written
@@ -36,7 +36,7 @@ struct Options {
   Emulation emulation;
 };
 
-// Opens what a command names: a device's name, or the path of a plate's serial line.
+// Returns the device name for the argument of a command, which may also be the path of a serial line.
 std::string full_name(const std::string& name) { return name.find(':') == std::string::npos ? "serial:" + name : name; }
 
 std::unique_ptr<Device> open(const std::string& name, const Surroundings& around, Start start) {
@@ -48,7 +48,7 @@ struct Found {
   std::string description;
 };
 
-// The first kind of device that answers at a line, within 8 s; nothing if none does.
+// Finds the first kind of device that answers at a line, within 8 s; nullopt if none answers.
 std::optional<Found> find_at(const std::string& place, const Surroundings& around) {
   std::vector<std::string> names;
   if (place.find(':') != std::string::npos) {
@@ -67,7 +67,7 @@ std::optional<Found> find_at(const std::string& place, const Surroundings& aroun
   return std::nullopt;
 }
 
-// Nothing moves, but boards start anew when their line is opened.
+// Finds all plates. Moves nothing, but boards restart when their line is opened.
 std::vector<Found> find_all(const std::vector<std::string>& places, const Surroundings& around) {
   std::vector<Found> found;
   std::string tried;
@@ -79,7 +79,8 @@ std::vector<Found> find_all(const std::vector<std::string>& places, const Surrou
     found.push_back(*device);
   }
   if (found.empty())
-    around.err << "hrt-plate: no plate was found" << (tried.empty() ? "; this computer has no serial device" : tried)
+    around.err << "hrt-plate: no plate was found"
+               << (tried.empty() ? "; this computer has no serial device" : tried + ". Check its cable and supply")
                << "\n";
   return found;
 }
@@ -104,26 +105,26 @@ Person person_at(const Surroundings& around) {
   return {around.read, [&around](const std::string& text) { around.out << text << std::endl; }};
 }
 
-// Moves 0 until its mark is right. If the person leaves before the end, the old trim is kept.
+// Moves 0 until its mark is right. If the input ends early, the old trim is restored.
 int run_trim(const Options& options, const Surroundings& around) {
   const auto device = open(options.device, around, Start::hold);
   const double before_deg = device->zero_deg();
   ask(*device, person_at(around), "Hands off the plate: it turns to 0. Enter starts it.");
   turn_and_wait(*device, 0.0);
   std::string question =
-      "The plate is at 0. How many degrees is its mark off, counter-clockwise positive? An empty line keeps "
-      "it so.";
+      "The plate is at 0. By how many degrees is its mark off? Counter-clockwise is positive. An empty line keeps "
+      "this 0.";
   try {
     while (const auto offset_deg = ask_number(*device, person_at(around), question, -30.0, 30.0)) {
       device->set_zero(device->zero_deg() - *offset_deg);
-      question = format("0 has moved by %+.2f deg. And now?", device->zero_deg() - before_deg);
+      question = format("0 has moved by %+.2f deg. How many degrees remain?", device->zero_deg() - before_deg);
     }
   } catch (const Abandoned&) {
     device->set_zero(before_deg);
     throw;
   }
   device->keep_zero();
-  around.out << "saved. Commission the plate again: a plate.json of before is of the old 0\n";
+  around.out << "saved. Commission the plate again: an earlier plate.json has the old 0\n";
   return success;
 }
 
@@ -135,19 +136,19 @@ int run_turn(const Options& options, const Surroundings& around) {
         format("angle is %g; allowed: %g to %g", options.angle_deg, limits.min_deg, limits.max_deg));
   ask(*device, person_at(around), "Hands off the plate. Enter turns it.");
   turn_and_wait(*device, options.angle_deg);
-  ask(*device, person_at(around), "The plate holds its place until Enter.");
+  ask(*device, person_at(around), "The plate holds its orientation until Enter.");
   return success;
 }
 
-// "zero=1505 speed=150", all saved or none.
+// Changes settings, given as "zero=1505 speed=150", and saves all of them or none.
 int run_set(const Options& options, const Surroundings& around) {
   const auto device = open(options.device, around, Start::quiet);
   BoardSettings* board = device->board_settings();
-  if (board == nullptr) throw PlateFailure(Fault::protocol, "has no settings of this kind");
+  if (board == nullptr) throw PlateFailure(Fault::protocol, "has no settings to change; only a board has them");
   for (const std::string& change : options.changes) {
     const std::size_t equals = std::min(change.find('='), change.size() - 1);
     const auto value = number_in(std::string_view(change).substr(equals + 1), -1e6, 1e6);
-    if (!value) throw std::invalid_argument("\"" + change + "\" is not name=number");
+    if (!value) throw std::invalid_argument("\"" + change + "\" must have the form name=number, as in zero=1505");
     board->change_setting(change.substr(0, equals), *value);
   }
   board->save_settings();
@@ -164,7 +165,7 @@ std::string today() {
 int run_commission(Options& options, const Surroundings& around) {
   if (options.device.empty()) {
     const std::vector<Found> found = find_all(around.devices(), around);
-    if (found.size() > 1) around.err << "hrt-plate: more than one plate was found: name one of them\n";
+    if (found.size() > 1) around.err << "hrt-plate: more than one plate was found; name one of them\n";
     if (found.size() != 1) return not_done;
     options.device = found.front().name;
   }
@@ -176,7 +177,7 @@ int run_commission(Options& options, const Surroundings& around) {
   std::filesystem::path plot = options.plot;
   if (plot.empty()) plot = std::filesystem::path(options.out).replace_extension(".svg");
   write_file(plot, svg_of(found));
-  around.out << "Written: " << options.out << ", and its picture " << plot.string() << "\n";
+  around.out << "Written: " << options.out << ", and its plot " << plot.string() << "\n";
   return success;
 }
 
@@ -189,7 +190,7 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
   app.require_subcommand(1);
   const auto command = [&](const char* name, const char* text, bool must_name = true) {
     CLI::App* added = app.add_subcommand(name, text);
-    added->add_option("device", options.device, "Serial device of the plate, or a name as of hrt_plate_open()")
+    added->add_option("device", options.device, "Serial device of the plate, or a device name of hrt_plate_open()")
         ->required(must_name);
     return added;
   };
@@ -197,21 +198,21 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
   finder->add_option("device", options.devices, "Devices or names to try [/dev/ttyACM*, /dev/ttyUSB*]");
   CLI::App* shower = command("show", "Show settings and self-test; moves nothing");
   CLI::App* setter = command("set", "Change settings of the firmware, and save them: zero=1505 speed=150");
-  setter->add_option("changes", options.changes, "name=number of firmware/README.md")->required();
+  setter->add_option("changes", options.changes, "name=number; firmware/README.md lists the names")->required();
   CLI::App* turner = command("turn", "Turn to an angle, and hold it until Enter");
   turner->add_option("angle", options.angle_deg, "Degrees, counter-clockwise positive")->required();
-  CLI::App* trimmer = command("trim", "Trim 0 against the base's mark, and save it in the plate");
+  CLI::App* trimmer = command("trim", "Move 0 until notch and arrow meet, and save it in the plate");
   CLI::App* commissioner =
-      command("commission", "Find the plate and all of it, and write the file that hrt-reach --plate takes", false);
-  commissioner->add_option("--out", options.out, "The file")->capture_default_str();
-  commissioner->add_option("--plot", options.plot, "The sweep's picture [the file's name with .svg]");
+      command("commission", "Find, set up and measure the plate, and write the file for hrt-reach --plate", false);
+  commissioner->add_option("--out", options.out, "File to write")->capture_default_str();
+  commissioner->add_option("--plot", options.plot, "Plot of the sweep [the file's name with .svg]");
   if (around.emulate) {
     CLI::App* emulator =
-        app.add_subcommand("emulate", "Simulate a plate at a pseudo-terminal, until Ctrl-C: to rehearse with");
-    emulator->add_option("plate", options.emulation.plate, "hobby-new was not commissioned yet")
+        app.add_subcommand("emulate", "Simulate a plate at a pseudo-terminal until Ctrl-C, for a rehearsal");
+    emulator->add_option("plate", options.emulation.plate, "Kind of plate; hobby-new has not been commissioned yet")
         ->check(CLI::IsMember({"xl330", "hobby", "hobby-new"}))
         ->capture_default_str();
-    emulator->add_option("--link", options.emulation.link, "A symbolic link to make to the pseudo-terminal");
+    emulator->add_option("--link", options.emulation.link, "Symbolic link to create to the pseudo-terminal");
   }
   try {
     app.parse(argc, argv);
@@ -234,7 +235,7 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
     around.err << "hrt-plate: the plate at " << options.device << " " << failure.what() << "\n";
     return plate_failed;
   } catch (const Abandoned& abandoned) {
-    around.err << "hrt-plate: " << abandoned.what() << ": nothing is kept\n";
+    around.err << "hrt-plate: " << abandoned.what() << "; nothing was saved\n";
     return not_done;
   } catch (const std::invalid_argument& wrong) {
     around.err << "hrt-plate: " << wrong.what() << "\n";

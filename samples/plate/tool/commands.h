@@ -1,4 +1,4 @@
-// The commands of hrt-plate.
+// Commands of hrt-plate.
 #pragma once
 
 #include <functional>
@@ -13,14 +13,14 @@
 
 namespace hrt::plate {
 
-/// What the commands need of the computer.
+/// Access of the commands to the computer.
 struct Surroundings {
-  std::function<std::vector<std::string>()> devices;  ///< that may be plates
+  std::function<std::vector<std::string>()> devices;  ///< names of serial devices that may be plates
   LineOpener open;                                    ///< throws PlateFailure
-  std::function<Entry()> read;                        ///< a line of the person, without waiting for one
+  std::function<Entry()> read;                        ///< entered line, if there is one; does not block
   std::ostream& out;
   std::ostream& err;
-  /// Runs a simulated plate until it is interrupted; none: this system has no pseudo-terminals.
+  /// Runs a simulated plate until it is interrupted; null if this system has no pseudo-terminals.
   std::function<void(const Emulation&, const std::function<Entry()>&, std::ostream&)> emulate = {};
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Replaces a link that an earlier run has left, and nothing else.
+// Symbolic link to the pseudo-terminal. Replaces only a link of an earlier run.
 class Link {
  public:
   Link(std::filesystem::path path, const std::string& device) : path_(std::move(path)) {
@@ -23,7 +23,7 @@ class Link {
     std::error_code error;
     if (std::filesystem::read_symlink(path_, error).parent_path() == "/dev/pts") std::filesystem::remove(path_, error);
     std::filesystem::create_symlink(device, path_, error);
-    if (error) throw std::invalid_argument("--link " + path_.string() + " cannot be made: " + error.message());
+    if (error) throw std::invalid_argument("--link " + path_.string() + " cannot be created: " + error.message());
   }
   ~Link() {
     std::error_code ignored;
@@ -36,7 +36,7 @@ class Link {
   std::filesystem::path path_;
 };
 
-// As wired, the emergency stop cuts the servo's supply, and a hobby servo's board sees it.
+// Presses or releases the emergency stop, which cuts the supply of the servo; the board of a hobby servo detects it.
 void press(HobbyPlate& plate, bool pressed) {
   plate.press(pressed);
   plate.servo.supply = pressed ? 0.0 : 1.0;
@@ -79,7 +79,7 @@ void run(PtyDevice<Emulated>& plate, const char* kind, const char* protocol, con
 void emulate(const Emulation& emulation, const std::function<Entry()>& read, std::ostream& out) {
   if (emulation.plate == "xl330") {
     PtyDevice<EmulatedDynamixel> plate(std::uint8_t{1}, 1190);
-    plate.with([](EmulatedDynamixel& servo) { servo.set(6, 1, 0); });  // firmware 0: no servo has it
+    plate.with([](EmulatedDynamixel& servo) { servo.set(6, 1, 0); });  // firmware 0, which no servo has
     run(plate, "an XL330-M077", "dynamixel", emulation, read, out);
     return;
   }

@@ -11,12 +11,12 @@
 namespace hrt::plate {
 
 struct Emulation {
-  std::string plate = "xl330";  ///< or "hobby", or "hobby-new", which was not commissioned yet
-  std::filesystem::path link;   ///< a symbolic link to the pseudo-terminal; empty: none
+  std::string plate = "xl330";  ///< xl330, hobby, or hobby-new, which has not been commissioned yet
+  std::filesystem::path link;   ///< symbolic link to the pseudo-terminal; empty: no link
 };
 
 /// Runs a simulated plate in real time until SIGINT, SIGTERM or SIGHUP. Lines of `read` operate its emergency stop and
-/// jam it. Throws std::invalid_argument if the link cannot be made.
+/// jam its servo. Throws std::invalid_argument if the link cannot be created.
 void emulate(const Emulation& emulation, const std::function<Entry()>& read, std::ostream& out);
 
 }  // namespace hrt::plate

@@ -20,7 +20,7 @@ namespace {
 
 using namespace hrt::plate;
 
-// Names of adapters and of boards, on Linux and macOS; on Windows ports have numbers.
+// Returns the names of serial adapters and boards (Linux, macOS), or the COM ports (Windows).
 std::vector<std::string> serial_devices() {
   std::vector<std::string> found;
 #if defined(_WIN32)
@@ -71,7 +71,7 @@ class Input {
 
 int main(int argc, char** argv) {
   constexpr int output_failed = 10;
-  static Input& input = *new Input;  // its thread outlives main()
+  static Input& input = *new Input;  // never deleted: its thread outlives main()
   try {
     Surroundings around{serial_devices, open_serial_line, [] { return input.read(); }, std::cout, std::cerr};
 #if defined(__linux__)

@@ -12,32 +12,32 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double max_slip_deg = 0.4;  // of a converter whose step is 0.3
-constexpr double near_deg = 5.0;      // of the command: there
-constexpr double still_deg = 0.5;     // within which a plate at rest stays
+constexpr double max_slip_deg = 0.4;  // the converter resolves 0.3
+constexpr double near_deg = 5.0;      // largest distance from the command at arrival
+constexpr double still_deg = 0.5;     // largest motion of a plate at rest
 constexpr auto rest_time = 200ms;
 constexpr auto settle_limit = 3000ms;
 constexpr double sweep_step_deg = 15.0;
 constexpr int returns = 6;
 constexpr int steps = 10;
 constexpr double max_step_deg = 120.0;
-constexpr double run_up_deg = 10.0;  // more than gears may be loose
-constexpr auto frame = 20ms;         // of a hobby servo's pulses
+constexpr double run_up_deg = 10.0;  // larger than the play of the gears
+constexpr auto frame = 20ms;         // period of a hobby servo's pulses
 
 double place_of(const Device& device) { return device.orientation_deg().value_or(0.0); }
 
-// Of a turn, and what follows it.
+// Time limit of a turn, with the time in which the plate settles.
 std::chrono::milliseconds limit_of_turn(const Device& device, double orientation_deg) {
   const double turn_s = std::abs(orientation_deg - place_of(device)) / device.limits().speed_deg_s;
   return settle_limit + std::chrono::milliseconds(std::llround(turn_s * 1000.0));
 }
 
-// A plate that turns on feels the same half a turn further.
+// Range of the sweep. A plate that turns without end has the same ridges after half a turn.
 std::pair<double, double> sweep_range_deg(const DeviceLimits& limits) {
   return {std::max(-180.0, limits.min_deg), std::min(180.0, limits.max_deg)};
 }
 
-// Of the sweep's inner points, which were visited from both sides; the last one up was visited once.
+// Backlash at the sweep's inner points, which were approached from both sides; the uppermost point was visited once.
 Measured backlash_of(const std::vector<SweepPoint>& sweep) {
   const std::size_t count = sweep.size() / 2;
   std::vector<double> differences_deg;
@@ -55,7 +55,7 @@ Measured repeatability_of(Device& device, double away_deg) {
   return {spread_deg, spread_deg / std::sqrt(2.0 * (returns - 1))};
 }
 
-// One turn from where the plate rests, as its reports show it.
+// Records the reports of one turn from rest.
 Step step_to(Device& device, double from_deg, double orientation_deg) {
   const double sign = orientation_deg < from_deg ? -1.0 : 1.0;
   const auto give_up = device.now() + limit_of_turn(device, orientation_deg);
@@ -72,7 +72,7 @@ Step step_to(Device& device, double from_deg, double orientation_deg) {
   return step;
 }
 
-// Each begins from a rest in its own direction, so that no gear is loose, and at another phase of the pulses.
+// Times ten steps, each after a short turn that takes up the play, at ten phases of the pulses.
 void time_steps(Device& device, Measurements& found) {
   const double half_deg = std::min(max_step_deg / 2.0, 0.9 * std::min(found.limits.max_deg, -found.limits.min_deg));
   const double filter_s = std::chrono::duration<double>(device.sensor_filter()).count();
@@ -89,7 +89,7 @@ void time_steps(Device& device, Measurements& found) {
     timed.push_back(step_to(device, from_deg, sign * half_deg));
   }
   const auto fit = fit_steps(timed, filter_s);
-  if (!fit) throw PlateFailure(Fault::device, "reports too rarely to time its steps");
+  if (!fit) throw PlateFailure(Fault::device, "reports too rarely to time its steps. Check its line and baud rate");
   found.latency_ms = {std::max(0.0, fit->onset_s.value * 1000.0 - line_ms), fit->onset_s.deviation * 1000.0};
   found.speed_deg_s = fit->speed_deg_s;
   found.acceleration_deg_s2 = fit->acceleration_deg_s2;
@@ -103,22 +103,23 @@ std::vector<SweepPoint> sweep(Device& device) {
   const double min_deg = low_deg, max_deg = high_deg;
   const int count = std::max(4, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
   const auto visit = [&](int i, bool upwards) {
-    // Unevenly, so that the steps of the sensor's converter are met at all their phases.
+    // Uneven steps meet the steps of the sensor's converter at all phases.
     const double aside = i == 0 || i == count ? 0.0 : 0.5 * (std::fmod(0.618 * i, 1.0) - 0.5);
     const double commanded_deg = min_deg + (max_deg - min_deg) * (i + aside) / count;
     found.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});
   };
   for (int i = 0; i <= count; ++i) visit(i, true);
   for (int i = count - 1; i >= 0; --i) visit(i, false);
-  // Both ends of the sweep were approached from above.
+  // The first and the last point were approached from above.
   if (const double slip_deg = found.back().reported_deg - found.front().reported_deg; std::abs(slip_deg) > max_slip_deg)
     throw PlateFailure(Fault::device,
-                       format("came back from its sweep %.2f deg off: its sensor or a gear slips", slip_deg));
+                       format("returned from its sweep %.2f deg off; allowed: %g. Fasten sensor, magnet and horn",
+                              slip_deg, max_slip_deg));
   return found;
 }
 
 void turn_and_wait(Device& device, double orientation_deg) {
-  // The arrival of a plate without a sensor is not reported; its first turn homes it, in 8 s.
+  // A plate without a sensor does not report its arrival; its first turn homes it, in 8 s.
   const auto time = device.orientation_deg() ? limit_of_turn(device, orientation_deg) : 9000ms;
   device.turn_to(orientation_deg);
   for (const auto end = device.now() + time; device.now() < end;) device.wait(10ms);
@@ -130,7 +131,7 @@ double settle_at(Device& device, double orientation_deg) {
   double rest_deg = place_of(device), sum_deg = 0.0;
   int count = 0;
   while (count == 0 || device.now() - still_since < rest_time) {
-    device.turn_to(orientation_deg);  // again, if this program was paused and the plate stopped
+    device.turn_to(orientation_deg);  // sent again if the plate stopped because this program was paused
     device.wait(20ms);
     const double place_deg = place_of(device);
     const bool still = std::abs(place_deg - rest_deg) <= still_deg && std::abs(place_deg - orientation_deg) <= near_deg;
@@ -145,7 +146,8 @@ double settle_at(Device& device, double orientation_deg) {
     }
     if (device.now() > give_up) {
       throw PlateFailure(Fault::device,
-                         format("does not come to rest at %.1f deg; it is at %.1f deg", orientation_deg, place_deg));
+                         format("does not come to rest at %.1f deg; it is at %.1f deg. Check whether it rubs",
+                                orientation_deg, place_deg));
     }
   }
   return sum_deg / count;
@@ -153,8 +155,7 @@ double settle_at(Device& device, double orientation_deg) {
 
 Measurements measure(Device& device, const std::function<void(const std::string&)>& note) {
   if (!device.is_measured())
-    throw PlateFailure(Fault::device,
-                       "has no sensor: nothing of it can be measured, and it serves for demonstrations only");
+    throw PlateFailure(Fault::device, "has no sensor, so nothing can be measured. Use it for demonstrations only");
   Measurements found;
   found.device = device.description();
   found.limits = device.limits();

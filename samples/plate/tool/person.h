@@ -1,4 +1,4 @@
-// The person who puts a plate into operation.
+// Dialogue with the person who commissions a plate.
 #pragma once
 
 #include <functional>
@@ -11,23 +11,23 @@
 
 namespace hrt::plate {
 
-/// What the person entered.
+/// Input of the person: a line, if one was entered.
 struct Entry {
   std::optional<std::string> line;
-  bool ended = false;  ///< nothing will follow
+  bool ended = false;  ///< true: the input has ended
 };
 
 struct Person {
-  std::function<Entry()> read;  ///< a line, without waiting for one
+  std::function<Entry()> read;  ///< entered line, if there is one; does not block
   std::function<void(const std::string&)> say;
 };
 
-/// The person went away before the end.
+/// The input ended before the last answer.
 struct Abandoned : std::runtime_error {
-  Abandoned() : std::runtime_error("was abandoned") {}
+  Abandoned() : std::runtime_error("the input ended before the last answer") {}
 };
 
-/// Asks, and serves the device until there is an answer: one line. Throws Abandoned.
+/// Asks a question, and serves the device until a line is entered. Throws Abandoned.
 inline std::string ask(Device& device, const Person& person, const std::string& question) {
   person.say(question);
   for (;;) {
@@ -38,7 +38,7 @@ inline std::string ask(Device& device, const Person& person, const std::string& 
   }
 }
 
-/// Again, until the answer is a number in this range; nothing for an empty line.
+/// Repeats a question until the answer is a number from `low` to `high`; nullopt for an empty line.
 inline std::optional<double> ask_number(Device& device, const Person& person, const std::string& question, double low,
                                         double high) {
   for (std::string text = question;;) {

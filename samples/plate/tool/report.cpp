@@ -14,7 +14,7 @@ namespace {
 
 double milliseconds(std::chrono::nanoseconds time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
-// The controller plans with the motion's own limit, or with the servo's if that is lower.
+// Speed for the controller: the limit of the motion, or the speed of the servo if that is lower.
 double plan_speed_deg_s(const Measurements& found) {
   return std::min(found.limits.speed_deg_s, found.speed_deg_s.value);
 }
@@ -30,7 +30,7 @@ constexpr Row rows[] = {{"speed_deg_s", &Measurements::speed_deg_s},
                         {"repeatability_deg", &Measurements::repeatability_deg},
                         {"error_deg", &Measurements::error_deg}};
 
-// The sweep begins at its least place, and is halfway at its largest.
+// Upper end of the sweep, which is reached halfway.
 double max_deg_of(const Measurements& found) { return found.sweep[found.sweep.size() / 2].commanded_deg; }
 
 std::string polyline(const Measurements& found, bool upwards, double scale) {
@@ -80,7 +80,7 @@ std::string file_of(const Measurements& found, const std::string& device, const 
   for (const SweepPoint& point : found.sweep)
     file["sweep"].push_back({point.commanded_deg, point.reported_deg, point.upwards});
   std::string text = file.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  text.replace(text.size() - 2, 2, ",\n");  // in place of the last brace
+  text.replace(text.size() - 2, 2, ",\n");  // replaces the last brace
   return with_checksum(text);
 }
 

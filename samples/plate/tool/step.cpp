@@ -9,17 +9,17 @@ namespace {
 
 constexpr double min_acceleration_deg_s2 = 300.0, max_acceleration_deg_s2 = 100'000.0;
 
-// What a filter of first order shows of an even acceleration from time 0 on.
+// Output of a first-order filter for a constant acceleration from time 0 on.
 double shown_of(double time_s, double acceleration_deg_s2, double filter_s) {
   if (time_s <= 0.0) return 0.0;
   const double settling = 1.0 - std::exp(-time_s / std::max(filter_s, 1e-6));
   return acceleration_deg_s2 * (0.5 * time_s * time_s - filter_s * time_s + filter_s * filter_s * settling);
 }
 
-// The part of a step in which it has its full speed.
+// Part of a step in which the plate has its full speed.
 constexpr double ramp_begins = 0.3, ramp_ends = 0.65;
 
-// The line through the samples there: its speed, and where it meets 0.
+// Line through the samples of that part: its slope, and the time where it crosses 0.
 struct Ramp {
   double speed_deg_s;
   double start_s;
@@ -41,9 +41,8 @@ std::optional<Ramp> ramp_of(const Step& step) {
   return Ramp{speed_deg_s, (t - x / speed_deg_s) / n};
 }
 
-// The log of the likelihood that the ramp began so, where the noise of its samples is not known: a motion
-// that accelerates evenly, and one that ends it at full speed. Neighbours that a filter has smoothed say the
-// same once more.
+// Log likelihood of an onset and acceleration, with unknown noise of the samples. The model is a constant acceleration
+// minus a second one that starts at full speed. Samples that the filter correlates count as fewer.
 double likelihood(const Step& step, const Ramp& ramp, double onset_s, double acceleration_deg_s2, double filter_s) {
   const double full_s = ramp.speed_deg_s / acceleration_deg_s2;
   double n = 0.0, squares = 0.0, last_s = 0.0;
@@ -69,9 +68,9 @@ Measured mean_of(const std::vector<double>& values) {
   return {sum / n, std::sqrt(squares / (n - 1.0) / n)};
 }
 
-// On a ramp a filter is late by its time constant, and an acceleration by half of the time that it takes: the
-// line leaves the acceleration alone to be found. Few samples see that, fewer the slower the plate is. So it
-// is one for all steps, and what they leave open of it, by the likelihood of each, is in the deviations.
+// The line through the ramp is delayed by the filter's time constant and by half of the acceleration's duration, so
+// that only the acceleration remains unknown. Few samples show it, fewer for a slower plate. Therefore one acceleration
+// is fitted to all steps; the deviations of the results include its uncertainty, weighted by likelihood.
 std::optional<StepsFit> fit_steps(const std::vector<Step>& steps, double filter_s) {
   std::vector<Ramp> ramps;
   std::vector<double> starts_s, speeds_deg_s;
@@ -82,7 +81,7 @@ std::optional<StepsFit> fit_steps(const std::vector<Step>& steps, double filter_
     starts_s.push_back(ramp->start_s - filter_s);
     speeds_deg_s.push_back(ramp->speed_deg_s);
   }
-  std::vector<std::pair<double, double>> candidates;  // an acceleration, and its likelihood
+  std::vector<std::pair<double, double>> candidates;  // acceleration, and its log likelihood
   double most = -1e300;
   for (double a = min_acceleration_deg_s2; a <= max_acceleration_deg_s2; a *= 1.03) {
     double found = 0.0;

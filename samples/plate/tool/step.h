@@ -1,4 +1,4 @@
-// Steps of a plate: when they began, how fast they were.
+// Fit of the onset, speed and acceleration of a plate's steps.
 #pragma once
 
 #include <optional>
@@ -6,15 +6,16 @@
 
 namespace hrt::plate {
 
-/// A mean, and its standard error: of the spread, and where reports repeat exactly, of their step.
+/// Mean with its standard error, which is at least that of the resolution of the reports.
 struct Measured {
   double value = 0.0;
   double deviation = 0.0;
 };
 
+/// Returns the mean with the standard error of the spread.
 Measured mean_of(const std::vector<double>& values);
 
-/// A report: seconds since the command, and the way from the place before, in the step's direction.
+/// Report in a step: time since the command, and angle from the start, in the direction of the step.
 struct StepSample {
   double time_s;
   double way_deg;
@@ -25,16 +26,15 @@ struct Step {
   std::vector<StepSample> samples;
 };
 
-/// Motions that begin after onset_s, and accelerate evenly to their speed.
+/// Motion that begins at onset_s and has a constant acceleration up to its speed.
 struct StepsFit {
   Measured onset_s;
   Measured speed_deg_s;
   Measured acceleration_deg_s2;
 };
 
-/// Fits them to the samples up to 65 % of each way, as a sensor shows them that smooths by a filter of first
-/// order with this time constant. Takes two steps or more; nothing if one has fewer than four samples from 30
-/// %.
+/// Fits the motion to the samples of the first 65 % of each step. The sensor has a first-order filter with the time
+/// constant filter_s. Requires at least two steps. Returns nullopt if a step has fewer than four samples from 30 % on.
 std::optional<StepsFit> fit_steps(const std::vector<Step>& steps, double filter_s);
 
 }  // namespace hrt::plate

@@ -32,7 +32,7 @@ std::optional<Packet> only_packet(const std::string& bytes) {
   return packet;
 }
 
-// The examples of ROBOTIS' page of the protocol.
+// Examples of the protocol page of ROBOTIS.
 TEST(DynamixelPacket, HasThePublishedBytes) {
   EXPECT_EQ(encode({.id = 1, .instruction = ping}), bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 3, 0, 1, 0x19, 0x4E}));
   EXPECT_EQ(encode({.id = 1, .instruction = dynamixel::read, .parameters = bytes_of({132, 0, 4, 0})}),
@@ -46,8 +46,8 @@ TEST(DynamixelPacket, HasThePublishedBytes) {
   EXPECT_EQ(encode({.id = 1, .instruction = status}), bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 4, 0, 0x55, 0, 0xA1, 0x0C}));
 }
 
-// A header in the parameters gets one more FD, which the length counts.
-TEST(DynamixelPacket, StuffsWhatLooksLikeAHeader) {
+// A header in the parameters is followed by one more FD, which the length includes.
+TEST(DynamixelPacket, StuffsAHeaderInTheParameters) {
   const std::string plain = bytes_of({0xFF, 0xFF, 0xFD, 0xFD, 0, 0xFF, 0xFF, 0xFF, 0xFD});
   const std::string packet = encode({.id = 7, .instruction = dynamixel::write, .parameters = plain});
   EXPECT_EQ(packet.size(), 7 + 1 + plain.size() + 2 + 2);
@@ -72,8 +72,7 @@ TEST(DynamixelPacket, ReadsBackWhatItWrites) {
   }
 }
 
-// Any one byte of a packet is another one, or is missing: no packet; and the next one is read.
-TEST(DynamixelPacket, DamagedPacketsAreNotRead) {
+TEST(DynamixelPacket, RejectsDamagedPackets) {
   const Packet packet{.id = 1, .instruction = status, .parameters = bytes_of({0xA6, 1, 2, 3})};
   const std::string good = encode(packet);
   int read = 0;
@@ -134,7 +133,7 @@ TEST_F(DynamixelTest, IsSetUpAsTheControlTableSays) {
   const auto device = open("?speed=200&effort=40");
   EXPECT_EQ(servo.get(11, 1), 5);     // current-based position
   EXPECT_EQ(servo.get(102, 2), 588);  // 40 % of 1470 mA
-  EXPECT_EQ(servo.get(112, 4), 1);    // until the first command
+  EXPECT_EQ(servo.get(112, 4), 1);    // slow until the first command
   EXPECT_EQ(servo.get(98, 1), 15);    // 300 ms
   EXPECT_EQ(servo.get(64, 1), 1);
   EXPECT_EQ(device->description(), "Dynamixel XL330-M288, id 1, firmware 52");
@@ -147,7 +146,7 @@ TEST_F(DynamixelTest, IsSetUpAsTheControlTableSays) {
   EXPECT_EQ(servo.get(112, 4), 146);  // 200 / (0.229 * 6)
 }
 
-// By hand, from ROBOTIS' pages: both models stall at 5 V and 1.47 A, the M288 with 0.52 N m, the M077 with 0.215 N m.
+// Calculated by hand from ROBOTIS' pages: stall torque at 5 V and 1.47 A: 0.52 N m (M288), 0.215 N m (M077).
 // The rim is at 75 mm: 4 N are 0.3 N m, 848 mA of an M288; 1470 mA of an M077 are 2.87 N.
 TEST_F(DynamixelTest, PushesWithAtMost4NewtonsAtTheRim) {
   const struct {
@@ -170,7 +169,7 @@ TEST_F(DynamixelTest, PushesWithAtMost4NewtonsAtTheRim) {
   EXPECT_EQ(servo.get(102, 2), 300);
 }
 
-// Reversed, and with a profile that is a duration: 90 degrees would take 218 ms the wrong way.
+// Drive mode 5: reversed, with a profile by time. 90 degrees would take 218 ms in the wrong direction.
 TEST_F(DynamixelTest, SetsTheNormalDriveMode) {
   servo.set(10, 1, 5);
   const auto device = open();
@@ -180,15 +179,15 @@ TEST_F(DynamixelTest, SetsTheNormalDriveMode) {
   EXPECT_LT(servo.motor.max_speed_deg_s(), 301.0);
 }
 
-// What bounds force and speed is read while the plate turns.
-TEST_F(DynamixelTest, NoticesWhenAnotherProgramChangesForceSpeedOrTorque) {
+// The driver reads the limits of force and speed while the plate turns.
+TEST_F(DynamixelTest, DetectsThatAnotherProgramChangesForceSpeedOrTorque) {
   const struct {
     int address, size;
     std::int64_t value;
     const char* said;
-  } rows[] = {{102, 2, 1750, "hears another program too: close that one"},
-              {112, 4, 0, "hears another program too: close that one"},
-              {64, 1, 0, "has no torque: another program or the servo switched it off"},
+  } rows[] = {{102, 2, 1750, "receives commands from another program. Close that program"},
+              {112, 4, 0, "receives commands from another program. Close that program"},
+              {64, 1, 0, "has no torque: another program or the servo switched it off. Open it again"},
               {144, 2, 36, "has a supply of 36 tenths of a volt; allowed: 37 to 60. Check adapter, fuse and wires"},
               {144, 2, 61, "has a supply of 61 tenths of a volt; allowed: 37 to 60. Check adapter, fuse and wires"}};
   for (const auto& row : rows) {
@@ -202,8 +201,8 @@ TEST_F(DynamixelTest, NoticesWhenAnotherProgramChangesForceSpeedOrTorque) {
             "has a supply of 61 tenths of a volt; allowed: 37 to 60. Check adapter, fuse and wires");
 }
 
-// Its length says that more will come: the packet is dropped when the time for an answer is over.
-TEST_F(DynamixelTest, ADamagedLengthMakesItDeafForOneAnswer) {
+// A damaged length announces more bytes than arrive: the packet is dropped after the time limit of the answer.
+TEST_F(DynamixelTest, LosesOneAnswerToADamagedLength) {
   for (const int length : {0x20, 0x60, 0xF0}) {
     servo = EmulatedDynamixel();
     const auto device = open();
@@ -222,11 +221,11 @@ TEST_F(DynamixelTest, ADamagedLengthMakesItDeafForOneAnswer) {
 TEST_F(DynamixelTest, NamesTheRemedyForAServoThatWasTurnedByMoreThanATurn) {
   servo.motor.turn_by_hand(1080.0);
   EXPECT_EQ(failure_of_opening(),
-            "was turned by 1080 degrees, more than the 360 that it counts: switch the servo's supply off and on");
+            "was turned by 1080 degrees; allowed: -360 to 360. Switch the servo's supply off and on");
   EXPECT_EQ(fault, Fault::limits);
 }
 
-// Someone only asks: torque stays off, and nothing is written.
+// Start::quiet: torque stays off, and nothing is written.
 TEST_F(DynamixelTest, OpensWithoutAMotion) {
   const auto device = open("", Start::quiet);
   EXPECT_EQ(device->description(), "Dynamixel XL330-M288, id 1, firmware 52");
@@ -237,7 +236,7 @@ TEST_F(DynamixelTest, OpensWithoutAMotion) {
   EXPECT_EQ(servo.writes_to_eeprom(), 0);
 }
 
-// The mark is 3 degrees too far counter-clockwise: the shaft turns back, and is at 0 then.
+// The mark is 3 degrees too far counter-clockwise: the shaft turns back by 3 degrees, which is then orientation 0.
 TEST_F(DynamixelTest, MovesItsZeroByTheHomingOffset) {
   const auto device = open();
   turn(*device, 0.0, 100ms);
@@ -253,7 +252,7 @@ TEST_F(DynamixelTest, MovesItsZeroByTheHomingOffset) {
   EXPECT_EQ(servo.get(20, 4), 34);
 }
 
-// The mode is in memory that wears out.
+// The memory of the mode wears out.
 TEST_F(DynamixelTest, WritesTheModeOnce) {
   open();
   open();
@@ -272,20 +271,20 @@ TEST_F(DynamixelTest, TurnsCounterClockwiseByItsProfile) {
   EXPECT_NEAR(device->limits().speed_deg_s, 300.0, 15.0);
 }
 
-// It counts turns: ridges go the short way round past half a turn.
-TEST_F(DynamixelTest, TurnsOnPastHalfATurn) {
+// The servo counts turns, so that ridges take the shorter direction past half a turn.
+TEST_F(DynamixelTest, ContinuesPastHalfATurn) {
   const auto device = open();
   for (const double orientation_deg : {170.0, 200.0, -250.0}) {
     turn(*device, orientation_deg, 2000ms);
     EXPECT_NEAR(*device->orientation_deg(), orientation_deg, 0.1);
     EXPECT_NEAR(servo.orientation_deg(), orientation_deg, 0.1);
   }
-  servo.restart();  // -250 degrees are 110 when it has forgotten its turns
+  servo.restart();  // after a restart it no longer counts the turn: -250 degrees are 110
   EXPECT_NEAR(servo.orientation_deg(), -250.0, 0.1);
   EXPECT_EQ(servo.get(132, 4), 2048 + 1252);
 }
 
-// An exchange of 15 ms may be under way; the stop's own takes 3 ms.
+// Before a stop, an exchange of 15 ms may have to end; the stop itself takes 3 ms.
 TEST_F(DynamixelTest, AStopEndsTheMotion) {
   for (auto moving = 60ms; moving < 200ms; moving += 7ms) {
     auto device = open();
@@ -307,8 +306,7 @@ TEST_F(DynamixelTest, AStopEndsTheMotion) {
   }
 }
 
-// The host hangs: the servo's own watchdog stops it within 300 ms. Then it continues at the profile's speed,
-// which the watchdog has cleared.
+// When the host hangs, the servo's own watchdog stops it within 300 ms and clears its profile, which is set again.
 TEST_F(DynamixelTest, TheWatchdogStopsItAndTheNextCommandContinues) {
   const auto device = open("?speed=100");
   turn(*device, 150.0, 100ms);
@@ -324,32 +322,33 @@ TEST_F(DynamixelTest, TheWatchdogStopsItAndTheNextCommandContinues) {
 
 TEST_F(DynamixelTest, NamesEveryFault) {
   servo.is_mute = true;
-  EXPECT_EQ(failure_of_opening(), "does not answer as a Dynamixel of id 1 within 3 s");
+  EXPECT_EQ(failure_of_opening(),
+            "does not answer as a Dynamixel of id 1 within 3 s; check id, baud, cable and supply");
   EXPECT_EQ(fault, Fault::no_answer);
   servo.is_mute = false;
-  EXPECT_EQ(failure_of_opening("?id=2"), "does not answer as a Dynamixel of id 2 within 3 s");
+  EXPECT_TRUE(failure_of_opening("?id=2").starts_with("does not answer as a Dynamixel of id 2"));
   servo.set(0, 2, 350);
-  EXPECT_EQ(failure_of_opening(), "is a Dynamixel of model number 350; known are 1190 and 1200 (XL330)");
+  EXPECT_EQ(failure_of_opening(), "is a Dynamixel of model number 350; allowed: 1190 and 1200 (XL330)");
   servo.set(0, 2, 1200);
   servo.set(70, 1, 0x24);
-  EXPECT_EQ(failure_of_opening(), "reports a hardware error: overheating, overload; it needs a restart");
+  EXPECT_EQ(failure_of_opening(), "reports a hardware error: overheating, overload. Switch its supply off and on");
   EXPECT_EQ(fault, Fault::device);
   servo.set(70, 1, 0);
 
   auto device = open();
   servo.set(70, 1, 0x20);
-  EXPECT_EQ(failure_of([&] { serve(*device, 500ms); }), "reports a hardware error: overload; it needs a restart");
+  EXPECT_TRUE(failure_of([&] { serve(*device, 500ms); }).starts_with("reports a hardware error: overload."));
   servo.set(70, 1, 0);
   device.reset();
   device = open();
   servo.forced_error = 7;
-  EXPECT_EQ(failure_of([&] { serve(*device, 500ms); }), "refuses to have address 98 read: access error");
+  EXPECT_EQ(failure_of([&] { serve(*device, 500ms); }), "refuses a read of address 98: access error");
   EXPECT_EQ(fault, Fault::protocol);
   servo.forced_error = 0;
   device.reset();
   device = open();
   servo.is_mute = true;
-  EXPECT_EQ(failure_of([&] { serve(*device, 1000ms); }), "has not been heard for half a second");
+  EXPECT_TRUE(failure_of([&] { serve(*device, 1000ms); }).starts_with("has not been heard for half a second"));
   EXPECT_EQ(fault, Fault::silent);
   servo.is_mute = false;
   device.reset();
@@ -360,9 +359,9 @@ TEST_F(DynamixelTest, NamesEveryFault) {
   EXPECT_EQ(fault, Fault::stuck);
 }
 
-// It writes another goal, while this one has none, holds one, or moves: the plate is stopped. To write the
-// goal that holds changes nothing.
-TEST_F(DynamixelTest, NoticesASecondProgramOnItsPort) {
+// Another program writes a goal while this one has no command, holds one, or moves: the plate is stopped. Writing the
+// present goal again changes nothing.
+TEST_F(DynamixelTest, DetectsASecondProgramOnItsLine) {
   for (const double command_deg : {-1.0, 0.0, 90.0}) {
     auto device = open();
     if (command_deg >= 0.0) device->turn_to(command_deg);
@@ -371,17 +370,17 @@ TEST_F(DynamixelTest, NoticesASecondProgramOnItsPort) {
       const std::string goal = little_endian(116, 2) + little_endian(servo.get(116, 4) + aside, 4);
       servo.hear(encode({.id = 1, .instruction = dynamixel::write, .parameters = goal}), servo.now());
       EXPECT_EQ(failure_of([&] { serve(*device, 100ms); }),
-                aside == 0 ? "" : "hears another program too: close that one");
+                aside == 0 ? "" : "receives commands from another program. Close that program");
     }
     EXPECT_EQ(fault, Fault::line);
     const double stopped_deg = servo.orientation_deg();
     device.reset();
     servo.run_until(servo.now() + 1s);
-    EXPECT_NEAR(servo.orientation_deg(), stopped_deg, 5.0);  // 300 degrees a second, seen 15 ms ago
+    EXPECT_NEAR(servo.orientation_deg(), stopped_deg, 5.0);  // 300 degrees a second for 15 ms since the last report
   }
 }
 
-TEST_F(DynamixelTest, WorksOnADisturbedLine) {
+TEST_F(DynamixelTest, ReachesItsCommandOnADisturbedLine) {
   servo.damages_answers = true;
   const auto device = open();
   turn(*device, -30.0, 1500ms);
@@ -389,8 +388,8 @@ TEST_F(DynamixelTest, WorksOnADisturbedLine) {
   EXPECT_GT(device->refusals(), 5U);
 }
 
-// The first answer comes 90 ms late, when the host has asked again: it is not taken for the second one.
-TEST_F(DynamixelTest, PassesOverLateAnswers) {
+// The answer arrives after 90 ms, when the host has sent the next request: it is not taken for the next answer.
+TEST_F(DynamixelTest, IgnoresLateAnswers) {
   servo.delay = 90ms;
   std::unique_ptr<Device> device;
   EXPECT_NE(failure_of([&] { device = open(); }), "");
@@ -416,18 +415,18 @@ TEST(DeviceName, IsCheckedBeforeAnythingIsOpened) {
     }
     return {};
   };
-  EXPECT_EQ(refusal(""), "device has no kind; allowed: serial:..., dynamixel:..., a plate file (.json)");
+  EXPECT_EQ(refusal(""), "device \"\" has no kind; allowed: serial:..., dynamixel:..., a plate file (.json)");
   EXPECT_EQ(refusal("usb:x"), "device is of kind \"usb\"; allowed: serial:..., dynamixel:...");
-  EXPECT_EQ(refusal("serial:"), "device names no line behind serial:");
+  EXPECT_EQ(refusal("serial:"), "device \"serial:\" has no line; add one, as in serial:/dev/ttyACM0");
   EXPECT_EQ(refusal("serial:/dev/x?id=1"), "serial: has no option \"id\"; allowed: none");
-  EXPECT_EQ(refusal("dynamixel:/dev/x?id"), "option \"id\" of the device is not name=value");
-  EXPECT_EQ(refusal("dynamixel:/dev/x?id=1&id=2"), "option id is there twice");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?id"), "option \"id\" of the device must have the form name=value");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?id=1&id=2"), "option id is given twice; give it once");
   EXPECT_EQ(refusal("dynamixel:/dev/x?id=253"), "option id is \"253\"; allowed: 0 to 252");
   EXPECT_EQ(refusal("dynamixel:/dev/x?id=1x"), "option id is \"1x\"; allowed: 0 to 252");
   EXPECT_EQ(refusal("dynamixel:/dev/x?baud=60000"), "option baud is 60000; allowed: 57600, 115200, 1000000");
   EXPECT_EQ(refusal("dynamixel:/dev/x?colour=1"),
             "dynamixel: has no option \"colour\"; allowed: id, baud, speed, effort");
-  EXPECT_EQ(refusal("dynamixel:/dev/x?"), "option \"\" of the device is not name=value");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?"), "option \"\" of the device must have the form name=value");
   EXPECT_EQ(refusal("dynamixel:/dev/x?id=0&baud=1000000&speed=10&effort=100"), "");
 }
 

@@ -1,4 +1,4 @@
-// A line straight to an emulated device, in simulated time.
+// Line to an emulated device, in simulated time.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace hrt::plate {
 
-/// Time passes in wait() and pause() alone. A byte takes byte_time() either way; a device answers no sooner
-/// than answer_delay() after it has heard.
+/// Line in which time passes only in wait() and pause(). A byte takes byte_time() in both directions; a device answers
+/// after answer_delay() at the earliest.
 template <class Device>
 class EmulatedLine : public Line {
  public:
   explicit EmulatedLine(Device& device, const bool& is_unplugged = never)
       : device_(device), is_unplugged_(is_unplugged), now_(device.now()) {}
 
-  /// What was sent arrives, as a system's buffers are emptied when a line is closed.
+  /// Delivers the bytes that were sent, as a system empties its buffers when a line is closed.
   ~EmulatedLine() override {
     while (!going_.empty() && !is_unplugged_) run();
   }
@@ -41,7 +41,7 @@ class EmulatedLine : public Line {
   void wait(std::chrono::milliseconds limit) override {
     for (const auto end = now_ + limit; now_ < end && !has_arrived();) run();
   }
-  /// The host does nothing.
+  /// Lets time pass while the host does nothing.
   void pause(std::chrono::milliseconds time) {
     for (const auto end = now_ + time; now_ < end;) run();
   }

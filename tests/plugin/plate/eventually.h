@@ -1,4 +1,4 @@
-// Waiting for what a plate does in real time.
+// Waits for a condition of a plate in real time.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace hrt::plate {
 
-/// True as soon as `condition` is, false if it is not within two minutes: machines are busy.
+/// Returns true as soon as `condition` is true; false after two minutes, which is long enough for a busy machine.
 template <class Condition>
 bool eventually(Condition condition) {
   using Clock = std::chrono::steady_clock;

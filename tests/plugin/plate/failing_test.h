@@ -1,4 +1,4 @@
-// A fixture that takes what a failed device says.
+// Fixture that catches the failure of a device.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace hrt::plate {
 
 struct FailingTest : testing::Test {
-  /// Empty if `action` does not fail.
+  /// Returns the text of the failure; empty if `action` does not fail.
   template <class Action>
   std::string failure_of(Action action) try {
     action();

@@ -1,8 +1,8 @@
-// The serial line of Windows over a named pipe: overlapped reads and writes, and a line that ends.
+// Tests of the serial line of Windows over a named pipe: overlapped reads and writes, and the end of a line.
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>
-// After it.
+// These follow windows.h.
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A servo at the other end of a named pipe, of which one end is free while the other is in use.
+// Servo on a named pipe with two ends, so that one end is free while the other is in use.
 class PipeDynamixel {
  public:
   PipeDynamixel()
@@ -94,7 +94,7 @@ TEST(WindowsLine, HrtPlateCommissionsAServo) {
   EXPECT_EQ(read_plate_file("plate.json").description, "Dynamixel XL330-M288, id 1, firmware 52");
 }
 
-TEST(WindowsLine, NamesWhatIsNoLine) {
+TEST(WindowsLine, ReportsADeviceThatIsNotALine) {
   const auto failure_of = [](const char* device) {
     hrt_plate plate{};
     EXPECT_EQ(hrt_plate_open(device, nullptr, &plate), HRT_OK);
@@ -104,7 +104,7 @@ TEST(WindowsLine, NamesWhatIsNoLine) {
     return message;
   };
   EXPECT_EQ(failure_of("serial:COM99"), "the plate at COM99 cannot be opened: Windows error 2");
-  EXPECT_EQ(failure_of("serial:NUL"), "the plate at NUL is not a serial line");
+  EXPECT_EQ(failure_of("serial:NUL"), "the plate at NUL is not a serial line; name a serial device, such as COM3");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Every pair of faults, at every phase of a plate's life: how far it moves before the first command and after a
-// stop, how fast it turns, how strongly it may push at the rim, and what is reported. As a table:
+// Each pair of faults in each phase of operation. Measures the motion before the first command and after a stop, the
+// speed, the largest force at the rim, and the reported fault. Prints a table:
 // hrt_plate_driver_tests --gtest_filter='PlateFaults*'
 #include <gtest/gtest.h>
 
@@ -29,18 +29,18 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto window = 100ms;      // over which speed is taken: a hobby servo's pulses come every 20 ms
-constexpr double place_deg = 20.0;  // where the plate stands
+constexpr auto window = 100ms;      // time over which speed is measured; a hobby servo gets a pulse every 20 ms
+constexpr double place_deg = 20.0;  // initial plate orientation
 enum Phase { open, idle, home, move, hold, close };
 constexpr const char* phases[] = {"open", "idle", "home", "move", "hold", "close"};
 
 template <class Emulated>
 struct Kind {
   const char* name;
-  std::function<void(Emulated&)> begin;  ///< none: the line is unplugged
-  std::vector<std::string> says;         ///< of which the report has one; none: it is not seen
-  Phase first_phase = open;              ///< in which it is seen
-  std::function<void(Emulated&)> end;    ///< 300 ms later
+  std::function<void(Emulated&)> begin;  ///< null: unplugs the line
+  std::vector<std::string> says;         ///< the report has one of these; empty: not observable
+  Phase first_phase = open;              ///< first phase in which the fault is observable
+  std::function<void(Emulated&)> end;    ///< ends the fault 300 ms later; null: it lasts
 };
 
 template <class Emulated>
@@ -52,11 +52,11 @@ void disturb(Emulated& device) {
   device.send(noise);
 }
 
-// The firmware with a hobby servo. The phase "home" is of one without a sensor.
+// The firmware with a hobby servo. In the phase "home" it has no sensor.
 struct Hobby {
   using Emulated = HobbyPlate;
   static constexpr const char *name = "hobby servo", *device = "serial:line";
-  static constexpr double speed_limit_deg_s = 200.0;  // the firmware's, which a finger feels
+  static constexpr double speed_limit_deg_s = 200.0;  // limit of the firmware
   static constexpr double latency_s = 0.03;           // dead time of 10 ms, and a frame of its pulses
   static constexpr bool homes = true;
 
@@ -64,7 +64,7 @@ struct Hobby {
     return HobbyPlate({.settings = phase == home ? settings_default() : commissioned(), .place_deg = place_deg});
   }
   static void greet(HobbyPlate& board) { board.say("HELLO 2 00042"); }
-  static double force_n(const HobbyPlate&) { return 0.0; }  // nothing limits or knows it
+  static double force_n(const HobbyPlate&) { return 0.0; }  // unknown, and not limited
   static bool is_deaf(const HobbyPlate&) { return false; }
   static inline const std::vector<Kind<HobbyPlate>> kinds = {
       {"unplug", {}, {"is unplugged"}},
@@ -89,13 +89,13 @@ struct Hobby {
        [](HobbyPlate& board) { board.servo.supply = 1.0; }}};
 };
 
-// The stronger one of the two, with all the effort that may be asked of it. It knows its place: no homing.
-// Its emergency stop cuts its supply.
+// The stronger model, with the largest effort. Its orientation is always known: it has no homing. Its emergency stop
+// cuts its supply.
 struct Xl330 {
   using Emulated = EmulatedDynamixel;
   static constexpr const char *name = "XL330", *device = "dynamixel:line?effort=100";
   static constexpr double speed_limit_deg_s = 300.0;  // its profile
-  static constexpr double latency_s = 0.02;           // an exchange that is under way, and the stop's own
+  static constexpr double latency_s = 0.02;           // an exchange that has to end, and the exchange of the stop
   static constexpr bool homes = false;
 
   static EmulatedDynamixel make(Phase) {
@@ -139,7 +139,7 @@ struct Xl330 {
        [](EmulatedDynamixel& servo) { servo.is_mute = false; }}};
 };
 
-// A plate, its host, and what happens to them.
+// A plate with its host, into which faults are injected.
 template <class Plate>
 struct Scene {
   using Emulated = typename Plate::Emulated;
@@ -151,9 +151,9 @@ struct Scene {
   std::set<std::string> reported;
   double before_first_set_deg = 0.0, after_stop_deg = 0.0, max_deg_s = 0.0, max_n = 0.0;
   bool is_set = false, is_unplugged = false;
-  std::optional<std::chrono::nanoseconds> stops;  // a plate that does not hear stops by its watchdog
+  std::optional<std::chrono::nanoseconds> stops;  // time of the stop; a plate without a line stops by its watchdog
   std::optional<double> stopped_deg;
-  std::function<void(Emulated&)> ends;  // of a fault that ends
+  std::function<void(Emulated&)> ends;  // ends the present fault
   std::chrono::nanoseconds ends_at{};
 
   void close_host() {
@@ -166,7 +166,7 @@ struct Scene {
     after_stop_deg = std::max(after_stop_deg, std::abs(board.orientation_deg() - *stopped_deg));
   }
 
-  // Serves the host's device, or lets time pass without one: one that failed is closed.
+  // Runs the host's device, and closes it when it has failed; without one, only lets time pass.
   void run(std::chrono::milliseconds time) {
     for (const auto end = board.now() + time; board.now() < end;) {
       const double from_deg = board.orientation_deg();
@@ -191,7 +191,7 @@ struct Scene {
     }
   }
   void open_host() {
-    board.take_output();  // what came before is lost
+    board.take_output();  // bytes from before opening are lost
     try {
       host = device_named(Plate::device)(
           [this](const std::string&, int) { return std::make_unique<EmulatedLine<Emulated>>(board, is_unplugged); },
@@ -246,8 +246,8 @@ struct Scene {
   }
 };
 
-// `said` names `kind`, or `kind` cannot be seen in this phase; at the close nobody is left to see it, and
-// without a sensor nobody sees what turns.
+// True if `said` names `kind`, or `kind` is not observable in this phase: after closing there is no host, and without a
+// sensor a stuck servo is not detected.
 template <class Emulated>
 bool is_named(const Kind<Emulated>& kind, Phase phase, const std::string& said) {
   const auto& words = kind.says;
@@ -255,7 +255,7 @@ bool is_named(const Kind<Emulated>& kind, Phase phase, const std::string& said) 
          phase < kind.first_phase || phase == close || (phase == home && words.front() == "is stuck");
 }
 
-// The row of the README that sums the table up.
+// Returns the row of the README that summarizes the table.
 template <class Plate>
 std::string study() {
   std::printf("%-12s %-12s %-12s %-6s %-14s %-14s %-8s %-8s %s\n", "plate", "fault", "and", "phase", "deg before set",
@@ -276,7 +276,7 @@ std::string study() {
                     said.c_str());
         before_deg = std::max(before_deg, scene.before_first_set_deg);
         after_deg = std::max(after_deg, scene.after_stop_deg);
-        // Nothing keeps another program on its line from commanding an XL330.
+        // An XL330 executes the commands of another program.
         const bool is_second_host = kinds[a].name == kinds[4].name || kinds[b].name == kinds[4].name;
         if (!is_second_host || Plate::homes) alone_deg = std::max(alone_deg, scene.after_stop_deg);
         max_deg_s = std::max(max_deg_s, scene.max_deg_s);
@@ -299,7 +299,7 @@ std::string study() {
   return row.data();
 }
 
-TEST(PlateFaults, NoPairOfThemMovesAPlateUncommandedTooFastTooStronglyOrInSilence) {
+TEST(PlateFaults, EachPairStaysWithinTheLimitsOfMotionSpeedAndForceAndIsReported) {
   std::ifstream file(HRT_PLATE_PAGES "/README.md");
   const std::string readme(std::istreambuf_iterator<char>(file), {});
   EXPECT_TRUE(has(readme, study<Hobby>()));

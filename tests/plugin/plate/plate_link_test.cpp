@@ -1,4 +1,4 @@
-// The host's side of the line protocol against an emulated plate, in simulated time.
+// Tests of the host's side of the line protocol with an emulated plate, in simulated time.
 #include "plugin/src/plate/plate_link.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double sensor_deg = 0.35;  // a step of its converter, and the servo's dead band
+constexpr double sensor_deg = 0.35;  // resolution of the converter, and dead band of the servo
 
 class PlateLinkTest : public FailingTest {
  protected:
@@ -43,14 +43,14 @@ class PlateLinkTest : public FailingTest {
   EmulatedLine<HobbyPlate>* line = nullptr;
 };
 
-TEST_F(PlateLinkTest, LearnsLimitsAndOrientation) {
+TEST_F(PlateLinkTest, ReadsLimitsAndOrientation) {
   Settings settings = commissioned();
   settings.value[SETTING_SPEED_DEG_S] = 15000;
   open({.settings = settings});
   EXPECT_EQ(link->limits().min_deg, -90.0);
   EXPECT_EQ(link->limits().max_deg, 90.0);
   EXPECT_EQ(link->limits().speed_deg_s, 150.0);
-  // A line of 22 bytes, its answer of 22 bytes, at 87 us.
+  // A line and its answer have 22 bytes each, of 87 us.
   EXPECT_GE(*link->round_trip(), 44 * 87us);
   EXPECT_LT(*link->round_trip(), 44 * 87us + 2ms);
   EXPECT_EQ(link->limits().latency, 30ms + *link->round_trip() / 2);
@@ -62,7 +62,7 @@ TEST_F(PlateLinkTest, LearnsLimitsAndOrientation) {
   EXPECT_NEAR(*link->orientation_deg(), 12.35, sensor_deg);
 }
 
-TEST_F(PlateLinkTest, DoesNotRepeatACommandButKeepsBeating) {
+TEST_F(PlateLinkTest, SendsAnEqualCommandOnceAndHeartbeats) {
   open();
   for (int i = 0; i < 50; ++i) {
     link->turn_to(20.0);
@@ -73,8 +73,8 @@ TEST_F(PlateLinkTest, DoesNotRepeatACommandButKeepsBeating) {
   EXPECT_EQ(plate->heartbeat_stops(), 0);
 }
 
-// The host is late (it hangs, or its machine is busy): the plate stops by itself, and the next command moves
-// it again.
+// When the host is late (it hangs, or its machine is busy), the plate stops by itself, and the next command moves it
+// again.
 TEST_F(PlateLinkTest, ThePlateStopsWithoutAHeartbeatAndTheNextCommandContinues) {
   open();
   link->turn_to(80.0);
@@ -91,14 +91,14 @@ TEST_F(PlateLinkTest, ThePlateStopsWithoutAHeartbeatAndTheNextCommandContinues) 
   EXPECT_NEAR(*link->orientation_deg(), 80.0, sensor_deg);
 }
 
-// Boards start when their line is opened, and need two seconds.
+// Boards start when their line is opened, which takes two seconds.
 TEST_F(PlateLinkTest, WaitsForABoardThatStarts) {
   open({.boot = 2200ms});
   EXPECT_EQ(link->limits().speed_deg_s, 200.0);
 }
 
-// It says 200 and turns at 120 degrees a second.
-TEST_F(PlateLinkTest, PlansWithTheSpeedThatItSees) {
+// The plate reports 200 degrees a second, and turns at 120.
+TEST_F(PlateLinkTest, ReportsTheObservedSpeedIfItIsLower) {
   open({.servo = {.speed_deg_s = 120.0}});
   EXPECT_EQ(link->limits().speed_deg_s, 200.0);
   link->turn_to(85.0);
@@ -114,21 +114,21 @@ TEST_F(PlateLinkTest, FailsWhenThePlateNeverReports) {
 TEST_F(PlateLinkTest, FailsWhenThePlateIsStuck) {
   open();
   plate->servo.is_jammed = true;
-  link->turn_to(14.0);  // the firmware calls 15 degrees stuck
-  EXPECT_TRUE(failure_of_service().ends_with(" deg; it was commanded to 14.0 deg"));
+  link->turn_to(14.0);  // the firmware reports a stuck servo from 15 degrees
+  EXPECT_NE(failure_of_service().find(" deg; it was commanded to 14.0 deg"), std::string::npos);
   EXPECT_EQ(fault, Fault::stuck);
   EXPECT_EQ(plate->heard().back(), "STOP");
 }
 
-TEST_F(PlateLinkTest, FailsWhenThePlateAnnouncesItselfAnew) {
+TEST_F(PlateLinkTest, FailsWhenThePlateAnnouncesItselfAgain) {
   open();
   plate->send("PLATE 2 -90.00 90.00 100.00 10.00 measured");
-  EXPECT_NE(failure_of_service().find("has announced itself anew"), std::string::npos);
+  EXPECT_NE(failure_of_service().find("has announced itself again"), std::string::npos);
   EXPECT_EQ(fault, Fault::restarted);
 }
 
-// A servo of 30 ms; then one that is slower than the file says, that rests away from its command, that is late.
-TEST_F(PlateLinkTest, DeviatesFromItsFile) {
+// A servo as in its file, with a latency of 30 ms; then one that is slower, one that rests off its command, a late one.
+TEST_F(PlateLinkTest, DetectsADeviationFromTheFile) {
   const struct {
     ServoTraits servo;
     bool deviates;
@@ -137,7 +137,7 @@ TEST_F(PlateLinkTest, DeviatesFromItsFile) {
               {{.dead_band_deg = 4.0}, true},
               {{.dead_time = 110ms}, true}};
   for (const auto& row : rows) {
-    for (const double step_deg : {160.0, 3.0}) {  // at once, and as a controller commands it: 120 degrees a second
+    for (const double step_deg : {160.0, 3.0}) {  // one step, and a ramp of 120 degrees a second
       open({.servo = row.servo});
       FileWatch watch({.speed_deg_s = 190.0, .acceleration_deg_s2 = 5000.0, .latency_ms = 30.0, .error_deg = 1.5});
       double command_deg = 0.0, to_deg = 80.0;
@@ -159,7 +159,7 @@ TEST_F(PlateLinkTest, DeviatesFromItsFile) {
   }
 }
 
-// Another program holds the plate, and is heard.
+// Another program is the host of the plate, and sends heartbeats.
 TEST_F(PlateLinkTest, DoesNotTakeAPlateFromAnotherHost) {
   struct Taken : HobbyPlate {
     void run_until(Time now) {
@@ -174,29 +174,29 @@ TEST_F(PlateLinkTest, DoesNotTakeAPlateFromAnotherHost) {
   taken.run_for(10ms);
   taken.take_output();
   EXPECT_EQ(failure_of([&] { PlateLink(std::make_unique<EmulatedLine<Taken>>(taken)); }),
-            "is driven by another program: close that one");
+            "is in use by another program. Close that program");
   EXPECT_FALSE(taken.has_pulses());
 }
 
-TEST_F(PlateLinkTest, FailsWhenThePlateSaysThatItCannotGoOn) {
-  // Another program: its number is not of ours; one of ours, but not the last, is behind it.
+TEST_F(PlateLinkTest, FailsWhenThePlateReportsAStopOrAForeignNumber) {
+  // A sequence number that this host has not sent is another program's.
   open();
   plate->send("AT +000.00 09999");
-  EXPECT_EQ(failure_of_service(), "hears another program too: close that one");
+  EXPECT_EQ(failure_of_service(), second_program_text);
   EXPECT_EQ(fault, Fault::line);
   const struct {
     std::string why;
     std::string said;
     Fault fault;
   } stops[] = {
-      {"emergency", "was stopped by its emergency stop", Fault::emergency},
-      {"fault", "reports a fault", Fault::device},
-      {"limit", "refused an angle beyond its limits", Fault::limits},
-      {"stuck", "reports that its servo is stuck", Fault::stuck},
-      {"sensor", "reports that its sensor runs against its servo: exchange adc_least and adc_most", Fault::device},
-      {"supply", "has less than 4 V at its servo's supply: check adapter, fuse, emergency stop and the wire to A1",
+      {"emergency", "was stopped by its emergency stop. Release it, and open the plate again", Fault::emergency},
+      {"fault", "reports that it is defective. Test it with hrt-plate show", Fault::device},
+      {"limit", "refused an angle beyond its limits. Open it again to read its limits", Fault::limits},
+      {"stuck", "reports that its servo is stuck. Switch it off, and remove the obstacle", Fault::stuck},
+      {"sensor", "reports that its sensor runs against its servo. Exchange adc_least and adc_most", Fault::device},
+      {"supply", "has less than 4 V at its servo's supply. Check adapter, fuse, emergency stop and the wire to A1",
        Fault::device},
-      {"unhomed", "no longer knows its orientation: open it again, and home it", Fault::restarted}};
+      {"unhomed", "no longer knows its orientation. Open it again, and home it", Fault::restarted}};
   for (const auto& stop : stops) {
     open();
     plate->send("STOPPED " + stop.why);

@@ -1,4 +1,4 @@
-// What the host makes of a plate's reports, at times of the test's own.
+// Tests of the checks of a plate's reports, at times that the test sets.
 #include "plugin/src/plate/plate_watch.h"
 
 #include <gtest/gtest.h>
@@ -18,22 +18,23 @@ constexpr PlateWatch::Time start{};
 
 using PlateWatchTest = FailingTest;
 
-TEST_F(PlateWatchTest, NoticesAPlateThatDoesNotReport) {
+TEST_F(PlateWatchTest, FailsWhenThePlateDoesNotReport) {
   PlateWatch watch(greeting, start);
   watch.check(start + 500ms);
-  EXPECT_EQ(failure_of([&] { watch.check(start + 501ms); }), "never reports its orientation");
+  EXPECT_EQ(failure_of([&] { watch.check(start + 501ms); }), "never reports its orientation; check its firmware");
   watch.reported(start + 600ms, 0.0);
   watch.check(start + 1100ms);
-  EXPECT_EQ(failure_of([&] { watch.check(start + 1101ms); }), "has not reported its orientation for half a second");
+  EXPECT_EQ(failure_of([&] { watch.check(start + 1101ms); }),
+            "has not reported its orientation for half a second; open it again");
 }
 
-TEST_F(PlateWatchTest, NoticesAPlateThatIsStuck) {
+TEST_F(PlateWatchTest, FailsWhenThePlateIsStuck) {
   PlateWatch watch(greeting, start);
   watch.commanded(30.0);
   for (auto time = 0ms; time <= 1000ms; time += 20ms)
     watch.reported(start + time, 12.0 + 0.3 * std::sin(0.01 * static_cast<double>(time.count())));
   EXPECT_EQ(failure_of([&] { watch.reported(start + 1020ms, 12.0); }),
-            "is stuck at 12.0 deg; it was commanded to 30.0 deg");
+            "is stuck at 12.0 deg; it was commanded to 30.0 deg. Remove the obstacle, and open it again");
 }
 
 TEST_F(PlateWatchTest, APlateThatIsNearItsCommandIsNotStuck) {
@@ -42,8 +43,8 @@ TEST_F(PlateWatchTest, APlateThatIsNearItsCommandIsNotStuck) {
   for (auto time = 0ms; time <= 3000ms; time += 20ms) watch.reported(start + time, 20.5);
 }
 
-// The host slept for 2 s, and then reads at once what the plate has sent since.
-TEST_F(PlateWatchTest, APauseOfTheHostIsNoFaultOfThePlate) {
+// After a pause of 2 s, the host reads the reports of the pause together.
+TEST_F(PlateWatchTest, APauseOfTheHostIsNotAFailure) {
   PlateWatch watch(greeting, start);
   watch.commanded(80.0);
   watch.reported(start, 0.0);
@@ -52,7 +53,7 @@ TEST_F(PlateWatchTest, APauseOfTheHostIsNoFaultOfThePlate) {
   watch.reported(start + 2000ms, 80.0);
 }
 
-TEST_F(PlateWatchTest, APlateThatDoesNotKnowItsPlaceIsHeard) {
+TEST_F(PlateWatchTest, ReportsOfAnUnknownOrientationAreAccepted) {
   PlateWatch watch(greeting, start);
   watch.commanded(80.0);
   for (auto time = 0ms; time <= 8000ms; time += 100ms) {
@@ -62,8 +63,8 @@ TEST_F(PlateWatchTest, APlateThatDoesNotKnowItsPlaceIsHeard) {
   EXPECT_FALSE(watch.speed_deg_s());
 }
 
-// A sensor may be off by 3 degrees.
-TEST_F(PlateWatchTest, NoticesAPlateBeyondItsLimits) {
+// The tolerance of a sensor is 3 degrees.
+TEST_F(PlateWatchTest, FailsWhenThePlateIsBeyondItsLimits) {
   for (const double side : {-1.0, 1.0}) {
     PlateWatch watch(greeting, start);
     watch.reported(start, side * 93.0);
@@ -81,7 +82,7 @@ TEST_F(PlateWatchTest, APlateThatWasStoppedIsNotStuck) {
   for (auto time = 920ms; time <= 3000ms; time += 20ms) watch.reported(start + time, 0.0);
 }
 
-// Two degrees a second, in a plate that says so, are a motion.
+// Two degrees a second are a motion of a plate that reports this speed.
 TEST_F(PlateWatchTest, ASlowPlateIsNotStuck) {
   PlateGreeting slow = greeting;
   slow.speed_deg_s = 2.0;
@@ -105,8 +106,8 @@ TEST_F(PlateWatchTest, MeasuresTheSpeed) {
   EXPECT_NEAR(*watch.speed_deg_s(), 100.0, 1e-6);
 }
 
-// Small commands one after the other are followed at their own pace, which is not the plate's.
-TEST_F(PlateWatchTest, DoesNotTakeThePaceOfCommandsForASpeed) {
+// A plate that follows a ramp of small commands shows the speed of the ramp, not its maximum speed.
+TEST_F(PlateWatchTest, IgnoresTheSpeedOfARampOfCommands) {
   PlateWatch watch(greeting, start);
   for (auto time = 0ms; time <= 2000ms; time += 20ms) {
     const double place_deg = 0.02 * static_cast<double>(time.count());
@@ -116,12 +117,12 @@ TEST_F(PlateWatchTest, DoesNotTakeThePaceOfCommandsForASpeed) {
   EXPECT_FALSE(watch.speed_deg_s());
 }
 
-// Echoes after 4, 6 and 30 ms. A repeated one does not count; one that was overtaken, and an unknown one, are
-// another host's.
+// Echoes after 4, 6 and 30 ms. A repeated echo does not count; an earlier number than the last one, and an unknown one,
+// are another host's.
 TEST(RoundTrips, HaveAMedian) {
   RoundTrips trips;
   EXPECT_FALSE(trips.median());
-  EXPECT_TRUE(trips.echoed(start, 0));  // of a plate that was just greeted
+  EXPECT_TRUE(trips.echoed(start, 0));  // echo of a plate that was just greeted
   trips.sent(start, 1);
   EXPECT_TRUE(trips.echoed(start + 4ms, 1));
   EXPECT_TRUE(trips.echoed(start + 9ms, 1));
@@ -136,7 +137,7 @@ TEST(RoundTrips, HaveAMedian) {
   EXPECT_EQ(*trips.median(), std::chrono::nanoseconds(6ms));
 }
 
-// The nearest orientation with the same ridges within the limits; without one, the nearest limit.
+// Columns: limits, wanted and present orientation, result.
 TEST(OrientationWithin, ReturnsTheNearestWithTheSameRidges) {
   const struct {
     double min_deg, max_deg, wanted_deg, now_deg, taken_deg;

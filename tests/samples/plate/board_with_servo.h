@@ -1,4 +1,4 @@
-// The board in simavr with an emulated hobby servo at its pins.
+// Board in simavr with an emulated hobby servo at its pins.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace hrt::plate {
 
-/// EEPROM that holds these settings.
+/// Returns the content of an EEPROM with these settings.
 inline std::vector<std::uint8_t> eeprom_with(const Settings& settings) {
   std::vector<std::uint8_t> memory(1024, 0xFF);
   settings_pack(&settings, memory.data());

@@ -1,4 +1,4 @@
-// Damage to lines as serial lines do it.
+// Damages lines as a disturbed serial line does.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,9 @@
 
 namespace hrt::plate {
 
-/// `line` (with its "\n") damaged in one of the ways that the sum or the fixed widths of protocol 2 always
-/// notice: up to three flipped bits, a burst of up to 16 bits, two neighbouring characters exchanged, a
-/// character lost, doubled or put in, the end cut off, bytes of noise in front. The result ends with "\n" and
-/// differs from `line`.
+/// Damages `line` (with its "\n") in one of the ways that the checksum or the fixed widths of protocol 2 always detect:
+/// up to three flipped bits, a burst of up to 16 bits, two adjacent characters exchanged, a character lost, doubled or
+/// inserted, the end cut off, noise in front. The result ends with "\n" and differs from `line`.
 inline std::string damaged(const std::string& line, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   for (;;) {
@@ -44,7 +43,7 @@ inline std::string damaged(const std::string& line, std::mt19937& random) {
         for (std::size_t i = 0, count = 1 + below(8); i < count; ++i) bad.insert(0, 1, static_cast<char>(random()));
         break;
     }
-    // A flipped bit may have ended a line early: its parts are other lines.
+    // A flipped bit may have ended the line early, which would make two lines of it.
     std::replace(bad.begin(), bad.end(), '\n', '\v');
     bad += '\n';
     if (bad != line && bad != line.substr(0, line.size() - 1) + "\r\n") return bad;

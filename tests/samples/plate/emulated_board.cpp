@@ -17,14 +17,14 @@ namespace hrt::plate {
 namespace {
 
 constexpr std::uint32_t cpu_hz = 16'000'000;
-// simavr counts a parity bit that the line does not have: 11 bits of 17 * 8 cycles.
+// Cycles of a byte: 11 bits of 17 * 8 cycles, because simavr counts a parity bit that the line does not have.
 constexpr std::uint64_t byte_cycles = 11 * 17 * 8;
 constexpr std::uint64_t millisecond_cycles = cpu_hz / 1000;
 constexpr std::uint32_t supply_mv = 5000;
-constexpr std::uint32_t unused_flash = 0x7000;  // below the bootloader's
-// Instructions that run without a look at the peripherals, unless one is due: 4 us.
+constexpr std::uint32_t unused_flash = 0x7000;  // address below the bootloader
+// Cycles (4 us) that run before simavr checks the peripherals, unless one is due.
 constexpr std::uint64_t free_cycles = 64;
-constexpr std::size_t eicra = 0x69;  // its register of the external interrupts' modes
+constexpr std::size_t eicra = 0x69;  // register with the modes of the external interrupts
 
 thread_local std::vector<std::string> logged;
 
@@ -35,7 +35,7 @@ void log_error(avr_t*, int level, const char* text, va_list values) {
   logged.emplace_back(line);
 }
 
-// Simulated time is not the host's.
+// Does not sleep, because simulated time is not real time.
 void do_not_sleep(avr_t*, avr_cycle_count_t) {}
 
 std::chrono::nanoseconds time_of(std::uint64_t cycle) {
@@ -61,7 +61,7 @@ EmulatedBoard::EmulatedBoard(const std::vector<std::uint8_t>& eeprom) : avr_(avr
     avr_eeprom_desc_t all{bytes.data(), 0, static_cast<std::uint32_t>(bytes.size())};
     avr_ioctl(avr_, AVR_IOCTL_EEPROM_SET, &all);
   }
-  std::uint32_t flags = 0;  // no sleeping, no echo on the terminal
+  std::uint32_t flags = 0;  // the line does not sleep, and does not echo to the terminal
   avr_ioctl(avr_, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
   start_line();
   open_emergency_stop(false);
@@ -106,11 +106,11 @@ std::vector<std::string> EmulatedBoard::take_lines() {
 
 void EmulatedBoard::reset() {
   avr_reset(avr_);
-  high_ = false;  // the pin floats
+  high_ = false;  // the pin floats in a reset
   start_line();
 }
 
-// An endless loop: rjmp to itself. Interrupts come and return there.
+// Jumps to an endless loop: rjmp to itself. Interrupts still run.
 void EmulatedBoard::hang() {
   avr_->flash[unused_flash] = 0xFF;
   avr_->flash[unused_flash + 1] = 0xCF;
@@ -164,13 +164,13 @@ void EmulatedBoard::take_byte(avr_irq_t*, std::uint32_t value, void* board) {
 
 void EmulatedBoard::start_line() {
   avr_->run_cycle_limit = free_cycles;
-  // At a low level simavr looks at pin D2 every cycle, interrupt or not; at an edge it does not.
+  // Edge mode, because in low-level mode simavr checks pin D2 every cycle, also without an interrupt.
   avr_->data[eicra] = 2;
   avr_cycle_timer_register(avr_, byte_cycles, deliver_byte, this);
   avr_cycle_timer_register(avr_, millisecond_cycles, pass_millisecond, this);
 }
 
-// A byte that comes while the receiver is off, in a reset, is lost as on a real line.
+// Delivers a byte. During a reset the receiver is off, and the byte is lost as on a real line.
 std::uint64_t EmulatedBoard::deliver_byte(avr_t* avr, std::uint64_t when, void* board) {
   auto& self = *static_cast<EmulatedBoard*>(board);
   if (!self.to_board_.empty()) {

@@ -1,4 +1,4 @@
-// The board of a plate in simavr: the firmware's own ELF, its serial line, its servo pin, in simulated time.
+// Board of a plate in simavr, in simulated time: the firmware's own ELF, its serial line and its servo pin.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@ struct avr_irq_t;
 
 namespace hrt::plate {
 
-/// One pulse to the servo, in simulated time since power-on.
+/// Pulse to the servo, in simulated time since power-on.
 struct Pulse {
   std::chrono::nanoseconds start;
   std::chrono::nanoseconds width;
@@ -36,40 +36,40 @@ class EmulatedBoard {
   void run_for(std::chrono::nanoseconds time);
   void run_until(std::chrono::nanoseconds time);
 
-  /// Bytes for the board, which get there at the line's speed, whatever the time.
+  /// Sends bytes to the board at the line's speed; the time is ignored.
   void hear(std::string_view bytes, std::chrono::nanoseconds) { send(bytes); }
   void send(std::string_view bytes) { to_board_.append(bytes); }
-  /// Its bytes, too, come at the line's speed.
+  /// Times without an effect: simavr simulates the line's speed.
   static std::chrono::nanoseconds byte_time() { return {}; }
   static std::chrono::nanoseconds answer_delay() { return {}; }
-  /// A line of protocol 2 with this body.
+  /// Sends a line of protocol 2 with this body.
   void say(std::string_view body);
-  /// True if bytes are on their way to the board.
+  /// True while bytes for the board have not arrived.
   bool is_sending() const { return !to_board_.empty(); }
-  /// What the board sent since the last call.
+  /// Returns the bytes that the board sent since the last call.
   std::string take_output();
-  /// The bodies of the valid lines that ended since then.
+  /// Returns the bodies of the valid lines among them.
   std::vector<std::string> take_lines();
 
-  /// All pulses that have ended so far.
+  /// Returns all pulses that have ended so far.
   const std::vector<Pulse>& pulses() const { return pulses_; }
 
-  /// A reset that keeps the memory, as by a brown-out or the host's opening of the line.
+  /// Resets the board, which keeps its memory, as a brown-out or an opening of the line does.
   void reset();
-  /// The main loop does nothing more.
+  /// Replaces the main loop by an endless loop.
   void hang();
   void open_emergency_stop(bool open);
-  /// Voltage at the potentiometer's pin.
+  /// Sets the voltage at the sensor's pin.
   void set_feedback_mv(std::uint32_t millivolts);
-  /// Voltage of the servo's supply, of which a divider shows half at A1.
+  /// Sets the voltage of the servo's supply; a divider applies half of it to A1.
   void set_supply_mv(std::uint32_t millivolts);
   std::vector<std::uint8_t> eeprom() const;
-  /// Its extended fuse, as the ELF declares it.
+  /// Extended fuse, as the ELF declares it.
   std::uint8_t extended_fuse() const;
-  /// What simavr had to complain about.
+  /// Returns the errors that simavr has logged.
   const std::vector<std::string>& complaints() const;
 
-  /// Run after every pulse, and every millisecond: for a servo.
+  /// Callbacks for a servo, after every pulse and every millisecond.
   std::function<void(const Pulse&)> on_pulse;
   std::function<void()> on_millisecond;
 

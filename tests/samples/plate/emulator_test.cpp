@@ -1,5 +1,5 @@
-// The firmware's ELF in simavr: what the board adds to the firmware's behaviour (firmware_test.cpp): pulses,
-// EEPROM, watchdog, sensor. Simulated time. No board and no servo has run it.
+// Tests of the firmware's ELF in simavr, in simulated time: pulses, EEPROM, watchdog and sensor, which the board adds
+// to the behaviour that firmware_test.cpp tests. No board and no servo has run it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class Firmware : public testing::Test {
     board_.say("HELLO 2");
     board_.run_for(20ms);
   }
-  // Commands, and sends heartbeats for so long.
+  // Sends a command, then heartbeats for this time.
   void set(double orientation_deg, std::chrono::milliseconds time = 0ms, const char* word = "SET") {
     board_.say(set_body(orientation_deg, ++sequence_, word));
     run_with_beats(time);
@@ -53,7 +53,7 @@ struct BlindFirmware : Firmware {
   BlindFirmware() : Firmware(settings_default()) {}
 };
 
-TEST_F(Firmware, AnnouncesItselfAndGivesNoPulseBeforeACommand) {
+TEST_F(Firmware, SendsBootAndNoPulseBeforeACommand) {
   run_with_beats(1000ms);
   const auto lines = board_.take_lines();
   EXPECT_EQ(lines.front(), "BOOT");
@@ -62,7 +62,7 @@ TEST_F(Firmware, AnnouncesItselfAndGivesNoPulseBeforeACommand) {
   EXPECT_EQ(board_.servo.plate_deg(), 40.0);
 }
 
-TEST_F(Firmware, StartsFromWhereTheServoIs) {
+TEST_F(Firmware, StartsFromTheMeasuredPosition) {
   set(80.0, 60ms);
   EXPECT_NEAR((board_.pulses().front().width_us() - 1500.0) * 0.09, 40.0, 1.0);
   run_with_beats(600ms);
@@ -71,8 +71,8 @@ TEST_F(Firmware, StartsFromWhereTheServoIs) {
   EXPECT_NEAR(*std::get<PlateReport>(*report).orientation_deg, 80.0, 0.5);
 }
 
-// 1500 us at 0, 2000 us over 180 degrees: the pulse of every angle from -90 to 90 in steps of 0.5 degrees,
-// and the frame of 20 ms.
+// Expected: pulses of 1500 us at 0 and 2000 us per 180 degrees, from -90 to 90 degrees in steps of 0.5, and a frame of
+// 20 ms.
 TEST_F(Firmware, PulsesAreWithinAMicrosecondOverTheWholeRange) {
   set(-90.0, 900ms);
   const std::size_t first = board_.pulses().size();
@@ -100,12 +100,12 @@ TEST_F(Firmware, EchoesSequenceNumbersWithinMilliseconds) {
     board_.run_for(100us);
     for (const std::string& line : board_.take_lines()) has_come = has_come || line.ends_with(echo);
   }
-  // 11 and 22 bytes at 0.09 ms, and up to a millisecond to the tick.
+  // The two lines have 11 and 22 bytes of 0.09 ms; the next tick follows within a millisecond.
   EXPECT_LT(board_.now() - sent, 6ms);
   std::printf("from a line to its echo: %.2f ms\n", static_cast<double>((board_.now() - sent).count()) * 1e-6);
 }
 
-// The pulse stands still 300 ms after the last byte, at every phase of the frame.
+// The pulse is constant from 300 ms after the last byte on, at every phase of the frame.
 TEST_F(Firmware, StopsWithin300MillisecondsOfSilence) {
   std::chrono::nanoseconds slowest{};
   for (int phase = 0; phase < 20; ++phase) {
@@ -123,15 +123,15 @@ TEST_F(Firmware, StopsWithin300MillisecondsOfSilence) {
     for (std::size_t i = 1; i < pulses.size(); ++i)
       if (std::abs(pulses[i].width_us() - pulses[i - 1].width_us()) > 0.6) last_change = pulses[i].start;
     EXPECT_LE(last_change - silent, 300ms) << phase;
-    EXPECT_GT(last_change - silent, 200ms) << phase;  // and it did move until then
+    EXPECT_GT(last_change - silent, 200ms) << phase;  // it moved until then
     slowest = std::max(slowest, last_change - silent);
     EXPECT_TRUE(contains(board.take_lines(), "STOPPED heartbeat"));
   }
   std::printf("last change of a pulse after the last byte: %.1f ms\n", static_cast<double>(slowest.count()) * 1e-6);
 }
 
-// A servo of 60 degrees a second, under a motion of 200: the host stops it, greets it again, or falls silent.
-TEST_F(Firmware, StopsASlowServoWhereItIs) {
+// A servo of 60 degrees a second, with a motion of 200, at a STOP, a second HELLO, or silence.
+TEST_F(Firmware, StopsASlowServoAtItsPosition) {
   for (const char* stop : {"STOP 00002", "HELLO 2", ""}) {
     BoardWithServo board({.speed_deg_s = 60.0}, -60.0);
     board.run_for(30ms);
@@ -149,7 +149,7 @@ TEST_F(Firmware, StopsASlowServoWhereItIs) {
   }
 }
 
-// The divider at A1 shows it; the servo would slam when the supply returns.
+// The divider at A1 shows the loss. With pulses, the servo would turn at full speed when the supply returns.
 TEST_F(Firmware, ALostSupplyEndsThePulses) {
   set(-80.0, 350ms);
   const double place_deg = board_.servo.plate_deg();
@@ -175,8 +175,8 @@ TEST_F(Firmware, RefusesASecondHost) {
   EXPECT_TRUE(board_.pulses().empty());
 }
 
-// 5 thousand damaged lines, with good ones in between: the pulse stays, the good ones are all understood, and
-// no flood keeps the main loop from a millisecond.
+// 5 thousand damaged lines with good ones in between: the pulse is constant, each good line is executed, and the main
+// loop takes at most 2 ms.
 TEST_F(Firmware, DamagedLinesMoveNothing) {
   set(0.0, 600ms);
   std::mt19937 random(7);
@@ -205,7 +205,7 @@ TEST_F(Firmware, DamagedLinesMoveNothing) {
 
 TEST_F(Firmware, DeclaresABrownOutAtFourPointThreeVolts) { EXPECT_EQ(board_.extended_fuse(), 0xFC); }
 
-// The host has been sending since before the board started, and continues after a reset.
+// The host continues to send commands after a reset of the board.
 TEST_F(Firmware, AResetEndsThePulsesUntilTheNextGreeting) {
   set(90.0, 150ms);
   board_.take_lines();
@@ -225,7 +225,7 @@ TEST_F(Firmware, AResetEndsThePulsesUntilTheNextGreeting) {
   EXPECT_NEAR((board_.pulses().at(pulses).width_us() - 1500.0) * 0.09, place_deg, 1.0);
 }
 
-TEST_F(Firmware, EmergencyStopCutsNoPulse) {
+TEST_F(Firmware, EmergencyStopCompletesTheLastPulse) {
   set(90.0, 100ms);
   board_.open_emergency_stop(true);
   const auto opened = board_.now();
@@ -235,7 +235,7 @@ TEST_F(Firmware, EmergencyStopCutsNoPulse) {
   EXPECT_TRUE(contains(board_.take_lines(), "STOPPED emergency"));
 }
 
-// A board without a sensor: its compare unit leaves seven frames of eight without a pulse, for 8 s.
+// Without a sensor, the compare unit omits the pulses of seven in eight frames for 8 s.
 TEST_F(BlindFirmware, IsHomedByOnePulseInEight) {
   set(-40.0, 500ms);
   EXPECT_TRUE(contains(board_.take_lines(), "STOPPED unhomed"));
@@ -254,7 +254,7 @@ TEST_F(BlindFirmware, IsHomedByOnePulseInEight) {
   EXPECT_GT(pulses.size(), 60U);
 }
 
-// The watchdog ends the pulses, in whole ones, and resets the board, which then waits for a greeting.
+// The watchdog ends the pulses after a complete one, and resets the board, which then waits for a greeting.
 TEST_F(Firmware, AMainLoopThatHangsLosesItsPulsesAndIsReset) {
   set(90.0, 100ms);
   board_.take_lines();
@@ -290,7 +290,7 @@ TEST_F(Firmware, KeepsItsSettingsInEeprom) {
       if (line.starts_with("PLATE") || line.starts_with("INFO")) text += line + ";";
     return text;
   };
-  // 10 us more at 0: the upper limit is where the pulse ends, 990 / 2000 * 180 degrees.
+  // With 10 us more at 0, the longest pulse limits the orientation to 990 / 2000 * 180 degrees.
   const std::string kept = "PLATE 2 -90.00 89.10 150.00 30.00 measured;INFO 1.1.0 000042;";
   EXPECT_EQ(greeting_with(memory), kept);
   memory[20] ^= 1;  // one copy is damaged, as by a power failure while it is written

@@ -1,4 +1,4 @@
-// The firmware's behaviour, compiled for this machine: lines, motion, homing and stops.
+// Tests of the firmware's behaviour, compiled for this machine: lines, motion, homing and stops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class FirmwareLogic : public testing::Test {
     board_.run_for(std::chrono::milliseconds(20));  // the sensor is read
   }
 
-  // Commands, and sends heartbeats for so long.
+  // Sends a command, then heartbeats for this time.
   void set(double orientation_deg, std::chrono::milliseconds time = 0ms, const char* word = "SET") {
     board_.say(set_body(orientation_deg, ++sequence_, word));
     run_with_beats(time);
@@ -37,7 +37,7 @@ class FirmwareLogic : public testing::Test {
     }
   }
   double position_deg() const { return plate_.position_microdeg * 1e-6; }
-  // What is answered to a line.
+  // Returns the answers to a line, without reports.
   std::string answer(const std::string& bytes) {
     board_.run_for(20ms);
     board_.take_lines();
@@ -59,10 +59,10 @@ class FirmwareLogic : public testing::Test {
   std::uint16_t sequence_ = 0;
 };
 
-// 200 degrees a second, from where the servo is.
+// Motion of 200 degrees a second from the measured position.
 TEST_F(FirmwareLogic, TurnsAtItsSpeed) {
   set(80.0);
-  board_.run_for(160ms);  // the servo takes hold
+  board_.run_for(160ms);  // the first pulses hold the servo
   EXPECT_NEAR(position_deg(), 0.0, 0.3);
   run_with_beats(200ms);
   EXPECT_NEAR(position_deg(), 40.0, 0.5);
@@ -71,8 +71,8 @@ TEST_F(FirmwareLogic, TurnsAtItsSpeed) {
   EXPECT_NEAR(board_.orientation_deg(), 80.0, 0.3);
 }
 
-// However slow the servo is under a motion of 200 degrees a second: at most 2 degrees, and what it turns in its
-// dead time of 10 ms, a frame of its pulses, and the filter of its sensor. Silence stops it after 300 ms.
+// After a stop, a servo of any speed turns by at most 2 degrees plus its motion in the dead time of 10 ms, a frame of
+// its pulses, and the filter of its sensor. Silence stops it after 300 ms.
 TEST(Firmware, AStopEndsTheMotionOfTheServo) {
   for (const double speed_deg_s : {30.0, 60.0, 160.0, 250.0}) {
     for (const std::string stop : {"STOP 00100", "HELLO 2", ""}) {
@@ -101,7 +101,6 @@ TEST(Firmware, AStopEndsTheMotionOfTheServo) {
   }
 }
 
-// The pulse waits for a servo that cannot follow.
 TEST_F(FirmwareLogic, ThePulseLeadsTheSensorByABoundedAngle) {
   board_.servo.limit_speed(20.0);
   for (const double orientation_deg : {85.0, -85.0}) {
@@ -114,7 +113,7 @@ TEST_F(FirmwareLogic, ThePulseLeadsTheSensorByABoundedAngle) {
   }
 }
 
-TEST_F(FirmwareLogic, SaysWhatFindsNoRoomLater) {
+TEST_F(FirmwareLogic, SendsALineLaterIfTheBufferIsFull) {
   set(91.0);
   board_.has_room = false;
   board_.run_for(100ms);
@@ -123,7 +122,7 @@ TEST_F(FirmwareLogic, SaysWhatFindsNoRoomLater) {
   EXPECT_TRUE(has_sent("STOPPED limit"));
 }
 
-TEST_F(FirmwareLogic, AWaveringEmergencyContactIsNoEmergency) {
+TEST_F(FirmwareLogic, IgnoresAnEmergencyContactOpenForOneMillisecond) {
   set(0.0);
   board_.press(true);
   board_.run_for(1ms);
@@ -136,7 +135,7 @@ TEST_F(FirmwareLogic, AWaveringEmergencyContactIsNoEmergency) {
   EXPECT_TRUE(has_sent("STOPPED emergency"));
 }
 
-TEST_F(FirmwareLogic, AGreetingDoesNotEndAnEmergencyThatLasts) {
+TEST_F(FirmwareLogic, AGreetingDoesNotEndAnEmergencyWhileTheContactIsOpen) {
   board_.press(true);
   board_.run_for(5ms);
   board_.say("HELLO 2");
@@ -152,7 +151,7 @@ TEST_F(FirmwareLogic, AGreetingDoesNotEndAnEmergencyThatLasts) {
   EXPECT_TRUE(board_.has_pulses());
 }
 
-// A servo at a tenth of the motion's speed is far away for seconds, and on its way.
+// A servo with a tenth of the motion's speed lags for seconds, but moves.
 TEST_F(FirmwareLogic, ASlowServoIsNotStuckAndAJammedOneIs) {
   board_.servo.limit_speed(20.0);
   set(80.0, 2500ms);
@@ -160,11 +159,11 @@ TEST_F(FirmwareLogic, ASlowServoIsNotStuckAndAJammedOneIs) {
   board_.servo.is_jammed = true;
   set(-80.0, 1300ms);
   EXPECT_TRUE(has_sent("STOPPED stuck"));
-  EXPECT_FALSE(board_.has_pulses());  // no current for a servo that cannot move
+  EXPECT_FALSE(board_.has_pulses());  // a jammed servo gets no current
 }
 
-// The readings at the two limits are exchanged, so that the first pulse is for the other side.
-TEST(Firmware, ASensorThatRunsAgainstItsServoNeverThrowsThePlate) {
+// The readings at the two limits are exchanged, so that the first pulse is for the opposite side.
+TEST(Firmware, ASensorThatRunsAgainstItsServoTurnsThePlateBelow15Degrees) {
   Settings exchanged = commissioned();
   std::swap(exchanged.value[SETTING_ADC_LEAST], exchanged.value[SETTING_ADC_MOST]);
   for (const double place_deg : {10.0, 40.0, 70.0, -40.0, -70.0}) {
@@ -185,8 +184,8 @@ TEST(Firmware, ASensorThatRunsAgainstItsServoNeverThrowsThePlate) {
   }
 }
 
-// Its sensor is 4 degrees off in the middle, as a potentiometer may be; the plate stands beyond its limits.
-TEST_F(FirmwareLogic, AServoBesideItsSensorOrBeyondItsLimitsIsNoFault) {
+// A sensor with an offset of 4 degrees, as of a potentiometer; and a plate that starts beyond its limits.
+TEST_F(FirmwareLogic, AcceptsASensorOffsetAndAStartBeyondTheLimits) {
   plate_.settings.value[SETTING_ZERO_US] += 4400;  // hundredths: 4 degrees
   for (const double place_deg : {0.0, 50.0, -50.0}) {
     board_.say("HELLO 2");
@@ -198,7 +197,7 @@ TEST_F(FirmwareLogic, AServoBesideItsSensorOrBeyondItsLimitsIsNoFault) {
   }
 }
 
-TEST_F(FirmwareLogic, NamesASensorThatRunsAgainstItsServo) {
+TEST_F(FirmwareLogic, ReportsASensorThatRunsAgainstItsServo) {
   std::swap(plate_.settings.value[SETTING_ADC_LEAST], plate_.settings.value[SETTING_ADC_MOST]);
   for (const double orientation_deg : {60.0, -60.0}) {
     board_.say("HELLO 2");
@@ -210,8 +209,8 @@ TEST_F(FirmwareLogic, NamesASensorThatRunsAgainstItsServo) {
   }
 }
 
-// The servo's supply fails while the plate turns, is stuck, or holds, and returns: with pulses the servo would go to
-// where they are at its full speed of 250 degrees a second.
+// The servo's supply fails while the plate turns, is stuck, or holds, and returns. With pulses, the servo would then
+// turn at its full speed of 250 degrees a second.
 TEST_F(FirmwareLogic, ALostSupplyEndsThePulses) {
   const std::function<void()> moments[] = {[&] { set(80.0, 400ms); },
                                            [&] {
@@ -234,13 +233,13 @@ TEST_F(FirmwareLogic, ALostSupplyEndsThePulses) {
     EXPECT_NEAR(board_.orientation_deg(), place_deg, 0.5);
     board_.say("HELLO 2");
     set(80.0, 100ms);
-    EXPECT_NEAR(board_.orientation_deg(), place_deg, 0.5);  // the servo takes hold where it is
+    EXPECT_NEAR(board_.orientation_deg(), place_deg, 0.5);  // the first pulses hold the servo at its position
     run_with_beats(1000ms);
     EXPECT_NEAR(board_.orientation_deg(), 80.0, 0.5);
   }
-  board_.servo.supply = 0.7;  // of 5 V
+  board_.servo.supply = 0.7;  // 3.5 V
   board_.run_for(4ms);
-  EXPECT_TRUE(board_.has_pulses());  // a dip
+  EXPECT_TRUE(board_.has_pulses());  // a short dip is ignored
   board_.run_for(5ms);
   EXPECT_TRUE(has_sent("STOPPED supply"));
   board_.say("HELLO 2");
@@ -250,7 +249,7 @@ TEST_F(FirmwareLogic, ALostSupplyEndsThePulses) {
   EXPECT_TRUE(board_.has_pulses());
 }
 
-// A host that greets with a token is alone until it has been silent for 300 ms.
+// A host that greets with a token excludes other hosts until it has been silent for 300 ms.
 TEST_F(FirmwareLogic, RefusesASecondHost) {
   board_.run_for(300ms);
   EXPECT_TRUE(has(answer_to("HELLO 2 00007"), "PLATE 2 "));
@@ -267,8 +266,7 @@ TEST_F(FirmwareLogic, RefusesASecondHost) {
   EXPECT_TRUE(has(answer_to("HELLO 2 00008"), "PLATE 2 "));
 }
 
-// A trim of 21 us at once would jump by two degrees.
-TEST_F(FirmwareLogic, ASettingMovesTheServoByASmallStepOnly) {
+TEST_F(FirmwareLogic, RefusesASettingThatMovesTheServoByMoreThan20Microseconds) {
   set(0.0, 200ms);
   const int before = plate_pulse_ticks(&plate_);
   EXPECT_EQ(answer_to("CONF zero 1521"), "ERROR step;");
@@ -276,7 +274,7 @@ TEST_F(FirmwareLogic, ASettingMovesTheServoByASmallStepOnly) {
   EXPECT_EQ(plate_pulse_ticks(&plate_), before + 40);
 }
 
-TEST_F(FirmwareLogic, SettingsWaitForTheEndOfAMotion) {
+TEST_F(FirmwareLogic, RefusesSettingsDuringAMotion) {
   set(90.0, 150ms);
   EXPECT_EQ(answer_to("CONF speed 10"), "ERROR busy;");
   EXPECT_EQ(answer_to("SAVE"), "ERROR busy;");
@@ -297,7 +295,7 @@ TEST_F(FirmwareLogic, AnswersQuestions) {
       "TEST settings saved;TEST emergency closed;TEST adc 512;TEST supply 5.00;TEST pulse 0.00;TEST loop 0;TEST end;");
 }
 
-TEST_F(FirmwareLogic, NamesWhatItRefuses) {
+TEST_F(FirmwareLogic, ReportsTheReasonOfARefusal) {
   EXPECT_EQ(answer("SET +010.00 00001*0000\n"), "ERROR sum;");
   EXPECT_EQ(answer("SET +010.00 00001*00\n"), "ERROR sum;");
   EXPECT_EQ(answer(std::string(100, 'x') + "\n"), "ERROR length;");
@@ -314,7 +312,7 @@ TEST_F(FirmwareLogic, NamesWhatItRefuses) {
   EXPECT_FALSE(board_.has_pulses());
 }
 
-// A million damaged lines, a good one after every tenth: the plate stays at 0, and hears the good ones.
+// A million damaged lines with a good one after every tenth: the plate stays at 0, and executes the good lines.
 TEST_F(FirmwareLogic, AMillionDamagedLinesMoveNothing) {
   set(0.0, 600ms);
   const int ticks = plate_pulse_ticks(&plate_);
@@ -344,9 +342,8 @@ TEST_F(FirmwareLogic, AMillionDamagedLinesMoveNothing) {
   }
 }
 
-// Any bytes at all, most of them of the protocol: nothing leaves the limits, and every line that is sent is
-// valid.
-TEST_F(FirmwareLogic, NoiseNeverLeavesTheLimits) {
+// Random bytes, most of them of the protocol's alphabet: the plate stays within its limits, and sends valid lines only.
+TEST_F(FirmwareLogic, NoiseKeepsThePlateWithinItsLimits) {
   static const std::string alphabet = "SETBAPOHML 0123456789+-.*\nFCDINRV\r";
   std::mt19937 random(2);
   for (int i = 0; i < 300'000; ++i) {
@@ -361,7 +358,7 @@ TEST_F(FirmwareLogic, NoiseNeverLeavesTheLimits) {
   }
 }
 
-// A hobby servo without a sensor, at 20 degrees; its plate was never homed.
+// Plate with a hobby servo without a sensor, at 20 degrees, before homing.
 class BlindFirmware : public FirmwareLogic {
  protected:
   BlindFirmware() : FirmwareLogic({.settings = settings_default(), .place_deg = 20.0}) {}
@@ -372,7 +369,7 @@ class BlindFirmware : public FirmwareLogic {
   }
 };
 
-// One pulse in eight: an eighth of the servo's 250 degrees a second, or less.
+// With one pulse in eight, the servo turns at an eighth of its 250 degrees a second or less.
 TEST_F(BlindFirmware, IsHomedSlowly) {
   home(-40.0);
   for (double before_deg = 20.0; board_.orientation_deg() > -39.0;) {
@@ -384,7 +381,7 @@ TEST_F(BlindFirmware, IsHomedSlowly) {
   EXPECT_EQ(place(), "unknown");
   while (board_.now() < 8200ms) run_with_beats(50ms);
   EXPECT_EQ(place(), "-040.00");
-  set(40.0, 1300ms);  // 60 degrees a second without a sensor, whatever the setting
+  set(40.0, 1300ms);  // without a sensor, the speed is limited to 60 degrees a second
   EXPECT_LT(board_.orientation_deg(), 40.0);
   run_with_beats(200ms);
   EXPECT_NEAR(board_.orientation_deg(), 40.0, 0.2);
@@ -403,8 +400,8 @@ TEST_F(BlindFirmware, IsStoppedWhileItIsHomed) {
   }
 }
 
-// The emergency stop's own test: press, turn the plate by hand, release.
-TEST_F(BlindFirmware, ForgetsItsPlaceAtAnEmergencyAndAtAReset) {
+// Emergency stop pressed, plate turned by hand, emergency stop released.
+TEST_F(BlindFirmware, OrientationIsUnknownAfterAnEmergencyAndAReset) {
   for (const bool reset : {false, true}) {
     home(0.0, 8200ms);
     EXPECT_EQ(place(), "+000.00");
@@ -421,7 +418,7 @@ TEST_F(BlindFirmware, ForgetsItsPlaceAtAnEmergencyAndAtAReset) {
   }
 }
 
-// Firmware and driver agree on every line that the other can write.
+// Firmware and driver write equal lines, and read each other's angles.
 TEST(FirmwareLine, AgreesWithTheDriver) {
   for (const char* body : {"BEAT", "SET -34.25", "HELLO 2", "x"}) {
     char line[LINE_SIZE];

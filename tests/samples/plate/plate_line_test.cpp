@@ -1,4 +1,4 @@
-// The text of the plate's protocol, as plugin/src/plate/protocol.md defines it.
+// Tests of the text of the plate's protocol, which plugin/src/plate/protocol.md defines.
 #include "plugin/src/plate/plate_line.h"
 #include "plugin/include/plate_driver/crc16.h"
 
@@ -12,27 +12,27 @@
 namespace hrt::plate {
 namespace {
 
-// The check values of CRC-16/CCITT-FALSE and CRC-16/UMTS in catalogues of CRCs.
+// Published check values of CRC-16/CCITT-FALSE and CRC-16/UMTS.
 TEST(PlateLine, EndsWithItsCrc) {
   EXPECT_EQ(crc16_ccitt("123456789", 9), 0x29B1U);
   EXPECT_EQ(crc16_umts("123456789", 9), 0xFEE8U);
   EXPECT_EQ(encode_line("123456789"), "123456789*29B1\n");
 }
 
-TEST(PlateLine, IsReadBack) {
+TEST(PlateLine, IsDecoded) {
   EXPECT_EQ(decode_line("123456789*29B1"), "123456789");
   EXPECT_EQ(decode_line("123456789*29B1\r"), "123456789");
 }
 
-TEST(PlateLine, IsRefusedUnlessItIsWhole) {
+TEST(PlateLine, IsRefusedIfDamagedOrIncomplete) {
   for (const char* line :
        {"", "*", "*FFFF", "BEAT", "BEAT*", "BEAT*12", "123456789*29B1 ", "123456789*29B1\r\r", "12345*6789*29B1",
         "1234\t6789*29B1", "1234\2006789*29B1", "123456789*29B", "123456789*29b1", "123456789*29B12", "213456789*29B1"})
     EXPECT_FALSE(decode_line(line)) << line;
 }
 
-// The page's examples are what others will build from.
-TEST(PlateLine, OfTheDocumentedExamplesIsValid) {
+// Others will build devices from the page's examples.
+TEST(PlateLine, DocumentedExamplesAreValid) {
   std::ifstream page(HRT_PLATE_PAGES "/protocol.md");
   int lines = 0;
   for (std::string line; std::getline(page, line);) {
@@ -46,13 +46,13 @@ TEST(PlateLine, OfTheDocumentedExamplesIsValid) {
   EXPECT_EQ(lines, 13);
 }
 
-TEST(PlateLine, OfTheHostHasFixedWidths) {
+TEST(PlateLine, HostLinesHaveFixedWidths) {
   EXPECT_EQ(set_body(-34.25, 7), "SET -034.25 00007");
   EXPECT_EQ(set_body(0.0, 65535, "HOME"), "HOME +000.00 65535");
   EXPECT_EQ(beat_body("BEAT", 12), "BEAT 00012");
 }
 
-TEST(PlateMessage, IsRead) {
+TEST(PlateMessage, ParsesEachKind) {
   const auto greeting = std::get<PlateGreeting>(*parse_plate_message("PLATE 2 -90.00 85.5 300 20.00 measured"));
   EXPECT_EQ(greeting.max_deg, 85.5);
   EXPECT_EQ(greeting.latency_ms, 20.0);
@@ -71,7 +71,7 @@ TEST(PlateMessage, IsRead) {
   EXPECT_EQ(std::get<PlateTest>(*parse_plate_message("TEST end")).what, "end");
 }
 
-TEST(PlateMessage, IsNothingElse) {
+TEST(PlateMessage, RefusesInvalidBodies) {
   std::istringstream bodies(
       "; ;AT;AT ;at +001.00 00001;BEAT 00001;SET +001.00 00001;PLATE;"
       "PLATE 1 -90 90 400 20 measured;PLATE 2 90 -90 400 20 measured;PLATE 2 90 90 400 20 measured;"
@@ -86,7 +86,7 @@ TEST(PlateMessage, IsNothingElse) {
   for (std::string body; std::getline(bodies, body, ';');) EXPECT_FALSE(parse_plate_message(body)) << body;
 }
 
-TEST(PlateLineReader, CutsLines) {
+TEST(PlateLineReader, SplitsBytesIntoLines) {
   LineReader reader;
   std::vector<std::string> read;
   for (const char byte : std::string("one\ntwo\r\n\nthree"))

@@ -1,5 +1,5 @@
-// A whole reach: scene, OpenXR runtime, plugin, serial line, the firmware's ELF, the servo's pulse, the
-// turned plate, felt by the simulated person, in real time.
+// Complete reaches in real time: scene, OpenXR runtime, plugin, serial line, the firmware's ELF, emulated servo, and
+// the simulated user on the plate.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ double max_turn_deg(PtyDevice<Board>& board) {
   return turn_deg;
 }
 
-// A number of the last configuration in a recording.
+// Returns a number of the last configuration in a recording; -1 without one.
 double planned(const std::string& recording, const std::string& name) {
   const std::size_t config = recording.rfind("# config ");
   const std::size_t at = recording.find("\"" + name + "\":", config);
@@ -37,7 +37,6 @@ double planned(const std::string& recording, const std::string& name) {
   return std::stod(recording.substr(at + name.size() + 3, 30));
 }
 
-// The plate is felt where the servo is that follows the pulses.
 TEST(ReachWithFirmware, ReachesTheTarget) {
   PtyDevice<BoardWithServo> board;
   const std::string recording = reach::scratch_folder() + "/reach.csv";
@@ -47,7 +46,7 @@ TEST(ReachWithFirmware, ReachesTheTarget) {
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
   EXPECT_TRUE(has(outcome.out, {"protocol 2, firmware 1.1.0", "orientation measured"}));
   EXPECT_GT(max_turn_deg(board), 30.0);
-  // What was measured is what the controller planned with: 30 ms of the plate's own, and half of the line.
+  // The controller used the measured latency: 30 ms of the plate, and half of the round trip.
   const std::string recorded = read_file(recording);
   const double latency_ms = planned(recorded, "plate_latency_ns") * 1e-6;
   EXPECT_GT(latency_ms, 31.0);
@@ -57,7 +56,7 @@ TEST(ReachWithFirmware, ReachesTheTarget) {
   std::printf("%s", outcome.out.c_str());
 }
 
-// The board loses its power for an instant, or its line is opened by another program; or someone stops it.
+// A reset (a power failure, or another program that opens the line), and a pressed emergency stop.
 TEST(ReachWithFirmware, IsEndedByAResetOfTheBoardAndByTheEmergencyStop) {
   for (const bool reset : {true, false}) {
     PtyDevice<BoardWithServo> board;
@@ -79,7 +78,7 @@ TEST(ReachWithFirmware, IsEndedByAResetOfTheBoardAndByTheEmergencyStop) {
   }
 }
 
-// hrt-plate emulate, with its input and output.
+// Process of hrt-plate emulate, with its input and output.
 class EmulatedPlate {
  public:
   explicit EmulatedPlate(const std::string& kind)
@@ -99,8 +98,8 @@ class EmulatedPlate {
   Process process_;
 };
 
-// The rehearsal on one computer. The person is slow: a busy machine leaves the plate without a command now and then,
-// and the finger must not be far meanwhile.
+// Rehearsal on one computer. The simulated user is slow, because a busy machine sometimes leaves the plate without a
+// command, and the finger must not move far meanwhile.
 TEST(ReachWithEmulatedPlate, ReachesTheTarget) {
   const std::regex pace("\"duration_ms\": 2400");
   const std::string unhurried = std::regex_replace(real_time, pace, "\"duration_ms\": 4800");

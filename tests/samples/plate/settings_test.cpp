@@ -1,4 +1,4 @@
-// The firmware's settings: ranges, pulses, and what EEPROM may hold.
+// Tests of the firmware's settings: ranges, pulses, and their form in EEPROM.
 #include "samples/app/firmware/settings.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace hrt::plate {
 namespace {
 
-// The defaults over the whole range of pulses, and this.
+// Returns the defaults with the whole range of pulses and one change.
 Settings with(Setting setting, int32_t hundredths) {
   Settings settings = settings_default();
   settings.value[SETTING_MIN_DEG] = -9000;
@@ -59,7 +59,7 @@ TEST(PlateSettings, AreFoundByName) {
   EXPECT_EQ(setting_named("zero1"), SETTING_COUNT);
 }
 
-// 1500 us +- 1000 us at +-90 degrees: in half microseconds 3000, 1000, 5000; 45 degrees: 4000.
+// Expected: 1500 us +- 1000 us at +-90 degrees, which is 3000, 1000 and 5000 half microseconds; 4000 at 45 degrees.
 TEST(PlateSettings, MapAnglesToPulses) {
   const Settings settings = settings_default();
   EXPECT_EQ(settings_pulse_ticks(&settings, 0), 3000);
@@ -73,8 +73,8 @@ TEST(PlateSettings, MapAnglesToPulses) {
     EXPECT_NEAR(settings_pulse_ticks(&settings, millideg), 3000.0 + millideg / 45.0, 0.5001) << millideg;
 }
 
-// A trim of 10 us moves both ends by 0.9 degrees; pulses stay within 500 to 2500 us.
-TEST(PlateSettings, LimitAnglesToWherePulsesReach) {
+// A trim by 10 us moves both limits by 0.9 degrees; pulses are limited to 500 to 2500 us.
+TEST(PlateSettings, LimitAnglesToTheRangeOfPulses) {
   const Settings trimmed = with(SETTING_ZERO_US, 151000);
   EXPECT_EQ(settings_least(&trimmed), -9000);
   EXPECT_EQ(settings_most(&trimmed), 8910);
@@ -95,8 +95,7 @@ TEST(PlateSettings, MapReadingsToAngles) {
   EXPECT_NEAR(settings_measured_millideg(&settings, 1023 * 16), 90000 + 123 * 225, 10);
 }
 
-// A potentiometer far off its calibration: no more than a turn.
-TEST(PlateSettings, MapReadingsToATurnAtMost) {
+TEST(PlateSettings, MapReadingsToAtMostOneTurn) {
   Settings settings = with(SETTING_ADC_LEAST, 10000);
   settings.value[SETTING_ADC_MOST] = 15000;
   EXPECT_EQ(settings_measured_millideg(&settings, 1023 * 16), 360000);
@@ -115,7 +114,7 @@ TEST(PlateSettings, ArePackedAndUnpacked) {
   for (int i = 0; i < SETTING_COUNT; ++i) EXPECT_EQ(read.value[i], settings.value[i]);
 }
 
-TEST(PlateSettings, NoticeEveryDamagedBitAnErasedMemoryAndWhatIsOutOfRange) {
+TEST(PlateSettings, RefuseDamagedBitsErasedMemoryAndValuesOutOfRange) {
   const Settings settings = settings_default();
   std::array<uint8_t, SETTINGS_BYTES> bytes{};
   settings_pack(&settings, bytes.data());
@@ -129,7 +128,7 @@ TEST(PlateSettings, NoticeEveryDamagedBitAnErasedMemoryAndWhatIsOutOfRange) {
   EXPECT_FALSE(settings_unpack(&read, bytes.data()));
   bytes.fill(0);
   EXPECT_FALSE(settings_unpack(&read, bytes.data()));
-  const Settings beyond = with(SETTING_ZERO_US, 300000);  // whole, with a right sum
+  const Settings beyond = with(SETTING_ZERO_US, 300000);  // out of range, with a right checksum
   settings_pack(&beyond, bytes.data());
   EXPECT_FALSE(settings_unpack(&read, bytes.data()));
   EXPECT_EQ(read.value[SETTING_SERIAL], 700);

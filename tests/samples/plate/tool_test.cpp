@@ -1,4 +1,4 @@
-// hrt-plate: its commands on emulated plates in simulated time, on the firmware's ELF, and as a program.
+// Tests of hrt-plate: its commands on emulated plates in simulated time, on the firmware's ELF, and as a program.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ std::unique_ptr<Line> line_to(Emulated& device) {
 
 using Answers = std::vector<std::function<std::string()>>;
 
-// Answers one after the other, and then goes away.
+// Returns a reader that gives these answers, and then the end of the input.
 std::function<Entry()> reader_of(const Answers& answers) {
   const auto left = std::make_shared<std::deque<std::function<std::string()>>>(answers.begin(), answers.end());
   return [left]() -> Entry {
@@ -49,7 +49,7 @@ Answers entered(const std::vector<std::string>& lines) {
   return answers;
 }
 
-// The commands, with the device at the line "board"; other lines are the computer's.
+// Runs a command with the device at the line "board"; other lines are those of the computer.
 template <class Emulated>
 Outcome run_with(Emulated& device, const std::vector<std::string>& arguments, const Answers& answers = {},
                  const std::vector<std::string>& lines = {"/nonexistent", "board"}) {
@@ -65,19 +65,19 @@ Outcome run_with(Emulated& device, const std::vector<std::string>& arguments, co
   return {code, out.str(), err.str()};
 }
 
-// Enter, and what the person sees at the scale, to a degree.
+// Answers of a person: Enter, then the angle at the scale, to a degree.
 template <class Board>
 Answers scale_readings(Board& board) {
   const auto seen = [&board] { return std::to_string(std::lround(board.servo.plate_deg())); };
   return {[] { return std::string(); }, seen, seen};
 }
 
-// The guide shows what a command prints, with `other` in place of `own`.
-// Any number, for outputs whose last digits the firmware's compiler changes.
+// Replaces each number, for outputs whose last digits depend on the firmware's compiler.
 std::string without_numbers(const std::string& text) {
   return std::regex_replace(text, std::regex("[0-9][0-9.]*(e[+-][0-9]+)?"), "#");
 }
 
+// True if the guide shows this output, with `other` in place of `own`.
 testing::AssertionResult is_in_guide(const std::string& printed, const std::string& own, const std::string& other,
                                      bool with_its_numbers = true) {
   std::string shown;
@@ -96,27 +96,27 @@ TEST(PlateTool, FindsThePlate) {
             "/nonexistent cannot be opened: No such file or directory\n"
             "serial:board: protocol 2, firmware 1.1.0, serial number 000007\n");
   const Outcome none = expect_exit(1, run_with(board, {"find", "/dev/null"}));
-  EXPECT_EQ(none.out, "/dev/null is not a serial line\n");
-  EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /dev/null\n");
+  EXPECT_EQ(none.out, "/dev/null is not a serial line; name a serial device, such as /dev/ttyACM0\n");
+  EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /dev/null. Check its cable and supply\n");
 }
 
-// The line that no plate answers at is a pseudo-terminal; so is the plate's.
+// One line has no plate; the other line is a pseudo-terminal with one.
 TEST(PlateTool, FindsThePlateToCommission) {
   PtyDynamixel servo(std::uint8_t{1}, 1190);
   HobbyPlate mute({.answers = false});
   const Outcome found = run_with(mute, {"commission"}, {}, {"/nonexistent", servo.device()});
-  EXPECT_EQ(found.exit_code, 1);  // nobody is there to press Enter
+  EXPECT_EQ(found.exit_code, 1);  // the input ends before Enter
   EXPECT_TRUE(has(found.out, "dynamixel:" + servo.device() + ": Dynamixel XL330-M077, id 1, firmware 52\nHands off"))
       << found.out;
   HobbyPlate other;
   const Outcome two = expect_exit(1, run_with(other, {"commission"}, {}, {"board", "board"}));
-  EXPECT_EQ(two.err, "hrt-plate: more than one plate was found: name one of them\n");
+  EXPECT_EQ(two.err, "hrt-plate: more than one plate was found; name one of them\n");
   const Outcome none = expect_exit(1, run_with(mute, {"commission"}));
   EXPECT_EQ(none.out,
             "/nonexistent cannot be opened: No such file or directory\n"
-            "board does not answer as a plate within 5 s\n"
-            "board does not answer as a Dynamixel of id 1 within 3 s\n");
-  EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /nonexistent, board\n");
+            "board does not answer as a plate within 5 s; check device, cable and supply\n"
+            "board does not answer as a Dynamixel of id 1 within 3 s; check id, baud, cable and supply\n");
+  EXPECT_EQ(none.err, "hrt-plate: no plate was found; tried: /nonexistent, board. Check its cable and supply\n");
   EXPECT_LT(mute.now(), 8500ms);
   EXPECT_EQ(run_with(mute, {"commission"}, {}, {}).err,
             "hrt-plate: no plate was found; this computer has no serial device\n");
@@ -140,7 +140,8 @@ TEST(PlateTool, RefusesAWrongCommandLine) {
   EXPECT_EQ(run_with(board, {"show", "dynamixel:board?id=300"}).err,
             "hrt-plate: option id is \"300\"; allowed: 0 to 252\n");
   EXPECT_EQ(run_with(board, {"turn", "board", "91"}).err, "hrt-plate: angle is 91; allowed: -90 to 90\n");
-  EXPECT_EQ(run_with(board, {"set", "board", "zero"}).err, "hrt-plate: \"zero\" is not name=number\n");
+  EXPECT_EQ(run_with(board, {"set", "board", "zero"}).err,
+            "hrt-plate: \"zero\" must have the form name=number, as in zero=1505\n");
 }
 
 TEST(PlateTool, SetsSettings) {
@@ -172,8 +173,8 @@ TEST(PlateTool, TurnsAndHolds) {
   EXPECT_NEAR(after_deg, -30.0, 0.5);
 }
 
-// The mark is 3 degrees too far counter-clockwise: 33.3 us less. The person looks again, is content, and the
-// trim is there after power-off, and after one that was abandoned.
+// The mark is 3 degrees too far counter-clockwise: 33.3 us less. The trim is kept after power-off, and after a second
+// trim whose input ended early.
 TEST(PlateTool, TrimsAndSaves) {
   BoardWithServo board;
   const Outcome outcome = expect_exit(0, run_with(board, {"trim", "board"}, entered({"", "x", "31", "3", ""})));
@@ -184,7 +185,8 @@ TEST(PlateTool, TrimsAndSaves) {
   for (std::size_t i = 1; i < pulses.size(); ++i)
     EXPECT_LE(std::abs(pulses[i].width_us() - pulses[i - 1].width_us()), 45.0);
   BoardWithServo again({}, 0.0, board.eeprom());
-  EXPECT_EQ(run_with(again, {"trim", "board"}, entered({"", "-2"})).err, "hrt-plate: was abandoned: nothing is kept\n");
+  EXPECT_EQ(run_with(again, {"trim", "board"}, entered({"", "-2"})).err,
+            "hrt-plate: the input ended before the last answer; nothing was saved\n");
   EXPECT_EQ(PlateLink(line_to(again)).setting("zero"), 1467.0);
 }
 
@@ -206,7 +208,7 @@ TEST(PlateTool, FindsShowsAndTrimsADynamixel) {
   EXPECT_EQ(servo.get(20, 4), 23);
 }
 
-// 250 degrees a second after 40 ms, reached evenly in 25 ms; seen every 5 ms through a filter of 7 ms.
+// Onset at 40 ms, constant acceleration in 25 ms to 250 degrees a second, sampled every 5 ms through a filter.
 TEST(PlateStep, IsFitted) {
   for (const double filter_s : {0.0, 0.007}) {
     std::vector<StepSample> samples;
@@ -227,8 +229,7 @@ TEST(PlateStep, IsFitted) {
   EXPECT_FALSE(fit_steps({{90.0, {{0.0, 0.0}, {0.1, 40.0}}}}, 0.0));
 }
 
-// The firmware's own ELF: 100 degrees of its servo need 1.1 times the usual pulse, clockwise, and it stands
-// at 20.
+// The firmware's own ELF. Its servo turns clockwise, needs 1.1 times the usual pulses, and starts at 20 degrees.
 TEST(PlateCommission, WritesTheFileOfAPlate) {
   BoardWithServo board({.speed_deg_s = 160.0, .backlash_deg = 2.0, .lower_stop_deg = -72.0}, 20.0,
                        eeprom_with(settings_default()));
@@ -260,7 +261,7 @@ TEST(PlateCommission, WritesTheFileOfAPlate) {
   EXPECT_NEAR(link.setting("speed"), 0.9 * 160.0, 8.0);
 }
 
-TEST(PlateCommission, RefusesAPlateWithoutASensorAndAnAbsentPerson) {
+TEST(PlateCommission, RefusesAPlateWithoutASensorAndAnEndOfTheInput) {
   HobbyPlate board({.settings = settings_default()});
   board.has_sensor = false;
   const TemporaryFolder folder;
@@ -289,7 +290,7 @@ ServoTraits any_traits(Uniform& between, unsigned seed, double fastest_deg_s) {
           .seed = seed};
 }
 
-// An emulated plate, and what happens to it meanwhile.
+// Emulated plate with a disturbance.
 template <class Emulated>
 struct Troubled : Emulated {
   using Emulated::Emulated;
@@ -323,7 +324,7 @@ struct Hobby : Troubled<HobbyPlate> {
 struct Xl330 : Troubled<EmulatedDynamixel> {
   Xl330(Uniform& between, unsigned seed)
       : Troubled(1, 1190, of_its_kind(any_traits(between, seed, 600.0))), speed_deg_s(between(20.0, 400.0)) {}
-  // Without stops; a step of its encoder is 0.09 degrees.
+  // Removes the stops, which an XL330 does not have.
   static ServoTraits of_its_kind(ServoTraits traits) {
     traits.lower_stop_deg = -(traits.upper_stop_deg = 1e4);
     return traits;
@@ -333,17 +334,17 @@ struct Xl330 : Troubled<EmulatedDynamixel> {
     const auto open = [&](const std::string&, int) { return line_to(*this); };
     const Measurements found = commission([&] { return device_named(name)(open, Start::hold); },
                                           {reader_of(entered({"", "y", ""})), [](const std::string&) {}});
-    motor.limit_speed(std::round(std::round(speed_deg_s) / 1.374) * 1.374);  // until it was closed
+    motor.limit_speed(std::round(std::round(speed_deg_s) / 1.374) * 1.374);  // closing has cleared the profile
     return found;
   }
   EmulatedServo& physics() { return motor; }
-  static constexpr double exchange_ms = 3.2;  // half of one that is under way, and two bytes more than a poll has
+  static constexpr double exchange_ms = 3.2;  // half of a running exchange, and two more bytes than a poll
   double speed_deg_s;
 };
 
-// Speed, latency and backlash: within 5 %, 3 ms, half a step of the converter, or three of the stated
-// standard errors. Truth: dead time and half an exchange; gears and both sides of the dead band. What is
-// wrong, if anything.
+// Compares measurements with the ground truth (latency: dead time and half an exchange; backlash: play and both sides
+// of the dead band), and returns a text with the errors that exceed the tolerance: 5 % of speed, 3 ms of latency, half
+// a step of the converter for backlash, or three stated standard errors.
 struct Judge {
   double speed = 0.0, latency_ms = 0.0, backlash_deg = 0.0, mean_ms = 0.0;  // the largest errors
   int numbers = 0, covered = 0;                                             // within two deviations
@@ -369,7 +370,7 @@ struct Judge {
     compare("acceleration", found.acceleration_deg_s2, traits.acceleration_deg_s2, traits.acceleration_deg_s2 / 3.0);
     backlash_deg = std::max(backlash_deg, compare("backlash", found.backlash_deg, truth_deg, 0.15));
     mean_ms += (found.latency_ms.value - truth_ms) / 200.0;
-    // The scale was read to a degree in 60; half a degree of the last step is not felt.
+    // Tolerance: the scale was read to a degree in 60, and half a degree of the last step is not detected.
     if (0.98 * found.limits.min_deg < traits.lower_stop_deg - 0.5 ||
         0.98 * found.limits.max_deg > traits.upper_stop_deg + 0.5)
       wrong += "a limit is beyond its stop";
@@ -382,7 +383,7 @@ class PlateCommissionOf : public testing::Test {};
 using Plates = testing::Types<Hobby, Xl330>;
 TYPED_TEST_SUITE(PlateCommissionOf, Plates);
 
-TYPED_TEST(PlateCommissionOf, CoversTwoHundredPlates) {
+TYPED_TEST(PlateCommissionOf, MeasuresTwoHundredPlatesWithinTheirStatedErrors) {
   Uniform between;
   Judge judge;
   double longest_s = 0.0;
@@ -399,7 +400,7 @@ TYPED_TEST(PlateCommissionOf, CoversTwoHundredPlates) {
       std::printf("plate %u is refused: %s\n", i, failure.what());
     }
   }
-  EXPECT_LE(refused, (std::is_same_v<TypeParam, Hobby>) ? 50 : 0);  // whose sensors are bent
+  EXPECT_LE(refused, (std::is_same_v<TypeParam, Hobby>) ? 50 : 0);  // plates with a bent sensor
   EXPECT_LE(wrong, 6);                                              // of 800 numbers, beyond three standard errors
   EXPECT_NEAR(judge.mean_ms, 0.0, (std::is_same_v<TypeParam, Hobby>) ? 1.5 : 0.5);
   EXPECT_LT(longest_s, 180.0);
@@ -424,9 +425,8 @@ TYPED_TEST(PlateCommissionOf, CoversTwoHundredPlates) {
               100.0 * judge.speed, judge.backlash_deg, longest_s);
 }
 
-// A supply that dips, a sensor that slips or skips every second count, from any time on: refused, or right
-// all the same.
-TYPED_TEST(PlateCommissionOf, AWrongPlateIsNeverWrongInSilence) {
+// A supply that dips, or a sensor that slips or skips every second count: the plate is refused, or measured correctly.
+TYPED_TEST(PlateCommissionOf, ADefectivePlateIsRefusedOrMeasuredCorrectly) {
   Uniform between;
   Judge judge;
   int refused = 0;
@@ -448,11 +448,10 @@ TYPED_TEST(PlateCommissionOf, AWrongPlateIsNeverWrongInSilence) {
       ++refused;
     }
   }
-  std::printf("100 wrong plates: %d refused, all others right\n", refused);
+  std::printf("100 defective plates: %d refused, all others measured correctly\n", refused);
   EXPECT_GT(refused, 5);
 }
 
-// The guide's recommended servo, whole: what is printed, and the file.
 TEST(PlateCommission, WritesTheFileOfADynamixel) {
   EmulatedDynamixel servo(1, 1190);
   const TemporaryFolder folder;
@@ -474,7 +473,7 @@ TEST(PlateCommission, RefusesAServoThatTurnsTheWrongWay) {
   EXPECT_TRUE(has(outcome.err, "turns the wrong way"));
 }
 
-TEST(PlateFile, IsRefusedUnlessItIsWhole) {
+TEST(PlateFile, IsRefusedIfDamagedOrIncomplete) {
   Measurements found;
   found.device = "protocol 2, firmware 1.1.0, serial number 000007";
   found.limits = {-90.0, 90.0, 200.0, 30ms};
@@ -506,15 +505,16 @@ TEST(PlateFile, IsRefusedUnlessItIsWhole) {
     EXPECT_NE(refusal(other), "") << at;
     EXPECT_NE(refusal(text.substr(0, at)), "") << at;
   }
-  EXPECT_EQ(refusal("{}"), "plate file " + path + " has no checksum: it is not of hrt-plate commission");
-  EXPECT_EQ(refusal(with_checksum("{\n")),
-            "plate file " + path + " misses something: [json.exception.out_of_range.403] key 'format' not found");
+  EXPECT_EQ(refusal("{}"), "plate file " + path + " has no checksum; name a file of hrt-plate commission");
+  EXPECT_TRUE(has(refusal(with_checksum("{\n")),
+                  "commission it again: [json.exception.out_of_range.403] key 'format' not found"));
   EXPECT_THROW(read_plate_file("/nonexistent.json"), std::system_error);
 }
 
 TEST(PlateTool, RunsAsAProgram) {
   const Outcome none = expect_exit(9, Process({HRT_PLATE_PROGRAM, "commission", "/dev/null"}, {}).wait());
-  EXPECT_EQ(none.err, "hrt-plate: the plate at /dev/null is not a serial line\n");
+  EXPECT_EQ(none.err,
+            "hrt-plate: the plate at /dev/null is not a serial line; name a serial device, such as /dev/ttyACM0\n");
   PtyPlate device;
   const Outcome saved =
       Process({"/bin/sh", "-c", "printf -- '\\n-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + device.device()}, {}).wait();

@@ -8,9 +8,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto silence_limit = 500ms;
-constexpr auto glance = 5ms;  // wait for bytes between two looks at the line
+constexpr auto glance = 5ms;  // longest wait for bytes before the line is read again
 constexpr int max_tries = 10;
-constexpr std::size_t max_timed = 4;  // bytes of an answer that takes the time of a command's
+constexpr std::size_t max_timed = 4;  // longest answer, in bytes, whose round trip is representative of a command
 
 // Size of the parameters of an answer without an error.
 std::size_t size_of_answer(const Packet& request) {
@@ -52,7 +52,7 @@ Packet Bus::transact(const Packet& request) {
     if (error != StatusError::crc) throw PlateFailure(Fault::protocol, describe(request, error));
     count_refusal();
   }
-  throw PlateFailure(Fault::silent, "does not answer");
+  throw PlateFailure(Fault::silent, "does not answer; check its cable and supply, and open it again");
 }
 
 std::int64_t Bus::read(Entry entry) { return number_at(transact(read_request(entry)).parameters, 0, entry.size); }
@@ -67,7 +67,7 @@ void Bus::send(const Packet& request) {
   line_->send(encode(request));
 }
 
-// Adapters may echo what the host sends: instructions, and other servos, are passed over.
+// Ignores instructions, which some adapters echo to the host, and the answers of other servos.
 std::optional<Packet> Bus::answer() {
   std::string bytes;
   line_->receive(bytes);
@@ -90,18 +90,17 @@ bool Bus::has_missed_answer() {
   return true;
 }
 
-// A packet whose length was damaged would swallow the next answers as its parameters.
+// Drops a partial packet: a damaged length would make it take the next answers as its parameters.
 void Bus::give_up_answer() {
   is_answered_ = true;
   reader_.drop_partial();
 }
 
 void Bus::check_silence() const {
-  if (silent_since_ && line_->now() - *silent_since_ > silence_limit)
-    throw PlateFailure(Fault::silent, "has not been heard for half a second");
+  if (silent_since_ && line_->now() - *silent_since_ > silence_limit) throw PlateFailure(Fault::silent, silent_text);
 }
 
-// A late answer would be taken for that of the next request.
+// Waits until a late answer can no longer arrive, which would be taken for the answer to the next request.
 void Bus::pass_over_late_answer() {
   give_up_answer();
   for (const auto end = line_->now() + answer_limit; line_->now() < end;) {
@@ -111,11 +110,11 @@ void Bus::pass_over_late_answer() {
 }
 
 std::string Bus::describe(const Packet& request, StatusError error) {
-  const std::string what = std::string(": ") + name_of(error);
-  if (request.instruction == Instruction::ping) return "answers a ping with" + what;
+  const std::string reason = std::string(": ") + name_of(error);
+  if (request.instruction == Instruction::ping) return "refuses a ping" + reason;
   const std::string address = std::to_string(number_at(request.parameters, 0, 2));
-  return request.instruction == Instruction::read ? "refuses to have address " + address + " read" + what
-                                                  : "refuses to set address " + address + what;
+  return (request.instruction == Instruction::read ? "refuses a read of address " : "refuses a write to address ") +
+         address + reason;
 }
 
 }  // namespace hrt::plate::dynamixel

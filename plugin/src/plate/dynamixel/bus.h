@@ -1,5 +1,5 @@
-// Requests to one servo on a Dynamixel bus and its answers, one on its way at a time; and the servos that can turn a
-// plate, with what of their control tables the plate needs (ROBOTIS e-manuals of XL330-M077 and XL330-M288).
+// Requests to one servo on a Dynamixel bus, one at a time, and its answers. Models of servos that can turn a plate,
+// with the entries of their control tables that are used (ROBOTIS e-manuals of XL330-M077 and XL330-M288).
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ inline constexpr Entry drive_mode{10, 1}, operating_mode{11, 1}, homing_offset{2
     profile_velocity{112, 4}, goal_position{116, 4}, present_position{132, 4}, present_voltage{144, 2},
     present_temperature{146, 1};
 
-/// Stall torque at 5 V and 1.47 A, for both: https://emanual.robotis.com/docs/en/dxl/x/xl330-m077/ and xl330-m288/,
-/// section "Specifications".
+/// Model of a servo, with its stall torque at 5 V and 1.47 A: https://emanual.robotis.com/docs/en/dxl/x/xl330-m077/ and
+/// xl330-m288/, section "Specifications".
 struct Model {
   int number;
   const char* name;
@@ -35,14 +35,14 @@ struct Model {
 };
 inline constexpr std::array models = {Model{1190, "XL330-M077", 0.215}, Model{1200, "XL330-M288", 0.52}};
 inline constexpr double stall_ma = 1470.0;
-/// 4 N at the rim, 75 mm from the axis: a fifth less than the 5 N that the plate may push with, because no servo was
-/// measured.
+/// Largest torque: 4 N at the rim, 75 mm from the axis. This is a fifth below the permitted 5 N, because no servo has
+/// been measured.
 inline constexpr double max_torque_nm = 4.0 * 0.075;
 
 inline constexpr int current_based_position_mode = 5;
 inline constexpr int normal_drive_mode = 0;  ///< counter-clockwise is positive; profiles are velocities
 inline constexpr int middle_step = 2048;
-inline constexpr int max_homing_steps = 1024;  ///< limit to either side; some modes ignore more
+inline constexpr int max_homing_steps = 1024;  ///< limit in either direction; some modes ignore larger offsets
 inline constexpr double deg_per_step = 360.0 / 4096.0;
 inline constexpr double deg_s_per_unit = 0.229 * 6.0;   ///< unit of velocity: 0.229 revolutions a minute
 inline constexpr int min_supply = 37, max_supply = 60;  ///< input voltage of an XL330, tenths of a volt
@@ -58,43 +58,43 @@ class Bus {
   std::uint8_t id() const { return id_; }
   /// Median time from a request to its answer.
   std::optional<std::chrono::nanoseconds> round_trip() const { return round_trips_.median(); }
-  /// Packets that were damaged on their way.
+  /// Number of packets that were damaged in transmission.
   std::uint64_t damaged() const { return refused_ + reader_.damaged(); }
 
   Packet ping_request() const { return {.id = id_, .instruction = Instruction::ping}; }
   Packet read_request(Entry entry) const;
   Packet write_request(Entry entry, std::int64_t value) const;
 
-  // ---- With a wait for the answer.
+  // ---- Calls that wait for the answer.
 
-  /// None without an answer; the caller handles an error in the answer.
+  /// Sends a request once. Returns nullopt without an answer; the caller handles an error in the answer.
   std::optional<Packet> try_once(const Packet& request);
-  /// Asks again while the line is disturbed. PlateFailure with the servo's error, or if it is silent.
+  /// Repeats a request while the line is disturbed. Throws PlateFailure with the servo's error, or if it is silent.
   Packet transact(const Packet& request);
   std::int64_t read(Entry entry);
   void write(Entry entry, std::int64_t value) { transact(write_request(entry, value)); }
 
-  // ---- Without one.
+  // ---- Calls that do not wait.
 
-  /// Only while no answer is awaited.
+  /// Sends a request. Requires that no answer is awaited.
   void send(const Packet& request);
-  /// The answer to the last request, once.
+  /// Returns the answer to the last request, once.
   std::optional<Packet> answer();
   bool awaits_answer() const { return !is_answered_ && line_->now() - asked_ <= answer_limit; }
-  /// True once if the last request was not answered in time.
+  /// Returns true, once, if the last request was not answered in time.
   bool has_missed_answer();
-  /// The last request, and when it was sent.
+  /// The last request, and the time when it was sent.
   const Packet& request() const { return request_; }
   Line::Time asked() const { return asked_; }
-  /// PlateFailure if no request has been answered for half a second.
+  /// Throws PlateFailure if no request has been answered for half a second.
   void check_silence() const;
-  /// The answer says that the request was damaged.
+  /// Counts an answer which reports that the request was damaged.
   void count_refusal() { ++refused_; }
   /// Describes the error of a servo in an answer to `request`.
   static std::string describe(const Packet& request, StatusError error);
 
  private:
-  // 48 bytes at 57600 baud are 9 ms.
+  // A packet of 48 bytes takes 9 ms at 57600 baud.
   static constexpr auto answer_limit = std::chrono::milliseconds(60);
   void pass_over_late_answer();
   void give_up_answer();
@@ -108,7 +108,7 @@ class Bus {
   bool is_answered_ = true;
   std::uint64_t refused_ = 0;
   Line::Time asked_;
-  std::optional<Line::Time> silent_since_;  // the first request without an answer
+  std::optional<Line::Time> silent_since_;  // time of the first request without an answer
 };
 
 }  // namespace hrt::plate::dynamixel

@@ -20,10 +20,11 @@ constexpr double stop_deg = 360.0;  // the servo counts turns; 360 is the range 
 constexpr double slack_deg = 3.0;   // tolerance beyond the stop
 constexpr auto ping_limit = 3s;     // adapters and servos need a moment after the line is opened
 constexpr int probes = 11;
-// The servo's own: its control loop runs every millisecond.
+// Latency of the servo itself, whose control loop runs every millisecond.
 constexpr auto servo_latency = 2ms;
-constexpr std::int64_t resting_units = 1;  // velocity before the first command: another program cannot throw the plate
-constexpr int polls_per_check = 8;         // period of reading the torque, which is at a distant address
+constexpr std::int64_t resting_units =
+    1;  // velocity before the first command, so that a goal of another program moves the plate slowly
+constexpr int polls_per_check = 8;  // period of reading the torque, which is at a distant address
 
 struct Settings {
   std::uint8_t id;
@@ -43,8 +44,8 @@ void check_hardware(std::int64_t bits) {
   std::string text;
   for (const auto& [bit, name] : names)
     if ((bits & bit) != 0) text += (text.empty() ? "" : ", ") + std::string(name);
-  throw PlateFailure(Fault::device,
-                     "reports a hardware error: " + (text.empty() ? "unknown" : text) + "; it needs a restart");
+  throw PlateFailure(Fault::device, "reports a hardware error: " + (text.empty() ? "unknown" : text) +
+                                        ". Switch its supply off and on");
 }
 
 class Servo : public Device {
@@ -121,13 +122,13 @@ class Servo : public Device {
             value("hardware error ", hardware_error, "")};
   }
 
-  // A servo's position is the shaft's own and the homing offset.
+  // The position of a servo is the position of its shaft plus the homing offset.
   double zero_deg() override {
     finish_exchange();
     return static_cast<double>(-bus_.read(homing_offset)) * deg_per_step;
   }
 
-  // The offset is in memory that is locked while there is torque: the plate is free for some milliseconds.
+  // Switches the torque off for some milliseconds: with torque, the memory of the offset is locked.
   void set_zero(double zero_deg) override {
     const std::int64_t offset = -std::llround(zero_deg / deg_per_step);
     if (std::abs(offset) > max_homing_steps)
@@ -141,8 +142,8 @@ class Servo : public Device {
     repeat_goal();
   }
 
-  void keep_zero() override { stop(); }          // the servo keeps it without a save
-  void hurry() override { poll_period_ = 0ms; }  // the servo's profile remains its limit
+  void keep_zero() override { stop(); }          // the servo stores the offset when it is written
+  void hurry() override { poll_period_ = 0ms; }  // the speed stays limited by the servo's profile
   double report_step_deg() const override { return deg_per_step; }
   std::chrono::nanoseconds sensor_filter() const override { return 0ns; }
 
@@ -165,8 +166,8 @@ class Servo : public Device {
         return;
       }
     }
-    throw PlateFailure(Fault::no_answer,
-                       "does not answer as a Dynamixel of id " + std::to_string(settings_.id) + " within 3 s");
+    throw PlateFailure(Fault::no_answer, "does not answer as a Dynamixel of id " + std::to_string(settings_.id) +
+                                             " within 3 s; check id, baud, cable and supply");
   }
 
   void take_model(const Packet& answer) {
@@ -176,11 +177,11 @@ class Servo : public Device {
         std::find_if(models.begin(), models.end(), [&](const Model& model) { return model.number == number; });
     if (found == models.end())
       throw PlateFailure(Fault::no_answer, "is a Dynamixel of model number " + std::to_string(number) +
-                                               "; known are 1190 and 1200 (XL330)");
+                                               "; allowed: 1190 and 1200 (XL330)");
     model_ = &*found;
   }
 
-  // The modes are in memory that wears: they are written only if they differ.
+  // Writes the modes only if they differ, because their memory wears out.
   void set_up() {
     bus_.write(bus_watchdog, 0);
     bus_.write(torque_enable, 0);
@@ -199,7 +200,7 @@ class Servo : public Device {
     bus_.write(bus_watchdog, watchdog_ticks);
   }
 
-  // The servo forgets them when its watchdog stops it.
+  // Entries that the servo clears when its watchdog stops it.
   std::array<std::pair<Entry, std::int64_t>, 2> motion_entries() const {
     return {{{profile_velocity, profile_units_}, {goal_current, effort_}}};
   }
@@ -246,7 +247,7 @@ class Servo : public Device {
     }
   }
 
-  // From the watchdog to the voltage in one answer; now and then the torque; in a hurry the position alone.
+  // Request for the entries from watchdog to voltage; every eighth one for the torque; after hurry() for the position.
   Packet poll_request() {
     if (poll_period_ == 0ms) return bus_.read_request(present_position);
     if (++polls_ % polls_per_check == 0) return bus_.read_request(torque_enable);
@@ -265,8 +266,9 @@ class Servo : public Device {
       return number_at(table, static_cast<std::size_t>(entry.address - bus_watchdog.address), entry.size);
     };
     const std::int64_t watchdog = value(bus_watchdog);
-    if (watchdog == 0) throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
-    if (!has_torque_) throw PlateFailure(Fault::device, "has no torque: another program or the servo switched it off");
+    if (watchdog == 0) throw PlateFailure(Fault::restarted, restarted_text);
+    if (!has_torque_)
+      throw PlateFailure(Fault::device, "has no torque: another program or the servo switched it off. Open it again");
     take_position(value(present_position));
     check_supply(value(present_voltage));
     if (watchdog == watchdog_expired) {
@@ -275,7 +277,7 @@ class Servo : public Device {
       const std::int64_t goal = value(goal_position);
       if (known_goal_.value_or(goal) != goal || value(goal_current) != effort_ ||
           (is_profile_sent_ && value(profile_velocity) != profile_units_))
-        throw PlateFailure(Fault::line, "hears another program too: close that one");
+        throw PlateFailure(Fault::line, second_program_text);
       known_goal_ = goal;
     }
   }
@@ -285,14 +287,13 @@ class Servo : public Device {
     if (orientation_deg_ && seconds > 0.0) speed_seen_deg_s_ = (deg_of(step) - *orientation_deg_) / seconds;
     orientation_deg_ = deg_of(step);
     if (std::abs(*orientation_deg_) > stop_deg + slack_deg)
-      throw PlateFailure(Fault::limits,
-                         "was turned by " + std::to_string(std::lround(*orientation_deg_)) +
-                             " degrees, more than the 360 that it counts: switch the servo's supply off and on");
+      throw PlateFailure(Fault::limits, "was turned by " + std::to_string(std::lround(*orientation_deg_)) +
+                                            " degrees; allowed: -360 to 360. Switch the servo's supply off and on");
     reported_ = now();
     watch_->reported(reported_, orientation_deg_);
   }
 
-  // The host paused for longer than the watchdog allows: the servo has stopped, and takes no goal.
+  // Restarts a servo whose watchdog has expired during a pause of the host: it has stopped, and accepts no goal.
   void recover_from_watchdog() {
     bus_.write(bus_watchdog, 0);
     for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
@@ -329,7 +330,7 @@ class Servo : public Device {
                                           " tenths of a volt; allowed: 37 to 60. Check adapter, fuse and wires");
   }
 
-  // Only one of two may send on this line at a time.
+  // Waits for the answer to the last request: either the host or the servo may send on the bus, not both.
   void await_answer() {
     while (bus_.awaits_answer() && !bus_.answer()) {
       bus_.line().wait(5ms);
@@ -342,7 +343,7 @@ class Servo : public Device {
     repeat_lost_goal();
   }
 
-  // If the servo does not hear, its own watchdog stops it.
+  // Tries to stop the servo. If it receives nothing, its own watchdog stops it.
   void stop_if_heard() {
     try {
       await_answer();
@@ -369,7 +370,7 @@ class Servo : public Device {
   std::optional<PlateWatch> watch_;
   std::optional<double> orientation_deg_;
   std::optional<int> goal_step_;
-  std::optional<std::int64_t> known_goal_;  // goal of the servo, unless a goal of this program is being sent
+  std::optional<std::int64_t> known_goal_;  // goal in the servo; nullopt while a goal is being sent
   bool is_goal_sent_ = true;
   bool must_stop_ = false;
   bool holds_ = false;

@@ -11,7 +11,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view header = "\xFF\xFF\xFD\x00"sv;
-constexpr std::string_view pattern = "\xFF\xFF\xFD"sv;  // within a packet it is followed by one more FD
+constexpr std::string_view pattern = "\xFF\xFF\xFD"sv;  // in a packet, another FD follows it
 constexpr std::size_t before_instruction = 7;           // header, id, length
 constexpr std::size_t crc_size = 2;
 constexpr std::size_t min_length = 3;  // instruction and CRC
@@ -27,7 +27,7 @@ std::string stuffed(std::string_view plain) {
   return bytes;
 }
 
-// Removes the byte stuffing. None if the bytes contain a header without stuffing.
+// Removes the byte stuffing. Returns nullopt if the bytes contain a header without stuffing.
 std::optional<std::string> unstuffed(std::string_view bytes) {
   std::string plain;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -96,7 +96,7 @@ void PacketReader::drop_partial() {
 std::optional<Packet> PacketReader::next() {
   for (;;) {
     const std::size_t at = bytes_.find(header);
-    if (at == std::string::npos) {  // the end of the bytes may be the beginning of a header
+    if (at == std::string::npos) {  // the last bytes may be the start of a header
       bytes_.erase(0, bytes_.size() - std::min(bytes_.size(), header.size() - 1));
       return std::nullopt;
     }
