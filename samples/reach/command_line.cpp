@@ -89,26 +89,26 @@ void add_controller(CLI::App& app, Options& options, Words& words) {
 }
 
 void add_place(CLI::App& app, Options& options) {
-  CLI::Option* anew = app.add_option(
+  CLI::Option* register_to = app.add_option(
       "--register", options.register_to,
       "Ask a person to touch the plate's marks, find the plate by them, and keep its place in this file");
-  anew->excludes("--finger");
+  register_to->excludes("--finger");
   app.add_option("--registered", options.registered,
                  "The plate is where this file has it; a touch of one mark checks that")
-      ->excludes(anew, "--finger");
+      ->excludes(register_to, "--finger");
   app.add_flag("--fingertip", options.fingertip,
                "When registering, find first where the skin of the --hand touches, from the joint that is\n"
                "tracked, for a hand that does not keep one attitude; the file keeps it")
-      ->needs(anew);
+      ->needs(register_to);
   app.add_flag("--measure-tracker", options.measure_tracker,
                "Ask for 20 slides between two dimples 100 mm apart, in place of reaches, and print the error of\n"
                "the tracker's bearing and the share of reaches that it allows")
-      ->excludes(anew, "--registered");
+      ->excludes(register_to, "--registered");
   app.add_flag("--check-each", options.check_each,
                "Ask for the touch that checks a registered plate before every reach, not only the first");
   app.add_option("--marks", options.marks,
                  "CSV file of the marks to touch: name,x_m,y_m,z_m [the scene's start and five on the rim]")
-      ->needs(anew);
+      ->needs(register_to);
   app.add_option("--eye-height", options.eye_height_m,
                  "How high the eyes are above the floor, metres, for a runtime that knows no floor, whose LOCAL\n"
                  "space begins at the eyes [asked on the terminal]")

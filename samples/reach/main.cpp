@@ -368,7 +368,7 @@ class Run {
   std::optional<RegisteredPlate> registered_;
   std::optional<ScenePlace> scene_place_;
   SpaceMotion spaces_;
-  std::optional<TouchFrame> touch_;  // none: the runtime tracks hands
+  std::optional<TouchFrame> touch_;  // unset: the runtime tracks hands
   StatusLine status_;
   Prompt prompt_;
   std::optional<RecordingFile> recording_;

@@ -14,7 +14,7 @@ constexpr std::size_t reaches = 20;
 constexpr double still_m = 0.003, apart_m = 0.03;
 constexpr XrDuration rest_ns = 700'000'000;
 
-// The mean place of the next rest of the finger that is not at `last`.
+// Waits until the finger rests at another position than `last`, and returns the mean position of that rest.
 Point next_rest(Stage& stage, const Point* last) {
   Point first{}, sum{};
   int count = 0;
@@ -41,7 +41,7 @@ double share_within(double sd_deg) { return 100.0 * std::erf(1.5 / (sd_deg * std
 
 }  // namespace
 
-// Deviations are taken from the first bearing, so that the half turn does not matter.
+// Differences are relative to the first bearing, so that wrap-around at 180 degrees has no effect.
 std::string bearing_sd_text(std::span<const double> bearings_deg, double mean_distance_m) {
   constexpr double low = 0.7605, high = 1.4606;  // sqrt(19 / chi squared), 19 degrees of freedom, 97.5 and 2.5 %
   const auto count = static_cast<double>(bearings_deg.size());
@@ -54,9 +54,8 @@ std::string bearing_sd_text(std::span<const double> bearings_deg, double mean_di
   const double sd_deg = std::sqrt(std::max(1e-9, (squares - sum * sum / count) / (count - 1.0)));
   return format("SD of the bearing over %.0f mm: %.2f degrees, 95 %% interval %.2f to %.2f.\n", 1e3 * mean_distance_m,
                 sd_deg, low * sd_deg, high * sd_deg) +
-         format(
-             "At most %.0f %% of reaches end within 1.5 degrees, whatever turns the plate; interval %.0f to %.0f %%.\n",
-             share_within(sd_deg), share_within(high * sd_deg), share_within(low * sd_deg)) +
+         format("At most %.0f %% of reaches end within 1.5 degrees with any plate; interval %.0f to %.0f %%.\n",
+                share_within(sd_deg), share_within(high * sd_deg), share_within(low * sd_deg)) +
          format("Set tracker.bearing_sd_deg to %.2f.\n", sd_deg);
 }
 

@@ -1,4 +1,4 @@
-// The error of one's own tracker over a reach, from touches of two dimples.
+// Measurement of the tracker's bearing error over a reach, from touches of two dimples.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@ namespace hrt::reach {
 
 using namespace app;
 
-/// SD of the bearings, its 95 % interval, and the share of reaches that can end within 1.5 degrees, in words.
-/// `bearings_deg`: 20 of them, any of which may lie across the half turn.
+/// Text with the SD of the bearings, its 95 % interval, and the fraction of reaches that can end within 1.5 degrees.
+/// `bearings_deg`: 20 bearings; they may wrap around at 180 degrees.
 std::string bearing_sd_text(std::span<const double> bearings_deg, double mean_distance_m);
 
 /// Asks the user to touch two dimples in turn, 20 times each, and returns bearing_sd_text(). Throws Failure
