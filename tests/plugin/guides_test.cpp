@@ -40,7 +40,12 @@ struct Tracked {
     skin_m = {0.0015 * draws.normal(), 0.0015 * draws.normal()};
   }
 
-  void land() { landed_m = skin_m + skin_sd_m * Eigen::Vector2d(draws.normal(), draws.normal()); }
+  // In a fixed order, which that of a constructor's arguments is not: every compiler has the same draws.
+  Eigen::Vector2d two_normals() {
+    const double away = draws.normal();
+    return {draws.normal(), away};
+  }
+  void land() { landed_m = skin_m + skin_sd_m * two_normals(); }
 
   Eigen::Vector2d bent(const Eigen::Vector2d& at) const {
     const double along = (at.x() + 0.7 * at.y()) / 0.06, across = (at.y() - 0.4 * at.x()) / 0.06;
@@ -53,8 +58,7 @@ struct Tracked {
 
   Eigen::Vector2d seen(const Eigen::Vector2d& at) {
     const double kept = std::exp(-1e-9 * frame_ns / correlation_s);
-    noise_m =
-        kept * noise_m + noise_sd_m * std::sqrt(1.0 - kept * kept) * Eigen::Vector2d(draws.normal(), draws.normal());
+    noise_m = kept * noise_m + noise_sd_m * std::sqrt(1.0 - kept * kept) * two_normals();
     return bent(at) + landed_m + noise_m;
   }
 
