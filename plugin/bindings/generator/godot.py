@@ -112,7 +112,8 @@ def _reference(abi: Abi, plate: Abi, setup: list[Value]) -> str:
 
     members = [(f.name, f) for f in settings.shown(abi)] + [(f"setup_{f.name}", f) for f in setup]
     readme = (_GODOT / "README.md").read_text(encoding="utf-8")
-    intro = readme[readme.index("A node of this class is"):].split("\n\n", maxsplit=1)[0].replace("\n", " ")
+    first = next(part.replace("\n", " ") for part in readme.split("\n\n") if "A node of this" in part)
+    intro = first[first.index("A node of this class is"):]
     text = ('<class name="HapticRetargeting" inherits="Node3D">\n<brief_description>A ridged plate and the user whose hand it '
             f"guides.</brief_description>\n<description>{doc(intro)}</description>\n")
     for kind in ("method", "signal"):
