@@ -66,7 +66,7 @@ class EmulatedDynamixel {
   std::string output_;
   Time now_{0};
   Time heard_{0};
-  int turns_ = 0;
+  std::int64_t turns_ = 0;
   int writes_to_eeprom_ = 0;
   int answers_ = 0;
   std::int64_t last_goal_ = 0;

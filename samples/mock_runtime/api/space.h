@@ -19,8 +19,8 @@ class Space : public Object {
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SPACE;
 
   /// `of`: unset for the space of an action.
-  Space(Session* session, std::optional<XrReferenceSpaceType> of, const Pose& at)
-      : Object(object_type, session), reference_(of), offset_(at) {}
+  Space(Session* session, std::optional<XrReferenceSpaceType> of, Pose at)
+      : Object(object_type, session), reference_(of), offset_(std::move(at)) {}
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 

@@ -33,6 +33,9 @@ class PlateTerminal {
 
   /// Both ends of the terminal; the far end is kept open, so that the terminal persists between programs.
   struct Ends {
+    Ends() = default;
+    Ends(const Ends&) = delete;
+    Ends& operator=(const Ends&) = delete;
     ~Ends() {
       close(own);
       close(other);

@@ -21,7 +21,7 @@ struct Surroundings {
   std::ostream& out;
   std::ostream& err;
   /// Runs a simulated plate until it is interrupted; null if this system has no pseudo-terminals.
-  std::function<void(const Emulation&, const std::function<Entry()>&, std::ostream&)> emulate = {};
+  std::function<void(const Emulation&, const std::function<Entry()>&, std::ostream&)> emulate;
 };
 
 /// Runs a command line; returns the exit code. Throws std::runtime_error if a file cannot be written.
