@@ -1,11 +1,7 @@
 // hrt-study: the paper's study and its neighbourhood, in simulation. See README.md beside this file.
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 #include <cctype>
 #include <iostream>
 #include <string>
-#include <vector>
 
 #include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
@@ -17,22 +13,6 @@ void complain(std::string message) {
   for (char& character : message)
     if (std::iscntrl(static_cast<unsigned char>(character))) character = '?';
   std::cerr << "hrt-study: " << message << '\n';
-}
-
-// CLI11's message, with the allowed values if it lacks them.
-std::string explain(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
-  const std::string message = error.what();
-  if (app.get_subcommands().empty()) {
-    std::string names;
-    for (const CLI::App* subcommand : app.get_subcommands({}))
-      names += (names.empty() ? "one of " : ", ") + subcommand->get_name();
-    return hrt::study::not_allowed("SUBCOMMAND", words.empty() ? "" : words.front(), names) + " (see --help)";
-  }
-  for (const CLI::App* subcommand : app.get_subcommands())
-    for (const CLI::Option* option : subcommand->get_options())
-      if (message.starts_with(option->get_name() + ": 1 required") || message == option->get_name() + " is required")
-        return option->get_name() + ": the value is missing; it must be " + option->get_type_name();
-  return message + " (see --help)";
 }
 
 }  // namespace
@@ -47,7 +27,7 @@ int main(int argc, char** argv) {
       "a real target while the participant feels that they go to a virtual one.\n"
       "Every result is of simulation; there was no human trial.",
       "hrt-study");
-  format_help(app);
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.footer(
       R"(Start with:
   hrt-study table1                 the paper's Table I beside the model
@@ -63,7 +43,6 @@ Exit codes: 0 done, 1 failed, 2 an argument is wrong.)");
   add_table1(app);
   add_ridges(app);
   add_trial(app);
-  add_sweep(app);
   add_report(app);
   add_participants(app);
   add_calibrate(app);
@@ -75,7 +54,7 @@ Exit codes: 0 done, 1 failed, 2 an argument is wrong.)");
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    complain(explain(app, error, {argv + std::min(argc, 1), argv + argc}));
+    complain(std::string(error.what()) + " (see --help)");
     return usage_error;
   } catch (const UsageError& error) {
     complain(error.what());

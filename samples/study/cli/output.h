@@ -44,7 +44,7 @@ std::string read_file(const std::filesystem::path& path);
 /// "cannot write `path`: ..." with the text of an errno.
 std::runtime_error cannot_write(const std::filesystem::path& path, int error);
 
-/// write_whole_file() (samples/whole_file.h). Throws std::runtime_error if that fails.
+/// write_whole_file() (samples/app/text/whole_file.h). Throws std::runtime_error if that fails.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
 /// Destination of a subcommand's result: a file, or standard output for an empty path. Made before the work, so

@@ -172,16 +172,15 @@ Examples:
   hrt-study calibrate me.csv --retest me-a-week-later.csv
   hrt-study participants --out me.csv && hrt-study calibrate me.csv --format json)",
                                   [options] { run(*options); });
-  require(add_path(command, "FILE", &options->data, "a file that can be read", "The data, CSV."));
-  add_path(command, "--retest", &options->retest, "a file that can be read",
+  add_path(command, "FILE", options->data, "The data, CSV.")->required();
+  add_path(command, "--retest", options->retest,
            "A second calibration's data: whether the two differ, and by how much. --plot and --profile are\n"
            "of FILE.");
-  add_number(command, "--goal", &options->goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
-  add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
-  add_plot(command, &options->plot, "Draw curve, directions and residuals there. Needs gnuplot.");
-  add_path(command, "--profile", &options->profile, "a file in a folder that can be written",
-           "Write a profile there that the plugin loads (hrt_profile_load).");
-  add_out(command, &options->out);
+  add_number(command, "--goal", options->goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
+  add_choice(command, "--format", options->format, {"text", "json"}, "What to write.");
+  add_plot(command, options->plot, "Draw curve, directions and residuals there. Needs gnuplot.");
+  add_path(command, "--profile", options->profile, "File of a profile that the plugin loads (hrt_profile_load).");
+  add_out(command, options->out);
 }
 
 }  // namespace hrt::study

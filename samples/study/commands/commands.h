@@ -9,7 +9,6 @@ namespace hrt::study {
 
 void add_table1(CLI::App& app);
 void add_trial(CLI::App& app);
-void add_sweep(CLI::App& app);
 void add_scene(CLI::App& app);
 void add_report(CLI::App& app);
 void add_participants(CLI::App& app);

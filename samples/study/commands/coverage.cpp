@@ -17,7 +17,6 @@ namespace {
 
 struct CoverageOptions {
   CoverageSession session;
-  std::uint64_t slides = 32;
   std::uint64_t people = 50;
   std::uint64_t threads = 2;
   std::string kind = "all";
@@ -48,7 +47,7 @@ std::string text(const CoverageStudy& study) {
   const CoverageOptions& options = study.options;
   std::string page =
       "Calibrations of simulated people; there was no human trial. " + std::to_string(options.people) +
-      " people a kind, " + std::to_string(options.slides) + " slides at the angles of a set-up, " +
+      " people a kind, " + std::to_string(options.session.slides) + " slides at the angles of a set-up, " +
       number(options.session.duration_s) +
       " s each.\nknown: % of people of whom the calibration says that it knows the value; cover: % of those "
       "whose 95 %\ninterval holds the truth, and the 95 % interval of that share; error: mean of estimate "
@@ -84,7 +83,7 @@ Results results(const CoverageStudy& study) {
                           {"people", study.options.people},
                           {"seed", study.options.session.seed},
                           {"duration_s", study.options.session.duration_s},
-                          {"slides", study.options.slides}},
+                          {"slides", study.options.session.slides}},
                 .rows = {}};
   for (const KindRow& kind : study.rows) {
     const Coverage& coverage = kind.coverage;
@@ -103,8 +102,7 @@ Results results(const CoverageStudy& study) {
   return found;
 }
 
-CoverageStudy simulate(CoverageOptions options) {
-  options.session.slides = static_cast<int>(options.slides);
+CoverageStudy simulate(const CoverageOptions& options) {
   CoverageStudy study{.options = options, .rows = {}};
   for (const CoverageKind& kind : coverage_kinds())
     if (options.kind == "all" || options.kind == kind.name) study.rows.push_back({&kind, {}});
@@ -131,12 +129,12 @@ Examples:
       [options] { options->writing.write([options] { return simulate(*options); }, results, text); });
   std::vector<std::string> kinds{"all"};
   for (const CoverageKind& kind : coverage_kinds()) kinds.emplace_back(kind.name);
-  add_choice(command, "--kind", &options->kind, kinds, "Kind of people.");
-  add_integer(command, "--people", &options->people, 1, 100'000, "People of each kind.");
-  add_integer(command, "--slides", &options->slides, 16, 200, "Slides of each person.");
-  add_number(command, "--duration", &options->session.duration_s, {0.3, 20.0}, "Time of a slide, s.");
-  add_integer(command, "--threads", &options->threads, 1, 64, "Threads.");
-  add_seed(command, &options->session.seed);
+  add_choice(command, "--kind", options->kind, kinds, "Kind of people.");
+  add_integer(command, "--people", options->people, 1, 100'000, "People of each kind.");
+  add_integer(command, "--slides", options->session.slides, 16, 200, "Slides of each person.");
+  add_number(command, "--duration", options->session.duration_s, {0.3, 20.0}, "Time of a slide, s.");
+  add_threads(command, options->threads);
+  add_seed(command, options->session.seed);
   options->writing.add_options(command);
 }
 

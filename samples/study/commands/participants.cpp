@@ -83,27 +83,26 @@ Examples:
   hrt-study participants --tactile-weight 0.1:0.3:9 --trials 4 --out people/)",
                                   [options] { run(*options); });
   CalibrationCondition& condition = options->session.condition;
-  add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
+  add_numbers(command, "--tactile-weight", options->tactile_weights, tactile_weight_range,
               "Share of touch in the felt direction (w_T); a participant each.");
-  add_number(command, "--bias", &condition.participant.bias_deg, {-45.0, 45.0},
+  add_number(command, "--bias", condition.participant.bias_deg, {-45.0, 45.0},
              "Perceptual bias: perceived minus true goal direction, deg.");
-  add_number(command, "--motor-variance", &condition.participant.motor_variance_deg2, variance_range,
+  add_number(command, "--motor-variance", condition.participant.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");
-  add_number(command, "--sensory-variance", &condition.participant.sensory_variance_deg2, positive_variance_range,
+  add_number(command, "--sensory-variance", condition.participant.sensory_variance_deg2, positive_variance_range,
              "Variance of what is felt (sigma_h^2), deg^2.");
-  add_number(command, "--goal", &condition.goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
-  add_numbers(command, "--angles", &options->session.plate_angles_deg, {-360.0, 360.0}, "Plate orientations, deg.");
-  add_integer(command, "--trials", &options->session.trials_per_angle, 1, 1'000, "Slides at each angle.");
-  add_number(command, "--distance", &options->distance_mm, {1.0, 1'000.0}, "Length of a slide, mm.");
-  add_number(command, "--duration", &condition.duration_s, {0.1, 60.0}, "Time of a slide, s.");
-  add_number(command, "--rest", &condition.rest_s, {0.0, 60.0}, "Time at rest before a slide, s.");
-  add_number(command, "--step-period", &condition.step_period_s, {0.001, 10.0}, "Of the participant's steps, s.");
-  add_number(command, "--tracker-noise", &options->tracker_noise_mm, {0.0, 100.0},
+  add_number(command, "--goal", condition.goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
+  add_numbers(command, "--angles", options->session.plate_angles_deg, {-360.0, 360.0}, "Plate orientations, deg.");
+  add_integer(command, "--trials", options->session.trials_per_angle, 1, 1'000, "Slides at each angle.");
+  add_number(command, "--distance", options->distance_mm, {1.0, 1'000.0}, "Length of a slide, mm.");
+  add_number(command, "--duration", condition.duration_s, {0.1, 60.0}, "Time of a slide, s.");
+  add_number(command, "--rest", condition.rest_s, {0.0, 60.0}, "Time at rest before a slide, s.");
+  add_number(command, "--step-period", condition.step_period_s, {0.001, 10.0}, "Of the participant's steps, s.");
+  add_number(command, "--tracker-noise", options->tracker_noise_mm, {0.0, 100.0},
              "Standard deviation of each tracked coordinate, mm.");
-  add_number(command, "--rate", &condition.tracker_rate_hz, {1.0, 10'000.0}, "Of the tracker, Hz.");
-  add_seed(command, &options->session.seed);
-  add_path(command, "--out", &options->out, "a file in a folder that can be written, or a folder",
-           "Write there instead of to standard output.");
+  add_number(command, "--rate", condition.tracker_rate_hz, {1.0, 10'000.0}, "Of the tracker, Hz.");
+  add_seed(command, options->session.seed);
+  add_path(command, "--out", options->out, "File, or folder, to write instead of standard output.");
 }
 
 }  // namespace hrt::study

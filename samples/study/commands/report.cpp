@@ -47,11 +47,10 @@ Examples:
   hrt-study report --out report
   hrt-study report --out quick --trials 1000)",
                   [options] { run(*options); });
-  require(add_path(command, "--out", &options->out, "a folder that can be written",
-                   "Folder for the files; made if missing."));
-  add_trials(command, &options->table.trials, "Trials of each cell of Table I.");
-  add_seed(command, &options->table.seed);
-  add_threads(command, &options->table.threads);
+  add_path(command, "--out", options->out, "Folder for the files; made if missing.")->required();
+  add_trials(command, options->table.trials, "Trials of each cell of Table I.");
+  add_seed(command, options->table.seed);
+  add_threads(command, options->table.threads);
 }
 
 }  // namespace hrt::study

@@ -36,15 +36,15 @@ Examples:
   hrt-study ridges --tactile-weight 0.3 --angles -60:60:9 --format csv)",
       [options] { options->writing.write([options] { return simulated(*options); }, ridges_results, ridges_text); });
   RidgeOptions& ridges = options->ridges;
-  add_numbers(command, "--angles", &ridges.plate_angles_deg, {-90.0, 90.0, false, false},
+  add_numbers(command, "--angles", ridges.plate_angles_deg, {-90.0, 90.0, false, false},
               "Angles of the ridges' normal, deg.");
-  add_number(command, "--tactile-weight", &ridges.tactile_weight, tactile_weight_range,
+  add_number(command, "--tactile-weight", ridges.tactile_weight, tactile_weight_range,
              "Share of touch in the felt direction (w_T).");
-  add_number(command, "--motor-variance", &ridges.motor_variance_deg2, variance_range,
+  add_number(command, "--motor-variance", ridges.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");
-  add_integer(command, "--trials", &ridges.trials, 1, 10'000, "Slides at each angle.");
-  add_seed(command, &ridges.seed);
-  add_plot(command, &options->plot, "Draw the paths there. Needs gnuplot.");
+  add_integer(command, "--trials", ridges.trials, 1, 10'000, "Slides at each angle.");
+  add_seed(command, ridges.seed);
+  add_plot(command, options->plot, "Draw the paths there. Needs gnuplot.");
   options->writing.add_options(command);
 }
 

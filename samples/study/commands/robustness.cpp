@@ -1,7 +1,6 @@
 // hrt-study robustness: the controllers on simulated people who are not their model.
 #include "samples/study/people/robustness.h"
 
-#include <CLI/CLI.hpp>
 #include <cctype>
 #include <cmath>
 #include <memory>
@@ -162,30 +161,27 @@ void add_robustness(CLI::App& app) {
       add_command(app, "robustness", "The controllers on simulated people who differ from what they assume.",
                   description(), [options] { run(*options); });
   RobustnessOptions& robustness = options->robustness;
-  add_integer(command, "--people", &robustness.people, 1, 100'000,
+  add_integer(command, "--people", robustness.people, 1, 100'000,
               "People of each family at each duration, at most: 1000 take three minutes of a core.");
-  add_integer(command, "--reaches", &robustness.reaches, 2, 99,
+  add_integer(command, "--reaches", robustness.reaches, 2, 99,
               "Reaches of a person with ours; the first and the last are shown.");
-  add_number(command, "--within", &robustness.points, {0.0, 50.0},
+  add_number(command, "--within", robustness.points, {0.0, 50.0},
              "A cell whose interval is within this many points takes no more people; 0: all do.");
-  show_default(add_numbers(command, "--durations", &options->durations_s, {0.3, 20.0},
-                           "Durations of a reach without its pauses, s."),
-               "0.8,1,1.5,2,3, or that of --person");
-  add_families(command, &options->families, "all, or none with --person or --recorded", "People to simulate.");
-  add_path(command, "--person", &options->person, "a file that can be read",
-           "A person of your own to simulate, beside the families of --family.");
-  add_traits(command, "--informed-of", &robustness.informed_of, "weight,curve,bias,habit,scatter,log_wander,log_rate",
+  add_numbers(command, "--durations", options->durations_s, {0.3, 20.0}, "Durations of a reach without its pauses, s.")
+      ->default_str("0.8,1,1.5,2,3, or that of --person");
+  add_families(command, options->families, "all, or none with --person or --recorded", "People to simulate.");
+  add_path(command, "--person", options->person, "A person of your own to simulate, beside the families of --family.");
+  add_traits(command, "--informed-of", robustness.informed_of, "weight,curve,bias,habit,scatter,log_wander,log_rate",
              "Traits of the person that the informed controller knows.");
-  add_tuning(command, &robustness.tuning);
-  add_path(command, "--recorded", &options->recorded, "a folder with recorded reaches, .csv",
-           "People with the paths and paces of these recordings, beside those of --family.");
+  add_tuning(command, robustness.tuning);
+  add_path(command, "--recorded", options->recorded,
+           "Folder of recordings, whose paths and paces people have, beside those of --family.");
   CLI::Option* replay =
-      add_path(command, "--replay", &options->replay, "a folder with recordings or calibration data, .csv",
-               "Recorded paths to pass through our controller, in place of simulated people.");
-  add_seed(command, &robustness.seed);
-  add_threads(command, &robustness.threads);
-  add_path(command, "--csv", &options->csv, "a file in a folder that can be written",
-           "All numbers there as well, in one run.");
+      add_path(command, "--replay", options->replay,
+               "Folder of recorded paths to pass through our controller, in place of simulated people.");
+  add_seed(command, robustness.seed);
+  add_threads(command, robustness.threads);
+  add_path(command, "--csv", options->csv, "File that gets all numbers as well, in one run.");
   replay->excludes("--people", "--reaches", "--within", "--durations", "--family", "--person", "--recorded",
                    "--informed-of", "--tune", "--seed", "--threads", "--csv");
   options->writing.add_options(command);

@@ -120,10 +120,10 @@ Examples:
                                            [options](const Scene& scene) { return results(scene, *options); },
                                            [options](const Scene& scene) { return text(scene, *options); });
                   });
-  require(add_path(command, "FILE", &options->file, "a glTF file, .gltf or .glb", "The scene."));
-  add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
+  add_path(command, "FILE", options->file, "The scene, .gltf or .glb.")->required();
+  add_numbers(command, "--tactile-weight", options->tactile_weights, tactile_weight_range,
               "Shares of touch in the felt direction (w_T).");
-  add_number(command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
+  add_number(command, "--plate-bound", options->plate_bound_deg, plate_bound_range,
              "How far the plate turns from the virtual direction, deg.");
   options->writing.add_options(command);
 }

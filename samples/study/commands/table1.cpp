@@ -27,15 +27,15 @@ Examples:
       [options] {
         options->writing.write([options] { return simulate_table1(options->table); }, table1_results, table1_text);
       });
-  add_trials(command, &options->table.trials, "Trials of each cell.");
-  add_seed(command, &options->table.seed);
-  add_integer(command, "--horizon", &options->table.horizon, 1, max_horizon, "Steps that the controller looks ahead.");
-  add_number(command, "--sensory-variance", &options->table.sensory_variance_deg2, positive_variance_range,
+  add_trials(command, options->table.trials, "Trials of each cell.");
+  add_seed(command, options->table.seed);
+  add_integer(command, "--horizon", options->table.horizon, 1, max_horizon, "Steps that the controller looks ahead.");
+  add_number(command, "--sensory-variance", options->table.sensory_variance_deg2, positive_variance_range,
              "Variance of what touch and proprioception report, deg^2; the paper does not give it.");
-  add_number(command, "--plate-bound", &options->table.plate_bound_deg, plate_bound_range,
+  add_number(command, "--plate-bound", options->table.plate_bound_deg, plate_bound_range,
              "How far the plate turns from the virtual direction, deg; the paper has 90.");
-  add_integer(command, "--steps", &options->table.steps, 1, max_trial_steps, "Model steps of a reach.");
-  add_threads(command, &options->table.threads);
+  add_integer(command, "--steps", options->table.steps, 1, max_trial_steps, "Model steps of a reach.");
+  add_threads(command, options->table.threads);
   options->writing.add_options(command);
 }
 

@@ -1,14 +1,12 @@
 // hrt-study trial: one simulated reach as CSV, a row a step; or traced, a row a sample, with pictures.
 #include "core/paper_simulation/trial.h"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
-#include <limits>
 #include <memory>
+#include <optional>
 
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
-#include "samples/study/cli/parameters.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
 #include "samples/study/figures/workshop.h"
@@ -17,19 +15,17 @@ namespace hrt::study {
 namespace {
 
 struct TrialOptions {
-  ParameterValues values = default_values();
-  double real_direction_deg = -5.0;
-  double virtual_direction_deg = 5.0;
-  double plate_start_deg = 0.0;
-  double fixed_plate_deg = std::numeric_limits<double>::quiet_NaN();  // the controller turns it
+  Condition condition;
+  std::optional<double> assumed_tactile_weight;  // the participant's
+  std::optional<double> fixed_plate_deg;         // the controller turns it
   std::uint64_t seed = 1;
-  std::uint64_t condition = 0;
-  std::uint64_t trial = 0;
+  std::uint32_t condition_number = 0;
+  std::uint32_t trial = 0;
   std::string out;
   std::string trace;  // a folder; empty: the paper's person, by steps
   std::vector<const PeopleFamily*> families{&people_families().front()};
   double duration_s = 1.5;
-  std::uint64_t reach = 1;
+  int reach = 1;
 };
 
 const char* name(ActiveBound bound) {
@@ -55,11 +51,10 @@ std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome
 void run_trace(const TrialOptions& options) {
   if (options.families.size() != 1) throw UsageError("--family: one family is traced at a time");
   Workshop workshop("--trace", options.trace);
-  const auto index = static_cast<std::uint32_t>(options.trial);
-  PersonCondition condition = draw_person(*options.families.front(), options.duration_s, options.seed, index);
-  condition.real_direction_deg = options.real_direction_deg;
-  condition.virtual_direction_deg = options.virtual_direction_deg;
-  const Trace trace = trace_reach(condition, static_cast<int>(options.reach), options.seed, index);
+  PersonCondition condition = draw_person(*options.families.front(), options.duration_s, options.seed, options.trial);
+  condition.real_direction_deg = options.condition.real_direction_deg;
+  condition.virtual_direction_deg = options.condition.virtual_direction_deg;
+  const Trace trace = trace_reach(condition, options.reach, options.seed, options.trial);
   workshop.write("trace.csv", trace_csv(trace));
   workshop.write("reach.svg", moving_picture(trace));
   workshop.draw(trace_figure(trace));
@@ -67,23 +62,21 @@ void run_trace(const TrialOptions& options) {
 }
 
 void run(const TrialOptions& options) {
-  Condition condition = make_condition(options.values, options.real_direction_deg, options.virtual_direction_deg);
-  condition.plate_orientation_deg = options.plate_start_deg;
-  if (!std::isnan(options.fixed_plate_deg)) {
+  Condition condition = options.condition;
+  condition.controller.participant = condition.participant;
+  if (options.assumed_tactile_weight) condition.controller.participant.tactile_weight = *options.assumed_tactile_weight;
+  if (options.fixed_plate_deg) {
     condition.controller.mode = ControlMode::fixed_plate;
-    condition.controller.fixed_plate_orientation_deg = options.fixed_plate_deg;
+    condition.controller.fixed_plate_orientation_deg = *options.fixed_plate_deg;
   }
-  if (std::abs(options.virtual_direction_deg - options.real_direction_deg) >= gap_range.high)
-    throw UsageError(not_allowed("--real", number(options.real_direction_deg),
-                                 "less than 90 deg from --virtual (" + number(options.virtual_direction_deg) + ")"));
+  if (std::abs(condition.virtual_direction_deg - condition.real_direction_deg) >= 90.0)
+    throw UsageError(not_allowed("--real", number(condition.real_direction_deg),
+                                 "less than 90 deg from --virtual (" + number(condition.virtual_direction_deg) + ")"));
   if (!options.trace.empty()) return run_trace(options);
   const Output output("--out", options.out);
   std::vector<TrialStep> steps;
-  const TrialOutcome outcome = simulate_trial(condition,
-                                              {.seed = options.seed,
-                                               .condition = static_cast<std::uint32_t>(options.condition),
-                                               .trial = static_cast<std::uint32_t>(options.trial)},
-                                              &steps);
+  const TrialOutcome outcome = simulate_trial(
+      condition, {.seed = options.seed, .condition = options.condition_number, .trial = options.trial}, &steps);
   output.write(csv(steps, outcome));
 }
 
@@ -106,27 +99,51 @@ Examples:
   hrt-study trial --real 0 --virtual 10 --out reach.csv
   hrt-study trial --real 5 --virtual -5 --motor-variance 0.1 --fixed-plate 0)",
                   [options] { run(*options); });
-  add_number(command, "--real", &options->real_direction_deg, direction_range, "Direction of the real target, deg.");
-  add_number(command, "--virtual", &options->virtual_direction_deg, direction_range,
+  Condition& condition = options->condition;
+  Participant& participant = condition.participant;
+  MpcConfig& mpc = condition.controller.mpc;
+  add_number(command, "--real", condition.real_direction_deg, direction_range, "Direction of the real target, deg.");
+  add_number(command, "--virtual", condition.virtual_direction_deg, direction_range,
              "Direction of the virtual target, deg; less than 90 from the real one.");
-  for (std::size_t i = 0; i < parameters.size(); ++i) add_parameter(command, parameters[i], &options->values[i]);
-  add_number(command, "--plate-start", &options->plate_start_deg, direction_range,
-             "Orientation of the plate before the first step, deg; matters with a rate bound.");
-  show_default(add_number(command, "--fixed-plate", &options->fixed_plate_deg, direction_range,
-                          "No controller: the plate stays at this orientation, deg."),
-               "");
-  add_seed(command, &options->seed);
-  const auto max = std::numeric_limits<std::uint32_t>::max();
-  add_integer(command, "--condition", &options->condition, 0, max, "Which condition's random numbers to take.");
-  add_integer(command, "--trial", &options->trial, 0, max, "Which trial's random numbers to take.");
-  add_out(command, &options->out);
-  CLI::Option* trace = add_path(command, "--trace", &options->trace, "a folder", "Traces a reach of a person there.");
-  add_families(command, &options->families, "linear", "The person's family, with --trace.");
-  add_number(command, "--duration", &options->duration_s, {0.3, 10.0}, "Of the motion in s, with --trace.");
-  add_integer(command, "--reach", &options->reach, 1, 100, "Of the person, in a row, with --trace.");
-  for (const char* of_trace : {"--family", "--duration", "--reach"}) command.get_option(of_trace)->needs(trace);
-  for (const auto& of_paper : parameters) trace->excludes(command.get_option(of_paper.option));
-  trace->excludes("--plate-start", "--fixed-plate", "--condition", "--out");
+  const std::vector<CLI::Option*> of_paper = {
+      add_number(command, "--tactile-weight", participant.tactile_weight, tactile_weight_range,
+                 "Share of touch in the direction that the participant feels (w_T)."),
+      command
+          .add_option("--assumed-tactile-weight", options->assumed_tactile_weight,
+                      "The share that the controller assumes. Default: that of --tactile-weight.")
+          ->check(must_be(tactile_weight_range)),
+      add_number(command, "--motor-variance", participant.motor_variance_deg2, variance_range,
+                 "Variance of the motor command in a step (sigma_u^2), deg^2."),
+      add_number(command, "--sensory-variance", participant.sensory_variance_deg2, positive_variance_range,
+                 "Variance of what touch and proprioception report (sigma_h^2), deg^2."),
+      add_number(command, "--initial-variance", participant.initial_variance_deg2, variance_range,
+                 "Variance of the perceived direction before the first step, deg^2."),
+      add_integer(command, "--horizon", mpc.horizon, 1, max_horizon, "Steps that the controller looks ahead."),
+      add_number(command, "--perceived-weight", mpc.perceived_weight, positive_variance_range,
+                 "Weight of the perceived direction's error in the controller's cost."),
+      add_number(command, "--actual-weight", mpc.actual_weight, variance_range,
+                 "Weight of the actual direction's error in the controller's cost."),
+      add_number(command, "--plate-bound", mpc.plate_bound_deg, plate_bound_range,
+                 "Largest angle between plate and virtual direction, deg."),
+      add_number(command, "--plate-rate-bound", mpc.plate_rate_bound_deg, {0.0, 360.0, false, true, true},
+                 "Largest turn of the plate in one step, deg; inf: no limit."),
+      add_integer(command, "--steps", condition.steps, 1, max_trial_steps, "Model steps of a reach, 0.1 s each."),
+      add_number(command, "--plate-start", condition.plate_orientation_deg, direction_range,
+                 "Orientation of the plate before the first step, deg; matters with a rate bound."),
+      command
+          .add_option("--fixed-plate", options->fixed_plate_deg,
+                      "No controller: the plate stays at this orientation, deg.")
+          ->check(must_be(direction_range)),
+      add_integer(command, "--condition", options->condition_number, 0, UINT32_MAX,
+                  "Condition whose random numbers are drawn."),
+      add_out(command, options->out)};
+  add_seed(command, options->seed);
+  add_integer(command, "--trial", options->trial, 0, UINT32_MAX, "Trial whose random numbers are drawn.");
+  CLI::Option* trace = add_path(command, "--trace", options->trace, "Folder that gets the trace of a person's reach.");
+  add_families(command, options->families, "linear", "The person's family.")->needs(trace);
+  add_number(command, "--duration", options->duration_s, {0.3, 10.0}, "Duration of the motion, s.")->needs(trace);
+  add_integer(command, "--reach", options->reach, 1, 100, "Number of the reach of this person.")->needs(trace);
+  for (CLI::Option* option : of_paper) trace->excludes(option);
 }
 
 }  // namespace hrt::study

@@ -4,7 +4,6 @@
 
 #include "core/paper/participant.h"
 #include "samples/study/cli/output.h"
-#include "samples/study/cli/parameters.h"
 #include "samples/study/figures/figures.h"
 #include "samples/study/figures/path.h"
 #include "samples/study/paper/paper.h"

@@ -4,7 +4,7 @@
 
 #include "samples/app/text/text.h"
 #include "samples/study/cli/output.h"
-#include "samples/study/cli/parameters.h"
+#include "samples/study/paper/paper.h"
 
 namespace hrt::study {
 namespace {

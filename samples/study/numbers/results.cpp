@@ -48,8 +48,8 @@ std::string json_of(const Results& results) {
 }
 
 void Writing::add_options(CLI::App& command) {
-  add_choice(command, "--format", &format, {"text", "csv", "json"}, "What to write.");
-  add_out(command, &out);
+  add_choice(command, "--format", format, {"text", "csv", "json"}, "What to write.");
+  add_out(command, out);
 }
 
 }  // namespace hrt::study

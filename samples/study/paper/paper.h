@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "core/paper_simulation/trial.h"
+
 namespace hrt::study {
 
 /// Trials behind each percentage of the paper.
@@ -37,5 +39,15 @@ inline constexpr std::array<PaperCondition, 4> paper_table1{{
 inline constexpr double paper_impaired_touch_percent = 40;
 /// Section III-B and Fig. 7: P_R = 0, theta_V = 12, variance 2.
 inline constexpr double paper_wide_gap_percent = 60;
+
+/// Condition 1 of Table I with these values, which the controller knows.
+inline Condition make_condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
+                                double virtual_direction_deg) {
+  Condition condition{.real_direction_deg = real_direction_deg, .virtual_direction_deg = virtual_direction_deg};
+  condition.participant.motor_variance_deg2 = motor_variance_deg2;
+  condition.participant.tactile_weight = tactile_weight;
+  condition.controller.participant = condition.participant;
+  return condition;
+}
 
 }  // namespace hrt::study

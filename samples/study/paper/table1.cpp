@@ -5,7 +5,6 @@
 
 #include "core/paper/participant.h"
 #include "samples/study/cli/output.h"
-#include "samples/study/cli/parameters.h"
 #include "samples/study/paper/paper.h"
 
 namespace hrt::study {

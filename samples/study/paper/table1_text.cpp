@@ -9,7 +9,8 @@ namespace hrt::study {
 namespace {
 
 // "     93.0    89.5 - 95.4     92.8"
-std::string columns(std::optional<double> paper_percent, std::optional<PercentInterval> interval, double percent) {
+std::string paper_columns(std::optional<double> paper_percent, std::optional<PercentInterval> interval,
+                          double percent) {
   return right(paper_percent ? fixed(*paper_percent, 1) : "", 9) +
          right(interval ? between(interval->low, interval->high, 1, " - ") : "", 15) + right(fixed(percent, 1), 9);
 }
@@ -24,13 +25,15 @@ constexpr double high_sd_of_six = 1.602;
 std::string condition_text(const CellGroup& group) {
   std::string page = group.title + "\n   real  virtual    paper  95 % interval    model  agrees\n";
   for (const Cell& cell : group.cells)
-    page +=
-        right(number(cell.condition.real_direction_deg), 7) + right(number(cell.condition.virtual_direction_deg), 9) +
-        columns(cell.paper_percent, paper_interval(cell), cell.result.hit_percent()) + yes_or_no(agrees(cell)) + '\n';
+    page += right(number(cell.condition.real_direction_deg), 7) +
+            right(number(cell.condition.virtual_direction_deg), 9) +
+            paper_columns(cell.paper_percent, paper_interval(cell), cell.result.hit_percent()) +
+            yes_or_no(agrees(cell)) + '\n';
   const double sd = group.sd_percent();
   const PercentInterval six{low_sd_of_six * sd, high_sd_of_six * sd};
-  return page + left("    mean", 16) + columns(group.paper_percent, group.paper_interval(), group.mean_percent()) +
-         yes_or_no(group.reproduced) + '\n' + left("    SD", 16) + columns(group.paper_sd, six, sd) +
+  return page + left("    mean", 16) +
+         paper_columns(group.paper_percent, group.paper_interval(), group.mean_percent()) +
+         yes_or_no(group.reproduced) + '\n' + left("    SD", 16) + paper_columns(group.paper_sd, six, sd) +
          yes_or_no(six.contains(*group.paper_sd)) + "\n    no controller does better than " +
          fixed(limit_percent(group.cells.front().condition), 1) +
          ": the noise of the last step comes after the plate has acted\n\n";
@@ -64,7 +67,7 @@ std::string fit_text(const Table1& table) {
 std::string claims_text(const Table1& table) {
   std::string page = left("What else the paper says", 34) + "    paper  95 % interval    model  lowest and highest\n";
   for (const CellGroup& claim : table.claims) {
-    page += left(claim.title, 34) + columns(claim.paper_percent, claim.paper_interval(), claim.mean_percent());
+    page += left(claim.title, 34) + paper_columns(claim.paper_percent, claim.paper_interval(), claim.mean_percent());
     if (claim.cells.size() > 1) {
       const auto less = [](const Cell& a, const Cell& b) { return a.result.hits < b.result.hits; };
       const auto [lowest, highest] = std::minmax_element(claim.cells.begin(), claim.cells.end(), less);

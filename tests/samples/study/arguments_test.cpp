@@ -21,8 +21,7 @@ class StudyBadArgument : public testing::TestWithParam<BadArgument> {};
 TEST_P(StudyBadArgument, IsOneLineAndExitCodeTwo) {
   const TemporaryFolder folder;
   std::vector<std::string> arguments = GetParam().arguments;
-  if (GetParam().name != "--out" && GetParam().name != "SUBCOMMAND")
-    arguments.insert(arguments.begin() + 1, {"--out", folder / "result"});
+  if (GetParam().name != "--out") arguments.insert(arguments.begin() + 1, {"--out", folder / "result"});
   const StudyRun run = expect_exit(2, run_study(arguments));
   EXPECT_EQ(run.out, "");
   ASSERT_EQ(lines(run.err).size(), 1U) << run.err;
@@ -31,87 +30,66 @@ TEST_P(StudyBadArgument, IsOneLineAndExitCodeTwo) {
   EXPECT_TRUE(entries(folder.path).empty());
 }
 
-const std::string from_1_to_20 = "a whole number from 1 to 20";
-const std::string tactile_weight = "a number in (0, 0.5)";
-const std::string many = "1:40:100";
-
 INSTANTIATE_TEST_SUITE_P(
     Each, StudyBadArgument,
     testing::ValuesIn(std::vector<BadArgument>{
-        {{"trial", "--tactile-weight", "nan"}, "--tactile-weight", tactile_weight},
-        {{"trial", "--tactile-weight", "0"}, "--tactile-weight", tactile_weight},
-        {{"trial", "--tactile-weight", "0.5"}, "--tactile-weight", tactile_weight},
-        {{"trial", "--tactile-weight", "0.1x"}, "--tactile-weight", tactile_weight},
-        {{"trial", "--tactile-weight", ""}, "--tactile-weight", tactile_weight},
-        {{"trial", "--tactile-weight"}, "--tactile-weight", tactile_weight},
-        {{"trial", "--assumed-tactile-weight", "0.7"}, "--assumed-tactile-weight", tactile_weight},
+        {{"trial", "--tactile-weight", "nan"}, "--tactile-weight", "a number in (0, 0.5)"},
+        {{"trial", "--tactile-weight", "0"}, "--tactile-weight", "a number in (0, 0.5)"},
+        {{"trial", "--tactile-weight", "0.5"}, "--tactile-weight", "a number in (0, 0.5)"},
+        {{"trial", "--tactile-weight", "0.1x"}, "--tactile-weight", "a number in (0, 0.5)"},
+        {{"trial", "--tactile-weight", ""}, "--tactile-weight", "a number in (0, 0.5)"},
+        {{"trial", "--tactile-weight"}, "--tactile-weight", "a number in (0, 0.5)"},
         {{"trial", "--motor-variance", "-1"}, "--motor-variance", "a number in [0, 1e+06]"},
-        {{"trial", "--sensory-variance", "0"}, "--sensory-variance", "a number in (0, 1e+06]"},
-        {{"trial", "--horizon", "0"}, "--horizon", from_1_to_20},
-        {{"trial", "--horizon", "2.5"}, "--horizon", from_1_to_20},
-        {{"trial", "--actual-weight", "-1"}, "--actual-weight", "a number in [0, 1e+06]"},
+        {{"trial", "--horizon", "2.5"}, "--horizon", "a whole number from 1 to 20"},
         {{"trial", "--plate-bound", "90.5"}, "--plate-bound", "a number in (0, 90]"},
         {{"trial", "--plate-rate-bound", "-inf"}, "--plate-rate-bound", "(0, 360], or inf"},
-        {{"trial", "--steps", "0"}, "--steps", "a whole number from 1 to 10000"},
-        {{"trial", "--real", "181"}, "--real", "a number in [-180, 180]"},
+        {{"trial", "--fixed-plate", "181"}, "--fixed-plate", "a number in [-180, 180]"},
         {{"trial", "--real", "-50", "--virtual", "50"}, "--real", "less than 90 deg from --virtual"},
         {{"trial", "--seed", "-1"}, "--seed", "a whole number from 0 to 18446744073709551615"},
         {{"trial", "--trial", "4294967296"}, "--trial", "a whole number from 0 to 4294967295"},
-        {{"table1", "--trials", "0"}, "--trials", "a whole number from 1 to 100000000"},
         {{"table1", "--trials", "99999999999999999999"}, "--trials", "a whole number from 1"},
-        {{"table1", "--threads", "0"}, "--threads", "a whole number from 1 to 256"},
         {{"table1", "--format", "xml"}, "--format", "one of text, csv, json"},
-        {{"sweep", "--tactile-weight", "0.1,0.6"}, "--tactile-weight", tactile_weight},
-        {{"sweep", "--tactile-weight", "0.1,"}, "--tactile-weight", "a list a,b,c"},
-        {{"sweep", "--gap", "1:2:1"}, "--gap", "first:last:count"},
-        {{"sweep", "--gap", "1:nan:3"}, "--gap", "first:last:count"},
-        {{"sweep", "--gap", "0:90:10"}, "--gap", "a number in (-90, 90)"},
-        {{"robustness", "--people", "0"}, "--people", "a whole number from 1 to 100000"},
-        {{"robustness", "--durations", "0.1"}, "--durations", "a number in [0.3, 20]"},
+        {{"ridges", "--angles", "10,90"}, "--angles", "a number in (-90, 90)"},
+        {{"ridges", "--angles", "10,"}, "--angles", "a list a,b,c"},
+        {{"ridges", "--angles", "1:2:1"}, "--angles", "first:last:count"},
+        {{"ridges", "--angles", "1:nan:3"}, "--angles", "first:last:count"},
         {{"robustness", "--durations", "1,1.0"}, "--durations", "given once"},
+        {{"robustness", "--family", "linear,linear"}, "--family", "--help shows"},
         {{"robustness", "--family", "linear,nobody"}, "--family", "--help shows"},
-        {{"robustness", "--family", ""}, "--family", "--help shows"},
-        {{"sweep", "--horizon", "3,21"}, "--horizon", from_1_to_20},
-        {{"sweep", "--motor-variance", "1,-1"}, "--motor-variance", "a number in [0, 1e+06]"},
-        {{"sweep", "--gap", "nan"}, "--gap", "a number in (-90, 90)"},
-        {{"sweep", "--gap", "89.99999999999999", "--virtual", "-180"}, "--gap", "a number in (-90, 90)"},
-        {{"sweep", "--gap", many, "--virtual", many, "--plate-bound", many, "--motor-variance", many,
-          "--sensory-variance", many},
-         "--gap and the other lists",
-         "at most 4294967295 combinations"},
+        {{"robustness", "--informed-of", "weight,age"}, "--informed-of", "from weight,"},
         {{"trial", "--out", "/nowhere/trial.csv"}, "--out", "a folder that can be written"},
         {{"table1", "--out", "/proc/table.csv"}, "--out", "a folder that can be written"},
         {{"ridges", "--out", "/"}, "--out", "not a regular file"},
         {{"trial", "--out", "/dev/null"}, "--out", "not a regular file"},
+        {{"trial", "--out", ""}, "--out", "a path"},
         {{"robustness", "--csv", "/tmp/hrt_twice.csv", "--out", "/tmp/hrt_twice.csv"},
          "--csv",
-         "no other option names"},
-        {{"trial", "--out", ""}, "--out", "a folder that can be written"},
-        {{}, "SUBCOMMAND", "one of table1, ridges"},
-        {{"tabel1\n"}, "SUBCOMMAND", "one of table1, ridges"}}));
+         "no other option names"}}));
 
-TEST(StudyArguments, AnUnknownOptionIsNamed) {
-  const StudyRun run = expect_exit(2, run_study({"trial", "--tactile", "0.1"}));
-  EXPECT_EQ(lines(run.err).size(), 1U);
-  EXPECT_TRUE(has(run.err, "--tactile"));
-}
-
-TEST(StudyArguments, WhatWouldBeIgnoredIsRefused) {
-  const std::vector<std::string> ignored[] = {{"trial", "--trace", "q", "--out", "b.csv"}, {"trial", "--reach", "2"}};
-  for (const auto& arguments : ignored) {
+TEST(StudyArguments, WhatIsUnknownMissingOrIgnoredIsRefusedInOneLine) {
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* named;
+  };
+  for (const auto& [arguments, named] : {Case{{}, "subcommand"},
+                                         {{"tabel1\n"}, "subcommand"},
+                                         {{"trial", "--tactile", "0.1"}, "--tactile"},
+                                         {{"trial", "--trace", "q", "--out", "b.csv"}, "--trace"},
+                                         {{"trial", "--reach", "2"}, "--trace"},
+                                         {{"calibrate"}, "FILE"}}) {
     const StudyRun run = expect_exit(2, run_study(arguments));
-    EXPECT_TRUE(has(run.err, "--trace")) << run.err;
+    EXPECT_EQ(lines(run.err).size(), 1U) << run.err;
+    EXPECT_TRUE(has(run.err, named));
   }
 }
 
 TEST(StudyArguments, HelpStatesRangesAndDefaultsOfEverySubcommand) {
-  for (const std::string subcommand : {"table1", "ridges", "trial", "sweep", "report", "robustness"}) {
+  for (const std::string subcommand : {"table1", "ridges", "trial", "report", "robustness"}) {
     const StudyRun run = expect_exit(0, run_study({subcommand, "--help"}));
     EXPECT_EQ(run.err, "");
-    EXPECT_TRUE(has(run.out, "--out VALUE")) << subcommand;
-    EXPECT_TRUE(has(run.out, "Must be a")) << subcommand;
+    EXPECT_TRUE(has(run.out, "--out")) << subcommand;
+    EXPECT_TRUE(has(run.out, ":a path")) << subcommand;
     EXPECT_TRUE(has(run.out, "Examples:")) << subcommand;
-    for (const std::string& line : lines(run.out)) EXPECT_LE(line.size(), 120U) << line;
   }
 }
 

@@ -204,7 +204,6 @@ TEST(StudyRobustness, TheInformedKnowWhatIsNamed) {
     return std::stod(field(rows[0], rows[leadings.size()], "near_percent"));
   };
   EXPECT_GT(informed_of("weight,curve"), informed_of("bias,habit") + 10.0);
-  EXPECT_TRUE(has(expect_exit(2, run_study({"robustness", "--informed-of", "weight,age"})).err, "weight,age"));
 }
 
 TEST(StudyRobustness, TunedNumbersAreSetByName) {
@@ -217,7 +216,7 @@ TEST(StudyRobustness, TunedNumbersAreSetByName) {
   EXPECT_NE(led("direction_density_deg2_s=1000"), led("max_outliers=4"));
   for (const std::string refused : {"gains=14", "gain.mean", "gain.mean=a", "gain.mean=1e9", "last_phase=0.9,", ""}) {
     const std::string error = expect_exit(2, run_study({"robustness", "--tune", refused})).err;
-    EXPECT_TRUE(has(error, "gain.mean (")) << refused << ": " << error;
+    EXPECT_TRUE(has(error, {"--tune", "NAME=VALUE"})) << refused;
   }
 }
 
