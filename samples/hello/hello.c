@@ -1,4 +1,4 @@
-/* One reach with haptic retargeting, of the simulated user that the plugin has for first programs. */
+/* One reach with haptic retargeting. The user is simulated by the plugin (haptic_retargeting/person.h). */
 #include <haptic_retargeting/haptic_retargeting.h>
 #include <haptic_retargeting/person.h>
 #include <stdio.h>
@@ -8,7 +8,7 @@
 
 int main(void) {
   hrt_session session;
-  hrt_person person; /* a simulated user; the comment in the loop says what replaces it */
+  hrt_person person; /* a simulated user, who feels the plate and moves the finger */
   hrt_target_config cylinder = hrt_target_config_init(), cup = cylinder;
   hrt_reach_config reach = hrt_reach_config_init();
   hrt_sample sample = hrt_sample_init();
@@ -24,11 +24,11 @@ int main(void) {
   CHECK(hrt_person_begin(person, session, reach.virtual_target));
   CHECK(hrt_reach_begin(session, &reach));
   for (int frame = 0; frame < 900 && !(command.flags & HRT_COMMAND_ARRIVED); ++frame) { /* at most 10 s */
-    /* with a tracked finger, fill `sample` instead of the next line */
+    /* with a real user, fill `sample` from your hand tracker instead of the next line: time, position, flags */
     CHECK(hrt_person_move(person, frame * INT64_C(11111111), command.plate_orientation_deg, &sample));
-    CHECK(hrt_reach_update(session, &sample, &command)); /* command.plate_orientation_deg goes to your servo */
+    CHECK(hrt_reach_update(session, &sample, &command)); /* turn the plate to command.plate_orientation_deg */
   }
-  CHECK(hrt_reach_end(session, &summary)); /* where it ended, and what was learnt of the user */
+  CHECK(hrt_reach_end(session, &summary)); /* position of the end, and estimates of the user */
   CHECK(hrt_person_get_state(person, &end));
   printf("The hand ended %.1f mm to the right of where it was felt.\n",
          1000 * (end.position_m[0] - end.felt_position_m[0]));

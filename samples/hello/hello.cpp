@@ -21,7 +21,7 @@ void check(bool succeeded, const char* what) {
 void check(hrt_result result) { check(result == HRT_OK, hrt_last_error()); }
 #define CHECK_XR(call) check(XR_SUCCEEDED(call), "the OpenXR runtime failed in " #call)
 
-// The application's scene: the plate, and one pair of targets.
+// The scene of the application, and the configuration of one reach.
 struct Reach {
   hrt_session session{};
   hrt_scene_info scene = hrt_scene_info_init();
@@ -30,7 +30,7 @@ struct Reach {
   hrt_reach_config config = hrt_reach_config_init();
 };
 
-// Loads the scene, registers its targets with a session of the plugin, and selects the first virtual target.
+// Loads the scene, creates a session with its targets, and selects the first virtual target and its real one.
 Reach load(const char* file) {
   Reach reach;
   hrt_scene scene{};
@@ -40,7 +40,7 @@ Reach load(const char* file) {
   std::vector<hrt_target> targets(reach.scene.target_count);
   check(hrt_scene_register(scene, reach.session, targets.size(), targets.data()));
   uint32_t count = 0;
-  while (reach.virtual_target.role != HRT_TARGET_VIRTUAL)  // beyond the last target, the call fails
+  while (reach.virtual_target.role != HRT_TARGET_VIRTUAL)  // without a virtual target, the call fails at the end
     check(hrt_scene_get_target(scene, count++, &reach.virtual_target));
   const auto served_by = static_cast<uint32_t>(reach.virtual_target.served_by);
   check(hrt_scene_get_target(scene, served_by, &reach.real_target));
@@ -56,8 +56,8 @@ XrPosef pose(const double (&position_m)[3], const double (&rotation)[4]) {
           {f(position_m[0]), f(position_m[1]), f(position_m[2])}};
 }
 
-// A headless session with the right hand, and the plate of XR_HRTX_ridged_plate. A real plate has a driver instead:
-// haptic_retargeting/plate.h.
+// A headless OpenXR session that tracks the right hand and simulates the plate (extension XR_HRTX_ridged_plate). For a
+// real plate, use the driver of haptic_retargeting/plate.h instead of the extension.
 struct Headset {
   XrInstance instance = XR_NULL_HANDLE;
   XrSession session = XR_NULL_HANDLE;
@@ -77,7 +77,7 @@ struct Headset {
     const XrHandTrackerCreateInfoEXT hand_info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
                                                XR_HAND_JOINT_SET_DEFAULT_EXT};
     CHECK_XR(function<PFN_xrCreateHandTrackerEXT>("xrCreateHandTrackerEXT")(session, &hand_info, &hand));
-    // Joints are located in this space, and so in plate coordinates. The scene's origin is that of STAGE, on the floor.
+    // Locating joints in this space gives plate coordinates. The scene's origin is that of STAGE, on the floor.
     const XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
                                                 XR_REFERENCE_SPACE_TYPE_STAGE,
                                                 pose(scene.plate_position_m, scene.plate_rotation)};
@@ -94,13 +94,13 @@ struct Headset {
     CHECK_XR(xrWaitFrame(session, nullptr, &frame));
     CHECK_XR(xrBeginFrame(session, nullptr));
     const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,           nullptr, frame.predictedDisplayTime,
-                             XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0,       nullptr};  // an application draws before this
+                             XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0,       nullptr};  // headless: there is no layer
     CHECK_XR(xrEndFrame(session, &end));
     return frame.predictedDisplayTime;
   }
 
-  // The tracked fingertip and the measured plate. Without a tracked fingertip the sample is a dropout, which the
-  // plugin bridges.
+  // Returns the tracked fingertip and the measured plate orientation. If the fingertip is not tracked, the sample has
+  // no position: the plugin predicts it.
   hrt_sample sample(XrTime time) {
     hrt_sample sample = hrt_sample_init();
     sample.time_ns = time;
@@ -122,10 +122,10 @@ struct Headset {
     return sample;
   }
 
-  // The simulated user slides the fingertip from the start to the virtual target. A real one is asked to.
+  // Has the simulated user slide the fingertip from the start to the virtual target. Ask a real user instead.
   void instruct(const Reach& reach) {
     XrVector3f start = pose(reach.scene.start_position_m, {0, 0, 0, 1}).position;
-    start.y += 0.008f;  // of the joint, inside the fingertip
+    start.y += 0.008f;  // the tracked joint is inside the fingertip, 8 mm above the plate
     const XrReachInstructionHRTX instruction{
         XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, start, reach.virtual_target.direction_deg,
         reach.real_target.distance_m};
@@ -187,14 +187,14 @@ int main(int argc, char** argv) {
     CHECK_XR(headset.set_plate_orientation(headset.session, command.plate_orientation_deg));
   }
   hrt_reach_summary summary = hrt_reach_summary_init();
-  check(hrt_reach_end(reach.session, &summary));     // the session has learnt from the reach
-  XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};  // what only a simulation knows
+  check(hrt_reach_end(reach.session, &summary));     // keeps the estimates of the user for the next reach
+  XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};  // what the simulated user felt; unknown for a real user
   const auto get_truth = headset.function<PFN_xrGetReachTruthHRTX>("xrGetReachTruthHRTX");
   CHECK_XR(get_truth(headset.session, XR_HAND_RIGHT_EXT, &truth));
-  std::printf("The hand ended %.1f mm from the %s. Its owner felt %+.1f degrees; the %s is at %+.1f degrees.\n",
+  std::printf("The hand ended %.1f mm from the %s. The user felt %+.1f degrees; the %s is at %+.1f degrees.\n",
               distance_mm(truth.indexTip, reach.real_target.position_m), reach.real_target.name,
               truth.perceivedDirection, reach.virtual_target.name, reach.virtual_target.direction_deg);
   check(hrt_session_destroy(reach.session));
-  CHECK_XR(xrDestroyInstance(headset.instance));  // with all that belongs to it
+  CHECK_XR(xrDestroyInstance(headset.instance));  // also destroys session, hand tracker and space
   return 0;
 }
