@@ -59,12 +59,13 @@ def test_missing_numpy_is_named(tmp_path: Path) -> None:
     assert done.returncode == 1 and "haptic_retargeting needs numpy, 1.20 or later: pip install numpy" in done.stderr
 
 
-def test_example_of_the_readme_prints_what_it_shows(capsys: pytest.CaptureFixture[str]) -> None:
+def test_examples_of_the_readme_print_what_it_shows(capsys: pytest.CaptureFixture[str]) -> None:
     text = (BINDINGS / "python/README.md").read_text()
-    (example,) = re.findall(r"```python\n(.*?)```", text, re.S)
-    assert len(example.splitlines()) <= 30
-    exec(compile(example, "README.md", "exec"), {})
-    assert f"```text\n{capsys.readouterr().out}```" in text
+    examples = re.findall(r"```python\n(.*?)```.*?```text\n(.*?)```", text, re.S)
+    assert len(examples) == 2
+    for example, shown in examples:
+        exec(compile(example, "README.md", "exec"), {})
+        assert capsys.readouterr().out == shown
 
 
 def test_closed_loop_example_improves_by_learning(capsys: pytest.CaptureFixture[str]) -> None:

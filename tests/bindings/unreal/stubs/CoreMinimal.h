@@ -53,6 +53,7 @@ public:
 	FString() = default;
 	FString(const TCHAR* Text) : Data(Text) {}
 	const TCHAR* operator*() const { return Data.c_str(); }
+	static FString SanitizeFloat(double Value) { return FString(Stub::ToUtf16(std::to_string(Value)).c_str()); }
 
 private:
 	std::u16string Data;
