@@ -1,7 +1,7 @@
 /*
  * Results, error texts and version, and the contract of all calls in these headers.
  *
- * Example: a refused call reports what is wrong.
+ * Example: a failed call reports what is wrong.
  *
  *   #include <haptic_retargeting/haptic_retargeting.h>
  *   #include <stdio.h>
@@ -18,19 +18,20 @@
  * Calls
  *  - Every call returns hrt_result. HRT_OK is 0; every error is negative. On an error, the session and the
  *    outputs are unchanged, and hrt_last_error() names the call, the field, its value and what is allowed.
- *  - No call throws, aborts or terminates, including when memory is exhausted; hrt_scene_load() is an exception.
+ *  - No call throws, aborts or terminates the process, including when memory is exhausted. Exception: hrt_scene_load()
+ *    may terminate the process if memory is exhausted.
  *  - Every call may return NULL_ARGUMENT, INVALID_HANDLE, STRUCT_SIZE or BUSY. The comment of a call lists its
  *    other errors.
  *  - Thread tags:
  *      [any-thread]  any thread, at any time.
  *      [one-thread]  any thread, but only one at a time for a session. A second thread gets HRT_ERROR_BUSY.
- *      [real-time]   as [one-thread]; and takes no lock, allocates nothing, makes no system call and needs bounded
- *                    time, also when it fails. On Windows, the first call of a thread allocates memory for its
- *                    error text.
+ *      [real-time]   as [one-thread]. In addition, the call takes no lock, allocates nothing, makes no system call and
+ *                    takes bounded time, also when it fails. On Windows, the first call of a thread allocates memory
+ *                    for its error text.
  *
  * Structs
- *  - Set `struct_size` to sizeof the struct before each call, also in structs that the call fills. The function of
- *    the struct, such as hrt_session_config_init(), sets it together with the defaults. A null configuration
+ *  - Set `struct_size` to the sizeof of the struct before each call, also in structs that the call fills. The _init()
+ *    function of the struct, such as hrt_session_config_init(), sets it and the defaults. A null configuration
  *    means the defaults. Bytes beyond the size that the library knows must be zero.
  *  - Fields named `reserved` must be zero. Integers have a fixed width. Fields have the alignment of C.
  *  - A type such as hrt_guidance takes one of the constants below it; a type of flags takes any combination of them,
@@ -44,10 +45,10 @@
  *    signals.
  *  - In the child of a fork, sessions work; recordings stay with the parent (recording.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.
- *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 17 kB a session, 9 MB a recording.
+ *  - Stack: 32 kB in [real-time] calls, 66 kB in others. Memory: 31 kB for a session, 10 MB for a recording.
  *
- * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds. Tags in comments give other
- * units, ranges, defaults and references. The range of an array is that of each of its numbers:
+ * Names end with units: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds. Tags in comments give other
+ * units, ranges, defaults and references. The range of an array applies to each of its elements:
  *   @unit U           unit of a value whose name does not end in it; 1: a pure number
  *   @range A to B     allowed values; "0 or A to B" allows 0 as well
  *   @default V        value that hrt_..._init() sets
@@ -56,10 +57,11 @@
  *   @bool             0 or 1
  *   @ccw              angle that is positive counter-clockwise, seen from above
  *   @profile FIELD    stored in profiles (profile.h); if FIELD is given, only while that field is not 0
- *   @flatten NAME     name of the field in other languages, profiles and recordings; with *, of all fields of a part
+ *   @flatten NAME     name of the field in other languages, profiles and recordings. On a nested struct, * stands for
+ *                     the name of each of its fields
  *
  * Plate coordinates are right-handed: x to the user's right, y up from the plate's face, z towards the user.
- * The origin is the plate's centre. The mid-line is -z: straight away from the user.
+ * The origin is the plate's centre. The mid-line is the -z axis, straight away from the user.
  *
  * Directions are measured from the mid-line, counter-clockwise positive seen from above: a target to the left
  * has a positive direction. The bearing of a position is the direction from the start of the reach to it: the
@@ -82,7 +84,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A host that links the static library defines HRT_STATIC. */
+/* Define HRT_STATIC in a program that links the static library. */
 #if defined(HRT_STATIC)
 #define HRT_API
 #elif defined(_WIN32)
@@ -135,7 +137,7 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_STRUCT_SIZE (-3)
 /** A value is outside its documented range, not a number, or infinite. */
 #define HRT_ERROR_OUT_OF_RANGE (-4)
-/** The call is not allowed now: for example an update without a reach. */
+/** The call is not allowed in the present state, for example an update while no reach is in progress. */
 #define HRT_ERROR_WRONG_STATE (-5)
 /** Another thread is in a call on this session. */
 #define HRT_ERROR_BUSY (-6)
@@ -149,7 +151,7 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_BUFFER_TOO_SMALL (-11)
 /** Another target of this session has this name. */
 #define HRT_ERROR_NAME_TAKEN (-12)
-/** The operating system refused a file, for example because it does not exist, or a thread. */
+/** The operating system could not open a file, for example because it does not exist, or could not start a thread. */
 #define HRT_ERROR_SYSTEM (-13)
 /** A file or text is malformed. hrt_last_error() names the position. */
 #define HRT_ERROR_BAD_FORMAT (-14)

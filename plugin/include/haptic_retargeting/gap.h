@@ -1,8 +1,9 @@
 /*
- * Gaps: the shift that a pair of a real and a virtual target requires, and the largest shift that the plate can
- * sustain; and the assignment of real targets to virtual ones.
+ * Gap: the angle between a real and a virtual target, seen from the start. The plate must shift the perceived direction
+ * by this angle. hrt_gap_query() compares it with the largest shift that the plate can cause for this user;
+ * hrt_gap_assign() assigns real targets to virtual ones.
  *
- * Example: may a target 6 degrees to the right stand in for one 5 degrees to the left?
+ * Example: can a real target 6 degrees to the right represent a virtual one 5 degrees to the left?
  *
  *   #include <haptic_retargeting/gap.h>
  *   #include <haptic_retargeting/haptic_retargeting.h>
@@ -32,12 +33,12 @@
 extern "C" {
 #endif
 
-/** Gap between a real and a virtual target. In the steady state, the user perceives the direction of the finger plus
- *  the shift that the ridges cause, and the sum is the virtual direction. The largest gap is therefore the largest
- *  shift within the bound of the plate. Under GUIDANCE_ARRIVAL, the bound is relative to the motion, and the shift
- *  follows the user's illusion curve: 11.25 degrees for a linear illusion of weight 0.15 within 75 degrees. Under
- *  FIXED_DIRECTION, as in the paper, the bound is relative to the virtual direction: 14.9 degrees for the same weight
- *  within 84.5. Published human data cover plate angles up to 60. */
+/** Gap between a real and a virtual target. The user perceives the direction of the finger plus a shift that depends on
+ *  the plate orientation, and steers until the sum is the virtual direction. The largest gap is therefore the largest
+ *  shift for the allowed plate orientations. Under GUIDANCE_ARRIVAL, these are within person.motion_bound_deg of the
+ *  motion, and the shift follows the user's illusion curve: 11.25 degrees for a linear illusion of weight 0.15 and a
+ *  bound of 75 degrees. Under FIXED_DIRECTION, they are within paper.plate_bound_deg of the virtual direction: 14.9
+ *  degrees for a weight of 0.15 and a bound of 84.5. Published human data cover plate angles up to 60. */
 typedef struct hrt_gap {
   uint32_t struct_size;
   /** 1 if the plate can keep the finger on the direction of the real target. @bool */
@@ -77,14 +78,14 @@ HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target r
 
 /** @flags HRT_ASSIGN Flags of hrt_gap_assign(). */
 typedef uint32_t hrt_assign_flags;
-/** A real target stands in for at most one virtual target. Otherwise, for any number. */
+/** Each real target is assigned to at most one virtual target. Without this flag, to any number. */
 #define HRT_ASSIGN_EXCLUSIVE UINT32_C(1)
 
 /** Maximum number of virtual targets, and of real targets, in hrt_gap_assign(). */
 #define HRT_ASSIGN_TARGETS_MAX 1000
 
-/** Assigns a real target to each virtual one: to as many of them as possible, and such that the largest ratio of
- *  gap_deg to max_gap_deg is minimal. The result is exact. With EXCLUSIVE, 1000 of each take up to a second.
+/** Assigns real targets to as many virtual ones as possible; among these assignments, it returns one whose largest
+ *  ratio of gap_deg to max_gap_deg is minimal. With EXCLUSIVE, 1000 targets of each role take up to a second.
  *
  *  @param virtual_targets  Targets that need a real one.
  *  @param real_targets     Targets to choose from.

@@ -1,9 +1,9 @@
 /*
  * Haptic retargeting by touch: a ridged plate under the finger turns so that the hand arrives at a real target
- * while the user perceives that it moves to a virtual one. This header has the calls of a frame loop. The others
- * have one concept each: host.h, gap.h, scene.h, profile.h, setup.h, person.h, recording.h, plate.h.
+ * while the user perceives that it moves to a virtual one. This header has the calls of a frame loop. Each of the
+ * others has one concept: host.h, gap.h, scene.h, profile.h, setup.h, person.h, recording.h, plate.h.
  *
- * Example: one reach of a simulated person, who takes the place of a tracked finger and of the plate.
+ * Example: one reach. A simulated person replaces the tracked finger and the plate.
  *
  *   #include <haptic_retargeting/haptic_retargeting.h>
  *   #include <haptic_retargeting/person.h>

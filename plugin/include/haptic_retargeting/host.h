@@ -31,8 +31,8 @@ typedef uint32_t hrt_log_level;
 #define HRT_LOG_WARNING 1 /**< the library continues, with a loss that the text names */
 #define HRT_LOG_ERROR 2   /**< an operation has failed, or the library has a defect */
 
-/** Functions of the host, for the whole process. All zero except `struct_size`: memory of the C library, and no log.
- *  The functions must not call this library or throw. Each may be called on any thread. */
+/** Functions of the host, for the whole process. By default, all are null: the library uses the allocator of the C
+ *  library, and has no log. The functions must not call this library or throw. Each may be called on any thread. */
 typedef struct hrt_host {
   uint32_t struct_size;
   uint32_t reserved;
@@ -52,7 +52,7 @@ typedef struct hrt_host {
   void (*log)(void* context, hrt_log_level level, const char* text);
 } hrt_host;
 
-/** Sets allocator and log. Waits for a running call of the former log; the former log is not called after this returns.
+/** Sets allocator and log. Waits while the former log is being called; it is not called after this call returns.
  *
  *  @param host  Functions, copied. Null: the defaults.
  *  @return WRONG_STATE if the allocator changes while a session, person or scene exists; NULL_ARGUMENT if only one of
@@ -60,13 +60,13 @@ typedef struct hrt_host {
  *  @threadsafety [any-thread], but while the allocator changes no other thread may be in a call of this library. */
 HRT_NODISCARD HRT_API hrt_result hrt_host_set(const hrt_host* host) HRT_NOEXCEPT;
 
-/** Gives one session a log of its own, in place of that of hrt_host_set(): two parts of a process may use this
- *  library. Waits for a running call of the log; the former log does not receive lines of the session after this
- *  returns. Also writes lines that wait for a call that is not real-time, for example about a reach with
- *  HRT_COMMAND_IMPLAUSIBLE: call it after a reach to have them at once.
+/** Sets a log for one session instead of that of hrt_host_set(), for processes in which several parts use this library.
+ *  Waits while the former log is being called; it receives no lines of the session after this call returns. Also writes
+ *  lines that real-time calls have stored, for example about a reach with HRT_COMMAND_IMPLAUSIBLE: call it after a
+ *  reach to receive them immediately.
  *
- *  @param host  Its log, with context; copied. Its allocate and release must be null. Null: the log of hrt_host_set()
- *               again, as with a null log.
+ *  @param host  Host whose `context` and `log` are copied; `allocate` and `release` must be null. If `host` or its
+ *               `log` is null, the session uses the log of hrt_host_set() again.
  *  @return OUT_OF_RANGE if the host has an allocator.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_host_set_log(hrt_session session, const hrt_host* host) HRT_NOEXCEPT;

@@ -96,11 +96,11 @@ HRT_NODISCARD HRT_API hrt_result hrt_person_create(const hrt_person_config* conf
  *  @threadsafety [one-thread] */
 HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 
-/** Puts the finger at rest at the session's start. After a rest of 0.6 s, the person intends to slide to the present
- *  position of a virtual target. Each call is a further reach, with its own noise.
+/** Starts a reach: the finger rests at the session's start for 0.6 s, and then slides to the present position of a
+ *  virtual target. Each call starts another reach, with other noise.
  *
  *  With virtual_target {0}, the person follows the session's set-up. The plate is then at (0.3, 0.75, -0.4) m, rotated
- *  by 20 degrees about y, and the skin at (2, -8, -12) mm from the joint, in the axes of the joint. Samples are in
+ *  by 20 degrees about y, and the skin is at (2, -8, -12) mm from the joint, in the axes of the joint. Samples are in
  *  world coordinates until a registration has found the plate, and if the session is registered.
  *
  *  @param session         Session of the target or of the set-up.
@@ -110,9 +110,9 @@ HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session session,
                                                   hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** Commands the servo, advances the simulation, and returns the sample that tracker and servo report, with
- *  PLATE_ORIENTATION and PLATE_POSITION or, in a set-up, as hrt_person_begin() says. The first call after
- *  hrt_person_begin() starts the rest with the plate at the given orientation.
+/** Commands the servo, advances the simulation, and returns the sample that tracker and servo report. It has the flags
+ *  PLATE_ORIENTATION and PLATE_POSITION or, in a set-up, those that hrt_person_begin() describes. The first call after
+ *  hrt_person_begin() puts the plate at the given orientation and starts the rest.
  *
  *  @param time_ns                Time to which the simulation advances.
  *  @param plate_orientation_deg  Command to the servo, which turns to this orientation or the nearest one with the same
@@ -124,7 +124,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session
 HRT_NODISCARD HRT_API hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orientation_deg,
                                                  hrt_sample* out_sample) HRT_NOEXCEPT;
 
-/** Returns the true state of the person, which a tracker does not see.
+/** Returns the true state of the person, without errors of the tracker.
  *  @return WRONG_STATE before hrt_person_begin(), and in a set-up.
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_get_state(hrt_person person, hrt_person_state* out_state) HRT_NOEXCEPT;

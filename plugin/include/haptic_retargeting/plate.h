@@ -1,7 +1,6 @@
 /*
- * The device that turns the plate, without serial code in the engine: libhrt_plate, a separate library that is
- * installed with the plugin. Contract, results, structs and thread tags are those of base.h; hrt_plate_last_error()
- * has the text of an error.
+ * Driver of the device that turns the plate: libhrt_plate, a separate library that is installed with the plugin.
+ * Contract, results, structs and thread tags are those of base.h; hrt_plate_last_error() has the text of an error.
  *
  * Example: turns a plate to 30 degrees.
  *
@@ -30,9 +29,9 @@
  *
  * A plate is opened by name:
  *
- * - `serial:/dev/ttyACM0`, `serial:COM3`: a plate with the line protocol of plugin/src/plate/protocol.md
+ * - `serial:/dev/ttyACM0`, `serial:COM3`: a plate that implements plugin/src/plate/protocol.md
  * - `dynamixel:/dev/ttyUSB0?id=1`: an XL330 servo under the plate, by Dynamixel Protocol 2.0
- * - `plate.json`: a file of `hrt-plate commission`, with the name of the device and its measured properties
+ * - `plate.json`: a file that `hrt-plate commission` wrote, with the name of the device and its measured properties
  *
  * Options of a servo, separated by '&': id (0 to 252, default 1), baud (57600, 115200 or 1000000, default
  * 57600), speed (degrees a second, 10 to 1000, default 300), effort (percent of the servo's stall current of
@@ -40,10 +39,10 @@
  * from the maker's stall torque.
  *
  * Each plate has one thread for its communication. Only hrt_plate_close() waits for a device, for at most 0.5 s. A
- * plate stops when the host is silent (hrt_plate_options::host_timeout_ns), when it is closed, and when it fails. A
- * failure is permanent: close the plate and open it again. In the child of a fork, the calls of a plate fail with
- * WRONG_STATE; closing it there only releases its handle. The end of the process closes all plates. On Windows, close
- * them before the library is unloaded.
+ * plate stops when the application makes no calls (hrt_plate_options::host_timeout_ns), when it is closed, and when it
+ * fails. A failure is permanent: close the plate and open it again. In the child of a fork, the calls of a plate fail
+ * with WRONG_STATE; closing it there only releases its handle. The end of the process closes all plates. On Windows,
+ * close them before the library is unloaded.
  */
 #ifndef HAPTIC_RETARGETING_PLATE_H
 #define HAPTIC_RETARGETING_PLATE_H
@@ -81,31 +80,31 @@ typedef uint32_t hrt_plate_homing;
 /** Options of hrt_plate_open(). */
 typedef struct hrt_plate_options {
   uint32_t struct_size;
-  /** Effect of hrt_plate_set() while the orientation is unknown. HOMING_SLOW operates a plate without a sensor, which
-   *  moves on its first command. @default HRT_PLATE_HOMING_REFUSED */
+  /** Effect of hrt_plate_set() while the orientation is unknown. A plate without a sensor needs HOMING_SLOW.
+   *  @default HRT_PLATE_HOMING_REFUSED */
   hrt_plate_homing homing;
   /** Time without hrt_plate_set(), hrt_plate_stop() or hrt_plate_get() after which the plate stops at its present
-   *  orientation, so that an application that hangs does not leave a moving plate. The next hrt_plate_set() moves it
-   *  again. Raise it for an application whose frames may take longer; the plate then moves longer after a crash.
+   *  orientation, so that it does not keep moving if the application hangs. The next hrt_plate_set() moves it again.
+   *  Raise it for an application whose frames may take longer; the plate then moves longer after a crash.
    *  @range 50 ms to 10 s @default 300 ms */
   int64_t host_timeout_ns;
 } hrt_plate_options;
 
 /** @enumeration HRT_PLATE_STATE State of a plate. */
 typedef uint32_t hrt_plate_state;
-#define HRT_PLATE_STATE_OPENING 1u /**< connecting, up to 6 s: boards restart when their line is opened */
+#define HRT_PLATE_STATE_OPENING 1u /**< connecting: up to 6 s, because many boards restart when they are opened */
 #define HRT_PLATE_STATE_READY 2u   /**< accepts commands */
 #define HRT_PLATE_STATE_FAILED 3u  /**< stopped if it was still connected; hrt_plate_report::message has the reason */
 
 /** @enumeration HRT_PLATE_FAULT Cause of a plate's failure. */
 typedef uint32_t hrt_plate_fault;
 #define HRT_PLATE_FAULT_NONE 0u      /**< no failure */
-#define HRT_PLATE_FAULT_LINE 1u      /**< the line cannot be opened or set up, or is in use */
-#define HRT_PLATE_FAULT_NO_ANSWER 2u /**< no device answers as such a plate */
-#define HRT_PLATE_FAULT_UNPLUGGED 3u /**< the line has disappeared, or accepts no data */
+#define HRT_PLATE_FAULT_LINE 1u      /**< the serial port cannot be opened or configured, or is in use */
+#define HRT_PLATE_FAULT_NO_ANSWER 2u /**< no device at the serial port answers by the protocol of the name */
+#define HRT_PLATE_FAULT_UNPLUGGED 3u /**< the serial port has disappeared, or accepts no data */
 #define HRT_PLATE_FAULT_SILENT 4u    /**< the device has sent nothing for half a second */
 #define HRT_PLATE_FAULT_NO_REPORT 5u /**< the device does not report its orientation */
-#define HRT_PLATE_FAULT_LIMITS 6u    /**< the device reports an angle beyond its limits, or refused one */
+#define HRT_PLATE_FAULT_LIMITS 6u    /**< the device reports an angle beyond its limits, or rejected a command */
 #define HRT_PLATE_FAULT_STUCK 7u     /**< the plate does not move although it was commanded */
 #define HRT_PLATE_FAULT_RESTARTED 8u /**< the device restarted, or announced itself again */
 #define HRT_PLATE_FAULT_EMERGENCY 9u /**< the emergency stop is open */
@@ -117,16 +116,16 @@ typedef uint32_t hrt_plate_fault;
 typedef uint32_t hrt_plate_report_flags;
 #define HRT_PLATE_REPORT_ORIENTATION 1u  /**< the orientation is known */
 #define HRT_PLATE_REPORT_MEASURED 2u     /**< a sensor measures the orientation; else it is assumed from the commands */
-#define HRT_PLATE_REPORT_ROUND_TRIP 4u   /**< the round trip of the line was measured */
-#define HRT_PLATE_REPORT_COMMANDED 8u    /**< a command is in force; else the plate remains where it is */
+#define HRT_PLATE_REPORT_ROUND_TRIP 4u   /**< hrt_plate_report::round_trip_ns was measured */
+#define HRT_PLATE_REPORT_COMMANDED 8u    /**< the plate turns to or holds a command; else it is stopped */
 #define HRT_PLATE_REPORT_HOST_SILENT 16u /**< stopped by hrt_plate_options::host_timeout_ns */
 /** The plate orientation is unknown (not homed): the plate has no sensor, and was switched on, reset, or stopped by its
  *  emergency stop since the orientation was last known. */
 #define HRT_PLATE_REPORT_UNHOMED 32u
-#define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< no command was reached yet since opening: keep fingers off */
+#define HRT_PLATE_REPORT_FIRST_MOTION 64u  /**< the plate has reached no command since opening: keep fingers off */
 #define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are from the plate's file */
-/** The plate turned slower than 80 % of the speed in the file, or rested for a second away from its command by more
- *  than its error and three SD, or follows its commands 40 ms later than the file says: commission it again. */
+/** The plate does not behave as in its file: its speed is below 80 % of the speed there, it has rested for a second
+ *  further from its command than its error plus three SD, or its latency is 40 ms longer. Commission it again. */
 #define HRT_PLATE_REPORT_DEVIATES 256u
 
 /** State and properties of a plate. All numbers are finite, and 0 while they are unknown. */
@@ -142,17 +141,17 @@ typedef struct hrt_plate_report {
   double orientation_deg;
   /** Last command that was sent, within the stops. @ccw */
   double command_deg;
-  /** Time since the report of the orientation arrived. */
+  /** Time since the last report of the orientation was received. */
   int64_t age_ns;
   /** Time from a command to the plate's motion: latency of the plate plus half of the round trip. For
-   *  hrt_session_config::plate.latency_ns, if it is not 0. */
+   *  hrt_session_config::plate.latency_ns. 0: unknown. */
   int64_t latency_ns;
-  /** Median time from a message to its answer on the line. */
+  /** Median time from a message to its answer at the serial port. */
   int64_t round_trip_ns;
   /** Maximum speed of the plate: the specified one, or the observed one if that is lower. For
    *  hrt_session_config::plate.max_speed_deg_s. */
   double max_speed_deg_s;
-  /** Maximum acceleration measured by `hrt-plate commission`; 0 without its file. For
+  /** Maximum acceleration that `hrt-plate commission` measured; 0 if the plate was not opened by its file. For
    *  hrt_session_config::plate.max_acceleration_deg_s2. */
   double max_acceleration_deg_s2;
   /** Lower stop; both stops are 0 if the plate turns freely. For hrt_session_config, if they are 180 degrees apart or
@@ -160,7 +159,7 @@ typedef struct hrt_plate_report {
   double lower_stop_deg;
   /** Upper stop. @ccw */
   double upper_stop_deg;
-  /** Number of messages that the plate refused or that were damaged in transmission. */
+  /** Number of messages that the plate rejected or that were damaged in transmission. */
   uint64_t refused_messages;
   /** Name of the device in one line of UTF-8: "protocol 2, firmware 1.1.0, serial number 000042". */
   char description[128];
@@ -202,7 +201,7 @@ HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_stop(hrt_plate plate) HRT_NOEXC
  *  @param out_report  State and properties.  @threadsafety [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_report* out_report) HRT_NOEXCEPT;
 
-/** Stops the plate, restores the settings of its line, and ends its thread within 0.5 s.
+/** Stops the plate, restores the settings of its serial port, and ends its thread within 0.5 s.
  *
  *  @param plate  Plate. Null is allowed.
  *  @threadsafety [one-thread] */
@@ -215,8 +214,8 @@ HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;
  *  @threadsafety [any-thread] */
 HRT_PLATE_API const char* hrt_plate_last_error(void) HRT_NOEXCEPT;
 
-/** Copies speed, acceleration, latency and stops of a READY plate into a configuration; stops that are less than 180
- *  degrees apart are not copied.
+/** Copies speed, acceleration, latency and stops of a READY plate into a configuration. Stops that are less than 180
+ *  degrees apart are copied as 0, which means that the plate turns freely.
  *
  *  @threadsafety [any-thread] */
 static inline void hrt_session_config_from_plate(hrt_session_config* config, const hrt_plate_report* report) {

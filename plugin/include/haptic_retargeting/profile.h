@@ -23,14 +23,14 @@
  *    "tactile_weight_sd":0.05,"bias_deg":0,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,
  *    "sensory_variance_deg2":0.1,"initial_variance_deg2":0}
  *
- * with "person_mean":[...],"person_covariance":[...] once a reach has estimated the user's traits, and, if the host
- * names them, with the conditions under which the user was measured:
+ * After a reach has estimated the user's traits, it also has "person_mean":[...],"person_covariance":[...]. If the host
+ * has set them, it has the conditions under which the user was measured:
  *
  *   "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
- * Fields and ranges are those of hrt_session_config with the tag @profile. Contacts are stored together with the
- * pose of the plate under which they were made. A session with another pose ignores them; a session with the
- * same pose enlarges their covariance by 0.2 %, because trackers drift.
+ * Fields and ranges are those of hrt_session_config with the tag @profile. Contacts are stored with the pose of the
+ * plate. A session with another pose ignores them. A session with the same pose adds an SD of 0.002 to the elements of
+ * registration.contact_correction, because trackers drift.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
@@ -46,7 +46,7 @@ typedef uint32_t hrt_condition_flags;
 #define HRT_CONDITION_PLATE UINT32_C(1)   /**< the name of the plate */
 #define HRT_CONDITION_TRACKER UINT32_C(2) /**< the name of the tracker */
 
-/** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. */
+/** Conditions of a measurement. The host sets them, because the library reads no clock and knows no devices. */
 typedef struct hrt_conditions {
   uint32_t struct_size;
   /** Output: conditions that both the profile and the host name and that differ. Not read as input. */
@@ -62,8 +62,8 @@ typedef struct hrt_conditions {
   char tracker[HRT_NAME_SIZE];
 } hrt_conditions;
 
-/** Sets the session's present conditions. A set-up that calibrates stores them, and profiles are compared with them: if
- *  the conditions of the profile differ, the log has a warning, in this call or when the profile is loaded.
+/** Sets the session's present conditions. A calibration stores them with its result. If the conditions of a loaded
+ *  profile differ from them, a warning is logged by this call or when the profile is loaded.
  *
  *  @param conditions  The present conditions.
  *  @return OUT_OF_RANGE naming the field; WRONG_STATE during a reach or a set-up.
@@ -89,8 +89,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
 HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                                                   uint64_t* out_length) HRT_NOEXCEPT;
 
-/** Copies a profile into the session's configuration. Where the profile has no field, fields of the user and of
- *  correlated noise are reset to the default and all others keep their values. Unknown fields are refused.
+/** Copies a profile into the session's configuration. Of the fields that the profile lacks, those of the user and of
+ *  correlated noise are reset to their defaults, and the others keep their values. Unknown fields are an error.
  *
  *  @param text    Profile in UTF-8.
  *  @param length  Bytes of the profile.

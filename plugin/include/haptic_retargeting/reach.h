@@ -32,11 +32,12 @@ extern "C" {
 
 /** @flags HRT_REACH Options of a reach: hrt_reach_config::flags. */
 typedef uint32_t hrt_reach_flags;
-/** `plate_orientation_deg` is given. Otherwise, the plate is assumed at the session's last command, initially at 0. */
+/** hrt_reach_config::plate_orientation_deg is set. Otherwise, the plate is assumed to be at the session's last command,
+ *  and at 0 before the first command. */
 #define HRT_REACH_PLATE_ORIENTATION UINT32_C(1)
 /** The reach starts at the first position of the finger instead of hrt_session_config::start_position_m; directions and
- *  distances are measured from there. Until then, the plate is prepared for the configured start. Earlier samples are
- *  not counted. Has no effect in a reach with directions only. */
+ *  distances are measured from there. Until the first position, the plate turns as for the configured start, and
+ *  samples are not counted. Has no effect in a reach with directions only. */
 #define HRT_REACH_START_AT_FINGER UINT32_C(2)
 
 /** Configuration of a reach. */
@@ -52,30 +53,30 @@ typedef struct hrt_reach_config {
   /** Plate orientation before the reach, clamped to the stops. Set it if something other than this session has turned
    *  the plate: the controller plans from it. @range -1e6 to 1e6 @default 0 @ccw */
   double plate_orientation_deg;
-  /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the task dictates it. It makes the first corrections
-   *  better, or worse if it is wrong; 0: unknown, and estimated from the progress of the finger. @range 0 or 0.1 to 20
-   *  @default 0 */
+  /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the task dictates it. A correct value improves the
+   *  first corrections, a wrong one impairs them. 0: unknown, and estimated from the progress of the finger.
+   *  @range 0 or 0.1 to 20 @default 0 */
   double duration_s;
 } hrt_reach_config;
 
 /** @flags HRT_SAMPLE hrt_sample::flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and
- *  WORLD_POSITION is allowed. A sample without these and without LIFTED is a dropout: the plate is held, and the model
- *  predicts. */
+ *  WORLD_POSITION is allowed. A sample without these and without LIFTED is a dropout: the plate does not turn, and the
+ *  model predicts the position of the finger. */
 typedef uint32_t hrt_sample_flags;
 #define HRT_SAMPLE_DIRECTION UINT32_C(1)         /**< finger_direction_deg */
 #define HRT_SAMPLE_PLATE_POSITION UINT32_C(2)    /**< finger_position_m, in plate coordinates */
 #define HRT_SAMPLE_PLATE_ORIENTATION UINT32_C(4) /**< plate_orientation_deg, as measured */
-#define HRT_SAMPLE_LIFTED UINT32_C(8)            /**< the finger does not touch the plate: the model waits */
+#define HRT_SAMPLE_LIFTED UINT32_C(8)            /**< the finger does not touch the plate: the reach is interrupted */
 #define HRT_SAMPLE_WORLD_POSITION UINT32_C(16)   /**< finger_position_m, in the engine's world */
-/** plate_position_m and plate_rotation, for WORLD_POSITION: for a plate that is tracked too. Otherwise, the pose in the
+/** plate_position_m and plate_rotation, with WORLD_POSITION, if the plate is tracked too. Otherwise, the pose in the
  *  session's configuration is used. */
 #define HRT_SAMPLE_PLATE_POSE UINT32_C(32)
 /** joint_rotation, with WORLD_POSITION: finger_position_m is the position of a joint, and the point of contact on the
  *  skin is hrt_session_config::fingertip_offset_m from it. */
 #define HRT_SAMPLE_JOINT_ROTATION UINT32_C(64)
 
-/** One sample of the tracked finger. Initialise it with zeros, then set `struct_size` and the known fields. Only the
- *  fields that `flags` names are read. */
+/** One sample of the tracked finger. Initialise it by hrt_sample_init(), then set the known fields and their flags.
+ *  Only the fields that `flags` names are read. */
 typedef struct hrt_sample {
   uint32_t struct_size;
   /** Fields that are set. */
@@ -83,14 +84,14 @@ typedef struct hrt_sample {
   /** Time of the sample on the caller's monotonic clock, with any origin; never less than that of the last sample.
    *  @range any */
   int64_t time_ns;
-  /** Direction of the finger's motion, taken as exact. Set a position instead if it is known: ARRIVAL needs it.
-   *  @range -180 to 180 @ccw */
+  /** Direction of the finger's motion, assumed to be exact. If the position is known, set it instead: GUIDANCE_ARRIVAL
+   *  needs it. @range -180 to 180 @ccw */
   double finger_direction_deg;
   /** Position of the fingertip. @range -1000 to 1000 */
   double finger_position_m[3];
-  /** Measured plate orientation, which lets the model follow a plate that lags behind its commands. With stops, it is
-   *  taken as measured. Without stops, half turns do not count: the model takes the orientation with the same ridges
-   *  that is nearest to the expected one. @range -1e6 to 1e6 @ccw */
+  /** Measured plate orientation, from which the model corrects the orientation that it expects from the commands. If
+   *  the plate has no stops, multiples of 180 degrees are ignored: the model uses the equivalent orientation that is
+   *  nearest to the expected one. @range -1e6 to 1e6 @ccw */
   double plate_orientation_deg;
   /** Position of the plate in the world; see hrt_session_config. @range -1000 to 1000 */
   double plate_position_m[3];
@@ -103,48 +104,49 @@ typedef struct hrt_sample {
 
 /** @flags HRT_COMMAND Reasons of a command, and warnings: hrt_command::flags. */
 typedef uint32_t hrt_command_flags;
-#define HRT_COMMAND_HELD UINT32_C(1)         /**< no new decision: the former command is repeated */
-#define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< no sample in the last step; under ARRIVAL, no sample now */
+#define HRT_COMMAND_HELD UINT32_C(1)         /**< the controller computed no new command: the last one is repeated */
+#define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< without a position now or, under FIXED_DIRECTION, in the last step */
 #define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the plate's bound or a stop limits the command */
 #define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's speed limits the command */
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see hrt_gap */
-#define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the model waits */
+#define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the reach is interrupted */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
 /** The motion differs from the model by more than its noise explains: estimates and UNREACHABLE are unreliable. */
 #define HRT_COMMAND_MISFIT UINT32_C(128)
-/** The finger is predicted to end, or has ended, more than 1.5 degrees of bearing from the real target; or, after three
- *  tenths of the path, it moves in a direction more than 60 degrees from the target. */
+/** The bearing of the predicted or actual end of the motion differs by more than 1.5 degrees from that of the real
+ *  target; or, after three tenths of the path, the finger moves in a direction more than 60 degrees from the target. */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
-#define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the plate is held */
-/** The solver stopped before the optimum; the command keeps its bounds. */
+#define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the plate does not turn */
+/** The solver stopped before it found the optimum; the command is within its limits. */
 #define HRT_COMMAND_APPROXIMATE UINT32_C(1024)
-/** A defect in this library: a value was not a finite number. The plate is held, and the value is 0. The log reports it
- *  once a session, when the session is next configured or destroyed. */
+/** A defect in this library: a value was not a finite number. The plate does not turn, and the value is 0. The log
+ *  reports it once for each session, when the session is next configured or destroyed. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
-/** The plate's registration is older or less accurate than the configuration allows, or missing:
- *  registration.max_age_ns, registration.max_sd_deg. Set up again (setup.h). The log reports it at the next call of
- *  hrt_session_set(), hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load() or hrt_scene_register(). */
+/** The plate's registration is missing, older than registration.max_age_ns, or less accurate than
+ *  registration.max_sd_deg. Set up again (setup.h). The log reports it at the next call of hrt_session_set(),
+ *  hrt_session_destroy(), hrt_setup_begin(), hrt_profile_load() or hrt_scene_register(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
-/** The reach is over, until hrt_reach_retarget(): the finger was at the start or has moved, and has now rested long
- *  enough. That is 0.4 s at the target, which means after nine tenths of the path and within a quarter of its length of
- *  the real target; or 2 s elsewhere, after three tenths of the path and within 60 degrees of the target's bearing,
- *  then with OFF_TARGET. A lift, a dropout of 0.2 s or a retarget by 2 mm and more restarts the time. Never set in a
- *  reach with directions only: use a time limit there. */
+/** The motion has ended; hrt_reach_retarget() may continue the reach. The finger was at the start or has moved, and has
+ *  then rested in one of two regions: for 0.4 s after nine tenths of the path and within a quarter of its length of the
+ *  real target; or for 2 s after three tenths of the path and within 60 degrees of the target's bearing, then with
+ *  OFF_TARGET. A lift, a dropout of 0.2 s, or a retarget by 2 mm or more restarts the time. Never set in a reach with
+ *  directions only: use a time limit there. */
 #define HRT_COMMAND_ARRIVED UINT32_C(8192)
-/** Contacts (hrt_reach_touched()) move the real target by more than the registration explains with a probability of
- *  99.9 %: the plate or the tracker's frame has moved, or another object was touched. Set up again (setup.h). */
+/** Contacts (hrt_reach_touched()) contradict the registration: they shift the real target by more than its covariance
+ *  allows in 99.9 % of cases. The plate or the tracker's frame has moved, or another object was touched. Set up again
+ *  (setup.h). */
 #define HRT_COMMAND_CONTACTS UINT32_C(16384)
-/** The finger rests more than 15 mm from the start and has not been there: ask the user to move to the start. The reach
- *  begins when the finger rests there, or moves from where it is. */
+/** The finger rests more than 15 mm from the start and has not been at the start: ask the user to move there. The
+ *  motion begins when the finger has rested at the start, or moves from its present position. */
 #define HRT_COMMAND_NOT_AT_START UINT32_C(32768)
-/** The miss is unknown: no sample shows a motion, or FIXED_DIRECTION, which does not predict it, is the controller.
+/** The miss is unknown, because no sample shows a motion, or because FIXED_DIRECTION does not predict it.
  *  predicted_miss_deg and miss_deg are 0, miss_sd_deg is 180. */
 #define HRT_COMMAND_MISS_UNKNOWN UINT32_C(65536)
 /** Times, units or axes are probably wrong: times do not advance in nanoseconds; the finger is faster than 5 m/s,
- *  further than three plate radii away or moving away from the virtual target; a start or target is beyond the plate's
- *  edge by more than a radius; the directions of all targets may be in radians; or the hand turns with the plate
- *  instead of against it. The log names the cause at the calls listed under REGISTRATION. The estimate of the person
- *  does not change. */
+ *  further than three plate radii away, or moving away from the virtual target; a start or target is beyond the plate's
+ *  edge by more than a radius; the directions of all targets are probably in radians; or the hand follows the rotation
+ *  of the plate instead of opposing it. The log names the cause at the calls listed under REGISTRATION. The estimates
+ *  of the user do not change. */
 #define HRT_COMMAND_IMPLAUSIBLE UINT32_C(131072)
 
 /** Value of hrt_command::time_to_go_s while the finger rests before or within the motion, or, under FIXED_DIRECTION,
@@ -181,24 +183,25 @@ typedef struct hrt_command {
   uint32_t struct_size;
   /** Reasons and warnings, HRT_COMMAND_*. */
   hrt_command_flags flags;
-  /** Plate orientation to turn to now. If speed and acceleration are unlimited, the nearest of the orientations with
-   *  the same ridges between the stops. Otherwise, the plate stays within one half turn for the whole reach, limited by
-   *  the stops. Without stops, successive reaches may wind it up: the device must count turns, or omit whole ones.
-   *  @ccw */
+  /** Plate orientation to turn to now, within the stops. Of the orientations that differ by multiples of 180 degrees,
+   *  it is the nearest one if speed and acceleration are unlimited; otherwise, the plate stays within one half turn for
+   *  the whole reach. Without stops, successive reaches may turn the plate further and further in one direction: the
+   *  device must count turns, or remove whole ones. @ccw */
   double plate_orientation_deg;
   /** Bearing of the finger, seen from the start of the reach; 0 until the finger moves. In a reach with directions
    *  only, the direction of the last step. @ccw */
   double bearing_deg;
   /** Direction that the user perceives under this command, predicted by the model. @ccw */
   double perceived_direction_deg;
-  /** Estimated perceived minus intended direction now: the error that the user could notice. Users notice about 4.5
-   *  degrees of visual redirection; no threshold is published for touch. 0 under FIXED_DIRECTION. @ccw */
+  /** Estimated present perceived-direction error (perceived minus intended direction), which the user could notice.
+   *  Users notice about 4.5 degrees of visual redirection; no threshold is published for touch. 0 under
+   *  FIXED_DIRECTION. @ccw */
   double felt_error_deg;
   /** Predicted bearing of the position of arrival minus that of the real target; 0 with HRT_COMMAND_MISS_UNKNOWN.
    *  @ccw */
   double predicted_miss_deg;
-  /** SD of the finger's true position across the line to the real target, as a bearing: uncertainty of the estimator
-   *  and of plate.covariance or, after contacts, of their covariance. At the end, the SD of
+  /** SD of the bearing of the finger's true position: it combines the uncertainty of the estimator, plate.covariance
+   *  or, after contacts, their covariance, and tracker.bearing_sd_deg. At the end, the SD of
    *  hrt_reach_summary::miss_deg. 180 with HRT_COMMAND_MISS_UNKNOWN. */
   double miss_sd_deg;
   /** Distance along the plate to the real target, from the finger or, until its first position, from the start. */
@@ -207,10 +210,10 @@ typedef struct hrt_command {
   double time_to_go_s;
   /** Tactile weight that the controller assumes. @unit 1 */
   double tactile_weight;
-  /** SD of tactile_weight; 0: taken as exact. @unit 1 */
+  /** SD of tactile_weight; 0: assumed to be exact. @unit 1 */
   double tactile_weight_sd;
-  /** Normalised innovation squared (NIS) of the last positions, mean over about twenty: their deviation from the model.
-   *  About 2 if the model fits; from 6, MISFIT is set. 0 under FIXED_DIRECTION. @unit 1 */
+  /** Normalised innovation squared (NIS), averaged over about the last twenty positions: how much they deviate from the
+   *  model. About 2 if the model fits; from 6, MISFIT is set. 0 under FIXED_DIRECTION. @unit 1 */
   double misfit;
   hrt_command_paper paper; /**< values of the controller of the paper @flatten paper_* */
 } hrt_command;
@@ -224,10 +227,9 @@ typedef struct hrt_reach_counts {
   int64_t saturated_steps; /**< steps with samples in which the plate's bound or a stop limited the command */
 } hrt_reach_counts;
 
-/** Part of hrt_reach_summary: estimates of the user and the tracker at the end of the reach. With
- *  HRT_ADAPTATION_CARRIED, hrt_session_config::person receives all traits, from a second pass of the filter over the
- *  motion with the user's observed wander: its means differ a little from these. Under FIXED_DIRECTION, curve and bias
- *  are 0. */
+/** Part of hrt_reach_summary: estimates of the user and the tracker at the end of the reach. The estimates of
+ *  HRT_ADAPTATION_CARRIED in hrt_session_config::person differ a little, because a second pass of the filter over the
+ *  motion computes them, with HRT_PERSON_LOG_WANDER as observed. Under FIXED_DIRECTION, curve and bias are 0. */
 typedef struct hrt_reach_learnt {
   double tactile_weight;    /**< tactile weight at the end; see hrt_command @unit 1 */
   double tactile_weight_sd; /**< SD of tactile_weight; see hrt_command @unit 1 */
@@ -237,8 +239,8 @@ typedef struct hrt_reach_learnt {
   double illusion_curve_sd; /**< SD of illusion_curve @unit 1 */
   double bias_deg;          /**< bias: HRT_PERSON_BIAS @ccw */
   double bias_sd_deg;       /**< SD of bias_deg */
-  /** SD of the noise in each tracked coordinate, estimated or configured: of the white noise or, under ARRIVAL, of all
-   *  noise. */
+  /** SD of the noise in each tracked coordinate, estimated or configured: all noise under ARRIVAL, white noise under
+   *  FIXED_DIRECTION. */
   double tracker_noise_m;
 } hrt_reach_learnt;
 
@@ -253,9 +255,9 @@ typedef struct hrt_reach_paper {
   /** perceived_direction_deg minus the direction of the virtual target and the user's bias as configured before the
    *  reach. @ccw */
   double perceived_error_deg;
-  /** Motor variance: the configured one, corrected by this reach. @flatten motor_variance_deg2 */
+  /** Estimated motor variance, starting from the configured one. @flatten motor_variance_deg2 */
   double motor_variance_deg2;
-  /** SD of motor_variance_deg2; close to the configured one if the reach had too little data; 0: taken as exact.
+  /** SD of motor_variance_deg2; close to the configured one if the reach had too little data; 0: assumed to be exact.
    *  @flatten motor_variance_sd_deg2 */
   double motor_variance_sd_deg2;
   int64_t predicted_steps;    /**< steps without samples */
@@ -265,8 +267,8 @@ typedef struct hrt_reach_paper {
 /** Result of a reach. */
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
-  /** Warnings: UNREACHABLE, CONTACTS and NOT_AT_START as at the end of the reach; MISFIT, REGISTRATION, IMPLAUSIBLE and
-   *  FAULT if any command had them; OFF_TARGET and MISS_UNKNOWN for the end of the motion. */
+  /** Warnings. UNREACHABLE, CONTACTS and NOT_AT_START are those of the last command; MISFIT, REGISTRATION, IMPLAUSIBLE
+   *  and FAULT are set if any command had them; OFF_TARGET and MISS_UNKNOWN refer to the end of the motion. */
   hrt_command_flags flags;
   /** Bearing of the last position; 0 with HRT_COMMAND_MISS_UNKNOWN. In a reach with directions only, the direction of
    *  the last step. @ccw */
@@ -291,11 +293,11 @@ typedef struct hrt_reach_summary {
   hrt_reach_paper paper;   /**< results of the controller of the paper @flatten paper_* */
 } hrt_reach_summary;
 
-/** @flags HRT_CONTACT hrt_contact::flags: coordinates of the position; at most one. Without both, the finger is at the
- *  near side of the reach's real target, one radius before its centre. */
+/** @flags HRT_CONTACT hrt_contact::flags: coordinates of the position; at most one. Without a flag, the finger is
+ *  assumed to be at the near side of the reach's real target, one radius before its centre. */
 typedef uint32_t hrt_contact_flags;
 #define HRT_CONTACT_PLATE_POSITION UINT32_C(1) /**< position_m, in plate coordinates */
-#define HRT_CONTACT_WORLD_POSITION UINT32_C(2) /**< position_m, in the engine's world, by the session's pose */
+#define HRT_CONTACT_WORLD_POSITION UINT32_C(2) /**< position_m, in the engine's world; the plate's pose converts it */
 
 /** Position of the finger while it touches a real object. The default is all zero except `struct_size`. */
 typedef struct hrt_contact {
@@ -304,7 +306,7 @@ typedef struct hrt_contact {
   hrt_contact_flags flags;
   /** Position of the fingertip; the height above the plate has no effect. @range -1000 to 1000 @default 0 */
   double position_m[3];
-  /** SD of the position in each coordinate. A smaller SD makes the contact correct more. 0: the radius of the real
+  /** SD of the position in each coordinate. The smaller it is, the more the contact corrects. 0: the radius of the real
    *  target, or 10 mm if that is unknown. @range 0 or 0.0001 to 1 @default 0 */
   double sd_m;
 } hrt_contact;
@@ -317,11 +319,11 @@ typedef struct hrt_contact {
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
-/** Processes one sample and returns the command for the plate. Call it every frame, at any rate, also before the
- *  motion: these samples determine the start and the noise of the tracker under GUIDANCE_ARRIVAL. A position changes
- *  the command at every sample, a direction once in a step period. A position that equals the last one in all bits
- *  within 50 ms counts as a dropout: the tracker is slower than the application. Steps without samples are predicted,
- *  under FIXED_DIRECTION at most 64 in a call.
+/** Processes one sample and returns the command for the plate. Call it every frame, at any frame rate, also before the
+ *  motion: GUIDANCE_ARRIVAL estimates the start and the noise of the tracker from these samples. With positions, the
+ *  command changes at every sample; with directions, once in a step period. A position that is identical to the last
+ *  one within 50 ms is a dropout, since the tracker is slower than the application. Steps without samples are
+ *  predicted, under FIXED_DIRECTION at most 64 in a call.
  *
  *  @param sample       Finger, and plate if its orientation is measured.
  *  @param out_command  Command for the plate.
@@ -332,11 +334,10 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 
 /** Redirects the reach to other targets, or to the same ones after hrt_target_set() has moved them; call it every frame
- *  while they move. The plan continues from the position of the finger. Directions are then seen from the finger, that
- *  of the virtual target from the perceived position; in a reach with directions only, from the start. The next command
- *  has UNREACHABLE if the plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too short.
- *  Targets that move by 2 mm or more restart the rest that HRT_COMMAND_ARRIVED needs. On an error, the reach is
- *  unchanged.
+ *  while they move. The direction of the real target is then seen from the finger, that of the virtual target from the
+ *  perceived position; in a reach with directions only, both from the start. The next command has UNREACHABLE if the
+ *  plate cannot sustain the remaining gap, OFF_TARGET if the remaining path is too short. If a target has moved by 2 mm
+ *  or more, the rest that HRT_COMMAND_ARRIVED requires starts again. On an error, the reach is unchanged.
  *
  *  @param real_target     Target to which the hand is steered.
  *  @param virtual_target  Target that the user reaches for.
@@ -346,10 +347,10 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
 HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
 
-/** Reports that the finger has met the real object. Call it at most once for each reach, before the next one begins.
- *  The contact shows the error of the tracker's frame: from the next reach on,
+/** Reports that the finger has touched the real object. Call it at most once for each reach, before the next one
+ *  begins. The contact reveals the error of the tracker's frame: from the next reach on,
  *  hrt_session_config::registration.contact_correction corrects the finger's positions, and the estimated bias of the
- *  user decreases by the same amount.
+ *  user is reduced by the same angle.
  *
  *  @param contact  Position of contact. Null: the default.
  *  @return OUT_OF_RANGE naming the field, or the position if it is within 10 mm of the start or too far from the
@@ -358,8 +359,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_tar
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_touched(hrt_session session, const hrt_contact* contact) HRT_NOEXCEPT;
 
-/** Ends the reach without a summary and discards its estimates and its contact. The session assumes that the plate
- *  stays at the last command.
+/** Ends the reach without a summary, and discards its estimates and its contact. The plate is assumed to remain at the
+ *  last command.
  *
  *  @return WRONG_STATE without a reach.
  *  @threadsafety [real-time] */

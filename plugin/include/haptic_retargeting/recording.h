@@ -1,7 +1,7 @@
 /*
  * Recordings of a session, and their replay.
  *
- * Example: records a session that does nothing, and replays the file.
+ * Example: records a session without a reach, and replays the file.
  *
  *   #include <haptic_retargeting/haptic_retargeting.h>
  *   #include <haptic_retargeting/recording.h>
@@ -17,11 +17,11 @@
  *     return failed || status.rows_lost || !report.complete || report.first_different_line;
  *   }
  *
- * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. It has a row for each
- * begin, update, retarget, touched, cancel and end of a reach, and for each update, finish and cancel of a set-up.
- * Refused calls have rows too, except those of a set-up whose structs cannot be read. Comments hold configurations,
- * targets, beginnings of set-ups and the plate orientation. Numbers have full precision. A thread of the library
- * writes the file: a slow or full disk never delays a call; rows are dropped and counted.
+ * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. It has a row for each call
+ * hrt_reach_begin, _update, _retarget, _touched, _cancel and _end, and hrt_setup_update, _finish and _cancel, including
+ * failed calls, except those of a set-up whose structs cannot be read. Comments contain configurations, targets, calls
+ * of hrt_setup_begin() and the plate orientation. Numbers have full precision. A thread of the library writes the file,
+ * so that a slow or full disk never delays a call; rows that it cannot write are dropped and counted.
  */
 #ifndef HAPTIC_RETARGETING_RECORDING_H
 #define HAPTIC_RETARGETING_RECORDING_H
@@ -75,15 +75,16 @@ HRT_NODISCARD HRT_API hrt_result hrt_recording_flush(hrt_session session,
  *  @threadsafety [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) HRT_NOEXCEPT;
 
-/** @enumeration HRT_ENDING End of a recording. */
+/** @enumeration HRT_ENDING How a recording ended. */
 typedef uint32_t hrt_recording_ending;
 #define HRT_ENDING_COMPLETE 0  /**< the end line is present; no row was altered or lost */
 #define HRT_ENDING_CUT 1       /**< the end line is missing: the file was cut, or the process ended while recording */
 #define HRT_ENDING_LOST_ROWS 2 /**< rows are missing because the disk was slow: only those before were replayed */
 #define HRT_ENDING_ALTERED 3   /**< the checksum in the end line does not match the text before it */
 
-/** The fields of hrt_command that hrt_replay_report::hash covers, in this order: WHOLE(name) for each whole number,
- *  NUMBER(name) for each double. A new field of hrt_command changes no hash. */
+/** The fields of hrt_command that hrt_replay_report::hash covers, in this order: WHOLE(name) for each integer,
+ *  NUMBER(name) for each double. A field that is added to hrt_command is not listed, so that the hash stays the same.
+ *  */
 #define HRT_HASHED_FIELDS(WHOLE, NUMBER) \
   WHOLE(flags)                           \
   NUMBER(plate_orientation_deg)          \
@@ -111,10 +112,10 @@ typedef struct hrt_replay_report {
   /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows are equal,
    *  bit for bit. */
   uint64_t first_different_line;
-  /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", the fields of
-   *  HRT_HASHED_FIELDS as 8 bytes each, least significant byte first. */
+  /** FNV-1a hash of the replayed commands, equal on every host: of the fields of HRT_HASHED_FIELDS for each successful
+   *  row "update", as 8 bytes each, least significant byte first. */
   uint64_t hash;
-  /** End of the recording. */
+  /** How the recording ended. */
   hrt_recording_ending ending;
   uint32_t reserved;
 } hrt_replay_report;

@@ -1,5 +1,5 @@
 /*
- * Scenes: plate, start and targets from a glTF file; scene/README.md, installed as scene.md, lists the properties.
+ * Scenes: plate, start and targets from a glTF file. scene/README.md, installed as scene.md, describes the file.
  *
  * Example: registers the targets of a file with a session.
  *
@@ -55,7 +55,7 @@ typedef struct hrt_scene_target {
   uint32_t struct_size;
   /** Role of the target. */
   hrt_target_role role;
-  /** Index of the real target that stands in for this virtual one: the one that the file names, otherwise the nearest
+  /** Index of the real target that is assigned to this virtual one: the one that the file names, otherwise the nearest
    *  in direction, the first one if several are equally near; -1 for a real target. */
   int32_t served_by;
   uint32_t reserved;
@@ -73,10 +73,10 @@ typedef struct hrt_scene_target {
   char name[HRT_NAME_SIZE];
 } hrt_scene_target;
 
-/** Loads a scene from a .gltf or .glb file or from memory. The log has a warning if targets are further than ten plate
- *  radii from the plate. If memory runs out while the file is parsed, the process may end (PROCESS.md).
+/** Loads a scene from a .gltf or .glb file or from memory. Logs a warning if targets are further than ten plate radii
+ *  from the plate. If memory is exhausted while the file is parsed, the process may end (PROCESS.md).
  *
- *  @param path       Name of the file. With `bytes`, it only appears in error texts.
+ *  @param path       Name of the file. If `bytes` is not null, it is only used in error texts.
  *  @param bytes      Content of the file, not used after the call. Null: the file is read.
  *  @param length     Bytes of the content.
  *  @param out_scene  Handle of the scene.
@@ -107,8 +107,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t 
                                                       hrt_scene_target* out_target) HRT_NOEXCEPT;
 
 /** Copies a scene into a session: sets plate, start and, if the file has it, servo speed, and adds all targets by their
- *  position on the plate, each virtual one with its hrt_target_config::served_by. A registered pose of the plate is
- *  replaced. On an error, nothing changes.
+ *  position on the plate, each virtual one with its hrt_target_config::served_by. Replaces a registered pose of the
+ *  plate. On an error, nothing changes.
  *
  *  @param capacity     Elements of `out_targets`.
  *  @param out_targets  Ids of the targets in the order of the scene. May be null if `capacity` is 0.

@@ -1,5 +1,5 @@
 /*
- * A session: one user, one plate, and the assumptions of the controller about both. Its life:
+ * A session: one user, one plate, and the assumptions of the controller about both. Order of calls:
  *
  *   create -> add targets -> (begin -> update ... update -> end or cancel) for each reach -> destroy
  *
@@ -18,7 +18,8 @@
  *     if (hrt_session_create(HRT_VERSION, &config, &session)) return puts(hrt_last_error()), 1;
  *     return hrt_session_destroy(session);
  *   }
- * Other languages, profiles and recordings have one flat list of fields: `plate.scale` is `plate_scale` there.
+ *
+ * In other languages, profiles and recordings, structs are not nested: `plate.scale` is `plate_scale` there.
  */
 #ifndef HAPTIC_RETARGETING_SESSION_H
 #define HAPTIC_RETARGETING_SESSION_H
@@ -40,23 +41,23 @@ typedef struct hrt_session {
 /** @enumeration HRT_CONTROL Source of the plate's commands. */
 typedef uint32_t hrt_control;
 #define HRT_CONTROL_MPC 0         /**< the model-predictive controller */
-#define HRT_CONTROL_FIXED_PLATE 1 /**< a plate that does not turn, as a baseline */
+#define HRT_CONTROL_FIXED_PLATE 1 /**< a constant plate orientation, as a baseline of studies */
 
 /** @enumeration HRT_GUIDANCE Goal of the controller. It also selects the controller. */
 typedef uint32_t hrt_guidance;
-/** Steers the finger along the direction of the real target, seen from the start: the controller of the paper. It takes
- *  the illusion as linear. Choose it to reproduce the paper, or if only directions are tracked. */
+/** Steers the finger along the direction of the real target, seen from the start: the controller of the paper. It
+ *  assumes that the illusion is linear. Choose it to reproduce the paper, or if only directions are tracked. */
 #define HRT_GUIDANCE_FIXED_DIRECTION 0
-/** Steers the finger to the position of the real target at arrival: the controller for people. It estimates the pace of
- *  the motion, the nonlinear illusion, bias, habits and tracker noise. Requires positions: in a reach with directions
- *  only, FIXED_DIRECTION is used. Tested with simulated people only. */
+/** Steers the finger to the position of the real target at arrival. It estimates the duration of the motion, the
+ *  nonlinear illusion, bias, habits and tracker noise. Requires positions: in a reach with directions only,
+ *  FIXED_DIRECTION is used. Tested with simulated people only. */
 #define HRT_GUIDANCE_ARRIVAL 1
 
 /** @enumeration HRT_ADAPTATION Estimation of the user's parameters: under GUIDANCE_ARRIVAL of all traits in
  *  person.mean, otherwise of the tactile weight and the motor variance. */
 typedef uint32_t hrt_adaptation;
-/** person.tactile_weight and person.bias_deg are taken as exact, and the illusion as linear. Errors of these values
- *  remain. */
+/** person.tactile_weight and person.bias_deg are assumed to be exact, and the illusion to be linear. Errors of these
+ *  values are not corrected. */
 #define HRT_ADAPTATION_OFF 0
 /** The parameters are estimated within each reach. Each reach starts from the configured values, so that reaches of a
  *  study do not depend on their order. */
@@ -71,43 +72,43 @@ typedef uint32_t hrt_adaptation;
 /** @flags HRT_SESSION Options of a session: hrt_session_config::flags. */
 typedef uint32_t hrt_session_flags;
 /** The plate does not move until the finger moves. Set this flag if the finger rests on the ridges before a reach,
- *  because the user feels a plate that turns under a resting finger. The cost is that fewer fast reaches arrive:
- *  without the flag, the plate turns to the orientation that the start of the motion requires as soon as the reach
- *  begins. */
+ *  because the user feels a plate that turns under a resting finger. Without the flag, the plate turns to the
+ *  orientation that the start of the motion requires when the reach begins; with it, fewer fast reaches end at the
+ *  target. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
 /** The plate's pose is from a registration made at registration.time_ns. A set-up sets this flag; hrt_scene_register(),
  *  which writes the scene's pose, clears it. Both discard contacts. */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
-/** The finger finds start_position_m by touch, as in a dimple. A finger that rests before a reach is then taken to be
- *  at the start, wherever the tracker reports it, and positions are measured relative to it. Another point of contact
- *  on the skin or a shifted tracker frame therefore does not rotate a reach. Read under GUIDANCE_ARRIVAL.
- *  HRT_SETUP_GUIDES sets this flag. */
+/** The user finds start_position_m by touch, for example by a dimple. A finger that rests before a reach is then
+ *  assumed to be at the start, even if the tracker reports another position, and positions are measured relative to it.
+ *  A different point of contact on the skin or a shifted tracker frame therefore does not rotate a reach. Read under
+ *  GUIDANCE_ARRIVAL. HRT_SETUP_GUIDES sets this flag. */
 #define HRT_SESSION_START_FELT UINT32_C(4)
 
-/* Indices of a person's traits in hrt_session_config::person.mean. */
-/** Slope w of the perceived shift w t - b t (t / 75)^2 at the angle t, in degrees, between ridge normal and motion.
- *  @range 0.01 to 0.6 @unit 1 */
+/* Indices of the user's parameters (traits) in hrt_session_config::person.mean. */
+/** Slope w of the illusion curve: the perceived direction is shifted by w t - b t (t / 75)^2 degrees, where t is the
+ *  angle between the normal of the ridges and the motion, in degrees. @range 0.01 to 0.6 @unit 1 */
 #define HRT_PERSON_WEIGHT 0
-/** Curvature b of the illusion in the formula of WEIGHT; 0: linear. @range -0.1 to 0.5 @unit 1 */
+/** Curvature b of the illusion curve, in the formula of HRT_PERSON_WEIGHT; 0: linear. @range -0.1 to 0.5 @unit 1 */
 #define HRT_PERSON_CURVE 1
 /** Rate at which the user corrects the perceived direction. @range 3 to 20 @unit 1/s */
 #define HRT_PERSON_GAIN 2
 /** Bias: direction that the user aims at, minus the virtual direction. @range -90 to 90 @unit deg @ccw */
 #define HRT_PERSON_BIAS 3
-/** Curvature of the path: half of the aimed direction at the start minus that at the end. @range -45 to 45 @unit deg
- *  @ccw */
+/** Habit, a curvature of the path: half of the difference between the aimed directions at the start and at the end.
+ *  @range -45 to 45 @unit deg @ccw */
 #define HRT_PERSON_HABIT 4
-/** Evenness of the pace. 0: minimum jerk; 1: constant speed. @range 0 to 1 @unit 1 */
+/** Speed profile of the motion, from 0: minimum jerk, to 1: constant speed. @range 0 to 1 @unit 1 */
 #define HRT_PERSON_EVENNESS 5
-/** Natural logarithm of one over a reach's duration in seconds. @range -3 to 2.4 @unit 1 */
+/** Natural logarithm of the reciprocal of a reach's duration in seconds. @range -3 to 2.4 @unit 1 */
 #define HRT_PERSON_LOG_RATE 6
 /** Fraction of the tactile sensation that fades between two ridges. 0: the user always feels all of the ridges; 1: a
  *  ridge is felt when the finger crosses it, and then fades. @range -0.2 to 1 @unit 1 */
 #define HRT_PERSON_FADING 7
 /** SD of the bias from reach to reach: how steadily the user aims. @range 0 to 10 @unit deg */
 #define HRT_PERSON_SCATTER 8
-/** Natural logarithm of the SD, in degrees, by which the user strays from the line to the target. @range -1.5 to 3
- *  @unit 1 */
+/** Natural logarithm of the SD, in degrees, of the path's random deviation from the line to the target.
+ *  @range -1.5 to 3 @unit 1 */
 #define HRT_PERSON_LOG_WANDER 9
 /** Number of traits. */
 #define HRT_PERSON_TRAITS 10
@@ -116,19 +117,19 @@ typedef uint32_t hrt_session_flags;
 
 /** Part of hrt_session_config: limits of the plate and its servo, and the plate's pose in the world. */
 typedef struct hrt_session_plate {
-  /** Maximum speed of the plate's servo; 0: no limit. The controller plans within it. Set the measured speed: if it is
-   *  too high, the plate lags behind its commands; if it is too low, the controller uses less of the plate than it
-   *  could. @range 0 to 1e6 @default 0 */
+  /** Maximum speed of the plate's servo; 0: no limit. Commands do not exceed it. Set the measured speed: if the value
+   *  is too high, the plate lags behind its commands; if it is too low, the controller turns the plate more slowly than
+   *  necessary. @range 0 to 1e6 @default 0 */
   double max_speed_deg_s;
-  /** Maximum acceleration of the servo; 0: no limit. The controller plans within it; the cost of a wrong value is that
-   *  of max_speed_deg_s. @range 0 to 1e8 @default 0 */
+  /** Maximum acceleration of the servo; 0: no limit. Commands do not exceed it. A wrong value has the same effects as
+   *  one of max_speed_deg_s. @range 0 to 1e8 @default 0 */
   double max_acceleration_deg_s2;
   /** Time from a command to the plate's first motion. The controller plans from the orientation that the plate will
-   *  have by then. Set the measured time: a value that is too small makes every correction late. At most 8 step
-   *  periods. @range 0 to 1 s @default 0 */
+   *  have by then. Set the measured time: a value that is too small makes every correction late. At most 8 times
+   *  paper.step_period_ns. @range 0 to 1 s @default 0 */
   int64_t latency_ns;
-  /** Lower mechanical stop as a plate orientation: no command lies beyond it. Both stops 0: no stops. Set the stops of
-   *  a plate that cannot turn freely; near a stop, commands are SATURATED and less of the gap is sustained.
+  /** Lower mechanical stop as a plate orientation: no command lies beyond it. If both stops are 0, the plate turns
+   *  freely. If a stop limits a command, HRT_COMMAND_SATURATED is set, and the plate may not sustain the gap.
    *  @range -3600 to 3600 @default 0 @ccw */
   double lower_stop_deg;
   /** Upper mechanical stop, at least 180 degrees above the lower one. @range -3600 to 3600 @default 0 @ccw */
@@ -143,8 +144,8 @@ typedef struct hrt_session_plate {
    *  does not turn with the ridges. An error of the rotation about the plate's normal rotates every reach by the same
    *  angle. @norm 0.999 to 1.001 @unit 1 @default (0, 0, 0, 1) @profile registration.contact_covariance */
   double rotation[4];
-  /** Length in the engine's world of 1 m on the plate. Other than 1 if the tracker's unit of length is wrong. Positions
-   *  and targets in the world are divided by it, relative to the plate's centre. @range 0.5 to 2 @unit 1 @default 1
+  /** Length in the engine's world of 1 m on the plate; differs from 1 if the tracker's unit of length is wrong. The
+   *  distances of positions in the world from the plate's centre are divided by it. @range 0.5 to 2 @unit 1 @default 1
    *  @profile registration.contact_covariance */
   double scale;
   /** Covariance of the plate's pose in its plane: rotation about the normal (radians, counter-clockwise) and position
@@ -157,12 +158,13 @@ typedef struct hrt_session_plate {
 /** Part of hrt_session_config: errors of the tracker. */
 typedef struct hrt_session_tracker {
   /** SD of the white noise in each tracked coordinate; under GUIDANCE_ARRIVAL of all noise, unless
-   *  tracker.correlated_noise_m gives the correlated part. Raising it smooths positions more and delays corrections. 0:
-   *  estimated from the samples; other values below 1e-9 count as 1e-9. @range 0 to 0.1 @default 0 @profile */
+   *  tracker.correlated_noise_m gives the correlated part. A larger value smooths positions more and delays
+   *  corrections. 0: estimated from the samples; other values below 1e-9 count as 1e-9. @range 0 to 0.1 @default 0
+   *  @profile */
   double noise_m;
   /** SD of the correlated part of the noise in each coordinate, under GUIDANCE_ARRIVAL; tracker.noise_m is then the
-   *  white part only. A set-up measures it. Without it, slow drifts of the tracker are taken for motions of the finger.
-   *  0: unknown. @range 0 to 0.1 @default 0 @profile tracker.correlated_noise_m */
+   *  white part only. A set-up measures it. If it is 0 (unknown), slow drifts of the tracker are estimated as motions
+   *  of the finger. @range 0 to 0.1 @default 0 @profile tracker.correlated_noise_m */
   double correlated_noise_m;
   /** Time in which the correlated part decays to 1/e. Read if tracker.correlated_noise_m is not 0. @range 0.01 to 2
    *  @default 0.1 @profile tracker.correlated_noise_m */
@@ -170,31 +172,32 @@ typedef struct hrt_session_tracker {
   /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. Set the value of the device (SETUP.md):
    *  latency that is not configured makes fast reaches miss. @range 0 to 0.5 s @default 0 */
   int64_t latency_ns;
-  /** SD of the bearing of a reach as the tracker sees it, relative to the true one, from reach to reach. The samples of
-   *  a reach do not show this error. It contributes to miss_sd_deg, OFF_TARGET and the gap's miss_share, and does not
-   *  change commands. SETUP.md says how to measure it. @range 0 to 45 @default 0 */
+  /** SD of the tracker's error in the bearing of a reach: it is constant within a reach, so the samples do not show it,
+   *  and differs from reach to reach. It contributes to miss_sd_deg, OFF_TARGET and hrt_gap::miss_share, and does not
+   *  change commands. SETUP.md describes how to measure it. @range 0 to 45 @default 0 */
   double bearing_sd_deg;
 } hrt_session_tracker;
 
 /** Part of hrt_session_config: the user. With HRT_ADAPTATION_CARRIED, reaches update the estimates; set-ups and
  *  profiles write them too. */
 typedef struct hrt_session_person {
-  /** Tactile weight w_T: share of touch in the perceived direction. With a higher weight, the same rotation of the
-   *  plate steers the hand further; a value above the user's own steers too little. Under GUIDANCE_ARRIVAL, the slope
-   *  at 60 degrees of an illusion that is taken as linear; person.mean overrides it. @range 0.001 to 0.499 @unit 1
-   *  @default 0.2 @profile @flatten tactile_weight */
+  /** Tactile weight w_T: fraction of touch, rather than of the arm's own sense, in the perceived direction. The higher
+   *  the user's weight, the further a rotation of the plate steers the hand. If this value is above the user's weight,
+   *  the controller steers too little. Under GUIDANCE_ARRIVAL, it is the perceived shift divided by the angle at 60
+   *  degrees, and person.mean overrides it. @range 0.001 to 0.499 @unit 1 @default 0.2 @profile @flatten tactile_weight
+   *  */
   double tactile_weight;
-  /** SD of person.tactile_weight, from which adaptation starts. Raising it makes adaptation faster and less steady;
+  /** SD of person.tactile_weight, from which adaptation starts. A larger value makes adaptation faster and noisier;
    *  under GUIDANCE_ARRIVAL, it also raises the uncertainty of the illusion curve in proportion. @range 0.001 to 0.49
    *  @unit 1 @default 0.05 @profile @flatten tactile_weight_sd */
   double tactile_weight_sd;
   /** Perceptual bias: perceived minus true direction of a virtual target. The user aims at the virtual direction plus
-   *  this bias. A set-up measures it; GUIDANCE_ARRIVAL estimates the rest. @range -45 to 45 @default 0 @profile @ccw
-   *  @flatten bias_deg */
+   *  this bias. A set-up measures it; GUIDANCE_ARRIVAL estimates the remaining bias. @range -45 to 45 @default 0
+   *  @profile @ccw @flatten bias_deg */
   double bias_deg;
-  /** Maximum perceived-direction error that GUIDANCE_ARRIVAL causes: perceived minus intended direction, as predicted.
-   *  Lowering it makes the illusion less noticeable and loses some targets: among simulated users, 3.5 costs about 2
-   *  reaches in 100. The actual error is larger, by noise and by errors of the estimates. @range 0.1 to 45 @default 5
+  /** Maximum predicted perceived-direction error (perceived minus intended direction) under GUIDANCE_ARRIVAL. Lowering
+   *  it makes the illusion less noticeable, but fewer reaches end at the target: with simulated users, 2 in 100 fewer
+   *  at 3.5. The actual error is larger because of noise and of errors of the estimates. @range 0.1 to 45 @default 5
    *  @flatten max_felt_error_deg */
   double max_felt_error_deg;
   /** Maximum angle between the plate orientation and the direction of the finger under GUIDANCE_ARRIVAL. Raising it
@@ -205,43 +208,45 @@ typedef struct hrt_session_person {
    *  person.covariance is not 0. @elements HRT_PERSON @unit mixed @range -100 to 100 @default 0
    *  @profile person.covariance */
   double mean[HRT_PERSON_TRAITS];
-  /** Covariance of person.mean: lower triangle, row by row; positive definite. All 0: an unknown user, of whom only
+  /** Covariance of person.mean: lower triangle, row by row; positive definite. All 0: the user is unknown, and only
    *  person.tactile_weight, person.tactile_weight_sd and person.bias_deg are read. @unit mixed @range -1e4 to 1e4
    *  @default 0 @profile person.covariance */
   double covariance[HRT_PERSON_COVARIANCES];
 } hrt_session_person;
 
-/** Part of hrt_session_config: age and accuracy of the plate's pose, and its correction by contacts. */
+/** Part of hrt_session_config: age and accuracy of the registration, and its correction by contacts with real objects
+ *  (hrt_reach_touched()). */
 typedef struct hrt_session_registration {
   /** Time of the registration, on the clock of the samples. Read if HRT_SESSION_REGISTERED is set. @range any
    *  @default 0 */
   int64_t time_ns;
-  /** Maximum age of the registration at a sample. An older one, and a session without HRT_SESSION_REGISTERED, get
-   *  HRT_COMMAND_REGISTRATION. Lowering it detects a moved plate earlier and takes more set-ups. 0: not checked.
-   *  @range 0 or more @default 0 */
+  /** Maximum age of the registration at a sample. HRT_COMMAND_REGISTRATION is set if the registration is older, or if
+   *  HRT_SESSION_REGISTERED is not set. A lower value detects a moved plate earlier and requires more set-ups. 0: not
+   *  checked. @range 0 or more @default 0 */
   int64_t max_age_ns;
-  /** Maximum SD of the bearing of the real target that follows from plate.covariance or from contacts. A larger one,
-   *  and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. Lowering it takes more touches in a
-   *  set-up. 0: not checked. @range 0 to 180 @default 0 */
+  /** Maximum SD of the bearing of the real target that follows from plate.covariance or from contacts.
+   *  HRT_COMMAND_REGISTRATION is set if the SD is larger, or if HRT_SESSION_REGISTERED is not set. A lower value
+   *  requires more touches in a set-up. 0: not checked. @range 0 to 180 @default 0 */
   double max_sd_deg;
-  /** Correction D of the registration by contacts, row by row: a finger that is tracked at r from the start, to the
-   *  right and away, is at r + D r. Read if registration.contact_covariance is not 0 and HRT_SESSION_REGISTERED is set.
-   *  hrt_reach_touched() writes it. When the plate's pose changes, it is reset to 0 unless it changes too. @unit 1
-   *  @range -0.5 to 0.5 @default 0 @flatten contact_correction @profile registration.contact_covariance */
+  /** Matrix D, row by row, that corrects the registration by contacts: a finger that is tracked at the vector r from
+   *  the start (to the right, away from the user) is at r + D r. Read if registration.contact_covariance is not 0 and
+   *  HRT_SESSION_REGISTERED is set. hrt_reach_touched() writes it. A call that changes the plate's pose, but not this
+   *  field, resets it to 0. @unit 1 @range -0.5 to 0.5 @default 0 @flatten contact_correction
+   *  @profile registration.contact_covariance */
   double contact_correction[4];
   /** Covariance of registration.contact_correction: lower triangle, row by row; positive definite. All 0: no contact
    *  yet. @unit 1 @range -1e4 to 1e4 @default 0 @flatten contact_covariance @profile registration.contact_covariance */
   double contact_covariance[10];
 } hrt_session_registration;
 
-/** Part of hrt_session_config: the controller of the paper and the noise of its user. Read under FIXED_DIRECTION, not
- *  under GUIDANCE_ARRIVAL. */
+/** Part of hrt_session_config: the controller of the paper, and the noise of the user in its model. Read under
+ *  FIXED_DIRECTION only. */
 typedef struct hrt_session_paper {
   /** Steps that the controller plans ahead. With 1, most reaches miss; more than 3 changes little and costs time.
    *  @range 1 to 20 @default 3 */
   uint32_t horizon;
-  /** Duration of one step of the model and of the controller. Shorter steps correct more often. The variances below are
-   *  per step: scale them with it. @range 1 ms to 10 s @default 100 ms */
+  /** Duration of one step of the model and of the controller. Shorter steps correct more often. If you change it, scale
+   *  the variances below, which are per step. @range 1 ms to 10 s @default 100 ms */
   int64_t step_period_ns;
   /** Cost of the perceived-direction error. Raising it keeps the perceived direction closer to the virtual one and
    *  steers more slowly. @range 1e-6 to 1e6 @unit 1 @default 1 */
@@ -278,15 +283,15 @@ typedef struct hrt_session_config {
   hrt_adaptation adaptation;
   /** Options. @default 0 */
   hrt_session_flags flags;
-  /** Plate orientation under HRT_CONTROL_FIXED_PLATE. With stops, the plate turns to the nearest orientation with the
-   *  same ridges that the stops allow. @range -180 to 180 @default 0 @ccw */
+  /** Plate orientation under HRT_CONTROL_FIXED_PLATE. If the stops do not allow it, the plate turns to the nearest
+   *  allowed one that differs by a multiple of 180 degrees. @range -180 to 180 @default 0 @ccw */
   double fixed_plate_orientation_deg;
   /** Start of reaches in plate coordinates. Directions of targets are measured from here: moving it changes the gap of
    *  every pair. The default is on the mid-line, 5 cm towards the user. @range -10 to 10 @default (0, 0, 0.05) */
   double start_position_m[3];
-  /** Height above the plate from which a finger counts as lifted. Raise it for a tracker with a noisy height, which
-   *  otherwise interrupts reaches; a finger that hovers below it then counts as touching. @range 0.0001 to 1
-   *  @default 0.015 */
+  /** Height of the tracked position above the plate from which the finger is assumed to be lifted. If it is too low,
+   *  noise of the tracker interrupts reaches; if it is too high, a finger that hovers over the plate is assumed to
+   *  touch it. @range 0.0001 to 1 @default 0.015 */
   double lift_height_m;
   /** Vector from the tracked joint to the point of contact on the skin, in the axes of the joint. Applied to samples
    *  with HRT_SAMPLE_JOINT_ROTATION. A set-up measures it, once for each hand; with 0, a hand that rotates shifts the
@@ -301,7 +306,7 @@ typedef struct hrt_session_config {
 
 /** Creates a session.
  *
- *  @param version      HRT_VERSION, by which the library refuses a program that was built with incompatible headers.
+ *  @param version      HRT_VERSION, so that the library can reject a program that was built with incompatible headers.
  *  @param config       Configuration, copied. Null: the defaults.
  *  @param out_session  Handle of the session.
  *  @return OUT_OF_RANGE naming the field or `version`; LIMIT_REACHED for more than HRT_SESSIONS_MAX sessions;
@@ -320,7 +325,7 @@ typedef uint32_t hrt_session_state;
 
 /** Returns the configuration and the state of a session.
  *
- *  @param session     Session to query. INVALID_HANDLE shows that it does not exist, BUSY that it exists.
+ *  @param session     Session to query. The call returns INVALID_HANDLE if it does not exist.
  *  @param out_config  Receives the configuration. May be null.
  *  @param out_state   Receives the state. May be null. Later versions may set further bits.
  *  @threadsafety [real-time] */

@@ -1,10 +1,10 @@
 /*
- * Set-ups: they determine the pose of the plate, the offset of the fingertip and the parameters of the user, before the
- * first reach.
+ * Set-ups determine the pose of the plate, the offset of the fingertip and the parameters of the user, before the first
+ * reach.
  *
- * A set-up is a frame loop with another call. It instructs the user, detects when each instruction is completed, and
- * repeats failed attempts. Each frame displays step.text and step.place_m, and turns the plate to
- * step.plate_orientation_deg. No call of the loop takes more than 1 ms. Tested with simulated people only.
+ * A set-up is a second frame loop: hrt_setup_update() replaces hrt_reach_update(). It instructs the user, detects when
+ * each instruction is completed, and repeats failed attempts. In each frame, display step.text and step.place_m, and
+ * turn the plate to step.plate_orientation_deg. Tested with simulated people only.
  *
  * Example: a simulated person follows the set-up. With a tracked finger, fill `sample` instead of hrt_person_move().
  *
@@ -45,30 +45,30 @@ extern "C" {
 
 /** @flags HRT_SETUP Parts of a set-up, in the order of execution: each uses the results of the parts before it. */
 typedef uint32_t hrt_setup_parts;
-/** Offset of the point of contact on the skin from the tracked joint, from six touches of one mark with the finger held
- *  in different ways: hrt_session_config::fingertip_offset_m. Requires HRT_SAMPLE_JOINT_ROTATION. */
+/** Measures hrt_session_config::fingertip_offset_m, the offset of the point of contact on the skin from the tracked
+ *  joint, from six touches of one mark with different poses of the finger. Requires HRT_SAMPLE_JOINT_ROTATION. */
 #define HRT_SETUP_FINGERTIP UINT32_C(1)
-/** The plate's pose in the world, from touches of marks. Requires HRT_SAMPLE_WORLD_POSITION. A frame that is rotated by
- *  1 degree about the start rotates every reach by 1 degree, and nothing within a reach reveals it. */
+/** Measures the plate's pose in the world from touches of marks. Requires HRT_SAMPLE_WORLD_POSITION. An error of the
+ *  rotation rotates every reach by the same angle, and the samples of a reach do not reveal it. */
 #define HRT_SETUP_REGISTRATION UINT32_C(2)
-/** Check of the registration by one touch, for example before each reach; by a second touch if the first disagrees.
- *  Sets registration.time_ns, or clears HRT_SESSION_REGISTERED. Not together with REGISTRATION. */
+/** Checks the registration by one touch, for example before each reach; by a second touch if the first disagrees. Sets
+ *  registration.time_ns, or clears HRT_SESSION_REGISTERED. Cannot be combined with REGISTRATION. */
 #define HRT_SETUP_CHECK UINT32_C(4)
-/** Remaining error of the registration at the real targets, from slides back and forth along a guide from the start to
- *  each of the first 8 targets in the order of their addition. A guide is a strip that ends at the object, with a
- *  dimple at the start. It halves the error of six marks, more if the tracker's frame is distorted, and takes six
- *  slides for each target without lifting, with a rest of 1.4 s at each end. Sets registration.contact_correction and
- *  HRT_SESSION_START_FELT. Requires HRT_SESSION_REGISTERED and real targets whose near sides are at least 40 mm from
- *  the start. Not together with REGISTRATION. */
+/** Corrects the error that remains after registration. A guide is a strip on the plate from a dimple at the start to a
+ *  real object. For each of the first 8 real targets, in the order of their addition, the user slides six times back
+ *  and forth along its guide without lifting, with a rest of 1.4 s at each end. Compared with a registration by six
+ *  marks, this halves the error, or reduces it further if the tracker's frame is distorted. Sets
+ *  registration.contact_correction and HRT_SESSION_START_FELT. Requires HRT_SESSION_REGISTERED and real targets whose
+ *  near sides are at least 40 mm from the start. Cannot be combined with REGISTRATION. */
 #define HRT_SETUP_GUIDES UINT32_C(8)
-/** The user's illusion curve, bias and habit, and the tracker's noise, from slides straight ahead over a plate at
- *  rest. */
+/** Measures the user's illusion curve, bias and habit, and the tracker's noise, from slides straight ahead while the
+ *  plate does not turn. */
 #define HRT_SETUP_CALIBRATION UINT32_C(16)
-/** As CALIBRATION; in addition, hrt_setup_result::differing compares the result with the values before it. Not together
- *  with CALIBRATION. */
+/** As CALIBRATION; in addition, hrt_setup_result::differing compares the result with the values before it. Cannot be
+ *  combined with CALIBRATION. */
 #define HRT_SETUP_RETEST UINT32_C(32)
-/** All of FINGERTIP, REGISTRATION and CALIBRATION for which the session has no result and the samples have the data.
- *  Not together with other parts. */
+/** Those of FINGERTIP, REGISTRATION and CALIBRATION for which the session has no result yet and the samples have the
+ *  required fields. Cannot be combined with other parts. */
 #define HRT_SETUP_ALL_MISSING UINT32_C(64)
 
 /** Maximum number of marks. */
@@ -84,47 +84,48 @@ typedef struct hrt_setup_config {
   /** Number of marks; 0: the start and five points on the rim. More marks give a better pose and take more touches.
    *  @range 0 or 3 to 8 @default 0 */
   uint32_t mark_count;
-  /** Touches of each mark. Four halve the error of the pose and take four times as long. @range 1 to 5 @default 1 */
+  /** Touches of each mark. Four touches halve the error of the pose, and take four times as long. @range 1 to 5
+   *  @default 1 */
   uint32_t touches_per_mark;
-  /** Index of the mark that CHECK asks for. A mark far from the start shows a rotation of the plate best. @range 0 to 7
+  /** Index of the mark that CHECK uses. A mark far from the start reveals a rotation of the plate best. @range 0 to 7
    *  @default 1 */
   uint32_t check_mark;
-  /** 1: also fit the tracker's unit of length. Set it if the unit may be wrong by more than 1 %; otherwise, the fit
-   *  adds noise. @bool @default 0 */
+  /** 1: the registration also estimates plate.scale. Set it if the tracker's unit of length may be wrong by more than 1
+   *  %; otherwise, the additional parameter makes the pose less accurate. @bool @default 0 */
   uint32_t fit_scale;
-  /** Maximum number of slides. The first 16 are followed by groups of 8 until the weight is accurate enough. Lowering
-   *  it limits the time of an unsteady user, whose weight then remains less certain. @range 16 to 200 @default 40 */
+  /** Maximum number of slides of a calibration. The first 16 are followed by groups of 8 until the tactile weight is
+   *  accurate enough (enough_weight_width). A lower maximum limits the duration, but the weight of a user with much
+   *  variation remains less certain. @range 16 to 200 @default 40 */
   uint32_t max_slides;
   /** Marks in plate coordinates: x, y and z of each. Set them to points that the user can find on the plate by touch or
    *  sight. @range -10 to 10 @default 0 */
   double marks_m[HRT_MARK_NUMBERS];
-  /** Expected SD of each coordinate of a touch. Raising it accepts less accurate touches, and wrong ones too.
+  /** Expected SD of each coordinate of a touch. A larger value accepts less accurate touches, but wrong ones too.
    *  @range 1e-5 to 0.1 @default 0.003 */
   double touch_sd_m;
   /** Upward direction in the engine's world, of any length: the plate's face must point within 60 degrees of it. All 0:
-   *  not checked; touches with left and right confused are then accepted as those of a plate that is upside down.
+   *  not checked; if left and right marks are confused, the fit then accepts the pose of a plate that is upside down.
    *  @range -1000 to 1000 @unit 1 @default (0, 1, 0) */
   double up[3];
-  /** Lower end of the plate orientations in slides. A narrower range leaves the curve of the illusion less certain.
+  /** Lower end of the plate orientations in slides. With a narrower range, the illusion curve is less certain.
    *  @range -89 to 89 @default -75 @ccw */
   double lower_plate_deg;
   /** Upper end of the plate orientations in slides, at least 40 above the lower end. @range -89 to 89 @default 75
    *  @ccw */
   double upper_plate_deg;
-  /** Width of the 95 % interval of the tactile weight at which no more slides are needed. Lowering it takes more
-   *  slides: only studies of people need a narrower interval than the default. @range 0.001 to 0.5 @unit 1
-   *  @default 0.04 */
+  /** Width of the 95 % interval of the tactile weight at which a calibration ends. A smaller value takes more slides;
+   *  only studies of people need one below the default. @range 0.001 to 0.5 @unit 1 @default 0.04 */
   double enough_weight_width;
 } hrt_setup_config;
 
-/** @enumeration HRT_STEP Instruction to the user or to the host, in hrt_setup_step::instruction. */
+/** @enumeration HRT_STEP Instruction to the user or to the application, in hrt_setup_step::instruction. */
 typedef uint32_t hrt_setup_instruction;
 #define HRT_STEP_WAIT UINT32_C(0)          /**< lift the finger: the plate turns */
 #define HRT_STEP_TOUCH_MARK UINT32_C(1)    /**< lift the finger, and touch the mark at place_m */
 #define HRT_STEP_HOLD_STILL UINT32_C(2)    /**< hold the finger still on the mark */
 #define HRT_STEP_REST_AT_START UINT32_C(3) /**< put the finger on the start, and let it rest */
 #define HRT_STEP_SLIDE UINT32_C(4)         /**< slide towards place_m, and rest there */
-#define HRT_STEP_FINISH UINT32_C(5)        /**< nothing for the user: call hrt_setup_finish() */
+#define HRT_STEP_FINISH UINT32_C(5)        /**< the user waits while the application calls hrt_setup_finish() */
 
 /** @enumeration HRT_PROBLEM Problem of the last attempt, which is repeated. hrt_setup_step::text has the reason of
  *  DISAGREES, UPSIDE_DOWN and UNDETERMINED. */
@@ -138,17 +139,17 @@ typedef uint32_t hrt_setup_problem;
 #define HRT_PROBLEM_MOVED UINT32_C(6)         /**< the plate turned during the slide */
 #define HRT_PROBLEM_PLATE UINT32_C(7)         /**< the plate has not followed its command for 5 s */
 #define HRT_PROBLEM_DISAGREES UINT32_C(8)     /**< touches or guided slides do not fit the marks or each other */
-#define HRT_PROBLEM_UPSIDE_DOWN UINT32_C(9)   /**< the touches fit a plate upside down or mirrored: marks or axes */
+#define HRT_PROBLEM_UPSIDE_DOWN UINT32_C(9)   /**< touches fit an upside-down or mirrored plate: check marks and axes */
 #define HRT_PROBLEM_UNDETERMINED UINT32_C(10) /**< the data do not determine the result: more are needed */
 
-/** @enumeration HRT_OBSERVED Likely mistake of the application if no instruction is completed for 20 s; TIME and
- *  WRONG_WAY earlier. hrt_setup_step::text has the numbers. */
+/** @enumeration HRT_OBSERVED Likely mistake of the application. It is reported if no instruction is completed for 20 s;
+ *  TIME and WRONG_WAY are reported earlier. hrt_setup_step::text has the numbers. */
 typedef uint32_t hrt_setup_observed;
-#define HRT_OBSERVED_NONE UINT32_C(0)      /**< progress, or too little time */
+#define HRT_OBSERVED_NONE UINT32_C(0)      /**< an instruction was completed in the last 20 s */
 #define HRT_OBSERVED_NO_FINGER UINT32_C(1) /**< no sample has the finger */
 #define HRT_OBSERVED_LIFTED UINT32_C(2)    /**< the finger is above the plate in every sample */
 #define HRT_OBSERVED_TIME UINT32_C(3)      /**< time_ns advances too slowly to be in nanoseconds */
-#define HRT_OBSERVED_FAR UINT32_C(4)       /**< the finger is more than 1 m from place_m: unit of length, or pose */
+#define HRT_OBSERVED_FAR UINT32_C(4)       /**< the finger is over 1 m from place_m: check unit of length and pose */
 #define HRT_OBSERVED_PLATE UINT32_C(5)     /**< the plate reports another orientation than the commanded one */
 #define HRT_OBSERVED_ELSEWHERE UINT32_C(6) /**< the finger is not at place_m */
 #define HRT_OBSERVED_WRONG_WAY UINT32_C(7) /**< the last slide went backwards: axes are swapped or mirrored */
@@ -167,7 +168,7 @@ typedef struct hrt_setup_step {
   uint32_t done;
   /** Number of touches or slides that this part needs. */
   uint32_t of;
-  /** Index of the mark, of the way to hold the finger, or of the guide. */
+  /** Index of the mark; of the pose of the finger (FINGERTIP); or of the guide (GUIDES). */
   uint32_t number;
   /** Likely mistake of the application. */
   hrt_setup_observed observed;
@@ -192,12 +193,14 @@ typedef struct hrt_interval {
 
 /** @flags HRT_LACK_OF_FIT hrt_setup_result::lack_of_fit: patterns in the residuals of the fit. */
 typedef uint32_t hrt_setup_lack_of_fit;
-/** Pattern over the plate orientation: no curve fits. Check the plate orientations and the direction of the slides. */
+/** The residuals depend on the plate orientation: no illusion curve of the model fits the slides. Check the plate
+ *  orientations and the direction of the slides. */
 #define HRT_LACK_OF_FIT_ANGLE UINT32_C(1)
-/** Pattern over the order of the slides: the user learns or gets tired. Allow practice or rest, and repeat. */
+/** The residuals depend on the order of the slides: the user learns or gets tired. Allow practice or rest, and repeat.
+ *  */
 #define HRT_LACK_OF_FIT_ORDER UINT32_C(2)
-/** Pattern along the paths: their curvature exceeds that of a habit and of the model's steering. Ask for slower, longer
- *  and more even slides, and repeat. */
+/** The residuals depend on the position along the path: the paths are curved more than habit and steering explain. Ask
+ *  for slower, longer and more even slides, and repeat. */
 #define HRT_LACK_OF_FIT_PATH UINT32_C(4)
 
 /** @flags HRT_RETEST hrt_setup_result::differing: differences of a retest. */
@@ -206,31 +209,32 @@ typedef uint32_t hrt_setup_difference;
 #define HRT_RETEST_BIAS UINT32_C(2)           /**< the bias has changed */
 #define HRT_RETEST_HABIT UINT32_C(4)          /**< the habit has changed */
 
-/** Result of a set-up. The values themselves are in the session's configuration. Values of parts that are not `done`
- *  are 0. */
+/** Result of a set-up. The measured values are in the session's configuration. Fields of parts that are not `done` are
+ *  0. */
 typedef struct hrt_setup_result {
   uint32_t struct_size;
   /** Parts that were determined and applied since the set-up began. */
   hrt_setup_parts done;
-  /** Parts that remain: continue to update. 0: the set-up is over. */
+  /** Parts that are pending: continue to call hrt_setup_update(). 0: the set-up is over. */
   hrt_setup_parts left;
-  /** Differences of a RETEST, by Holm's procedure: if nothing has changed, 5 % of retests have any. */
+  /** Values that a RETEST found to be different, by Holm's procedure. If nothing has changed, 5 % of retests report a
+   *  difference. */
   hrt_setup_difference differing;
-  /** Patterns that the model does not explain; the user's traits then remain unknown. 0: no pattern. If the model fits,
-   *  each pattern is reported for 1 % of users. */
+  /** Patterns that the model does not explain; the estimates of the user are then not applied. 0: no pattern. If the
+   *  model fits, each pattern is reported for 1 % of users. */
   hrt_setup_lack_of_fit lack_of_fit;
   /** Number of slides that were made. */
   uint32_t slides;
   /** Number of slides that the fit uses. */
   uint32_t slides_used;
-  /** Parts that ended without a result: after three rejected fits, six unusable slides in succession, a plate that does
-   *  not turn for a minute, or max_slides. The parts that depend on a dropped part are dropped too. */
+  /** Parts that ended without a result: after three rejected fits, after six unusable slides in succession, because the
+   *  plate did not turn for a minute, or because of max_slides. Parts that depend on a dropped part are dropped too. */
   hrt_setup_parts dropped;
   /** Root mean square distance of the touches from their marks. */
   double registration_residual_m;
-  /** SD of the plate's rotation about its normal. An error of this rotation rotates every reach. */
+  /** SD of the estimated rotation of the plate about its normal. An error of this rotation rotates every reach. */
   double registration_turn_sd_deg;
-  /** Distance of the touch of a CHECK from the expected position of its mark. */
+  /** Distance between the touch of a CHECK and the expected position of its mark. */
   double check_distance_m;
   /** Largest SD of a coordinate of the fingertip's offset. */
   double fingertip_sd_m;
@@ -239,14 +243,14 @@ typedef struct hrt_setup_result {
   hrt_interval tactile_weight;
   /** Bias: aimed minus target direction. @ccw */
   hrt_interval bias_deg;
-  /** Largest gap between real and virtual direction that the plate can sustain, on the weaker side. */
+  /** Largest feasible gap (hrt_gap::max_gap_deg), on the side on which it is smaller. */
   hrt_interval max_gap_deg;
   /** Why the last dropped part was dropped, in one line of UTF-8; empty if none was. */
   char reason[HRT_TEXT_SIZE];
 } hrt_setup_result;
 
-/** Begins a set-up. Until it is over, no reach can begin, and only the set-up changes the configuration. Slides take
- *  1.4 MB of memory. After hrt_setup_cancel(), ALL_MISSING repeats only the parts that were not completed.
+/** Begins a set-up. Until it is over, no reach can begin, and only the set-up can change the configuration. A part with
+ *  slides takes 1.4 MB of memory. After hrt_setup_cancel(), ALL_MISSING repeats only the parts that were not completed.
  *
  *  @param what    Parts, HRT_SETUP_*.
  *  @param config  Configuration, copied. Null: the defaults.
@@ -257,21 +261,22 @@ typedef struct hrt_setup_result {
 HRT_NODISCARD HRT_API hrt_result hrt_setup_begin(hrt_session session, hrt_setup_parts what,
                                                  const hrt_setup_config* config) HRT_NOEXCEPT;
 
-/** Processes one sample and returns the next action. Call it every frame, also while the finger is lifted or lost.
+/** Processes one sample and returns the next action. Call it every frame, also while the finger is lifted or not
+ *  tracked.
  *
  *  @param sample    Finger, and plate if its orientation is measured.
  *  @param out_step  Next action.
- *  @return WRONG_STATE without a set-up; OUT_OF_RANGE naming the field, or naming flags: with HRT_SAMPLE_DIRECTION,
- *          which set-ups do not use, or if a part that was requested by name needs a field that the sample does not
- *          have; TIME_REVERSED.
+ *  @return WRONG_STATE without a set-up; OUT_OF_RANGE naming the field, or naming `flags` if HRT_SAMPLE_DIRECTION is
+ *          set, which set-ups do not support, or if a part that was requested by name needs a field that is not set;
+ *          TIME_REVERSED.
  *  @threadsafety [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_setup_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_setup_step* out_step) HRT_NOEXCEPT;
 
-/** Continues the fit of a part for less than 1 ms. Call it in each frame whose step has HRT_STEP_FINISH: touches take
- *  one call, 16 slides about 300. More than 40 slides take up to 3 ms in a call. When the fit is complete, the call
- *  applies its result to the configuration, and the set-up continues with the remaining parts. A part whose fit is
- *  rejected is repeated at most twice; see hrt_setup_result::dropped.
+/** Continues the fit of a part for less than 1 ms, or for up to 3 ms with more than 40 slides. Call it in each frame
+ *  whose step has HRT_STEP_FINISH: a fit of touches takes one call, one of 16 slides about 300. When the fit is
+ *  complete, the call applies its result to the configuration, and the set-up continues with the remaining parts. A
+ *  part whose fit is rejected is repeated at most twice; see hrt_setup_result::dropped.
  *
  *  @param out_result  Result so far.  @return WRONG_STATE without a set-up, or before HRT_STEP_FINISH; OUT_OF_MEMORY.
  *  @threadsafety [one-thread] */
@@ -287,9 +292,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_setup_cancel(hrt_session session) HRT_NOEXC
 typedef uint32_t hrt_slide_verdict;
 #define HRT_SLIDE_USED UINT32_C(0)         /**< part of the fit */
 #define HRT_SLIDE_OUTLYING UINT32_C(1)     /**< rejected as an outlier */
-#define HRT_SLIDE_ALONG_RIDGES UINT32_C(2) /**< rejected: the illusion changes sign along the ridges */
+#define HRT_SLIDE_ALONG_RIDGES UINT32_C(2) /**< rejected: nearly along the ridges, where the illusion changes sign */
 
-/** One slide of a calibration, straight ahead. */
+/** One slide of a calibration. */
 typedef struct hrt_setup_residual {
   uint32_t struct_size;
   /** Use of the slide. */

@@ -1,7 +1,7 @@
 /*
  * Targets: virtual targets, which the user sees, and real targets, to which the hand is steered.
  *
- * Example: a real object 100 mm away, and a virtual one that moves.
+ * Example: a real object 100 mm from the start, and a virtual one that moves.
  *
  *   #include <haptic_retargeting/haptic_retargeting.h>
  *   #include <stdio.h>
@@ -45,7 +45,7 @@ typedef uint32_t hrt_target_role;
 #define HRT_TARGET_REAL 1    /**< the hand is steered to it */
 #define HRT_TARGET_VIRTUAL 2 /**< the user sees it and reaches for it */
 
-/** @enumeration HRT_PLACE Fields that give the position of a target. */
+/** @enumeration HRT_PLACE Fields of hrt_target_config that give the position of a target. */
 typedef uint32_t hrt_target_place;
 #define HRT_PLACE_DIRECTION 1      /**< `direction_deg` and `distance_m` */
 #define HRT_PLACE_PLATE_POSITION 2 /**< `position_m` in plate coordinates */
@@ -59,22 +59,22 @@ typedef struct hrt_target_config {
   /** Fields that give the position. @default HRT_PLACE_DIRECTION */
   hrt_target_place place;
   uint32_t reserved;
-  /** Direction from the start. If the directions of all targets are below 1.6 degrees, they may be in radians, and
-   *  reaches are IMPLAUSIBLE. @range -180 to 180 @default 0 @ccw */
+  /** Direction from the start. If the directions of all targets are below 1.6 degrees, they are probably in radians:
+   *  reaches are flagged HRT_COMMAND_IMPLAUSIBLE. @range -180 to 180 @default 0 @ccw */
   double direction_deg;
   /** Distance from the start along the plate. @range 0.001 to 10 @default 0.1 */
   double distance_m;
-  /** Position in plate coordinates, within 10 m, or in the world; at least 1 mm from the start in the plane of the
-   *  plate. The height y has no effect. @range -1000 to 1000 @default (0, 0, 0) */
+  /** Position in the world or, within 10 m, in plate coordinates. Its distance from the start in the plane of the plate
+   *  is at least 1 mm; its height has no effect. @range -1000 to 1000 @default (0, 0, 0) */
   double position_m[3];
   /** Name, unique within the session or empty; error texts and recordings show it. UTF-8, terminated by a zero. */
   char name[HRT_NAME_SIZE];
-  /** Radius of the real object that the finger meets. hrt_reach_touched() derives the position of contact from it; 0:
-   *  unknown, and the contact is less accurate. @range 0 to 1 @default 0 */
+  /** Radius of the real object. hrt_reach_touched() computes the position of contact from it. 0: unknown; contacts are
+   *  then less accurate. @range 0 to 1 @default 0 */
   double radius_m;
-  /** Real target that stands in for this virtual one; null, the default: not chosen. hrt_scene_register() sets it for
-   *  the host; the library does not use it, since each reach and hrt_gap_query() name both targets. It may have been
-   *  removed since. Must be null for a real target. */
+  /** Real target that is assigned to this virtual one; null, the default: none. hrt_scene_register() sets it, for use
+   *  by the host; the library does not read it, because hrt_reach_begin() and hrt_gap_query() take both targets. The
+   *  real target may have been removed since. Must be null for a real target. */
   hrt_target served_by;
 } hrt_target_config;
 

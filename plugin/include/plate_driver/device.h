@@ -27,7 +27,8 @@ struct DeviceLimits {
 /// Behaviour of a device after opening: hold its position, or exert no force and answer queries only.
 enum class Start { hold, quiet };
 
-/// Settings that a board with the line protocol keeps (samples/plate/firmware/README.md). All calls throw PlateFailure.
+/// Settings that a board with the line protocol stores (samples/plate/firmware/README.md). All calls may throw
+/// PlateFailure.
 class BoardSettings {
  public:
   virtual double setting(const std::string& name) = 0;
@@ -42,9 +43,9 @@ class BoardSettings {
   ~BoardSettings() = default;
 };
 
-/// Device that turns a plate. To add one, write a derived class in a file of its own, and one line in devices.cpp. All
-/// calls throw PlateFailure when the device has failed, after they stopped it if it is still connected. The destructor
-/// stops it. One thread.
+/// Device that turns a plate. To add one, write a derived class in a file of its own, and one line in devices.cpp. If
+/// the device has failed, each call stops it, if it is still connected, and throws PlateFailure. The destructor stops
+/// it. All calls are made on one thread.
 class Device {
  public:
   Device() = default;
@@ -76,16 +77,16 @@ class Device {
 
   // ---- For measuring and commissioning.
 
-  /// From now until closing, the device reports as often as the line allows and turns as fast as its servo can.
+  /// Until it is closed, the device reports as often as the line allows and turns as fast as its servo can.
   virtual void hurry() = 0;
-  /// Smallest difference of two reported orientations.
+  /// Resolution of the reported orientation.
   virtual double report_step_deg() const = 0;
   /// Time constant of the first-order filter of the sensor.
   virtual std::chrono::nanoseconds sensor_filter() const = 0;
 
   /// Settings of a board with the line protocol; null for any other device.
   virtual BoardSettings* board_settings() { return nullptr; }
-  /// Lines with settings, which begin with "setting ", and with the result of a self-test. Moves nothing.
+  /// Returns the settings, as lines that begin with "setting ", and the result of a self-test. The plate does not move.
   virtual std::vector<std::string> details() = 0;
   /// Position of orientation 0 in the device's own scale, counter-clockwise positive.
   virtual double zero_deg() = 0;
@@ -112,11 +113,11 @@ using LineOpener = std::function<std::unique_ptr<Line>(const std::string& path, 
 /// Opens the device, which takes seconds. Throws PlateFailure.
 using DeviceMaker = std::function<std::unique_ptr<Device>(const LineOpener& open, Start start)>;
 
-/// Checks the name of a device, and opens nothing. Throws std::invalid_argument with one line that names the mistake
-/// and what is allowed.
+/// Checks the name of a device, and returns a function that opens it. Throws std::invalid_argument with one line that
+/// names the mistake and what is allowed.
 DeviceMaker device_named(std::string_view name);
 
-/// Kinds of devices, with which names begin.
+/// Returns the supported values of DeviceName::kind, such as "serial" and "dynamixel".
 std::vector<std::string> device_kinds();
 
 }  // namespace hrt::plate

@@ -11,7 +11,7 @@ namespace hrt::plate::dynamixel {
 
 enum Instruction : std::uint8_t { ping = 0x01, read = 0x02, write = 0x03, status = 0x55 };
 
-/// Number of the error in a status, without its alert bit.
+/// Error number of a status packet, without its alert bit.
 enum class StatusError : std::uint8_t {
   none,
   result_fail,
@@ -43,8 +43,8 @@ std::string encode(const Packet& packet);
 std::string little_endian(std::int64_t value, int count);
 std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
 
-/// Separates a stream of bytes into packets, in bounded memory. Bytes between packets are skipped; after a damaged
-/// packet the search continues behind its header.
+/// Splits a stream of bytes into packets, in bounded memory. Bytes between packets are skipped; after a damaged packet
+/// the search continues after its header.
 class PacketReader {
  public:
   static constexpr std::size_t max_length = 250;  ///< limit of the length field

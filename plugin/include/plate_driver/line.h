@@ -1,4 +1,4 @@
-// Line that carries bytes to and from a device, with its clock.
+// A connection that carries bytes to and from a device, for example a serial port.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,8 @@
 
 namespace hrt::plate {
 
-/// Line to a device. Only wait() blocks. All calls throw PlateFailure when the line has failed. One thread.
+/// Line to a device. Only wait() blocks. All calls throw PlateFailure if the line has failed, and are made on one
+/// thread.
 class Line {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -35,7 +36,7 @@ class Line {
 /// Baud rates that open_serial_line() supports.
 inline constexpr int baud_rates[] = {57600, 115200, 1000000};
 
-/// Opens a serial line with `baud`, one of baud_rates, 8 data bits, no parity, 1 stop bit, no flow control, in raw
+/// Opens a serial port with `baud`, one of baud_rates, 8 data bits, no parity, 1 stop bit, no flow control, in raw
 /// mode. The destructor restores its settings. Throws PlateFailure.
 std::unique_ptr<Line> open_serial_line(const std::string& device, int baud);
 

@@ -1,4 +1,4 @@
-// Failures of a plate, and the sentences that several devices share.
+// Failures of a plate, and error texts that several devices share.
 #pragma once
 
 #include <cstdint>

@@ -13,8 +13,8 @@ struct PlateFile {
   std::vector<std::string> settings;  ///< settings of Device::details() that the device stores
   double speed_deg_s = 0.0;
   double acceleration_deg_s2 = 0.0;
-  double latency_ms = 0.0;  ///< latency of the plate, without the line
-  double error_deg = 0.0;   ///< error beyond which a plate at rest does not behave as measured
+  double latency_ms = 0.0;  ///< latency of the plate, without that of the line
+  double error_deg = 0.0;   ///< largest error of a plate at rest that is consistent with the measurements
 };
 
 /// Returns the lines of Device::details() that are settings, which a device stores.
