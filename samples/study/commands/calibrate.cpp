@@ -12,7 +12,6 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/calibration.h"
-#include "samples/study/figures/workshop.h"
 #include "samples/study/people/participants.h"
 
 namespace hrt::study {
@@ -178,7 +177,7 @@ Examples:
            "of FILE.");
   add_number(command, "--goal", options->goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
   add_choice(command, "--format", options->format, {"text", "json"}, "What to write.");
-  add_plot(command, options->plot, "Draw curve, directions and residuals there. Needs gnuplot.");
+  add_plot(command, options->plot, "Draw curve, directions and residuals there. Needs python3-matplotlib.");
   add_path(command, "--profile", options->profile, "File of a profile that the plugin loads (hrt_profile_load).");
   add_out(command, options->out);
 }

@@ -6,7 +6,6 @@
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
 #include "samples/study/figures/ridges.h"
-#include "samples/study/figures/workshop.h"
 #include "samples/study/paper/table1.h"
 
 namespace hrt::study {
@@ -24,8 +23,17 @@ void run(const ReportOptions& options) {
   const Table1 table = simulate_table1(options.table);
   std::vector<Figure> figures = path_figures(options.table.seed);
   figures.insert(figures.begin(), ridges_figure(simulate_ridges({.seed = options.table.seed})));
-  figures.push_back(table1_figure(table));
-  for (const Figure& figure : figures) workshop.draw(figure);
+  figures.push_back(
+      {.name = "table1",
+       .title = "Table I: paper and model",
+       .caption =
+           "Share of trials that end within 1.5° of the real direction, for the six pairs of each condition. Bars: "
+           "95 % intervals (Wilson) of the paper's 50 trials and of the model's " +
+           std::to_string(table.options.trials) +
+           " a cell. Dashed: limit of any controller, since the noise of the last step comes after the plate has "
+           "acted.",
+       .data = Row::parse(json_of(table1_results(table)))});
+  workshop.draw(figures);
   const std::string page = "report.html";
   workshop.write(page, html_page(table1_text(table), figures));
   workshop.publish();
@@ -38,15 +46,15 @@ void run(const ReportOptions& options) {
 
 void add_report(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
-  CLI::App& command =
-      add_command(app, "report", "Figs. 1c and 4 to 8 and Table I as SVG, and a page of them.",
-                  R"(Makes fig1c, fig4 to fig8 and table1 (.svg) and report.html, which shows them. Needs gnuplot. Files
+  CLI::App& command = add_command(
+      app, "report", "Figs. 1c and 4 to 8 and Table I as SVG, and a page of them.",
+      R"(Makes fig1c, fig4 to fig8 and table1 (.svg) and report.html, which shows them. Needs python3-matplotlib. Files
 of these names are replaced.
 
 Examples:
   hrt-study report --out report
   hrt-study report --out quick --trials 1000)",
-                  [options] { run(*options); });
+      [options] { run(*options); });
   add_path(command, "--out", options->out, "Folder for the files; made if missing.")->required();
   add_trials(command, options->table.trials, "Trials of each cell of Table I.");
   add_seed(command, options->table.seed);

@@ -5,7 +5,6 @@
 
 #include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/figures/workshop.h"
 
 namespace hrt::study {
 namespace {
@@ -44,7 +43,7 @@ Examples:
              "Variance of the motor command (sigma_u^2), deg^2.");
   add_integer(command, "--trials", ridges.trials, 1, 10'000, "Slides at each angle.");
   add_seed(command, ridges.seed);
-  add_plot(command, options->plot, "Draw the paths there. Needs gnuplot.");
+  add_plot(command, options->plot, "Draw the paths there. Needs python3-matplotlib.");
   options->writing.add_options(command);
 }
 

@@ -9,7 +9,6 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
-#include "samples/study/figures/workshop.h"
 
 namespace hrt::study {
 namespace {
@@ -57,7 +56,7 @@ void run_trace(const TrialOptions& options) {
   const Trace trace = trace_reach(condition, options.reach, options.seed, options.trial);
   workshop.write("trace.csv", trace_csv(trace));
   workshop.write("reach.svg", moving_picture(trace));
-  workshop.draw(trace_figure(trace));
+  workshop.draw({trace_figure(trace)});
   workshop.publish();
 }
 

@@ -1,19 +1,75 @@
 #include "samples/study/figures/figures.h"
 
+#include <unistd.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
 #include "samples/app/text/text.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/figures_script.h"
 
 namespace hrt::study {
+namespace {
 
-std::string with_minus_signs(std::string text) {
-  for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos; ++at)
-    if (at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9') text.replace(at, 1, "−");
-  return text;
+namespace fs = std::filesystem;
+
+std::string quoted(std::string path) {
+  for (std::size_t at = 0; (at = path.find('\'', at)) != std::string::npos; at += 4) path.replace(at, 1, "'\\''");
+  return "'" + path + "'";
 }
 
-std::string drawing(const Figure& figure) {
-  return "reset\nset encoding utf8\nset minussign\nset terminal svg size " + std::to_string(figure.width_px) + ',' +
-         std::to_string(figure.height_px) + " enhanced font 'DejaVu Sans,13' background rgb 'white'\nset output '" +
-         figure.name + ".svg'\n" + figure.script + "unset output\n";
+}  // namespace
+
+Workshop::Workshop(const std::string& argument, const std::string& out) : out_(out), was_made_(!fs::exists(out)) {
+  if (std::system("/usr/bin/python3 -c 'import matplotlib' >/dev/null 2>&1") != 0)
+    throw std::runtime_error(
+        "matplotlib draws the figures, and /usr/bin/python3 does not have it; on Debian: apt-get install "
+        "python3-matplotlib");
+  std::error_code error;
+  fs::create_directories(out_, error);
+  folder_ = out_ / (".hrt-study." + std::to_string(getpid()) + ".tmp");
+  if (!error) fs::create_directory(folder_, error);
+  if (error) throw UsageError(not_allowed(argument, out, "a folder that can be written (" + error.message() + ")"));
+}
+
+Workshop::~Workshop() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+  if (was_made_) fs::remove(out_, ignored);  // only if it is empty
+}
+
+void Workshop::draw(const std::vector<Figure>& figures) {
+  Row list = Row::array();
+  for (const Figure& figure : figures)
+    list.push_back({{"name", figure.name}, {"title", figure.title}, {"data", figure.data}});
+  replace_file(folder_ / "figures.json", list.dump());
+  replace_file(folder_ / "figures.py", figures_script);
+  if (std::system(("cd " + quoted(folder_) + " && /usr/bin/python3 figures.py >errors 2>&1").c_str()) != 0) {
+    std::string line = "figures.py failed:";
+    std::istringstream words(read("errors"));
+    for (std::string word; words >> word;) line += " " + word;
+    throw std::runtime_error(line);
+  }
+  for (const Figure& figure : figures) files_.push_back(figure.name + ".svg");
+}
+
+void Workshop::write(const std::string& name, std::string_view content) {
+  replace_file(folder_ / name, content);
+  files_.push_back(name);
+}
+
+std::string Workshop::read(const std::string& name) const { return read_file(folder_ / name); }
+
+void Workshop::publish() const {
+  for (const std::string& name : files_) fs::rename(folder_ / name, out_ / name);
+}
+
+std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure) {
+  Workshop workshop(argument, fs::absolute(path).parent_path().string());
+  workshop.draw({figure});
+  return workshop.read(figure.name + ".svg");
 }
 
 std::string html_page(const std::string& text, const std::vector<Figure>& figures) {

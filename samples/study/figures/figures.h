@@ -1,35 +1,26 @@
-// Figures: words, and a gnuplot script that contains the data.
+// Figures, which figures.py draws by matplotlib, and the folder in which a result is made.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "samples/study/paper/table1.h"
+#include "samples/study/numbers/results.h"
 #include "samples/study/people/trace.h"
 
 namespace hrt::study {
 
 struct Figure {
-  std::string name;     ///< of its files, without ending
+  std::string name;     ///< of its file, without ending: selects the drawing
   std::string title;    ///< plain text, escaped on output
   std::string caption;  ///< plain text, escaped on output
-  int width_px;
-  int height_px;
-  std::string script;  ///< without terminal and output
+  Row data;
 };
 
 /// Figs. 4 to 8 of the paper: true paths, perceived paths, plate orientation of one trial.
 std::vector<Figure> path_figures(std::uint64_t seed);
-
-/// Table I, paper and model side by side.
-Figure table1_figure(const Table1& table);
-
-/// Returns a label with minus signs in place of hyphens before numbers.
-std::string with_minus_signs(std::string text);
-
-/// The whole script, which writes NAME.svg.
-std::string drawing(const Figure& figure);
 
 /// HTML that shows `text`, then NAME.svg of each figure in the same folder, with its caption.
 std::string html_page(const std::string& text, const std::vector<Figure>& figures);
@@ -39,5 +30,36 @@ Figure trace_figure(const Trace& trace);
 
 /// The reach from above, moving, as one SVG: plate and ridges, the finger and its path, and where it is felt.
 std::string moving_picture(const Trace& trace);
+
+/// A temporary folder that collects the files of one result until all are made: they appear whole or not at all.
+class Workshop {
+ public:
+  /// Makes `out` if it is missing. Throws UsageError naming `argument` if it can't be written, and std::runtime_error
+  /// if python3 has no matplotlib.
+  Workshop(const std::string& argument, const std::string& out);
+  ~Workshop();
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  /// Draws each figure as NAME.svg.
+  void draw(const std::vector<Figure>& figures);
+
+  void write(const std::string& name, std::string_view content);
+
+  /// The content of a file that was drawn or written.
+  std::string read(const std::string& name) const;
+
+  /// Moves the files to `out`.
+  void publish() const;
+
+ private:
+  std::filesystem::path out_;
+  std::filesystem::path folder_;  // removed by the destructor
+  std::vector<std::string> files_;
+  bool was_made_;
+};
+
+/// The picture for a file at `path`, drawn in its folder. Throws as Workshop.
+std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure);
 
 }  // namespace hrt::study

@@ -9,16 +9,13 @@
 namespace hrt::study {
 namespace {
 
-// One after another, and apart in grey.
-constexpr const char* colors[] = {"#b35806", "#f1a340", "#555555", "#67a9cf", "#08306b"};
-
 RidgeAngle simulate(const RidgeOptions& options, double plate_deg, std::uint32_t number) {
   const double weight = options.tactile_weight;
   RidgeAngle angle{.plate_deg = plate_deg,
                    .rest_deg = -weight * plate_deg / (1.0 - weight),
                    .mean_deg = 0.0,
                    .sd_deg = 0.0,
-                   .paths = {}};
+                   .directions_deg = {}};
   Condition condition = make_condition(options.motor_variance_deg2, weight, 0.0, 0.0);
   condition.controller.mode = ControlMode::fixed_plate;
   condition.controller.fixed_plate_orientation_deg = condition.plate_orientation_deg = plate_deg;
@@ -27,7 +24,8 @@ RidgeAngle simulate(const RidgeOptions& options, double plate_deg, std::uint32_t
     std::vector<TrialStep> steps;
     const TrialOutcome outcome =
         simulate_trial(condition, {.seed = options.seed, .condition = number, .trial = trial}, &steps);
-    angle.paths.push_back(path_of(steps, &TrialStep::finger_direction_deg));
+    std::vector<double>& directions_deg = angle.directions_deg.emplace_back();
+    for (const TrialStep& step : steps) directions_deg.push_back(step.finger_direction_deg);
     angle.mean_deg += outcome.final_direction_deg;
     squares += outcome.final_direction_deg * outcome.final_direction_deg;
   }
@@ -76,30 +74,15 @@ Results ridges_results(const Ridges& ridges) {
 }
 
 Figure ridges_figure(const Ridges& ridges) {
-  Figure figure{.name = "fig1c",
-                .title = "Fig. 1c: straight ahead over a plate at rest",
-                .caption =
-                    "Simulated paths of a participant who goes straight ahead, and their median, over a "
-                    "plate that rests. The color is that of the plate's angle.",
-                .width_px = 640,
-                .height_px = 560,
-                .script = ""};
-  std::string plots;
-  for (std::size_t i = 0; i < ridges.angles.size(); ++i) {
-    const RidgeAngle& angle = ridges.angles[i];
-    const std::string name = "plate" + std::to_string(i);
-    const std::string color = std::string("lc rgb '") + colors[i % std::size(colors)] + "'";
-    figure.script += path_block(name, angle.paths) + path_block(name + "_median", {median_path(angle.paths)});
-    plots += (i == 0 ? "plot $" : ", $") + name + " using 1:2 with lines lw 0.4 " + color + " notitle, $" + name +
-             "_median using 1:2 with lines lw 3 " + color + " title 'plate at " +
-             with_minus_signs(number(angle.plate_deg)) + "°'";
-  }
-  figure.script += "set title \"" + figure.title +
-                   " (simulation)\" font ',13'\nset key outside right\nset grid back lt 1 lw 0.6 lc rgb "
-                   "'#dddddd'\nset size ratio -1\nset xrange [-35:35]\nset yrange [0:105]\n"
-                   "set xlabel 'to the right of the mid-line, mm'\nset ylabel 'away from the participant, mm'\n" +
-                   plots + '\n';
-  return figure;
+  Row data;
+  for (const RidgeAngle& angle : ridges.angles)
+    data["angles"].push_back({{"plate_deg", angle.plate_deg}, {"directions_deg", angle.directions_deg}});
+  return {.name = "fig1c",
+          .title = "Fig. 1c: straight ahead over a plate at rest",
+          .caption =
+              "Simulated paths of a participant who goes straight ahead, and their median, over a plate that rests. "
+              "The color is that of the plate's angle.",
+          .data = data};
 }
 
 }  // namespace hrt::study

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "samples/study/figures/figures.h"
-#include "samples/study/figures/path.h"
 #include "samples/study/numbers/results.h"
 
 namespace hrt::study {
@@ -24,7 +23,7 @@ struct RidgeAngle {
   double rest_deg;  ///< where what is felt is straight ahead: -w T / (1 - w)
   double mean_deg;  ///< of the final directions
   double sd_deg;
-  std::vector<Path> paths;
+  std::vector<std::vector<double>> directions_deg;  ///< of the finger in each step of each trial
 };
 
 struct Ridges {

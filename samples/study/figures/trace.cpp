@@ -7,8 +7,6 @@
 namespace hrt::study {
 namespace {
 
-constexpr int states = PersonState::count;
-constexpr int columns = 4;
 constexpr double plate_radius_mm = 75.0;
 constexpr double start_away_mm = -50.0;  // as seen from the plate's centre
 constexpr double ridge_mm = 10.0;
@@ -101,33 +99,20 @@ std::string label(const Spot& at, const char* anchor, const std::string& color, 
 }  // namespace
 
 Figure trace_figure(const Trace& trace) {
-  Figure figure{.name = "trace",
-                .title = "What the filter knows of finger and person",
-                .caption = "Every state over the time of a simulated reach, with two deviations to both sides.",
-                .width_px = 1200,
-                .height_px = 900,
-                .script = "$trace << EOD\n"};
-  for (const TracedSample& sample : trace.samples) {
-    figure.script += number(sample.time_s);
-    for (std::size_t i = 0; i < sample.mean.size(); ++i)
-      figure.script += ' ' + number(sample.mean[i]) + ' ' + number(2.0 * sample.deviation[i]);
-    figure.script += '\n';
+  Row data;
+  for (const TracedSample& sample : trace.samples) data["time_s"].push_back(sample.time_s);
+  for (const StateVariable& variable : person_state) {
+    Row state{{"name", state_name(variable)}};
+    for (const TracedSample& sample : trace.samples) {
+      state["mean"].push_back(sample.mean[variable.index]);
+      state["sd"].push_back(sample.deviation[variable.index]);
+    }
+    data["states"].push_back(state);
   }
-  const int rows = (states + columns - 1) / columns;
-  figure.script += "EOD\nset multiplot layout " + std::to_string(rows) + ',' + std::to_string(columns) +
-                   " title 'Every state of the filter and two deviations, over seconds (simulated)' font "
-                   "',14'\nunset key\n"
-                   "set grid lw 0.6 lc rgb '#dddddd'\nset xtics 0.5\nset ytics autofreq\n";
-  for (int i = 0; i < states; ++i) {
-    const std::string mean = std::to_string(2 + 2 * i), band = std::to_string(3 + 2 * i);
-    std::string title = state_name(person_state[i]);
-    std::replace(title.begin(), title.end(), '_', ' ');
-    figure.script += "set title '" + title + "'\nplot $trace using 1:($" + mean + "-$" + band + "):($" + mean + "+$" +
-                     band + ") with filledcurves fc rgb '#d5e2f0', $trace using 1:" + mean +
-                     " with lines lw 2 lc rgb '#08306b'\n";
-  }
-  figure.script += "unset multiplot\n";
-  return figure;
+  return {.name = "trace",
+          .title = "Every state of the filter and two deviations, over seconds",
+          .caption = "",
+          .data = data};
 }
 
 std::string moving_picture(const Trace& trace) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -71,15 +72,15 @@ TEST(StudyOutput, CsvAndJsonHaveTheSameRows) {
 }
 
 // One line, and nothing left.
-TEST(StudyOutput, WithoutGnuplotNothingIsWritten) {
+TEST(StudyOutput, WithoutMatplotlibNothingIsWritten) {
   const TemporaryFolder data, folder;
+  std::ofstream(data / "matplotlib.py") << "raise ImportError";
   ASSERT_EQ(run_study({"participants", "--trials", "2", "--out", data / "me.csv"}).exit_code, 0);
   for (const Arguments& arguments :
        {Arguments{"calibrate", data / "me.csv", "--plot", folder / "p.svg", "--out", folder / "p.txt"},
         Arguments{"ridges", "--plot", folder / "r.svg"}, Arguments{"report", "--out", folder / "report"}}) {
-    const StudyRun run = expect_exit(1, run_study(arguments, "/nowhere"));
-    EXPECT_EQ(run.err,
-              "hrt-study: gnuplot draws the figures and is not in PATH; on Debian: apt-get install gnuplot-nox\n");
+    const StudyRun run = expect_exit(1, run_study(arguments, data.path.string()));
+    EXPECT_TRUE(has(run.err, "apt-get install python3-matplotlib\n"));
     EXPECT_TRUE(entries(folder.path).empty()) << arguments[0];
   }
 }

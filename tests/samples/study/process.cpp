@@ -9,18 +9,17 @@
 
 namespace hrt::study {
 
-Process start_study(const std::vector<std::string>& arguments, const std::string& search_path, int err) {
+Process start_study(const std::vector<std::string>& arguments, const std::string& modules, int err) {
   std::vector<std::string> words{HRT_STUDY_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment;
-  for (char** variable = environ; *variable != nullptr; ++variable)
-    if (search_path.empty() || !std::string(*variable).starts_with("PATH=")) environment.emplace_back(*variable);
-  if (!search_path.empty()) environment.push_back("PATH=" + search_path);
+  for (char** variable = environ; *variable != nullptr; ++variable) environment.emplace_back(*variable);
+  if (!modules.empty()) environment.push_back("PYTHONPATH=" + modules);
   return {words, environment, err};
 }
 
-StudyRun run_study(const std::vector<std::string>& arguments, const std::string& search_path) {
-  return start_study(arguments, search_path).wait();
+StudyRun run_study(const std::vector<std::string>& arguments, const std::string& modules) {
+  return start_study(arguments, modules).wait();
 }
 
 std::vector<std::string> entries(const std::filesystem::path& folder) {

@@ -8,11 +8,11 @@ namespace hrt::study {
 
 using StudyRun = Outcome;
 
-/// A non-empty `search_path` replaces PATH; `err` is a descriptor for its error output.
-Process start_study(const std::vector<std::string>& arguments, const std::string& search_path = {}, int err = -1);
+/// `modules`: PYTHONPATH, a folder whose modules replace python3's; `err` is a descriptor for its error output.
+Process start_study(const std::vector<std::string>& arguments, const std::string& modules = {}, int err = -1);
 
 /// Runs `hrt-study arguments...`.
-StudyRun run_study(const std::vector<std::string>& arguments, const std::string& search_path = {});
+StudyRun run_study(const std::vector<std::string>& arguments, const std::string& modules = {});
 
 /// Names of all entries of a folder, hidden ones too, in order.
 std::vector<std::string> entries(const std::filesystem::path& folder);

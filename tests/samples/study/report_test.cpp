@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <fstream>
 
@@ -33,15 +32,14 @@ TEST(StudyReport, MakesEveryFigureAndAPageThatShowsThem) {
   }
 }
 
-TEST(StudyReport, AFailingGnuplotLeavesTheLastReportAsItWas) {
+TEST(StudyReport, AFailingDrawingLeavesTheLastReportAsItWas) {
   const TemporaryFolder folder;
-  std::ofstream(folder / "gnuplot") << "#!/bin/sh\nif read line; then echo 'out of ink' >&2; exit 3; fi\n";
-  chmod((folder / "gnuplot").c_str(), 0700);
+  std::ofstream(folder / "matplotlib.py") << "def use(_): raise SystemExit('out of ink')";
   std::filesystem::create_directory(folder / "report");
   std::ofstream(folder / "report/report.html") << "the last one";
   const StudyRun run =
       expect_exit(1, run_study({"report", "--out", folder / "report", "--trials", "10"}, folder.path.string()));
-  EXPECT_EQ(run.err, "hrt-study: gnuplot failed: out of ink\n");
+  EXPECT_EQ(run.err, "hrt-study: figures.py failed: out of ink\n");
   EXPECT_EQ(entries(folder / "report"), std::vector<std::string>{"report.html"});
   EXPECT_EQ(read_file(folder / "report/report.html"), "the last one");
 }
