@@ -56,6 +56,21 @@ TEST(StudyReplay, ARecordingByHand) {
   EXPECT_EQ(path.plate_source, PlateSource::commanded);
 }
 
+// A tracker of 30 Hz in an application of 90 Hz: two of three samples are copies, which teach as little as dropouts.
+TEST(StudyReplay, CopiesOfAPositionAreDropouts) {
+  const auto replayed_with = [](const std::string& flags_of_copies) {
+    std::string text = std::string(recording_header) + begin_row;
+    for (int i = 0; i < 150; ++i)
+      text += "update,0," + std::to_string(11'111'111LL * i) + ',' + (i % 3 == 0 ? "2" : flags_of_copies) + ",0,0," +
+              number(0.05 - 0.1 / 150 * (i - i % 3)) + ",,,,,,,0\n";
+    return replay(parse_recorded_paths("a.csv", text + "end,0,,,,,,,,,,,,\n")).front();
+  };
+  const ReplayedPath copies = replayed_with("2"), dropouts = replayed_with("0");
+  EXPECT_EQ(copies.summary.dropped_samples, 100);
+  EXPECT_EQ(copies.last.plate_orientation_deg, dropouts.last.plate_orientation_deg);
+  EXPECT_EQ(copies.summary.estimate.tactile_weight, dropouts.summary.estimate.tactile_weight);
+}
+
 TEST(StudyReplay, ReachesWithoutAPathAreNamed) {
   const auto left_out = [](const std::string& rows) {
     const RecordedPaths recorded = parse_recorded_paths("a.csv", std::string(recording_header) + begin_row + rows);
