@@ -133,15 +133,17 @@ func test_refusals() -> void:
 	check_equal(plate.update(Vector3(), 3000), OK, "a property set during a reach waits")
 	check_equal(plate.end(), OK, "end")
 
-func test_retarget() -> void:
-	var plate := reaching_plate()
-	var real := plate.find_target("real")
-	var felt := plate.find_target("felt")
-	check_equal(plate.move_target_to(felt, Vector3(-0.02, 0, -0.05)), OK, "a target that moves")
-	check_equal(plate.retarget(real, felt), OK, "retarget")
-	check_equal(plate.cancel(), OK, "cancel")
-	check_equal(plate.is_reaching(), false, "reaching")
-	check_equal(plate.begin_for(real, felt, 1.5), OK, "begin again")
+# The estimate of a reach is carried over, beside a property that is set during the reach.
+func test_adaptation() -> void:
+	var plate := new_plate()
+	check_equal(plate.begin_for(plate.add_real_target("real", -5.0, 0.1), plate.add_virtual_target("felt", 5.0, 0.1), 0.0), OK, "begin")
+	for frame in 270:
+		plate.update(Vector3(0, 0, 0.05 - frame * 0.1 / 270), frame * 11111111)
+	plate.horizon = 4
+	check_equal(plate.end(), OK, "end")
+	check_equal(plate.horizon, 4, "the property")
+	check_near(plate.tactile_weight, plate.get_summary().tactile_weight, "the estimate of the reach is carried over", 0.002)  # filtered again after the reach
+	check(plate.tactile_weight != 0.2, "something is learnt")
 
 # Tests targets as nodes, and files of the project.
 func test_places() -> void:
@@ -163,7 +165,10 @@ func test_places() -> void:
 	nodes[1].free()
 	refused("no target has the name", plate.find_target.bind("target 1"))
 	check_equal(plate.start_recording("user://reach.csv"), OK, "a recording below user://")
+	check_equal(plate.get_recording_status().rows_lost, 0, "status")
 	check_equal(plate.stop_recording(), OK, "its end")
+	check_equal(refused("stop_recording", plate.stop_recording), ERR_UNAVAILABLE, "stop twice")
+	check_equal(refused("start_recording", plate.start_recording.bind("/nowhere/recording.csv")), ERR_FILE_CANT_OPEN, "no such folder")
 	check(FileAccess.get_file_as_string("user://reach.csv").begins_with("# haptic retargeting recording"), "its file")
 	refused(ProjectSettings.globalize_path("res://none.gltf"), plate.load_scene.bind("res://none.gltf"))
 	nodes[0].free()
