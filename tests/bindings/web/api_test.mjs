@@ -1,12 +1,12 @@
 // Tests the package from JavaScript: everything in index.d.ts, and invalid use by hosts.
-//   usage: node --expose-gc api_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLES DESK_GLTF GOLDEN_RECORDING GOLDEN_HASH SCENARIO
+//   usage: node --expose-gc api_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLES DESK_GLTF GOLDEN_RECORDING GOLDEN_HASH
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { inspect } from "node:util";
 
-const [, , folder, examples, deskGltf, goldenRecording, goldenHash, scenario] = process.argv;
+const [, , folder, examples, deskGltf, goldenRecording, goldenHash] = process.argv;
 const hrt = await import(pathToFileURL(`${folder}/node.mjs`));
 const library = await hrt.load();
 
@@ -361,73 +361,4 @@ sessionTest("a session continues when the memory grows", ({ session, real, virtu
   slide(session, 30);
   assert.equal(session.endReach().samples, 30n);
   others.forEach((other) => other.destroy());
-});
-
-// Runs the scenario by the methods of sessions and of the library.
-test("the scenario of all hosts gives the expected results", async () => {
-  const session = library.createSession(), { sample } = session, targets = {};
-  let saved;
-  const pairs = (words) => Object.fromEntries(words.split(" ").filter(Boolean).map((word) => [word.split("=")[0], word.slice(word.indexOf("=") + 1)]));
-  const number = (text) => (text === "nan" ? NaN : Number(text)), place = (text) => text.split(",").map(number);
-  const update = (flags, time_ns, at) => {
-    Object.assign(sample, { flags, time_ns });
-    at.forEach((part, i) => { sample.finger_position_m[i] = part; });
-    session.update();
-    return session.command;
-  };
-  const calls = {
-    configure: (a) => session.configure({ tactile_weight: Number(a.tactile_weight) }),
-    target: (a) => {
-      const role = a.role === "real" ? hrt.HRT_TARGET_REAL : hrt.HRT_TARGET_VIRTUAL;
-      targets[a.name] = session.addTarget({ role, name: a.name, direction_deg: number(a.direction_deg), distance_m: number(a.distance_m) });
-    },
-    remove: (a) => session.removeTarget(targets[a.name]),
-    gap: (a) => session.gap(targets[a.real], targets[a.virtual]),
-    begin: (a) => session.beginReach(targets[a.real], targets[a.virtual]),
-    retarget: (a) => session.retargetReach(targets[a.real], targets[a.virtual]),
-    update: (a) => update(hrt.HRT_SAMPLE_PLATE_POSITION, Number(a.time_ns), place(a.at)),
-    lost: (a) => update(0, Number(a.time_ns), [0, 0, 0]),
-    slide: (a) => {
-      const { from = "0,0,0.05", begin_ns = 0, every_ns = 11_111_111, copies = 1 } = a, frames = Number(a.frames), to = place(a.to);
-      for (let i = 0; i < frames; ++i) {
-        if (a.real) session.retargetReach(targets[a.real], targets[a.virtual]);
-        const at = place(from).map((x, axis) => x + ((i - i % copies) / (frames - 1)) * (to[axis] - x));
-        update(hrt.HRT_SAMPLE_PLATE_POSITION, Number(begin_ns) + i * every_ns, at);
-      }
-      return session.command;
-    },
-    set_up: (a) => {
-      session.beginSetup(Number(a.what));
-      const person = library.createPerson(1);
-      person.begin(session);
-      let result = {}, plateDeg = 0;
-      for (let i = 0; i < a.frames && result.left !== 0; ++i) {
-        person.move(sample, i * 11_111_111, plateDeg);
-        const step = session.updateSetup();
-        plateDeg = step.plate_orientation_deg;
-        if (step.instruction === hrt.HRT_STEP_FINISH) result = session.finishSetup();
-      }
-      person.destroy();
-      return result;
-    },
-    touched: (a) => session.reachTouched({ flags: hrt.HRT_CONTACT_PLATE_POSITION, position_m: place(a.at), sd_m: Number(a.sd_m) }),
-    cancel: () => session.cancelReach(),
-    end: () => session.endReach(),
-    save_profile: () => { saved = session.profile; },
-    load_profile: (a) => session.loadProfile(a.text ?? saved),
-  };
-  const lines = (await readFile(scenario, "utf8")).split("\n").filter((line) => line !== "" && line[0] !== "#");
-  assert.ok(lines.length > 30);
-  for (const line of lines) {
-    const [called, refused] = line.split(" ! "), [call, gives = ""] = called.split(" -> "), [name] = call.split(" ");
-    const play = () => calls[name](pairs(call.slice(name.length)));
-    if (refused) {
-      throws(play, `HRT_ERROR_${refused.split(" ")[0]}`, refused.slice(refused.indexOf(" ") + 1));
-      continue;
-    }
-    const answer = play();
-    for (const [key, wanted] of Object.entries(pairs(gives)))
-      assert.ok(key === "flags" ? answer.flags & wanted : Math.abs(Number(answer[key]) - wanted) < 1e-4, `${line}: ${answer[key]}`);
-  }
-  session.destroy();
 });
