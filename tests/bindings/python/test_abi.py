@@ -49,16 +49,3 @@ def test_help_has_units_ranges_and_defaults() -> None:
 
 def test_versions_agree() -> None:
     assert hrt.__version__ == ".".join(map(str, hrt.library_version()))
-
-
-def test_arrays_are_laid_out_as_the_structs() -> None:
-    assert hrt.SAMPLE.itemsize == ctypes.sizeof(_abi.Sample)
-    assert hrt.COMMAND.itemsize == ctypes.sizeof(_abi.Command)
-    assert hrt.SAMPLE.fields["finger_position_m"][1] == _abi.Sample.finger_position_m.offset
-
-
-def test_enumerations_have_the_comment_of_their_group() -> None:
-    for enumeration, doc in ((_abi.Role, "Role of a target."), (_abi.LogLevel, "Level of a log message."),
-                             (_abi.Control, "Source of the plate's commands.")):
-        assert (enumeration.__doc__ or "").startswith(doc)
-    assert (_abi.LogLevel.__doc__ or "").count("Level of a log message.") == 1

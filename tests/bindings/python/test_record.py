@@ -153,13 +153,6 @@ def test_a_reach_that_starts_at_the_finger_has_its_first_position_as_start(
     assert hrt.replay(tmp_path / "started.csv").first_different_line == 0
 
 
-def test_devices_are_refused_as_recordings(session: hrt.Session) -> None:
-    with pytest.raises(hrt.Error, match="/dev/full: not a regular file") as caught:
-        with session.recording("/dev/full"):
-            pass
-    assert caught.value.code is hrt.ErrorCode.SYSTEM
-
-
 def test_picture_shows_finger_targets_and_angles() -> None:
     (record,) = hrt.read_recording(REACH).reaches
     figure = plot.reach(record, "title")

@@ -61,16 +61,13 @@ func stop(why: String) -> void:
 	set_process(false)
 	get_tree().quit(1)
 
-# Continues FNV-1a over HRT_HASHED_FIELDS (recording.h).
+# Continues FNV-1a over HRT_HASHED_FIELDS (recording.h), which are the fields of a command in their order.
 func hash_command(command: Dictionary) -> void:
 	var bytes := StreamPeerBuffer.new()
-	bytes.put_64(command.flags)
-	for field in ["plate_orientation_deg", "bearing_deg", "perceived_direction_deg", "felt_error_deg",
-			"predicted_miss_deg", "miss_sd_deg", "distance_to_go_m", "time_to_go_s", "tactile_weight",
-			"tactile_weight_sd", "misfit"]:
-		bytes.put_double(command[field])
-	bytes.put_64(command.paper_step)
-	bytes.put_double(command.paper_finger_direction_deg)
-	bytes.put_double(command.paper_aimed_direction_deg)
+	for field: String in command:
+		if command[field] is int:
+			bytes.put_64(command[field])
+		else:
+			bytes.put_double(command[field])
 	for byte in bytes.data_array:
 		fnv = (fnv ^ byte) * 0x100000001b3

@@ -10,15 +10,10 @@ from typing import Any
 import haptic_retargeting as hrt
 
 
-HASHED_FIELDS = ["flags", "plate_orientation_deg", "bearing_deg", "perceived_direction_deg", "felt_error_deg",
-                 "predicted_miss_deg", "miss_sd_deg", "distance_to_go_m", "time_to_go_s", "tactile_weight",
-                 "tactile_weight_sd", "misfit", "paper_step", "paper_finger_direction_deg", "paper_aimed_direction_deg"]
-
-
 def fnv1a(commands: Any) -> int:
-    """Computes FNV-1a over HRT_HASHED_FIELDS (recording.h), 8 bytes each."""
+    """Computes FNV-1a over HRT_HASHED_FIELDS (recording.h), the fields of a command in their order, 8 bytes each."""
     value = 0xCBF29CE484222325
-    for flags, *others in commands[HASHED_FIELDS]:
+    for flags, *others in commands[hrt.Command.names()]:
         for byte in int(flags).to_bytes(8, "little") + b"".join(other.tobytes() for other in others):
             value = (value ^ byte) * 0x100000001B3 % 2**64
     return value

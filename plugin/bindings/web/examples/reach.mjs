@@ -39,17 +39,13 @@ export function runReach(hrt, library) {
   return { hash: `0x${hash.toString(16).padStart(16, "0")}`, summary };
 }
 
-// Continues FNV-1a over HRT_HASHED_FIELDS (recording.h).
+// Continues FNV-1a over HRT_HASHED_FIELDS (recording.h), which are the fields of a command in their order.
 function hashed(hash, command) {
-  const words = new DataView(new ArrayBuffer(120));
-  words.setBigUint64(0, BigInt(command.flags), true);
-  [command.plate_orientation_deg, command.bearing_deg, command.perceived_direction_deg, command.felt_error_deg,
-   command.predicted_miss_deg, command.miss_sd_deg, command.distance_to_go_m, command.time_to_go_s,
-   command.tactile_weight, command.tactile_weight_sd, command.misfit]
-    .forEach((value, i) => words.setFloat64(8 + 8 * i, value, true));
-  words.setBigInt64(96, BigInt(command.paper_step), true);
-  words.setFloat64(104, command.paper_finger_direction_deg, true);
-  words.setFloat64(112, command.paper_aimed_direction_deg, true);
+  const fields = Object.entries(command), words = new DataView(new ArrayBuffer(8 * fields.length));
+  fields.forEach(([name, value], i) => {
+    if (name === "flags" || name === "paper_step") words.setBigInt64(8 * i, BigInt(value), true);
+    else words.setFloat64(8 * i, value, true);
+  });
   for (let i = 0; i < words.byteLength; ++i) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(words.getUint8(i))) * 0x100000001b3n);
   }

@@ -19,9 +19,7 @@ namespace UnityEngine
 {
     public class AddComponentMenu : Attribute
     {
-        public AddComponentMenu(string menuName)
-        {
-        }
+        public AddComponentMenu(string menuName) { }
     }
 
     public class DefaultExecutionOrder : Attribute
@@ -36,37 +34,27 @@ namespace UnityEngine
 
     public class RequireComponent : Attribute
     {
-        public RequireComponent(Type type)
-        {
-        }
+        public RequireComponent(Type type) { }
     }
 
     public class HeaderAttribute : Attribute
     {
-        public HeaderAttribute(string header)
-        {
-        }
+        public HeaderAttribute(string header) { }
     }
 
     public class TooltipAttribute : Attribute
     {
-        public TooltipAttribute(string tooltip)
-        {
-        }
+        public TooltipAttribute(string tooltip) { }
     }
 
     public class RangeAttribute : Attribute
     {
-        public RangeAttribute(float min, float max)
-        {
-        }
+        public RangeAttribute(float min, float max) { }
     }
 
     public class MinAttribute : Attribute
     {
-        public MinAttribute(float min)
-        {
-        }
+        public MinAttribute(float min) { }
     }
 
     public struct Vector3
