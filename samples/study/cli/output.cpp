@@ -10,7 +10,6 @@
 #include <cstring>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -53,30 +52,6 @@ std::string cell(double value, int decimals, std::size_t width) {
 std::string between(double low, double high, int decimals, const std::string& dash) {
   const auto bound = [&](double value) { return std::isnan(value) ? "?" : fixed(value, decimals); };
   return bound(low) + dash + bound(high);
-}
-
-std::string wrapped(const std::string& words, std::size_t width, const std::string& first, const std::string& indent) {
-  std::string page;
-  std::string line = first;
-  std::string space;  // before every word of a line except the first one
-  std::istringstream stream(words);
-  for (std::string word; stream >> word;) {
-    if (line.size() + space.size() + word.size() > width) {
-      page += line + '\n';
-      line = indent;
-      space.clear();
-    }
-    line += space + word;
-    space = " ";
-  }
-  return page + line + '\n';
-}
-
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 std::runtime_error cannot_write(const std::filesystem::path& path, int error) {

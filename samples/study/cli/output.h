@@ -34,13 +34,6 @@ std::string cell(double value, int decimals, std::size_t width);
 /// "0.38-0.47", with `dash` in between; "?" for NaN, a bound that is unknown.
 std::string between(double low, double high, int decimals, const std::string& dash = "-");
 
-/// Words in lines of at most `width` characters, the first after `first`, the others after `indent`.
-std::string wrapped(const std::string& words, std::size_t width = 110, const std::string& first = "",
-                    const std::string& indent = "");
-
-/// The content of a file; empty if it can't be read.
-std::string read_file(const std::filesystem::path& path);
-
 /// "cannot write `path`: ..." with the text of an errno.
 std::runtime_error cannot_write(const std::filesystem::path& path, int error);
 

@@ -1,19 +1,196 @@
-// hrt-study coverage: how often the calibration's intervals hold the truth.
-#include "samples/study/people/coverage.h"
-
+// hrt-study coverage: how often the calibration's intervals hold the truth. Simulated people of many kinds are
+// calibrated, and the intervals compared with the truth.
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "core/calibrate/calibration.h"
+#include "core/math/exponential.h"
+#include "core/math/trigonometry.h"
+#include "core/setup/setup.h"
+#include "core/simulation/people.h"
+#include "core/simulation/slide.h"
 #include "samples/app/text/text.h"
 #include "samples/study/cli/arguments.h"
-#include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/numbers/parallel.h"
 #include "samples/study/numbers/results.h"
-#include "samples/study/numbers/statistics.h"
 
 namespace hrt::study {
 namespace {
+
+// A kind of people: a family of core/simulation/people.h, or that of `family` with something added to the
+// session.
+struct CoverageKind {
+  const char* name;
+  const char* says;
+  const char* family;
+  double weight_trend = 0.0;    // w changes by this, to either side, from the first slide to the last
+  double outlying_share = 0.0;  // of slides that go 15 to 40 degrees off
+  void (*change)(PersonCondition& condition, Draws& draws) = nullptr;  // of the person, before the session
+};
+
+// Slides at the angles of a set-up (core/setup).
+struct CoverageSession {
+  int slides = 32;
+  double duration_s = 2.0;
+  std::uint64_t seed = 1;
+};
+
+enum Quantity { weight, bias, habit, max_gap, quantities };
+constexpr const char* quantity_name[quantities] = {"weight", "bias", "habit", "max_gap"};
+
+// One person: truth and interval of each quantity.
+struct CoveragePerson {
+  bool refused = false;  // no calibration: there are no intervals
+  std::array<double, quantities> truth{};
+  std::array<Interval, quantities> found{};
+  LackOfFit lack_of_fit;
+};
+
+// One quantity of many people: how often its intervals hold the truth.
+struct Tally {
+  Share known;
+  Share covered;       // of the known
+  double error = 0.0;  // sum over the known
+  double width = 0.0;  // sum over the known
+
+  void add(const Interval& found, double truth) {
+    known.count(found.known);
+    if (!found.known) return;
+    covered.count(found.lower <= truth && truth <= found.upper);
+    error += found.value - truth;
+    width += found.upper - found.lower;
+  }
+  // Means over the known; NaN without any.
+  double mean_error() const { return error / static_cast<double>(known.hits); }
+  double mean_width() const { return width / static_cast<double>(known.hits); }
+  // The percentage covered, in `columns` characters, and its 95 % interval in 9: " 98 (77-99) ".
+  std::string covered_text(std::size_t columns) const {
+    const PercentInterval range = covered.interval();
+    return cell(covered.percent(), 0, columns) +
+           left(covered.of > 0 ? " (" + between(range.low, range.high, 0) + ")" : "", 9);
+  }
+};
+
+// Coverage for people of one kind.
+struct Coverage {
+  Share refused;
+  Share angle, order, path;  // with lack of fit of each sort
+  std::array<Tally, quantities> of;
+
+  void add(const CoveragePerson& person) {
+    refused.count(person.refused);
+    angle.count(person.lack_of_fit.angle_p < min_fit_p);
+    order.count(person.lack_of_fit.order_p < min_fit_p);
+    path.count(person.lack_of_fit.path_p < min_fit_p);
+    for (std::size_t i = 0; i < quantities; ++i) of[i].add(person.found[i], person.truth[i]);
+  }
+};
+
+constexpr std::uint32_t session_stream = 18;
+// A minimum-jerk motion's mean speed over the path, over that in the mean over time.
+constexpr double speed_over_path = 10.0 / 7.0;
+
+template <int min, int max>
+void weighs(PersonCondition& condition, Draws& draws) {
+  condition.person.illusion.tactile_weight = 0.01 * (min + (max - min) * draws.uniform());
+}
+void peaked(PersonCondition& condition, Draws&) {
+  condition.person.illusion.family = IllusionFamily::peaked;
+  condition.person.illusion.scale_deg = 50.0;
+}
+void biased(PersonCondition& condition, Draws& draws) {
+  condition.person.bias_deg = draws.uniform() < 0.5 ? -3.0 : 3.0;
+}
+
+constexpr CoverageKind all_kinds[] = {
+    {"linear", "linear illusion, continuous steering", "linear"},
+    {"steps", "the paper's person", "steps"},
+    {"predictive", "predict their own motion", "predictive"},
+    {"clip-60", "illusion saturates at 60°", "clip-60"},
+    {"clip-45", "illusion saturates at 45°", "clip-45"},
+    {"tanh-60", "60° tanh(t / 60°)", "tanh-60"},
+    {"sine-45", "45° sin 2t", "sine-45"},
+    {"dead-band", "nothing felt within 10°", "dead-band"},
+    {"unequal", "half to the right", "unequal"},
+    {"bias-3", "bias of ±3°", "bias-3"},
+    {"habit-5", "habit of ±5°", "habit-5"},
+    {"mixture", "clip-60, bias, habit, correlated noise", "mixture"},
+    {"noise-100", "noise of 1.2 mm over 100 ms", "noise-100"},
+    {"outliers", "3 % of positions off by 30 mm", "outliers"},
+    {"slow-tracker", "30 Hz, uneven", "slow-tracker"},
+    {"slips", "5 % of slides go 15 to 40° off", "linear", 0.0, 0.05},
+    {"trend", "w changes by ±0.06 over the session", "linear", 0.06},
+    {"strong", "linear, w_T of 0.3 to 0.45", "linear", 0.0, 0.0, weighs<30, 45>},
+    {"strong-clip", "saturating at 60°, w_T of 0.3 to 0.45", "clip-60", 0.0, 0.0, weighs<30, 45>},
+    {"weak", "linear, w_T of 0.05 to 0.12", "linear", 0.0, 0.0, weighs<5, 12>},
+    {"peaked", "illusion rises to 50° and falls to 0 at 90°", "linear", 0.0, 0.0, peaked},
+    {"drift", "w changes by ±0.05 within each slide", "drift"},
+    {"place-bias", "seek the target's place, bias of ±3°", "place", 0.0, 0.0, biased},
+    {"place", "seek the target's place", "place"},
+    {"heavy-arm", "1 kg, muscles of 40 ms", "heavy-arm"},
+    {"crossings", "ridges felt as they are crossed", "crossings"},
+};
+
+// The slides of person `index` of a kind, in order, and the truth about them.
+std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const CoverageSession& session,
+                                              std::uint32_t index, std::array<double, quantities>* truth) {
+  PersonCondition condition = draw_person(*people_family(kind.family), session.duration_s, session.seed, index);
+  Draws draws(session.seed, session_stream, index, 0);
+  if (kind.change) kind.change(condition, draws);
+  Person person = condition.person;
+  person.illusion.tactile_weight += 0.5 * person.weight_drift;  // in the middle of the path
+  const double speed_mm_s = speed_over_path * condition.distance_mm / session.duration_s;
+  const auto shift = [&](double t) { return mean_felt_shift_deg(person, speed_mm_s, t); };
+  const auto largest = [&](double sign) { return max_shift_deg(person, speed_mm_s, curve_bound_deg, sign); };
+  double bias_deg = person.bias_deg - person.own_bias_deg;
+  double habit_deg = person.habit_deg;
+  if (person.steering == Steering::place) {
+    // They aim beside the place until they are near: the goal is bias (1 + log(1 - s)) at the share s of the path.
+    habit_deg = -0.5 * bias_deg * logarithm(0.15);
+    bias_deg *= 1.0 + logarithm(0.5);
+  }
+  *truth = {(shift(60.0) - shift(-60.0)) / 120.0, bias_deg, habit_deg, std::min(largest(1.0), largest(-1.0))};
+
+  const double trend = draws.uniform() < 0.5 ? -kind.weight_trend : kind.weight_trend;
+  std::vector<CalibrationTrial> trials;
+  for (int i = 0; i < session.slides; ++i) {
+    PersonCondition now = condition;
+    now.person.illusion.tactile_weight +=
+        trend * (static_cast<double>(i) / static_cast<double>(session.slides - 1) - 0.5);
+    CalibrationTrial trial =
+        simulate_slide(now, curve_bound_deg * planned_share(i), session.seed, index, static_cast<std::uint32_t>(i));
+    if (draws.uniform() < kind.outlying_share) {
+      const double off_deg = (draws.uniform() < 0.5 ? -1.0 : 1.0) * (15.0 + 25.0 * draws.uniform());
+      for (TimedPoint& sample : trial.samples) {
+        const PlatePoint& p = sample.position;
+        sample.position = {p.right_mm * cos_deg(off_deg) - p.away_mm * sin_deg(off_deg),
+                           p.right_mm * sin_deg(off_deg) + p.away_mm * cos_deg(off_deg)};
+      }
+    }
+    trials.push_back(std::move(trial));
+  }
+  return trials;
+}
+
+CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& session, std::uint32_t index) {
+  CoveragePerson person;
+  const auto trials = coverage_slides(kind, session, index, &person.truth);
+  const auto result = calibrate(trials);
+  const auto* found = std::get_if<Calibration>(&result);
+  person.refused = found == nullptr;
+  if (!found) {
+    for (Interval& unknown : person.found) unknown.known = false;
+    return person;
+  }
+  person.found = {found->tactile_weight, found->bias_deg, found->habit_deg, found->max_gap_deg};
+  person.lack_of_fit = found->lack_of_fit;
+  return person;
+}
 
 struct CoverageOptions {
   CoverageSession session;
@@ -104,7 +281,7 @@ Results results(const CoverageStudy& study) {
 
 CoverageStudy simulate(const CoverageOptions& options) {
   CoverageStudy study{.options = options, .rows = {}};
-  for (const CoverageKind& kind : coverage_kinds())
+  for (const CoverageKind& kind : all_kinds)
     if (options.kind == "all" || options.kind == kind.name) study.rows.push_back({&kind, {}});
   Progress progress;
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
@@ -128,7 +305,7 @@ Examples:
   hrt-study coverage --slides 16 --people 200)",
       [options] { options->writing.write([options] { return simulate(*options); }, results, text); });
   std::vector<std::string> kinds{"all"};
-  for (const CoverageKind& kind : coverage_kinds()) kinds.emplace_back(kind.name);
+  for (const CoverageKind& kind : all_kinds) kinds.emplace_back(kind.name);
   add_choice(command, "--kind", options->kind, kinds, "Kind of people.");
   add_integer(command, "--people", options->people, 1, 100'000, "People of each kind.");
   add_integer(command, "--slides", options->session.slides, 16, 200, "Slides of each person.");

@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -60,7 +62,10 @@ void Workshop::write(const std::string& name, std::string_view content) {
   files_.push_back(name);
 }
 
-std::string Workshop::read(const std::string& name) const { return read_file(folder_ / name); }
+std::string Workshop::read(const std::string& name) const {
+  std::ifstream file(folder_ / name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 void Workshop::publish() const {
   for (const std::string& name : files_) fs::rename(folder_ / name, out_ / name);

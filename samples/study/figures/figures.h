@@ -1,14 +1,16 @@
 // Figures, which figures.py draws by matplotlib, and the folder in which a result is made.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/person/person_filter.h"
+#include "core/simulation/people.h"
 #include "samples/study/numbers/results.h"
-#include "samples/study/people/trace.h"
 
 namespace hrt::study {
 
@@ -24,6 +26,26 @@ std::vector<Figure> path_figures(std::uint64_t seed);
 
 /// HTML that shows `text`, then NAME.svg of each figure in the same folder, with its caption.
 std::string html_page(const std::string& text, const std::vector<Figure>& figures);
+
+struct TracedSample {
+  double time_s;
+  PlatePoint finger, felt;
+  double plate_deg;
+  double commanded_deg;
+  double felt_error_deg;                                   ///< as the controller has it
+  std::array<double, PersonState::count> mean, deviation;  ///< in the order of PersonState
+};
+
+struct Trace {
+  PersonCondition condition;
+  std::vector<TracedSample> samples;
+};
+
+/// Reach `reach`, from 1 on, of a person led by our controller, which has learnt from those before.
+Trace trace_reach(const PersonCondition& condition, int reach, std::uint64_t seed, std::uint32_t index);
+
+/// A row a sample; a column a state, beside it its deviation.
+std::string trace_csv(const Trace& trace);
 
 /// Every state of a traced reach over time, with two deviations to both sides.
 Figure trace_figure(const Trace& trace);

@@ -47,11 +47,13 @@ Ridges simulate_ridges(const RidgeOptions& options) {
 std::string ridges_text(const Ridges& ridges) {
   std::string page =
       wrapped("The paper's Fig. 1c: " + std::to_string(ridges.options.trials) +
-              " simulated slides straight ahead over a plate that rests at each angle, weight of touch " +
-              number(ridges.options.tactile_weight) + ", motor variance " + number(ridges.options.motor_variance_deg2) +
-              " deg^2. Ridges that lead to the left by touch (positive) bend the path to the right. There was "
-              "no human trial here.") +
-      "\nplate, deg  final direction, deg: mean      SD  at rest\n";
+                  " simulated slides straight ahead over a plate that rests at each angle, weight of touch " +
+                  number(ridges.options.tactile_weight) + ", motor variance " +
+                  number(ridges.options.motor_variance_deg2) +
+                  " deg^2. Ridges that lead to the left by touch (positive) bend the path to the right. There was "
+                  "no human trial here.",
+              110) +
+      '\n' + "\nplate, deg  final direction, deg: mean      SD  at rest\n";
   for (const RidgeAngle& angle : ridges.angles)
     page += right(number(angle.plate_deg), 10) + right(fixed(angle.mean_deg, 1), 29) +
             right(fixed(angle.sd_deg, 1), 8) + right(fixed(angle.rest_deg, 1), 9) + '\n';

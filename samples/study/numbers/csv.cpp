@@ -17,8 +17,6 @@ std::string words_for(std::string_view column) { return "column " + std::string(
 
 }  // namespace
 
-std::string line_of_file(const std::string& name, std::size_t line) { return name + ", line " + std::to_string(line); }
-
 std::string shown(std::string_view text) {
   constexpr std::size_t max = 40;
   return std::string(text.substr(0, max)) + (text.size() > max ? "..." : "");
@@ -42,7 +40,7 @@ bool CsvReader::next() {
   return true;
 }
 
-std::string CsvReader::where() const { return line_of_file(name_, number_); }
+std::string CsvReader::where() const { return name_ + ", line " + std::to_string(number_); }
 
 void CsvReader::take_header(std::string_view columns, const std::string& allowed) {
   for (const std::string_view column : split(columns, ',')) {

@@ -54,9 +54,6 @@ class CsvReader {
   std::vector<std::pair<std::string_view, std::size_t>> places_;  // of the columns
 };
 
-/// "FILE, line 3".
-std::string line_of_file(const std::string& name, std::size_t line);
-
 /// The first 40 characters of a text, as an error quotes them.
 std::string shown(std::string_view text);
 

@@ -196,14 +196,6 @@ void judge_claims(std::vector<CellGroup>& claims) {
 
 }  // namespace
 
-std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, std::uint64_t seed,
-                                           std::uint64_t threads) {
-  Progress progress;
-  return run_batch(jobs, seed,
-                   {.threads = static_cast<int>(threads),
-                    .progress = [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); }});
-}
-
 double CellGroup::mean_percent() const {
   double sum = 0.0;
   for (const Cell& cell : cells) sum += cell.result.hit_percent();
@@ -247,7 +239,11 @@ Table1 simulate_table1(const Table1Options& options) {
                     .condition_id = static_cast<std::uint32_t>(jobs.size()),
                     .first_trial = 0,
                     .last_trial = static_cast<std::uint32_t>(options.trials)});
-  const std::vector<BatchResult> results = run_with_progress(jobs, options.seed, options.threads);
+  Progress progress;
+  const std::vector<BatchResult> results =
+      run_batch(jobs, options.seed,
+                {.threads = static_cast<int>(options.threads),
+                 .progress = [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); }});
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i]->result = results[i];
 
   for (CellGroup& group : table.conditions) {

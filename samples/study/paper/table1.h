@@ -65,10 +65,6 @@ struct Table1 {
   double p_value;
 };
 
-/// run_batch() with a progress bar.
-std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, std::uint64_t seed,
-                                           std::uint64_t threads);
-
 /// The limits of chi-squared here, for reports.
 inline constexpr const char* in_sample_words =
     "In-sample: the paper does not give the sensory variance (0.1 deg^2 by default), and the default bound on the "

@@ -49,10 +49,12 @@ std::string fit_text(const Table1& table) {
       " with the sampling noise of the paper's 50 trials a cell.\nlog-likelihood of the paper's trials " +
       fixed(table.log_likelihood, 1) + "\n" + std::to_string(outside) + " of the " +
       std::to_string(table.degrees_of_freedom) +
-      " cells lie outside their 95 % interval; one in twenty does by chance.\n" + wrapped(in_sample_words) +
+      " cells lie outside their 95 % interval; one in twenty does by chance.\n" + wrapped(in_sample_words, 110) + '\n' +
       wrapped(
           "SD: over the six pairs; the model's is that of cells of 50 trials, with 95 % of "
-          "its samples of six.");
+          "its samples of six.",
+          110) +
+      '\n';
   for (const CellGroup& group : table.conditions)
     if (!group.reproduced)
       page += "The mean of " + group.name.substr(0, 9) + ' ' + group.name.substr(10) +
@@ -74,7 +76,9 @@ std::string claims_text(const Table1& table) {
       page += right(fixed(lowest->result.hit_percent(), 1), 8) + " - " + fixed(highest->result.hit_percent(), 1) +
               " of the six pairs";
     }
-    page += '\n' + wrapped(claim.verdict, 100, "    ", "    ");
+    page += "\n    ";
+    for (const char c : wrapped(claim.verdict, 96)) page += c == '\n' ? "\n    " : std::string(1, c);
+    page += '\n';
   }
   return page;
 }

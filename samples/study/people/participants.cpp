@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "core/simulation/random.h"
-#include "samples/study/cli/output.h"
+#include "samples/study/numbers/csv.h"
 
 namespace hrt::study {
 namespace {
@@ -19,10 +20,8 @@ std::vector<double> angles_in_order(const Session& session) {
     angles_deg.insert(angles_deg.end(), session.plate_angles_deg.begin(), session.plate_angles_deg.end());
   std::vector<double> keys(angles_deg.size());
   for (std::size_t i = 0; i < keys.size(); ++i)
-    keys[i] = standard_normal({.seed = session.seed,
-                               .condition = session.person,
-                               .trial = static_cast<std::uint32_t>(i),
-                               .step = order_draw});
+    keys[i] = standard_normal(
+        {.seed = session.seed, .condition = 0, .trial = static_cast<std::uint32_t>(i), .step = order_draw});
   std::vector<std::size_t> order(angles_deg.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
@@ -33,6 +32,80 @@ std::vector<double> angles_in_order(const Session& session) {
 
 std::string comment(const std::string& name, double value) { return "#   " + name + ' ' + number(value) + '\n'; }
 
+// A plate "at rest" as its own sensor may see it.
+constexpr double rest_tolerance_deg = 1.0;
+// Times are written with nine digits after the point.
+constexpr double min_spacing_s = 0.5e-9;
+
+class SlidesReader {
+ public:
+  SlidesReader(const std::string& name, std::string_view text) : name_(name), csv_(name, text) {}
+
+  std::vector<CalibrationTrial> read() {
+    while (csv_.next()) {
+      if (csv_.line().starts_with('#')) continue;
+      csv_.has_header()
+          ? read_row()
+          : csv_.take_header(calibration_header, "a header that names " + std::string(calibration_header));
+    }
+    if (!csv_.has_header())
+      throw UsageError(name_ + ": there is no header; it must name " + std::string(calibration_header));
+    if (trials_.empty()) throw UsageError(name_ + ": there is no row under the header");
+    end_trial();
+    return std::move(trials_);
+  }
+
+ private:
+  void read_row() {
+    constexpr NumberRange place_range{-10.0, 10.0};
+    csv_.take_row();
+    const double trial = csv_.number("trial", {.low = 0.0, .high = 1e9, .whole = true});
+    const double time_s = csv_.number("time_s", {-1e9, 1e9});
+    const PlatePoint place{mm_per_m * csv_.number("right_m", place_range),
+                           mm_per_m * csv_.number("away_m", place_range)};
+    const double plate_deg = csv_.number("plate_orientation_deg", {-1e6, 1e6});
+    if (trials_.empty() || trial != number_) begin_trial(trial, plate_deg);
+    add({time_s, place}, plate_deg);
+  }
+
+  void begin_trial(double number_of_trial, double plate_deg) {
+    if (!seen_.insert(number_of_trial).second)
+      throw csv_.wrong("trial", "a number that no trial before has; the rows of a trial stand together");
+    end_trial();
+    number_ = number_of_trial;
+    first_plate_deg_ = plate_deg;
+    plate_sum_deg_ = 0.0;
+    turns_ = false;
+    trials_.emplace_back();
+  }
+
+  void add(const TimedPoint& sample, double plate_deg) {
+    std::vector<TimedPoint>& samples = trials_.back().samples;
+    if (!samples.empty() && sample.time_s - samples.back().time_s < min_spacing_s)
+      throw csv_.wrong("time_s", "later than in the row before, by a nanosecond or more");
+    samples.push_back(sample);
+    trials_.back().plate_deg.push_back(plate_deg);
+    turns_ = turns_ || std::abs(plate_deg - first_plate_deg_) > rest_tolerance_deg;
+    plate_sum_deg_ += plate_deg - first_plate_deg_;
+  }
+
+  void end_trial() {
+    if (trials_.empty()) return;
+    CalibrationTrial& last = trials_.back();
+    last.plate_orientation_deg = first_plate_deg_ + plate_sum_deg_ / static_cast<double>(last.samples.size());
+    if (!turns_) last.plate_deg.clear();
+  }
+
+  const std::string& name_;
+  CsvReader csv_;
+  std::vector<CalibrationTrial> trials_;
+  std::set<double> seen_;
+  double number_ = 0.0;
+  double first_plate_deg_ = 0.0;
+  double plate_sum_deg_ = 0.0;
+  bool turns_ = false;  // the plate, in this trial
+};
+
 }  // namespace
 
 std::vector<CalibrationTrial> simulate_session(const Session& session) {
@@ -40,7 +113,7 @@ std::vector<CalibrationTrial> simulate_session(const Session& session) {
   for (const double angle_deg : angles_in_order(session))
     trials.push_back(simulate_calibration_trial(
         session.condition, angle_deg,
-        {.seed = session.seed, .condition = session.person, .trial = static_cast<std::uint32_t>(trials.size())}));
+        {.seed = session.seed, .condition = 0, .trial = static_cast<std::uint32_t>(trials.size())}));
   return trials;
 }
 
@@ -53,8 +126,8 @@ std::string session_csv(const Session& session) {
          comment("sensory_variance_deg2", participant.sensory_variance_deg2) +
          comment("tracker_noise_m", condition.tracker_noise_mm / mm_per_m) +
          comment("goal_direction_deg", condition.goal_direction_deg) +
-         comment("step_period_s", condition.step_period_s) + "# seed " + std::to_string(session.seed) +
-         ", participant " + std::to_string(session.person + 1) + '\n' + calibration_header + '\n';
+         comment("step_period_s", condition.step_period_s) + "# seed " + std::to_string(session.seed) + '\n' +
+         calibration_header + '\n';
   const std::vector<CalibrationTrial> trials = simulate_session(session);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const CalibrationTrial& trial = trials[i];
@@ -64,6 +137,10 @@ std::string session_csv(const Session& session) {
              number(trial.samples[k].position.away_mm / mm_per_m) + ',' + number(trial.plate_orientation_deg) + '\n';
   }
   return csv;
+}
+
+std::vector<CalibrationTrial> parse_calibration_csv(const std::string& name, std::string_view text) {
+  return SlidesReader(name, text).read();
 }
 
 }  // namespace hrt::study

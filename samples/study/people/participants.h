@@ -22,7 +22,6 @@ struct Session {
                                        7.5,   15.0,  22.5,  30.0,  37.5,  45.0,  52.5,  60.0,  67.5,  75.0};
   std::uint64_t trials_per_angle = 2;
   std::uint64_t seed = 1;
-  std::uint32_t person = 0;  ///< people of one seed differ by this
 };
 
 std::vector<CalibrationTrial> simulate_session(const Session& session);

@@ -1,4 +1,4 @@
-#include "samples/study/people/recorded_paths.h"
+#include "samples/study/people/replay.h"
 
 #include <algorithm>
 #include <cmath>

@@ -121,7 +121,9 @@ Replayed replay_folder(const std::string& argument, const std::string& folder) {
 std::string replay_text(const Replayed& all) {
   std::string page =
       wrapped(std::string(open_loop_words) +
-              " Each file is taken as the reaches of one person, whom the controller does not know at first.") +
+                  " Each file is taken as the reaches of one person, whom the controller does not know at first.",
+              110) +
+      '\n' +
       "\nend: recorded bearing of the end less the real target's\nw_T, bias, habit: believed after the "
       "reach, +- standard deviation\nfelt: largest felt error, as estimated\nturn: median size of our "
       "command less where the plate stood\nplate: measured, from recorded commands, or resting: calibration "

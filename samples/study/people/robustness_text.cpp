@@ -209,21 +209,24 @@ std::string robustness_text(const RobustnessStudy& study) {
       people += static_cast<double>(cell.people()) / static_cast<double>(study.rows.size() * leadings.size());
     }
   std::string page =
-      wrapped("Simulated reaches; there was no human trial. " + condition_words(study)) + '\n' +
+      wrapped("Simulated reaches; there was no human trial. " + condition_words(study), 110) + '\n' + '\n' +
       wrapped(
           "Percent of reaches that end within 1.5 deg of the real target's bearing, of people who can hold "
           "the gap; the 95 % interval of a cell is at most +-" +
-          fixed(widest, 1) + " points, and a cell that is within " + number(study.options.points) +
-          " takes no more people: here " + fixed(people, 0) +
-          " in the mean (--format csv: each). no: no controller; pap: the paper's; 1, " +
-          std::to_string(study.options.reaches) +
-          ": ours on a person's reach of that number, with what it has learnt; inf: ours, informed of the person's " +
-          informed_of(study) +
-          "; -: no one can hold the gap; *: kept apart from "
-          "the search for our controller's numbers; +: tracker or plate is off, which no controller sees; ~: paths and "
-          "pace of "
-          "recorded reaches.") +
-      '\n' + near_table(study);
+              fixed(widest, 1) + " points, and a cell that is within " + number(study.options.points) +
+              " takes no more people: here " + fixed(people, 0) +
+              " in the mean (--format csv: each). no: no controller; pap: the paper's; 1, " +
+              std::to_string(study.options.reaches) +
+              ": ours on a person's reach of that number, with what it has learnt; inf: ours, informed of the "
+              "person's " +
+              informed_of(study) +
+              "; -: no one can hold the gap; *: kept apart from "
+              "the search for our controller's numbers; +: tracker or plate is off, which no controller sees; ~: paths "
+              "and "
+              "pace of "
+              "recorded reaches.",
+          110) +
+      '\n' + '\n' + near_table(study);
   if (study.people.size() == 1) page += '\n' + details_table(study.people.front(), study.rows);
   return page + '\n' + flags_table(study.rows, study.options.reaches);
 }

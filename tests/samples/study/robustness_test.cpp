@@ -6,8 +6,6 @@
 #include <cmath>
 #include <fstream>
 
-#include <nlohmann/json.hpp>
-
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
 #include "samples/app/text/text.h"
@@ -15,8 +13,6 @@
 
 namespace hrt::study {
 namespace {
-
-using nlohmann::json;
 
 std::vector<RobustnessRow> rows_of(const std::vector<const char*>& names, const RobustnessOptions& options) {
   std::vector<SimulatedPeople> people;
@@ -114,14 +110,6 @@ TEST(StudyRobustness, MeansWeighFamiliesAndPooledSharesWeighPeople) {
   EXPECT_EQ(all_near().of, 6U);    // 6.4
 }
 
-// Wilson's, of all of n: z^2 / (n + z^2) / 2; of half of n: z / sqrt(n + z^2) / 2.
-TEST(StudyRobustness, HalfIntervalsByHand) {
-  const double z = 1.959963984540054;
-  EXPECT_NEAR(half_interval({.hits = 61, .of = 61}), 50.0 * z * z / (61.0 + z * z), 1e-9);
-  EXPECT_NEAR(half_interval({.hits = 500, .of = 1000}), 50.0 * z / std::sqrt(1000.0 + z * z), 1e-9);
-  EXPECT_TRUE(std::isnan(half_interval({})));
-}
-
 // Without a controller no one arrives, and 0 of 100 is narrow; the paper's brings about a third, which 200 are not.
 TEST(StudyRobustness, ACellTakesTheFirstPeopleUntilItIsNarrow) {
   const auto row_of = [](std::uint64_t people, double points) {
@@ -170,15 +158,9 @@ TEST(StudyRobustness, PeopleWhoCannotHoldAreCountedApartAndFound) {
 
 TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
   const StudyRun run = expect_exit(0, run_study({"robustness", "--people", "5", "--durations", "1", "--family",
-                                                 "place,linear", "--format", "csv", "--seed", "3"}));
+                                                 "place,linear", "--format", "csv", "--seed", "3", "--reaches", "3"}));
   const auto rows = lines(run.out);
   ASSERT_EQ(rows.size(), 1 + 2 * leadings.size());
-  EXPECT_TRUE(rows[0].starts_with(
-      "family,tuned,misplaced,duration_s,controller,reach,people,seed,can_hold,cannot_hold,near_percent,"
-      "near_low_percent,near_high_percent,miss_median_mm,miss_median_low_mm,miss_median_high_mm,miss_95_mm,"))
-      << rows[0];
-  EXPECT_TRUE(rows[0].ends_with(",miss_covered_percent,miss_covered_low_percent,miss_covered_high_percent,description"))
-      << rows[0];
   const auto value = [&](std::size_t row, const char* name) { return field(rows[0], rows[row], name); };
   EXPECT_EQ(value(1, "family"), "place");
   EXPECT_EQ(value(1, "tuned"), "0");
@@ -188,6 +170,7 @@ TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
     EXPECT_EQ(value(1 + i, "controller"), leading_names[i]);
     EXPECT_EQ(std::stoi(value(1 + i, "can_hold")) + std::stoi(value(1 + i, "cannot_hold")), 5);
     EXPECT_EQ(value(1 + i, "seed"), "3");
+    EXPECT_EQ(value(1 + i, "reach"), leadings[i] == Leading::last ? "3" : "1");
     EXPECT_EQ(value(1 + i, "misfit_percent").empty(), leadings[i] == Leading::none);
     EXPECT_LE(std::stod(value(1 + i, "near_low_percent")), std::stod(value(1 + i, "near_percent")));
     EXPECT_GE(std::stod(value(1 + i, "near_high_percent")), std::stod(value(1 + i, "near_percent")));
@@ -229,11 +212,6 @@ TEST(StudyRobustness, TheLastReachIsTheOneAskedFor) {
   EXPECT_EQ(two.cell(Leading::first).can_hold.near.hits, five.cell(Leading::first).can_hold.near.hits);
   EXPECT_GT(two.cell(Leading::last).can_hold.near.hits, two.cell(Leading::first).can_hold.near.hits);
   EXPECT_GT(five.cell(Leading::last).can_hold.near.hits, two.cell(Leading::last).can_hold.near.hits);
-  const StudyRun run = expect_exit(0, run_study({"robustness", "--people", "2", "--durations", "1", "--family",
-                                                 "linear", "--reaches", "3", "--format", "csv"}));
-  const auto rows = lines(run.out);
-  for (std::size_t i = 0; i < leadings.size(); ++i)
-    EXPECT_EQ(field(rows[0], rows[1 + i], "reach"), leadings[i] == Leading::last ? "3" : "1");
 }
 
 // Person and noise of a family do not depend on which others are simulated.
@@ -247,19 +225,12 @@ TEST(StudyRobustness, AFamilyAloneIsThatFamilyAmongOthers) {
     EXPECT_EQ(many.back().cells[i].can_hold.miss_95_mm.value, one.front().cells[i].can_hold.miss_95_mm.value);
 }
 
-TEST(StudyRobustness, TextHelpAndJsonHaveTheFamilies) {
+TEST(StudyRobustness, TextAndHelpHaveTheFamilies) {
   const StudyRun text = run_study({"robustness", "--people", "1"}), help = run_study({"robustness", "--help"});
   for (const PeopleFamily& family : people_families()) {
     EXPECT_TRUE(has(text.out, std::string("\n") + family.name + ' ')) << family.name;
     EXPECT_TRUE(has(help.out, std::string("  ") + family.name) && has(help.out, family.says)) << family.name;
   }
-  const json page = json::parse(
-      run_study({"robustness", "--people", "1", "--family", "bias-3", "--durations", "1", "--format", "json"}).out);
-  EXPECT_EQ(page["simulation"], true);
-  EXPECT_EQ(page["rows"].size(), leadings.size());
-  EXPECT_EQ(page["rows"][0]["family"], "bias-3");
-  EXPECT_EQ(page["rows"][0]["controller"], "none");
-  EXPECT_TRUE(page["rows"][0]["misfit_percent"].is_null());
 }
 
 TEST(StudyRobustness, NumbersGoToAFileBesideTheText) {

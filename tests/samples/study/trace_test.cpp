@@ -1,5 +1,5 @@
 // A traced reach, its table and its pictures.
-#include "samples/study/people/trace.h"
+#include "samples/study/figures/figures.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "samples/study/figures/figures.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {
