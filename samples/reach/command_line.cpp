@@ -64,10 +64,6 @@ void add_reaches(CLI::App& app, Options& options, Words& words) {
                    "file *.json";
           },
           "PLATE"));
-  app.add_option("--finger", options.finger,
-                 "What tracks the fingertip in place of the runtime: evdev:/dev/input/by-id/NAME, a multitouch\n"
-                 "device such as an infrared touch frame. ?width_mm=W&right_mm=R... follow (README). Tested with an\n"
-                 "emulated device only, no real frame");
   app.add_option("--time-limit", options.time_limit_s, "Longest reach, and longest wait for its start, seconds [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option("--runtime-limit", words.runtime_limit_s,
@@ -92,10 +88,9 @@ void add_place(CLI::App& app, Options& options) {
   CLI::Option* register_to = app.add_option(
       "--register", options.register_to,
       "Ask a person to touch the plate's marks, find the plate by them, and keep its place in this file");
-  register_to->excludes("--finger");
   app.add_option("--registered", options.registered,
                  "The plate is where this file has it; a touch of one mark checks that")
-      ->excludes(register_to, "--finger");
+      ->excludes(register_to);
   app.add_flag("--fingertip", options.fingertip,
                "When registering, find first where the skin of the --hand touches, from the joint that is\n"
                "tracked, for a hand that does not keep one attitude; the file keeps it")
@@ -132,6 +127,12 @@ void add_files(CLI::App& app, Options& options) {
 
 void add_person(CLI::App& app, Options& options, Words& words) {
   app.add_flag("--person", options.person, "Instruct a person on the terminal, even if the runtime simulates a user");
+  app.add_option(
+         "--finger", options.finger,
+         "Track the fingertip by a multitouch device, such as an infrared touch frame, in place of the runtime:\n"
+         "evdev:/dev/input/by-id/NAME?width_mm=W&... (README). Tested with an emulated device only")
+      ->needs("--person")
+      ->excludes("--register", "--registered");
   CLI::Option* aloud = app.add_flag("--speak", words.speak, "Speak what a person is asked, with espeak-ng");
   app.add_option("--speak-with", options.speak_with,
                  "Speak with this program: its name and arguments, separated by spaces; each text is a line\n"

@@ -179,8 +179,6 @@ class Run {
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation.emplace(runtime, session);
     // Null: the user is asked on the terminal; that user may be simulated and feels the plate.
     Simulation* const instructed = simulation && !options_.person ? &*simulation : nullptr;
-    if (touch_ && instructed != nullptr)
-      throw Failure(ExitCode::usage, "a simulated user touches no frame: --finger needs --person");
     if (instructed != nullptr) {
       session.place_plate(session.floor_space(), targets_.plate_pose);
       // The same participant continues in a new session.
@@ -356,7 +354,7 @@ class Run {
     if (touch_) std::cout << touch_->description() << "\n";
     if (!calibrates() && !options_.measure_tracker) table_.print_header(std::cout);
     check_output();
-    name_conditions(plugin_, targets_.session, options_.plate, touch_ ? touch_->name() : runtime.name());
+    name_conditions(plugin_, targets_.session, options_.plate, touch_ ? touch_->description() : runtime.name());
   }
 
   const Options& options_;

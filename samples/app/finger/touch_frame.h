@@ -3,6 +3,7 @@
 
 #include <haptic_retargeting/session.h>
 
+#include <chrono>
 #include <deque>
 #include <memory>
 #include <string>
@@ -20,26 +21,22 @@ class TouchFrame {
   /// Failure: ExitCode::usage for `text`, ExitCode::tracker for the device.
   explicit TouchFrame(const std::string& text);
 
-  std::string name() const;
-  /// In one line: name, size and where objects are.
-  std::string description() const;
+  std::string description() const;  ///< name, size and positions of objects, in one line
   /// Sets noise, latency and bearing SD where the configuration has 0.
   void configure(hrt_session_tracker& tracker) const;
-
-  /// The fingertip 12 ms before now, in plate coordinates: after a period of 100 Hz the device's next report has
-  /// arrived. It is the same for all calls with one `time`. Throws Failure (ExitCode::tracker) if the device is gone.
-  Fingertip locate(XrTime time);
-  /// The same at a time of CLOCK_MONOTONIC.
-  Fingertip at(std::int64_t now_ns);
+  /// The fingertip 12 ms before `now_ns` of CLOCK_MONOTONIC, in plate coordinates: after a period of 100 Hz the
+  /// device's next report has arrived. Throws Failure (ExitCode::tracker) if the device is gone.
+  Fingertip locate(std::int64_t now_ns = std::chrono::steady_clock::now().time_since_epoch() /
+                                         std::chrono::nanoseconds(1));
 
  private:
   struct Contact {
-    int id = -1;                       // the kernel's; negative: no contact
-    double right_mm = 0, down_mm = 0;  // from the centre of the touch area
+    int id = -1;                      // the kernel's; negative: no contact
+    std::array<double, 3> place_m{};  // in plate coordinates
     std::int64_t time_ns = 0;
   };
   void take_report(std::int64_t time_ns);
-  std::array<double, 3> on_plate_m(double right_mm, double down_mm) const;
+  std::array<double, 3> place_m(unsigned slot) const;
 
   std::map<std::string, double> settings_{{"width_mm", 0.0},      {"height_mm", 0.0}, {"right_mm", 0.0},
                                           {"towards_mm", 0.0},    {"turn_deg", 0.0},  {"latency_ms", 15.0},
@@ -47,11 +44,8 @@ class TouchFrame {
   std::string path_;
   std::unique_ptr<libevdev, void (*)(libevdev*)> device_;
   std::vector<Contact> contacts_, objects_;  // by slot; those that were there at first
-  int finger_ = -1;                          // its id
-  std::deque<Contact> history_;              // of the finger
+  std::deque<Contact> history_;              // of the finger; the last one is the present one
   bool is_in_sync_ = true;                   // else events were dropped, and the device's state is read
-  XrTime last_ = -1;
-  Fingertip tip_;
 };
 
 }  // namespace hrt::app

@@ -19,7 +19,7 @@ hrt_session_config config_of(const Stage& stage) {
 }
 
 Fingertip locate(const Stage& stage, Hand hand, XrTime time) {
-  if (stage.touch != nullptr) return stage.touch->locate(time);
+  if (stage.touch != nullptr) return stage.touch->locate();
   Fingertip tip = stage.session.locate(hand, time);
   if (!tip.tracked || stage.skin_m == Point{}) return tip;
   if (!tip.rotation) return {};

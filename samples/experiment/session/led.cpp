@@ -166,7 +166,7 @@ std::string LedSubject::boot() const {
 
 std::string LedSubject::description() const {
   return (stand_in_ ? stand_in_->description() + ", by " : "a person, by ") +
-         (touch_ ? touch_->name() : runtime_.name());
+         (touch_ ? touch_->description() : runtime_.name());
 }
 
 void LedSubject::plan(hrt_session_config& config) const {

@@ -6,10 +6,12 @@
 #include <atomic>
 #include <cstring>
 #include <deque>
+#include <fstream>
 #include <mutex>
 #include <thread>
 
 #include "samples/app/base/exit_code.h"
+#include "samples/app/emulator/pseudo_terminal.h"
 #include "samples/app/finger/touch_frame.h"
 #include "samples/app/text/format.h"
 #include "tests/samples/reach/program.h"
@@ -45,19 +47,18 @@ struct EmulatedFrame {
     g_object_unref(handler);
     g_object_unref(bed);
   }
-  void add(std::int64_t time_ns, std::uint16_t type, std::uint16_t code, int value) {
-    events.push_back({{time_ns / 1'000'000'000, time_ns % 1'000'000'000 / 1000}, type, code, value});
-  }
   // A negative id: lifted.
   void report(std::int64_t time_ns, int slot, int id, int x, int y, bool is_dropped = false) {
     const std::lock_guard lock(mutex);
-    add(time_ns, EV_ABS, ABS_MT_SLOT, slot);
-    for (const auto& [code, value] :
-         std::map<std::uint16_t, int>{{ABS_MT_TRACKING_ID, id}, {ABS_MT_POSITION_X, x}, {ABS_MT_POSITION_Y, y}})
-      if (std::exchange(state[code].at(static_cast<std::size_t>(slot)), value) != value)
-        add(time_ns, EV_ABS, code, value);
+    const auto add = [&](std::uint16_t type, std::uint16_t code, int value) {
+      events.push_back({{time_ns / 1'000'000'000, time_ns % 1'000'000'000 / 1000}, type, code, value});
+    };
+    const std::map<std::uint16_t, int> now{{ABS_MT_TRACKING_ID, id}, {ABS_MT_POSITION_X, x}, {ABS_MT_POSITION_Y, y}};
+    add(EV_ABS, ABS_MT_SLOT, slot);
+    for (const auto& [code, value] : now)
+      if (std::exchange(state[code].at(static_cast<std::size_t>(slot)), value) != value) add(EV_ABS, code, value);
     if (is_dropped) events.clear();
-    add(time_ns, EV_SYN, is_dropped ? SYN_DROPPED : SYN_REPORT, 0);
+    add(EV_SYN, is_dropped ? SYN_DROPPED : SYN_REPORT, 0);
   }
   static gboolean read(UMockdevIoctlBase*, UMockdevIoctlClient* client, EmulatedFrame* frame) {
     const std::lock_guard lock(frame->mutex);
@@ -95,10 +96,9 @@ TEST(TouchFrame, LocatesTheFingerAmongContacts) {
   device.report(0, 0, 3, 200, 50);  // an object
   TouchFrame frame(name + "?width_mm=400&height_mm=300&right_mm=10&towards_mm=-20&turn_deg=90");
   const auto at = [&frame](int time_ms) {  // by the delay for resampling
-    const Fingertip tip = frame.at((time_ms + 12) * ms);
-    return tip.tracked  ? format("%.2f %.2f", 1e3 * tip.position_m[0], 1e3 * tip.position_m[2])
-           : tip.lifted ? "lifted"
-                        : "lost";
+    const Fingertip tip = frame.locate((time_ms + 12) * ms);
+    return tip.tracked ? format("%.2f %.2f", 1e3 * tip.position_m[0], 1e3 * tip.position_m[2])
+                       : std::string(tip.lifted ? "lifted" : "lost");
   };
   EXPECT_EQ(device.clock, CLOCK_MONOTONIC);
   EXPECT_TRUE(has(frame.description(), "400 x 300 mm; an object -90 mm right of the centre and 20 mm beyond"));
@@ -107,9 +107,9 @@ TEST(TouchFrame, LocatesTheFingerAmongContacts) {
   EXPECT_EQ(at(1015), "25.00 -20.00");
   EXPECT_EQ(at(1400), "30.00 -20.00");  // at rest, so nothing is reported
   device.report(1510 * ms, 1, 4, 200, 190);
-  EXPECT_EQ(at(1505), "45.00 -20.00");
+  EXPECT_EQ(at(1505), "49.80 -20.00");
   device.report(900'000 * ms, 1, 4, 200, 999);  // in the future, beyond the area
-  EXPECT_EQ(at(1530), "94.00 -20.00");
+  EXPECT_EQ(at(1530), "118.75 -20.00");
   device.report(1550 * ms, 1, -1, 0, 0);
   device.report(1560 * ms, 0, -1, 0, 0);
   device.report(1570 * ms, 0, 5, 201, 51);  // the object after a dropout
@@ -122,50 +122,66 @@ TEST(TouchFrame, LocatesTheFingerAmongContacts) {
 }
 
 TEST(TouchFrame, SaysWhatIsWrongAndWhatToDo) {
-  const auto refusal = [](const std::string& text) -> std::string {
+  const auto expect_refused = [](const std::string& text, ExitCode code, const std::string& why) {
     try {
       TouchFrame frame(text);
-      return "none";
+      ADD_FAILURE() << text;
     } catch (const Failure& failure) {
-      return std::to_string(static_cast<int>(failure.code())) + failure.what();
+      EXPECT_EQ(failure.code(), code);
+      EXPECT_TRUE(has(failure.what(), why));
     }
   };
-  EXPECT_TRUE(has(refusal("evdev:event7"), {"2--finger", "evdev:/dev/input"}));
+  expect_refused("evdev:event7", ExitCode::usage, "\"evdev:event7\" is not evdev:/dev/input");
   for (const std::string wrong : {"width_mm", "width_mm=nan", "width_mm=1e9", "depth_mm=3"})
-    EXPECT_TRUE(has(refusal(name + "?" + wrong), "2--finger: \"" + wrong + "\" is not NAME=NUMBER"));
-  EXPECT_TRUE(has(refusal("evdev:/dev/null"), {"14the touch frame", "it is no input device"}));
+    expect_refused(name + "?" + wrong, ExitCode::usage, "\"" + wrong + "\" is not NAME=NUMBER");
+  expect_refused("evdev:/dev/null", ExitCode::tracker, "/dev/input/by-id");
   EmulatedFrame device;
   device.error = EACCES;
-  EXPECT_TRUE(has(refusal(name), {"14the touch frame", "Join the group input"}));
+  expect_refused(name, ExitCode::tracker, "Join the group input");
   device.error = 0;
   device.axes[ABS_MT_POSITION_Y].resolution = 0;
-  EXPECT_TRUE(has(refusal(name), {"14the touch frame", "?height_mm=..."}));
+  expect_refused(name, ExitCode::tracker, "?height_mm=...");
   device.axes.erase(ABS_MT_SLOT);
-  EXPECT_TRUE(has(refusal(name), {"14the touch frame", "is not a multitouch device"}));
+  expect_refused(name, ExitCode::tracker, "is not a multitouch device");
 }
 
-// By hrt-reach in real time.
-TEST(TouchFrame, LeadsAReachUntilItIsUnplugged) {
-  EmulatedFrame device;
-  const auto touch = [&](int id, int towards_mm) {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch();
-    device.report(now / std::chrono::nanoseconds(1), 0, id, 200, 150 + 2 * towards_mm);
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  };
-  auto environment = reach::scripted_environment(R"({"clock": "real-time"})");
-  environment.insert({{"LD_PRELOAD", HRT_UMOCKDEV_PRELOAD}, {"UMOCKDEV_DIR", std::getenv("UMOCKDEV_DIR")}});
-  const reach::Program program(reach::person_and({"--repeat", "2", "--finger", name}), environment);
-  for (std::size_t made = 0; made < 2; ++made) {
-    for (int i = 0; i < 3000 && occurrences(program.err(), "Put your index finger") <= made; ++i) touch(-1, 0);
-    for (int i = -90; i <= (made == 0 ? 100 : 50); ++i) touch(1, 50 - std::max(0, i));
+// In real time: one reach, and half of another.
+TEST(TouchFrame, LeadsReachesUntilItIsUnplugged) {
+  const std::string folder = reach::scratch_folder();
+  std::ofstream(folder + "/study.json") << R"({"title": "t", "participants": 2, "repeats": 2, "practice_trials": 0,
+    "set_up": "none", "conditions": [{"name": "a", "controller": "people"}, {"name": "b", "controller": "none"}],
+    "pairs": [{"name": "left", "virtual_deg": 6, "real_deg": 0}]})";
+  std::ofstream(folder + "/script.json") << R"({"clock": "real-time"})";
+  const std::vector<std::string> programs[] = {
+      {HRT_REACH_PROGRAM, reach::desk, "--person", "--target", "bottle", "--repeat", "2"},
+      {HRT_EXPERIMENT_PROGRAM, "run", folder + "/study.json", "--participant", "1", "--data", folder, "--scene",
+       reach::desk}};
+  for (std::vector<std::string> words : programs) {
+    EmulatedFrame device;
+    const auto touch = [&](int id, int towards_mm) {
+      const auto now = std::chrono::steady_clock::now().time_since_epoch();
+      device.report(now / std::chrono::nanoseconds(1), 0, id, 200, 150 + 2 * towards_mm);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    };
+    words.insert(words.end(), {"--plate", "servo", "--finger", name});
+    const plate::Pty terminal(80);
+    terminal.type("y");  // consent
+    const Process program(words,
+                          {"XR_RUNTIME_JSON=" HRT_MOCK_MANIFEST, "HRT_MOCK_SCRIPT=" + folder + "/script.json",
+                           "LD_PRELOAD=" HRT_UMOCKDEV_PRELOAD, format("UMOCKDEV_DIR=%s", std::getenv("UMOCKDEV_DIR"))},
+                          -1, terminal.descriptor());
+    for (std::size_t made = 0; made < 2; ++made) {
+      for (int i = 0; i < 3000 && occurrences(program.err(), "Put your index finger") <= made; ++i) touch(-1, 0);
+      for (int i = -90; i <= (made == 0 ? 100 : 50); ++i) touch(1, 50 - std::max(0, i));
+    }
+    device.error = ENODEV;
+    const Outcome outcome = program.wait();
+    EXPECT_TRUE(has(outcome.err, "/dev/input/event7 is gone (No such device): plug it in and start again"));
+    const bool is_study = words[0] == HRT_EXPERIMENT_PROGRAM;
+    EXPECT_EQ(outcome.exit_code, is_study ? 1 : 14);
+    const std::string made = is_study ? read_file(folder + "/sub-01/ses-01/journal.jsonl") : outcome.out;
+    EXPECT_EQ(occurrences(made, is_study ? "\"event\":\"reach\"" : " reached"), 1U) << made << outcome.err;
   }
-  device.error = ENODEV;
-  const Outcome outcome = expect_exit(14, program.wait());
-  reach::expect_said(outcome, {"/dev/input/event7 is gone", "plug it in and start again"});
-  const std::vector<reach::Row> rows = reach::rows_of(outcome);
-  ASSERT_EQ(rows.size(), 1U) << outcome.out << outcome.err;
-  EXPECT_TRUE(rows[0].reached);
-  EXPECT_EQ(rows[0].lost, 0);
 }
 
 }  // namespace
