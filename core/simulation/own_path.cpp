@@ -72,6 +72,10 @@ OwnPath own_path_of(std::vector<RecordedReach> reaches) {
   return path;
 }
 
+double mean_habit_deg(const OwnPath& path) {
+  return path.mean_deg[0] + 4.0 / 15.0 * (path.mean_deg[2] - path.mean_deg[3]);
+}
+
 double wander_sd_deg(const OwnPath& path) {
   constexpr PathShape square_means{1.0 / 3.0, 1.0 / 5.0, 1.0 / 17.0 - 1.0 / 81.0, 1.0 / 17.0 - 1.0 / 81.0};
   double variance_deg2 = 0.0;

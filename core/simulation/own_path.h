@@ -53,6 +53,9 @@ double interpolated(const std::array<double, size>& values, double fraction) {
   return (1.0 - share) * values[before] + share * values[before + 1];
 }
 
+/// Habit of the mean path: its part along 1 - 2 s, by least squares over the path.
+double mean_habit_deg(const OwnPath& path);
+
 /// SD of o(s) from reach to reach, root mean square over the path.
 double wander_sd_deg(const OwnPath& path);
 

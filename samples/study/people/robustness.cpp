@@ -25,6 +25,13 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
   const ReachSummary& summary = outcome.summary;
   const double weight_sd = summary.estimate.tactile_weight_sd;
   const double weight_error = summary.estimate.tactile_weight - true_weight(condition);
+  const auto covered = [](double error, double sd) { return std::abs(error) <= normal_975 * sd; };
+  const auto carried_covers = [&](PersonState::Index trait, double truth) -> std::optional<bool> {
+    if (!outcome.learnt) return std::nullopt;
+    return covered(outcome.learnt->mean(trait) - truth, std::sqrt(outcome.learnt->covariance(trait, trait)));
+  };
+  const Person& person = condition.person;
+  const auto if_known = [](bool known, bool covers) { return known ? std::optional(covers) : std::nullopt; };
   return {.can_hold = can_hold(condition),
           .bearing_error_deg = outcome.bearing_error_deg,
           .miss_mm = std::abs(outcome.miss_mm),
@@ -32,11 +39,12 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
           .unreachable = summary.unreachable,
           .misfit = summary.misfit,
           .off_target = summary.off_target,
-          .weight_estimated = summary.person.has_value() && weight_sd > 0.0,
-          .weight_covered = std::abs(weight_error) <= normal_975 * weight_sd,
-          .miss_known = summary.person.has_value() && !summary.miss_unknown,
-          .miss_covered = std::abs(summary.bearing_error_deg - outcome.bearing_error_deg) <=
-                          normal_975 * summary.bearing_error_sd_deg};
+          .weight_covered = if_known(summary.person.has_value() && weight_sd > 0.0, covered(weight_error, weight_sd)),
+          .bias_covered = carried_covers(PersonState::bias, person.bias_deg - person.own_bias_deg),
+          .habit_covered = carried_covers(PersonState::habit, person.habit_deg + mean_habit_deg(person.own_path)),
+          .miss_covered =
+              if_known(summary.person.has_value() && !summary.miss_unknown,
+                       covered(summary.bearing_error_deg - outcome.bearing_error_deg, summary.bearing_error_sd_deg))};
 }
 
 // All reaches up to the one that is asked for.
@@ -100,8 +108,13 @@ RobustnessCell summarise(std::span<const ReachResult> results) {
   for (const ReachResult& reach : results) {
     cell.misfit.count(reach.misfit);
     cell.off_target.count(reach.off_target);
-    if (reach.weight_estimated) cell.weight_covered.count(reach.weight_covered);
-    if (reach.miss_known) cell.miss_covered.count(reach.miss_covered);
+    const auto count = [](Share& share, std::optional<bool> hit) {
+      if (hit) share.count(*hit);
+    };
+    count(cell.weight_covered, reach.weight_covered);
+    count(cell.bias_covered, reach.bias_covered);
+    count(cell.habit_covered, reach.habit_covered);
+    count(cell.miss_covered, reach.miss_covered);
   }
   return cell;
 }

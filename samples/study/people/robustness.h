@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,10 +42,11 @@ struct ReachResult {
   bool found = false;          ///< unreachable in this reach or an earlier one of the person
   bool misfit = false;
   bool off_target = false;
-  bool weight_estimated = false;  ///< w_T was estimated, with a standard deviation
-  bool weight_covered = false;    ///< the person's w_T is in the estimate's 95 % interval
-  bool miss_known = false;        ///< the controller says how far the reach ended off the target, with an SD
-  bool miss_covered = false;      ///< the true error of the bearing is in the 95 % interval of that
+  // True if the 95 % interval of the estimate contains the truth; none without an estimate.
+  std::optional<bool> weight_covered;  ///< w_T at the end of the reach
+  std::optional<bool> bias_covered;    ///< mean of the person's reaches, as carried to the next reach
+  std::optional<bool> habit_covered;   ///< the same of the habit, to this target
+  std::optional<bool> miss_covered;    ///< error of the bearing at the end
 
   bool near() const;         ///< ends within near_deg of the real target's bearing
   bool silent() const;       ///< misses, and no flag is raised
@@ -70,8 +72,7 @@ struct RobustnessCell {
   // Shares of all people.
   Share misfit;
   Share off_target;
-  Share weight_covered;  ///< of those whose w_T was estimated
-  Share miss_covered;    ///< of those whose miss is known
+  Share weight_covered, bias_covered, habit_covered, miss_covered;  ///< of those who were estimated
 
   std::uint64_t people() const { return can_hold.near.of + cannot_hold.near.of; }
   /// The people who can hold the gap, or those who cannot.

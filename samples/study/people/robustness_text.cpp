@@ -169,6 +169,8 @@ void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
   put_flag("misfit", cell.misfit);
   put_flag("off_target", cell.off_target);
   put_flag("weight_covered", cell.weight_covered);
+  put_flag("bias_covered", cell.bias_covered);
+  put_flag("habit_covered", cell.habit_covered);
   put_flag("miss_covered", cell.miss_covered);
 }
 

@@ -36,18 +36,17 @@ TEST(StudyRobustness, CountsByHand) {
        .miss_mm = 2.0,
        .peak_felt_error_deg = 5.0,
        .unreachable = true,
-       .weight_estimated = true,
        .weight_covered = true,
-       .miss_known = true,
+       .bias_covered = true,
+       .habit_covered = false,
        .miss_covered = true},
       {.can_hold = true,
        .bearing_error_deg = -1.4,
        .miss_mm = 4.0,
        .peak_felt_error_deg = 7.0,
        .off_target = true,
-       .weight_estimated = true,
        .weight_covered = false,
-       .miss_known = true},
+       .miss_covered = false},
       {.can_hold = true, .bearing_error_deg = 1.6, .miss_mm = 9.0, .peak_felt_error_deg = 6.0},
       {.can_hold = false,
        .bearing_error_deg = -4.0,
@@ -74,6 +73,8 @@ TEST(StudyRobustness, CountsByHand) {
   expect(cell.misfit, 1, 7);
   expect(cell.off_target, 1, 7);
   expect(cell.weight_covered, 1, 2);
+  expect(cell.bias_covered, 1, 1);
+  expect(cell.habit_covered, 0, 1);
   expect(cell.miss_covered, 1, 2);
   EXPECT_EQ(cell.can_hold.miss_median_mm.value, 4.0);
   EXPECT_TRUE(std::isnan(cell.can_hold.miss_median_mm.low));  // three reaches do not bound it
